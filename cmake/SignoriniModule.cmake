@@ -1,0 +1,35 @@
+# Warnings, sanitizers and the two ways a target of this project is made.
+
+add_library(signorini_warnings INTERFACE)
+target_compile_options(signorini_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion)
+
+add_library(signorini_build INTERFACE)
+target_compile_features(signorini_build INTERFACE cxx_std_20)
+target_include_directories(signorini_build INTERFACE ${PROJECT_SOURCE_DIR})
+# Fused multiply-adds would make results differ between machines.
+target_compile_options(signorini_build INTERFACE -ffp-contract=off)
+if(SIGNORINI_SANITIZE)
+  target_compile_options(signorini_build INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
+                                                   -fno-omit-frame-pointer)
+  target_link_options(signorini_build INTERFACE -fsanitize=address,undefined)
+endif()
+
+# signorini_module(NAME SOURCES ... LINK ...): a static library with the alias signorini::NAME.
+function(signorini_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;PRIVATE_LINK")
+  add_library(signorini_${name} STATIC ${arg_SOURCES})
+  add_library(signorini::${name} ALIAS signorini_${name})
+  target_link_libraries(signorini_${name} PUBLIC signorini_build ${arg_LINK} PRIVATE signorini_warnings
+                                                                                   ${arg_PRIVATE_LINK})
+endfunction()
+
+# signorini_test(NAME SOURCES ... LINK ... [LABELS ...]): a GoogleTest binary whose cases ctest knows one by one.
+function(signorini_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;LABELS")
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE signorini_warnings ${arg_LINK} GTest::gtest_main)
+  if(NOT arg_LABELS)
+    set(arg_LABELS unit)
+  endif()
+  gtest_discover_tests(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 600 DISCOVERY_TIMEOUT 60)
+endfunction()

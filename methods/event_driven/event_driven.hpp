@@ -1,0 +1,50 @@
+#pragma once
+// Event-driven time marching by CVODE: the time-domain reference.
+
+#include <array>
+#include <string_view>
+
+#include "methods/method.hpp"
+
+namespace signorini {
+
+class EventDriven final : public Method {
+ public:
+  enum class Steady { marching, shooting };
+
+  static constexpr std::string_view kName = "event-driven";
+  static constexpr std::string_view kTitle = "CVODE between events, impact law at events, to the steady state";
+  static constexpr std::string_view kLaws = "restitution 0..1, penalty";
+  static constexpr std::string_view kLadder = "tolerance=1e-6|1e-9";
+
+  struct Options {
+    double tolerance = 1e-9;        ///< relative tolerance of the integration, in [1e-13, 1e-3] [-]
+    Steady steady = Steady::marching;
+    int max_iterations = 5000;      ///< periods marched, or Newton steps of the shooting [-]
+    int max_order = 8;              ///< highest period order detected by marching [-]
+
+    void visit(auto&& field) {
+      field("tolerance", tolerance, "[-]", "relative tolerance of the integration, in [1e-13, 1e-3]");
+      field("steady", steady, "[-]", "marching | shooting: how the periodic motion is reached");
+      field("max_iterations", max_iterations, "[-]", "periods marched, or Newton steps of the shooting, >= 1");
+      field("max_order", max_order, "[-]", "highest period order that marching detects, 1..64");
+    }
+  };
+
+  explicit EventDriven(const Options& options);  ///< \throws InvalidOption
+
+  [[nodiscard]] std::vector<OptionEcho> options() const override { return echo_options(options_); }
+  [[nodiscard]] Support supports(const Problem& problem) const override;
+  [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
+  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
+
+ private:
+  Options options_;
+};
+
+template <>
+struct EnumNames<EventDriven::Steady> {
+  static constexpr std::array<std::string_view, 2> values{"marching", "shooting"};
+};
+
+}  // namespace signorini

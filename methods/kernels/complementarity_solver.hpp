@@ -1,0 +1,35 @@
+#pragma once
+// The solver shared by the complementarity methods: pivoting with restarts, or plain Newton.
+
+#include <array>
+#include <chrono>
+#include <string_view>
+
+#include "methods/kernels/lcp.hpp"
+#include "methods/options.hpp"
+
+namespace signorini {
+
+enum class ComplementaritySolver {
+  automatic,  ///< pivoting, restarted with other covering vectors where the path fails
+  pivoting,   ///< pivoting, one path
+  newton,     ///< semi-smooth Newton with a line search, the source paper's solver
+};
+
+template <>
+struct EnumNames<ComplementaritySolver> {
+  static constexpr std::array<std::string_view, 3> values{"auto", "pivoting", "newton"};
+};
+
+struct SolverSettings {
+  ComplementaritySolver solver = ComplementaritySolver::automatic;
+  double tolerance = 1e-10;  ///< on LcpResult::residual [-]
+  int max_iterations = 0;    ///< pivots or Newton iterations; 0: the solver's own limit
+  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+};
+
+/// Solves the problem as the settings ask, from `guess` (z of a nearby problem) or cold when that is
+/// empty. Counts of work are summed over restarts; a guess that leads nowhere is followed by a cold start.
+LcpResult solve_lcp(Lcp& lcp, const SolverSettings& settings, const Eigen::VectorXd& guess = {});
+
+}  // namespace signorini

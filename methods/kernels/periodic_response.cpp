@@ -1,0 +1,129 @@
+#include "methods/kernels/periodic_response.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <stdexcept>
+
+#include "methods/kernels/real_fft.hpp"
+#include "methods/kernels/receptance.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+/// Forcing periods in the trajectory's period.
+int forcing_periods(const Problem& problem, double period) {
+  const double ratio = period * problem.frequency / kTwoPi;
+  const double whole = std::round(ratio);
+  if (!(whole >= 1.0) || std::abs(ratio - whole) > 1e-6 * whole) {
+    throw std::invalid_argument(fmt::format("trajectory.period = {} (must be a multiple of the forcing period {})",
+                                            period, kTwoPi / problem.frequency));
+  }
+  return static_cast<int>(whole);
+}
+
+}  // namespace
+
+Eigen::MatrixXcd force_spectrum(const Trajectory& trajectory, int count) {
+  // At 16 samples per harmonic the aliasing of a force with jumps stays below one part in a hundred of
+  // the coefficient at the highest harmonic, and far below that at low ones.
+  const auto samples = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(4096, 16 * count))));
+  const Samples motion = trajectory.sample(samples);
+  RealFft fft(samples);
+  Eigen::VectorXcd spectrum(fft.coefficients());
+  Eigen::MatrixXcd result(count + 1, trajectory.contact_count());
+  for (int c = 0; c < trajectory.contact_count(); ++c) {
+    fft.forward(motion.force.col(c), spectrum);
+    result.col(c) = spectrum.head(count + 1);
+  }
+  const double period = trajectory.period();
+  for (const Impulse& impulse : trajectory.impulses()) {
+    for (int n = 0; n <= count; ++n) {
+      result(n, impulse.contact) += impulse.value / period * std::polar(1.0, -kTwoPi * n * impulse.time / period);
+    }
+  }
+  return result;
+}
+
+PeriodicResponse::PeriodicResponse(const Problem& problem, const Trajectory& trajectory, int max_harmonics)
+    : problem_(problem), base_frequency_(kTwoPi / trajectory.period()) {
+  const int order = forcing_periods(problem, trajectory.period());
+  const int harmonics = std::max(std::min(trajectory.bandwidth().value_or(max_harmonics), max_harmonics),
+                                 order * highest_load_harmonic(problem));
+  lambda_ = force_spectrum(trajectory, harmonics);
+  load_ = Eigen::MatrixXcd::Zero(harmonics + 1, problem.size());
+  u_.resize(harmonics + 1, problem.size());
+  const SparseMatrix directions = contact_directions(problem);
+  DynamicStiffness stiffness(problem);
+  for (int n = 0; n <= harmonics; ++n) {
+    if (n % order == 0) {
+      load_.row(n) = (n == 0 ? 1.0 : 0.5) * load_harmonic(problem, n / order).transpose();
+    }
+    const Eigen::MatrixXcd rhs = load_.row(n).transpose() + directions * lambda_.row(n).transpose();
+    u_.row(n) = stiffness.solve(exact_weights(n * base_frequency_), rhs).transpose();
+  }
+}
+
+State PeriodicResponse::at(double time) const {
+  State state{u_.row(0).real().transpose(), Eigen::VectorXd::Zero(u_.cols())};
+  for (Eigen::Index n = 1; n < u_.rows(); ++n) {
+    const double w = static_cast<double>(n) * base_frequency_;
+    const std::complex<double> phase = 2.0 * std::polar(1.0, w * time);
+    state.u += (phase * u_.row(n)).real().transpose();
+    state.v += (std::complex<double>(0.0, w) * phase * u_.row(n)).real().transpose();
+  }
+  return state;
+}
+
+Eigen::MatrixXd PeriodicResponse::displacement(int count) const {
+  // Sampled finely enough for every harmonic, then thinned to the instants asked for.
+  const auto harmonics = static_cast<int>(u_.rows()) - 1;
+  const int refine = std::max(1, (2 * harmonics + count) / count);
+  RealFft fft(count * refine);
+  Eigen::MatrixXd result(count, u_.cols());
+  Eigen::VectorXd fine(count * refine);
+  for (Eigen::Index c = 0; c < u_.cols(); ++c) {
+    fft.inverse(u_.col(c), fine);
+    for (int i = 0; i < count; ++i) result(i, c) = fine[i * refine];
+  }
+  return result;
+}
+
+double PeriodicResponse::work_of_load() const {
+  double work = 0.0;
+  for (Eigen::Index n = 1; n < u_.rows(); ++n) {
+    // T * 2 Re(conj(f_n) i n w u_n) with n w T = 2 pi n.
+    work -= 2.0 * kTwoPi * static_cast<double>(n) * load_.row(n).conjugate().cwiseProduct(u_.row(n)).sum().imag();
+  }
+  return work;
+}
+
+double PeriodicResponse::dissipation() const {
+  double work = 0.0;
+  for (Eigen::Index n = 1; n < u_.rows(); ++n) {
+    const Eigen::VectorXcd u = u_.row(n).transpose();
+    const Eigen::VectorXcd du = problem_.damping * u;
+    const double order = static_cast<double>(n);
+    work += 2.0 * kTwoPi * order * order * base_frequency_ * u.dot(du).real();
+  }
+  return work;
+}
+
+Eigen::VectorXd PeriodicResponse::contact_work() const {
+  const Eigen::MatrixXcd x = u_ * contact_directions(problem_);
+  Eigen::VectorXd work = Eigen::VectorXd::Zero(lambda_.cols());
+  for (Eigen::Index n = 1; n < u_.rows(); ++n) {
+    work -=
+        2.0 * kTwoPi * static_cast<double>(n) * lambda_.row(n).conjugate().cwiseProduct(x.row(n)).imag().transpose();
+  }
+  return work;
+}
+
+}  // namespace signorini

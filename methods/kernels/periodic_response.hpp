@@ -1,0 +1,51 @@
+#pragma once
+// The structure's exact linear response to a periodic contact force: the full field behind a
+// trajectory that knows only its contacts.
+
+#include <Eigen/Core>
+
+#include "methods/solution.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// State of the whole structure at one instant.
+struct State {
+  Eigen::VectorXd u;  ///< Nd [m]
+  Eigen::VectorXd v;  ///< Nd [m/s]
+};
+
+/// u(t) = sum_{|n|<=H} Z_n^{-1} (f_n + W lambda_n) e^{i n w t}, Z_n = K - (n w)^2 M + i n w D,
+/// w = 2 pi / period of the trajectory, lambda_n the Fourier coefficients of its force and impulses.
+/// (Seed eq. 41 and 45, corrected: design in docs/theory.md.)
+class PeriodicResponse {
+ public:
+  /// H is the trajectory's bandwidth where it has one, `max_harmonics` otherwise, never more.
+  /// The trajectory's period must be a whole multiple of the forcing period (to 1e-6 relative).
+  /// \throws std::invalid_argument otherwise; std::runtime_error if some Z_n is singular
+  PeriodicResponse(const Problem& problem, const Trajectory& trajectory, int max_harmonics = 512);
+
+  /// u and v at any time; v is the mean of its sides where it jumps.
+  [[nodiscard]] State at(double time) const;
+  /// u at count instants, count x Nd [m].
+  [[nodiscard]] Eigen::MatrixXd displacement(int count) const;
+  /// Work of the load per period, integral of f^T u' dt [J].
+  [[nodiscard]] double work_of_load() const;
+  /// Work dissipated by D per period, integral of u'^T D u' dt >= 0 [J].
+  [[nodiscard]] double dissipation() const;
+  /// Work of the contact force per period and contact, integral of lambda_j x_j' dt [J], Nc.
+  [[nodiscard]] Eigen::VectorXd contact_work() const;
+
+ private:
+  const Problem& problem_;
+  double base_frequency_;
+  Eigen::MatrixXcd u_;       // (H+1) x Nd
+  Eigen::MatrixXcd load_;    // (H+1) x Nd
+  Eigen::MatrixXcd lambda_;  // (H+1) x Nc
+};
+
+/// Fourier coefficients n = 0..count of the contact force, impulses included, (count+1) x Nc [N]:
+/// lambda_n = (1/T) integral over a period of lambda e^{-i n w t}.
+Eigen::MatrixXcd force_spectrum(const Trajectory& trajectory, int count);
+
+}  // namespace signorini

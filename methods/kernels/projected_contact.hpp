@@ -1,0 +1,60 @@
+#pragma once
+// Harmonic balance with the contact force projected on the Fourier space: the core that the
+// Fourier Lipschitz and the penalty method share.
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "methods/kernels/complementarity_solver.hpp"
+#include "methods/kernels/receptance.hpp"
+#include "methods/kernels/trajectories.hpp"
+#include "methods/method.hpp"
+
+namespace signorini {
+
+/// The contact law in projected form, per contact:
+///
+///     lambda = -P z,   z = max(0, y),   y = c (x - g) - relief * lambda,
+///
+/// P the projection on harmonics |n| <= H. relief = 1 is Signorini's condition (seed eq. 4), relief =
+/// 1 - c / k_p a stop of stiffness k_p; c = k_p with relief = 0 is the penalty law (seed eq. 47).
+struct ProjectedLaw {
+  Eigen::VectorXd constant;  ///< c, Nc, > 0 [N/m]
+  Eigen::VectorXd relief;    ///< Nc [-]
+};
+
+struct ProjectedOptions {
+  int harmonics = 10;
+  std::optional<int> samples = {};  ///< N; empty: from 32 H up, until the energy identity holds
+  SolverSettings solver = {};
+};
+
+/// w = q + A z with A = sqrt(c) C_n sqrt(c) + (1 - relief) for |n| <= H, 1 above, q = sqrt(c) (g - x_f):
+/// rows and columns scaled by sqrt(c) per contact, z_scaled = z / sqrt(c).
+Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
+                  int samples);
+
+/// Net work of the contact force over a period, relative to the work exchanged,
+/// |2 T sum_n Re(conj(lambda_n) i n w x_n)| / (2 T sum_n n w |lambda_n| |x_n|), summed over contacts.
+/// Zero for exact quadrature (docs/theory.md): what is left measures how well N resolves the contact.
+double net_work_ratio(const Eigen::MatrixXcd& x, const Eigen::MatrixXcd& lambda);
+
+/// A scene prepared for one projected law.
+class ProjectedContact final : public PreparedMethod {
+ public:
+  ProjectedContact(const Problem& problem, ContactReceptance receptance, ProjectedLaw law, ProjectedOptions options);
+  Solution solve(const Start& start) override;
+
+ private:
+  /// z on the grid from a trajectory: max(0, y) sampled.
+  [[nodiscard]] Eigen::VectorXd guess_from(const Trajectory& trajectory, int samples) const;
+  [[nodiscard]] FourierTrajectory::Data coefficients(const Eigen::VectorXd& z_scaled, int samples) const;
+  [[nodiscard]] Solution linear_response() const;
+
+  ContactReceptance receptance_;
+  Eigen::VectorXd gap_;
+  ProjectedLaw law_;
+  ProjectedOptions options_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,41 @@
+#pragma once
+// Real discrete Fourier transforms on a uniform time grid: the only place that knows FFTW.
+
+#include <Eigen/Core>
+#include <memory>
+
+namespace signorini {
+
+/// Transforms between N equidistant samples x_i = x(i T / N) and Fourier coefficients,
+///
+///     X_n = (1/N) sum_i x_i e^{-2 pi j n i / N},   n = 0..N/2,
+///     x_i = sum_{|n| <= N/2} X_n e^{2 pi j n i / N},   X_{-n} = conj X_n,
+///
+/// so that coefficients do not depend on N (for even N the one at N/2 stands for both signs together).
+/// Planned once with FFTW_ESTIMATE: results are the same from run to run. Not to be shared by threads.
+/// Source: [frigo2005].
+class RealFft {
+ public:
+  explicit RealFft(int samples);  ///< samples >= 1
+  ~RealFft();
+  RealFft(RealFft&&) noexcept;
+  RealFft& operator=(RealFft&&) noexcept;
+  RealFft(const RealFft&) = delete;
+  RealFft& operator=(const RealFft&) = delete;
+
+  /// N.
+  [[nodiscard]] int samples() const;
+  /// N/2 + 1, the number of coefficients.
+  [[nodiscard]] int coefficients() const { return samples() / 2 + 1; }
+
+  /// \param values N; \param spectrum N/2 + 1, written
+  void forward(const Eigen::Ref<const Eigen::VectorXd>& values, Eigen::Ref<Eigen::VectorXcd> spectrum);
+  /// \param spectrum at most N/2 + 1 coefficients, missing ones are zero; \param values N, written
+  void inverse(const Eigen::Ref<const Eigen::VectorXcd>& spectrum, Eigen::Ref<Eigen::VectorXd> values);
+
+ private:
+  struct Plans;
+  std::unique_ptr<Plans> plans_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,65 @@
+#pragma once
+// The linear structure in the frequency domain, reduced to its contacts (seed section 5).
+
+#include <Eigen/Core>
+#include <complex>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// Dynamic stiffness of one harmonic, Z = mass * M + damping * D + stiffness * K, and the weight
+/// that a time discretisation puts on the load of that harmonic.
+struct HarmonicWeights {
+  std::complex<double> mass;       ///< [1/s^2]
+  std::complex<double> damping;    ///< [1/s]
+  std::complex<double> stiffness;  ///< [-]
+  double load = 1.0;               ///< [-]
+};
+
+/// Weights of the undiscretised equation of motion at angular frequency w: -w^2, i w, 1.
+HarmonicWeights exact_weights(double w);
+
+/// Factorises Z harmonic by harmonic; the sparsity pattern is analysed once.
+/// Dense for a few coordinates, sparse LU beyond; no matrix is ever inverted.
+class DynamicStiffness {
+ public:
+  explicit DynamicStiffness(const Problem& problem);
+  ~DynamicStiffness();
+  DynamicStiffness(const DynamicStiffness&) = delete;
+  DynamicStiffness& operator=(const DynamicStiffness&) = delete;
+
+  /// Z^{-1} rhs, Nd x k. \throws std::runtime_error if Z is singular to working precision
+  [[nodiscard]] Eigen::MatrixXcd solve(const HarmonicWeights& weights, const Eigen::MatrixXcd& rhs);
+
+ private:
+  struct Factors;
+  std::unique_ptr<Factors> factors_;
+};
+
+/// The structure as its contacts see it: x_n = free_n + C_n lambda_n for each harmonic n of the base
+/// frequency of the motion looked for.
+struct ContactReceptance {
+  double period = 1.0;                        ///< [s]
+  std::vector<Eigen::MatrixXcd> receptance;   ///< C_n = W^T Z_n^{-1} W, Nc x Nc, n = 0..H [m/N]
+  Eigen::MatrixXcd free_response;             ///< W^T Z_n^{-1} f_n, (H+1) x Nc [m]
+
+  /// H, the highest harmonic kept.
+  [[nodiscard]] int harmonics() const { return static_cast<int>(receptance.size()) - 1; }
+  /// Nc.
+  [[nodiscard]] int contacts() const { return static_cast<int>(free_response.cols()); }
+};
+
+/// C_n and free response for n = 0..H under the discretisation that gives harmonic n its weights.
+/// Loads above harmonic H of the base frequency are dropped.
+/// \throws std::runtime_error if some Z_n is singular
+ContactReceptance contact_receptance(const Problem& problem, int harmonics,
+                                     const std::function<HarmonicWeights(int)>& weights);
+
+/// Complex coefficient of the load at harmonic n of the BASE frequency, f(t) = sum_n f_n e^{i n w t}, Nd [N].
+Eigen::VectorXcd load_coefficient(const Problem& problem, int n);
+
+}  // namespace signorini

@@ -1,0 +1,65 @@
+#pragma once
+// The plugin interface. A method turns a Problem into a Solution; it never scores itself.
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "methods/options.hpp"
+#include "methods/solution.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// The impact law is not determined by the method's equations (see docs/theory.md).
+struct Undetermined {};
+
+/// The law a method represents on a scene. std::monostate: no contact.
+using RepresentedLaw = std::variant<std::monostate, Restitution, Penalty, Massless, Undetermined>;
+
+/// Whether a method applies to a scene; if not, `reason` is printed in the table's cell.
+struct Support {
+  bool ok = true;
+  std::string reason = {};
+};
+
+/// Where a solve begins and when it must give up.
+struct Start {
+  std::shared_ptr<const Trajectory> guess = {};  ///< null: cold start
+  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+
+  /// True once the time budget is spent; methods ask between iterations and end `not_converged`.
+  [[nodiscard]] bool expired() const {
+    return deadline != std::chrono::steady_clock::time_point::max() && std::chrono::steady_clock::now() > deadline;
+  }
+};
+
+/// A method prepared for one scene: everything that a user pays once per scene is done.
+class PreparedMethod {
+ public:
+  virtual ~PreparedMethod() = default;
+  /// One solve. Deterministic; repeatable. Numerical failure is a Solution, never an exception.
+  virtual Solution solve(const Start& start) = 0;
+};
+
+/// Immutable after construction, hence safe to share between threads.
+class Method {
+ public:
+  virtual ~Method() = default;
+  /// Complete options, defaults included.
+  [[nodiscard]] virtual std::vector<OptionEcho> options() const = 0;
+  [[nodiscard]] virtual Support supports(const Problem& problem) const = 0;
+  /// The law represented on this scene; meaningful where `supports` says ok.
+  [[nodiscard]] virtual RepresentedLaw law(const Problem& problem) const = 0;
+  /// Set-up for one valid, supported scene, which must outlive the result.
+  /// \throws std::runtime_error if the structure cannot be factorised
+  [[nodiscard]] virtual std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const = 0;
+};
+
+/// True if the represented law is the scene's own.
+bool law_matches(const RepresentedLaw& represented, const Law& scene);
+
+}  // namespace signorini

@@ -1,0 +1,53 @@
+#include "methods/options.hpp"
+
+#include <fmt/format.h>
+
+namespace signorini::option_detail {
+
+std::string refuse(std::string_view key, std::string_view text, std::string_view requirement) {
+  return fmt::format("{} = {} ({})", key, text, requirement);
+}
+
+double parse_double(std::string_view key, std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
+    throw InvalidOption(refuse(key, text, "must be a finite number"));
+  }
+  return value;
+}
+
+long parse_integer(std::string_view key, std::string_view text) {
+  int value = 0;  // options are ints: a value that does not fit one is refused here
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) {
+    throw InvalidOption(refuse(key, text, "must be a whole number"));
+  }
+  return value;
+}
+
+bool parse_bool(std::string_view key, std::string_view text) {
+  if (text == "true" || text == "1") return true;
+  if (text == "false" || text == "0") return false;
+  throw InvalidOption(refuse(key, text, "must be true or false"));
+}
+
+Scaled parse_scaled(std::string_view key, std::string_view text) {
+  const bool relative = text.ends_with('x');
+  try {
+    return {parse_double(key, relative ? text.substr(0, text.size() - 1) : text), relative};
+  } catch (const InvalidOption&) {
+    throw InvalidOption(refuse(key, text, "must be a number in SI units, or a multiple such as 100x"));
+  }
+}
+
+int parse_name(std::string_view key, std::string_view text, std::span<const std::string_view> names) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == text) return static_cast<int>(i);
+  }
+  throw InvalidOption(refuse(key, text, fmt::format("must be one of {}", fmt::join(names, ", "))));
+}
+
+std::string print(const Scaled& value) { return fmt::format("{}{}", value.value, value.relative ? "x" : ""); }
+
+}  // namespace signorini::option_detail

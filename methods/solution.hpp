@@ -1,0 +1,64 @@
+#pragma once
+// What a method returns: a verdict of its own, a trajectory the harness samples, and counts of work.
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace signorini {
+
+/// Equidistant samples of one period at the contacts, t_i = i * period / count.
+struct Samples {
+  Eigen::MatrixXd x;         ///< count x Nc, contact displacement [m]
+  Eigen::MatrixXd velocity;  ///< count x Nc, right-sided where it jumps [m/s]
+  Eigen::MatrixXd force;     ///< count x Nc, lambda <= 0 without impulses [N]
+};
+
+/// A jump of momentum at a contact.
+struct Impulse {
+  int contact = 0;
+  double time = 0.0;   ///< in [0, period) [s]; t = 0 is the time origin of the forcing terms
+  double value = 0.0;  ///< on the structure along the contact coordinate, <= 0 [N s]
+};
+
+/// A periodic motion seen at the contacts, in the method's own representation. The harness samples
+/// it wherever it likes, so that no interpolation error enters the scores.
+class Trajectory {
+ public:
+  virtual ~Trajectory() = default;
+  /// Nc.
+  [[nodiscard]] virtual int contact_count() const = 0;
+  /// [s]
+  [[nodiscard]] virtual double period() const = 0;
+  /// One period at `count` >= 1 equidistant instants; finite values only.
+  [[nodiscard]] virtual Samples sample(int count) const = 0;
+  /// Impulses within one period, ordered in time; empty where force is an ordinary function.
+  [[nodiscard]] virtual std::vector<Impulse> impulses() const { return {}; }
+  /// Harmonics of 2 pi / period that the representation resolves: the structure's response to
+  /// `force` and `impulses` up to this harmonic is the method's own field. Empty: all of them.
+  [[nodiscard]] virtual std::optional<int> bandwidth() const { return std::nullopt; }
+};
+
+/// What the method believes. The harness forms its own verdict.
+enum class Verdict { converged, not_converged };
+
+/// Counts of work; an empty one means the method has no such notion.
+struct Work {
+  std::optional<long> unknowns = {};
+  std::optional<long> iterations = {};
+  std::optional<long> pivots = {};
+  std::optional<long> rhs_evaluations = {};
+  std::optional<long> factorisations = {};
+};
+
+struct Solution {
+  Verdict verdict = Verdict::not_converged;
+  std::string message = {};                            ///< one sentence for a person
+  std::shared_ptr<const Trajectory> trajectory = {};   ///< best iterate; null if there is none
+  Work work = {};
+  std::optional<double> residual = {};                 ///< of the method's own equations, relative [-]
+};
+
+}  // namespace signorini

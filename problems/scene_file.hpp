@@ -1,0 +1,39 @@
+#pragma once
+// TOML scene files -> validated Problem. The format is the contract of docs/scene-format.md.
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// A scene file that cannot be used. what() is the one line for the user,
+/// `FILE:LINE: field = value (what is required)`; the line is absent where none applies.
+class SceneError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads and validates one scene file.
+/// \throws SceneError for a missing or unreadable file, bad TOML, an unknown or missing key, a value
+///         out of range, or a Problem that `validate` refuses; the line points at the culprit.
+Problem load_scene(const std::filesystem::path& path);
+
+/// The same from text already in memory; `name` stands for the file in messages.
+Problem parse_scene(std::string_view text, const std::string& name);
+
+/// Folder of the shipped catalogue: $SIGNORINI_PROBLEMS if set, else the installed or source folder.
+std::filesystem::path problems_folder();
+
+/// Every scene file of the catalogue, sorted by name.
+std::vector<std::filesystem::path> catalogue_scenes();
+
+/// Path of a scene given by catalogue name ("sdof-stop") or by path to a TOML file.
+/// \throws SceneError naming close matches if there is no such scene.
+std::filesystem::path find_scene(const std::string& name_or_path);
+
+}  // namespace signorini
