@@ -26,7 +26,8 @@ Problem load_scene(const std::filesystem::path& path);
 /// The same from text already in memory; `name` stands for the file in messages.
 Problem parse_scene(std::string_view text, const std::string& name);
 
-/// Folder of the shipped catalogue: $SIGNORINI_PROBLEMS if set, else the installed or source folder.
+/// Folder that holds catalogue/ and suites/: $SIGNORINI_PROBLEMS if set, else the installed or source folder.
+/// \throws SceneError if it is gone
 std::filesystem::path problems_folder();
 
 /// Every scene file of the catalogue, sorted by name.

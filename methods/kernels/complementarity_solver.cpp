@@ -9,10 +9,9 @@ namespace signorini {
 
 namespace {
 
-// Covering vectors of the restarts: the more uneven, the more different the path. The ratios are
-// irrational (golden, silver, plastic), so that no two entries tie.
-constexpr std::array kRestarts{std::pair{1e-3, 0.6180339887498949}, std::pair{0.9, 0.41421356237309515},
-                               std::pair{1.6, 0.7548776662466927}, std::pair{1.9, 0.5698402909980532}};
+// Covering vectors of the restarts, (amplitude, phase) of their wave: the stronger, the more different the
+// path from the first, constant one.
+constexpr std::array kRestarts{std::pair{0.03, 1.6}, std::pair{0.03, 4.7}, std::pair{0.3, 3.1}, std::pair{0.3, 0.0}};
 
 }  // namespace
 
@@ -34,9 +33,10 @@ LcpResult solve_lcp(Lcp& lcp, const SolverSettings& settings, const Eigen::Vecto
     result.pivots += spent;
   }
   if (settings.solver == ComplementaritySolver::pivoting) return result;
-  for (std::size_t k = 1; k < kRestarts.size() && result.status != LcpStatus::solved; ++k) {
-    if (result.status == LcpStatus::interrupted) break;
-    options.cover = smooth_cover(lcp.matrix.size(), kRestarts[k].first, kRestarts[k].second);
+  for (const auto& [amplitude, phase] : kRestarts) {
+    // A path that ran out of pivots wanders through many solutions; another cover would wander as long.
+    if (result.status != LcpStatus::ray && result.status != LcpStatus::breakdown) break;
+    options.cover = smooth_cover(lcp.matrix.samples(), lcp.matrix.contacts(), amplitude, phase);
     LcpResult next = solve_by_pivoting(lcp, options);
     next.pivots += result.pivots;
     result = std::move(next);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "methods/kernels/updated_qr.hpp"
@@ -13,6 +14,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kSlack = 64 * kEpsilon;  // rounding of a few dozen operations, relative
+constexpr long kRefresh = 64;              // pivots between two recomputations from scratch
 constexpr int kTau = -1;  // the column of the covering vector, and "tau" as a leaving variable
 
 /// What stops the path at the end of one linear piece.
@@ -25,7 +28,7 @@ struct Blocking {
 class LemkePath {
  public:
   LemkePath(Lcp& lcp, const PivotingOptions& options)
-      : lcp_(lcp), options_(options), size_(lcp.matrix.size()), in_rows_(static_cast<std::size_t>(size_), 0) {
+      : lcp_(lcp), options_(options), size_(lcp.matrix.size()) {
     q_scale_ = lcp.offset.lpNorm<Eigen::Infinity>();
     limit_ = options.max_pivots > 0 ? options.max_pivots : 6000 + 10L * size_;
   }
@@ -39,10 +42,12 @@ class LemkePath {
       if ((result_.pivots & 63) == 0 && std::chrono::steady_clock::now() > options_.deadline) {
         return finish(LcpStatus::interrupted, Eigen::VectorXd::Zero(size_));
       }
-      if (!follow_piece()) return finish(LcpStatus::breakdown, Eigen::VectorXd::Zero(size_));
+      if (since_refresh_++ % kRefresh == 0) recompute();
+      if (!find_direction()) return finish(LcpStatus::breakdown, Eigen::VectorXd::Zero(size_));
       const Blocking block = find_blocking();
       if (block.kind == Blocking::Kind::none) return finish(LcpStatus::ray, Eigen::VectorXd::Zero(size_));
       ++result_.pivots;
+      advance(block);
       if (block.kind == Blocking::Kind::tau) {
         drop_tau();
         return conclude();
@@ -55,10 +60,10 @@ class LemkePath {
  private:
   /// tau comes down from infinity with z = 0: the tightest gap closes first.
   bool start_cold() {
-    cover_ = options_.cover.size() == size_ ? options_.cover : smooth_cover(size_);
+    cover_ = options_.cover.size() == size_ ? options_.cover : smooth_cover(lcp_.matrix.samples(), lcp_.matrix.contacts());
     int first = 0;
     (-lcp_.offset.array() / cover_.array()).maxCoeff(&first);
-    add_row(first);
+    rows_ = {first};
     column_.resize(1);
     column_[0] = cover_[first];
     qr_.clear();
@@ -76,7 +81,7 @@ class LemkePath {
     for (int i = 0; i < size_; ++i) {
       if (guess[i] > 0.0) {
         columns_.push_back(i);
-        add_row(i);
+        rows_.push_back(i);
       }
     }
     Eigen::VectorXd w = lcp_.offset + lcp_.matrix * guess.cwiseMax(0.0);
@@ -116,31 +121,40 @@ class LemkePath {
     return false;
   }
 
-  /// Values of the basic variables and their rates along the driving variable.
-  bool follow_piece() {
-    value_ = -gather(lcp_.offset);
+  /// Values of the basic variables and of w from scratch: sheds what rounding has gathered.
+  void recompute() {
+    gather(lcp_.offset, value_);
+    value_ = -value_;
     qr_.solve(value_);
+    accumulate(value_, lcp_.offset, w_);
+  }
+
+  /// Rates of the basic variables and of w along the driving variable; false if they are not finite.
+  bool find_direction() {
     if (driving_z_) {
       lcp_.matrix.gather(rows_, pair_, direction_);
       direction_ = -direction_;
     } else {
-      direction_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));
+      direction_.setZero(static_cast<Eigen::Index>(rows_.size()));
       direction_[position_of_row(pair_)] = 1.0;
     }
     qr_.solve(direction_);
-    if (!value_.allFinite() || !direction_.allFinite()) return false;
-    accumulate(value_, lcp_.offset, w_);
-    accumulate(direction_, Eigen::VectorXd::Zero(size_), dw_);
+    if (!direction_.allFinite() || !value_.allFinite()) return false;
+    dw_.setZero(size_);
     if (driving_z_) {
       const double one = 1.0;
       lcp_.matrix.add_columns({&pair_, 1}, &one, dw_);
     }
+    accumulate(direction_, dw_, dw_);
+    // Held rows stay where they are exactly; only the driving w moves.
+    for (const int row : rows_) dw_[row] = 0.0;
+    if (!driving_z_) dw_[pair_] = 1.0;
     return true;
   }
 
   /// out = base + [A, d] applied to the basic variables.
   void accumulate(const Eigen::VectorXd& basic, const Eigen::VectorXd& base, Eigen::VectorXd& out) {
-    out = base;
+    if (&out != &base) out = base;
     for (std::size_t k = 0; k < columns_.size(); ++k) {
       const double weight = basic[static_cast<Eigen::Index>(k)];
       if (columns_[k] == kTau) {
@@ -151,48 +165,60 @@ class LemkePath {
     }
   }
 
+  /// Walks to the end of the piece; the basic values are then reordered as `exchange` will reorder the columns.
+  void advance(const Blocking& block) {
+    value_ += block.step * direction_;
+    w_ += block.step * dw_;
+    if (block.kind == Blocking::Kind::w) {
+      w_[block.position] = 0.0;
+    } else {
+      const Eigen::Index tail = value_.size() - block.position - 1;
+      value_.segment(block.position, tail) = value_.tail(tail).eval();
+      value_.conservativeResize(value_.size() - 1);
+    }
+    if (driving_z_) {
+      value_.conservativeResize(value_.size() + 1);
+      value_[value_.size() - 1] = block.step;
+    }
+  }
+
   /// Ratio test in two passes: the longest step that violates no bound by more than a rounding-sized
   /// tolerance, and of the variables met up to there the one with the largest pivot; tau has precedence.
   Blocking find_blocking() {
-    const double z_scale = std::max(value_.lpNorm<Eigen::Infinity>(), q_scale_);
-    const double w_scale = std::max(w_.lpNorm<Eigen::Infinity>(), q_scale_);
-    const double z_slack = 64 * kEpsilon * z_scale;
-    const double w_slack = 64 * kEpsilon * w_scale;
-    const double z_pivot = 64 * kEpsilon * std::max(1.0, direction_.lpNorm<Eigen::Infinity>());
-    const double w_pivot = 64 * kEpsilon * std::max(1.0, dw_.lpNorm<Eigen::Infinity>());
+    const double z_slack = kSlack * std::max(value_.lpNorm<Eigen::Infinity>(), q_scale_);
+    const double w_slack = kSlack * q_scale_;
+    const double z_pivot = kSlack * std::max(1.0, direction_.lpNorm<Eigen::Infinity>());
+    const double w_pivot = kSlack * std::max(1.0, -dw_.minCoeff());
     double longest = kInfinity;
     for (Eigen::Index k = 0; k < value_.size(); ++k) {
-      if (direction_[k] < -z_pivot) {
-        longest = std::min(longest, (std::max(value_[k], 0.0) + z_slack) / -direction_[k]);
-      }
+      if (direction_[k] >= -z_pivot) continue;
+      longest = std::min(longest, (std::max(value_[k], 0.0) + z_slack) / -direction_[k]);
     }
-    for (int i = 0; i < size_; ++i) {
-      if (in_rows_[static_cast<std::size_t>(i)] == 0 && dw_[i] < -w_pivot) {
-        longest = std::min(longest, (std::max(w_[i], 0.0) + w_slack) / -dw_[i]);
-      }
-    }
-    return choose_within(longest, z_pivot, w_pivot);
+    const auto reach = (w_.array().max(0.0) + w_slack) / -dw_.array();
+    longest = std::min(longest, (dw_.array() < -w_pivot).select(reach, kInfinity).minCoeff());
+    return longest < kInfinity ? choose_within(longest, z_pivot, w_pivot) : Blocking{};
   }
 
   Blocking choose_within(double longest, double z_pivot, double w_pivot) const {
     Blocking best;
     double largest = 0.0;
     for (Eigen::Index k = 0; k < value_.size(); ++k) {
+      if (direction_[k] >= -z_pivot) continue;
       const double step = std::max(value_[k], 0.0) / -direction_[k];
-      if (direction_[k] >= -z_pivot || step > longest) continue;
-      const bool tau = columns_[static_cast<std::size_t>(k)] == kTau;
-      if (tau) return {Blocking::Kind::tau, static_cast<int>(k), step};
+      if (step > longest) continue;
+      const auto position = static_cast<int>(k);
+      if (columns_[static_cast<std::size_t>(k)] == kTau) return {Blocking::Kind::tau, position, step};
       if (-direction_[k] > largest) {
         largest = -direction_[k];
-        best = {Blocking::Kind::z, static_cast<int>(k), step};
+        best = {Blocking::Kind::z, position, step};
       }
     }
     for (int i = 0; i < size_; ++i) {
-      if (in_rows_[static_cast<std::size_t>(i)] != 0 || dw_[i] >= -w_pivot) continue;
-      const double step = std::max(w_[i], 0.0) / -dw_[i];
-      if (step <= longest && -dw_[i] > largest) {
+      // Rows held have dw >= 0, so that nothing but a basic w passes here.
+      if (dw_[i] >= -w_pivot || w_[i] > -longest * dw_[i]) continue;
+      if (-dw_[i] > largest) {
         largest = -dw_[i];
-        best = {Blocking::Kind::w, i, step};
+        best = {Blocking::Kind::w, i, std::max(w_[i], 0.0) / -dw_[i]};
       }
     }
     return best;
@@ -269,19 +295,19 @@ class LemkePath {
     return std::move(result_);
   }
 
-  [[nodiscard]] Eigen::VectorXd gather(const Eigen::VectorXd& full) const {
-    Eigen::VectorXd part(static_cast<Eigen::Index>(rows_.size()));
+  void gather(const Eigen::VectorXd& full, Eigen::VectorXd& part) const {
+    part.resize(static_cast<Eigen::Index>(rows_.size()));
     for (std::size_t k = 0; k < rows_.size(); ++k) part[static_cast<Eigen::Index>(k)] = full[rows_[k]];
+  }
+
+  [[nodiscard]] Eigen::VectorXd gather(const Eigen::VectorXd& full) const {
+    Eigen::VectorXd part;
+    gather(full, part);
     return part;
   }
 
   [[nodiscard]] int position_of_row(int index) const {
     return static_cast<int>(std::find(rows_.begin(), rows_.end(), index) - rows_.begin());
-  }
-
-  void add_row(int index) {
-    rows_.push_back(index);
-    in_rows_[static_cast<std::size_t>(index)] = 1;
   }
 
   void append_row(int index) {
@@ -290,14 +316,13 @@ class LemkePath {
       column_[static_cast<Eigen::Index>(k)] = columns_[k] == kTau ? cover_[index] : lcp_.matrix(index, columns_[k]);
     }
     qr_.append_row(column_);
-    add_row(index);
+    rows_.push_back(index);
   }
 
   void remove_row(int index) {
     const int position = position_of_row(index);
     qr_.remove_row(position);
     rows_.erase(rows_.begin() + position);
-    in_rows_[static_cast<std::size_t>(index)] = 0;
   }
 
   void append_column(int index) {
@@ -320,20 +345,23 @@ class LemkePath {
   UpdatedQr qr_;              // factors of [A_RB, d_R], columns in the order of columns_
   std::vector<int> rows_;     // R: indices whose w is held at its driving or zero value
   std::vector<int> columns_;  // basic z, and tau
-  std::vector<char> in_rows_;
   int pair_ = 0;              // the complementary pair of which neither is basic
   bool driving_z_ = true;
   Eigen::VectorXd value_, direction_, w_, dw_, column_;
+  long since_refresh_ = 0;
   LcpResult result_;
 };
 
 }  // namespace
 
-Eigen::VectorXd smooth_cover(int size, double amplitude, double ratio) {
-  Eigen::VectorXd cover(size);
-  for (int i = 0; i < size; ++i) {
-    const double phase = (i + 1) * ratio;
-    cover[i] = 1.0 + amplitude * (phase - std::floor(phase) - 0.5);
+Eigen::VectorXd smooth_cover(int samples, int contacts, double amplitude, double phase) {
+  constexpr double kGolden = 0.6180339887498949;  // its multiples fill the unit interval without ties
+  constexpr double kTieBreak = 1e-9;
+  Eigen::VectorXd cover(samples * contacts);
+  for (int i = 0; i < samples * contacts; ++i) {
+    const double place = (i + 1) * kGolden;
+    cover[i] = 1.0 + amplitude * std::cos(2.0 * std::numbers::pi * (i % samples) / samples + phase) +
+               kTieBreak * (place - std::floor(place) - 0.5);
   }
   return cover;
 }

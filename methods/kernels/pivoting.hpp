@@ -23,16 +23,18 @@ struct PivotingOptions {
 /// larger than the number of positive z: O(|active|^2 + N Nc |active|) per pivot, memory
 /// O(N Nc^2 + |active|^2).
 ///
-/// The default d varies smoothly by one part in a thousand with an irrational period, so that the ties
-/// of symmetric problems, where pivoting could cycle, do not occur; the answer does not depend on d
-/// beyond which of several solutions is met first.
+/// The default d is constant but for one part in 1e9 of irregular variation, which separates the ties of
+/// symmetric problems, where pivoting could cycle. The answer depends on d only in which of several
+/// solutions is met first; the path's length depends on it strongly: a d that is rough in time excites
+/// high harmonics all along, smooth ones do not (docs/decisions/0005).
 /// Warm start: d is chosen so that the guess solves the problem at tau = 1, and the path begins there.
 ///
 /// Guarantee: `solved` means residual <= tolerance. With strictly copositive-plus A no ray can occur
 /// [cottle2009, theorem 4.4.12]; for the periodic contact problems see docs/theory.md.
 LcpResult solve_by_pivoting(Lcp& lcp, const PivotingOptions& options = {});
 
-/// d_i = 1 + amplitude * (fractional part of (i + 1) times the golden ratio - 1/2): the default cover.
-Eigen::VectorXd smooth_cover(int size, double amplitude = 1e-3, double ratio = 0.6180339887498949);
+/// Covering vector with one smooth wave per period, d_{c,i} = 1 + amplitude * cos(2 pi i / N + phase), and
+/// the irregular 1e-9 part that separates ties. Amplitude in [0, 1).
+Eigen::VectorXd smooth_cover(int samples, int contacts, double amplitude = 0.0, double phase = 0.0);
 
 }  // namespace signorini

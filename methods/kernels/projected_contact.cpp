@@ -74,7 +74,7 @@ Solution ProjectedContact::linear_response() const {
 Solution ProjectedContact::solve(const Start& start) {
   if (receptance_.contacts() == 0) return linear_response();
   const bool automatic = !options_.samples.has_value();
-  int samples = options_.samples.value_or(std::max(64, kSamplesPerHarmonic * options_.harmonics));
+  int samples = options_.samples.value_or(std::max(64, kSamplesPerHarmonic * receptance_.harmonics()));
   SolverSettings settings = options_.solver;
   settings.deadline = start.deadline;
   Solution solution;
@@ -101,7 +101,9 @@ Solution ProjectedContact::solve(const Start& start) {
       solution.trajectory = std::make_shared<FourierTrajectory>(std::move(data));
     }
     const bool content = solution.verdict == Verdict::converged && ratio <= kEnergyIdentity;
-    if (!automatic || content || round == kDoublings || result.status == LcpStatus::interrupted) break;
+    // More samples repair a ray or a coarse quadrature, not a Newton iteration that has lost its way.
+    const bool lost = settings.solver == ComplementaritySolver::newton && result.status != LcpStatus::solved;
+    if (!automatic || content || lost || round == kDoublings || result.status == LcpStatus::interrupted) break;
   }
   solution.work = work;
   return solution;

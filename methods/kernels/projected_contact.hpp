@@ -6,25 +6,14 @@
 #include <optional>
 
 #include "methods/kernels/complementarity_solver.hpp"
+#include "methods/kernels/projected_law.hpp"
 #include "methods/kernels/receptance.hpp"
 #include "methods/kernels/trajectories.hpp"
 #include "methods/method.hpp"
 
 namespace signorini {
 
-/// The contact law in projected form, per contact:
-///
-///     lambda = -P z,   z = max(0, y),   y = c (x - g) - relief * lambda,
-///
-/// P the projection on harmonics |n| <= H. relief = 1 is Signorini's condition (seed eq. 4), relief =
-/// 1 - c / k_p a stop of stiffness k_p; c = k_p with relief = 0 is the penalty law (seed eq. 47).
-struct ProjectedLaw {
-  Eigen::VectorXd constant;  ///< c, Nc, > 0 [N/m]
-  Eigen::VectorXd relief;    ///< Nc [-]
-};
-
 struct ProjectedOptions {
-  int harmonics = 10;
   std::optional<int> samples = {};  ///< N; empty: from 32 H up, until the energy identity holds
   SolverSettings solver = {};
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <complex>
 #include <cstddef>
+#include <deque>
 #include <new>
 
 namespace signorini {
@@ -41,7 +42,19 @@ struct RealFft::Plans {
   fftw_plan to_values = nullptr;
 };
 
-RealFft::RealFft(int samples) : plans_(std::make_unique<Plans>(samples)) {}
+RealFft::RealFft(int samples) {
+  // The few sizes in use at a time stay planned; the oldest gives way.
+  constexpr std::size_t kKept = 8;
+  thread_local std::deque<std::shared_ptr<Plans>> planned;
+  const auto known = std::find_if(planned.begin(), planned.end(), [&](const auto& p) { return p->size == samples; });
+  if (known != planned.end()) {
+    plans_ = *known;
+    return;
+  }
+  plans_ = std::make_shared<Plans>(samples);
+  planned.push_front(plans_);
+  if (planned.size() > kKept) planned.pop_back();
+}
 RealFft::~RealFft() = default;
 RealFft::RealFft(RealFft&&) noexcept = default;
 RealFft& RealFft::operator=(RealFft&&) noexcept = default;

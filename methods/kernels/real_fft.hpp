@@ -12,7 +12,8 @@ namespace signorini {
 ///     x_i = sum_{|n| <= N/2} X_n e^{2 pi j n i / N},   X_{-n} = conj X_n,
 ///
 /// so that coefficients do not depend on N (for even N the one at N/2 stands for both signs together).
-/// Planned once with FFTW_ESTIMATE: results are the same from run to run. Not to be shared by threads.
+/// Planned with FFTW_ESTIMATE: results are the same from run to run. Plans are shared by all transforms of
+/// one size in a thread, so that a new one costs nothing; a transform must stay in its thread.
 /// Source: [frigo2005].
 class RealFft {
  public:
@@ -35,7 +36,7 @@ class RealFft {
 
  private:
   struct Plans;
-  std::unique_ptr<Plans> plans_;
+  std::shared_ptr<Plans> plans_;
 };
 
 }  // namespace signorini

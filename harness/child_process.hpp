@@ -1,0 +1,51 @@
+#pragma once
+// One forked child seen from the parent; used by isolation.cpp only.
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <string>
+
+#include "harness/isolation.hpp"
+
+namespace signorini {
+
+class ChildProcess {
+ public:
+  /// Forks. \throws std::system_error
+  ChildProcess(const IsolatedWork& work, const IsolationLimits& limits);
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  /// Descriptor to poll for input, -1 once the child has closed its end.
+  [[nodiscard]] int descriptor() const { return pipe_; }
+  /// Reads what there is, enforces the limits, collects a dead child. True once all is over.
+  bool advance();
+  /// Ends the child; `advance` then collects it.
+  void interrupt();
+  /// Valid once `advance` has returned true.
+  [[nodiscard]] ChildEnd take_end() { return std::move(end_); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void read_pipe();
+  void take_line(std::string line);
+  void enforce_deadline();
+  void stop(ChildEnd::Kind reason);
+  void collect();
+  void set_deadline();
+
+  IsolationLimits limits_;
+  pid_t child_ = -1;
+  int pipe_ = -1;
+  int log_ = -1;
+  std::string partial_;
+  bool told_end_ = false;  // the child said how its work ended
+  std::optional<ChildEnd::Kind> stopped_;
+  Clock::time_point deadline_;
+  ChildEnd end_;
+};
+
+}  // namespace signorini

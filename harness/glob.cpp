@@ -1,0 +1,67 @@
+#include "harness/glob.hpp"
+
+#include <algorithm>
+
+namespace signorini {
+
+bool glob_match(std::string_view pattern, std::string_view text) {
+  // Backtracks to the last star only: enough, since a later star makes earlier choices irrelevant.
+  std::size_t p = 0;
+  std::size_t t = 0;
+  std::size_t star = std::string_view::npos;
+  std::size_t resume = 0;
+  while (t < text.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      resume = t;
+    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == text[t])) {
+      ++p;
+      ++t;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      t = ++resume;
+    } else {
+      return false;
+    }
+  }
+  return std::all_of(pattern.begin() + static_cast<std::ptrdiff_t>(p), pattern.end(),
+                     [](char c) { return c == '*'; });
+}
+
+GlobPieces split_globs(std::string_view filter) {
+  GlobPieces pieces;
+  std::string piece;
+  bool negative = false;
+  int depth = 0;
+  const auto finish = [&] {
+    if (!piece.empty()) (negative ? pieces.negative : pieces.positive).push_back(piece);
+    piece.clear();
+  };
+  char before = ':';
+  for (const char c : filter) {
+    if (c == '[') ++depth;
+    if (c == ']') --depth;
+    if (depth == 0 && c == ':') {
+      finish();
+    } else if (depth == 0 && c == '-' && !negative &&
+               (before == ':' || before == '*' || before == '?' || before == ']')) {
+      finish();
+      negative = true;
+    } else {
+      piece += c;
+    }
+    before = c;
+  }
+  finish();
+  if (pieces.positive.empty()) pieces.positive.emplace_back("*");
+  return pieces;
+}
+
+bool filter_matches(std::string_view filter, std::string_view name) {
+  const GlobPieces pieces = split_globs(filter);
+  const auto matches = [&](const std::string& pattern) { return glob_match(pattern, name); };
+  return std::any_of(pieces.positive.begin(), pieces.positive.end(), matches) &&
+         std::none_of(pieces.negative.begin(), pieces.negative.end(), matches);
+}
+
+}  // namespace signorini

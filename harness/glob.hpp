@@ -1,0 +1,26 @@
+#pragma once
+// Names chosen by gtest globs, `hat*:fourier*-*penalty*`.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace signorini {
+
+/// True if the whole text matches; `*` is any run of characters, `?` any one, all else itself.
+bool glob_match(std::string_view pattern, std::string_view text);
+
+/// The pieces of a filter: POSITIVE[:POSITIVE...][-NEGATIVE[:NEGATIVE...]].
+struct GlobPieces {
+  std::vector<std::string> positive;  ///< "*" where none is given
+  std::vector<std::string> negative;
+};
+
+/// Splits a filter; what stands in brackets is never split. Names contain dashes, so the one that
+/// begins the negative pieces is the first at the start of the filter or after `*`, `?`, `:` or `]`.
+GlobPieces split_globs(std::string_view filter);
+
+/// True if some positive piece matches and no negative one does.
+bool filter_matches(std::string_view filter, std::string_view name);
+
+}  // namespace signorini

@@ -1,0 +1,49 @@
+#pragma once
+// Motions on the harness's common grid, and how far apart two of them are.
+
+#include <optional>
+#include <vector>
+
+#include "methods/solution.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// Instants per forcing period on which every measure is taken.
+inline constexpr int kGrid = 8192;
+
+/// One period of a motion at kGrid instants per forcing period.
+struct Motion {
+  int order = 1;             ///< period in forcing periods
+  double forcing_period = 1; ///< [s]
+  Samples samples;           ///< (order * per_period) x Nc
+  std::vector<Impulse> impulses;
+  std::optional<int> bandwidth;
+
+  [[nodiscard]] double period() const { return order * forcing_period; }
+  [[nodiscard]] int count() const { return static_cast<int>(samples.x.rows()); }
+  [[nodiscard]] double step() const { return period() / count(); }
+};
+
+/// Samples a trajectory whose period is a whole multiple of the forcing period.
+Motion sample_motion(const Problem& problem, const Trajectory& trajectory, int per_period = kGrid);
+
+/// Relative distances of motion a from motion b over their common period, b shifted by `shift` forcing
+/// periods; empty where b's own norm is zero. Both must have the same grid per forcing period.
+struct Distance {
+  std::optional<double> x_l2;         ///< |x_a - x_b| / |x_b|, root mean square over time and contacts
+  std::optional<double> x_max;        ///< largest |x_a - x_b| / largest |x_b|
+  std::optional<double> velocity_l2;  ///< as x_l2, of x'
+};
+Distance distance(const Motion& a, const Motion& b, int shift = 0);
+
+/// The shift of b by whole forcing periods, 0 <= shift < b.order, that brings it nearest to a in x_l2.
+int best_shift(const Motion& a, const Motion& b);
+
+/// Smallest order m that divides the motion's and after which x repeats to 1e-6 of its norm.
+int least_order(const Motion& motion);
+
+/// Half the difference of the largest and least x of a contact, the largest over contacts [m].
+double amplitude(const Motion& motion);
+
+}  // namespace signorini

@@ -1,0 +1,102 @@
+#include "harness/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/failure.hpp"
+#include "harness/glob.hpp"
+#include "harness/sha256.hpp"
+#include "problems/scene_file.hpp"
+
+namespace signorini {
+
+namespace {
+
+struct OptionPrinter {
+  std::string operator()(std::monostate) const { return "auto"; }
+  std::string operator()(bool value) const { return value ? "true" : "false"; }
+  std::string operator()(long value) const { return std::to_string(value); }
+  std::string operator()(double value) const { return fmt::format("{}", value); }
+  std::string operator()(const std::string& value) const { return value; }
+};
+
+bool belongs(const Suite& suite, const Problem& problem) {
+  const auto named = [&](const std::string& glob) { return glob_match(glob, problem.name); };
+  const auto carried = [&](const std::string& tag) {
+    return std::find(problem.tags.begin(), problem.tags.end(), tag) != problem.tags.end();
+  };
+  return std::any_of(suite.scenes.begin(), suite.scenes.end(), named) ||
+         std::any_of(suite.tags.begin(), suite.tags.end(), carried);
+}
+
+std::vector<Scene> choose_scenes(const Suite& suite, const Narrowing& narrowing,
+                                 std::span<const std::filesystem::path> files) {
+  std::vector<Scene> scenes;
+  for (const std::filesystem::path& file : files) {
+    Scene scene = read_scene(file.string());
+    if (!belongs(suite, scene.problem)) continue;
+    if (narrowing.scenes && !filter_matches(*narrowing.scenes, scene.problem.name)) continue;
+    scenes.push_back(std::move(scene));
+  }
+  if (scenes.empty()) {
+    throw NothingMatched(fmt::format("scenes = {} (matches no scene of suite {}; see `signorini list scenes`)",
+                                     narrowing.scenes.value_or("*"), suite.name));
+  }
+  return scenes;
+}
+
+/// The suite's settings for the methods it mentions, the method's own ladder for the others.
+DefaultSettings suite_settings(const Suite& suite, std::span<const MethodEntry> catalogue) {
+  std::vector<MethodChoice> mentioned;
+  for (const std::string& filter : suite.methods) {
+    for (MethodChoice& choice : select_methods(filter, catalogue)) mentioned.push_back(std::move(choice));
+  }
+  return [mentioned](const MethodEntry& entry) {
+    std::vector<Settings> settings;
+    for (const MethodChoice& choice : mentioned) {
+      if (choice.entry->name == entry.name) settings.push_back(choice.settings);
+    }
+    return settings.empty() ? ladder_of(entry) : settings;
+  };
+}
+
+}  // namespace
+
+std::string print_option(const OptionValue& value) { return std::visit(OptionPrinter{}, value); }
+
+Scene read_scene(const std::string& name_or_path) {
+  const std::filesystem::path path = find_scene(name_or_path);
+  const std::string text = read_file(path);
+  // Read once, so that the hash is of what was parsed.
+  return {parse_scene(text, path.string()), sha256(text)};
+}
+
+Case make_case(const Scene& scene, std::size_t index, MethodChoice choice) {
+  Case result{.scene = index, .choice = std::move(choice), .options = {}, .id = {}};
+  result.options = result.choice.entry->make(result.choice.settings)->options();
+  result.id = scene.problem.name + "/" + result.choice.label();
+  return result;
+}
+
+Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const MethodEntry> catalogue,
+               std::span<const std::filesystem::path> scene_files) {
+  const std::vector<MethodChoice> choices =
+      select_methods(narrowing.methods.value_or("*"), catalogue, suite_settings(suite, catalogue));
+  Plan plan{choose_scenes(suite, narrowing, scene_files), {}};
+  for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
+    for (const MethodChoice& choice : choices) plan.cases.push_back(make_case(plan.scenes[i], i, choice));
+  }
+  return plan;
+}
+
+std::string case_key(const Scene& scene, const Case& run, const Limits& limits, std::string_view code_version) {
+  std::string text = fmt::format("{}\n{}\n", scene.sha256, run.choice.entry->name);
+  for (const OptionEcho& option : run.options) text += option.name + "=" + print_option(option.value) + "\n";
+  text += fmt::format("timeout={}\nmemory={}\nrepetitions={}\ncertificate={}\nreference={}\ncode={}\n",
+                      limits.timeout, limits.memory_mb, limits.repetitions, limits.certificate_timeout,
+                      limits.reference_timeout, code_version);
+  return sha256(text);
+}
+
+}  // namespace signorini

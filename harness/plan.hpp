@@ -1,0 +1,61 @@
+#pragma once
+// What a run does, in order: scene x method x settings.
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/selection.hpp"
+#include "harness/suite.hpp"
+#include "methods/catalogue.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// A scene ready to run.
+struct Scene {
+  Problem problem;
+  std::string sha256;  ///< of the scene file's bytes
+};
+
+/// Reads a scene by catalogue name or path. \throws SceneError
+Scene read_scene(const std::string& name_or_path);
+
+/// One run of one method on one scene.
+struct Case {
+  std::size_t scene = 0;  ///< index into Plan::scenes
+  MethodChoice choice;
+  std::vector<OptionEcho> options;  ///< complete, defaults included
+  std::string id;                   ///< "sdof-stop/fourier-lipschitz[harmonics=40]"
+};
+
+struct Plan {
+  std::vector<Scene> scenes;
+  std::vector<Case> cases;  ///< scene by scene
+};
+
+/// One case; validates the settings. \throws InvalidOption
+Case make_case(const Scene& scene, std::size_t index, MethodChoice choice);
+
+/// What a user narrows a suite to.
+struct Narrowing {
+  std::optional<std::string> methods;  ///< filter with optional settings in brackets
+  std::optional<std::string> scenes;   ///< filter on scene names
+};
+
+/// The cases of a suite, scenes in catalogue order, methods in catalogue order.
+/// \throws NothingMatched, UsageError, SceneError, InvalidOption
+Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const MethodEntry> catalogue,
+               std::span<const std::filesystem::path> scene_files);
+
+/// What makes two runs the same: SHA-256 of scene file, method, complete options, limits and code version.
+std::string case_key(const Scene& scene, const Case& run, const Limits& limits, std::string_view code_version);
+
+/// An option's value as text, "auto" where the method chooses.
+std::string print_option(const OptionValue& value);
+
+}  // namespace signorini

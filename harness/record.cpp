@@ -1,0 +1,291 @@
+#include "harness/record.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace signorini {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kSchema = 1;
+
+constexpr std::array<std::string_view, 9> kStatusNames{
+    "converged", "inaccurate", "not-converged", "not-applicable", "timeout",
+    "out-of-memory", "crashed", "exception", "invalid-output"};
+constexpr std::array<std::string_view, 3> kCertificateNames{"none", "uncertified", "certified"};
+
+template <std::size_t N>
+std::size_t name_index(const std::array<std::string_view, N>& names, const std::string& name) {
+  for (std::size_t i = 0; i < N; ++i) {
+    if (names[i] == name) return i;
+  }
+  throw BadRecord(fmt::format("status = {} (must be one of {})", name, fmt::join(names, ", ")));
+}
+
+// Absent rather than empty, negative or not finite: one rule for every key.
+template <class T>
+void put(Json& json, const char* key, const std::optional<T>& value) {
+  if constexpr (std::is_same_v<T, double>) {
+    if (value && !std::isfinite(*value)) return;
+  }
+  if (value) json[key] = *value;
+}
+void put(Json& json, const char* key, const std::string& text) {
+  if (!text.empty()) json[key] = text;
+}
+void put_object(Json& json, const char* key, Json object) {
+  if (!object.empty()) json[key] = std::move(object);
+}
+
+template <class T>
+void get(const Json& json, const char* key, std::optional<T>& value) {
+  if (const auto found = json.find(key); found != json.end()) value = found->get<T>();
+}
+template <class T>
+void get(const Json& json, const char* key, T& value) {
+  if (const auto found = json.find(key); found != json.end()) value = found->get<T>();
+}
+const Json& object(const Json& json, const char* key) {
+  static const Json none = Json::object();
+  const auto found = json.find(key);
+  return found == json.end() ? none : *found;
+}
+
+struct LawWriter {
+  Json operator()(std::monostate) const { return {{"none", true}}; }
+  Json operator()(const Restitution& law) const { return {{"restitution", law.e}}; }
+  Json operator()(const Penalty& law) const { return {{"penalty", law.stiffness}}; }
+  Json operator()(Massless) const { return {{"massless", true}}; }
+  Json operator()(Undetermined) const { return {{"undetermined", true}}; }
+};
+
+Json write_option(const OptionValue& value) {
+  if (std::holds_alternative<std::monostate>(value)) return "auto";
+  return std::visit(
+      [](const auto& held) -> Json {
+        if constexpr (std::is_same_v<std::decay_t<decltype(held)>, std::monostate>) {
+          return "auto";
+        } else {
+          return held;
+        }
+      },
+      value);
+}
+
+OptionValue read_option(const Json& json) {
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_number_integer()) return json.get<long>();
+  if (json.is_number()) return json.get<double>();
+  const auto text = json.get<std::string>();
+  return text == "auto" ? OptionValue{} : OptionValue{text};
+}
+
+Json write_work(const WorkDone& work) {
+  Json json = Json::object();
+  put(json, "unknowns", work.counts.unknowns);
+  put(json, "iterations", work.counts.iterations);
+  put(json, "pivots", work.counts.pivots);
+  put(json, "rhs_evaluations", work.counts.rhs_evaluations);
+  put(json, "factorisations", work.counts.factorisations);
+  put(json, "peak_memory_bytes", work.peak_memory_bytes);
+  return json;
+}
+
+WorkDone read_work(const Json& json) {
+  WorkDone work;
+  get(json, "unknowns", work.counts.unknowns);
+  get(json, "iterations", work.counts.iterations);
+  get(json, "pivots", work.counts.pivots);
+  get(json, "rhs_evaluations", work.counts.rhs_evaluations);
+  get(json, "factorisations", work.counts.factorisations);
+  get(json, "peak_memory_bytes", work.peak_memory_bytes);
+  return work;
+}
+
+Json write_seconds(const Seconds& seconds) {
+  return {{"median", seconds.median}, {"min", seconds.min},     {"mad", seconds.mad},
+          {"repetitions", seconds.repetitions}, {"setup", seconds.setup}, {"solve", seconds.solve}};
+}
+
+Seconds read_seconds(const Json& json) {
+  return {.median = json.at("median"), .min = json.at("min"), .mad = json.at("mad"),
+          .repetitions = json.at("repetitions"), .setup = json.at("setup"), .solve = json.at("solve")};
+}
+
+Json write_certificate(const Certificate& certificate) {
+  Json json;
+  json["status"] = kCertificateNames[static_cast<std::size_t>(certificate.status)];
+  put(json, "reason", certificate.reason);
+  put(json, "source", certificate.source);
+  put(json, "orbit", certificate.orbit);
+  put(json, "order", certificate.order);
+  put(json, "error_bar", certificate.error_bar);
+  put(json, "residual", certificate.residual);
+  put(json, "distance", certificate.distance);
+  put(json, "reference", certificate.reference);
+  put(json, "reference_reason", certificate.reference_reason);
+  put(json, "same_orbit", certificate.same_orbit);
+  if (certificate.status == CertificateStatus::certified) json["events"] = Json::array();
+  for (const OrbitEvent& event : certificate.events) {
+    Json item{{"time", event.time}, {"contact", event.contact}, {"kind", event.kind}};
+    put(item, "value", event.value);
+    json["events"].push_back(std::move(item));
+  }
+  put(json, "floquet", certificate.floquet);
+  put(json, "stable", certificate.stable);
+  return json;
+}
+
+Certificate read_certificate(const Json& json) {
+  Certificate certificate;
+  if (json.empty()) return certificate;
+  certificate.status = static_cast<CertificateStatus>(name_index(kCertificateNames, json.at("status")));
+  get(json, "reason", certificate.reason);
+  get(json, "source", certificate.source);
+  get(json, "orbit", certificate.orbit);
+  get(json, "order", certificate.order);
+  get(json, "error_bar", certificate.error_bar);
+  get(json, "residual", certificate.residual);
+  get(json, "distance", certificate.distance);
+  get(json, "reference", certificate.reference);
+  get(json, "reference_reason", certificate.reference_reason);
+  get(json, "same_orbit", certificate.same_orbit);
+  for (const Json& item : object(json, "events")) {
+    OrbitEvent event{.time = item.at("time"), .contact = item.at("contact"), .kind = item.at("kind"), .value = {}};
+    get(item, "value", event.value);
+    certificate.events.push_back(std::move(event));
+  }
+  get(json, "floquet", certificate.floquet);
+  get(json, "stable", certificate.stable);
+  return certificate;
+}
+
+constexpr std::array kErrors{&Errors::x_l2, &Errors::x_max, &Errors::u_l2, &Errors::velocity_l2, &Errors::impulse,
+                             &Errors::x_l2_scene};
+constexpr std::array kErrorKeys{"x_l2", "x_max", "u_l2", "velocity_l2", "impulse", "x_l2_scene"};
+constexpr std::array kPhysics{&Physics::penetration, &Physics::complementarity, &Physics::energy_defect,
+                              &Physics::contact_ratio};
+constexpr std::array kPhysicsKeys{"penetration", "complementarity", "energy_defect", "contact_ratio"};
+
+Json write_physics(const Physics& physics) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < kPhysics.size(); ++i) put(json, kPhysicsKeys[i], physics.*kPhysics[i]);
+  if (!physics.effective_restitution.empty()) json["effective_restitution"] = physics.effective_restitution;
+  return json;
+}
+
+Json write_trajectory(const TrajectorySamples& trajectory) {
+  Json json{{"t", trajectory.t}, {"x", trajectory.x}, {"velocity", trajectory.velocity}, {"force", trajectory.force}};
+  json["impulses"] = Json::array();
+  for (const Impulse& impulse : trajectory.impulses) {
+    json["impulses"].push_back({{"contact", impulse.contact}, {"time", impulse.time}, {"value", impulse.value}});
+  }
+  put(json, "bandwidth", trajectory.bandwidth);
+  return json;
+}
+
+TrajectorySamples read_trajectory(const Json& json) {
+  TrajectorySamples trajectory;
+  trajectory.t = json.at("t").get<std::vector<double>>();
+  trajectory.x = json.at("x").get<std::vector<std::vector<double>>>();
+  trajectory.velocity = json.at("velocity").get<std::vector<std::vector<double>>>();
+  trajectory.force = json.at("force").get<std::vector<std::vector<double>>>();
+  for (const Json& item : object(json, "impulses")) {
+    trajectory.impulses.push_back({item.at("contact"), item.at("time"), item.at("value")});
+  }
+  get(json, "bandwidth", trajectory.bandwidth);
+  return trajectory;
+}
+
+void read_body(const Json& json, Record& record) {
+  if (json.at("schema").get<int>() != kSchema) throw BadRecord("schema = unknown (must be 1)");
+  get(json, "case", record.case_id);
+  get(json, "key", record.key);
+  record.scene = json.at("scene");
+  record.scene_sha256 = json.at("scene_sha256");
+  record.method = json.at("method");
+  for (const auto& [name, value] : json.at("options").items()) record.options.emplace_back(name, read_option(value));
+  record.status = static_cast<Status>(name_index(kStatusNames, json.at("status")));
+  get(json, "message", record.message);
+  get(json, "signal", record.signal);
+  if (json.contains("law")) record.law = law_from_json(json["law"]);
+  if (json.contains("scene_law")) record.scene_law = law_from_json(json["scene_law"]);
+  get(json, "law_matches_scene", record.law_matches_scene);
+  get(json, "period", record.period);
+  get(json, "residual", record.residual);
+  record.work = read_work(object(json, "work"));
+  if (json.contains("seconds")) record.seconds = read_seconds(json["seconds"]);
+  get(json, "not_timed", record.not_timed);
+  record.certificate = read_certificate(object(json, "certificate"));
+  for (std::size_t i = 0; i < kErrors.size(); ++i) get(object(json, "errors"), kErrorKeys[i], record.errors.*kErrors[i]);
+  const Json& physics = object(json, "physics");
+  for (std::size_t i = 0; i < kPhysics.size(); ++i) get(physics, kPhysicsKeys[i], record.physics.*kPhysics[i]);
+  get(physics, "effective_restitution", record.physics.effective_restitution);
+  if (json.contains("trajectory")) record.trajectory = read_trajectory(json["trajectory"]);
+}
+
+}  // namespace
+
+std::string_view status_name(Status status) { return kStatusNames[static_cast<std::size_t>(status)]; }
+
+Json law_to_json(const RepresentedLaw& law) { return std::visit(LawWriter{}, law); }
+
+RepresentedLaw law_from_json(const Json& json) {
+  if (json.contains("restitution")) return Restitution{json["restitution"].get<double>()};
+  if (json.contains("penalty")) return Penalty{json["penalty"].get<std::vector<double>>()};
+  if (json.contains("massless")) return Massless{};
+  if (json.contains("undetermined")) return Undetermined{};
+  if (json.contains("none")) return std::monostate{};
+  throw BadRecord("law = " + json.dump() + " (must be restitution, penalty, massless, undetermined or none)");
+}
+
+RepresentedLaw as_represented(const Law& law) {
+  return std::visit([](const auto& held) -> RepresentedLaw { return held; }, law);
+}
+
+Json to_json(const Record& record) {
+  Json json;
+  json["schema"] = kSchema;
+  put(json, "case", record.case_id);
+  put(json, "key", record.key);
+  json["scene"] = record.scene;
+  json["scene_sha256"] = record.scene_sha256;
+  json["method"] = record.method;
+  json["options"] = Json::object();
+  for (const auto& [name, value] : record.options) json["options"][name] = write_option(value);
+  json["status"] = status_name(record.status);
+  put(json, "message", record.message);
+  put(json, "signal", record.signal);
+  if (record.law) json["law"] = law_to_json(*record.law);
+  if (record.scene_law) json["scene_law"] = law_to_json(*record.scene_law);
+  put(json, "law_matches_scene", record.law_matches_scene);
+  put(json, "period", record.period);
+  put(json, "residual", record.residual);
+  put_object(json, "work", write_work(record.work));
+  if (record.seconds) json["seconds"] = write_seconds(*record.seconds);
+  put(json, "not_timed", record.not_timed);
+  json["certificate"] = write_certificate(record.certificate);
+  Json errors = Json::object();
+  for (std::size_t i = 0; i < kErrors.size(); ++i) put(errors, kErrorKeys[i], record.errors.*kErrors[i]);
+  put_object(json, "errors", std::move(errors));
+  put_object(json, "physics", write_physics(record.physics));
+  if (record.trajectory) json["trajectory"] = write_trajectory(*record.trajectory);
+  return json;
+}
+
+Record record_from_json(const Json& json) {
+  try {
+    Record record;
+    read_body(json, record);
+    return record;
+  } catch (const nlohmann::json::exception& error) {
+    throw BadRecord(error.what());
+  }
+}
+
+}  // namespace signorini

@@ -1,0 +1,131 @@
+#pragma once
+// One run of one method on one scene, as it is kept: docs/records.md gives every key.
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "methods/method.hpp"
+
+namespace signorini {
+
+enum class Status {
+  converged,
+  inaccurate,
+  not_converged,
+  not_applicable,
+  timeout,
+  out_of_memory,
+  crashed,
+  exception,
+  invalid_output
+};
+
+/// "not-converged" and so on; the words of records.
+std::string_view status_name(Status status);
+
+/// A measure that may have no meaning for a run; never NaN.
+using Measure = std::optional<double>;
+
+struct WorkDone {
+  Work counts;
+  std::optional<long> peak_memory_bytes;  ///< growth of the peak resident set by set-up and first solve
+};
+
+/// Times of one cold run, set-up plus solve, over rounds; least per round [s].
+struct Seconds {
+  double median = 0.0;
+  double min = 0.0;
+  double mad = 0.0;  ///< median absolute deviation from the median
+  int repetitions = 0;
+  double setup = 0.0;  ///< median of the set-up's part
+  double solve = 0.0;  ///< median of the solve's part
+};
+
+enum class CertificateStatus { none, uncertified, certified };
+
+struct OrbitEvent {
+  double time = 0.0;  ///< [s]
+  int contact = 0;
+  std::string kind;  ///< impact | close | open
+  Measure value;     ///< impulse of an impact [N s]
+};
+
+/// Whether a true orbit of the represented law stands behind an answer, and which.
+struct Certificate {
+  CertificateStatus status = CertificateStatus::none;
+  std::string reason;                   ///< of uncertified or none; empty when certified
+  std::string source;                   ///< how the orbit was found
+  std::optional<std::string> orbit;     ///< fingerprint, equal for equal orbits
+  std::optional<int> order;             ///< period of the orbit in forcing periods
+  Measure error_bar;                    ///< relative, of the orbit itself
+  Measure residual;                     ///< relative, of the orbit's own equations
+  Measure distance;                     ///< x_l2 from the answer to the orbit found, certified or not
+  std::optional<std::string> reference; ///< fingerprint of the orbit reached from rest under the same law
+  std::string reference_reason;         ///< why there is none
+  std::optional<bool> same_orbit;       ///< the answer's orbit is that one
+  std::vector<OrbitEvent> events;
+  std::optional<std::vector<std::pair<double, double>>> floquet;
+  std::optional<bool> stable;
+};
+
+/// Against the certified orbit, relative.
+struct Errors {
+  Measure x_l2, x_max, u_l2, velocity_l2, impulse;
+  Measure x_l2_scene;  ///< against the scene's own reference where the represented law is another
+};
+
+struct Physics {
+  Measure penetration, complementarity, energy_defect, contact_ratio;
+  std::vector<double> effective_restitution;  ///< of each impact, in time order
+};
+
+struct TrajectorySamples {
+  std::vector<double> t;
+  std::vector<std::vector<double>> x, velocity, force;  ///< per contact
+  std::vector<Impulse> impulses;
+  std::optional<int> bandwidth;
+};
+
+struct Record {
+  std::string case_id;  ///< "scene/method[settings]"
+  std::string key;      ///< identifies the run for --resume
+  std::string scene, scene_sha256, method;
+  std::vector<std::pair<std::string, OptionValue>> options;
+  Status status = Status::not_converged;
+  std::string message;
+  std::optional<int> signal;  ///< that ended a crashed run
+  std::optional<RepresentedLaw> law, scene_law;
+  std::optional<bool> law_matches_scene;
+  Measure period, residual;
+  WorkDone work;
+  std::optional<Seconds> seconds;
+  std::string not_timed;  ///< why `seconds` is absent
+  Certificate certificate;
+  Errors errors;
+  Physics physics;
+  std::optional<TrajectorySamples> trajectory;
+};
+
+/// A line that is no record of a known schema.
+class BadRecord : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Exactly the keys of docs/records.md, absent where a notion is; numbers that are not finite are absent.
+nlohmann::ordered_json to_json(const Record& record);
+
+/// \throws BadRecord
+Record record_from_json(const nlohmann::ordered_json& json);
+
+nlohmann::ordered_json law_to_json(const RepresentedLaw& law);
+RepresentedLaw law_from_json(const nlohmann::ordered_json& json);  ///< \throws BadRecord
+
+/// The law of a scene as the law of a method that represents it.
+RepresentedLaw as_represented(const Law& law);
+
+}  // namespace signorini

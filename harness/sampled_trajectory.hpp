@@ -1,0 +1,44 @@
+#pragma once
+// A trajectory kept as samples: how motions travel between processes, files and runs.
+
+#include <optional>
+#include <vector>
+
+#include "methods/solution.hpp"
+
+namespace signorini {
+
+/// Equidistant samples of one period. At a count that divides the stored one the samples come back bit
+/// by bit; elsewhere x is interpolated by cubics through values and velocities, velocity and force by
+/// straight lines, so jumps are spread over one step.
+class SampledTrajectory final : public Trajectory {
+ public:
+  struct Data {
+    double period = 1.0;            ///< [s]
+    Samples samples;                ///< at least one instant
+    std::vector<Impulse> impulses;  ///< within one period
+    std::optional<int> bandwidth;   ///< harmonics that the source resolves
+  };
+
+  /// \throws std::invalid_argument unless sizes agree, numbers are finite and the period is positive
+  explicit SampledTrajectory(Data data);
+  /// Samples another trajectory.
+  SampledTrajectory(const Trajectory& source, int count);
+
+  [[nodiscard]] int contact_count() const override { return static_cast<int>(data_.samples.x.cols()); }
+  [[nodiscard]] double period() const override { return data_.period; }
+  [[nodiscard]] Samples sample(int count) const override;
+  [[nodiscard]] std::vector<Impulse> impulses() const override { return data_.impulses; }
+  [[nodiscard]] std::optional<int> bandwidth() const override { return data_.bandwidth; }
+  [[nodiscard]] const Data& data() const { return data_; }
+
+ private:
+  Data data_;
+};
+
+/// What is wrong with a trajectory as an answer on `contacts` contacts sampled at `count` instants: wrong
+/// sizes, values that are not finite, a period that is not a whole multiple of `forcing_period`
+/// (to 1e-6 relative), impulses outside the period or at no contact. Empty if nothing is.
+std::string trajectory_defect(const Trajectory& trajectory, int contacts, double forcing_period, int count);
+
+}  // namespace signorini

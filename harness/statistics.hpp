@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+namespace signorini {
+
+/// Middle value, the mean of the two middle ones for an even count. Requires at least one value.
+double median(std::vector<double> values);
+
+/// Median absolute deviation from the median. Requires at least one value.
+double median_deviation(const std::vector<double>& values);
+
+}  // namespace signorini

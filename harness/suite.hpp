@@ -1,0 +1,47 @@
+#pragma once
+// A named set of scenes with, where needed, settings of methods and limits: problems/suites/*.toml.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace signorini {
+
+/// What one run of a method may use, and how often it is timed.
+struct Limits {
+  double timeout = 30.0;             ///< wall time of set-up and first solve [s]
+  int memory_mb = 2048;              ///< address space [MiB]
+  int repetitions = 3;               ///< rounds of timing
+  double certificate_timeout = 10.0; ///< wall time to find the orbit behind an answer [s]
+  double reference_timeout = 60.0;   ///< wall time to find a scene's reference [s]
+};
+
+/// A case that is known to fail, and why: it is run and recorded, but does not spoil the exit code.
+struct ExpectedFailure {
+  std::string case_glob;
+  std::string reason;
+};
+
+/// Every method of the catalogue joins every suite with its own ladder, unless `methods` says otherwise.
+struct Suite {
+  std::string name;
+  std::string title;
+  std::vector<std::string> scenes;   ///< globs on scene names
+  std::vector<std::string> tags;     ///< a scene that carries one of these belongs too
+  std::vector<std::string> methods;  ///< `name[key=value|value]`: replaces the ladder of what it names
+  std::vector<ExpectedFailure> expected_failures;
+  Limits limits;
+};
+
+/// \throws SceneError in the form `FILE:LINE: field = value (what is required)`
+Suite parse_suite(std::string_view text, const std::string& file);
+
+/// Every suite file of the catalogue, sorted by name.
+std::vector<std::filesystem::path> catalogue_suites();
+
+/// A suite by catalogue name ("quick") or path. \throws UsageError if there is none; SceneError if it is bad
+Suite load_suite(const std::string& name_or_path);
+
+}  // namespace signorini

@@ -1,0 +1,105 @@
+#pragma once
+// Equations of motion of a contact scene while the set of closed contacts does not change.
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <vector>
+
+#include "methods/kernels/periodic_response.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// The set A of closed contacts: sticking to a rigid stop, or compressing the spring of a penalty stop.
+struct ContactMode {
+  std::vector<int> active;   ///< A, ascending
+  Eigen::MatrixXd response;  ///< rigid stops: (W_A^T M^-1 W_A)^-1 (pseudo-inverse where stops depend) [kg]
+
+  [[nodiscard]] bool closed(int contact) const;
+};
+
+/// Magnitudes that the tolerances of the integration and of the periodicity refer to.
+struct MotionScales {
+  double displacement = 1.0;  ///< X [m]: of the linear response, or of the gap and the forced motion if smaller
+  double velocity = 1.0;      ///< V = omega X [m/s]
+  double acceleration = 1.0;  ///< omega_max V [m/s^2]
+};
+
+/// Time derivatives of the motion and of the contact force at one instant.
+struct MotionDerivatives {
+  Eigen::MatrixXd u;       ///< Nd x (order + 1): column k is the k-th derivative of u
+  Eigen::MatrixXd lambda;  ///< Nc x (order - 1): column k is the k-th derivative of lambda
+};
+
+/// Between events the motion obeys the linear equation
+///
+///     M u'' + D u' + K u = f(t) + W lambda,
+///
+/// lambda_j = 0 at open contacts; at closed ones lambda_j = -k_j (x_j - g_j) for a penalty stop, and for
+/// a rigid stop the multiplier that keeps x_j'' = 0: G_AA lambda_A = -W_A^T M^-1 (f - K u - D u') with
+/// the Delassus matrix G = W^T M^-1 W.
+class ContactDynamics {
+ public:
+  /// \throws std::runtime_error if M is singular
+  explicit ContactDynamics(const Problem& problem);
+
+  [[nodiscard]] int size() const { return static_cast<int>(W_.rows()); }
+  [[nodiscard]] int contact_count() const { return static_cast<int>(W_.cols()); }
+  /// False where the stops are springs.
+  [[nodiscard]] bool rigid() const { return penalty_.size() == 0; }
+  [[nodiscard]] double restitution() const { return restitution_; }  ///< e [-]; 1 without a law
+  [[nodiscard]] double forcing_period() const { return forcing_period_; }
+  [[nodiscard]] const Eigen::MatrixXd& directions() const { return W_; }                    ///< W, Nd x Nc
+  [[nodiscard]] const Eigen::MatrixXd& impulse_response() const { return inverse_mass_W_; }  ///< M^-1 W
+  [[nodiscard]] const Eigen::MatrixXd& delassus() const { return delassus_; }                ///< G, Nc x Nc
+  [[nodiscard]] const Eigen::VectorXd& gaps() const { return gaps_; }                        ///< g, Nc [m]
+  [[nodiscard]] const MotionScales& scales() const { return scales_; }
+  /// Upper estimate of the fastest rate of structure and load, max(sqrt(K/M), D/M, h omega) [rad/s].
+  [[nodiscard]] double fastest_rate() const { return fastest_rate_; }
+  /// Highest harmonic of the load, at least 1.
+  [[nodiscard]] int highest_harmonic() const { return highest_harmonic_; }
+
+  /// The mode in which exactly the contacts with closed[j] are closed.
+  [[nodiscard]] ContactMode mode(const std::vector<bool>& closed) const;
+
+  /// u'' in a mode; `u`, `v`, `a` are Nd. Allocation apart, free of side effects.
+  void acceleration(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& u,
+                    const Eigen::Ref<const Eigen::VectorXd>& v, Eigen::Ref<Eigen::VectorXd> a) const;
+
+  /// Derivatives 0..order (>= 2) of u and 0..order-2 of lambda, exact from the equation of motion.
+  [[nodiscard]] MotionDerivatives derivatives(const ContactMode& mode, double time, const State& state,
+                                              int order) const;
+
+  /// The 2 Nd x 2 Nd matrix B of the homogeneous flow (u, v)' = B (u, v) in a mode.
+  [[nodiscard]] Eigen::MatrixXd flow_matrix(const ContactMode& mode) const;
+
+ private:
+  [[nodiscard]] Eigen::VectorXd load_derivative(double time, int order) const;
+  [[nodiscard]] Eigen::VectorXd multiplier(const ContactMode& mode, const Eigen::VectorXd& free) const;
+  void prepare_small();
+  void measure_rates();
+  void measure_scales(const Problem& problem);
+  [[nodiscard]] double linear_amplitude(const Problem& problem) const;
+  [[nodiscard]] double forced_amplitude(const Problem& problem) const;
+
+  // Terms of M^-1 f(t) of one harmonic.
+  struct LoadRate {
+    double rate = 0.0;         // h omega [rad/s]
+    Eigen::VectorXd cos, sin;  // M^-1 times the amplitudes, Nd
+  };
+
+  SparseMatrix K_, D_;
+  // Small structures: M^-1 K, M^-1 D and M^-1 f are formed once, so that an evaluation allocates nothing.
+  bool small_ = false;
+  Eigen::MatrixXd inverse_mass_K_, inverse_mass_D_;
+  std::vector<LoadRate> load_rates_;
+  Eigen::SimplicialLLT<SparseMatrix> mass_;
+  std::vector<ForceTerm> force_;
+  Eigen::MatrixXd W_, inverse_mass_W_, delassus_;
+  Eigen::VectorXd gaps_, penalty_;
+  int highest_harmonic_ = 1;
+  double restitution_ = 1.0, frequency_ = 1.0, forcing_period_ = 1.0, fastest_rate_ = 1.0;
+  MotionScales scales_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,47 @@
+#pragma once
+// CVODE behind one owner: no SUNDIALS type, return flag or C callback is seen outside.
+
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+
+namespace signorini {
+
+/// CVODE could not go on; what() names the call and CVODE's own message.
+class IntegrationError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Adams method of variable order 1..12 with fixed-point iteration for y' = rhs(t, y), step by step.
+/// The local error of each step is held below rtol |y_i| + atol_i in the root mean square.
+class CvodeSession {
+ public:
+  using Rhs = std::function<void(double time, const Eigen::Ref<const Eigen::VectorXd>& y,
+                                 Eigen::Ref<Eigen::VectorXd> derivative)>;
+
+  /// \param absolute_tolerance  one per component, > 0, in the unit of y_i
+  /// \throws IntegrationError
+  CvodeSession(double relative_tolerance, const Eigen::VectorXd& absolute_tolerance, Rhs rhs);
+  ~CvodeSession();
+  CvodeSession(const CvodeSession&) = delete;
+  CvodeSession& operator=(const CvodeSession&) = delete;
+
+  /// Forgets the past and starts from y(time) towards `stop` > time, which no step passes.
+  void start(double time, const Eigen::VectorXd& y, double stop, double largest_step);
+  /// One step of the integrator's own choice; afterwards [previous_time(), time()] can be interpolated.
+  void step();
+  [[nodiscard]] double time() const;
+  [[nodiscard]] double previous_time() const;
+  /// y at a time within the last step, accurate to the tolerance of the integration.
+  void interpolate(double time, Eigen::VectorXd& y) const;
+  /// Right-hand sides since construction.
+  [[nodiscard]] long rhs_evaluations() const;
+
+ private:
+  struct Handles;
+  std::unique_ptr<Handles> handles_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,273 @@
+#include "methods/event_driven/flow.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unsupported/Eigen/MatrixFunctions>
+#include <utility>
+
+namespace signorini {
+
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr int kNodeOrder = 5;           // highest derivative of x kept at an instant; of lambda one less
+constexpr int kTaylorOrder = 12;        // of a short flight
+constexpr double kTaylorAngle = 0.3;    // its length in radians of the fastest rate: 0.3^13/13! is round-off
+constexpr double kStepsPerPeriod = 16;  // at least, of the highest load harmonic, so that a guard has one extremum per half step
+constexpr int kMaxEvents = 20000;       // per call
+
+Eigen::VectorXd packed(const State& state) {
+  Eigen::VectorXd y(2 * state.u.size());
+  y << state.u, state.v;
+  return y;
+}
+
+State unpacked(const Eigen::VectorXd& y) {
+  const Eigen::Index n = y.size() / 2;
+  return {.u = y.head(n), .v = y.tail(n)};
+}
+
+// Local tolerance of CVODE. Its global error over some periods is 30 to 200 times the local one (measured
+// against closed forms), so that with this share `tolerance` is about the error of the motion. Below the
+// floor CVODE only adds round-off.
+double local_tolerance(double tolerance) {
+  constexpr double kShare = 0.03, kFloor = 1e-13;
+  return std::max(kShare * tolerance, kFloor);
+}
+
+Eigen::VectorXd absolute_tolerances(const ContactDynamics& dynamics, double tolerance) {
+  Eigen::VectorXd result(2 * dynamics.size());
+  result.head(dynamics.size()).setConstant(tolerance * dynamics.scales().displacement);
+  result.tail(dynamics.size()).setConstant(tolerance * dynamics.scales().velocity);
+  return result;
+}
+
+}  // namespace
+
+EventFlow::EventFlow(const ContactDynamics& dynamics, double tolerance, std::function<bool()> expired)
+    : dynamics_(dynamics),
+      tolerance_(tolerance),
+      expired_(std::move(expired)),
+      events_(dynamics, tolerance),
+      session_(local_tolerance(tolerance), absolute_tolerances(dynamics, local_tolerance(tolerance)),
+               [this](double time, const Eigen::Ref<const Eigen::VectorXd>& y, Eigen::Ref<Eigen::VectorXd> rate) {
+                 const Eigen::Index n = y.size() / 2;
+                 rate.head(n) = y.tail(n);
+                 dynamics_.acceleration(mode_, time, y.head(n), y.tail(n), rate.tail(n));
+               }) {}
+
+FlowState EventFlow::place(double time, const State& state) const {
+  FlowState flow{.time = time,
+                 .state = state,
+                 .closed = std::vector<bool>(static_cast<std::size_t>(dynamics_.contact_count()), false)};
+  if (dynamics_.rigid()) {
+    FlowRecord ignored;
+    events_.expel(flow.state);
+    events_.resolve(flow, -1, ignored);
+  } else {
+    const Eigen::VectorXd x = dynamics_.directions().transpose() * state.u;
+    const Eigen::VectorXd v = dynamics_.directions().transpose() * state.v;
+    for (int j = 0; j < dynamics_.contact_count(); ++j) {
+      const double depth = x[j] - dynamics_.gaps()[j];
+      flow.closed[static_cast<std::size_t>(j)] = depth > 0.0 || (depth == 0.0 && v[j] > 0.0);
+    }
+  }
+  return flow;
+}
+
+Guard EventFlow::guard(int contact, double time, const Eigen::VectorXd& y) const {
+  const Eigen::Index n = y.size() / 2;
+  const auto w = dynamics_.directions().col(contact);
+  if (mode_.closed(contact) && dynamics_.rigid()) {
+    const MotionDerivatives motion = dynamics_.derivatives(mode_, time, unpacked(y), 3);
+    const double inverse_mass = dynamics_.delassus()(contact, contact);
+    return {.value = -motion.lambda(contact, 0) * inverse_mass, .rate = -motion.lambda(contact, 1) * inverse_mass};
+  }
+  const double gap = dynamics_.gaps()[contact] - w.dot(y.head(n));
+  const double opening = -w.dot(y.tail(n));
+  if (mode_.closed(contact)) return {.value = -gap, .rate = -opening};
+  return {.value = gap, .rate = opening};
+}
+
+double EventFlow::guard_floor(int contact, double noise) const {
+  const MotionScales& scales = dynamics_.scales();
+  return noise * (mode_.closed(contact) && dynamics_.rigid() ? scales.acceleration : scales.displacement);
+}
+
+std::vector<Guard> EventFlow::guards(double time, const Eigen::VectorXd& y) const {
+  std::vector<Guard> result(static_cast<std::size_t>(dynamics_.contact_count()));
+  for (int j = 0; j < dynamics_.contact_count(); ++j) result[static_cast<std::size_t>(j)] = guard(j, time, y);
+  return result;
+}
+
+std::vector<bool> EventFlow::fresh_guards(const std::vector<Guard>& guards, double noise) const {
+  std::vector<bool> fresh(guards.size());
+  for (std::size_t j = 0; j < guards.size(); ++j) {
+    fresh[j] = guards[j].value <= guard_floor(static_cast<int>(j), noise);
+  }
+  return fresh;
+}
+
+// Earliest event of a stretch. `last` holds the guards at its beginning and is left with those at its end.
+EventFlow::Crossing EventFlow::first_event(const Stretch& stretch, std::vector<bool>& fresh,
+                                           std::vector<Guard>& last) const {
+  if (fresh.empty()) return {};
+  constexpr double kFar = 2.0;  // a guard this many times further from zero than its rates carry it is safe
+  Crossing first;
+  Eigen::VectorXd y(2 * dynamics_.size());
+  stretch.at(stretch.end, y);
+  const std::vector<Guard> next = guards(stretch.end, y);
+  for (int j = 0; j < dynamics_.contact_count(); ++j) {
+    const auto index = static_cast<std::size_t>(j);
+    const double reach =
+        kFar * (stretch.end - stretch.begin) * (std::abs(last[index].rate) + std::abs(next[index].rate));
+    if (!fresh[index] && std::min(last[index].value, next[index].value) > reach) continue;
+    const auto value = [&](double time) {
+      stretch.at(time, y);
+      return guard(j, time, y);
+    };
+    const double floor = guard_floor(j, stretch.noise);
+    const auto time = first_crossing(
+        value, {.begin = stretch.begin, .end = stretch.end, .fresh = fresh[index], .floor = floor});
+    if (time && (first.contact < 0 || *time < first.time)) first = {.contact = j, .time = *time};
+    if (!time && fresh[index]) fresh[index] = next[index].value <= floor;
+  }
+  last = next;
+  return first;
+}
+
+void EventFlow::keep(double time, const Eigen::VectorXd& y, FlowRecord& record) const {
+  const MotionDerivatives motion = dynamics_.derivatives(mode_, time, unpacked(y), kNodeOrder + 1);
+  record.pieces.back().push_back({.time = time,
+                                  .x = dynamics_.directions().transpose() * motion.u.leftCols(kNodeOrder + 1),
+                                  .lambda = motion.lambda});
+}
+
+// Ends a stretch in one mode that began at `since`.
+void EventFlow::arrive(FlowState& flow, double time, const Eigen::VectorXd& y, double since,
+                       FlowRecord& record) const {
+  flow.time = time;
+  flow.state = unpacked(y);
+  if (dynamics_.rigid()) events_.hold(flow.state, mode_);
+  if (record.dense) keep(time, packed(flow.state), record);
+  if (record.tangent) {
+    const Eigen::MatrixXd exponent = dynamics_.flow_matrix(mode_) * (time - since);
+    record.derivative = exponent.exp() * record.derivative;
+  }
+}
+
+void EventFlow::pass_event(FlowState& flow, const Crossing& crossing, FlowRecord& record) const {
+  const auto index = static_cast<std::size_t>(crossing.contact);
+  if (dynamics_.rigid()) {
+    events_.resolve(flow, crossing.contact, record);
+    return;
+  }
+  flow.closed[index] = !flow.closed[index];
+  record.events.push_back({.kind = flow.closed[index] ? ContactEvent::Kind::close : ContactEvent::Kind::open,
+                           .contact = crossing.contact,
+                           .time = flow.time});
+}
+
+// Length of the Taylor step that covers the next rebound of a contact that has just left its stop;
+// 0 if there is none short enough.
+double EventFlow::short_flight(const FlowState& flow, const MotionDerivatives& motion) const {
+  constexpr double kMargin = 1.5;
+  const double longest = kTaylorAngle / dynamics_.fastest_rate();
+  double length = 0.0;
+  for (int j = 0; j < dynamics_.contact_count(); ++j) {
+    const auto w = dynamics_.directions().col(j);
+    const double gap = dynamics_.gaps()[j] - w.dot(flow.state.u);
+    const double v = w.dot(flow.state.v), a = w.dot(motion.u.col(2));
+    if (flow.closed[static_cast<std::size_t>(j)] || gap > events_.touch() || !(v < 0.0) || !(a > 0.0)) continue;
+    const double flight = -2.0 * kMargin * v / a;
+    if (flight <= longest && (length == 0.0 || flight < length)) length = flight;
+  }
+  return length;
+}
+
+bool EventFlow::take_short_flight(FlowState& flow, double end, FlowRecord& record) {
+  if (!dynamics_.rigid()) return false;
+  if (short_flight(flow, dynamics_.derivatives(mode_, flow.time, flow.state, 2)) == 0.0) return false;
+  const MotionDerivatives motion = dynamics_.derivatives(mode_, flow.time, flow.state, kTaylorOrder + 1);
+  const double begin = flow.time;
+  const Eigen::Index n = dynamics_.size();
+  const auto series = [&](double time, Eigen::VectorXd& y) {
+    const double s = time - begin;
+    y.resize(2 * n);
+    y.head(n) = motion.u.col(kTaylorOrder);
+    y.tail(n) = motion.u.col(kTaylorOrder + 1);
+    for (int k = kTaylorOrder; k >= 1; --k) {
+      y.head(n) = motion.u.col(k - 1) + s / k * y.head(n);
+      y.tail(n) = motion.u.col(k) + s / k * y.tail(n);
+    }
+  };
+  const Stretch stretch{.begin = begin,
+                        .end = std::min(end, begin + short_flight(flow, motion)),
+                        .noise = 64.0 * kEpsilon,
+                        .at = series};
+  std::vector<Guard> last = guards(begin, packed(flow.state));
+  std::vector<bool> fresh = fresh_guards(last, stretch.noise);
+  const Crossing crossing = first_event(stretch, fresh, last);
+  if (record.dense) {
+    record.pieces.emplace_back();
+    keep(begin, packed(flow.state), record);
+  }
+  Eigen::VectorXd y;
+  const double time = crossing.contact < 0 ? stretch.end : crossing.time;
+  series(time, y);
+  arrive(flow, time, y, begin, record);
+  if (crossing.contact >= 0) pass_event(flow, crossing, record);
+  return true;
+}
+
+void EventFlow::integrate(FlowState& flow, double end, FlowRecord& record) {
+  const double begin = flow.time;
+  const double noise = std::max(0.01 * tolerance_, 64.0 * kEpsilon);
+  Eigen::VectorXd y = packed(flow.state);
+  std::vector<Guard> last = guards(begin, y);
+  std::vector<bool> fresh = fresh_guards(last, noise);
+  if (record.dense) {
+    record.pieces.emplace_back();
+    keep(begin, y, record);
+  }
+  session_.start(begin, y, end, dynamics_.forcing_period() / (kStepsPerPeriod * dynamics_.highest_harmonic()));
+  for (long steps = 1;; ++steps) {
+    if (steps % 256 == 0 && expired_()) throw FlowError("the time budget is spent");
+    session_.step();
+    const Stretch stretch{.begin = session_.previous_time(),
+                          .end = session_.time(),
+                          .noise = noise,
+                          .at = [&](double time, Eigen::VectorXd& state) { session_.interpolate(time, state); }};
+    const Crossing crossing = first_event(stretch, fresh, last);
+    const bool finished = stretch.end >= end;
+    const double time = crossing.contact < 0 ? stretch.end : crossing.time;
+    session_.interpolate(time, y);
+    if (!y.allFinite()) throw FlowError("the motion is no longer finite");
+    if (crossing.contact < 0 && !finished) {
+      if (record.dense) keep(time, y, record);
+      continue;
+    }
+    arrive(flow, time, y, begin, record);
+    if (crossing.contact >= 0) pass_event(flow, crossing, record);
+    return;
+  }
+}
+
+void EventFlow::advance(FlowState& flow, double duration, FlowRecord& record) {
+  const double end = flow.time + duration;
+  const double shortest = 16.0 * kEpsilon * (std::abs(end) + duration);
+  if (record.tangent && record.derivative.size() == 0) {
+    record.derivative = Eigen::MatrixXd::Identity(2 * dynamics_.size(), 2 * dynamics_.size());
+  }
+  for (int events = 0; end - flow.time > shortest; ++events) {
+    if (events > kMaxEvents) throw FlowError("more than " + std::to_string(kMaxEvents) + " events in one forcing period");
+    if (expired_()) throw FlowError("the time budget is spent");
+    mode_ = dynamics_.mode(flow.closed);
+    if (!take_short_flight(flow, end, record)) integrate(flow, end, record);
+  }
+  flow.time = end;
+}
+
+}  // namespace signorini

@@ -1,0 +1,50 @@
+#pragma once
+// Two ways to a periodic motion: marching until it repeats, and shooting.
+
+#include <string>
+
+#include "methods/event_driven/period_map.hpp"
+
+namespace signorini {
+
+struct SteadyLimits {
+  double tolerance = 1e-9;  ///< of the integration; a motion is periodic below ten times this [-]
+  int max_iterations = 5000;
+  int max_order = 8;
+};
+
+/// What a search for a periodic motion ended with.
+struct SteadyState {
+  bool periodic = false;
+  std::string message;  ///< one sentence for a person
+  FlowState start;
+  int order = 1;          ///< forcing periods per period of the motion
+  double residual = 0.0;  ///< distance between start and end of a period [-]
+  long iterations = 0;    ///< periods marched, or Newton steps
+};
+
+/// Follows the motion from `start` until it repeats every `order` <= max_order forcing periods.
+///
+/// A fixed point of the stroboscopic map is proposed by Newton's method from the present state and taken
+/// only if marching goes there: (1) its residual is at most ten tolerances; (2) all its multipliers are
+/// inside the unit circle; (3) the distance of the last states marched to it shrinks at every turn, in the
+/// norm of the multipliers' eigenvectors, so that the contraction has set in; (4) marched on from
+/// it for at least four periods, the motion repeats itself within ten tolerances; (5) no smaller order does. So
+/// a slowly converging transient, a near miss of a chaotic motion or a noise-level cycle is not taken for a
+/// period. Where Newton's method fails (grazing, monodromy too large) the motion must repeat within ten
+/// tolerances for several turns and the geometric rest of its convergence be below a hundred.
+/// \throws FlowError, IntegrationError
+SteadyState march(PeriodMap& map, const FlowState& start, const SteadyLimits& limits,
+                  const std::function<bool()>& expired);
+
+/// Newton's method on P^order from `start`; finds unstable motions too.
+/// \throws FlowError, IntegrationError
+SteadyState shoot(PeriodMap& map, const FlowState& start, int order, const SteadyLimits& limits,
+                  const std::function<bool()>& expired);
+
+/// Marches `state` to the phase of the forcing that is furthest from the given events, so that none of
+/// them can cross the instant where the motion is cut open.
+/// \throws FlowError, IntegrationError
+void move_to_quiet_phase(PeriodMap& map, FlowState& state, const std::vector<ContactEvent>& events);
+
+}  // namespace signorini

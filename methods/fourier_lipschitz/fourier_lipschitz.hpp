@@ -1,0 +1,52 @@
+#pragma once
+// Fourier Lipschitz harmonic balance: Signorini's condition as one Lipschitz equation, projected.
+
+#include <optional>
+#include <string_view>
+
+#include "methods/kernels/complementarity_solver.hpp"
+#include "methods/method.hpp"
+
+namespace signorini {
+
+/// lambda + P max(0, c (x - g) - lambda) = 0 with x = x_f + C lambda, |n| <= H (seed eq. 14-23 and
+/// 29-36, corrected; the same equations as DLFT [nacivet2003]). Represents restitution 1: the projected
+/// contact force does no net work (docs/theory.md). A stop that is a spring k_p is represented exactly,
+/// the condition then being imposed on x + lambda / k_p.
+class FourierLipschitz final : public Method {
+ public:
+  static constexpr std::string_view kName = "fourier-lipschitz";
+  static constexpr std::string_view kTitle = "Harmonic balance on the Lipschitz form of Signorini's condition";
+  static constexpr std::string_view kLaws = "restitution 1, penalty, massless";
+  static constexpr std::string_view kLadder = "harmonics=10|40|160";
+
+  struct Options {
+    int harmonics = 20;               ///< H >= 1 [-]
+    std::optional<int> samples = {};  ///< N >= 2 H + 1 [-]
+    std::optional<double> c = {};     ///< > 0, times contact_stiffness_scale [-]
+    ComplementaritySolver solver = ComplementaritySolver::automatic;
+    double tolerance = 1e-10;  ///< on LcpResult::residual [-]
+    int max_iterations = 0;    ///< pivots or Newton steps; 0: the solver's own limit [-]
+
+    void visit(auto&& field) {
+      field("harmonics", harmonics, "[-]", "highest harmonic H kept, 1..100000");
+      field("samples", samples, "[-]", "N per period, >= 2 H + 1; auto: from 32 H until the energy identity holds");
+      field("c", c, "[-]", "constant c > 0 times the contact's stiffness; auto: dynamic stiffness at harmonic H");
+      field("solver", solver, "[-]", "auto (pivoting with restarts) | pivoting | newton");
+      field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
+      field("max_iterations", max_iterations, "[-]", "limit on pivots or Newton steps; 0: the solver's own");
+    }
+  };
+
+  explicit FourierLipschitz(const Options& options);  ///< \throws InvalidOption
+
+  [[nodiscard]] std::vector<OptionEcho> options() const override { return echo_options(options_); }
+  [[nodiscard]] Support supports(const Problem& problem) const override;
+  [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
+  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
+
+ private:
+  Options options_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,75 @@
+#pragma once
+// Hat functions in time: one linear complementarity problem for the whole period.
+
+#include <array>
+#include <string_view>
+
+#include "methods/kernels/complementarity_solver.hpp"
+#include "methods/method.hpp"
+
+namespace signorini {
+
+/// Periodic hat functions on N nodes reduce the structure to x = x_f + C (*) lambda at the nodes. With
+/// restitution = scene, complementarity is imposed on
+///
+///     w_k = g - (x_{k+1} + e x_{k-1}) / (1 + e) >= 0,  -lambda_k >= 0,  w_k lambda_k = 0,
+///
+/// the periodic form of the Paoli-Schatzman scheme [paoli2002]: it represents Newton's restitution e and
+/// converges at first order. With restitution = none it is imposed on g - x_k at the nodes, the source
+/// paper's form (seed eq. 5-8, corrected), which determines no impact law: kept for comparison.
+/// A spring stop adds its compliance to w; massless contacts and springs need no restitution.
+class HatLcp final : public Method {
+ public:
+  /// Symbol of the structure at theta = 2 pi n / N, dt = T / N.
+  enum class Scheme {
+    galerkin,  ///< hat functions, Galerkin: -M (2 - 2 cos theta)/dt^2 + i D sin(theta)/dt + K (2 + cos theta)/3
+    nodal,     ///< the same with K and the load lumped at the nodes
+    backward,  ///< backward differences, s = (1 - e^{-i theta})/dt: s^2 M + s D + K; represents restitution 0
+  };
+  enum class ImpactLaw { scene, none };
+
+  static constexpr std::string_view kName = "hat-lcp";
+  static constexpr std::string_view kTitle = "Hat functions in time, one linear complementarity problem per period";
+  static constexpr std::string_view kLaws = "restitution 0..1, penalty, massless; none: undetermined";
+  static constexpr std::string_view kLadder = "samples=64|256|1024";
+
+  struct Options {
+    int samples = 256;  ///< N >= 4 nodes per period [-]
+    Scheme scheme = Scheme::galerkin;
+    ImpactLaw restitution = ImpactLaw::scene;
+    ComplementaritySolver solver = ComplementaritySolver::automatic;
+    double tolerance = 1e-10;  ///< on LcpResult::residual [-]
+    int max_iterations = 0;    ///< pivots or Newton steps; 0: the solver's own limit [-]
+
+    void visit(auto&& field) {
+      field("samples", samples, "[-]", "nodes N per period, 4..10000000");
+      field("scheme", scheme, "[-]", "galerkin | nodal | backward (represents restitution 0)");
+      field("restitution", restitution, "[-]", "scene: the scene's law; none: nodal gaps, no impact law");
+      field("solver", solver, "[-]", "auto (pivoting with restarts) | pivoting | newton");
+      field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
+      field("max_iterations", max_iterations, "[-]", "limit on pivots or Newton steps; 0: the solver's own");
+    }
+  };
+
+  explicit HatLcp(const Options& options);  ///< \throws InvalidOption
+
+  [[nodiscard]] std::vector<OptionEcho> options() const override { return echo_options(options_); }
+  [[nodiscard]] Support supports(const Problem& problem) const override;
+  [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
+  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
+
+ private:
+  Options options_;
+};
+
+template <>
+struct EnumNames<HatLcp::Scheme> {
+  static constexpr std::array<std::string_view, 3> values{"galerkin", "nodal", "backward"};
+};
+
+template <>
+struct EnumNames<HatLcp::ImpactLaw> {
+  static constexpr std::array<std::string_view, 2> values{"scene", "none"};
+};
+
+}  // namespace signorini

@@ -1,0 +1,63 @@
+#include "methods/kernels/projected_law.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace signorini {
+
+ContactReceptance fourier_receptance(const Problem& problem, int harmonics) {
+  const double base = problem.base_frequency();
+  return contact_receptance(problem, harmonics, [base](int n) { return exact_weights(n * base); });
+}
+
+Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance) {
+  const int highest = receptance.harmonics();
+  const int lowest = (highest + 1) / 2;
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(receptance.contacts());
+  for (int n = lowest; n <= highest; ++n) {
+    // The mean of |C_n| rather than of its inverse: antiresonances must not count.
+    mean += receptance.receptance[static_cast<std::size_t>(n)].diagonal().cwiseAbs() / (highest - lowest + 1);
+  }
+  return mean.cwiseInverse();
+}
+
+ProjectedLaw lipschitz_law(const Problem& problem, const Eigen::VectorXd& constant) {
+  ProjectedLaw law{constant, Eigen::VectorXd::Ones(constant.size())};
+  if (const auto* stop = std::get_if<Penalty>(&problem.law)) {
+    for (Eigen::Index j = 0; j < constant.size(); ++j) {
+      law.relief[j] -= constant[j] / stop->stiffness[static_cast<std::size_t>(j)];
+    }
+  }
+  return law;
+}
+
+ProjectedLaw penalty_law(const Problem& problem, const std::optional<Scaled>& penalty,
+                         const ContactReceptance& receptance) {
+  ProjectedLaw law;
+  const auto* stop = std::get_if<Penalty>(&problem.law);
+  if (penalty) {
+    law.constant = contact_stiffness_scale(problem);
+    for (double& stiffness : law.constant) stiffness = penalty->in_units_of(stiffness);
+  } else if (stop != nullptr) {
+    law.constant = Eigen::Map<const Eigen::VectorXd>(stop->stiffness.data(), problem.contact_count());
+  } else {
+    law.constant = highest_dynamic_stiffness(receptance);
+  }
+  law.relief = Eigen::VectorXd::Zero(problem.contact_count());
+  return law;
+}
+
+RepresentedLaw conservative_law(const Problem& problem) {
+  if (std::holds_alternative<Restitution>(problem.law)) return Restitution{1.0};
+  return std::visit([](const auto& law) -> RepresentedLaw { return law; }, problem.law);
+}
+
+Support supports_harmonics(const Problem& problem, int harmonics) {
+  const int needed = highest_load_harmonic(problem) * problem.subharmonic;
+  if (needed <= harmonics) return {};
+  return {false, fmt::format("the load reaches harmonic {} of the motion's base frequency, beyond harmonics = {}",
+                             needed, harmonics)};
+}
+
+}  // namespace signorini

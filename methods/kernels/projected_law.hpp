@@ -1,0 +1,59 @@
+#pragma once
+// The contact law as the harmonic-balance methods impose it, and the options they have in common.
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "methods/kernels/receptance.hpp"
+#include "methods/method.hpp"
+
+namespace signorini {
+
+/// The contact law in projected form, per contact:
+///
+///     lambda = -P z,   z = max(0, y),   y = c (x - g) - relief * lambda,
+///
+/// P the projection on harmonics |n| <= H. relief = 1 is Signorini's condition (seed eq. 4), relief =
+/// 1 - c / k_p a stop of stiffness k_p; c = k_p with relief = 0 is the penalty law (seed eq. 47).
+struct ProjectedLaw {
+  Eigen::VectorXd constant;  ///< c, Nc, > 0 [N/m]
+  Eigen::VectorXd relief;    ///< Nc [-]
+};
+
+/// C_n and free response of the undiscretised structure for |n| <= H.
+ContactReceptance fourier_receptance(const Problem& problem, int harmonics);
+
+/// Size of the dynamic stiffness at the highest harmonics kept, per contact: the harmonic mean of
+/// 1 / |C_n| over H/2 <= n <= H, Nc [N/m]. For one mass about m (3 H w / 4)^2.
+Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance);
+
+/// Signorini's condition with constant c, or the scene's spring stop behind it.
+ProjectedLaw lipschitz_law(const Problem& problem, const Eigen::VectorXd& constant);
+
+/// The penalty law: the stiffness asked for; else the scene's; else, for a rigid stop, the highest
+/// dynamic stiffness kept, where penalty error and truncation error are of one size.
+ProjectedLaw penalty_law(const Problem& problem, const std::optional<Scaled>& penalty,
+                         const ContactReceptance& receptance);
+
+/// The law that every projected method represents: the scene's if it is conservative, restitution 1
+/// where the scene is rigid, for the projected force does no net work (docs/theory.md).
+RepresentedLaw conservative_law(const Problem& problem);
+
+/// Refused where the load has harmonics beyond H.
+Support supports_harmonics(const Problem& problem, int harmonics);
+
+/// Ranges of the options that all harmonic-balance methods share. \throws InvalidOption
+template <class Options>
+void validate_harmonic_options(const Options& options) {
+  require_option(options.harmonics >= 1 && options.harmonics <= 100000, "harmonics", options.harmonics,
+                 "must be from 1 to 100000");
+  require_option(!options.samples || *options.samples >= 2 * options.harmonics + 1, "samples", options.samples,
+                 "must be at least 2 * harmonics + 1, or auto");
+  require_option(!options.samples || *options.samples <= 10000000, "samples", options.samples,
+                 "must be at most 10000000");
+  require_option(options.tolerance > 0.0 && options.tolerance <= 1e-2, "tolerance", options.tolerance,
+                 "must be in (0, 1e-2]");
+  require_option(options.max_iterations >= 0, "max_iterations", options.max_iterations, "must be 0 or more");
+}
+
+}  // namespace signorini

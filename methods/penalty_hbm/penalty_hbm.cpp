@@ -1,0 +1,34 @@
+#include "methods/penalty_hbm/penalty_hbm.hpp"
+
+#include <utility>
+
+#include "methods/kernels/projected_contact.hpp"
+
+namespace signorini {
+
+PenaltyHbm::PenaltyHbm(const Options& options) : options_(options) {
+  validate_harmonic_options(options_);
+  require_option(!options_.penalty || options_.penalty->value > 0.0, "penalty", options_.penalty,
+                 "must be positive, or auto");
+}
+
+Support PenaltyHbm::supports(const Problem& problem) const { return supports_harmonics(problem, options_.harmonics); }
+
+RepresentedLaw PenaltyHbm::law(const Problem& problem) const {
+  if (!options_.penalty || !std::holds_alternative<Penalty>(problem.law)) return conservative_law(problem);
+  Penalty asked;
+  for (const double scale : contact_stiffness_scale(problem)) {
+    asked.stiffness.push_back(options_.penalty->in_units_of(scale));
+  }
+  return asked;
+}
+
+std::unique_ptr<PreparedMethod> PenaltyHbm::prepare(const Problem& problem) const {
+  ContactReceptance receptance = fourier_receptance(problem, options_.harmonics);
+  ProjectedLaw law = penalty_law(problem, options_.penalty, receptance);
+  const SolverSettings solver{options_.solver, options_.tolerance, options_.max_iterations};
+  return std::make_unique<ProjectedContact>(problem, std::move(receptance), std::move(law),
+                                            ProjectedOptions{options_.samples, solver});
+}
+
+}  // namespace signorini

@@ -1,0 +1,70 @@
+#include "problems/definiteness.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace signorini {
+
+namespace {
+
+constexpr double kAsymmetry = 1e-12;  // of the largest entry
+constexpr double kCurvature = 1e-10;  // of the unit diagonal
+constexpr double kMargin = 1e-13;     // of the unit diagonal
+
+template <class Visit>
+void for_each_entry(const SparseMatrix& A, Visit visit) {
+  for (int column = 0; column < A.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry) {
+      visit(static_cast<int>(entry.row()), column, entry.value());
+    }
+  }
+}
+
+// Smallest pivot of E A E + shift I, E = diag(a_ii)^{-1/2}. Coordinates without diagonal are left out (their
+// pivot is 1 + shift); -1 if they are coupled to anything or if the factorisation breaks down.
+double smallest_pivot(const SparseMatrix& A, double shift) {
+  const double rounding = kAsymmetry * largest_entry(A);
+  const Eigen::VectorXd diagonal = A.diagonal();
+  if ((diagonal.array() < -rounding).any()) return -1.0;
+  std::vector<Eigen::Triplet<double>> entries;
+  bool coupled_to_nothing = true;
+  for_each_entry(A, [&](int row, int column, double value) {
+    if (row == column) return;
+    if (diagonal(row) > 0.0 && diagonal(column) > 0.0) {
+      entries.emplace_back(row, column, value / (std::sqrt(diagonal(row)) * std::sqrt(diagonal(column))));
+    } else if (std::abs(value) > rounding) {
+      coupled_to_nothing = false;
+    }
+  });
+  if (!coupled_to_nothing) return -1.0;
+  for (int i = 0; i < A.rows(); ++i) entries.emplace_back(i, i, 1.0 + shift);
+  SparseMatrix scaled(A.rows(), A.cols());
+  scaled.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<SparseMatrix> factors(scaled);
+  return factors.info() == Eigen::Success ? factors.vectorD().minCoeff() : -1.0;
+}
+
+}  // namespace
+
+double largest_entry(const SparseMatrix& A) {
+  double largest = 0.0;
+  for_each_entry(A, [&](int, int, double value) {
+    if (std::isnan(value) || std::abs(value) > largest) largest = std::abs(value);  // NaN, once met, stays
+  });
+  return largest;
+}
+
+bool is_symmetric(const SparseMatrix& A) {
+  const SparseMatrix difference = A - SparseMatrix(A.transpose());
+  return largest_entry(difference) <= kAsymmetry * largest_entry(A);
+}
+
+bool is_semidefinite(const SparseMatrix& A) { return smallest_pivot(A, kCurvature) > 0.0; }
+
+bool is_definite(const SparseMatrix& A) {
+  return (A.diagonal().array() > 0.0).all() && smallest_pivot(A, 0.0) > kMargin;
+}
+
+}  // namespace signorini

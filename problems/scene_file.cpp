@@ -1,0 +1,246 @@
+#include "problems/scene_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <limits>
+
+#include "problems/assembly/chain.hpp"
+#include "problems/scene_field.hpp"
+#include "problems/toml_tree.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr int kSchema = 1;
+constexpr std::size_t kLargestFile = std::size_t{1} << 24;  // bytes; a scene is text written by hand
+constexpr std::size_t kLongestName = 64;
+constexpr double kSmallest = std::numeric_limits<double>::min();
+constexpr std::string_view kNumber = "must be a finite number";
+
+bool is_lower_kebab_case(std::string_view name) {
+  const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
+  return !name.empty() && name.size() <= kLongestName && std::all_of(name.begin(), name.end(), fits) &&
+         name.front() != '-' && name.back() != '-' && name.find("--") == std::string_view::npos;
+}
+
+std::string read_name(const SceneField& field) {
+  constexpr std::string_view kRequirement =
+      "must be a name in lower-kebab-case, such as \"sdof-stop\", of at most 64 characters";
+  std::string name = field.text(kRequirement);
+  if (!is_lower_kebab_case(name)) field.refuse(kRequirement);
+  return name;
+}
+
+std::string read_optional_text(const SceneField& field) {
+  return field.given() ? field.text("must be one line of text") : std::string();
+}
+
+std::vector<std::string> read_tags(const SceneField& field) {
+  std::vector<std::string> tags;
+  if (!field.given()) return tags;
+  constexpr std::string_view kRequirement = "must be a list of words; left out if there is none";
+  for (const SceneField& item : field.items(kRequirement)) {
+    tags.push_back(item.text("must be a word"));
+    if (tags.back().empty()) item.refuse("must be a word");
+  }
+  return tags;
+}
+
+std::vector<double> read_elements(const SceneField& field, std::string_view unit, std::size_t count) {
+  const std::string requirement = fmt::format("must be a list of numbers >= 0 {}, at least one", unit);
+  const std::string each = fmt::format("must be a number >= 0 {}", unit);
+  std::vector<double> values;
+  for (const SceneField& item : field.items(requirement)) values.push_back(item.number(each, 0.0));
+  if (count != 0 && values.size() != count) {
+    field.refuse(fmt::format("{} values", values.size()), fmt::format("must have one per mass: {}", count));
+  }
+  return values;
+}
+
+Structure read_sdof(const SceneField& system) {
+  system.allow_only({"kind", "mass", "damping", "stiffness"}, "must be a table");
+  return assemble(Chain{.masses = {system["mass"].number("must be a positive number [kg]", kSmallest)},
+                        .dampers = {system["damping"].number("must be a number >= 0 [N s/m]", 0.0)},
+                        .springs = {system["stiffness"].number("must be a number >= 0 [N/m]", 0.0)}});
+}
+
+Structure read_chain(const SceneField& system) {
+  system.allow_only({"kind", "masses", "dampers", "springs"}, "must be a table");
+  Chain chain{.masses = read_elements(system["masses"], "[kg]", 0), .dampers = {}, .springs = {}};
+  chain.dampers = read_elements(system["dampers"], "[N s/m]", chain.masses.size());
+  chain.springs = read_elements(system["springs"], "[N/m]", chain.masses.size());
+  return assemble(chain);
+}
+
+void read_system(const SceneField& system, Problem& problem) {
+  if (!system.is_table()) system.refuse("must be a table with kind = \"sdof\" or \"chain\"");
+  const SceneField kind = system["kind"];
+  problem.kind = kind.text("must be \"sdof\" or \"chain\"");
+  Structure structure;
+  if (problem.kind == "sdof") {
+    structure = read_sdof(system);
+  } else if (problem.kind == "chain") {
+    structure = read_chain(system);
+  } else {
+    kind.refuse("this version reads \"sdof\" and \"chain\" only");
+  }
+  problem.mass = std::move(structure.mass);
+  problem.damping = std::move(structure.damping);
+  problem.stiffness = std::move(structure.stiffness);
+}
+
+int read_dof(const SceneField& field, const Problem& problem) {
+  const int last = problem.size() - 1;
+  return field.whole(fmt::format("must be a coordinate of the system, 0..{}", last), 0, last);
+}
+
+// Ranges are validate()'s business; here a number need only be an int.
+int read_int(const SceneField& field, int otherwise) {
+  constexpr int kMost = std::numeric_limits<int>::max();
+  return field.whole_or(otherwise, "must be a whole number", -kMost, kMost);
+}
+
+void read_forcing(const SceneField& forcing, Problem& problem) {
+  forcing.allow_only({"frequency", "subharmonic", "term"}, "must be a table with the frequency");
+  problem.frequency = forcing["frequency"].number("must be a positive number [rad/s]");
+  problem.subharmonic = read_int(forcing["subharmonic"], 1);
+  const SceneField terms = forcing["term"];
+  if (!terms.given()) return;
+  for (const SceneField& term : terms.items("must be [[forcing.term]] tables; left out if there is none")) {
+    term.allow_only({"dof", "harmonic", "cos", "sin"}, "must be a table");
+    problem.force.push_back({.dof = read_dof(term["dof"], problem),
+                             .harmonic = read_int(term["harmonic"], 1),
+                             .cos = term["cos"].number_or(0.0, kNumber),
+                             .sin = term["sin"].number_or(0.0, kNumber)});
+  }
+}
+
+std::vector<std::pair<int, double>> read_normal(const SceneField& contact, const Problem& problem) {
+  const SceneField dof = contact["dof"];
+  const SceneField normal = contact["normal"];
+  if (dof.given() && normal.given()) normal.refuse("must be absent: dof is given");
+  if (!normal.given()) return {{read_dof(dof, problem), 1.0}};
+  constexpr std::string_view kPair = "must be a pair [dof, coefficient]";
+  std::vector<std::pair<int, double>> result;
+  for (const SceneField& entry : normal.items("must be a list of pairs [dof, coefficient]")) {
+    const std::vector<SceneField> pair = entry.items(kPair);
+    if (pair.size() != 2) entry.refuse(kPair);
+    result.emplace_back(read_dof(pair[0], problem), pair[1].number(kNumber));
+  }
+  return result;
+}
+
+void read_contacts(const SceneField& contacts, Problem& problem) {
+  if (!contacts.given()) return;
+  for (const SceneField& contact : contacts.items("must be [[contact]] tables; left out if there is none")) {
+    contact.allow_only({"dof", "normal", "gap"}, "must be a table");
+    problem.contacts.push_back({.normal = read_normal(contact, problem),
+                                .gap = contact["gap"].number("must be a finite number [m]")});
+  }
+}
+
+std::vector<double> read_penalty(const SceneField& penalty, std::size_t contacts) {
+  constexpr std::string_view kRequirement = "must be a positive number [N/m], or a list of them";
+  if (!penalty.is_array()) return std::vector<double>(contacts, penalty.number(kRequirement));
+  std::vector<double> values;
+  for (const SceneField& item : penalty.items(kRequirement)) {
+    values.push_back(item.number("must be a positive number [N/m]"));
+  }
+  return values;
+}
+
+Law read_law(const SceneField& law, const Problem& problem) {
+  if (!law.given()) {
+    if (problem.contacts.empty() || !contacts_are_massless(problem)) return {};
+    return Massless{};
+  }
+  law.allow_only({"restitution", "penalty"}, "must be a table with restitution or penalty");
+  if (problem.contacts.empty()) law.refuse("must be absent: the scene has no contact");
+  const SceneField restitution = law["restitution"];
+  const SceneField penalty = law["penalty"];
+  if (penalty.given()) {
+    if (restitution.given()) penalty.refuse("must be absent: restitution is given");
+    return Penalty{read_penalty(penalty, problem.contacts.size())};
+  }
+  if (!restitution.given()) law.refuse("must hold restitution or penalty, or be left out");
+  return Restitution{restitution.number("must be in 0..1")};
+}
+
+// The place in the file that a path of validate() stands for.
+SceneField as_written(const SceneField& document, const InvalidProblem& error) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kChain{
+      {{"system.mass", "system.masses"},
+       {"system.damping", "system.dampers"},
+       {"system.stiffness", "system.springs"}}};
+  for (const auto& [field, elements] : kChain) {
+    if (error.field == field && document.at(elements).given()) return document.at(elements);
+  }
+  if (error.field.starts_with("law.penalty[") && !document["law"]["penalty"].is_array()) {
+    return document["law"]["penalty"];
+  }
+  return document.at(error.field);
+}
+
+Problem read_scene(const SceneField& scene) {
+  static_cast<void>(
+      scene["schema"].whole("must be 1", kSchema, kSchema));  // first: others may have other keys
+  scene.allow_only({"schema", "name", "title", "reference", "tags", "system", "forcing", "contact", "law"},
+                   "must be a table");
+  Problem problem;
+  problem.name = read_name(scene["name"]);
+  problem.title = read_optional_text(scene["title"]);
+  problem.reference = read_optional_text(scene["reference"]);
+  problem.tags = read_tags(scene["tags"]);
+  read_system(scene["system"], problem);
+  read_forcing(scene["forcing"], problem);
+  read_contacts(scene["contact"], problem);
+  problem.law = read_law(scene["law"], problem);
+  return problem;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  const auto refuse = [&](std::string_view found, std::string_view requirement) {
+    throw SceneError(fmt::format("{}: file = {} ({})", path.string(), found, requirement));
+  };
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) refuse("missing", "must exist");
+  if (std::filesystem::is_directory(path, ignored)) refuse("a folder", "must be a TOML file");
+  std::ifstream stream(path, std::ios::binary);
+  std::string text;
+  std::array<char, 65536> block{};
+  while (stream && text.size() <= kLargestFile) {
+    stream.read(block.data(), block.size());
+    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  if (stream.bad() || !stream.is_open()) refuse("unreadable", "must be a file that may be read");
+  if (text.size() > kLargestFile) refuse("more than 16 MiB", "must be a scene of at most 16 MiB");
+  return text;
+}
+
+}  // namespace
+
+Problem parse_scene(std::string_view text, const std::string& name) {
+  TomlNode document;
+  try {
+    document = parse_toml(text);
+  } catch (const TomlSyntaxError& error) {
+    throw SceneError(
+        fmt::format("{}:{}: file = not TOML (must be valid TOML 1.0; {})", name, error.line, error.what()));
+  }
+  const SceneField scene(document, name);
+  Problem problem = read_scene(scene);
+  try {
+    validate(problem);
+  } catch (const InvalidProblem& error) {
+    as_written(scene, error).refuse(error.found, error.requirement);
+  }
+  return problem;
+}
+
+Problem load_scene(const std::filesystem::path& path) { return parse_scene(read_text(path), path.string()); }
+
+}  // namespace signorini

@@ -1,0 +1,55 @@
+#pragma once
+// A TOML document as a plain tree that remembers lines: the only part that knows the TOML library.
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace signorini {
+
+struct TomlNode;
+struct TomlEntry;
+
+/// A date or time: no scene needs one, messages print it.
+struct TomlMoment {
+  std::string text;
+};
+
+using TomlArray = std::vector<TomlNode>;
+/// In the order of the file.
+using TomlTable = std::vector<TomlEntry>;
+
+struct TomlNode {
+  int line = 1;  ///< where the value begins; for a table, where its header stands
+  std::variant<TomlTable, TomlArray, std::string, std::int64_t, double, bool, TomlMoment> value;
+
+  /// The entry of that name if this is a table that has it, else null.
+  [[nodiscard]] const TomlNode* find(std::string_view key) const;
+};
+
+struct TomlEntry {
+  std::string key;
+  int line = 1;  ///< where the key stands
+  TomlNode value;
+};
+
+/// Text that is not TOML.
+class TomlSyntaxError : public std::runtime_error {
+ public:
+  TomlSyntaxError(const std::string& reason, int error_line) : std::runtime_error(reason), line(error_line) {}
+  int line;
+};
+
+/// The whole document, a table. \throws TomlSyntaxError
+TomlNode parse_toml(std::string_view text);
+
+/// The value on one line as a message shows it: strings quoted, control characters escaped, long ones cut.
+std::string print(const TomlNode& node);
+
+/// Control characters as \n or \x1b, what follows the first `length` bytes as "...": for one-line messages.
+std::string one_line(std::string_view text, std::size_t length = 60);
+
+}  // namespace signorini

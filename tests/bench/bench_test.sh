@@ -1,0 +1,224 @@
+#!/bin/sh
+# Tests of ./bench: what it asks of the tools around it. usage: bench_test.sh PATH-OF-BENCH
+#
+# A copy of the script runs in a folder whose name has a space, with stand-ins first in PATH. Each stand-in appends
+# its name and arguments to $calls, so that a test can tell what was asked, and with which words.
+set -eu
+
+bench_under_test=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+tree="$work/a tree"
+tools=$work/tools
+export calls="$work/calls" packages="$work/packages" fail="$work/fail"
+mkdir -p "$tree/part" "$tools"
+cp "$bench_under_test" "$tree/bench"
+chmod +x "$tree/bench"
+failures=0
+
+stand_in() { # NAME, its further behaviour on stdin
+  {
+    # shellcheck disable=SC2016  # expanded by the stand-in
+    printf '#!/bin/sh\n{ printf %s; printf " <%%s>" "$@"; echo; } >>"$calls"\n' "$1"
+    cat
+  } >"$tools/$1"
+  chmod +x "$tools/$1"
+}
+
+# Package states come from $packages; `all` there means everything is installed.
+stand_in dpkg-query <<'END'
+for word; do
+  case $word in
+    -*) ;;
+    *) if grep -qxF all "$packages" || grep -qxF "$word" "$packages"; then echo "$word/installed"; else echo "$word/config-files"; fi ;;
+  esac
+done
+END
+# An install succeeds only after an update, as on a new machine; apt-get names may be made to fail altogether.
+stand_in apt-get <<'END'
+[ ! -e "$fail.apt-get" ] || exit 100
+case " $* " in
+  *' update '*) touch "$packages.updated" ;;
+  *) [ -e "$packages.updated" ] || { echo 'E: Unable to locate package' && exit 100; } ;;
+esac
+END
+stand_in sudo <<'END'
+[ -e "$packages.sudo" ] || exit 1
+[ "$1" = -n ] && shift
+exec "$@"
+END
+stand_in id <<'END'
+cat "$packages.id"
+END
+stand_in cmake <<'END'
+[ "$1" != -S ] || {
+  mkdir -p "$2/build/release/harness"
+  touch "$2/build/release/build.ninja"
+  echo "CMAKE_HOME_DIRECTORY:INTERNAL=$2" >"$2/build/release/CMakeCache.txt"
+  cat >"$2/build/release/compile_commands.json" <<JSON
+[
+{
+  "command": "c++ -c one.cpp",
+  "file": "$2/part/one.cpp"
+},
+{
+  "command": "c++ -c two.cpp",
+  "file": "$2/part/two.cpp"
+}
+]
+JSON
+}
+[ ! -e "$fail.$1" ] || { echo 'the reason it failed' && exit 1; }
+END
+: | stand_in ctest
+: | stand_in clang-format
+stand_in clang-tidy <<'END'
+for word; do :; done
+[ ! -e "$fail.clang-tidy" ] || [ "$word" != part/two.cpp ] || { echo 'two.cpp:1: error' && exit 1; }
+END
+# The program itself appears where the build would leave it.
+program() {
+  mkdir -p "$tree/build/release/harness"
+  # shellcheck disable=SC2016
+  printf '#!/bin/sh\n{ printf signorini; printf " <%%s>" "$@"; echo; } >>"$calls"\n' >"$tree/build/release/harness/signorini"
+  chmod +x "$tree/build/release/harness/signorini"
+}
+echo '#include "part/one.hpp"' >"$tree/part/one.cpp"
+echo '#include "part/below.hpp"' >"$tree/part/one.hpp"
+echo 'int below;' >"$tree/part/below.hpp"
+echo 'int two;' >"$tree/part/two.cpp"
+echo 'Checks: x' >"$tree/.clang-tidy"
+
+fresh() { # UID [PACKAGE...]: an unbuilt tree on a machine with these packages
+  rm -rf "$tree/build" "$packages".* "$fail".*
+  echo "$1" >"$packages.id"
+  shift
+  printf '%s\n' "$@" >"$packages"
+  : >"$calls"
+}
+
+bench() { # runs ./bench from elsewhere; its code is in $code, its output in $work/out and $work/err
+  code=0
+  (cd / && CI='' PATH="$tools:/usr/bin:/bin" "$tree/bench" "$@" >"$work/out" 2>"$work/err") || code=$?
+}
+
+report() {
+  failures=$((failures + 1))
+  printf 'FAILED: %s\n' "$*"
+  sed 's/^/  stderr: /' "$work/err"
+  sed 's/^/  call: /' "$calls"
+}
+expect_code() { [ "$code" -eq "$1" ] || report "$2: exit code $code instead of $1"; }
+expect_lines() { [ "$(wc -l <"$work/err")" -eq "$1" ] || report "$2: $(wc -l <"$work/err") lines instead of $1"; }
+expect_call() { grep -qxF -- "$1" "$calls" || report "$2: no call '$1'"; }
+expect_calls() { # PATTERN COUNT WHAT
+  count=$(grep -c -- "$1" "$calls") || true
+  [ "$count" -eq "$2" ] || report "$3: $count calls of '$1' instead of $2"
+}
+
+fresh 1000 all
+bench mistake
+expect_code 2 'unknown command'
+expect_lines 1 'unknown command'
+bench
+expect_code 2 'no command'
+expect_lines 1 'no command'
+bench help
+expect_code 0 'help'
+
+fresh 1000 g++ cmake
+bench run
+expect_code 2 'missing packages without rights'
+expect_lines 1 'missing packages without rights'
+grep -q 'sudo apt-get .*install .* ninja-build .*libsundials-dev' "$work/err" || report 'the line to type'
+! grep -q 'g++\|cmake' "$work/err" || report 'the line to type names what is there'
+expect_calls '^apt-get' 0 'without rights'
+expect_calls '^cmake' 0 'without packages'
+
+fresh 0 g++
+bench run --dry-run
+expect_calls '^apt-get .*<install>' 2 'install, update, install'
+expect_calls '^apt-get .*<update>' 1 'install, update, install'
+expect_calls '^apt-get .*<install>.* <cmake>.*<libeigen3-dev>' 2 'what is missing'
+expect_calls '^apt-get .*<g++>' 0 'what is there'
+expect_calls '^sudo' 0 'root'
+
+fresh 1000 g++
+touch "$packages.sudo" "$packages.updated"
+bench test
+expect_code 0 'sudo without password'
+expect_calls '^sudo <-n> <env> <DEBIAN_FRONTEND=noninteractive> <apt-get>.*<install>' 1 'sudo without password'
+
+fresh 0 g++
+touch "$fail.apt-get"
+bench run
+expect_code 2 'installation fails'
+grep -q 'type: sudo apt-get' "$work/err" || report 'installation fails: the line to type'
+
+fresh 1000 all
+program
+bench run
+expect_code 0 'run'
+expect_call 'signorini <run> <quick>' 'run'
+bench run --scenes 'sdof* chain*' --jobs 2
+expect_call 'signorini <run> <quick> <--scenes> <sdof* chain*> <--jobs> <2>' 'run with options'
+bench run full --resume
+expect_call 'signorini <run> <full> <--resume>' 'run with a suite'
+expect_calls '^cmake <-S>' 1 'three runs configure once'
+expect_calls '^cmake <--build>' 3 'three runs build thrice'
+expect_lines 0 'a later run says nothing of its own'
+
+fresh 1000 all
+bench test
+expect_call "ctest <--test-dir> <$tree/build/release> <--output-on-failure> <--no-tests=error> <--parallel> <2> <-LE> <^slow\$>" 'test'
+bench test -R 'A b'
+expect_calls '<-LE> <^slow\$> <-R> <A b>' 1 'test with options'
+: >"$calls"
+bench test --all -V
+expect_calls '^ctest .*<-V>' 1 'all tests'
+expect_calls '<-LE>' 0 'all tests'
+: >"$calls"
+(cd / && CI=true PATH="$tools:/usr/bin:/bin" "$tree/bench" test >/dev/null)
+expect_calls '^ctest' 1 'CI=true'
+expect_calls '<-LE>' 0 'CI=true'
+
+fresh 1000 all
+touch "$fail.--build"
+bench test
+expect_code 1 'build fails'
+grep -q 'the reason it failed' "$work/err" || report 'build fails: no reason shown'
+expect_calls '^ctest' 0 'build fails'
+
+fresh 1000 all
+bench lint
+expect_code 0 'lint'
+expect_calls '^clang-tidy <--quiet>' 2 'first lint'
+expect_calls '^clang-format <--dry-run> <-Werror> <./part/' 1 'lint checks format'
+expect_calls '<-i>' 0 'lint changes nothing'
+bench lint
+expect_calls '^clang-tidy <--quiet>' 2 'second lint checks nothing anew'
+echo 'int lower;' >"$tree/part/below.hpp"
+bench lint
+expect_calls '^clang-tidy <--quiet>.*<part/one.cpp>' 2 'a header changed below the one included'
+expect_calls '^clang-tidy <--quiet>.*<part/two.cpp>' 1 'a header changed that is not included'
+echo 'Checks: y' >"$tree/.clang-tidy"
+bench lint
+expect_calls '^clang-tidy <--quiet>' 5 'the configuration changed'
+echo 'int three;' >"$tree/part/two.cpp"
+touch "$fail.clang-tidy"
+bench lint
+expect_code 1 'lint finds something'
+grep -q 'two.cpp:1: error' "$work/err" || report 'lint finds something: not shown'
+bench lint
+expect_code 1 'lint finds it again'
+expect_calls '^clang-tidy <--quiet>.*<part/two.cpp>' 4 'what failed is checked again'
+rm "$fail.clang-tidy"
+bench lint --fix
+expect_code 0 'lint --fix'
+expect_calls '^clang-format <-i> <./part/' 1 'lint --fix formats'
+bench lint --mistake
+expect_code 2 'unknown option of lint'
+expect_lines 1 'unknown option of lint'
+
+[ "$failures" -eq 0 ] || exit 1
+echo 'all of ./bench as it should be'

@@ -1,0 +1,79 @@
+#include "problems/assembly/chain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+namespace signorini {
+namespace {
+
+TEST(AssembleChain, OfOneMassIsTheOscillator) {
+  const Structure oscillator = assemble(Chain{.masses = {2.0}, .dampers = {0.3}, .springs = {5.0}});
+
+  EXPECT_EQ(oscillator.mass.coeff(0, 0), 2.0);
+  EXPECT_EQ(oscillator.damping.coeff(0, 0), 0.3);
+  EXPECT_EQ(oscillator.stiffness.coeff(0, 0), 5.0);
+  EXPECT_EQ(oscillator.mass.rows(), 1);
+}
+
+TEST(AssembleChain, MatchesMatricesWrittenByHand) {
+  const Structure chain =
+      assemble(Chain{.masses = {1.0, 2.0, 3.0}, .dampers = {0.1, 0.2, 0.4}, .springs = {10.0, 20.0, 40.0}});
+
+  Eigen::Matrix3d M;
+  M << 1, 0, 0, 0, 2, 0, 0, 0, 3;
+  Eigen::Matrix3d D;
+  D << 0.3, -0.2, 0, -0.2, 0.6, -0.4, 0, -0.4, 0.4;
+  Eigen::Matrix3d K;
+  K << 30, -20, 0, -20, 60, -40, 0, -40, 40;
+  EXPECT_EQ(Eigen::Matrix3d(chain.mass), M);
+  EXPECT_LE((Eigen::Matrix3d(chain.damping) - D).cwiseAbs().maxCoeff(), 1e-15 * D.cwiseAbs().maxCoeff());
+  EXPECT_EQ(Eigen::Matrix3d(chain.stiffness), K);
+}
+
+TEST(AssembleChain, StoresTheEnergyOfItsSprings) {
+  std::mt19937 random(20240611);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  constexpr int kSize = 7;
+  Chain chain;
+  Eigen::VectorXd u(kSize);
+  for (int i = 0; i < kSize; ++i) {
+    chain.masses.push_back(1.0);
+    chain.dampers.push_back(1.0 + uniform(random));
+    chain.springs.push_back(1.0 + uniform(random));
+    u(i) = uniform(random);
+  }
+
+  const Structure structure = assemble(chain);
+
+  double springs = 0.0;
+  double dampers = 0.0;
+  for (int i = 0; i < kSize; ++i) {
+    const double stretch = u(i) - (i == 0 ? 0.0 : u(i - 1));
+    springs += chain.springs[static_cast<std::size_t>(i)] * stretch * stretch;
+    dampers += chain.dampers[static_cast<std::size_t>(i)] * stretch * stretch;
+  }
+  EXPECT_NEAR(u.dot(structure.stiffness * u), springs, 1e-13 * springs);
+  EXPECT_NEAR(u.dot(structure.damping * u), dampers, 1e-13 * dampers);
+}
+
+TEST(AssembleChain, StaysTridiagonalForManyMasses) {
+  constexpr int kSize = 100000;
+  const std::vector<double> ones(kSize, 1.0);
+
+  const Structure structure = assemble(Chain{.masses = ones, .dampers = ones, .springs = ones});
+
+  EXPECT_EQ(structure.stiffness.nonZeros(), 3 * kSize - 2);
+  EXPECT_EQ(structure.stiffness.coeff(kSize - 1, kSize - 1), 1.0) << "the last mass is free";
+  EXPECT_EQ(structure.stiffness.coeff(kSize - 2, kSize - 2), 2.0);
+}
+
+TEST(AssembleChain, RefusesListsOfDifferentLengths) {
+  EXPECT_THROW(assemble(Chain{.masses = {1.0, 1.0}, .dampers = {0.1}, .springs = {1.0, 1.0}}),
+               std::invalid_argument);
+  EXPECT_THROW(assemble(Chain{.masses = {1.0}, .dampers = {0.1}, .springs = {}}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace signorini
