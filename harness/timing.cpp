@@ -12,8 +12,6 @@ namespace signorini {
 namespace {
 
 constexpr const char* kLeast = "least";
-/// Work that takes longer than this is timed once and said to be [s].
-constexpr double kVerySlow = 60.0;
 
 /// Keeps the least time of each round and prints nothing.
 class RoundCollector final : public benchmark::BenchmarkReporter {
@@ -42,6 +40,12 @@ bool build_may_be_timed() {
 
 std::vector<double> time_rounds(const std::string& name, const std::function<double()>& timed, double first,
                                 const TimingBudget& budget) {
+  const bool slow = first >= budget.round_seconds;
+  int rounds = budget.rounds;
+  if (slow) rounds = std::clamp(static_cast<int>(budget.total_seconds / first), 1, rounds) - 1;
+  RoundCollector collector;
+  if (slow) collector.rounds.push_back(first);
+  if (rounds == 0) return collector.rounds;
   benchmark::ClearRegisteredBenchmarks();
   auto* registered = benchmark::RegisterBenchmark(name.c_str(), [&timed](benchmark::State& state) {
     double least = std::numeric_limits<double>::infinity();
@@ -52,13 +56,12 @@ std::vector<double> time_rounds(const std::string& name, const std::function<dou
     }
     state.counters[kLeast] = least;
   });
-  registered->UseManualTime()->Repetitions(budget.rounds);
-  if (first >= budget.round_seconds) {
+  registered->UseManualTime()->Repetitions(rounds);
+  if (slow) {
     registered->Iterations(1);
   } else {
     registered->MinTime(budget.round_seconds);
   }
-  RoundCollector collector;
   benchmark::RunSpecifiedBenchmarks(&collector);
   benchmark::ClearRegisteredBenchmarks();
   return collector.rounds;
@@ -73,12 +76,6 @@ Seconds summarise(const std::vector<double>& setup, const std::vector<double>& s
           .repetitions = static_cast<int>(total.size()),
           .setup = median(setup),
           .solve = median(solve)};
-}
-
-int affordable_rounds(int rounds, double one_round, double available) {
-  if (one_round > kVerySlow) return 1;
-  if (one_round * rounds <= available) return rounds;
-  return std::max(1, static_cast<int>(available / one_round));
 }
 
 }  // namespace signorini

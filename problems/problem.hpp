@@ -97,7 +97,10 @@ class InvalidProblem : public std::invalid_argument {
 /// Checks every invariant stated above; a Problem that passes is safe for every method.
 /// Sizes agree; all numbers finite; M, K symmetric and positive semi-definite, M not zero;
 /// frequency > 0; dofs in range; normals nonzero; 0 <= e <= 1 exactly where a contact carries mass.
-/// \throws InvalidProblem on the first violation.
+/// Also: the symmetric part of D is positive semi-definite; M, D and K have no null vector in common;
+/// subharmonic in 1..64, load harmonics in 0..10000, no sine at harmonic 0; unless the law is a penalty, all
+/// contacts carry mass (on every coordinate of their normals) or none does. `name` and `kind` are not looked
+/// at. \throws InvalidProblem on the first violation.
 void validate(const Problem& problem);
 
 /// W, Nd x Nc: column j holds the normal of contact j, so that x = W^T u [-].
@@ -121,7 +124,8 @@ Eigen::VectorXd load_at(const Problem& problem, double time);
 Eigen::MatrixXd delassus_matrix(const Problem& problem);
 
 /// Stiffness scale of each contact, w_j^T K w_j / |w_j|^4 [N/m], Nc: for one coordinate its own
-/// stiffness. Where that vanishes, the inertia scale omega^2 w_j^T M w_j / |w_j|^4 stands in.
+/// stiffness. Where that vanishes, the inertia scale omega^2 w_j^T M w_j / |w_j|^4 stands in,
+/// and where that vanishes too, omega w_j^T D w_j / |w_j|^4.
 /// Options given "relative to the stiffness" (c, penalty) are multiples of this scale.
 Eigen::VectorXd contact_stiffness_scale(const Problem& problem);
 

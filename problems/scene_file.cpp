@@ -88,9 +88,9 @@ void read_system(const SceneField& system, Problem& problem) {
   } else {
     kind.refuse("this version reads \"sdof\" and \"chain\" only");
   }
-  problem.mass = std::move(structure.mass);
-  problem.damping = std::move(structure.damping);
-  problem.stiffness = std::move(structure.stiffness);
+  problem.mass = structure.mass;
+  problem.damping = structure.damping;
+  problem.stiffness = structure.stiffness;
 }
 
 int read_dof(const SceneField& field, const Problem& problem) {

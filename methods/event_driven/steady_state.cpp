@@ -44,6 +44,7 @@ class March {
   void remember();
   void step();
   [[nodiscard]] double repeat(int order) const;
+  [[nodiscard]] bool nearly_repeats(int order) const;
   [[nodiscard]] bool repeats_by_itself(int order) const;
   [[nodiscard]] bool contracts_to(const Orbit& orbit) const;
   [[nodiscard]] std::optional<int> order_when_marched_on(const Orbit& orbit);
@@ -81,6 +82,18 @@ double March::repeat(int order) const {
   const auto back = static_cast<std::size_t>(order);
   if (past_.size() <= back) return std::numeric_limits<double>::infinity();
   return (past_.back() - past_[past_.size() - 1 - back]).lpNorm<Eigen::Infinity>();
+}
+
+// The last turns differ little from each other: worth asking Newton's method.
+bool March::nearly_repeats(int order) const {
+  constexpr double kNear = 0.1;
+  const auto p = static_cast<std::size_t>(order);
+  if (past_.size() < (kTurns - 1) * p + 2) return false;
+  for (std::size_t turn = 0; turn + 1 < kTurns; ++turn) {
+    const std::size_t i = past_.size() - 1 - turn * p;
+    if (i < p || !((past_[i] - past_[i - p]).lpNorm<Eigen::Infinity>() <= kNear)) return false;
+  }
+  return true;
 }
 
 // Without Newton's help: repetition within the tolerance over several turns, and little still to come.
@@ -160,7 +173,6 @@ SteadyState March::accept(FlowState start, int order, double residual, const std
 
 // Newton's method from the present state, for the orders at which it nearly repeats.
 std::optional<SteadyState> March::propose() {
-  constexpr double kNear = 0.1;
   constexpr int kTries = 3;
   constexpr int kLargest = 400;  // unknowns for which a monodromy matrix is formed
   if (past_.back().size() > kLargest) return std::nullopt;
@@ -170,7 +182,7 @@ std::optional<SteadyState> March::propose() {
   int tries = 0;
   for (int order = 1; order <= limits_.max_order && tries < kTries; ++order) {
     const double distance = repeat(order);
-    if (!(distance <= kNear) || distance > 0.5 * tried) continue;
+    if (!nearly_repeats(order) || distance > 0.5 * tried) continue;
     tried = distance;
     ++tries;
     const Orbit orbit = newton_orbit(map_, state_, order, newton, expired_);
@@ -204,13 +216,17 @@ void March::leave_events() {
 }
 
 SteadyState March::run() {
-  long next = 4;
+  constexpr long kShortest = 4, kLongest = 64;  // periods between two proposals
+  long pause = kShortest, next = kShortest;
   while (marched_ < limits_.max_iterations) {
     step();
-    if (marched_ == next) {
-      next += 4 + next / 4;
+    if (marched_ >= next) {
+      const long before = map_.periods();
       if (auto found = propose()) return *found;
-      leave_events();
+      const bool asked = map_.periods() > before;
+      pause = asked ? std::min(2 * pause, kLongest) : kShortest;
+      next = asked ? marched_ + pause : marched_ + 1;
+      if (asked || marched_ % kLongest == 0) leave_events();
     }
     if (auto found = settled()) return *found;
   }

@@ -15,13 +15,11 @@ Support FourierLipschitz::supports(const Problem& problem) const {
   return supports_harmonics(problem, options_.harmonics);
 }
 
-RepresentedLaw FourierLipschitz::law(const Problem& problem) const { return conservative_law(problem); }
+RepresentedLaw FourierLipschitz::law(const Problem& problem) const { return projected_method_law(problem); }
 
 std::unique_ptr<PreparedMethod> FourierLipschitz::prepare(const Problem& problem) const {
   ContactReceptance receptance = fourier_receptance(problem, options_.harmonics);
-  const Eigen::VectorXd constant = options_.c ? Eigen::VectorXd(*options_.c * contact_stiffness_scale(problem))
-                                              : highest_dynamic_stiffness(receptance);
-  ProjectedLaw law = lipschitz_law(problem, constant);
+  ProjectedLaw law = lipschitz_law(problem, options_.c, receptance);
   const SolverSettings solver{options_.solver, options_.tolerance, options_.max_iterations};
   return std::make_unique<ProjectedContact>(problem, std::move(receptance), std::move(law),
                                             ProjectedOptions{options_.samples, solver});

@@ -60,10 +60,33 @@ ProjectedContact::ProjectedContact(const Problem& problem, ContactReceptance rec
       law_(std::move(law)),
       options_(std::move(options)) {}
 
-Solution ProjectedContact::linear_response() const {
-  FourierTrajectory::Data data{receptance_.period, receptance_.free_response,
-                               Eigen::MatrixXcd(receptance_.free_response.rows(), 0),
-                               gap_, law_.constant, law_.relief};
+SampleLadder::SampleLadder(int harmonics, std::optional<int> fixed)
+    : samples_(fixed.value_or(std::max(64, kSamplesPerHarmonic * harmonics))),
+      doublings_left_(fixed ? 0 : kDoublings) {}
+
+bool SampleLadder::climb(bool converged, double net_work) {
+  if ((converged && net_work <= kEnergyIdentity) || doublings_left_ == 0) return false;
+  --doublings_left_;
+  samples_ *= 2;
+  return true;
+}
+
+FourierTrajectory::Data fourier_data(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                                     const ProjectedLaw& law, Eigen::MatrixXcd lambda) {
+  FourierTrajectory::Data data{receptance.period, receptance.free_response, std::move(lambda), gap,
+                               law.constant,      law.relief};
+  for (int n = 0; n <= receptance.harmonics(); ++n) {
+    const auto& block = receptance.receptance[static_cast<std::size_t>(n)];
+    data.x.row(n) += (block * data.lambda.row(n).transpose()).transpose();
+  }
+  return data;
+}
+
+Solution contact_free_response(const ContactReceptance& receptance) {
+  FourierTrajectory::Data data;
+  data.period = receptance.period;
+  data.x = receptance.free_response;
+  data.lambda = data.x;
   return {.verdict = Verdict::converged,
           .message = "no contact in the scene: linear response",
           .trajectory = std::make_shared<FourierTrajectory>(std::move(data)),
@@ -72,38 +95,36 @@ Solution ProjectedContact::linear_response() const {
 }
 
 Solution ProjectedContact::solve(const Start& start) {
-  if (receptance_.contacts() == 0) return linear_response();
-  const bool automatic = !options_.samples.has_value();
-  int samples = options_.samples.value_or(std::max(64, kSamplesPerHarmonic * receptance_.harmonics()));
+  if (receptance_.contacts() == 0) return contact_free_response(receptance_);
   SolverSettings settings = options_.solver;
   settings.deadline = start.deadline;
+  const bool newton = settings.solver == ComplementaritySolver::newton;
   Solution solution;
-  Work work{.unknowns = 0};
-  double ratio = 0.0;
-  for (int round = 0;; ++round, samples *= 2) {
+  Work work;
+  SampleLadder ladder(receptance_.harmonics(), options_.samples);
+  while (true) {
+    const int samples = ladder.samples();
     Lcp lcp = projected_lcp(receptance_, gap_, law_, samples);
     const Eigen::VectorXd guess = start.guess ? guess_from(*start.guess, samples) : Eigen::VectorXd{};
     const LcpResult result = solve_lcp(lcp, settings, guess);
     work.unknowns = lcp.matrix.size();
-    if (settings.solver == ComplementaritySolver::newton) {
+    if (newton) {
       work.iterations = work.iterations.value_or(0) + result.iterations;
       work.factorisations = work.factorisations.value_or(0) + result.factorisations;
     } else {
       work.pivots = work.pivots.value_or(0) + result.pivots;
     }
-    auto data = coefficients(result.z, samples);
-    ratio = net_work_ratio(data.x, data.lambda);
-    solution.verdict = result.status == LcpStatus::solved ? Verdict::converged : Verdict::not_converged;
+    FourierTrajectory::Data data = fourier_data(receptance_, gap_, law_, force_coefficients(result.z, samples));
+    const double ratio = net_work_ratio(data.x, data.lambda);
+    const bool converged = result.status == LcpStatus::solved;
+    solution.verdict = converged ? Verdict::converged : Verdict::not_converged;
     solution.residual = result.residual;
     solution.message = fmt::format("{}; N = {}, net contact work {:.1e} of that exchanged", describe(result.status),
                                    samples, ratio);
-    if (result.status != LcpStatus::breakdown && result.z.allFinite()) {
-      solution.trajectory = std::make_shared<FourierTrajectory>(std::move(data));
-    }
-    const bool content = solution.verdict == Verdict::converged && ratio <= kEnergyIdentity;
+    if (result.z.allFinite()) solution.trajectory = std::make_shared<FourierTrajectory>(std::move(data));
     // More samples repair a ray or a coarse quadrature, not a Newton iteration that has lost its way.
-    const bool lost = settings.solver == ComplementaritySolver::newton && result.status != LcpStatus::solved;
-    if (!automatic || content || lost || round == kDoublings || result.status == LcpStatus::interrupted) break;
+    if ((newton && !converged) || result.status == LcpStatus::interrupted) break;
+    if (!ladder.climb(converged, ratio)) break;
   }
   solution.work = work;
   return solution;
@@ -120,26 +141,15 @@ Eigen::VectorXd ProjectedContact::guess_from(const Trajectory& trajectory, int s
   return guess;
 }
 
-FourierTrajectory::Data ProjectedContact::coefficients(const Eigen::VectorXd& z_scaled, int samples) const {
-  const int contacts = receptance_.contacts();
-  const int harmonics = receptance_.harmonics();
-  FourierTrajectory::Data data;
-  data.period = receptance_.period;
-  data.gap = gap_;
-  data.stiffness = law_.constant;
-  data.relief = law_.relief;
-  data.lambda.resize(harmonics + 1, contacts);
-  data.x = receptance_.free_response;
+Eigen::MatrixXcd ProjectedContact::force_coefficients(const Eigen::VectorXd& z_scaled, int samples) const {
   RealFft fft(samples);
   Eigen::VectorXcd spectrum(fft.coefficients());
-  for (int c = 0; c < contacts; ++c) {
+  Eigen::MatrixXcd lambda(receptance_.harmonics() + 1, receptance_.contacts());
+  for (int c = 0; c < receptance_.contacts(); ++c) {
     fft.forward(z_scaled.segment(c * samples, samples), spectrum);
-    data.lambda.col(c) = -std::sqrt(law_.constant[c]) * spectrum.head(harmonics + 1);
+    lambda.col(c) = -std::sqrt(law_.constant[c]) * spectrum.head(lambda.rows());
   }
-  for (int n = 0; n <= harmonics; ++n) {
-    data.x.row(n) += (receptance_.receptance[static_cast<std::size_t>(n)] * data.lambda.row(n).transpose()).transpose();
-  }
-  return data;
+  return lambda;
 }
 
 }  // namespace signorini

@@ -28,6 +28,27 @@ Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& ga
 /// Zero for exact quadrature (docs/theory.md): what is left measures how well N resolves the contact.
 double net_work_ratio(const Eigen::MatrixXcd& x, const Eigen::MatrixXcd& lambda);
 
+/// Samples per period as the harmonic-balance methods choose them: what the user fixed, else from 32 H up,
+/// doubled at most four times until the solve converges and the energy identity holds to 1e-3.
+class SampleLadder {
+ public:
+  SampleLadder(int harmonics, std::optional<int> fixed);
+  [[nodiscard]] int samples() const { return samples_; }
+  /// Doubles N unless the outcome contents; false if there is nothing left to try.
+  bool climb(bool converged, double net_work);
+
+ private:
+  int samples_;
+  int doublings_left_;
+};
+
+/// The trajectory behind the coefficients of lambda, (H+1) x Nc [N]: x_n = x_f,n + C_n lambda_n.
+FourierTrajectory::Data fourier_data(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                                     const ProjectedLaw& law, Eigen::MatrixXcd lambda);
+
+/// The answer where the scene has no contact.
+Solution contact_free_response(const ContactReceptance& receptance);
+
 /// A scene prepared for one projected law.
 class ProjectedContact final : public PreparedMethod {
  public:
@@ -37,8 +58,7 @@ class ProjectedContact final : public PreparedMethod {
  private:
   /// z on the grid from a trajectory: max(0, y) sampled.
   [[nodiscard]] Eigen::VectorXd guess_from(const Trajectory& trajectory, int samples) const;
-  [[nodiscard]] FourierTrajectory::Data coefficients(const Eigen::VectorXd& z_scaled, int samples) const;
-  [[nodiscard]] Solution linear_response() const;
+  [[nodiscard]] Eigen::MatrixXcd force_coefficients(const Eigen::VectorXd& z_scaled, int samples) const;
 
   ContactReceptance receptance_;
   Eigen::VectorXd gap_;

@@ -22,11 +22,14 @@ Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance) {
   return mean.cwiseInverse();
 }
 
-ProjectedLaw lipschitz_law(const Problem& problem, const Eigen::VectorXd& constant) {
-  ProjectedLaw law{constant, Eigen::VectorXd::Ones(constant.size())};
+ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& c,
+                           const ContactReceptance& receptance) {
+  ProjectedLaw law;
+  law.constant = c ? Eigen::VectorXd(*c * contact_stiffness_scale(problem)) : highest_dynamic_stiffness(receptance);
+  law.relief = Eigen::VectorXd::Ones(law.constant.size());
   if (const auto* stop = std::get_if<Penalty>(&problem.law)) {
-    for (Eigen::Index j = 0; j < constant.size(); ++j) {
-      law.relief[j] -= constant[j] / stop->stiffness[static_cast<std::size_t>(j)];
+    for (Eigen::Index j = 0; j < law.constant.size(); ++j) {
+      law.relief[j] -= law.constant[j] / stop->stiffness[static_cast<std::size_t>(j)];
     }
   }
   return law;
@@ -48,8 +51,13 @@ ProjectedLaw penalty_law(const Problem& problem, const std::optional<Scaled>& pe
   return law;
 }
 
-RepresentedLaw conservative_law(const Problem& problem) {
+RepresentedLaw projected_method_law(const Problem& problem, const std::optional<Scaled>& penalty) {
   if (std::holds_alternative<Restitution>(problem.law)) return Restitution{1.0};
+  if (penalty && std::holds_alternative<Penalty>(problem.law)) {
+    Penalty asked;
+    for (const double scale : contact_stiffness_scale(problem)) asked.stiffness.push_back(penalty->in_units_of(scale));
+    return asked;
+  }
   return std::visit([](const auto& law) -> RepresentedLaw { return law; }, problem.law);
 }
 

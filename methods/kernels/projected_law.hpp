@@ -27,8 +27,10 @@ ContactReceptance fourier_receptance(const Problem& problem, int harmonics);
 /// 1 / |C_n| over H/2 <= n <= H, Nc [N/m]. For one mass about m (3 H w / 4)^2.
 Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance);
 
-/// Signorini's condition with constant c, or the scene's spring stop behind it.
-ProjectedLaw lipschitz_law(const Problem& problem, const Eigen::VectorXd& constant);
+/// Signorini's condition, or the scene's spring stop behind it, with the constant c asked for (times
+/// contact_stiffness_scale), else the highest dynamic stiffness kept.
+ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& c,
+                           const ContactReceptance& receptance);
 
 /// The penalty law: the stiffness asked for; else the scene's; else, for a rigid stop, the highest
 /// dynamic stiffness kept, where penalty error and truncation error are of one size.
@@ -36,8 +38,9 @@ ProjectedLaw penalty_law(const Problem& problem, const std::optional<Scaled>& pe
                          const ContactReceptance& receptance);
 
 /// The law that every projected method represents: the scene's if it is conservative, restitution 1
-/// where the scene is rigid, for the projected force does no net work (docs/theory.md).
-RepresentedLaw conservative_law(const Problem& problem);
+/// where the scene is rigid, for the projected force does no net work (docs/theory.md). On a scene whose
+/// stop is a spring, a penalty asked for replaces the spring's stiffness.
+RepresentedLaw projected_method_law(const Problem& problem, const std::optional<Scaled>& penalty = {});
 
 /// Refused where the load has harmonics beyond H.
 Support supports_harmonics(const Problem& problem, int harmonics);

@@ -15,12 +15,7 @@ PenaltyHbm::PenaltyHbm(const Options& options) : options_(options) {
 Support PenaltyHbm::supports(const Problem& problem) const { return supports_harmonics(problem, options_.harmonics); }
 
 RepresentedLaw PenaltyHbm::law(const Problem& problem) const {
-  if (!options_.penalty || !std::holds_alternative<Penalty>(problem.law)) return conservative_law(problem);
-  Penalty asked;
-  for (const double scale : contact_stiffness_scale(problem)) {
-    asked.stiffness.push_back(options_.penalty->in_units_of(scale));
-  }
-  return asked;
+  return projected_method_law(problem, options_.penalty);
 }
 
 std::unique_ptr<PreparedMethod> PenaltyHbm::prepare(const Problem& problem) const {

@@ -23,6 +23,7 @@ SparseMatrix elements_in_a_row(const std::vector<double>& elements) {
 SparseMatrix diagonal(const std::vector<double>& values) {
   const int size = static_cast<int>(values.size());
   std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(values.size());
   for (int i = 0; i < size; ++i) entries.emplace_back(i, i, values[static_cast<std::size_t>(i)]);
   SparseMatrix A(size, size);
   A.setFromTriplets(entries.begin(), entries.end());

@@ -1,0 +1,19 @@
+#include "harness/build_info.hpp"
+
+#include <algorithm>
+
+#include "harness/sha256.hpp"
+
+namespace signorini {
+
+std::string code_version(std::string_view method) {
+  std::string folder(method);
+  std::replace(folder.begin(), folder.end(), '-', '_');
+  std::string text;
+  for (const auto& [name, hash] : build_info().sources) {
+    if (name.empty() || name == folder) text += hash;
+  }
+  return sha256(text).substr(0, 16);
+}
+
+}  // namespace signorini

@@ -1,0 +1,107 @@
+#include "harness/record_store.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+#include <unordered_map>
+
+#include "harness/failure.hpp"
+#include "harness/sha256.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Contents {
+  std::vector<Record> records;
+  std::size_t whole_bytes = 0;  // up to the end of the last whole line
+};
+
+std::optional<Record> parse_line(const std::string& line, const fs::path& file, std::size_t number) {
+  const Json json = Json::parse(line, nullptr, false);
+  if (json.is_discarded()) {
+    throw UsageError(fmt::format("{}:{}: record = unreadable (must be one JSON object)", file.string(), number));
+  }
+  try {
+    return record_from_json(json);
+  } catch (const BadRecord& error) {
+    throw UsageError(fmt::format("{}:{}: {}", file.string(), number, error.what()));
+  }
+}
+
+Contents read_contents(const fs::path& file) {
+  Contents contents;
+  const std::string text = read_file(file);
+  std::size_t begin = 0;
+  // Only what ends in a line break was written whole.
+  for (std::size_t number = 1; true; ++number) {
+    const std::size_t end = text.find('\n', begin);
+    if (end == std::string::npos) break;
+    if (end > begin) contents.records.push_back(*parse_line(text.substr(begin, end - begin), file, number));
+    begin = end + 1;
+  }
+  contents.whole_bytes = begin;
+  return contents;
+}
+
+}  // namespace
+
+std::vector<Record> read_records(const fs::path& file) {
+  std::vector<Record> records;
+  std::unordered_map<std::string, std::size_t> places;
+  for (Record& record : read_contents(file).records) {
+    const auto place = places.find(record.key);
+    if (!record.key.empty() && place != places.end()) {
+      records[place->second] = std::move(record);
+      continue;
+    }
+    places[record.key] = records.size();
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
+RecordStore::RecordStore(const fs::path& folder, bool resume) : file_(folder / "records.jsonl") {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) {
+    throw UsageError(fmt::format("out = {} (must be a folder that can be written: {})", folder.string(),
+                                 failure.message()));
+  }
+  if (fs::exists(file_)) {
+    if (resume) {
+      const Contents contents = read_contents(file_);
+      for (const Record& record : contents.records) keys_.insert(record.key);
+      fs::resize_file(file_, contents.whole_bytes, failure);
+    } else {
+      fs::rename(file_, folder / "records.previous.jsonl", failure);
+    }
+  }
+  descriptor_ = open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (failure || descriptor_ < 0) {
+    throw UsageError(fmt::format("out = {} (must be a folder that can be written)", folder.string()));
+  }
+}
+
+RecordStore::~RecordStore() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+void RecordStore::append(const Record& record) {
+  if (!keys_.insert(record.key).second) return;
+  const std::string line = to_json(record).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (write(descriptor_, line.data(), line.size()) != static_cast<ssize_t>(line.size()) || fsync(descriptor_) != 0) {
+    throw std::system_error(errno, std::generic_category(), "records.jsonl");
+  }
+}
+
+}  // namespace signorini

@@ -1,0 +1,226 @@
+#include "harness/runner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "harness/certificate.hpp"
+#include "harness/interrupt.hpp"
+#include "harness/trial.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Processes that compute references at the same time: nothing is being timed then.
+constexpr int kReferenceProcesses = 2;
+/// A method that obeys its deadline ends by itself; this much later it is ended.
+constexpr double kLateness = 1.05;
+constexpr double kLatenessSeconds = 0.2;
+/// Applicability and law, measures: quick unless something hangs [s].
+constexpr double kQuickSeconds = 10.0;
+
+double late(double seconds) { return seconds * kLateness + kLatenessSeconds; }
+
+/// One line; text that is not UTF-8 is repaired rather than refused.
+std::string one_line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+std::string law_key(const Problem& problem, const RepresentedLaw& law) {
+  return std::holds_alternative<Undetermined>(law) ? law_to_json(as_represented(problem.law)).dump()
+                                                   : law_to_json(law).dump();
+}
+
+Survey read_survey(const std::string& line) {
+  const Json json = Json::parse(line);
+  Survey survey;
+  survey.ok = json.at("ok");
+  survey.reason = json.at("reason");
+  if (json.contains("law")) survey.law = law_from_json(json["law"]);
+  return survey;
+}
+
+void send_survey(const Scene& scene, const Case& run, const Send& send) {
+  const std::unique_ptr<Method> method = run.choice.entry->make(run.choice.settings);
+  const Support support = method->supports(scene.problem);
+  Json json{{"ok", support.ok}, {"reason", support.reason}};
+  if (support.ok) json["law"] = law_to_json(method->law(scene.problem));
+  send(one_line(json));
+}
+
+Reference take_reference(const ChildEnd& end) {
+  Reference reference;
+  if (end.lines.empty()) {
+    reference.reason = "its computation ended by " + describe(end);
+    return reference;
+  }
+  try {
+    return reference_from_json(Json::parse(end.lines.back()));
+  } catch (const std::exception& error) {
+    reference.reason = fmt::format("its computation left {}", error.what());
+    return reference;
+  }
+}
+
+/// A child that died after the answer was in: while it was timed or cleaned up that is the method's doing, between
+/// the two the harness's.
+void take_late_end(const ChildEnd& end, Record& record) {
+  if (end.kind == ChildEnd::Kind::finished) return;
+  const auto last = static_cast<TrialStage>(end.lines.size() - 1);
+  if (last == TrialStage::solved || last == TrialStage::certified) {
+    take_failure(end, record);
+    record.message = (last == TrialStage::solved ? "in a repeated solve: " : "in its clean-up: ") + record.message;
+    return;
+  }
+  record.certificate.status = CertificateStatus::uncertified;
+  record.certificate.reason = "the harness's own check ended by " + describe(end);
+}
+
+}  // namespace
+
+void take_failure(const ChildEnd& end, Record& record) {
+  record.message = describe(end);
+  switch (end.kind) {
+    case ChildEnd::Kind::threw:
+      record.status = Status::exception;
+      record.message = end.detail;
+      break;
+    case ChildEnd::Kind::out_of_memory:
+      record.status = Status::out_of_memory;
+      break;
+    case ChildEnd::Kind::timed_out:
+      record.status = Status::timeout;
+      break;
+    case ChildEnd::Kind::signalled:
+      record.signal = end.code;
+      record.status = Status::crashed;
+      break;
+    case ChildEnd::Kind::exited:
+    case ChildEnd::Kind::finished:
+    case ChildEnd::Kind::interrupted:
+      record.status = Status::crashed;
+      break;
+  }
+}
+
+Runner::Runner(Limits limits, OrbitSolver solver, CodeVersion version)
+    : limits_(limits), solver_(std::move(solver)), code_version_(std::move(version)) {}
+
+std::string Runner::key_of(const Scene& scene, const Case& run) const {
+  return case_key(scene, run, limits_, code_version_(run.choice.entry->name));
+}
+
+std::vector<Survey> Runner::survey(const Scene& scene, std::span<const Case* const> cases) const {
+  std::vector<Survey> surveys;
+  while (surveys.size() < cases.size() && !interrupted()) {
+    const auto rest = cases.subspan(surveys.size());
+    const ChildEnd end = run_isolated(
+        [&](const Send& send) {
+          for (const Case* run : rest) send_survey(scene, *run, send);
+        },
+        {.stage_seconds = {kQuickSeconds}, .memory_mb = limits_.memory_mb});
+    for (const std::string& line : end.lines) surveys.push_back(read_survey(line));
+    // The one that ended the child gets its ending; the others are asked again.
+    if (end.kind != ChildEnd::Kind::finished && surveys.size() < cases.size()) {
+      surveys.push_back({.ok = false, .reason = {}, .law = {}, .failure = end});
+    }
+  }
+  return surveys;
+}
+
+void Runner::compute_references(const Scene& scene, std::span<const Survey> surveys) {
+  std::vector<std::string> keys;
+  std::vector<IsolatedWork> work;
+  const auto add = [&](const RepresentedLaw& law) {
+    const std::string key = law_key(scene.problem, law);
+    if (references_.contains(key) || std::find(keys.begin(), keys.end(), key) != keys.end()) return;
+    keys.push_back(key);
+    work.push_back([this, &scene, law](const Send& send) {
+      const auto limit = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+          std::chrono::duration<double>(limits_.reference_timeout));
+      send(one_line(to_json(compute_reference(under_law(scene.problem, law), solver_,
+                                              std::chrono::steady_clock::now() + limit))));
+    });
+  };
+  const auto runs = [](const Survey& survey) { return survey.ok; };
+  if (std::none_of(surveys.begin(), surveys.end(), runs)) return;
+  add(as_represented(scene.problem.law));
+  for (const Survey& survey : surveys) {
+    if (survey.law) add(*survey.law);
+  }
+  const std::vector<ChildEnd> ends = run_isolated_together(
+      work, {.stage_seconds = {late(limits_.reference_timeout)}, .memory_mb = limits_.memory_mb}, kReferenceProcesses);
+  for (std::size_t i = 0; i < keys.size(); ++i) references_[keys[i]] = take_reference(ends[i]);
+}
+
+const Reference& Runner::reference_for(const Problem& problem, const RepresentedLaw& law) const {
+  static const Reference none{.orbit = {}, .reason = "not computed", .residual = {}, .fingerprint = {}};
+  const auto found = references_.find(law_key(problem, law));
+  return found == references_.end() ? none : found->second;
+}
+
+IsolationLimits Runner::trial_limits() const {
+  // One per stage: first solve, timing, measures, certificate; then the end of the process.
+  return {.stage_seconds = {late(limits_.timeout), late(limits_.timeout * (limits_.repetitions + 1)), kQuickSeconds,
+                            late(limits_.certificate_timeout) + kQuickSeconds, kQuickSeconds},
+          .memory_mb = limits_.memory_mb};
+}
+
+Record Runner::blank(const Scene& scene, const Case& run, const Survey& survey) const {
+  Record record;
+  record.case_id = run.id;
+  record.key = key_of(scene, run);
+  record.scene = scene.problem.name;
+  record.scene_sha256 = scene.sha256;
+  record.method = run.choice.entry->name;
+  for (const OptionEcho& option : run.options) record.options.emplace_back(option.name, option.value);
+  record.scene_law = as_represented(scene.problem.law);
+  record.law = survey.law;
+  if (survey.law) record.law_matches_scene = law_matches(*survey.law, scene.problem.law);
+  record.certificate.reason = "there is no answer to certify";
+  return record;
+}
+
+std::optional<Record> Runner::run(const Scene& scene, const Case& run, const Survey& survey,
+                                  const SolveExtras& extras) const {
+  Record record = blank(scene, run, survey);
+  if (survey.failure) {
+    if (survey.failure->kind == ChildEnd::Kind::interrupted) return std::nullopt;
+    take_failure(*survey.failure, record);
+    return record;
+  }
+  if (!survey.ok) {
+    record.status = Status::not_applicable;
+    record.message = survey.reason;
+    return record;
+  }
+  const Trial trial{.scene = scene,
+                    .run = run,
+                    .limits = limits_,
+                    .law = *survey.law,
+                    .reference = reference_for(scene.problem, *survey.law),
+                    .scene_reference = reference_for(scene.problem, Undetermined{}),
+                    .solver = solver_,
+                    .start = extras.start,
+                    .samples = extras.samples,
+                    .timed = extras.timed};
+  const ChildEnd end = run_isolated(
+      [&](const Send& send) {
+        run_trial(trial, record, [&](const Record& so_far) { send(one_line(to_json(so_far))); });
+      },
+      trial_limits());
+  if (end.kind == ChildEnd::Kind::interrupted) return std::nullopt;
+  if (end.lines.empty()) {
+    take_failure(end, record);
+    return record;
+  }
+  record = record_from_json(Json::parse(end.lines.back()));
+  take_late_end(end, record);
+  apply_verdict(record);
+  return record;
+}
+
+}  // namespace signorini

@@ -1,0 +1,131 @@
+#include "harness/trial.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <fstream>
+#include <numbers>
+
+#include "harness/certificate.hpp"
+#include "harness/measures.hpp"
+#include "harness/timing.hpp"
+#include "harness/trajectory_json.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+Clock::time_point after(double seconds) {
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+template <class Work>
+double seconds_of(const Work& work) {
+  const auto begin = Clock::now();
+  work();
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// A figure of /proc/self/status in bytes; empty where there is none.
+std::optional<long> status_bytes(const std::string& key) {
+  constexpr long kKilobyte = 1024;
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with(key + ":")) return std::stol(line.substr(key.size() + 1)) * kKilobyte;
+  }
+  return std::nullopt;
+}
+
+std::optional<long> restart_peak_memory() {
+  std::ofstream("/proc/self/clear_refs") << "5";
+  return status_bytes("VmRSS");
+}
+
+/// Fills in what the first solve says; false where there is no answer to look at.
+bool take_solution(const Trial& trial, const Solution& solution, bool expired, Record& record) {
+  record.message = solution.message;
+  record.work.counts = solution.work;
+  record.residual = solution.residual;
+  if (solution.verdict != Verdict::converged) {
+    record.status = expired ? Status::timeout : Status::not_converged;
+    return false;
+  }
+  const Problem& problem = trial.scene.problem;
+  const double forcing_period = 2.0 * std::numbers::pi / problem.frequency;
+  std::string defect = "it says converged without a trajectory";
+  if (solution.trajectory) {
+    defect = trajectory_defect(*solution.trajectory, problem.contact_count(), forcing_period, kGrid);
+  }
+  if (!defect.empty()) {
+    record.status = Status::invalid_output;
+    record.message = defect;
+    return false;
+  }
+  record.status = Status::converged;
+  record.period = solution.trajectory->period();
+  if (trial.samples > 0) record.trajectory = samples_of(*solution.trajectory, trial.samples);
+  return true;
+}
+
+void take_times(const Trial& trial, const Method& method, PreparedMethod& prepared, double first_setup,
+                double first_solve, Record& record) {
+  if (!trial.timed) {
+    record.not_timed = "not asked for";
+    return;
+  }
+  if (!build_may_be_timed()) {
+    record.not_timed = "not a Release build";
+    return;
+  }
+  const Start start{.guess = trial.start, .deadline = after(trial.limits.timeout * trial.limits.repetitions)};
+  const auto set_up = [&] {
+    std::unique_ptr<PreparedMethod> fresh;
+    return seconds_of([&] { fresh = method.prepare(trial.scene.problem); });
+  };
+  const auto solve = [&] {
+    Solution solution;
+    return seconds_of([&] { solution = prepared.solve(start); });
+  };
+  const TimingBudget budget{.rounds = trial.limits.repetitions};
+  record.seconds = summarise(time_rounds(record.case_id + "/setup", set_up, first_setup, budget),
+                             time_rounds(record.case_id + "/solve", solve, first_solve, budget));
+}
+
+void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory>& answer, Record& record) {
+  const Problem problem = under_law(trial.scene.problem, trial.law);
+  const Judgement judgement =
+      certify(problem, answer, trial.reference, trial.solver, after(trial.limits.certificate_timeout));
+  record.certificate = judgement.certificate;
+  if (judgement.orbit) record.errors = measure_errors(problem, *answer, *judgement.orbit, judgement.shift);
+  if (record.law_matches_scene == false && trial.scene_reference.orbit) {
+    const Motion scene_orbit = sample_motion(problem, *trial.scene_reference.orbit);
+    const Motion motion = sample_motion(problem, *answer);
+    record.errors.x_l2_scene = distance(motion, scene_orbit, best_shift(motion, scene_orbit)).x_l2;
+  }
+}
+
+}  // namespace
+
+void run_trial(const Trial& trial, Record record, const std::function<void(const Record&)>& stage_done) {
+  const std::unique_ptr<Method> method = trial.run.choice.entry->make(trial.run.choice.settings);
+  std::unique_ptr<PreparedMethod> prepared;
+  Solution solution;
+  const std::optional<long> before = restart_peak_memory();
+  const Start start{.guess = trial.start, .deadline = after(trial.limits.timeout)};
+  const double setup = seconds_of([&] { prepared = method->prepare(trial.scene.problem); });
+  const double solve = seconds_of([&] { solution = prepared->solve(start); });
+  if (const auto peak = status_bytes("VmHWM"); peak && before) record.work.peak_memory_bytes = *peak - *before;
+  const bool answered = take_solution(trial, solution, start.expired(), record);
+  stage_done(record);
+  if (!answered) return;
+  take_times(trial, *method, *prepared, setup, solve, record);
+  stage_done(record);
+  record.physics = measure_physics(trial.scene.problem, trial.law, *solution.trajectory);
+  stage_done(record);
+  take_certificate(trial, solution.trajectory, record);
+  stage_done(record);
+}
+
+}  // namespace signorini

@@ -1,0 +1,125 @@
+#include "methods/aft_hbm/aft_hbm.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "methods/aft_hbm/aft_residual.hpp"
+#include "methods/aft_hbm/gap_path.hpp"
+#include "methods/kernels/periodic_response.hpp"
+#include "methods/kernels/projected_contact.hpp"
+#include "methods/kernels/projected_law.hpp"
+#include "methods/kernels/trajectories.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr int kNewtonSteps = 100;
+
+class PreparedAft final : public PreparedMethod {
+ public:
+  PreparedAft(const Problem& problem, const AftHbm::Options& options, ContactReceptance receptance, ProjectedLaw law)
+      : options_(options), receptance_(std::move(receptance)), law_(std::move(law)), gap_(contact_gaps(problem)) {}
+
+  Solution solve(const Start& start) override {
+    if (receptance_.contacts() == 0) return contact_free_response(receptance_);
+    const bool automatic = !options_.samples.has_value();
+    Solution solution;
+    Work work{.unknowns = (2L * options_.harmonics + 1) * receptance_.contacts(), .iterations = 0};
+    Eigen::MatrixXcd guess = start.guess ? force_spectrum(*start.guess, options_.harmonics) : Eigen::MatrixXcd{};
+    SampleLadder ladder(options_.harmonics, options_.samples);
+    while (true) {
+      AftResidual residual(receptance_, gap_, law_, ladder.samples());
+      const Outcome outcome = solve_on_grid(residual, guess, start);
+      work.iterations = *work.iterations + outcome.iterations;
+      FourierTrajectory::Data data =
+          fourier_data(receptance_, gap_, law_, residual.coefficients(outcome.newton.lambda));
+      const double ratio = net_work_ratio(data.x, data.lambda);
+      const bool converged = outcome.newton.converged;
+      if (converged) guess = data.lambda;
+      solution.verdict = converged ? Verdict::converged : Verdict::not_converged;
+      solution.residual = outcome.newton.residual;
+      solution.message = fmt::format("{}; N = {}, net contact work {:.1e} of that exchanged", outcome.message,
+                                     ladder.samples(), ratio);
+      if (data.lambda.allFinite()) solution.trajectory = std::make_shared<FourierTrajectory>(std::move(data));
+      if (!automatic || start.expired() || !ladder.climb(converged, ratio)) break;
+      // Newton alone that has lost its way is not helped by more samples.
+      if (!converged && !options_.homotopy) break;
+    }
+    solution.work = work;
+    return solution;
+  }
+
+ private:
+  struct Outcome {
+    NewtonKrylov newton;
+    int iterations = 0;
+    std::string message;
+  };
+
+  /// Newton from the guess or the contact-free response; failing that, the homotopy and Newton from its end.
+  Outcome solve_on_grid(AftResidual& residual, const Eigen::MatrixXcd& guess, const Start& start) const {
+    Outcome outcome;
+    const int newton_steps = options_.max_iterations > 0 ? std::min(options_.max_iterations, kNewtonSteps) : kNewtonSteps;
+    const Eigen::VectorXd first =
+        guess.size() > 0 ? residual.unknowns_of(guess) : Eigen::VectorXd::Zero(residual.unknowns());
+    outcome.newton = solve_newton_krylov(residual, first, options_.tolerance, newton_steps, start);
+    outcome.iterations = outcome.newton.iterations;
+    outcome.message = outcome.newton.converged ? "Newton-Krylov" : "Newton-Krylov found no descent";
+    if (outcome.newton.converged || !options_.homotopy) return outcome;
+    const int limit = 6000 + 10 * residual.samples() * residual.contacts();
+    const int allowed = options_.max_iterations > 0 ? options_.max_iterations - outcome.iterations : limit;
+    const GapPath path = follow_gap_path(residual, std::max(0, allowed), start);
+    outcome.iterations += path.switches;
+    if (path.end == GapPath::End::arrived) {
+      outcome.newton = solve_newton_krylov(residual, path.lambda, options_.tolerance, newton_steps, start);
+      outcome.iterations += outcome.newton.iterations;
+    }
+    outcome.message = describe(path.end);
+    return outcome;
+  }
+
+  static std::string describe(GapPath::End end) {
+    switch (end) {
+      case GapPath::End::arrived: return "gap homotopy and Newton-Krylov";
+      case GapPath::End::ray: return "the gap homotopy ended on a ray";
+      case GapPath::End::limit: return "the gap homotopy used up its iterations";
+      case GapPath::End::singular: return "a linear system of the gap homotopy could not be solved";
+      case GapPath::End::interrupted: return "time budget used up";
+    }
+    return "unknown";
+  }
+
+  AftHbm::Options options_;
+  ContactReceptance receptance_;
+  ProjectedLaw law_;
+  Eigen::VectorXd gap_;
+};
+
+}  // namespace
+
+AftHbm::AftHbm(const Options& options) : options_(options) {
+  validate_harmonic_options(options_);
+  require_option(!options_.c || *options_.c > 0.0, "c", options_.c, "must be positive, or auto");
+  require_option(!options_.penalty || options_.penalty->value > 0.0, "penalty", options_.penalty,
+                 "must be positive, or auto");
+  require_option(!options_.c || options_.law == ContactLaw::dlft, "c", options_.c, "must be auto unless law = dlft");
+  require_option(!options_.penalty || options_.law == ContactLaw::penalty, "penalty", options_.penalty,
+                 "must be auto unless law = penalty");
+}
+
+Support AftHbm::supports(const Problem& problem) const { return supports_harmonics(problem, options_.harmonics); }
+
+RepresentedLaw AftHbm::law(const Problem& problem) const { return projected_method_law(problem, options_.penalty); }
+
+std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
+  ContactReceptance receptance = fourier_receptance(problem, options_.harmonics);
+  ProjectedLaw law = options_.law == ContactLaw::penalty ? penalty_law(problem, options_.penalty, receptance)
+                                                         : lipschitz_law(problem, options_.c, receptance);
+  return std::make_unique<PreparedAft>(problem, options_, std::move(receptance), std::move(law));
+}
+
+}  // namespace signorini

@@ -1,0 +1,69 @@
+#pragma once
+// Alternating frequency/time harmonic balance, Newton-Krylov in the frequency domain.
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "methods/method.hpp"
+
+namespace signorini {
+
+/// Finds the harmonics of the contact force from R(lambda) = lambda + P max(0, y) = 0, where
+/// y = c (x - g) - lambda (dynamic Lagrangians, DLFT [nacivet2003]) or y = eps (x - g) (penalty),
+/// x = x_f + C lambda. Every residual and Jacobian-vector product goes harmonics -> inverse FFT ->
+/// contact law in time -> FFT -> harmonics; no matrix in time or frequency is formed. The equations are
+/// those of fourier-lipschitz and penalty-hbm; what differs is the solver.
+///
+/// Globalisation: Newton with GMRES, a harmonic-wise preconditioner and a line search; where that
+/// fails, the gap homotopy is followed from the first touch, sample switch by sample switch, with the
+/// same residual and products (gap_path.hpp), and Newton finishes.
+class AftHbm final : public Method {
+ public:
+  enum class ContactLaw { dlft, penalty };
+
+  static constexpr std::string_view kName = "aft-hbm";
+  static constexpr std::string_view kTitle = "Alternating frequency/time harmonic balance, Newton-Krylov";
+  static constexpr std::string_view kLaws = "restitution 1, penalty, massless";
+  static constexpr std::string_view kLadder = "harmonics=10|40";
+
+  struct Options {
+    int harmonics = 20;               ///< H >= 1 [-]
+    std::optional<int> samples = {};  ///< N >= 2 H + 1; auto: 32 H, doubled until the energy identity holds [-]
+    ContactLaw law = ContactLaw::dlft;
+    std::optional<double> c = {};        ///< of dlft: > 0, times contact_stiffness_scale [-]
+    std::optional<Scaled> penalty = {};  ///< of penalty: eps > 0 [N/m], or times contact_stiffness_scale
+    bool homotopy = true;                ///< false: Newton alone
+    double tolerance = 1e-10;            ///< on |R|_2 / max(|P max(0, y)|_2, |load on the constraint|_2) [-]
+    int max_iterations = 0;              ///< Newton steps plus switches; 0: 100 and 6000 + 10 N Nc [-]
+
+    void visit(auto&& field) {
+      field("harmonics", harmonics, "[-]", "highest harmonic H kept, 1..100000");
+      field("samples", samples, "[-]", "N per period, >= 2 H + 1; auto: from 32 H until the energy identity holds");
+      field("law", law, "[-]", "dlft (dynamic Lagrangian) | penalty");
+      field("c", c, "[-]", "dlft: constant c > 0 times the contact's stiffness; auto: dynamic stiffness at harmonic H");
+      field("penalty", penalty, "[N/m]",
+            "penalty: stiffness of the stop, 1e6 or 100x; auto: the scene's, else that of harmonic H");
+      field("homotopy", homotopy, "[-]", "follow the gap homotopy where Newton fails: true | false");
+      field("tolerance", tolerance, "[-]", "relative residual accepted, in (0, 1e-2]");
+      field("max_iterations", max_iterations, "[-]", "limit on Newton steps and switches; 0: the solver's own");
+    }
+  };
+
+  explicit AftHbm(const Options& options);  ///< \throws InvalidOption
+
+  [[nodiscard]] std::vector<OptionEcho> options() const override { return echo_options(options_); }
+  [[nodiscard]] Support supports(const Problem& problem) const override;
+  [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
+  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
+
+ private:
+  Options options_;
+};
+
+template <>
+struct EnumNames<AftHbm::ContactLaw> {
+  static constexpr std::array<std::string_view, 2> values{"dlft", "penalty"};
+};
+
+}  // namespace signorini

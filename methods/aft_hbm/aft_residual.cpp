@@ -1,0 +1,137 @@
+#include "methods/aft_hbm/aft_residual.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace signorini {
+
+namespace {
+
+constexpr double kRootTwo = std::numbers::sqrt2;
+
+}  // namespace
+
+AftResidual::AftResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
+                         int samples)
+    : harmonics_(receptance.harmonics()),
+      contacts_(receptance.contacts()),
+      samples_(samples),
+      root_(law.constant.cwiseSqrt()),
+      free_(samples * contacts_),
+      shift_(samples * contacts_),
+      fft_(samples) {
+  symbol_.reserve(receptance.receptance.size());
+  for (const Eigen::MatrixXcd& c : receptance.receptance) {
+    symbol_.emplace_back(root_.asDiagonal() * c * root_.asDiagonal());
+    symbol_.back().diagonal() -= law.relief;
+  }
+  for (int c = 0; c < contacts_; ++c) {
+    auto part = free_.segment(c * samples_, samples_);
+    fft_.inverse(receptance.free_response.col(c), part);
+    part = root_[c] * (part.array() - gap[c]);
+    shift_.segment(c * samples_, samples_).setConstant(root_[c] / root_.maxCoeff());
+  }
+  load_scale_ = std::sqrt(free_.cwiseMax(0.0).squaredNorm() / samples_);
+}
+
+Eigen::MatrixXcd AftResidual::unpack(const Eigen::VectorXd& v) const {
+  Eigen::MatrixXcd spectrum(harmonics_ + 1, contacts_);
+  const int stride = 2 * harmonics_ + 1;
+  for (int c = 0; c < contacts_; ++c) {
+    spectrum(0, c) = v[c * stride];
+    for (int n = 1; n <= harmonics_; ++n) {
+      spectrum(n, c) = std::complex<double>(v[c * stride + 2 * n - 1], v[c * stride + 2 * n]) / kRootTwo;
+    }
+  }
+  return spectrum;
+}
+
+Eigen::VectorXd AftResidual::pack(const Eigen::MatrixXcd& spectrum) const {
+  Eigen::VectorXd v(unknowns());
+  const int stride = 2 * harmonics_ + 1;
+  for (int c = 0; c < contacts_; ++c) {
+    v[c * stride] = spectrum(0, c).real();
+    for (int n = 1; n <= harmonics_; ++n) {
+      v[c * stride + 2 * n - 1] = kRootTwo * spectrum(n, c).real();
+      v[c * stride + 2 * n] = kRootTwo * spectrum(n, c).imag();
+    }
+  }
+  return v;
+}
+
+Eigen::VectorXd AftResidual::gap_rate(const Eigen::VectorXd& v) {
+  Eigen::MatrixXcd spectrum = unpack(v);
+  for (int n = 0; n <= harmonics_; ++n) {
+    spectrum.row(n) = (symbol_[static_cast<std::size_t>(n)] * spectrum.row(n).transpose()).transpose().eval();
+  }
+  Eigen::VectorXd signal(samples_ * contacts_);
+  for (int c = 0; c < contacts_; ++c) fft_.inverse(spectrum.col(c), signal.segment(c * samples_, samples_));
+  return signal;
+}
+
+Eigen::VectorXd AftResidual::gap_function(const Eigen::VectorXd& lambda, double tau) {
+  return free_ + gap_rate(lambda) - tau * shift_;
+}
+
+Eigen::VectorXd AftResidual::project(const Eigen::VectorXd& signal) {
+  Eigen::MatrixXcd spectrum(harmonics_ + 1, contacts_);
+  Eigen::VectorXcd full(fft_.coefficients());
+  for (int c = 0; c < contacts_; ++c) {
+    fft_.forward(signal.segment(c * samples_, samples_), full);
+    spectrum.col(c) = full.head(harmonics_ + 1);
+  }
+  return pack(spectrum);
+}
+
+Eigen::VectorXd AftResidual::residual(const Eigen::VectorXd& lambda, std::vector<char>& contact) {
+  const Eigen::VectorXd y = gap_function(lambda, 0.0);
+  contact.resize(static_cast<std::size_t>(y.size()));
+  for (Eigen::Index i = 0; i < y.size(); ++i) contact[static_cast<std::size_t>(i)] = y[i] > 0.0 ? 1 : 0;
+  return lambda + project(y.cwiseMax(0.0));
+}
+
+Eigen::VectorXd AftResidual::product(const std::vector<char>& contact, const Eigen::VectorXd& v) {
+  Eigen::VectorXd signal = gap_rate(v);
+  for (Eigen::Index i = 0; i < signal.size(); ++i) {
+    if (contact[static_cast<std::size_t>(i)] == 0) signal[i] = 0.0;
+  }
+  return v + project(signal);
+}
+
+void AftResidual::prepare_preconditioner(const std::vector<char>& contact) {
+  Eigen::VectorXcd ratio(contacts_);
+  for (int c = 0; c < contacts_; ++c) {
+    int closed = 0;
+    for (int i = 0; i < samples_; ++i) closed += contact[static_cast<std::size_t>(c * samples_ + i)];
+    ratio[c] = static_cast<double>(closed) / samples_;
+  }
+  preconditioner_.resize(symbol_.size());
+  for (std::size_t n = 0; n < symbol_.size(); ++n) {
+    Eigen::MatrixXcd block = ratio.asDiagonal() * symbol_[n];
+    block.diagonal().array() += 1.0;
+    // Nc x Nc only; where the mean Jacobian is singular by accident, the identity serves as well.
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(block);
+    preconditioner_[n] = lu.inverse();
+    if (!preconditioner_[n].allFinite()) preconditioner_[n].setIdentity();
+  }
+}
+
+Eigen::VectorXd AftResidual::precondition(const Eigen::VectorXd& v) const {
+  Eigen::MatrixXcd spectrum = unpack(v);
+  for (int n = 0; n <= harmonics_; ++n) {
+    spectrum.row(n) = (preconditioner_[static_cast<std::size_t>(n)] * spectrum.row(n).transpose()).transpose().eval();
+  }
+  return pack(spectrum);
+}
+
+Eigen::MatrixXcd AftResidual::coefficients(const Eigen::VectorXd& lambda) const {
+  return unpack(lambda) * root_.asDiagonal();
+}
+
+Eigen::VectorXd AftResidual::unknowns_of(const Eigen::MatrixXcd& coefficients) const {
+  return pack(coefficients * root_.cwiseInverse().asDiagonal());
+}
+
+}  // namespace signorini
