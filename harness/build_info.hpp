@@ -9,10 +9,10 @@
 namespace signorini {
 
 struct BuildInfo {
-  std::string_view version;     ///< of the project
-  std::string_view commit;      ///< empty where the sources are no git checkout
-  bool dirty = false;           ///< the checkout differs from the commit
-  std::string_view compiler;    ///< name and version
+  std::string_view version;   ///< of the project
+  std::string_view commit;    ///< empty where the sources are no git checkout
+  bool dirty = false;         ///< the checkout differs from the commit
+  std::string_view compiler;  ///< name and version
   std::string_view flags;
   std::string_view build_type;
   std::vector<std::pair<std::string_view, std::string_view>> libraries;  ///< name, version

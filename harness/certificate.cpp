@@ -26,7 +26,8 @@ Candidate place(const Problem& problem, const Motion& answer, std::shared_ptr<co
   candidate.motion = sample_motion(problem, *candidate.orbit);
   if (may_shift) candidate.shift = best_shift(answer, candidate.motion);
   // No norm: the contacts rest where they are, or there are none, and so does the answer or it is off.
-  const double otherwise = answer.samples.x.size() == 0 || answer.samples.x.cwiseAbs().maxCoeff() == 0.0 ? 0.0 : 1.0;
+  const double otherwise =
+      answer.samples.x.size() == 0 || answer.samples.x.cwiseAbs().maxCoeff() == 0.0 ? 0.0 : 1.0;
   candidate.distance = distance(answer, candidate.motion, candidate.shift).x_l2.value_or(otherwise);
   return candidate;
 }
@@ -47,8 +48,9 @@ void describe_orbit(const Candidate& candidate, double error_bar, const std::opt
 
 }  // namespace
 
-Judgement certify(const Problem& problem, std::shared_ptr<const Trajectory> answer, const Reference& reference,
-                  const OrbitSolver& solver, std::chrono::steady_clock::time_point deadline) {
+Judgement certify(const Problem& problem, std::shared_ptr<const Trajectory> answer,
+                  const Reference& reference, const OrbitSolver& solver,
+                  std::chrono::steady_clock::time_point deadline) {
   const Motion motion = sample_motion(problem, *answer);
   Judgement judgement;
   Certificate& certificate = judgement.certificate;
@@ -77,13 +79,15 @@ Judgement certify(const Problem& problem, std::shared_ptr<const Trajectory> answ
       judgement.orbit = candidate.orbit;
       return judgement;
     }
-    certificate.reason = fmt::format("the orbit that shooting finds from it is {:.2g} away", candidate.distance);
+    certificate.reason =
+        fmt::format("the orbit that shooting finds from it is {:.2g} away", candidate.distance);
   } else {
     certificate.reason = polished.reason;
   }
   if (known == nullptr) return judgement;
   const Candidate candidate = place(problem, motion, reference.orbit, true);
-  if (!certificate.distance || candidate.distance < *certificate.distance) certificate.distance = candidate.distance;
+  if (!certificate.distance || candidate.distance < *certificate.distance)
+    certificate.distance = candidate.distance;
   if (candidate.distance > kNearOrbit) return judgement;
   certificate.source = "the motion reached from rest";
   describe_orbit(candidate, reference.error_bar, reference.residual, reference, known, certificate);

@@ -26,11 +26,12 @@ struct Judgement {
 ///
 /// Otherwise uncertified, with the reason. `distance` is that of the orbit nearest to the answer, if any was
 /// found. An answer without contact coordinates is certified by an orbit of the structure.
-Judgement certify(const Problem& problem, std::shared_ptr<const Trajectory> answer, const Reference& reference,
-                  const OrbitSolver& solver, std::chrono::steady_clock::time_point deadline);
+Judgement certify(const Problem& problem, std::shared_ptr<const Trajectory> answer,
+                  const Reference& reference, const OrbitSolver& solver,
+                  std::chrono::steady_clock::time_point deadline);
 
-/// The status that the harness gives: `inaccurate` where the method says converged, but penetrates a rigid stop by
-/// more than half the amplitude, or the orbit found from its answer is farther away than kNearOrbit.
+/// The status that the harness gives: `inaccurate` where the method says converged, but penetrates a rigid
+/// stop by more than half the amplitude, or the orbit found from its answer is farther away than kNearOrbit.
 void apply_verdict(Record& record);
 
 }  // namespace signorini

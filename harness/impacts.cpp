@@ -25,9 +25,8 @@ std::vector<Run> pushing_runs(const Eigen::VectorXd& force, double threshold, in
   for (int free = 0; start < 2 * count && free <= bridge; ++start) free = pushes(start) ? 0 : free + 1;
   std::vector<Run> runs;
   if (start == 2 * count) {
-    const bool always = force.maxCoeff() < -threshold || std::any_of(force.begin(), force.end(), [&](double f) {
-                          return f < -threshold;
-                        });
+    const bool always = force.maxCoeff() < -threshold ||
+                        std::any_of(force.begin(), force.end(), [&](double f) { return f < -threshold; });
     if (always) runs.push_back({0, count});
     return runs;
   }
@@ -75,7 +74,9 @@ ContactPhase listed_impact(const Motion& motion, const Impulse& impulse) {
   const double place = impulse.time / motion.step();
   const int left = static_cast<int>(std::ceil(place)) - 1;
   const int right = static_cast<int>(std::floor(place)) + 1;
-  const auto v = [&](int i) { return motion.samples.velocity(((i % count) + count) % count, impulse.contact); };
+  const auto v = [&](int i) {
+    return motion.samples.velocity(((i % count) + count) % count, impulse.contact);
+  };
   if (undisturbed(motion, impulse, left - 1.0, place)) {
     phase.speed_before = v(left) + (place - left) * (v(left) - v(left - 1));
   }

@@ -38,8 +38,8 @@ void wait_for_any(const std::vector<Running>& running) {
 
 }  // namespace
 
-std::vector<ChildEnd> run_isolated_together(const std::vector<IsolatedWork>& work, const IsolationLimits& limits,
-                                            int parallel) {
+std::vector<ChildEnd> run_isolated_together(const std::vector<IsolatedWork>& work,
+                                            const IsolationLimits& limits, int parallel) {
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   std::vector<ChildEnd> ends(work.size());
   std::vector<Running> running;

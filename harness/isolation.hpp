@@ -45,8 +45,8 @@ struct ChildEnd {
 ChildEnd run_isolated(const IsolatedWork& work, const IsolationLimits& limits);
 
 /// Several at the same time, at most `parallel`; results in the order of the work.
-std::vector<ChildEnd> run_isolated_together(const std::vector<IsolatedWork>& work, const IsolationLimits& limits,
-                                            int parallel);
+std::vector<ChildEnd> run_isolated_together(const std::vector<IsolatedWork>& work,
+                                            const IsolationLimits& limits, int parallel);
 
 /// "signal 11 (Segmentation fault)" and so on, one phrase for a person.
 std::string describe(const ChildEnd& end);

@@ -80,7 +80,8 @@ std::vector<double> restitutions(const Motion& motion) {
 
 /// sum over n > H of cos(n theta) / n^2, 0 <= theta < 2 pi.
 double cosine_tail(double theta, int harmonics) {
-  double tail = std::numbers::pi * std::numbers::pi / 6.0 - std::numbers::pi * theta / 2.0 + theta * theta / 4.0;
+  double tail =
+      std::numbers::pi * std::numbers::pi / 6.0 - std::numbers::pi * theta / 2.0 + theta * theta / 4.0;
   for (int n = 1; n <= harmonics; ++n) tail -= std::cos(n * theta) / (static_cast<double>(n) * n);
   return tail;
 }
@@ -144,7 +145,8 @@ double expected_loss(const Motion& motion, double restitution, const Eigen::Matr
   for (const ContactPhase& phase : contact_phases(motion)) {
     if (phase.lasting) {
       // A listed impulse accounts for the closing by itself.
-      const double v = phase.speed_before && motion.impulses.empty() ? std::max(0.0, *phase.speed_before) : 0.0;
+      const double v =
+          phase.speed_before && motion.impulses.empty() ? std::max(0.0, *phase.speed_before) : 0.0;
       if (restitution < 1.0) loss += 0.5 * v * v / delassus(phase.contact, phase.contact);
       continue;
     }
@@ -173,7 +175,8 @@ Measure energy_defect(const Problem& problem, const RepresentedLaw& law, const T
     if (std::abs(work) <= 1e-12 * largest_work(problem, response)) return std::nullopt;
     return std::abs(work - lost) / std::abs(work);
   } catch (const std::exception&) {
-    return std::nullopt;  // no response (undamped resonance) or no Delassus matrix: the balance is not defined
+    return std::nullopt;  // no response (undamped resonance) or no Delassus matrix: the balance is not
+                          // defined
   }
 }
 

@@ -15,7 +15,8 @@ Eigen::VectorXd impulse_per_forcing_period(const Problem& problem, const Traject
 /// zero: x and x' over the common period (root mean square, maximum), the impulse of the worst contact
 /// relative to the largest impulse of a contact, and u over the whole structure where Nd > Nc, both
 /// fields by `PeriodicResponse`. `shift` moves the orbit by whole forcing periods.
-Errors measure_errors(const Problem& problem, const Trajectory& answer, const Trajectory& orbit, int shift = 0);
+Errors measure_errors(const Problem& problem, const Trajectory& answer, const Trajectory& orbit,
+                      int shift = 0);
 
 /// Physics of an answer under the law it represents, on the harness's grid:
 ///

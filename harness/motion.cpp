@@ -96,7 +96,8 @@ int least_order(const Motion& motion) {
 
 double amplitude(const Motion& motion) {
   double largest = 0.0;
-  for (const auto& x : motion.samples.x.colwise()) largest = std::max(largest, 0.5 * (x.maxCoeff() - x.minCoeff()));
+  for (const auto& x : motion.samples.x.colwise())
+    largest = std::max(largest, 0.5 * (x.maxCoeff() - x.minCoeff()));
   return largest;
 }
 

@@ -14,9 +14,9 @@ inline constexpr int kGrid = 8192;
 
 /// One period of a motion at kGrid instants per forcing period.
 struct Motion {
-  int order = 1;             ///< period in forcing periods
-  double forcing_period = 1; ///< [s]
-  Samples samples;           ///< (order * per_period) x Nc
+  int order = 1;              ///< period in forcing periods
+  double forcing_period = 1;  ///< [s]
+  Samples samples;            ///< (order * per_period) x Nc
   std::vector<Impulse> impulses;
   std::optional<int> bandwidth;
 

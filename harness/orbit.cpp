@@ -62,18 +62,19 @@ std::string fingerprint(const Motion& motion) {
   const int copies = motion.order / order;
   double largest = 0.0;
   for (const Impulse& impulse : motion.impulses) largest = std::max(largest, std::abs(impulse.value));
-  const auto impacts = std::count_if(motion.impulses.begin(), motion.impulses.end(), [&](const Impulse& impulse) {
-    return std::abs(impulse.value) > kWeakImpact * largest;
-  });
-  const double force_scale = motion.samples.force.size() > 0 ? motion.samples.force.cwiseAbs().maxCoeff() : 0.0;
+  const auto impacts =
+      std::count_if(motion.impulses.begin(), motion.impulses.end(),
+                    [&](const Impulse& impulse) { return std::abs(impulse.value) > kWeakImpact * largest; });
+  const double force_scale =
+      motion.samples.force.size() > 0 ? motion.samples.force.cwiseAbs().maxCoeff() : 0.0;
   std::string text = fmt::format("{} {}", order, impacts / copies);
   for (int c = 0; c < static_cast<int>(motion.samples.x.cols()); ++c) {
     const double length = motion.samples.x.col(c).cwiseAbs().maxCoeff();
     double impulse = motion.samples.force.col(c).sum() * motion.step();
     for (const Impulse& one : motion.impulses) impulse += one.contact == c ? one.value : 0.0;
-    text += fmt::format(" {} {}",
-                        rounded(impulse / motion.order, motion.forcing_period * force_scale + largest),
-                        rounded(std::sqrt(motion.samples.x.col(c).squaredNorm() / motion.count()), length));
+    text +=
+        fmt::format(" {} {}", rounded(impulse / motion.order, motion.forcing_period * force_scale + largest),
+                    rounded(std::sqrt(motion.samples.x.col(c).squaredNorm() / motion.count()), length));
   }
   return sha256(text).substr(0, 8);
 }

@@ -40,8 +40,9 @@ std::vector<Scene> choose_scenes(const Suite& suite, const Narrowing& narrowing,
     scenes.push_back(std::move(scene));
   }
   if (scenes.empty()) {
-    throw NothingMatched(fmt::format("scenes = {} (matches no scene of suite {}; see `signorini list scenes`)",
-                                     narrowing.scenes.value_or("*"), suite.name));
+    throw NothingMatched(
+        fmt::format("scenes = {} (matches no scene of suite {}; see `signorini list scenes`)",
+                    narrowing.scenes.value_or("*"), suite.name));
   }
   return scenes;
 }
@@ -90,7 +91,8 @@ Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const M
   return plan;
 }
 
-std::string case_key(const Scene& scene, const Case& run, const Limits& limits, std::string_view code_version) {
+std::string case_key(const Scene& scene, const Case& run, const Limits& limits,
+                     std::string_view code_version) {
   std::string text = fmt::format("{}\n{}\n", scene.sha256, run.choice.entry->name);
   for (const OptionEcho& option : run.options) text += option.name + "=" + print_option(option.value) + "\n";
   text += fmt::format("timeout={}\nmemory={}\nrepetitions={}\ncertificate={}\nreference={}\ncode={}\n",

@@ -53,7 +53,8 @@ Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const M
                std::span<const std::filesystem::path> scene_files);
 
 /// What makes two runs the same: SHA-256 of scene file, method, complete options, limits and code version.
-std::string case_key(const Scene& scene, const Case& run, const Limits& limits, std::string_view code_version);
+std::string case_key(const Scene& scene, const Case& run, const Limits& limits,
+                     std::string_view code_version);
 
 /// An option's value as text, "auto" where the method chooses.
 std::string print_option(const OptionValue& value);

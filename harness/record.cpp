@@ -14,9 +14,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kSchema = 1;
 
-constexpr std::array<std::string_view, 9> kStatusNames{
-    "converged", "inaccurate", "not-converged", "not-applicable", "timeout",
-    "out-of-memory", "crashed", "exception", "invalid-output"};
+constexpr std::array<std::string_view, 9> kStatusNames{"converged",      "inaccurate", "not-converged",
+                                                       "not-applicable", "timeout",    "out-of-memory",
+                                                       "crashed",        "exception",  "invalid-output"};
 constexpr std::array<std::string_view, 3> kCertificateNames{"none", "uncertified", "certified"};
 
 template <std::size_t N>
@@ -108,13 +108,17 @@ WorkDone read_work(const Json& json) {
 }
 
 Json write_seconds(const Seconds& seconds) {
-  return {{"median", seconds.median}, {"min", seconds.min},     {"mad", seconds.mad},
+  return {{"median", seconds.median},           {"min", seconds.min},     {"mad", seconds.mad},
           {"repetitions", seconds.repetitions}, {"setup", seconds.setup}, {"solve", seconds.solve}};
 }
 
 Seconds read_seconds(const Json& json) {
-  return {.median = json.at("median"), .min = json.at("min"), .mad = json.at("mad"),
-          .repetitions = json.at("repetitions"), .setup = json.at("setup"), .solve = json.at("solve")};
+  return {.median = json.at("median"),
+          .min = json.at("min"),
+          .mad = json.at("mad"),
+          .repetitions = json.at("repetitions"),
+          .setup = json.at("setup"),
+          .solve = json.at("solve")};
 }
 
 Json write_certificate(const Certificate& certificate) {
@@ -156,7 +160,8 @@ Certificate read_certificate(const Json& json) {
   get(json, "reference_reason", certificate.reference_reason);
   get(json, "same_orbit", certificate.same_orbit);
   for (const Json& item : object(json, "events")) {
-    OrbitEvent event{.time = item.at("time"), .contact = item.at("contact"), .kind = item.at("kind"), .value = {}};
+    OrbitEvent event{
+        .time = item.at("time"), .contact = item.at("contact"), .kind = item.at("kind"), .value = {}};
     get(item, "value", event.value);
     certificate.events.push_back(std::move(event));
   }
@@ -165,8 +170,8 @@ Certificate read_certificate(const Json& json) {
   return certificate;
 }
 
-constexpr std::array kErrors{&Errors::x_l2, &Errors::x_max, &Errors::u_l2, &Errors::velocity_l2, &Errors::impulse,
-                             &Errors::x_l2_scene};
+constexpr std::array kErrors{&Errors::x_l2,        &Errors::x_max,   &Errors::u_l2,
+                             &Errors::velocity_l2, &Errors::impulse, &Errors::x_l2_scene};
 constexpr std::array kErrorKeys{"x_l2", "x_max", "u_l2", "velocity_l2", "impulse", "x_l2_scene"};
 constexpr std::array kPhysics{&Physics::penetration, &Physics::complementarity, &Physics::energy_defect,
                               &Physics::contact_ratio};
@@ -180,10 +185,14 @@ Json write_physics(const Physics& physics) {
 }
 
 Json write_trajectory(const TrajectorySamples& trajectory) {
-  Json json{{"t", trajectory.t}, {"x", trajectory.x}, {"velocity", trajectory.velocity}, {"force", trajectory.force}};
+  Json json{{"t", trajectory.t},
+            {"x", trajectory.x},
+            {"velocity", trajectory.velocity},
+            {"force", trajectory.force}};
   json["impulses"] = Json::array();
   for (const Impulse& impulse : trajectory.impulses) {
-    json["impulses"].push_back({{"contact", impulse.contact}, {"time", impulse.time}, {"value", impulse.value}});
+    json["impulses"].push_back(
+        {{"contact", impulse.contact}, {"time", impulse.time}, {"value", impulse.value}});
   }
   put(json, "bandwidth", trajectory.bandwidth);
   return json;
@@ -209,7 +218,8 @@ void read_body(const Json& json, Record& record) {
   record.scene = json.at("scene");
   record.scene_sha256 = json.at("scene_sha256");
   record.method = json.at("method");
-  for (const auto& [name, value] : json.at("options").items()) record.options.emplace_back(name, read_option(value));
+  for (const auto& [name, value] : json.at("options").items())
+    record.options.emplace_back(name, read_option(value));
   record.status = static_cast<Status>(name_index(kStatusNames, json.at("status")));
   get(json, "message", record.message);
   get(json, "signal", record.signal);
@@ -222,9 +232,11 @@ void read_body(const Json& json, Record& record) {
   if (json.contains("seconds")) record.seconds = read_seconds(json["seconds"]);
   get(json, "not_timed", record.not_timed);
   record.certificate = read_certificate(object(json, "certificate"));
-  for (std::size_t i = 0; i < kErrors.size(); ++i) get(object(json, "errors"), kErrorKeys[i], record.errors.*kErrors[i]);
+  for (std::size_t i = 0; i < kErrors.size(); ++i)
+    get(object(json, "errors"), kErrorKeys[i], record.errors.*kErrors[i]);
   const Json& physics = object(json, "physics");
-  for (std::size_t i = 0; i < kPhysics.size(); ++i) get(physics, kPhysicsKeys[i], record.physics.*kPhysics[i]);
+  for (std::size_t i = 0; i < kPhysics.size(); ++i)
+    get(physics, kPhysicsKeys[i], record.physics.*kPhysics[i]);
   get(physics, "effective_restitution", record.physics.effective_restitution);
   if (json.contains("trajectory")) record.trajectory = read_trajectory(json["trajectory"]);
 }

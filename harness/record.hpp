@@ -57,16 +57,16 @@ struct OrbitEvent {
 /// Whether a true orbit of the represented law stands behind an answer, and which.
 struct Certificate {
   CertificateStatus status = CertificateStatus::none;
-  std::string reason;                   ///< of uncertified or none; empty when certified
-  std::string source;                   ///< how the orbit was found
-  std::optional<std::string> orbit;     ///< fingerprint, equal for equal orbits
-  std::optional<int> order;             ///< period of the orbit in forcing periods
-  Measure error_bar;                    ///< relative, of the orbit itself
-  Measure residual;                     ///< relative, of the orbit's own equations
-  Measure distance;                     ///< x_l2 from the answer to the orbit found, certified or not
-  std::optional<std::string> reference; ///< fingerprint of the orbit reached from rest under the same law
-  std::string reference_reason;         ///< why there is none
-  std::optional<bool> same_orbit;       ///< the answer's orbit is that one
+  std::string reason;                    ///< of uncertified or none; empty when certified
+  std::string source;                    ///< how the orbit was found
+  std::optional<std::string> orbit;      ///< fingerprint, equal for equal orbits
+  std::optional<int> order;              ///< period of the orbit in forcing periods
+  Measure error_bar;                     ///< relative, of the orbit itself
+  Measure residual;                      ///< relative, of the orbit's own equations
+  Measure distance;                      ///< x_l2 from the answer to the orbit found, certified or not
+  std::optional<std::string> reference;  ///< fingerprint of the orbit reached from rest under the same law
+  std::string reference_reason;          ///< why there is none
+  std::optional<bool> same_orbit;        ///< the answer's orbit is that one
   std::vector<OrbitEvent> events;
   std::optional<std::vector<std::pair<double, double>>> floquet;
   std::optional<bool> stable;

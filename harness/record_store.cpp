@@ -29,7 +29,8 @@ struct Contents {
 std::optional<Record> parse_line(const std::string& line, const fs::path& file, std::size_t number) {
   const Json json = Json::parse(line, nullptr, false);
   if (json.is_discarded()) {
-    throw UsageError(fmt::format("{}:{}: record = unreadable (must be one JSON object)", file.string(), number));
+    throw UsageError(
+        fmt::format("{}:{}: record = unreadable (must be one JSON object)", file.string(), number));
   }
   try {
     return record_from_json(json);
@@ -99,7 +100,8 @@ RecordStore::~RecordStore() {
 void RecordStore::append(const Record& record) {
   if (!keys_.insert(record.key).second) return;
   const std::string line = to_json(record).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-  if (write(descriptor_, line.data(), line.size()) != static_cast<ssize_t>(line.size()) || fsync(descriptor_) != 0) {
+  if (write(descriptor_, line.data(), line.size()) != static_cast<ssize_t>(line.size()) ||
+      fsync(descriptor_) != 0) {
     throw std::system_error(errno, std::generic_category(), "records.jsonl");
   }
 }

@@ -97,7 +97,8 @@ nlohmann::ordered_json to_json(const Reference& reference) {
   // As a record, so that one reader and writer of trajectories does.
   Record carrier;
   carrier.period = reference.orbit->period();
-  carrier.trajectory = samples_of(*reference.orbit, static_cast<int>(reference.orbit->data().samples.x.rows()));
+  carrier.trajectory =
+      samples_of(*reference.orbit, static_cast<int>(reference.orbit->data().samples.x.rows()));
   json["carrier"] = to_json(carrier);
   json["error_bar"] = reference.error_bar;
   if (reference.residual) json["residual"] = *reference.residual;

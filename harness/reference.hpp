@@ -16,9 +16,9 @@ namespace signorini {
 
 /// How an orbit is looked for.
 struct OrbitRequest {
-  double tolerance = 1e-11;                       ///< of the integration [-]
-  bool shooting = false;                          ///< else marching
-  std::shared_ptr<const Trajectory> guess = {};   ///< null: from rest
+  double tolerance = 1e-11;                      ///< of the integration [-]
+  bool shooting = false;                         ///< else marching
+  std::shared_ptr<const Trajectory> guess = {};  ///< null: from rest
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 };
 

@@ -45,7 +45,7 @@ std::string energy_text(const Record& record) {
 }
 
 // Only what converged in the harness's eyes has a time: a fast wrong answer is no answer.
-std::string time_cell(const Record& record, double Seconds::* which) {
+std::string time_cell(const Record& record, double Seconds::*which) {
   if (record.status != Status::converged) return in_place(record);
   if (record.seconds) return time_text((*record.seconds).*which);
   return record.not_timed.empty() ? "not timed" : "not timed: " + record.not_timed;
@@ -112,15 +112,16 @@ std::string median_text(const Tally& tally) {
 Table summary_table(const std::vector<Record>& records) {
   std::map<std::string, Tally> tallies;
   for (const Record& record : records) count(record, tallies[record.method]);
-  Table table{{"method", "cases", "not applicable", "converged", "inaccurate", "failed", "certified", "same orbit",
-               "other orbit", "median time, failures infinite"},
+  Table table{{"method", "cases", "not applicable", "converged", "inaccurate", "failed", "certified",
+               "same orbit", "other orbit", "median time, failures infinite"},
               {}};
   for (const auto& [method, tally] : tallies) {
     const int failed = tally.cases - tally.not_applicable - tally.converged - tally.inaccurate;
     const int applicable = tally.cases - tally.not_applicable;
     table.rows.push_back({method, std::to_string(tally.cases), std::to_string(tally.not_applicable),
-                          fmt::format("{} of {}", tally.converged, applicable), std::to_string(tally.inaccurate),
-                          std::to_string(failed), std::to_string(tally.certified), std::to_string(tally.same),
+                          fmt::format("{} of {}", tally.converged, applicable),
+                          std::to_string(tally.inaccurate), std::to_string(failed),
+                          std::to_string(tally.certified), std::to_string(tally.same),
                           std::to_string(tally.other), median_text(tally)});
   }
   return table;
@@ -132,9 +133,9 @@ Table main_table(const std::vector<Record>& records) {
               {}};
   for (const Record& record : records) {
     table.rows.push_back({record.scene, record.scene_law ? law_text(*record.scene_law) : "not recorded",
-                          method_text(record), represented_text(record), status_text(record), error_text(record),
-                          energy_text(record), time_cell(record, &Seconds::min), time_cell(record, &Seconds::median),
-                          work_text(record), orbit_text(record)});
+                          method_text(record), represented_text(record), status_text(record),
+                          error_text(record), energy_text(record), time_cell(record, &Seconds::min),
+                          time_cell(record, &Seconds::median), work_text(record), orbit_text(record)});
   }
   return table;
 }
@@ -145,20 +146,24 @@ std::string notes(const std::vector<Record>& records) {
     const bool uncertified = record.certificate.status != CertificateStatus::certified && answered(record);
     if (record.status == Status::converged && !uncertified) continue;
     const std::string why = record.status == Status::converged ? record.certificate.reason : record.message;
-    text += fmt::format("- `{}`: {}: {}\n", record.case_id, uncertified && record.status == Status::converged
-                                                                ? "uncertified"
-                                                                : status_name(record.status),
-                        why.empty() ? "no message" : why);
+    text += fmt::format(
+        "- `{}`: {}: {}\n", record.case_id,
+        uncertified && record.status == Status::converged ? "uncertified" : status_name(record.status),
+        why.empty() ? "no message" : why);
   }
   return text;
 }
 
 constexpr std::string_view kLegend =
-    "error of x: relative L2 distance to the certified orbit of the law that the method represents; `<`: below ten\n"
+    "error of x: relative L2 distance to the certified orbit of the law that the method represents; `<`: "
+    "below ten\n"
     "error bars of that orbit. `≠ scene`: the method represents another impact law than the scene states.\n"
-    "time: set-up and solve of one cold run, least per round, over rounds. p: pivots, it: iterations (event-driven:\n"
-    "periods marched or Newton steps). orbit: same as reached from rest under the represented law, or another one.\n"
-    "The orbits come from the event-driven method by shooting at tolerance 1e-12: its own rows are judged by it too.\n";
+    "time: set-up and solve of one cold run, least per round, over rounds. p: pivots, it: iterations "
+    "(event-driven:\n"
+    "periods marched or Newton steps). orbit: same as reached from rest under the represented law, or "
+    "another one.\n"
+    "The orbits come from the event-driven method by shooting at tolerance 1e-12: its own rows are judged by "
+    "it too.\n";
 
 std::string number(const Measure& value) { return value ? fmt::format("{:.9e}", *value) : ""; }
 std::string number(const std::optional<long>& value) { return value ? std::to_string(*value) : ""; }
@@ -184,26 +189,56 @@ std::string csv_reason(const Record& record) {
     if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
   };
   if (record.status == Status::inaccurate) add(record.message);
-  if (record.certificate.status != CertificateStatus::certified) add("uncertified: " + record.certificate.reason);
-  if (!record.seconds) add("not timed: " + (record.not_timed.empty() ? "no times recorded" : record.not_timed));
-  if (!record.certificate.reference_reason.empty()) add("no reference: " + record.certificate.reference_reason);
+  if (record.certificate.status != CertificateStatus::certified)
+    add("uncertified: " + record.certificate.reason);
+  if (!record.seconds)
+    add("not timed: " + (record.not_timed.empty() ? "no times recorded" : record.not_timed));
+  if (!record.certificate.reference_reason.empty())
+    add("no reference: " + record.certificate.reference_reason);
   add("other empty cells: the notion does not exist for this run");
   return text;
 }
 
 std::vector<std::string> csv_row(const Record& r) {
-  const auto seconds = [&](double Seconds::* which) { return r.seconds ? number(Measure((*r.seconds).*which)) : ""; };
+  const auto seconds = [&](double Seconds::*which) {
+    return r.seconds ? number(Measure((*r.seconds).*which)) : "";
+  };
   const Work& work = r.work.counts;
-  return {r.case_id, r.scene, r.scene_law ? law_text(*r.scene_law) : "", r.method, method_text(r),
-          r.law ? law_text(*r.law) : "", yes_no(r.law_matches_scene), status_text(r), number(r.period),
-          number(r.errors.x_l2), number(r.errors.x_max), number(r.errors.u_l2), number(r.errors.velocity_l2),
-          number(r.errors.impulse), number(r.errors.x_l2_scene), number(r.certificate.error_bar),
-          number(r.physics.penetration), number(r.physics.complementarity), number(r.physics.energy_defect),
-          number(r.physics.contact_ratio), seconds(&Seconds::min), seconds(&Seconds::median), seconds(&Seconds::mad),
-          seconds(&Seconds::setup), seconds(&Seconds::solve), number(work.unknowns), number(work.iterations),
-          number(work.pivots), number(work.rhs_evaluations), number(work.factorisations),
-          number(r.work.peak_memory_bytes), certificate_name(r.certificate.status), r.certificate.orbit.value_or(""),
-          yes_no(r.certificate.same_orbit), csv_reason(r)};
+  return {r.case_id,
+          r.scene,
+          r.scene_law ? law_text(*r.scene_law) : "",
+          r.method,
+          method_text(r),
+          r.law ? law_text(*r.law) : "",
+          yes_no(r.law_matches_scene),
+          status_text(r),
+          number(r.period),
+          number(r.errors.x_l2),
+          number(r.errors.x_max),
+          number(r.errors.u_l2),
+          number(r.errors.velocity_l2),
+          number(r.errors.impulse),
+          number(r.errors.x_l2_scene),
+          number(r.certificate.error_bar),
+          number(r.physics.penetration),
+          number(r.physics.complementarity),
+          number(r.physics.energy_defect),
+          number(r.physics.contact_ratio),
+          seconds(&Seconds::min),
+          seconds(&Seconds::median),
+          seconds(&Seconds::mad),
+          seconds(&Seconds::setup),
+          seconds(&Seconds::solve),
+          number(work.unknowns),
+          number(work.iterations),
+          number(work.pivots),
+          number(work.rhs_evaluations),
+          number(work.factorisations),
+          number(r.work.peak_memory_bytes),
+          certificate_name(r.certificate.status),
+          r.certificate.orbit.value_or(""),
+          yes_no(r.certificate.same_orbit),
+          csv_reason(r)};
 }
 
 }  // namespace
@@ -216,7 +251,8 @@ std::string law_text(const RepresentedLaw& law) {
       std::string text = "k =";
       const bool equal = std::equal(l.stiffness.begin() + (l.stiffness.empty() ? 0 : 1), l.stiffness.end(),
                                     l.stiffness.begin());
-      for (std::size_t i = 0; i < (equal ? std::min<std::size_t>(1, l.stiffness.size()) : l.stiffness.size()); ++i) {
+      for (std::size_t i = 0; i < (equal ? std::min<std::size_t>(1, l.stiffness.size()) : l.stiffness.size());
+           ++i) {
         text += fmt::format("{} {:g}", i == 0 ? "" : ",", l.stiffness[i]);
       }
       return text + " N/m";
@@ -255,26 +291,57 @@ std::string orbit_text(const Record& record) {
   }
   const std::string name = certificate.orbit.value_or("unnamed");
   if (!certificate.same_orbit) {
-    return fmt::format("{} (no reference: {})", name,
-                       shortened(certificate.reference_reason.empty() ? "not computed" : certificate.reference_reason));
+    return fmt::format(
+        "{} (no reference: {})", name,
+        shortened(certificate.reference_reason.empty() ? "not computed" : certificate.reference_reason));
   }
   return *certificate.same_orbit ? "same" : fmt::format("other ({})", name);
 }
 
 std::string markdown_report(const std::vector<Record>& unsorted) {
   const std::vector<Record> records = sorted(unsorted);
-  std::string text = fmt::format("{}\n{}\n{}", to_markdown(summary_table(records)), to_markdown(main_table(records)),
-                                 kLegend);
+  std::string text = fmt::format("{}\n{}\n{}", to_markdown(summary_table(records)),
+                                 to_markdown(main_table(records)), kLegend);
   if (const std::string said = notes(records); !said.empty()) text += "\nWhat went otherwise:\n\n" + said;
   return text;
 }
 
 std::string csv_report(const std::vector<Record>& unsorted) {
-  Table table{{"case", "scene", "scene_law", "method", "resolution", "law", "law_matches_scene", "status", "period",
-               "x_l2", "x_max", "u_l2", "velocity_l2", "impulse", "x_l2_scene", "error_bar", "penetration",
-               "complementarity", "energy_defect", "contact_ratio", "seconds_min", "seconds_median", "seconds_mad",
-               "seconds_setup", "seconds_solve", "unknowns", "iterations", "pivots", "rhs_evaluations",
-               "factorisations", "peak_memory_bytes", "certificate", "orbit", "same_orbit", "reason"},
+  Table table{{"case",
+               "scene",
+               "scene_law",
+               "method",
+               "resolution",
+               "law",
+               "law_matches_scene",
+               "status",
+               "period",
+               "x_l2",
+               "x_max",
+               "u_l2",
+               "velocity_l2",
+               "impulse",
+               "x_l2_scene",
+               "error_bar",
+               "penetration",
+               "complementarity",
+               "energy_defect",
+               "contact_ratio",
+               "seconds_min",
+               "seconds_median",
+               "seconds_mad",
+               "seconds_setup",
+               "seconds_solve",
+               "unknowns",
+               "iterations",
+               "pivots",
+               "rhs_evaluations",
+               "factorisations",
+               "peak_memory_bytes",
+               "certificate",
+               "orbit",
+               "same_orbit",
+               "reason"},
               {}};
   for (const Record& record : sorted(unsorted)) table.rows.push_back(csv_row(record));
   return to_csv(table);

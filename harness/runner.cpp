@@ -65,14 +65,15 @@ Reference take_reference(const ChildEnd& end) {
   }
 }
 
-/// A child that died after the answer was in: while it was timed or cleaned up that is the method's doing, between
-/// the two the harness's.
+/// A child that died after the answer was in: while it was timed or cleaned up that is the method's doing,
+/// between the two the harness's.
 void take_late_end(const ChildEnd& end, Record& record) {
   if (end.kind == ChildEnd::Kind::finished) return;
   const auto last = static_cast<TrialStage>(end.lines.size() - 1);
   if (last == TrialStage::solved || last == TrialStage::certified) {
     take_failure(end, record);
-    record.message = (last == TrialStage::solved ? "in a repeated solve: " : "in its clean-up: ") + record.message;
+    record.message =
+        (last == TrialStage::solved ? "in a repeated solve: " : "in its clean-up: ") + record.message;
     return;
   }
   record.certificate.status = CertificateStatus::uncertified;
@@ -152,7 +153,8 @@ void Runner::compute_references(const Scene& scene, std::span<const Survey> surv
     if (survey.law) add(*survey.law);
   }
   const std::vector<ChildEnd> ends = run_isolated_together(
-      work, {.stage_seconds = {late(limits_.reference_timeout)}, .memory_mb = limits_.memory_mb}, kReferenceProcesses);
+      work, {.stage_seconds = {late(limits_.reference_timeout)}, .memory_mb = limits_.memory_mb},
+      kReferenceProcesses);
   for (std::size_t i = 0; i < keys.size(); ++i) references_[keys[i]] = take_reference(ends[i]);
 }
 
@@ -164,8 +166,8 @@ const Reference& Runner::reference_for(const Problem& problem, const Represented
 
 IsolationLimits Runner::trial_limits() const {
   // One per stage: first solve, timing, measures, certificate; then the end of the process.
-  return {.stage_seconds = {late(limits_.timeout), late(limits_.timeout * (limits_.repetitions + 1)), kQuickSeconds,
-                            late(limits_.certificate_timeout) + kQuickSeconds, kQuickSeconds},
+  return {.stage_seconds = {late(limits_.timeout), late(limits_.timeout * (limits_.repetitions + 1)),
+                            kQuickSeconds, late(limits_.certificate_timeout) + kQuickSeconds, kQuickSeconds},
           .memory_mb = limits_.memory_mb};
 }
 

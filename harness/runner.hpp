@@ -37,7 +37,8 @@ using CodeVersion = std::function<std::string(std::string_view method)>;
 
 class Runner {
  public:
-  explicit Runner(Limits limits, OrbitSolver solver = event_driven_orbits(), CodeVersion version = code_version);
+  explicit Runner(Limits limits, OrbitSolver solver = event_driven_orbits(),
+                  CodeVersion version = code_version);
 
   /// Asks the methods of several cases of one scene whether they apply and what law they represent.
   [[nodiscard]] std::vector<Survey> survey(const Scene& scene, std::span<const Case* const> cases) const;

@@ -12,10 +12,11 @@ namespace signorini {
 
 namespace {
 
-std::string size_defect(const char* name, const Eigen::MatrixXd& values, Eigen::Index count, Eigen::Index contacts) {
+std::string size_defect(const char* name, const Eigen::MatrixXd& values, Eigen::Index count,
+                        Eigen::Index contacts) {
   if (values.rows() != count || values.cols() != contacts) {
-    return fmt::format("{} has {} x {} samples, {} x {} were asked for", name, values.rows(), values.cols(), count,
-                       contacts);
+    return fmt::format("{} has {} x {} samples, {} x {} were asked for", name, values.rows(), values.cols(),
+                       count, contacts);
   }
   if (!values.allFinite()) return fmt::format("{} has values that are not finite", name);
   return {};
@@ -35,7 +36,8 @@ std::string impulses_defect(const std::vector<Impulse>& impulses, int contacts, 
       return fmt::format("an impulse acts at contact {} of {}", impulse.contact, contacts);
     }
     if (!std::isfinite(impulse.value) || !(impulse.time >= 0.0) || !(impulse.time <= period)) {
-      return fmt::format("an impulse of {} N s acts at {} s, outside the period", impulse.value, impulse.time);
+      return fmt::format("an impulse of {} N s acts at {} s, outside the period", impulse.value,
+                         impulse.time);
     }
   }
   return {};
@@ -78,7 +80,8 @@ Samples SampledTrajectory::sample(int count) const {
     const double h10 = s * (1.0 - s) * (1.0 - s);
     const double h01 = s * s * (3.0 - 2.0 * s);
     const double h11 = s * s * (s - 1.0);
-    result.x.row(i) = h00 * x.row(left) + h01 * x.row(right) + step * (h10 * v.row(left) + h11 * v.row(right));
+    result.x.row(i) =
+        h00 * x.row(left) + h01 * x.row(right) + step * (h10 * v.row(left) + h11 * v.row(right));
     result.velocity.row(i) = (1.0 - s) * v.row(left) + s * v.row(right);
     result.force.row(i) = (1.0 - s) * f.row(left) + s * f.row(right);
   }

@@ -88,9 +88,12 @@ std::vector<MethodChoice> select_methods(std::string_view filter, std::span<cons
   std::vector<Piece> positive;
   for (const std::string& text : pieces.positive) {
     positive.push_back(parse_piece(text));
-    const auto matches = [&](const MethodEntry& entry) { return glob_match(positive.back().glob, entry.name); };
+    const auto matches = [&](const MethodEntry& entry) {
+      return glob_match(positive.back().glob, entry.name);
+    };
     if (std::none_of(catalogue.begin(), catalogue.end(), matches)) {
-      throw NothingMatched(fmt::format("methods = {} (matches no method; see `signorini list methods`)", text));
+      throw NothingMatched(
+          fmt::format("methods = {} (matches no method; see `signorini list methods`)", text));
     }
   }
   std::vector<MethodChoice> choices;
@@ -109,7 +112,8 @@ std::vector<MethodChoice> select_methods(std::string_view filter, std::span<cons
     }
   }
   if (choices.empty()) {
-    throw NothingMatched(fmt::format("methods = {} (matches no method; see `signorini list methods`)", filter));
+    throw NothingMatched(
+        fmt::format("methods = {} (matches no method; see `signorini list methods`)", filter));
   }
   return choices;
 }

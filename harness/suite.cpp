@@ -38,8 +38,10 @@ Limits read_limits(const SceneField& field) {
   seconds("certificate_timeout", limits.certificate_timeout);
   seconds("reference_timeout", limits.reference_timeout);
   constexpr int kMost = std::numeric_limits<int>::max();
-  limits.memory_mb = field["memory"].whole_or(limits.memory_mb, "must be a whole number of MiB >= 64", 64, kMost);
-  limits.repetitions = field["repetitions"].whole_or(limits.repetitions, "must be a whole number in 1..1000", 1, 1000);
+  limits.memory_mb =
+      field["memory"].whole_or(limits.memory_mb, "must be a whole number of MiB >= 64", 64, kMost);
+  limits.repetitions =
+      field["repetitions"].whole_or(limits.repetitions, "must be a whole number in 1..1000", 1, 1000);
   return limits;
 }
 
@@ -48,7 +50,8 @@ std::vector<ExpectedFailure> read_expected(const SceneField& field) {
   if (!field.given()) return expected;
   for (const SceneField& item : field.items("must be tables with case and reason")) {
     item.allow_only({"case", "reason"}, "must be a table with case and reason");
-    expected.push_back({item["case"].text("must be a glob on case names"), item["reason"].text("must say why")});
+    expected.push_back(
+        {item["case"].text("must be a glob on case names"), item["reason"].text("must say why")});
   }
   return expected;
 }
@@ -64,7 +67,8 @@ Suite parse_suite(std::string_view text, const std::string& file) {
   }
   const SceneField root(document, file);
   root["schema"].whole("must be 1", 1, 1);  // first: another schema may have other keys
-  root.allow_only({"schema", "name", "title", "scenes", "tags", "methods", "limits", "expected_failure"}, "must be a table");
+  root.allow_only({"schema", "name", "title", "scenes", "tags", "methods", "limits", "expected_failure"},
+                  "must be a table");
   Suite suite;
   suite.name = root["name"].text("must be a name in lower-kebab-case");
   const auto kebab = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
@@ -95,11 +99,13 @@ std::vector<fs::path> catalogue_suites() {
 
 Suite load_suite(const std::string& name_or_path) {
   const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
-  const fs::path path = is_path ? fs::path(name_or_path) : problems_folder() / "suites" / (name_or_path + ".toml");
+  const fs::path path =
+      is_path ? fs::path(name_or_path) : problems_folder() / "suites" / (name_or_path + ".toml");
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) {
     std::string names;
-    for (const fs::path& suite : catalogue_suites()) names += (names.empty() ? "" : ", ") + suite.stem().string();
+    for (const fs::path& suite : catalogue_suites())
+      names += (names.empty() ? "" : ", ") + suite.stem().string();
     throw UsageError(fmt::format("suite = {} (must be a TOML file or one of {})", name_or_path, names));
   }
   return parse_suite(read_file(path), path.string());

@@ -18,10 +18,12 @@ std::vector<std::vector<double>> columns(const Eigen::MatrixXd& values) {
 }
 
 Eigen::MatrixXd matrix(const std::vector<std::vector<double>>& lists, std::size_t rows, std::size_t cols) {
-  if (lists.size() != cols) throw BadRecord("trajectory = uneven (must have as many lists per contact in each part)");
+  if (lists.size() != cols)
+    throw BadRecord("trajectory = uneven (must have as many lists per contact in each part)");
   Eigen::MatrixXd values(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(lists.size()));
   for (std::size_t c = 0; c < lists.size(); ++c) {
-    if (lists[c].size() != rows) throw BadRecord("trajectory = uneven (must have one value per instant in each list)");
+    if (lists[c].size() != rows)
+      throw BadRecord("trajectory = uneven (must have one value per instant in each list)");
     values.col(static_cast<Eigen::Index>(c)) =
         Eigen::Map<const Eigen::VectorXd>(lists[c].data(), static_cast<Eigen::Index>(rows));
   }
@@ -67,7 +69,8 @@ std::shared_ptr<const SampledTrajectory> start_from_file(const std::string& path
   if (json.is_discarded()) throw refuse("must be JSON as printed by solve --json --samples N");
   try {
     const Record record = record_from_json(json);
-    if (!record.trajectory || !record.period) throw refuse("must hold a trajectory: print it with --samples N");
+    if (!record.trajectory || !record.period)
+      throw refuse("must hold a trajectory: print it with --samples N");
     return trajectory_of(*record.period, *record.trajectory);
   } catch (const BadRecord& error) {
     throw refuse(fmt::format("must be a record as printed by solve --json --samples N: {}", error.what()));

@@ -116,7 +116,8 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   const Start start{.guess = trial.start, .deadline = after(trial.limits.timeout)};
   const double setup = seconds_of([&] { prepared = method->prepare(trial.scene.problem); });
   const double solve = seconds_of([&] { solution = prepared->solve(start); });
-  if (const auto peak = status_bytes("VmHWM"); peak && before) record.work.peak_memory_bytes = *peak - *before;
+  if (const auto peak = status_bytes("VmHWM"); peak && before)
+    record.work.peak_memory_bytes = *peak - *before;
   const bool answered = take_solution(trial, solution, start.expired(), record);
   stage_done(record);
   if (!answered) return;

@@ -15,20 +15,20 @@ struct Trial {
   const Scene& scene;
   const Case& run;
   const Limits& limits;
-  RepresentedLaw law;                             ///< the method's on this scene
-  const Reference& reference;                     ///< of the scene under that law
-  const Reference& scene_reference;               ///< of the scene under its own
+  RepresentedLaw law;                ///< the method's on this scene
+  const Reference& reference;        ///< of the scene under that law
+  const Reference& scene_reference;  ///< of the scene under its own
   const OrbitSolver& solver;
-  std::shared_ptr<const Trajectory> start = {};   ///< null: cold
-  int samples = 0;                                ///< instants of the trajectory kept in the record; 0: none
+  std::shared_ptr<const Trajectory> start = {};  ///< null: cold
+  int samples = 0;                               ///< instants of the trajectory kept in the record; 0: none
   bool timed = true;
 };
 
 /// Stages of a trial; after each the record known so far is handed over whole.
 enum class TrialStage { solved, timed, measured, certified };
 
-/// Runs a trial into `record`, which already names scene, method and law. Stops after the stage `solved` where
-/// there is no answer. Exceptions of the method leave it.
+/// Runs a trial into `record`, which already names scene, method and law. Stops after the stage `solved`
+/// where there is no answer. Exceptions of the method leave it.
 void run_trial(const Trial& trial, Record record, const std::function<void(const Record&)>& stage_done);
 
 }  // namespace signorini

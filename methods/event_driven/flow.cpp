@@ -29,11 +29,11 @@ State unpacked(const Eigen::VectorXd& y) {
   return {.u = y.head(n), .v = y.tail(n)};
 }
 
-// Local tolerance of CVODE. Its global error over some periods is 30 to 200 times the local one (measured
-// against closed forms), so that with this share `tolerance` is about the error of the motion. Below the
-// floor CVODE only adds round-off.
+// Local tolerance of CVODE. Its global error over some periods is 5 to 1000 times the local one (measured
+// against closed forms, the more the tighter), so that with this share `tolerance` is about the error of
+// the motion. Below the floor CVODE only adds round-off.
 double local_tolerance(double tolerance) {
-  constexpr double kShare = 0.03, kFloor = 1e-13;
+  constexpr double kShare = 0.01, kFloor = 1e-13;
   return std::max(kShare * tolerance, kFloor);
 }
 

@@ -14,7 +14,8 @@ namespace signorini {
 
 namespace {
 
-constexpr double kAccepted = 10.0;  // tolerances within which a motion repeats itself
+// A smaller order whose residual is within this factor of an accepted one cannot be told from noise.
+constexpr double kClear = 1e3;
 
 // Distance of two phases on the circle of one forcing period.
 double phase_distance(double a, double b, double period) {
@@ -98,7 +99,7 @@ bool March::nearly_repeats(int order) const {
 
 // Without Newton's help: repetition within the tolerance over several turns, and little still to come.
 bool March::repeats_by_itself(int order) const {
-  constexpr double kRest = 100.0;
+  constexpr double kRest = 10.0;
   const auto p = static_cast<std::size_t>(order);
   if (past_.size() < p + kTurns + 1) return false;
   std::vector<double> residuals;
@@ -106,11 +107,11 @@ bool March::repeats_by_itself(int order) const {
     const std::size_t last = past_.size() - 1 - i;
     residuals.push_back((past_[last] - past_[last - p]).lpNorm<Eigen::Infinity>());
   }
-  if (*std::max_element(residuals.begin(), residuals.end()) > kAccepted * limits_.tolerance) return false;
+  if (*std::max_element(residuals.begin(), residuals.end()) > limits_.accepted()) return false;
   if (residuals.front() == 0.0) return true;
   const double turns = static_cast<double>(residuals.size() - 1) / order;
   const double ratio = std::pow(residuals.front() / residuals.back(), 1.0 / turns);
-  return ratio < 1.0 && residuals.front() * ratio / (1.0 - ratio) <= kRest * limits_.tolerance;
+  return ratio < 1.0 && residuals.front() * ratio / (1.0 - ratio) <= kRest * limits_.accepted();
 }
 
 // In the basis of the eigenvectors a linear map with multipliers inside the unit circle shrinks every
@@ -130,7 +131,7 @@ bool March::contracts_to(const Orbit& orbit) const {
     const Eigen::VectorXd offset = state - fixed;
     const double length = offset.lpNorm<Eigen::Infinity>();
     // At the noise of the integration nothing shrinks any more.
-    distance.push_back(length <= kAccepted * limits_.tolerance ? 0.0 : (to_modes * offset).norm());
+    distance.push_back(length <= limits_.accepted() ? 0.0 : (to_modes * offset).norm());
   }
   const double factor = 1.0 - kShare * (1.0 - orbit.largest_multiplier());
   const auto p = static_cast<std::size_t>(orbit.order);
@@ -157,7 +158,8 @@ std::optional<int> March::order_when_marched_on(const Orbit& orbit) {
     for (std::size_t i = static_cast<std::size_t>(order); i < states.size(); ++i) {
       worst = std::max(worst, (states[i] - states[i - static_cast<std::size_t>(order)]).lpNorm<Eigen::Infinity>());
     }
-    if (worst <= kAccepted * limits_.tolerance) return order;
+    if (worst <= limits_.accepted()) return order;
+    if (order < orbit.order && worst <= kClear * limits_.accepted()) return std::nullopt;
   }
   return std::nullopt;
 }
@@ -177,7 +179,7 @@ std::optional<SteadyState> March::propose() {
   constexpr int kLargest = 400;  // unknowns for which a monodromy matrix is formed
   if (past_.back().size() > kLargest) return std::nullopt;
   const NewtonLimits newton{
-      .accepted = kAccepted * limits_.tolerance, .max_iterations = 8, .max_halvings = 0, .largest_step = 1.0};
+      .accepted = limits_.accepted(), .max_iterations = 8, .max_halvings = 0, .largest_step = 1.0};
   double tried = std::numeric_limits<double>::infinity();
   int tries = 0;
   for (int order = 1; order <= limits_.max_order && tries < kTries; ++order) {
@@ -198,6 +200,7 @@ std::optional<SteadyState> March::propose() {
 std::optional<SteadyState> March::settled() {
   for (int order = 1; order <= limits_.max_order; ++order) {
     if (repeats_by_itself(order)) return accept(state_, order, repeat(order), "");
+    if (repeat(order) <= kClear * limits_.accepted()) return std::nullopt;
   }
   return std::nullopt;
 }
@@ -282,7 +285,7 @@ SteadyState shoot(PeriodMap& map, const FlowState& start, int order, const Stead
   map.apply(probe, order, record);
   move_to_quiet_phase(map, state, record.events);
   const Orbit orbit = newton_orbit(map, state, order,
-                                   {.accepted = kAccepted * limits.tolerance,
+                                   {.accepted = limits.accepted(),
                                     .max_iterations = limits.max_iterations,
                                     .max_halvings = 12,
                                     .largest_step = 1e3},

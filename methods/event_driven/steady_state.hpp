@@ -1,6 +1,7 @@
 #pragma once
 // Two ways to a periodic motion: marching until it repeats, and shooting.
 
+#include <algorithm>
 #include <string>
 
 #include "methods/event_driven/period_map.hpp"
@@ -11,6 +12,9 @@ struct SteadyLimits {
   double tolerance = 1e-9;  ///< of the integration; a motion is periodic below ten times this [-]
   int max_iterations = 5000;
   int max_order = 8;
+
+  /// Residual that counts as periodic: ten tolerances, but not below the noise left at CVODE's tightest [-].
+  [[nodiscard]] double accepted() const { return std::max(10.0 * tolerance, 5e-11); }
 };
 
 /// What a search for a periodic motion ended with.

@@ -1,0 +1,85 @@
+#include "harness/campaign.hpp"
+
+#include <algorithm>
+
+#include "harness/glob.hpp"
+#include "harness/interrupt.hpp"
+#include "harness/manifest.hpp"
+#include "harness/progress.hpp"
+#include "harness/report.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Runs cases of one scene; false if interrupted.
+bool run_scene(const Scene& scene, const std::vector<const Case*>& cases, Runner& runner, RecordStore& store,
+               Progress& progress, CampaignResult& result) {
+  progress.begin(scene.problem.name + ": references");
+  const std::vector<Survey> surveys = runner.survey(scene, cases);
+  if (interrupted()) return false;
+  runner.compute_references(scene, surveys);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (interrupted()) return false;
+    progress.begin(cases[i]->id);
+    const std::optional<Record> record = runner.run(scene, *cases[i], surveys[i]);
+    if (!record) return false;
+    store.append(*record);
+    progress.step();
+    ++result.ran;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<const Case*> missing_cases(const Plan& plan, const Runner& runner, const RecordStore& store) {
+  std::vector<const Case*> missing;
+  std::unordered_set<std::string> planned;
+  for (const Case& run : plan.cases) {
+    // Two spellings of one case ("harmonics=20" and the default) are one run.
+    const std::string key = runner.key_of(plan.scenes[run.scene], run);
+    if (!store.contains(key) && planned.insert(key).second) missing.push_back(&run);
+  }
+  return missing;
+}
+
+CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store) {
+  const std::vector<const Case*> missing = missing_cases(plan, runner, store);
+  CampaignResult result;
+  result.present = plan.cases.size() - missing.size();
+  Progress progress(missing.size());
+  for (std::size_t s = 0; s < plan.scenes.size(); ++s) {
+    std::vector<const Case*> cases;
+    std::copy_if(missing.begin(), missing.end(), std::back_inserter(cases),
+                 [&](const Case* run) { return run->scene == s; });
+    if (cases.empty()) continue;
+    runner.forget_references();
+    if (!run_scene(plan.scenes[s], cases, runner, store, progress, result)) {
+      result.interrupted = true;
+      break;
+    }
+  }
+  return result;
+}
+
+std::vector<std::string> unexpected_failures(const std::vector<Record>& records, const Suite& suite) {
+  std::vector<std::string> failures;
+  for (const Record& record : records) {
+    if (record.status == Status::converged || record.status == Status::not_applicable) continue;
+    const auto expected = [&](const ExpectedFailure& e) { return glob_match(e.case_glob, record.case_id); };
+    if (std::any_of(suite.expected_failures.begin(), suite.expected_failures.end(), expected)) continue;
+    failures.push_back(record.case_id);
+  }
+  return failures;
+}
+
+void write_reports(const std::filesystem::path& folder, const std::vector<Record>& records,
+                   const std::vector<std::string>& formats) {
+  for (const std::string& format : formats) {
+    write_whole(folder / ("table." + format),
+                format == "md" ? markdown_report(records) : csv_report(records));
+  }
+}
+
+}  // namespace signorini

@@ -1,0 +1,33 @@
+#pragma once
+// A whole run of a suite: every case of the plan gets its record.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "harness/plan.hpp"
+#include "harness/record_store.hpp"
+#include "harness/runner.hpp"
+
+namespace signorini {
+
+struct CampaignResult {
+  std::size_t ran = 0;      ///< cases run now
+  std::size_t present = 0;  ///< cases whose record was there already
+  bool interrupted = false;
+};
+
+/// Runs what the store does not hold yet, scene by scene, each record stored at once.
+CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store);
+
+/// Cases of the plan that the store does not hold, in order.
+std::vector<const Case*> missing_cases(const Plan& plan, const Runner& runner, const RecordStore& store);
+
+/// Records that spoil the exit code: neither converged nor not applicable, nor expected to fail by the suite.
+std::vector<std::string> unexpected_failures(const std::vector<Record>& records, const Suite& suite);
+
+/// Writes DIR/table.md and DIR/table.csv of these formats ("md", "csv"). \throws UsageError
+void write_reports(const std::filesystem::path& folder, const std::vector<Record>& records,
+                   const std::vector<std::string>& formats);
+
+}  // namespace signorini

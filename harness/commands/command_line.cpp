@@ -1,0 +1,80 @@
+#include "harness/commands/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+
+#include "harness/build_info.hpp"
+#include "harness/failure.hpp"
+#include "methods/options.hpp"
+#include "problems/scene_file.hpp"
+
+namespace signorini {
+
+namespace {
+
+std::string version_text() {
+  const BuildInfo& info = build_info();
+  std::string text = fmt::format("signorini {}", info.version);
+  if (!info.commit.empty())
+    text += fmt::format(" ({}{})", info.commit.substr(0, 12), info.dirty ? ", changed" : "");
+  text += fmt::format(", {} {}", info.compiler, info.build_type);
+  for (const auto& [name, version] : info.libraries) {
+    if (!version.empty()) text += fmt::format(", {} {}", name, version);
+  }
+  return text;
+}
+
+int complain(const std::exception& error, int code) {
+  fmt::print(stderr, "{}\n", error.what());
+  return code;
+}
+
+/// The command line cannot be read: one line that says why.
+int complain_usage(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+  std::string line = error.what();
+  line = line.substr(0, line.find('\n'));
+  fmt::print(stderr, "{} (see `signorini --help`)\n", line);
+  return kBadUsage;
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  CLI::App app{"Compares methods for periodic vibrations of structures with unilateral contact.",
+               "signorini"};
+  int exit_code = kDone;
+  std::vector<std::string> words{"signorini"};  // not argv[0]: folders of this machine are nobody's business
+  words.insert(words.end(), argv + std::min(1, argc), argv + argc);
+  app.set_version_flag("--version", version_text);
+  app.require_subcommand(1);
+  add_list_command(app, exit_code);
+  add_show_command(app, exit_code);
+  add_solve_command(app, exit_code);
+  add_run_command(app, exit_code, words);
+  add_report_command(app, exit_code);
+  try {
+    app.parse(argc, argv);
+    return exit_code;
+  } catch (const CLI::ParseError& error) {
+    return complain_usage(app, error);
+  } catch (const NothingMatched& error) {
+    return complain(error, kNothingMatched);
+  } catch (const UsageError& error) {
+    return complain(error, kBadUsage);
+  } catch (const SceneError& error) {
+    return complain(error, kBadUsage);
+  } catch (const InvalidProblem& error) {
+    return complain(error, kBadUsage);
+  } catch (const InvalidOption& error) {
+    return complain(error, kBadUsage);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "internal error: {}\n", error.what());
+    return kInternalError;
+  }
+}
+
+}  // namespace signorini

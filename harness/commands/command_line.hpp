@@ -1,0 +1,34 @@
+#pragma once
+// The commands. CLI11 is known to the .cpp files of this folder only.
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace signorini {
+
+/// Exit codes of the program.
+enum ExitCode : int {
+  kDone = 0,
+  kUnexpectedFailure = 1,
+  kBadUsage = 2,
+  kNothingMatched = 3,
+  kInternalError = 5,
+  kInterrupted = 130
+};
+
+/// Parses, runs one command and returns its exit code; errors are one line on stderr.
+int run_command_line(int argc, char** argv);
+
+// Each adds one subcommand that stores its exit code in `exit_code` when it is chosen.
+void add_list_command(CLI::App& app, int& exit_code);
+void add_show_command(CLI::App& app, int& exit_code);
+void add_solve_command(CLI::App& app, int& exit_code);
+/// \param words  the command line, for the manifest
+void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::string>& words);
+void add_report_command(CLI::App& app, int& exit_code);
+
+}  // namespace signorini

@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "harness/campaign.hpp"
+#include "harness/commands/command_line.hpp"
+#include "harness/interrupt.hpp"
+#include "harness/manifest.hpp"
+#include "harness/report.hpp"
+#include "harness/suite.hpp"
+#include "harness/timing.hpp"
+#include "problems/scene_file.hpp"
+
+namespace signorini {
+
+namespace {
+
+struct RunArguments {
+  std::string suite = "quick";
+  Narrowing narrowing;
+  std::optional<std::string> out;
+  bool resume = false;
+  bool dry_run = false;
+  std::optional<double> timeout;
+  std::optional<int> memory_mb;
+  std::optional<int> repetitions;
+  std::vector<std::string> words;  // the command line
+};
+
+Limits limits_of(const RunArguments& arguments, const Suite& suite) {
+  Limits limits = suite.limits;
+  limits.timeout = arguments.timeout.value_or(limits.timeout);
+  limits.memory_mb = arguments.memory_mb.value_or(limits.memory_mb);
+  limits.repetitions = arguments.repetitions.value_or(limits.repetitions);
+  return limits;
+}
+
+void print_plan(const Plan& plan) {
+  for (const Case& run : plan.cases) fmt::print("{}\n", run.id);
+  fmt::print(stderr, "{} cases on {} scenes\n", plan.cases.size(), plan.scenes.size());
+}
+
+/// Records of this plan, in its order.
+std::vector<Record> records_of(const Plan& plan, const Runner& runner, const RecordStore& store) {
+  std::unordered_set<std::string> keys;
+  for (const Case& run : plan.cases) keys.insert(runner.key_of(plan.scenes[run.scene], run));
+  std::vector<Record> records = read_records(store.file());
+  std::erase_if(records, [&](const Record& record) { return !keys.contains(record.key); });
+  return records;
+}
+
+int run_suite(const RunArguments& arguments) {
+  const Suite suite = load_suite(arguments.suite);
+  const Plan plan = make_plan(suite, arguments.narrowing, method_catalogue(), catalogue_scenes());
+  if (arguments.dry_run) {
+    print_plan(plan);
+    return kDone;
+  }
+  const std::filesystem::path folder = arguments.out.value_or("results/local-" + suite.name);
+  Runner runner(limits_of(arguments, suite));
+  RecordStore store(folder, arguments.resume);
+  write_whole(folder / "manifest.json",
+              make_manifest(suite, runner.limits(), arguments.words).dump(2) + "\n");
+  if (!build_may_be_timed()) fmt::print(stderr, "this is not a Release build: no times are recorded\n");
+  watch_interrupts();
+  const CampaignResult result = run_campaign(plan, runner, store);
+  if (result.interrupted) {
+    fmt::print(stderr,
+               "interrupted after {} of {} cases; the same command with --resume --out {} does the rest\n",
+               result.ran + result.present, plan.cases.size(), folder.string());
+    return kInterrupted;
+  }
+  const std::vector<Record> records = records_of(plan, runner, store);
+  write_reports(folder, records, {"md", "csv"});
+  fmt::print("{}", markdown_report(records));
+  fmt::print(
+      "\n{} cases run, {} already there; records, manifest and tables (table.md, table.csv) are in {}\n",
+      result.ran, result.present, folder.string());
+  const std::vector<std::string> failures = unexpected_failures(records, suite);
+  if (!failures.empty())
+    fmt::print(stderr, "{} cases did not converge that were expected to\n", failures.size());
+  return failures.empty() ? kDone : kUnexpectedFailure;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::string>& words) {
+  auto* command = app.add_subcommand(
+      "run", "The benchmark: every method of a suite on every scene, at every step of its ladder.");
+  const auto arguments = std::make_shared<RunArguments>();
+  arguments->words = words;
+  command->add_option("suite", arguments->suite, "suite name or file")->capture_default_str();
+  command->add_option("--methods", arguments->narrowing.methods,
+                      "methods by glob, A*:B*-C*, options in brackets: name[key=v1|v2,key=v]");
+  command->add_option("--scenes", arguments->narrowing.scenes, "scenes by glob, A*:B*-C*");
+  command->add_option("--out", arguments->out, "folder of the results; results/local-SUITE if absent");
+  command->add_flag("--resume", arguments->resume,
+                    "keep the records that are there, run what is missing or stale");
+  command->add_option("--timeout", arguments->timeout, "wall time of one run [s]")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--memory", arguments->memory_mb, "address space of one run [MiB]")
+      ->check(CLI::Range(64, 1 << 24));
+  command->add_option("--repetitions", arguments->repetitions, "rounds of timing")
+      ->check(CLI::Range(1, 1000));
+  command->add_flag("--dry-run", arguments->dry_run, "print the plan, one case per line, and run nothing");
+  command->callback([arguments, &exit_code] { exit_code = run_suite(*arguments); });
+}
+
+}  // namespace signorini

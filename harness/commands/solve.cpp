@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "harness/commands/command_line.hpp"
+#include "harness/failure.hpp"
+#include "harness/interrupt.hpp"
+#include "harness/report.hpp"
+#include "harness/runner.hpp"
+#include "harness/trajectory_json.hpp"
+
+namespace signorini {
+
+namespace {
+
+struct SolveArguments {
+  std::string scene;
+  std::string method;
+  std::vector<std::string> settings;
+  std::string start;
+  int samples = 0;
+  bool json = false;
+};
+
+Settings parse_settings(const std::vector<std::string>& texts) {
+  Settings settings;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw UsageError(fmt::format("set = {} (must look like key=value)", text));
+    }
+    settings.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+  }
+  return settings;
+}
+
+void print_measure(const char* name, const Measure& value) {
+  if (value) fmt::print("{:<22}{:.3e}\n", name, *value);
+}
+
+void print_report(const Record& record) {
+  fmt::print("{}: {}{}{}\n", record.case_id, status_name(record.status), record.message.empty() ? "" : ": ",
+             record.message);
+  if (record.law) {
+    fmt::print("{:<22}{}{}\n", "law", law_text(*record.law),
+               record.law_matches_scene == false ? " (the scene: " + law_text(*record.scene_law) + ")" : "");
+  }
+  print_measure("period [s]", record.period);
+  fmt::print("{:<22}{}\n", "orbit", orbit_text(record));
+  fmt::print("{:<22}{}\n", "error of x", error_text(record));
+  print_measure("  largest", record.errors.x_max);
+  print_measure("error of u", record.errors.u_l2);
+  print_measure("error of velocity", record.errors.velocity_l2);
+  print_measure("error of impulse", record.errors.impulse);
+  print_measure("penetration", record.physics.penetration);
+  print_measure("complementarity", record.physics.complementarity);
+  print_measure("energy defect", record.physics.energy_defect);
+  print_measure("contact ratio", record.physics.contact_ratio);
+  if (!record.physics.effective_restitution.empty()) {
+    fmt::print("{:<22}{:.4f}\n", "restitution found", fmt::join(record.physics.effective_restitution, ", "));
+  }
+  const Work& work = record.work.counts;
+  for (const auto& [name, count] :
+       {std::pair{"unknowns", work.unknowns}, std::pair{"iterations", work.iterations},
+        std::pair{"pivots", work.pivots}}) {
+    if (count) fmt::print("{:<22}{}\n", name, *count);
+  }
+  if (record.seconds) {
+    fmt::print("{:<22}{} (set-up {}, solve {})\n", "time", time_text(record.seconds->median),
+               time_text(record.seconds->setup), time_text(record.seconds->solve));
+  }
+}
+
+int solve(const SolveArguments& arguments) {
+  const Scene scene = read_scene(arguments.scene);
+  const Case run = make_case(scene, 0, {&find_method(arguments.method), parse_settings(arguments.settings)});
+  SolveExtras extras{.samples = arguments.samples};
+  if (!arguments.start.empty()) extras.start = start_from_file(arguments.start);
+  if (extras.start && extras.start->contact_count() != scene.problem.contact_count()) {
+    throw UsageError(fmt::format("start = {} (must have {} contacts as the scene has, not {})",
+                                 arguments.start, scene.problem.contact_count(),
+                                 extras.start->contact_count()));
+  }
+  watch_interrupts();
+  Runner runner{Limits{}};
+  const Case* const cases[] = {&run};
+  const std::vector<Survey> surveys = runner.survey(scene, cases);
+  if (interrupted()) return kInterrupted;
+  runner.compute_references(scene, surveys);
+  const std::optional<Record> record = runner.run(scene, run, surveys.front(), extras);
+  if (!record) return kInterrupted;
+  if (arguments.json) {
+    fmt::print("{}\n",
+               to_json(*record).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  } else {
+    print_report(*record);
+  }
+  return record->status == Status::converged ? kDone : kUnexpectedFailure;
+}
+
+}  // namespace
+
+void add_solve_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("solve", "One run of one method on one scene, judged by the harness.");
+  const auto arguments = std::make_shared<SolveArguments>();
+  command->add_option("scene", arguments->scene, "a scene of the catalogue, or a scene file")->required();
+  command->add_option("--method", arguments->method, "method name; see `signorini list methods`")->required();
+  command->add_option("--set", arguments->settings, "key=value: an option of the method; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--samples", arguments->samples, "add the motion at this many instants of its period")
+      ->check(CLI::Range(1, 1 << 22));
+  command->add_option("--start", arguments->start,
+                      "start from the motion in a file that solve --json --samples wrote");
+  command->add_flag("--json", arguments->json, "print the record as JSON");
+  command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });
+}
+
+}  // namespace signorini

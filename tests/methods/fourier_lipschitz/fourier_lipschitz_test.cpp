@@ -1,0 +1,188 @@
+#include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+
+#include "methods/kernels/projected_contact.hpp"
+#include "methods/kernels/trajectories.hpp"
+#include "tests/support/accuracy.hpp"
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+using test::relative_error;
+using test::solve;
+
+// The oscillator "S-A" with restitution 1: one impact per period, stable.
+const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 1.0};
+
+const FourierTrajectory::Data& data_of(const Solution& solution) {
+  return dynamic_cast<const FourierTrajectory&>(*solution.trajectory).data();
+}
+
+TEST(FourierLipschitz, ErrorAgainstTheClosedFormOrbitIsBoundedAtEachOrder) {
+  const auto orbit = test::single_impact_orbits(kStop).front();
+  const struct {
+    int harmonics;
+    double bound;  // of the L2 error relative to the orbit's, c = 1 N/m
+  } levels[] = {{20, 9.2e-2}, {40, 5.6e-2}, {80, 3.2e-2}};
+  for (const auto& [harmonics, bound] : levels) {
+    const Solution solution = solve<FourierLipschitz>(
+        test::to_problem(kStop), {.harmonics = harmonics, .samples = 64 * harmonics, .c = 1.0});
+    ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+    EXPECT_LE(relative_error(*solution.trajectory, [&](double t) { return orbit.x(t); }), bound)
+        << "H = " << harmonics;
+  }
+}
+
+TEST(FourierLipschitz, ConvergesAtFirstOrderInTheNumberOfHarmonics) {
+  const auto orbit = test::single_impact_orbits(kStop).front();
+  std::vector<double> steps;
+  std::vector<double> errors;
+  for (const int harmonics : {10, 20, 40, 80, 160}) {
+    const Solution solution = solve<FourierLipschitz>(test::to_problem(kStop), {.harmonics = harmonics});
+    ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+    steps.push_back(1.0 / harmonics);
+    errors.push_back(relative_error(*solution.trajectory, [&](double t) { return orbit.x(t); }));
+  }
+  const double order = test::observed_order(steps, errors);
+  EXPECT_GE(order, 0.8);
+  EXPECT_LE(order, 1.2);
+}
+
+TEST(FourierLipschitz, IsExactWithOneHarmonicWhereNothingTouches) {
+  const Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 3.0});
+  const std::complex<double> amplitude = 1.0 / std::complex<double>(1.0 - 2.2 * 2.2, 0.1 * 2.2);
+  const Solution solution = solve<FourierLipschitz>(problem, {.harmonics = 1});
+  EXPECT_LE(relative_error(*solution.trajectory,
+                           [&](double t) { return (amplitude * std::polar(1.0, 2.2 * t)).real(); }),
+            1e-14);
+  EXPECT_EQ(solution.work.pivots, 0);
+}
+
+TEST(FourierLipschitz, HoldsPermanentContactExactlyWithOneHarmonic) {
+  const Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = -1.5});
+  const Solution solution = solve<FourierLipschitz>(problem, {.harmonics = 1});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  const Samples samples = solution.trajectory->sample(32);
+  for (int i = 0; i < 32; ++i) {
+    EXPECT_NEAR(samples.x(i, 0), -1.5, 1e-12);
+    EXPECT_NEAR(samples.force(i, 0), -1.5 - std::cos(2.0 * std::numbers::pi * i / 32), 1e-11);
+  }
+}
+
+class RoundOffIdentity : public testing::TestWithParam<std::tuple<int, int, double>> {};
+
+// mean(lambda (x - g)) = -mean(s^2) / c on the grid, s = lambda + max(0, c (x - g) - lambda): exact for
+// every N, c and H at a converged solution.
+TEST_P(RoundOffIdentity, HoldsAtAConvergedSolution) {
+  const auto [harmonics, samples, c] = GetParam();
+  const Solution solution =
+      solve<FourierLipschitz>(test::to_problem(kStop), {.harmonics = harmonics, .samples = samples, .c = c});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  const auto& data = data_of(solution);
+  double left = 0.0;
+  double right = 0.0;
+  double scale = 0.0;
+  for (int i = 0; i < samples; ++i) {
+    const double phase = 2.0 * std::numbers::pi * i / samples;
+    double x = data.x(0, 0).real();
+    double lambda = data.lambda(0, 0).real();
+    for (int n = 1; n <= harmonics; ++n) {
+      x += 2.0 * (data.x(n, 0) * std::polar(1.0, n * phase)).real();
+      lambda += 2.0 * (data.lambda(n, 0) * std::polar(1.0, n * phase)).real();
+    }
+    const double s = std::max(lambda, c * (x - 0.2));
+    left += lambda * (x - 0.2) / samples;
+    right -= s * s / c / samples;
+    scale += std::abs(lambda * (x - 0.2)) / samples;
+  }
+  EXPECT_NEAR(left, right, 1e-12 * scale);
+}
+
+INSTANTIATE_TEST_SUITE_P(AnyGridAndConstant, RoundOffIdentity,
+                         testing::Values(std::tuple{5, 160, 1.0}, std::tuple{10, 320, 10.0},
+                                         std::tuple{20, 640, 100.0}, std::tuple{7, 225, 1000.0}));
+
+TEST(FourierLipschitz, ContactDoesNoNetWorkOnAFineGrid) {
+  const Problem problem = test::to_problem(kStop);
+  for (const int harmonics : {5, 10, 20}) {
+    const Solution solution =
+        solve<FourierLipschitz>(problem, {.harmonics = harmonics, .samples = 64 * harmonics});
+    const auto& data = data_of(solution);
+    double contact = 0.0;
+    for (int n = 1; n <= harmonics; ++n) {
+      contact -= 4.0 * std::numbers::pi * n * (std::conj(data.lambda(n, 0)) * data.x(n, 0)).imag();
+    }
+    const double load = -4.0 * std::numbers::pi * (0.5 * data.x(1, 0)).imag();
+    EXPECT_LE(std::abs(contact), 1e-4 * std::abs(load)) << "H = " << harmonics;
+  }
+}
+
+TEST(FourierLipschitz, OnASpringStopWithTheSpringsOwnConstantIsThePenaltySolution) {
+  Problem problem = test::to_problem(kStop);
+  problem.law = Penalty{{50.0}};
+  const Solution spring = solve<FourierLipschitz>(problem, {.harmonics = 15, .samples = 480, .c = 50.0});
+  const Solution other = solve<FourierLipschitz>(problem, {.harmonics = 15, .samples = 480, .c = 7.0});
+  ASSERT_EQ(spring.verdict, Verdict::converged);
+  ASSERT_EQ(other.verdict, Verdict::converged);
+  // The projected force is the spring's own at c = k_p.
+  const Samples samples = spring.trajectory->sample(480);
+  for (int i = 0; i < 480; ++i) {
+    EXPECT_NEAR(samples.force(i, 0), -50.0 * std::max(0.0, samples.x(i, 0) - 0.2), 1e-10);
+  }
+  // Another constant solves the same law another way: equal in the limit, near here.
+  EXPECT_LE(test::relative_distance(*spring.trajectory, *other.trajectory), 2e-2);
+}
+
+TEST(FourierLipschitz, NewtonReachesTheSameSolutionFromTheAnswer) {
+  const Problem problem = test::to_problem(kStop);
+  const FourierLipschitz::Options options{.harmonics = 20, .samples = 640};
+  const Solution pivoted = solve<FourierLipschitz>(problem, options);
+  auto newton = options;
+  newton.solver = ComplementaritySolver::newton;
+  const Solution solution = solve<FourierLipschitz>(problem, newton, pivoted.trajectory);
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  EXPECT_LE(solution.work.iterations.value(), 2);
+  EXPECT_LE(test::relative_distance(*pivoted.trajectory, *solution.trajectory), 1e-10);
+}
+
+TEST(FourierLipschitz, RepresentsRestitutionOneAndSaysSo) {
+  Problem problem = test::to_problem({.frequency = 2.2, .gap = 0.2, .restitution = 0.5});
+  const FourierLipschitz method({});
+  EXPECT_EQ(std::get<Restitution>(method.law(problem)).e, 1.0);
+  EXPECT_FALSE(law_matches(method.law(problem), problem.law));
+  problem.law = Penalty{{3.0}};
+  EXPECT_TRUE(law_matches(method.law(problem), problem.law));
+}
+
+TEST(FourierLipschitz, RefusesOptionsOutOfRange) {
+  EXPECT_THROW(FourierLipschitz({.harmonics = 0}), InvalidOption);
+  EXPECT_THROW(FourierLipschitz({.harmonics = 10, .samples = 20}), InvalidOption);
+  EXPECT_THROW(FourierLipschitz({.c = 0.0}), InvalidOption);
+  EXPECT_THROW(FourierLipschitz({.c = -1.0}), InvalidOption);
+  EXPECT_THROW(FourierLipschitz({.tolerance = 1.0}), InvalidOption);
+}
+
+TEST(FourierLipschitz, SaysWhichHarmonicOfTheLoadIsBeyondIt) {
+  Problem problem = test::to_problem(kStop);
+  problem.force.push_back({0, 4, 1.0, 0.0});
+  EXPECT_FALSE(FourierLipschitz({.harmonics = 3}).supports(problem).ok);
+  EXPECT_TRUE(FourierLipschitz({.harmonics = 4}).supports(problem).ok);
+}
+
+TEST(NetWorkRatio, SeesAForceInPhaseWithTheVelocity) {
+  Eigen::MatrixXcd x(2, 1);
+  Eigen::MatrixXcd lambda(2, 1);
+  x << 0.0, std::complex<double>(1.0, 0.0);
+  lambda << 0.0, std::complex<double>(0.0, 2.0);
+  EXPECT_DOUBLE_EQ(net_work_ratio(x, lambda), 1.0);
+  lambda(1, 0) = -3.0;
+  EXPECT_DOUBLE_EQ(net_work_ratio(x, lambda), 0.0);
+}
+
+}  // namespace
+}  // namespace signorini

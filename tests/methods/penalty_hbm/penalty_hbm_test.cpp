@@ -1,0 +1,72 @@
+#include "methods/penalty_hbm/penalty_hbm.hpp"
+
+#include <gtest/gtest.h>
+
+#include <complex>
+
+#include "tests/support/accuracy.hpp"
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+using test::solve;
+
+const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 1.0};
+
+TEST(PenaltyHbm, ItsForceIsTheSpringsOwn) {
+  Problem problem = test::to_problem(kStop);
+  problem.law = Penalty{{80.0}};
+  const Solution solution = solve<PenaltyHbm>(problem, {.harmonics = 12});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  const Samples samples = solution.trajectory->sample(100);
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_NEAR(samples.force(i, 0), -80.0 * std::max(0.0, samples.x(i, 0) - 0.2), 1e-10);
+  }
+}
+
+TEST(PenaltyHbm, IsExactWithOneHarmonicWhereNothingTouches) {
+  const Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 3.0});
+  const std::complex<double> amplitude = 1.0 / std::complex<double>(1.0 - 2.2 * 2.2, 0.1 * 2.2);
+  const Solution solution = solve<PenaltyHbm>(problem, {.harmonics = 1});
+  EXPECT_LE(test::relative_error(*solution.trajectory,
+                                 [&](double t) { return (amplitude * std::polar(1.0, 2.2 * t)).real(); }),
+            1e-14);
+}
+
+TEST(PenaltyHbm, OnARigidStopApproachesTheRestitutionOneOrbit) {
+  const auto orbit = test::single_impact_orbits(kStop).front();
+  std::vector<double> errors;
+  for (const int harmonics : {10, 40, 160}) {
+    const Solution solution = solve<PenaltyHbm>(test::to_problem(kStop), {.harmonics = harmonics});
+    ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+    errors.push_back(test::relative_error(*solution.trajectory, [&](double t) { return orbit.x(t); }));
+  }
+  EXPECT_LT(errors[1], 0.5 * errors[0]);
+  EXPECT_LT(errors[2], 0.5 * errors[1]);
+  EXPECT_LT(errors[2], 3e-2);
+}
+
+TEST(PenaltyHbm, TakesThePenaltyAbsoluteOrRelative) {
+  const Problem problem =
+      test::to_problem({.damping = 0.1, .stiffness = 2.0, .frequency = 2.2, .gap = 0.2, .restitution = 1.0});
+  const Solution absolute = solve<PenaltyHbm>(problem, {.harmonics = 10, .penalty = Scaled{200.0, false}});
+  const Solution relative = solve<PenaltyHbm>(problem, {.harmonics = 10, .penalty = Scaled{100.0, true}});
+  EXPECT_EQ(test::relative_distance(*absolute.trajectory, *relative.trajectory), 0.0);
+}
+
+TEST(PenaltyHbm, AnotherPenaltyThanTheScenesIsAMismatchItDeclares) {
+  Problem problem = test::to_problem(kStop);
+  problem.law = Penalty{{80.0}};
+  EXPECT_TRUE(law_matches(PenaltyHbm({}).law(problem), problem.law));
+  EXPECT_FALSE(law_matches(PenaltyHbm({.penalty = Scaled{100.0, false}}).law(problem), problem.law));
+}
+
+TEST(PenaltyHbm, RefusesOptionsOutOfRange) {
+  EXPECT_THROW(PenaltyHbm({.penalty = Scaled{0.0, false}}), InvalidOption);
+  EXPECT_THROW(PenaltyHbm({.penalty = Scaled{-3.0, true}}), InvalidOption);
+  EXPECT_THROW(PenaltyHbm({.harmonics = -1}), InvalidOption);
+}
+
+}  // namespace
+}  // namespace signorini
