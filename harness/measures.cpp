@@ -1,5 +1,6 @@
 #include "harness/measures.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -35,10 +35,10 @@ inline constexpr double kTightOrbitTolerance = 1e-12;
 
 /// An orbit known at two tolerances.
 struct CheckedOrbit {
-  std::shared_ptr<const Trajectory> orbit;  ///< at the tighter tolerance; null: none
-  std::string reason;                       ///< why there is none
+  std::shared_ptr<const Trajectory> orbit = {};  ///< at the tighter tolerance; null: none
+  std::string reason = {};                       ///< why there is none
   double error_bar = 0.0;                   ///< relative x_l2 of the two
-  std::optional<double> residual;           ///< of the orbit solver's own equations [-]
+  std::optional<double> residual = {};           ///< of the orbit solver's own equations [-]
 };
 
 /// Looks for an orbit at kOrbitTolerance as asked, then again by shooting from there at the tighter one (by

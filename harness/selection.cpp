@@ -30,7 +30,7 @@ constexpr std::string_view kForm = "must look like name[key=value,key=value|valu
 struct Piece {
   std::string glob;
   bool bracketed = false;
-  std::vector<Settings> settings;
+  std::vector<Settings> settings = {};
 };
 
 Piece parse_piece(const std::string& text) {

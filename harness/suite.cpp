@@ -66,7 +66,7 @@ Suite parse_suite(std::string_view text, const std::string& file) {
     throw SceneError(fmt::format("{}:{}: {}", file, error.line, error.what()));
   }
   const SceneField root(document, file);
-  root["schema"].whole("must be 1", 1, 1);  // first: another schema may have other keys
+  static_cast<void>(root["schema"].whole("must be 1", 1, 1));  // first: another schema may have other keys
   root.allow_only({"schema", "name", "title", "scenes", "tags", "methods", "limits", "expected_failure"},
                   "must be a table");
   Suite suite;

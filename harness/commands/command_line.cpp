@@ -41,6 +41,17 @@ int complain_usage(const CLI::App& app, const CLI::ParseError& error) {
   return kBadUsage;
 }
 
+/// CLI11 would only say that a command is missing.
+void require_known_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == argv[1]) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw UsageError(fmt::format("command = {} (must be one of {})", argv[1], names));
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -57,6 +68,7 @@ int run_command_line(int argc, char** argv) {
   add_run_command(app, exit_code, words);
   add_report_command(app, exit_code);
   try {
+    require_known_command(app, argc, argv);
     app.parse(argc, argv);
     return exit_code;
   } catch (const CLI::ParseError& error) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -86,6 +87,13 @@ int run_suite(const RunArguments& arguments) {
   return failures.empty() ? kDone : kUnexpectedFailure;
 }
 
+/// CLI::PositiveNumber says what is allowed by printing the largest double in full.
+std::string positive_seconds(const std::string& text) {
+  double value = 0.0;
+  const bool ok = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0.0;
+  return ok ? std::string{} : fmt::format("timeout = {} (must be a positive number of seconds)", text);
+}
+
 }  // namespace
 
 void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::string>& words) {
@@ -101,7 +109,7 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
   command->add_flag("--resume", arguments->resume,
                     "keep the records that are there, run what is missing or stale");
   command->add_option("--timeout", arguments->timeout, "wall time of one run [s]")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_seconds);
   command->add_option("--memory", arguments->memory_mb, "address space of one run [MiB]")
       ->check(CLI::Range(64, 1 << 24));
   command->add_option("--repetitions", arguments->repetitions, "rounds of timing")

@@ -108,7 +108,8 @@ void add_solve_command(CLI::App& app, int& exit_code) {
   command->add_option("scene", arguments->scene, "a scene of the catalogue, or a scene file")->required();
   command->add_option("--method", arguments->method, "method name; see `signorini list methods`")->required();
   command->add_option("--set", arguments->settings, "key=value: an option of the method; may be repeated")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
   command->add_option("--samples", arguments->samples, "add the motion at this many instants of its period")
       ->check(CLI::Range(1, 1 << 22));
   command->add_option("--start", arguments->start,

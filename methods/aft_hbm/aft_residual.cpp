@@ -3,15 +3,10 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <complex>
-#include <numbers>
+
+#include "methods/kernels/harmonic_vector.hpp"
 
 namespace signorini {
-
-namespace {
-
-constexpr double kRootTwo = std::numbers::sqrt2;
-
-}  // namespace
 
 AftResidual::AftResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
                          int samples)
@@ -36,33 +31,8 @@ AftResidual::AftResidual(const ContactReceptance& receptance, const Eigen::Vecto
   load_scale_ = std::sqrt(free_.cwiseMax(0.0).squaredNorm() / samples_);
 }
 
-Eigen::MatrixXcd AftResidual::unpack(const Eigen::VectorXd& v) const {
-  Eigen::MatrixXcd spectrum(harmonics_ + 1, contacts_);
-  const int stride = 2 * harmonics_ + 1;
-  for (int c = 0; c < contacts_; ++c) {
-    spectrum(0, c) = v[c * stride];
-    for (int n = 1; n <= harmonics_; ++n) {
-      spectrum(n, c) = std::complex<double>(v[c * stride + 2 * n - 1], v[c * stride + 2 * n]) / kRootTwo;
-    }
-  }
-  return spectrum;
-}
-
-Eigen::VectorXd AftResidual::pack(const Eigen::MatrixXcd& spectrum) const {
-  Eigen::VectorXd v(unknowns());
-  const int stride = 2 * harmonics_ + 1;
-  for (int c = 0; c < contacts_; ++c) {
-    v[c * stride] = spectrum(0, c).real();
-    for (int n = 1; n <= harmonics_; ++n) {
-      v[c * stride + 2 * n - 1] = kRootTwo * spectrum(n, c).real();
-      v[c * stride + 2 * n] = kRootTwo * spectrum(n, c).imag();
-    }
-  }
-  return v;
-}
-
 Eigen::VectorXd AftResidual::gap_rate(const Eigen::VectorXd& v) {
-  Eigen::MatrixXcd spectrum = unpack(v);
+  Eigen::MatrixXcd spectrum = unpack_harmonics(v, harmonics_);
   for (int n = 0; n <= harmonics_; ++n) {
     spectrum.row(n) = (symbol_[static_cast<std::size_t>(n)] * spectrum.row(n).transpose()).transpose().eval();
   }
@@ -82,7 +52,7 @@ Eigen::VectorXd AftResidual::project(const Eigen::VectorXd& signal) {
     fft_.forward(signal.segment(c * samples_, samples_), full);
     spectrum.col(c) = full.head(harmonics_ + 1);
   }
-  return pack(spectrum);
+  return pack_harmonics(spectrum);
 }
 
 Eigen::VectorXd AftResidual::residual(const Eigen::VectorXd& lambda, std::vector<char>& contact) {
@@ -119,19 +89,19 @@ void AftResidual::prepare_preconditioner(const std::vector<char>& contact) {
 }
 
 Eigen::VectorXd AftResidual::precondition(const Eigen::VectorXd& v) const {
-  Eigen::MatrixXcd spectrum = unpack(v);
+  Eigen::MatrixXcd spectrum = unpack_harmonics(v, harmonics_);
   for (int n = 0; n <= harmonics_; ++n) {
     spectrum.row(n) = (preconditioner_[static_cast<std::size_t>(n)] * spectrum.row(n).transpose()).transpose().eval();
   }
-  return pack(spectrum);
+  return pack_harmonics(spectrum);
 }
 
 Eigen::MatrixXcd AftResidual::coefficients(const Eigen::VectorXd& lambda) const {
-  return unpack(lambda) * root_.asDiagonal();
+  return unpack_harmonics(lambda, harmonics_) * root_.asDiagonal();
 }
 
 Eigen::VectorXd AftResidual::unknowns_of(const Eigen::MatrixXcd& coefficients) const {
-  return pack(coefficients * root_.cwiseInverse().asDiagonal());
+  return pack_harmonics(coefficients * root_.cwiseInverse().asDiagonal());
 }
 
 }  // namespace signorini

@@ -14,9 +14,8 @@ namespace signorini {
 ///
 /// per contact in units of sqrt(c): lambda = lambda_physical / sqrt(c), y_f = sqrt(c) (x_f - g),
 /// B_n = sqrt(c) C_n sqrt(c) - relief, d the gap shift per unit of tau (1 for the stiffest contact).
-/// chi marks the samples in contact; chi = {y > 0} gives the residual proper. Unknowns are real, per
-/// contact (lambda_0, sqrt(2) Re lambda_1, sqrt(2) Im lambda_1, ...), so that |lambda|_2 is the
-/// root mean square in time.
+/// chi marks the samples in contact; chi = {y > 0} gives the residual proper. Unknowns are real, as
+/// in harmonic_vector.hpp: |lambda|_2 is the root mean square in time.
 class AftResidual {
  public:
   AftResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law, int samples);
@@ -48,9 +47,6 @@ class AftResidual {
   [[nodiscard]] Eigen::VectorXd unknowns_of(const Eigen::MatrixXcd& coefficients) const;
 
  private:
-  [[nodiscard]] Eigen::MatrixXcd unpack(const Eigen::VectorXd& v) const;
-  [[nodiscard]] Eigen::VectorXd pack(const Eigen::MatrixXcd& spectrum) const;
-
   int harmonics_, contacts_, samples_;
   std::vector<Eigen::MatrixXcd> symbol_;          // B_n
   std::vector<Eigen::MatrixXcd> preconditioner_;  // Nc x Nc per harmonic

@@ -22,7 +22,7 @@ std::unique_ptr<PreparedMethod> FourierLipschitz::prepare(const Problem& problem
   ProjectedLaw law = lipschitz_law(problem, options_.c, receptance);
   const SolverSettings solver{options_.solver, options_.tolerance, options_.max_iterations};
   return std::make_unique<ProjectedContact>(problem, std::move(receptance), std::move(law),
-                                            ProjectedOptions{options_.samples, solver});
+                                            ProjectedOptions{options_.samples, options_.quadrature, solver});
 }
 
 }  // namespace signorini

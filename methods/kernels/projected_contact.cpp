@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "methods/kernels/exact_quadrature.hpp"
 #include "methods/kernels/real_fft.hpp"
 
 namespace signorini {
@@ -82,6 +83,14 @@ FourierTrajectory::Data fourier_data(const ContactReceptance& receptance, const 
   return data;
 }
 
+std::optional<int> refine_quadrature(const ContactReceptance& receptance, const ProjectedLaw& law, int samples,
+                                     double tolerance, FourierTrajectory::Data& data) {
+  ExactProjection exact = project_exactly(receptance, data.gap, law, data.lambda, samples, tolerance);
+  if (!exact.converged) return std::nullopt;
+  data = fourier_data(receptance, data.gap, law, std::move(exact.lambda));
+  return exact.iterations;
+}
+
 Solution contact_free_response(const ContactReceptance& receptance) {
   FourierTrajectory::Data data;
   data.period = receptance.period;
@@ -115,16 +124,24 @@ Solution ProjectedContact::solve(const Start& start) {
       work.pivots = work.pivots.value_or(0) + result.pivots;
     }
     FourierTrajectory::Data data = fourier_data(receptance_, gap_, law_, force_coefficients(result.z, samples));
+    const bool solved = result.status == LcpStatus::solved;
+    std::string quadrature = fmt::format("N = {}", samples);
+    bool refined = true;
+    if (solved && options_.quadrature == Quadrature::exact && result.z.maxCoeff() > 0.0) {
+      const auto steps = refine_quadrature(receptance_, law_, samples, settings.tolerance, data);
+      refined = steps.has_value();
+      if (refined) work.iterations = work.iterations.value_or(0) + *steps;
+      quadrature += refined ? ", contact integral exact" : ", contact integral sampled: no exact one nearby";
+    }
     const double ratio = net_work_ratio(data.x, data.lambda);
-    const bool converged = result.status == LcpStatus::solved;
-    solution.verdict = converged ? Verdict::converged : Verdict::not_converged;
+    solution.verdict = solved ? Verdict::converged : Verdict::not_converged;
     solution.residual = result.residual;
-    solution.message = fmt::format("{}; N = {}, net contact work {:.1e} of that exchanged", describe(result.status),
-                                   samples, ratio);
+    solution.message =
+        fmt::format("{}; {}, net contact work {:.1e} of that exchanged", describe(result.status), quadrature, ratio);
     if (result.z.allFinite()) solution.trajectory = std::make_shared<FourierTrajectory>(std::move(data));
     // More samples repair a ray or a coarse quadrature, not a Newton iteration that has lost its way.
-    if ((newton && !converged) || result.status == LcpStatus::interrupted) break;
-    if (!ladder.climb(converged, ratio)) break;
+    if ((newton && !solved) || result.status == LcpStatus::interrupted) break;
+    if (!ladder.climb(solved && refined, ratio)) break;
   }
   solution.work = work;
   return solution;

@@ -14,7 +14,8 @@
 namespace signorini {
 
 struct ProjectedOptions {
-  std::optional<int> samples = {};  ///< N; empty: from 32 H up, until the energy identity holds
+  std::optional<int> samples = {};  ///< N; empty: see SampleLadder
+  Quadrature quadrature = Quadrature::exact;
   SolverSettings solver = {};
 };
 
@@ -29,7 +30,8 @@ Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& ga
 double net_work_ratio(const Eigen::MatrixXcd& x, const Eigen::MatrixXcd& lambda);
 
 /// Samples per period as the harmonic-balance methods choose them: what the user fixed, else from 32 H up,
-/// doubled at most four times until the solve converges and the energy identity holds to 1e-3.
+/// doubled at most four times until the solve converges and the energy identity holds to 1e-3 (which it
+/// does by itself once the contact integral is exact).
 class SampleLadder {
  public:
   SampleLadder(int harmonics, std::optional<int> fixed);
@@ -45,6 +47,12 @@ class SampleLadder {
 /// The trajectory behind the coefficients of lambda, (H+1) x Nc [N]: x_n = x_f,n + C_n lambda_n.
 FourierTrajectory::Data fourier_data(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                      const ProjectedLaw& law, Eigen::MatrixXcd lambda);
+
+/// Replaces the sampled contact integral of `data` by the exact one. On success `data` holds the new
+/// solution and the Newton steps are returned; where a contact is born or lost on the way `data` is left
+/// as it is and nothing is returned.
+std::optional<int> refine_quadrature(const ContactReceptance& receptance, const ProjectedLaw& law, int samples,
+                                     double tolerance, FourierTrajectory::Data& data);
 
 /// The answer where the scene has no contact.
 Solution contact_free_response(const ContactReceptance& receptance);

@@ -6,6 +6,16 @@
 
 namespace signorini {
 
+namespace {
+
+// Multiples of the highest dynamic stiffness kept. Larger ones are more accurate (docs/decisions/0006) and
+// leave fewer samples in contact; from about a hundred on the exact contact integral is no longer met
+// from a sampled one.
+constexpr double kConstantMultiple = 4.0;
+constexpr double kPenaltyMultiple = 8.0;
+
+}  // namespace
+
 ContactReceptance fourier_receptance(const Problem& problem, int harmonics) {
   const double base = problem.base_frequency();
   return contact_receptance(problem, harmonics, [base](int n) { return exact_weights(n * base); });
@@ -25,7 +35,8 @@ Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance) {
 ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& c,
                            const ContactReceptance& receptance) {
   ProjectedLaw law;
-  law.constant = c ? Eigen::VectorXd(*c * contact_stiffness_scale(problem)) : highest_dynamic_stiffness(receptance);
+  law.constant = c ? Eigen::VectorXd(*c * contact_stiffness_scale(problem))
+                   : Eigen::VectorXd(kConstantMultiple * highest_dynamic_stiffness(receptance));
   law.relief = Eigen::VectorXd::Ones(law.constant.size());
   if (const auto* stop = std::get_if<Penalty>(&problem.law)) {
     for (Eigen::Index j = 0; j < law.constant.size(); ++j) {
@@ -45,7 +56,7 @@ ProjectedLaw penalty_law(const Problem& problem, const std::optional<Scaled>& pe
   } else if (stop != nullptr) {
     law.constant = Eigen::Map<const Eigen::VectorXd>(stop->stiffness.data(), problem.contact_count());
   } else {
-    law.constant = highest_dynamic_stiffness(receptance);
+    law.constant = kPenaltyMultiple * highest_dynamic_stiffness(receptance);
   }
   law.relief = Eigen::VectorXd::Zero(problem.contact_count());
   return law;

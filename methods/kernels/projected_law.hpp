@@ -2,7 +2,9 @@
 // The contact law as the harmonic-balance methods impose it, and the options they have in common.
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
+#include <string_view>
 
 #include "methods/kernels/receptance.hpp"
 #include "methods/method.hpp"
@@ -20,6 +22,15 @@ struct ProjectedLaw {
   Eigen::VectorXd relief;    ///< Nc [-]
 };
 
+/// How the contact integral is taken: on the grid of N samples, or exactly between the instants where
+/// contact begins and ends, starting from the sampled solution.
+enum class Quadrature { exact, sampled };
+
+template <>
+struct EnumNames<Quadrature> {
+  static constexpr std::array<std::string_view, 2> values{"exact", "sampled"};
+};
+
 /// C_n and free response of the undiscretised structure for |n| <= H.
 ContactReceptance fourier_receptance(const Problem& problem, int harmonics);
 
@@ -28,11 +39,11 @@ ContactReceptance fourier_receptance(const Problem& problem, int harmonics);
 Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance);
 
 /// Signorini's condition, or the scene's spring stop behind it, with the constant c asked for (times
-/// contact_stiffness_scale), else the highest dynamic stiffness kept.
+/// contact_stiffness_scale), else 4 times the highest dynamic stiffness kept.
 ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& c,
                            const ContactReceptance& receptance);
 
-/// The penalty law: the stiffness asked for; else the scene's; else, for a rigid stop, the highest
+/// The penalty law: the stiffness asked for; else the scene's; else, for a rigid stop, 8 times the highest
 /// dynamic stiffness kept, where penalty error and truncation error are of one size.
 ProjectedLaw penalty_law(const Problem& problem, const std::optional<Scaled>& penalty,
                          const ContactReceptance& receptance);

@@ -23,7 +23,7 @@ std::unique_ptr<PreparedMethod> PenaltyHbm::prepare(const Problem& problem) cons
   ProjectedLaw law = penalty_law(problem, options_.penalty, receptance);
   const SolverSettings solver{options_.solver, options_.tolerance, options_.max_iterations};
   return std::make_unique<ProjectedContact>(problem, std::move(receptance), std::move(law),
-                                            ProjectedOptions{options_.samples, solver});
+                                            ProjectedOptions{options_.samples, options_.quadrature, solver});
 }
 
 }  // namespace signorini

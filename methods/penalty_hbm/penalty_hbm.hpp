@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "methods/kernels/complementarity_solver.hpp"
+#include "methods/kernels/projected_law.hpp"
 #include "methods/method.hpp"
 
 namespace signorini {
@@ -23,15 +24,17 @@ class PenaltyHbm final : public Method {
     int harmonics = 20;                  ///< H >= 1 [-]
     std::optional<int> samples = {};     ///< N >= 2 H + 1 [-]
     std::optional<Scaled> penalty = {};  ///< eps > 0 [N/m], or times contact_stiffness_scale
+    Quadrature quadrature = Quadrature::exact;
     ComplementaritySolver solver = ComplementaritySolver::automatic;
     double tolerance = 1e-10;  ///< on LcpResult::residual [-]
     int max_iterations = 0;    ///< pivots or Newton steps; 0: the solver's own limit [-]
 
     void visit(auto&& field) {
       field("harmonics", harmonics, "[-]", "highest harmonic H kept, 1..100000");
-      field("samples", samples, "[-]", "N per period, >= 2 H + 1; auto: from 32 H until the energy identity holds");
+      field("samples", samples, "[-]", "N per period, >= 2 H + 1; auto: 32 H, doubled where that does not do");
       field("penalty", penalty, "[N/m]",
-            "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else that of harmonic H");
+            "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x the dynamic one near H");
+      field("quadrature", quadrature, "[-]", "exact: contact integral between its edges | sampled: on the N samples");
       field("solver", solver, "[-]", "auto (pivoting with restarts) | pivoting | newton");
       field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
       field("max_iterations", max_iterations, "[-]", "limit on pivots or Newton steps; 0: the solver's own");

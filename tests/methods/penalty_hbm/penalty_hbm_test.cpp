@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <complex>
+#include <numbers>
 
+#include "methods/kernels/trajectories.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
@@ -60,6 +62,25 @@ TEST(PenaltyHbm, AnotherPenaltyThanTheScenesIsAMismatchItDeclares) {
   problem.law = Penalty{{80.0}};
   EXPECT_TRUE(law_matches(PenaltyHbm({}).law(problem), problem.law));
   EXPECT_FALSE(law_matches(PenaltyHbm({.penalty = Scaled{100.0, false}}).law(problem), problem.law));
+}
+
+TEST(PenaltyHbm, ContactDoesNoNetWork) {
+  Problem problem = test::to_problem(kStop);
+  for (const double stiffness : {10.0, 100.0, 1000.0}) {
+    problem.law = Penalty{{stiffness}};
+    for (const int harmonics : {10, 20}) {
+      const Solution solution =
+          solve<PenaltyHbm>(problem, {.harmonics = harmonics, .samples = 64 * harmonics});
+      ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+      const auto& data = dynamic_cast<const FourierTrajectory&>(*solution.trajectory).data();
+      double contact = 0.0;
+      for (int n = 1; n <= harmonics; ++n) {
+        contact -= 4.0 * std::numbers::pi * n * (std::conj(data.lambda(n, 0)) * data.x(n, 0)).imag();
+      }
+      const double load = -4.0 * std::numbers::pi * (0.5 * data.x(1, 0)).imag();
+      EXPECT_LE(std::abs(contact), 1e-7 * std::abs(load)) << "H = " << harmonics << ", eps = " << stiffness;
+    }
+  }
 }
 
 TEST(PenaltyHbm, RefusesOptionsOutOfRange) {

@@ -1,0 +1,48 @@
+#pragma once
+// The projected contact equations with the contact integral taken exactly, not sampled.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "methods/kernels/projected_law.hpp"
+#include "methods/kernels/receptance.hpp"
+
+namespace signorini {
+
+/// Intervals of one period on which a trigonometric polynomial is positive, as fractions of the period:
+/// from `begin` in [0, 1) to `end` in (begin, begin + 1].
+struct ContactInterval {
+  double begin = 0.0;
+  double end = 0.0;
+};
+
+/// Where y(t) = sum_{|n| <= H} y_n e^{2 pi i n t} > 0. Sign changes are bracketed on `samples` equidistant
+/// instants and polished to rounding; intervals shorter than a sample between two samples of one sign
+/// are not seen. \param y n = 0..H
+std::vector<ContactInterval> positive_intervals(const Eigen::VectorXcd& y, int samples);
+
+/// Fourier coefficients n = 0..count of the intervals' indicator function.
+Eigen::VectorXcd indicator_spectrum(const std::vector<ContactInterval>& intervals, int count);
+
+/// Coefficients n = 0..H of P[chi s] for the polynomial s, chi given by its spectrum up to 2 H: the exact
+/// integral of s over the intervals, (chi s)_n = sum_{|m| <= H} chi_{n-m} s_m.
+Eigen::VectorXcd restrict_to(const Eigen::VectorXcd& indicator, const Eigen::VectorXcd& s);
+
+struct ExactProjection {
+  bool converged = false;
+  int iterations = 0;       ///< Newton steps
+  double residual = 0.0;    ///< |R|_2 / max(|P max(0, y)|_2, |max load on the constraint|) [-]
+  Eigen::MatrixXcd lambda;  ///< (H+1) x Nc [N]
+};
+
+/// Solves lambda + P max(0, y) = 0, y = c (x - g) - relief lambda, x = x_f + C lambda, with P exact, by
+/// Newton from a sampled solution `lambda`. With exact P the contact force does no net work at every
+/// contact, to rounding, whatever H and c (docs/theory.md); sampling leaves O(N^-2) of it, irregularly.
+/// The edges of contact move with lambda, where y = 0: the residual is continuously differentiable, and
+/// Newton converges quadratically where no contact is born or lost. Steps by GMRES, products O(H^2 Nc).
+/// \param samples instants on which sign changes are bracketed
+ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                                const ProjectedLaw& law, const Eigen::MatrixXcd& lambda, int samples,
+                                double tolerance);
+
+}  // namespace signorini
