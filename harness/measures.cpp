@@ -46,6 +46,38 @@ Measure field_error(const Problem& problem, const Trajectory& answer, const Traj
   }
 }
 
+/// Only its period is known, and that nothing touches.
+class NoForce final : public Trajectory {
+ public:
+  explicit NoForce(const Problem& problem) : contacts_(problem.contact_count()), period_(problem.period()) {}
+  [[nodiscard]] int contact_count() const override { return contacts_; }
+  [[nodiscard]] double period() const override { return period_; }
+  [[nodiscard]] Samples sample(int count) const override {
+    const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(count, contacts_);
+    return {zero, zero, zero};
+  }
+  [[nodiscard]] std::optional<int> bandwidth() const override { return 0; }
+
+ private:
+  int contacts_;
+  double period_;
+};
+
+/// What lengths are measured by: the amplitude, but no less than a thousandth of the farthest that the
+/// contact-free motion gets from the stop, so that a contact that hardly moves is not judged by its noise.
+double length_scale(const Problem& problem, const Motion& motion, const Eigen::VectorXd& gaps) {
+  constexpr int kInstants = 512;
+  constexpr double kLeast = 1e-3;
+  const double moving = amplitude(motion);
+  try {
+    const Eigen::MatrixXd free =
+        PeriodicResponse(problem, NoForce(problem)).displacement(kInstants) * contact_directions(problem);
+    return std::max(moving, kLeast * (free.rowwise() - gaps.transpose()).cwiseAbs().maxCoeff());
+  } catch (const std::exception&) {
+    return moving;  // driven at an undamped eigenfrequency: there is no contact-free motion
+  }
+}
+
 Measure penetration(const Motion& motion, const Eigen::VectorXd& gaps, double scale) {
   if (scale == 0.0) return std::nullopt;
   return std::max(0.0, (motion.samples.x.rowwise() - gaps.transpose()).maxCoeff()) / scale;
@@ -186,8 +218,8 @@ Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const
   physics.energy_defect = energy_defect(problem, law, answer);
   if (problem.contacts.empty()) return physics;
   const Motion motion = sample_motion(problem, answer);
-  const double scale = amplitude(motion);
   const Eigen::VectorXd gaps = contact_gaps(problem);
+  const double scale = length_scale(problem, motion, gaps);
   physics.penetration = penetration(motion, gaps, scale);
   physics.complementarity = complementarity(motion, gaps, law, contact_stiffness_scale(problem), scale);
   physics.contact_ratio = contact_ratio(motion);

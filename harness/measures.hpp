@@ -28,7 +28,8 @@ Errors measure_errors(const Problem& problem, const Trajectory& answer, const Tr
 ///   largest speed
 /// - contact_ratio
 ///
-/// The amplitude is half of (largest - least) x, the largest over contacts. What has no scale, or cannot be
+/// The amplitude is half of (largest - least) x, the largest over contacts, but at least a thousandth of the
+/// farthest that the contact-free motion gets from the stop (a contact that hardly moves). What has no scale, or cannot be
 /// computed on this structure, is absent.
 Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer);
 

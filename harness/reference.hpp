@@ -37,7 +37,7 @@ inline constexpr double kTightOrbitTolerance = 1e-12;
 struct CheckedOrbit {
   std::shared_ptr<const Trajectory> orbit = {};  ///< at the tighter tolerance; null: none
   std::string reason = {};                       ///< why there is none
-  double error_bar = 0.0;                   ///< relative x_l2 of the two
+  double error_bar = 0.0;                        ///< relative x_l2 of the two
   std::optional<double> residual = {};           ///< of the orbit solver's own equations [-]
 };
 

@@ -108,8 +108,7 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
   command->add_option("--out", arguments->out, "folder of the results; results/local-SUITE if absent");
   command->add_flag("--resume", arguments->resume,
                     "keep the records that are there, run what is missing or stale");
-  command->add_option("--timeout", arguments->timeout, "wall time of one run [s]")
-      ->check(positive_seconds);
+  command->add_option("--timeout", arguments->timeout, "wall time of one run [s]")->check(positive_seconds);
   command->add_option("--memory", arguments->memory_mb, "address space of one run [MiB]")
       ->check(CLI::Range(64, 1 << 24));
   command->add_option("--repetitions", arguments->repetitions, "rounds of timing")

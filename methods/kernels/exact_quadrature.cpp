@@ -161,26 +161,32 @@ ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen
                                 const ProjectedLaw& law, const Eigen::MatrixXcd& lambda, int samples,
                                 double tolerance) {
   constexpr int kSteps = 25;
+  constexpr int kHalvings = 10;
   constexpr double kLinearTolerance = 1e-12;  // of each GMRES solve, relative to its right-hand side
   ExactResidual residual(receptance, gap, law, samples);
   ExactProjection result;
   Eigen::VectorXd unknown = pack_harmonics(lambda * residual.root().cwiseInverse().asDiagonal());
   const auto identity = [](const Eigen::VectorXd& v) { return v; };
-  double previous = std::numeric_limits<double>::infinity();
+  Eigen::VectorXd r = residual(unknown);
   while (true) {
-    const Eigen::VectorXd r = residual(unknown);
     const double scale = std::max(residual.load_scale(), unknown.norm());
     result.residual = scale > 0.0 ? r.norm() / scale : 0.0;
     result.converged = result.residual <= tolerance;
-    // From a sampled solution Newton descends at once or has met a contact born or lost.
-    const bool lost = !(result.residual < 2.0 * previous) || result.iterations == kSteps;
-    if (result.converged || lost) break;
-    previous = result.residual;
+    if (result.converged || result.iterations == kSteps) break;
     const Eigen::VectorXd step =
         solve_by_gmres([&](const Eigen::VectorXd& v) { return residual.product(v); }, identity, r, kLinearTolerance);
     if (step.size() == 0) break;
-    unknown -= step;
     ++result.iterations;
+    // Far from the solution a full step may lose a contact; a shorter one keeps it.
+    double length = 1.0;
+    Eigen::VectorXd trial = residual(unknown - step);
+    for (int k = 0; k < kHalvings && !(trial.norm() < (1.0 - 1e-4 * length) * r.norm()); ++k) {
+      length *= 0.5;
+      trial = residual(unknown - length * step);
+    }
+    if (!(trial.norm() < r.norm())) break;
+    unknown -= length * step;
+    r = trial;
   }
   result.lambda = unpack_harmonics(unknown, receptance.harmonics()) * residual.root().asDiagonal();
   return result;

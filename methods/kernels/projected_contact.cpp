@@ -15,7 +15,7 @@ namespace {
 // Samples per harmonic that the automatic choice begins with, and how often it may double them.
 // At 32 the pivoting path met no ray on a population with damping ratios down to 0.0016 (docs/theory.md).
 constexpr int kSamplesPerHarmonic = 32;
-constexpr int kDoublings = 4;
+constexpr int kDoublings = 2;
 // The automatic choice is content when the contact's net work is this small a part of the work exchanged.
 constexpr double kEnergyIdentity = 1e-3;
 

@@ -30,7 +30,7 @@ Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& ga
 double net_work_ratio(const Eigen::MatrixXcd& x, const Eigen::MatrixXcd& lambda);
 
 /// Samples per period as the harmonic-balance methods choose them: what the user fixed, else from 32 H up,
-/// doubled at most four times until the solve converges and the energy identity holds to 1e-3 (which it
+/// doubled at most twice until the solve converges and the energy identity holds to 1e-3 (which it
 /// does by itself once the contact integral is exact).
 class SampleLadder {
  public:

@@ -116,8 +116,10 @@ TEST(AftHbm, NewtonAloneIsWhatTheHomotopyRepairs) {
 
 TEST(AftHbm, NeedsAtMostTwoStepsFromTheAnswer) {
   const Problem problem = test::to_problem(kStop);
-  const Solution cold = solve<AftHbm>(problem, {.harmonics = 10, .samples = 320});
-  const Solution warm = solve<AftHbm>(problem, {.harmonics = 10, .samples = 320, .homotopy = false}, cold.trajectory);
+  const Solution cold =
+      solve<AftHbm>(problem, {.harmonics = 10, .samples = 320, .quadrature = Quadrature::sampled});
+  const AftHbm::Options newton{.harmonics = 10, .samples = 320, .quadrature = Quadrature::sampled, .homotopy = false};
+  const Solution warm = solve<AftHbm>(problem, newton, cold.trajectory);
   ASSERT_EQ(warm.verdict, Verdict::converged) << warm.message;
   EXPECT_LE(warm.work.iterations.value(), 2);
 }

@@ -1,0 +1,223 @@
+// Runs the built program: exit codes and messages are part of its contract.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "harness/record_store.hpp"
+#include "harness/sha256.hpp"
+#include "tests/harness/fake_method.hpp"
+
+namespace signorini {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+Outcome run(const std::string& arguments) {
+  static const std::filesystem::path folder = test::fresh_folder("command-line");
+  const std::filesystem::path out = folder / "out", err = folder / "err";
+  const std::string command =
+      std::string(SIGNORINI_BINARY) + " " + arguments + " >" + out.string() + " 2>" + err.string();
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
+}
+
+struct BadUse {
+  const char* arguments;
+  int code;
+  const char* complaint;
+};
+
+void PrintTo(const BadUse& use, std::ostream* stream) { *stream << use.arguments; }
+
+class BadUses : public testing::TestWithParam<BadUse> {};
+
+TEST_P(BadUses, GetOneLineOnStderrAndTheirExitCode) {
+  const Outcome outcome = run(GetParam().arguments);
+  EXPECT_EQ(outcome.code, GetParam().code) << outcome.err;
+  EXPECT_NE(outcome.err.find(GetParam().complaint), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, BadUses,
+    testing::Values(
+        BadUse{"frobnicate", 2, "command = frobnicate (must be one of list, show, solve, run, report)"},
+        BadUse{"", 2, "subcommand is required"}, BadUse{"list animals", 2, "animals"},
+        BadUse{"show nothing-of-that-name", 2, "name = nothing-of-that-name"},
+        BadUse{"solve no-such-scene --method hat-lcp", 2, "scene = no-such-scene"},
+        BadUse{"solve sdof-stop --method no-such", 2, "method = no-such"},
+        BadUse{"solve sdof-stop", 2, "--method"},
+        BadUse{"solve sdof-stop --method hat-lcp --set colour=red", 2, "colour = red (unknown option"},
+        BadUse{"solve sdof-stop --method hat-lcp --set samples=few", 2, "samples = few"},
+        BadUse{"solve sdof-stop --method hat-lcp --set samples", 2, "set = samples"},
+        BadUse{"solve sdof-stop --method hat-lcp --samples 0", 2, "--samples"},
+        BadUse{"solve sdof-stop --method hat-lcp --start /no/such/file", 2, "/no/such/file"},
+        BadUse{"run no-such-suite", 2, "suite = no-such-suite"},
+        BadUse{"run quick --methods zzz* --dry-run", 3, "methods = zzz*"},
+        BadUse{"run quick --scenes zzz* --dry-run", 3, "scenes = zzz*"},
+        BadUse{"run quick --methods hat-lcp[samples] --dry-run", 2, "methods = samples"},
+        BadUse{"run quick --timeout -1", 2, "timeout = -1"},
+        BadUse{"run quick --repetitions 0", 2, "--repetitions"},
+        BadUse{"run quick --no-such-flag", 2, "--no-such-flag"},
+        BadUse{"report /no/such/folder", 2, "dir = /no/such/folder"},
+        BadUse{"report . --format pdf", 2, "pdf"}));
+
+TEST(CommandLine, HelpsWithEveryCommand) {
+  for (const char* command : {"", "list", "show", "solve", "run", "report"}) {
+    const Outcome outcome = run(std::string(command) + " --help");
+    EXPECT_EQ(outcome.code, 0) << command;
+    EXPECT_NE(outcome.out.find("Usage: signorini"), std::string::npos) << command;
+    EXPECT_EQ(outcome.err, "") << command;
+  }
+}
+
+TEST(CommandLine, TellsItsVersion) {
+  const Outcome outcome = run("--version");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.out.rfind("signorini ", 0), 0U);
+}
+
+TEST(CommandLine, ListsMethodsScenesAndSuites) {
+  EXPECT_NE(run("list methods").out.find("fourier-lipschitz"), std::string::npos);
+  EXPECT_NE(run("list scenes").out.find("sdof-stop"), std::string::npos);
+  EXPECT_NE(run("list suites").out.find("quick"), std::string::npos);
+  const Outcome all = run("list");
+  EXPECT_EQ(all.code, 0);
+  for (const char* name : {"hat-lcp", "sdof-stop", "smoke"}) EXPECT_NE(all.out.find(name), std::string::npos);
+}
+
+TEST(CommandLine, ShowsScenesAndMethods) {
+  EXPECT_NE(run("show sdof-stop").out.find("eigenfrequencies"), std::string::npos);
+  EXPECT_NE(run("show fourier-lipschitz").out.find("harmonics"), std::string::npos);
+}
+
+TEST(CommandLine, RefusesABadSceneFileWithFileLineAndField) {
+  const auto folder = test::fresh_folder("bad-scene");
+  std::ofstream(folder / "bad.toml") << "schema = 1\nname = 3\n";
+  const Outcome outcome = run("solve " + (folder / "bad.toml").string() + " --method hat-lcp");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("bad.toml:2: name = 3"), std::string::npos) << outcome.err;
+}
+
+TEST(CommandLine, SolvesAndPrintsOneRecordThatStartsAnotherSolve) {
+  const Outcome first =
+      run("solve sdof-stop --method fourier-lipschitz --set harmonics=10 --json --samples 64");
+  ASSERT_EQ(first.code, 0) << first.err;
+  EXPECT_EQ(std::count(first.out.begin(), first.out.end(), '\n'), 1);
+  const Json json = Json::parse(first.out);
+  EXPECT_EQ(json["status"], "converged");
+  EXPECT_EQ(json["options"]["harmonics"], 10);
+  EXPECT_EQ(json["trajectory"]["t"].size(), 64U);
+  EXPECT_EQ(json["trajectory"]["x"][0].size(), 64U);
+  EXPECT_EQ(json["certificate"]["status"], "certified");
+  EXPECT_LT(json["errors"]["x_l2"].get<double>(), 0.5);
+  const auto file = test::fresh_folder("start") / "first.json";
+  std::ofstream(file) << first.out;
+  const Outcome second =
+      run("solve sdof-stop --method event-driven --set steady=shooting --json --start " + file.string());
+  ASSERT_EQ(second.code, 0) << second.err << second.out;
+  EXPECT_LT(Json::parse(second.out)["errors"]["x_l2"].get<double>(), 1e-6);
+}
+
+TEST(CommandLine, ReportsASolveInWords) {
+  const Outcome outcome = run("solve sdof-stop --method hat-lcp");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.rfind("sdof-stop/hat-lcp: converged", 0), 0U) << outcome.out;
+  EXPECT_NE(outcome.out.find("error of x"), std::string::npos);
+}
+
+TEST(CommandLine, PrintsThePlanWithoutRunningIt) {
+  const Outcome outcome =
+      run("run quick --scenes sdof-stop --methods 'penalty-hbm[harmonics=31,penalty=1e4|1e6]' --dry-run");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(
+      outcome.out,
+      "sdof-stop/penalty-hbm[harmonics=31,penalty=1e4]\nsdof-stop/penalty-hbm[harmonics=31,penalty=1e6]\n");
+}
+
+TEST(CommandLine, RunsASuiteReportsAndResumesIt) {
+  const auto folder = test::fresh_folder("run");
+  const std::string command =
+      "run smoke --scenes sdof-stop --methods 'hat-lcp[samples=64]:fourier-lipschitz[harmonics=5]' --out " +
+      folder.string();
+  const Outcome first = run(command);
+  ASSERT_EQ(first.code, 0) << first.err << first.out;
+  EXPECT_NE(first.out.find("| scene"), std::string::npos);
+  EXPECT_NE(first.out.find(folder.string()), std::string::npos);
+  EXPECT_EQ(read_records(folder / "records.jsonl").size(), 2U);
+  const std::string records = read_file(folder / "records.jsonl");
+  const std::string table = read_file(folder / "table.md");
+  const std::string csv = read_file(folder / "table.csv");
+  const Json manifest = Json::parse(read_file(folder / "manifest.json"));
+  for (const char* key : {"date", "command_line", "seed", "limits", "build", "machine"}) {
+    EXPECT_TRUE(manifest.contains(key)) << key;
+  }
+  EXPECT_TRUE(manifest["build"].contains("compiler"));
+
+  const Outcome again = run(command + " --resume");
+  EXPECT_EQ(again.code, 0);
+  EXPECT_EQ(read_file(folder / "records.jsonl"), records);
+  EXPECT_NE(again.out.find("0 cases run, 2 already there"), std::string::npos);
+
+  EXPECT_EQ(run("report " + folder.string()).code, 0);
+  EXPECT_EQ(read_file(folder / "table.md"), table);
+  EXPECT_EQ(read_file(folder / "table.csv"), csv);
+}
+
+TEST(CommandLine, ExitsWithOneWhereSomethingFailedThatWasNotExpectedTo) {
+  const auto folder = test::fresh_folder("failing");
+  const std::string case_line =
+      "run smoke --scenes sdof-stop --methods "
+      "'fourier-lipschitz[harmonics=5,max_iterations=1,solver=newton]' --out ";
+  EXPECT_EQ(run(case_line + folder.string()).code, 1);
+  EXPECT_EQ(read_records(folder / "records.jsonl").size(), 1U);
+}
+
+TEST(CommandLine, StopsAtAnInterruptAndCompletesTheRunLater) {
+  const auto folder = test::fresh_folder("interrupt");
+  const std::string binary = SIGNORINI_BINARY, out = folder.string();
+  const pid_t child = fork();
+  if (child == 0) {
+    if (freopen("/dev/null", "w", stdout) == nullptr || freopen("/dev/null", "w", stderr) == nullptr)
+      _exit(99);
+    execl(binary.c_str(), binary.c_str(), "run", "smoke", "--out", out.c_str(), nullptr);
+    _exit(98);
+  }
+  // Not before a first record is there, so that the interrupt comes in the middle.
+  std::error_code none;
+  for (int i = 0; i < 6000; ++i) {
+    const auto size = std::filesystem::file_size(folder / "records.jsonl", none);
+    if (!none && size > 0) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  const std::size_t before = read_records(folder / "records.jsonl").size();
+  EXPECT_GE(before, 1U);
+  const Outcome rest = run("run smoke --resume --out " + folder.string());
+  EXPECT_NE(rest.code, 130);
+  EXPECT_NE(rest.out.find(std::to_string(before) + " already there"), std::string::npos) << rest.out;
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,202 @@
+#include "harness/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <sstream>
+
+#include "harness/table.hpp"
+#include "tests/harness/sample_records.hpp"
+
+namespace signorini {
+namespace {
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> found;
+  std::string cell;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    if (line[i] == '|' && line[i - 1] != '\\') {
+      found.push_back(cell);
+      cell.clear();
+    } else {
+      cell += line[i];
+    }
+  }
+  return found;
+}
+
+/// The cells of the row of the main table that has this resolution, blanks trimmed.
+std::vector<std::string> row_of(const std::string& report, const std::string& resolution) {
+  std::istringstream stream(report);
+  for (std::string line; std::getline(stream, line);) {
+    if (line.rfind("|", 0) != 0 || line.find("[" + resolution + "]") == std::string::npos) continue;
+    std::vector<std::string> row = cells(line);
+    for (std::string& cell : row) {
+      cell.erase(0, cell.find_first_not_of(' '));
+      cell.erase(cell.find_last_not_of(' ') + 1);
+    }
+    return row;
+  }
+  return {};
+}
+
+constexpr std::size_t kStatus = 4, kError = 5, kEnergy = 6, kMin = 7, kMedian = 8, kWork = 9, kOrbit = 10;
+
+TEST(MarkdownReport, IsTheSameWhateverTheOrderOfTheRecords) {
+  std::vector<Record> records = test::records_of_every_status();
+  records.push_back(test::good_record("scene-b", "method-b", "n=10", 0.1, 1.0));
+  records.push_back(test::good_record("scene-b", "method-b", "n=9", 0.1, 1.0));
+  const std::string markdown = markdown_report(records);
+  const std::string csv = csv_report(records);
+  std::mt19937 random(7);
+  for (int i = 0; i < 10; ++i) {
+    std::shuffle(records.begin(), records.end(), random);
+    EXPECT_EQ(markdown_report(records), markdown);
+    EXPECT_EQ(csv_report(records), csv);
+  }
+  EXPECT_LT(markdown.find("n=9]"), markdown.find("n=10]"));
+}
+
+TEST(MarkdownReport, HasNoEmptyCell) {
+  std::istringstream stream(markdown_report(test::records_of_every_status()));
+  int rows = 0;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.rfind("|", 0) != 0) continue;
+    ++rows;
+    for (const std::string& cell : cells(line))
+      EXPECT_NE(cell.find_first_not_of(' '), std::string::npos) << line;
+  }
+  EXPECT_GE(rows, 10 + 5);
+}
+
+TEST(MarkdownReport, GivesNoErrorAndNoTimeToAnAnswerThatIsWrong) {
+  const std::string report = markdown_report(test::records_of_every_status());
+  for (const char* status : {"not-converged", "not-applicable", "timeout", "out-of-memory", "crashed",
+                             "exception", "invalid-output"}) {
+    const std::vector<std::string> row = row_of(report, status);
+    ASSERT_EQ(row.size(), 11U) << status;
+    EXPECT_EQ(row[kStatus], status);
+    for (const std::size_t column : {kError, kEnergy, kMin, kMedian, kWork, kOrbit}) {
+      EXPECT_EQ(row[column], "(" + std::string(status) + ")");
+    }
+    EXPECT_NE(report.find("because of " + std::string(status)), std::string::npos);
+  }
+  // The fast liar.
+  const std::vector<std::string> inaccurate = row_of(report, "n=3");
+  EXPECT_EQ(inaccurate[kMedian], "(inaccurate)");
+  EXPECT_EQ(inaccurate[kError], "uncertified");
+}
+
+TEST(MarkdownReport, SaysWhyAnAnswerIsUncertified) {
+  const std::string report = markdown_report(test::records_of_every_status());
+  EXPECT_EQ(row_of(report, "n=2")[kOrbit], "uncertified: Newton's method failed");
+  EXPECT_EQ(row_of(report, "n=2")[kError], "uncertified");
+  EXPECT_EQ(row_of(report, "n=1")[kOrbit], "same");
+  EXPECT_EQ(row_of(report, "n=1")[kError], "1.2e-01");
+}
+
+TEST(MarkdownReport, MarksAnotherLawAndAnotherOrbit) {
+  Record record = test::good_record("s", "m", "n=1", 0.1, 1.0);
+  record.scene_law = Restitution{0.5};
+  record.law_matches_scene = false;
+  record.certificate.same_orbit = false;
+  const std::vector<std::string> row = row_of(markdown_report({record}), "n=1");
+  EXPECT_EQ(row[1], "e = 0.5");
+  EXPECT_EQ(row[3], "e = 1 ≠ scene");
+  EXPECT_EQ(row[kOrbit], "other (0a1b2c3d)");
+}
+
+std::vector<std::string> summary_of(const std::vector<Record>& records, const std::string& method) {
+  std::istringstream stream(markdown_report(records));
+  for (std::string line; std::getline(stream, line);) {
+    if (line.rfind("| " + method + " ", 0) != 0) continue;
+    std::vector<std::string> row = cells(line);
+    for (std::string& cell : row) {
+      cell.erase(0, cell.find_first_not_of(' '));
+      cell.erase(cell.find_last_not_of(' ') + 1);
+    }
+    return row;
+  }
+  return {};
+}
+
+TEST(MarkdownReport, CountsFailuresBeforeItAggregatesTimes) {
+  const std::vector<std::string> row = summary_of(test::records_of_every_status(), "method-a");
+  // cases, not applicable, converged, inaccurate, failed, certified, same, other, time
+  EXPECT_EQ(row, (std::vector<std::string>{"method-a", "10", "1", "2 of 9", "1", "6", "1", "1", "0",
+                                           "half or more failed"}));
+}
+
+TEST(MarkdownReport, DoesNotRewardFragilityByAveragingSurvivors) {
+  // "fragile" solves 3 of 8 quickly, "robust" all 8 slowly.
+  std::vector<Record> records;
+  for (int i = 0; i < 8; ++i) {
+    Record fragile = test::good_record("s" + std::to_string(i), "fragile", "n=1", 0.1, 1e-3);
+    if (i >= 3) fragile.status = Status::timeout;
+    records.push_back(fragile);
+    records.push_back(test::good_record("s" + std::to_string(i), "robust", "n=1", 0.1, 2.0));
+  }
+  EXPECT_EQ(summary_of(records, "fragile").back(), "half or more failed");
+  EXPECT_EQ(summary_of(records, "robust").back(), "2 s");
+}
+
+TEST(ErrorText, BoundsAnErrorBelowTheErrorBarOfItsOrbit) {
+  Record record = test::good_record("s", "m", "n=1", 3e-12, 1.0);
+  record.certificate.error_bar = 1e-12;
+  EXPECT_EQ(error_text(record), "<1.0e-11");
+  record.errors.x_l2 = 3e-11;
+  EXPECT_EQ(error_text(record), "3.0e-11");
+  record.errors = {.u_l2 = 0.5};
+  EXPECT_EQ(error_text(record), "5.0e-01 (u)");
+  record.errors = {};
+  EXPECT_EQ(error_text(record), "no scale");
+}
+
+TEST(TimeText, ChoosesTheUnit) {
+  EXPECT_EQ(time_text(1.234e-5), "12.3 us");
+  EXPECT_EQ(time_text(0.0123), "12.3 ms");
+  EXPECT_EQ(time_text(12.34), "12.3 s");
+}
+
+TEST(LawText, NamesEveryLaw) {
+  EXPECT_EQ(law_text(Restitution{0.8}), "e = 0.8");
+  EXPECT_EQ(law_text(Penalty{{1e6, 1e6}}), "k = 1e+06 N/m");
+  EXPECT_EQ(law_text(Penalty{{1.0, 2.0}}), "k = 1, 2 N/m");
+  EXPECT_EQ(law_text(Massless{}), "massless");
+  EXPECT_EQ(law_text(Undetermined{}), "undetermined");
+  EXPECT_EQ(law_text(std::monostate{}), "no contact");
+}
+
+TEST(CsvReport, HasAReasonInEveryRowWithEmptyCells) {
+  std::istringstream stream(csv_report(test::records_of_every_status()));
+  std::string header;
+  std::getline(stream, header);
+  EXPECT_EQ(header.rfind("case,scene,", 0), 0U);
+  EXPECT_EQ(header.substr(header.rfind(',') + 1), "reason");
+  int rows = 0;
+  for (std::string line; std::getline(stream, line); ++rows) {
+    if (line.find(",,") != std::string::npos) EXPECT_NE(line.back(), ',') << line;
+    EXPECT_EQ(line.find("nan"), std::string::npos);
+  }
+  EXPECT_EQ(rows, 10);
+}
+
+TEST(CsvReport, QuotesWhatNeedsIt) {
+  EXPECT_EQ(to_csv({{"a", "b"}, {{"1,2", "say \"x\""}}}), "a,b\n\"1,2\",\"say \"\"x\"\"\"\n");
+}
+
+TEST(ToMarkdown, EscapesPipes) {
+  EXPECT_NE(to_markdown({{"a"}, {{"x|y"}}}).find("x\\|y"), std::string::npos);
+}
+
+TEST(NaturalLess, ComparesRunsOfDigitsAsNumbers) {
+  EXPECT_TRUE(natural_less("n=9", "n=10"));
+  EXPECT_FALSE(natural_less("n=10", "n=9"));
+  EXPECT_TRUE(natural_less("a2b10", "a2b11"));
+  EXPECT_TRUE(natural_less("a", "a1"));
+  EXPECT_FALSE(natural_less("a", "a"));
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,98 @@
+#include "tests/harness/sample_records.hpp"
+
+namespace signorini::test {
+
+Record full_record() {
+  Record record = good_record("scene-a", "method-a", "n=1", 0.125, 0.5);
+  record.message = "fine";
+  record.signal = 11;
+  record.residual = 1e-12;
+  record.not_timed = "it was";
+  record.options = {{"n", 1L}, {"tolerance", 1e-9}};
+  record.work.counts = {
+      .unknowns = 1, .iterations = 2, .pivots = 3, .rhs_evaluations = 4, .factorisations = 5};
+  record.work.peak_memory_bytes = 6;
+  record.certificate.reason = "because";
+  record.certificate.reference_reason = "none";
+  record.certificate.residual = 1e-13;
+  record.certificate.events = {{.time = 0.5, .contact = 0, .kind = "impact", .value = -1.0}};
+  record.certificate.floquet = {{0.5, 0.25}};
+  record.certificate.stable = true;
+  record.errors = {
+      .x_l2 = 0.125, .x_max = 0.2, .u_l2 = 0.3, .velocity_l2 = 0.4, .impulse = 0.5, .x_l2_scene = 0.6};
+  record.physics = {.penetration = 0.1,
+                    .complementarity = 0.2,
+                    .energy_defect = 0.3,
+                    .contact_ratio = 0.4,
+                    .effective_restitution = {0.9, 1.0}};
+  record.trajectory = TrajectorySamples{.t = {0.0, 0.5},
+                                        .x = {{1.0, 2.0}},
+                                        .velocity = {{3.0, 4.0}},
+                                        .force = {{-1.0, 0.0}},
+                                        .impulses = {{.contact = 0, .time = 0.25, .value = -2.0}},
+                                        .bandwidth = 10};
+  return record;
+}
+
+Record good_record(const std::string& scene, const std::string& method, const std::string& resolution,
+                   double error, double seconds) {
+  Record record;
+  record.case_id = scene + "/" + method + "[" + resolution + "]";
+  record.key = "key of " + record.case_id;
+  record.scene = scene;
+  record.scene_sha256 = "abc";
+  record.method = method;
+  record.status = Status::converged;
+  record.law = Restitution{1.0};
+  record.scene_law = Restitution{1.0};
+  record.law_matches_scene = true;
+  record.period = 2.0;
+  record.seconds = Seconds{.median = seconds,
+                           .min = 0.9 * seconds,
+                           .mad = 0.01 * seconds,
+                           .repetitions = 3,
+                           .setup = 0.1 * seconds,
+                           .solve = 0.9 * seconds};
+  record.errors.x_l2 = error;
+  record.physics.energy_defect = 1e-3;
+  record.work.counts.pivots = 12;
+  record.certificate.status = CertificateStatus::certified;
+  record.certificate.source = "shooting from the answer";
+  record.certificate.orbit = "0a1b2c3d";
+  record.certificate.order = 1;
+  record.certificate.error_bar = 1e-12;
+  record.certificate.distance = error;
+  record.certificate.reference = "0a1b2c3d";
+  record.certificate.same_orbit = true;
+  return record;
+}
+
+std::vector<Record> records_of_every_status() {
+  std::vector<Record> records{good_record("scene-a", "method-a", "n=1", 0.125, 0.5)};
+  Record uncertified = good_record("scene-a", "method-a", "n=2", 0.0, 0.5);
+  uncertified.errors = {};
+  uncertified.certificate = {.status = CertificateStatus::uncertified, .reason = "Newton's method failed"};
+  records.push_back(uncertified);
+  Record inaccurate = good_record("scene-a", "method-a", "n=3", 0.0, 1e-6);
+  inaccurate.status = Status::inaccurate;
+  inaccurate.message = "penetrates the stop";
+  inaccurate.errors = {};
+  inaccurate.certificate = {.status = CertificateStatus::uncertified, .reason = "far away"};
+  records.push_back(inaccurate);
+  for (const Status status :
+       {Status::not_converged, Status::not_applicable, Status::timeout, Status::out_of_memory,
+        Status::crashed, Status::exception, Status::invalid_output}) {
+    Record record;
+    record.scene = "scene-a";
+    record.method = "method-a";
+    record.case_id = "scene-a/method-a[" + std::string(status_name(status)) + "]";
+    record.key = record.case_id;
+    record.status = status;
+    record.message = "because of " + std::string(status_name(status));
+    record.certificate.reason = "there is no answer to certify";
+    records.push_back(record);
+  }
+  return records;
+}
+
+}  // namespace signorini::test
