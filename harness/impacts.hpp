@@ -17,8 +17,8 @@ struct ContactPhase {
   bool listed = false;   ///< an impulse that the method lists, of no duration
   /// Longer than an impact can appear at the motion's resolution: contact that lasts.
   bool lasting = false;
-  std::optional<double> speed_before,
-      speed_after;  ///< [m/s] just outside; empty where another event is too near
+  /// Just outside [m/s]; empty where another event is too near.
+  std::optional<double> speed_before = {}, speed_after = {};
 };
 
 /// Time over which the representation spreads an impulse: period / (2 bandwidth), one grid step if it

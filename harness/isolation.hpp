@@ -34,9 +34,9 @@ struct ChildEnd {
   };
   Kind kind = Kind::finished;
   int code = 0;
-  std::string detail;              ///< what an exception said
-  std::string last_words;          ///< last line on stdout or stderr, to explain a crash
-  std::vector<std::string> lines;  ///< in order, whole ones only
+  std::string detail = {};              ///< what an exception said
+  std::string last_words = {};          ///< last line on stdout or stderr, to explain a crash
+  std::vector<std::string> lines = {};  ///< in order, whole ones only
 };
 
 /// Runs the work in a forked child with its own process group, which is killed as a whole at the end,

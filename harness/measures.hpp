@@ -29,8 +29,8 @@ Errors measure_errors(const Problem& problem, const Trajectory& answer, const Tr
 /// - contact_ratio
 ///
 /// The amplitude is half of (largest - least) x, the largest over contacts, but at least a thousandth of the
-/// farthest that the contact-free motion gets from the stop (a contact that hardly moves). What has no scale, or cannot be
-/// computed on this structure, is absent.
+/// farthest that the contact-free motion gets from the stop (a contact that hardly moves). What has no scale,
+/// or cannot be computed on this structure, is absent.
 Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer);
 
 /// |W_f - W_D - W_loss| / |W_f|: work of the load, dissipation by damping, and the loss at impacts that the

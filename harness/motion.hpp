@@ -16,9 +16,9 @@ inline constexpr int kGrid = 8192;
 struct Motion {
   int order = 1;              ///< period in forcing periods
   double forcing_period = 1;  ///< [s]
-  Samples samples;            ///< (order * per_period) x Nc
-  std::vector<Impulse> impulses;
-  std::optional<int> bandwidth;
+  Samples samples = {};       ///< (order * per_period) x Nc
+  std::vector<Impulse> impulses = {};
+  std::optional<int> bandwidth = {};
 
   [[nodiscard]] double period() const { return order * forcing_period; }
   [[nodiscard]] int count() const { return static_cast<int>(samples.x.rows()); }
@@ -31,9 +31,9 @@ Motion sample_motion(const Problem& problem, const Trajectory& trajectory, int p
 /// Relative distances of motion a from motion b over their common period, b shifted by `shift` forcing
 /// periods; empty where b's own norm is zero. Both must have the same grid per forcing period.
 struct Distance {
-  std::optional<double> x_l2;         ///< |x_a - x_b| / |x_b|, root mean square over time and contacts
-  std::optional<double> x_max;        ///< largest |x_a - x_b| / largest |x_b|
-  std::optional<double> velocity_l2;  ///< as x_l2, of x'
+  std::optional<double> x_l2 = {};         ///< |x_a - x_b| / |x_b|, root mean square over time and contacts
+  std::optional<double> x_max = {};        ///< largest |x_a - x_b| / largest |x_b|
+  std::optional<double> velocity_l2 = {};  ///< as x_l2, of x'
 };
 Distance distance(const Motion& a, const Motion& b, int shift = 0);
 

@@ -19,7 +19,7 @@ namespace signorini {
 /// A scene ready to run.
 struct Scene {
   Problem problem;
-  std::string sha256;  ///< of the scene file's bytes
+  std::string sha256 = {};  ///< of the scene file's bytes
 };
 
 /// Reads a scene by catalogue name or path. \throws SceneError
@@ -28,14 +28,14 @@ Scene read_scene(const std::string& name_or_path);
 /// One run of one method on one scene.
 struct Case {
   std::size_t scene = 0;  ///< index into Plan::scenes
-  MethodChoice choice;
-  std::vector<OptionEcho> options;  ///< complete, defaults included
-  std::string id;                   ///< "sdof-stop/fourier-lipschitz[harmonics=40]"
+  MethodChoice choice = {};
+  std::vector<OptionEcho> options = {};  ///< complete, defaults included
+  std::string id = {};                   ///< "sdof-stop/fourier-lipschitz[harmonics=40]"
 };
 
 struct Plan {
-  std::vector<Scene> scenes;
-  std::vector<Case> cases;  ///< scene by scene
+  std::vector<Scene> scenes = {};
+  std::vector<Case> cases = {};  ///< scene by scene
 };
 
 /// One case; validates the settings. \throws InvalidOption
@@ -43,8 +43,8 @@ Case make_case(const Scene& scene, std::size_t index, MethodChoice choice);
 
 /// What a user narrows a suite to.
 struct Narrowing {
-  std::optional<std::string> methods;  ///< filter with optional settings in brackets
-  std::optional<std::string> scenes;   ///< filter on scene names
+  std::optional<std::string> methods = {};  ///< filter with optional settings in brackets
+  std::optional<std::string> scenes = {};   ///< filter on scene names
 };
 
 /// The cases of a suite, scenes in catalogue order, methods in catalogue order.

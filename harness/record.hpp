@@ -31,8 +31,8 @@ std::string_view status_name(Status status);
 using Measure = std::optional<double>;
 
 struct WorkDone {
-  Work counts;
-  std::optional<long> peak_memory_bytes;  ///< growth of the peak resident set by set-up and first solve
+  Work counts = {};
+  std::optional<long> peak_memory_bytes = {};  ///< growth of the peak resident set by set-up and first solve
 };
 
 /// Times of one cold run, set-up plus solve, over rounds; least per round [s].
@@ -50,64 +50,65 @@ enum class CertificateStatus { none, uncertified, certified };
 struct OrbitEvent {
   double time = 0.0;  ///< [s]
   int contact = 0;
-  std::string kind;  ///< impact | close | open
-  Measure value;     ///< impulse of an impact [N s]
+  std::string kind = {};  ///< impact | close | open
+  Measure value = {};     ///< impulse of an impact [N s]
 };
 
 /// Whether a true orbit of the represented law stands behind an answer, and which.
 struct Certificate {
   CertificateStatus status = CertificateStatus::none;
-  std::string reason;                    ///< of uncertified or none; empty when certified
-  std::string source;                    ///< how the orbit was found
-  std::optional<std::string> orbit;      ///< fingerprint, equal for equal orbits
-  std::optional<int> order;              ///< period of the orbit in forcing periods
-  Measure error_bar;                     ///< relative, of the orbit itself
-  Measure residual;                      ///< relative, of the orbit's own equations
-  Measure distance;                      ///< x_l2 from the answer to the orbit found, certified or not
-  std::optional<std::string> reference;  ///< fingerprint of the orbit reached from rest under the same law
-  std::string reference_reason;          ///< why there is none
-  std::optional<bool> same_orbit;        ///< the answer's orbit is that one
-  std::vector<OrbitEvent> events;
-  std::optional<std::vector<std::pair<double, double>>> floquet;
-  std::optional<bool> stable;
+  std::string reason = {};                ///< of uncertified or none; empty when certified
+  std::string source = {};                ///< how the orbit was found
+  std::optional<std::string> orbit = {};  ///< fingerprint, equal for equal orbits
+  std::optional<int> order = {};          ///< period of the orbit in forcing periods
+  Measure error_bar = {};                 ///< relative, of the orbit itself
+  Measure residual = {};                  ///< relative, of the orbit's own equations
+  Measure distance = {};                  ///< x_l2 from the answer to the orbit found, certified or not
+  std::optional<std::string> reference =
+      {};                               ///< fingerprint of the orbit reached from rest under the same law
+  std::string reference_reason = {};    ///< why there is none
+  std::optional<bool> same_orbit = {};  ///< the answer's orbit is that one
+  std::vector<OrbitEvent> events = {};
+  std::optional<std::vector<std::pair<double, double>>> floquet = {};
+  std::optional<bool> stable = {};
 };
 
 /// Against the certified orbit, relative.
 struct Errors {
-  Measure x_l2, x_max, u_l2, velocity_l2, impulse;
-  Measure x_l2_scene;  ///< against the scene's own reference where the represented law is another
+  Measure x_l2 = {}, x_max = {}, u_l2 = {}, velocity_l2 = {}, impulse = {};
+  Measure x_l2_scene = {};  ///< against the scene's own reference where the represented law is another
 };
 
 struct Physics {
-  Measure penetration, complementarity, energy_defect, contact_ratio;
-  std::vector<double> effective_restitution;  ///< of each impact, in time order
+  Measure penetration = {}, complementarity = {}, energy_defect = {}, contact_ratio = {};
+  std::vector<double> effective_restitution = {};  ///< of each impact, in time order
 };
 
 struct TrajectorySamples {
-  std::vector<double> t;
-  std::vector<std::vector<double>> x, velocity, force;  ///< per contact
-  std::vector<Impulse> impulses;
-  std::optional<int> bandwidth;
+  std::vector<double> t = {};
+  std::vector<std::vector<double>> x = {}, velocity = {}, force = {};  ///< per contact
+  std::vector<Impulse> impulses = {};
+  std::optional<int> bandwidth = {};
 };
 
 struct Record {
-  std::string case_id;  ///< "scene/method[settings]"
-  std::string key;      ///< identifies the run for --resume
-  std::string scene, scene_sha256, method;
-  std::vector<std::pair<std::string, OptionValue>> options;
+  std::string case_id = {};  ///< "scene/method[settings]"
+  std::string key = {};      ///< identifies the run for --resume
+  std::string scene = {}, scene_sha256 = {}, method = {};
+  std::vector<std::pair<std::string, OptionValue>> options = {};
   Status status = Status::not_converged;
-  std::string message;
-  std::optional<int> signal;  ///< that ended a crashed run
-  std::optional<RepresentedLaw> law, scene_law;
-  std::optional<bool> law_matches_scene;
-  Measure period, residual;
-  WorkDone work;
-  std::optional<Seconds> seconds;
-  std::string not_timed;  ///< why `seconds` is absent
-  Certificate certificate;
-  Errors errors;
-  Physics physics;
-  std::optional<TrajectorySamples> trajectory;
+  std::string message = {};
+  std::optional<int> signal = {};  ///< that ended a crashed run
+  std::optional<RepresentedLaw> law = {}, scene_law = {};
+  std::optional<bool> law_matches_scene = {};
+  Measure period = {}, residual = {};
+  WorkDone work = {};
+  std::optional<Seconds> seconds = {};
+  std::string not_timed = {};  ///< why `seconds` is absent
+  Certificate certificate = {};
+  Errors errors = {};
+  Physics physics = {};
+  std::optional<TrajectorySamples> trajectory = {};
 };
 
 /// A line that is no record of a known schema.

@@ -49,11 +49,11 @@ CheckedOrbit find_orbit(const Problem& problem, const OrbitSolver& solver, Orbit
 
 /// The motion of a scene reached from rest under one law: what "the same orbit" in tables means.
 struct Reference {
-  std::shared_ptr<const SampledTrajectory> orbit;  ///< null: none
-  std::string reason;                              ///< why there is none
-  double error_bar = 0.0;                          ///< <= 1e-9
-  std::optional<double> residual;
-  std::string fingerprint;
+  std::shared_ptr<const SampledTrajectory> orbit = {};  ///< null: none
+  std::string reason = {};                              ///< why there is none
+  double error_bar = 0.0;                               ///< <= 1e-9
+  std::optional<double> residual = {};
+  std::string fingerprint = {};
 };
 
 Reference compute_reference(const Problem& problem, const OrbitSolver& solver,

@@ -20,9 +20,9 @@ namespace signorini {
 /// Applicability and law of one case, or how asking for them failed.
 struct Survey {
   bool ok = false;
-  std::string reason;
-  std::optional<RepresentedLaw> law;
-  std::optional<ChildEnd> failure;
+  std::string reason = {};
+  std::optional<RepresentedLaw> law = {};
+  std::optional<ChildEnd> failure = {};
 };
 
 /// What one solve wants beyond its case.

@@ -16,7 +16,7 @@ using Settings = std::vector<OptionSetting>;
 /// One method with one set of settings.
 struct MethodChoice {
   const MethodEntry* entry = nullptr;
-  Settings settings;
+  Settings settings = {};
 
   /// "penalty-hbm[harmonics=31,penalty=1e4]"; the bare name where nothing is set.
   [[nodiscard]] std::string label() const;

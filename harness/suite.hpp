@@ -20,19 +20,19 @@ struct Limits {
 
 /// A case that is known to fail, and why: it is run and recorded, but does not spoil the exit code.
 struct ExpectedFailure {
-  std::string case_glob;
-  std::string reason;
+  std::string case_glob = {};
+  std::string reason = {};
 };
 
 /// Every method of the catalogue joins every suite with its own ladder, unless `methods` says otherwise.
 struct Suite {
-  std::string name;
-  std::string title;
-  std::vector<std::string> scenes;   ///< globs on scene names
-  std::vector<std::string> tags;     ///< a scene that carries one of these belongs too
-  std::vector<std::string> methods;  ///< `name[key=value|value]`: replaces the ladder of what it names
-  std::vector<ExpectedFailure> expected_failures;
-  Limits limits;
+  std::string name = {};
+  std::string title = {};
+  std::vector<std::string> scenes = {};   ///< globs on scene names
+  std::vector<std::string> tags = {};     ///< a scene that carries one of these belongs too
+  std::vector<std::string> methods = {};  ///< `name[key=value|value]`: replaces the ladder of what it names
+  std::vector<ExpectedFailure> expected_failures = {};
+  Limits limits = {};
 };
 
 /// \throws SceneError in the form `FILE:LINE: field = value (what is required)`

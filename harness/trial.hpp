@@ -15,7 +15,7 @@ struct Trial {
   const Scene& scene;
   const Case& run;
   const Limits& limits;
-  RepresentedLaw law;                ///< the method's on this scene
+  RepresentedLaw law = {};           ///< the method's on this scene
   const Reference& reference;        ///< of the scene under that law
   const Reference& scene_reference;  ///< of the scene under its own
   const OrbitSolver& solver;

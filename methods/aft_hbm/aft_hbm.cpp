@@ -40,12 +40,10 @@ class PreparedAft final : public PreparedMethod {
       const bool converged = outcome.newton.converged;
       if (converged) guess = data.lambda;
       std::string quadrature = fmt::format("N = {}", ladder.samples());
-      bool refined = true;
       if (converged && options_.quadrature == Quadrature::exact && data.lambda.norm() > 0.0) {
         const auto steps = refine_quadrature(receptance_, law_, ladder.samples(), options_.tolerance, data);
-        refined = steps.has_value();
         work.iterations = *work.iterations + steps.value_or(0);
-        quadrature += refined ? ", contact integral exact" : ", contact integral sampled: no exact one nearby";
+        quadrature += steps ? ", contact integral exact" : ", contact integral sampled: no exact one nearby";
       }
       const double ratio = net_work_ratio(data.x, data.lambda);
       solution.verdict = converged ? Verdict::converged : Verdict::not_converged;
@@ -53,7 +51,7 @@ class PreparedAft final : public PreparedMethod {
       solution.message = fmt::format("{}; {}, net contact work {:.1e} of that exchanged", outcome.message, quadrature,
                                      ratio);
       if (data.lambda.allFinite()) solution.trajectory = std::make_shared<FourierTrajectory>(std::move(data));
-      if (!automatic || start.expired() || !ladder.climb(converged && refined, ratio)) break;
+      if (!automatic || start.expired() || !ladder.climb(converged, ratio)) break;
       // Newton alone that has lost its way is not helped by more samples.
       if (!converged && !options_.homotopy) break;
     }

@@ -88,7 +88,8 @@ Eigen::VectorXd ContactDynamics::multiplier(const ContactMode& mode, const Eigen
   return -mode.response * (W_(Eigen::all, mode.active).transpose() * free);
 }
 
-void ContactDynamics::acceleration(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& u,
+void ContactDynamics::acceleration(const ContactMode& mode, double time,
+                                   const Eigen::Ref<const Eigen::VectorXd>& u,
                                    const Eigen::Ref<const Eigen::VectorXd>& v,
                                    Eigen::Ref<Eigen::VectorXd> a) const {
   if (small_) {
@@ -107,7 +108,8 @@ void ContactDynamics::acceleration(const ContactMode& mode, double time, const E
   if (rigid()) {
     a += inverse_mass_W_(Eigen::all, mode.active) * multiplier(mode, a);
   } else {
-    for (const int j : mode.active) a -= inverse_mass_W_.col(j) * (penalty_[j] * (W_.col(j).dot(u) - gaps_[j]));
+    for (const int j : mode.active)
+      a -= inverse_mass_W_.col(j) * (penalty_[j] * (W_.col(j).dot(u) - gaps_[j]));
   }
 }
 
@@ -172,7 +174,8 @@ void ContactDynamics::measure_rates() {
     }
     return value;
   };
-  fastest_rate_ = std::max({kMargin * std::sqrt(largest(K_)), kMargin * largest(D_), highest_harmonic_ * frequency_});
+  fastest_rate_ =
+      std::max({kMargin * std::sqrt(largest(K_)), kMargin * largest(D_), highest_harmonic_ * frequency_});
 }
 
 // Largest coordinate of the contact-free periodic response [m]; infinite or NaN at an undamped resonance.
@@ -183,8 +186,9 @@ double ContactDynamics::linear_amplitude(const Problem& problem) const {
     if (load.isZero(0.0)) continue;
     const double w = h * frequency_;
     const std::complex<double> iw(0.0, w);
-    const Eigen::MatrixXcd Z = Eigen::MatrixXcd((problem.stiffness - w * w * problem.mass).cast<std::complex<double>>()) +
-                               iw * Eigen::MatrixXcd(D_.cast<std::complex<double>>());
+    const Eigen::MatrixXcd Z =
+        Eigen::MatrixXcd((problem.stiffness - w * w * problem.mass).cast<std::complex<double>>()) +
+        iw * Eigen::MatrixXcd(D_.cast<std::complex<double>>());
     amplitude += Eigen::VectorXcd(Z.partialPivLu().solve(load)).cwiseAbs();
   }
   return amplitude.size() == 0 ? 0.0 : amplitude.maxCoeff();

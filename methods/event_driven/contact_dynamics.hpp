@@ -20,8 +20,9 @@ struct ContactMode {
 
 /// Magnitudes that the tolerances of the integration and of the periodicity refer to.
 struct MotionScales {
-  double displacement = 1.0;  ///< X [m]: of the linear response, or of the gap and the forced motion if smaller
-  double velocity = 1.0;      ///< V = omega X [m/s]
+  double displacement =
+      1.0;                ///< X [m]: of the linear response, or of the gap and the forced motion if smaller
+  double velocity = 1.0;  ///< V = omega X [m/s]
   double acceleration = 1.0;  ///< omega_max V [m/s^2]
 };
 
@@ -49,7 +50,7 @@ class ContactDynamics {
   [[nodiscard]] bool rigid() const { return penalty_.size() == 0; }
   [[nodiscard]] double restitution() const { return restitution_; }  ///< e [-]; 1 without a law
   [[nodiscard]] double forcing_period() const { return forcing_period_; }
-  [[nodiscard]] const Eigen::MatrixXd& directions() const { return W_; }                    ///< W, Nd x Nc
+  [[nodiscard]] const Eigen::MatrixXd& directions() const { return W_; }                     ///< W, Nd x Nc
   [[nodiscard]] const Eigen::MatrixXd& impulse_response() const { return inverse_mass_W_; }  ///< M^-1 W
   [[nodiscard]] const Eigen::MatrixXd& delassus() const { return delassus_; }                ///< G, Nc x Nc
   [[nodiscard]] const Eigen::VectorXd& gaps() const { return gaps_; }                        ///< g, Nc [m]

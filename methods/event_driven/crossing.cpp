@@ -42,7 +42,8 @@ double rise_of(const Guard& guard) { return guard.rate; }
 double fall_of(const Guard& guard) { return -guard.rate; }
 
 // A guard clearly above zero at `a`.
-std::optional<double> armed_crossing(const std::function<Guard(double)>& guard, const Sample& a, const Sample& b) {
+std::optional<double> armed_crossing(const std::function<Guard(double)>& guard, const Sample& a,
+                                     const Sample& b) {
   if (b.guard.value < 0.0) {
     return a.guard.value > 0.0 ? zero_between(guard, value_of, a.time, b.time) : a.time;
   }
@@ -56,8 +57,8 @@ std::optional<double> armed_crossing(const std::function<Guard(double)>& guard, 
 }
 
 // A guard that left zero at the start and has not risen above its noise by `a`.
-std::optional<double> fresh_crossing(const std::function<Guard(double)>& guard, const Sample& a, const Sample& b,
-                                     double floor) {
+std::optional<double> fresh_crossing(const std::function<Guard(double)>& guard, const Sample& a,
+                                     const Sample& b, double floor) {
   if (b.guard.value >= 0.0) return std::nullopt;
   if (a.guard.rate > 0.0 && b.guard.rate < 0.0) {
     const double highest = zero_between(guard, rise_of, a.time, b.time);

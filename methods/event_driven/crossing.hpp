@@ -15,8 +15,8 @@ struct Guard {
 /// What is known of a guard over a step.
 struct GuardWindow {
   double begin = 0.0, end = 0.0;  ///< [s]
-  bool fresh = false;             ///< true if the guard starts from zero (it has just closed, opened or rebounded)
-  double floor = 0.0;             ///< a fresh guard may lie this far below zero: its noise (unit of the guard)
+  bool fresh = false;  ///< true if the guard starts from zero (it has just closed, opened or rebounded)
+  double floor = 0.0;  ///< a fresh guard may lie this far below zero: its noise (unit of the guard)
 };
 
 /// First time in (begin, end] at which the guard falls below zero, to round-off; empty if it does not.

@@ -37,7 +37,8 @@ class PreparedEventDriven final : public PreparedMethod {
   }
 
  private:
-  void run(const Start& start, PeriodMap& map, const std::function<bool()>& expired, Solution& solution) const {
+  void run(const Start& start, PeriodMap& map, const std::function<bool()>& expired,
+           Solution& solution) const {
     const SteadyLimits limits{.tolerance = options_.tolerance,
                               .max_iterations = options_.max_iterations,
                               .max_order = std::max(options_.max_order, problem_.subharmonic)};
@@ -100,8 +101,8 @@ class PreparedEventDriven final : public PreparedMethod {
 EventDriven::EventDriven(const Options& options) : options_(options) {
   constexpr double kTightest = 1e-13, kLoosest = 1e-3;
   constexpr int kLargestOrder = 64;
-  require_option(options.tolerance >= kTightest && options.tolerance <= kLoosest, "tolerance", options.tolerance,
-                 "must be in [1e-13, 1e-3]");
+  require_option(options.tolerance >= kTightest && options.tolerance <= kLoosest, "tolerance",
+                 options.tolerance, "must be in [1e-13, 1e-3]");
   require_option(options.max_iterations >= 1, "max_iterations", options.max_iterations, "must be at least 1");
   require_option(options.max_order >= 1 && options.max_order <= kLargestOrder, "max_order", options.max_order,
                  "must be in 1..64");
@@ -109,7 +110,8 @@ EventDriven::EventDriven(const Options& options) : options_(options) {
 
 Support EventDriven::supports(const Problem& problem) const {
   if (std::holds_alternative<Massless>(problem.law)) {
-    return {.ok = false, .reason = "contact coordinates carry no mass: time marching needs a nonsingular mass matrix"};
+    return {.ok = false,
+            .reason = "contact coordinates carry no mass: time marching needs a nonsingular mass matrix"};
   }
   const Eigen::SimplicialLLT<SparseMatrix> mass(problem.mass);
   if (mass.info() != Eigen::Success) {

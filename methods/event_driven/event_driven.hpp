@@ -13,20 +13,22 @@ class EventDriven final : public Method {
   enum class Steady { marching, shooting };
 
   static constexpr std::string_view kName = "event-driven";
-  static constexpr std::string_view kTitle = "CVODE between events, impact law at events, to the steady state";
+  static constexpr std::string_view kTitle =
+      "CVODE between events, impact law at events, to the steady state";
   static constexpr std::string_view kLaws = "restitution 0..1, penalty";
   static constexpr std::string_view kLadder = "tolerance=1e-6|1e-9";
 
   struct Options {
-    double tolerance = 1e-9;        ///< relative tolerance of the integration, in [1e-13, 1e-3] [-]
+    double tolerance = 1e-9;  ///< relative tolerance of the integration, in [1e-13, 1e-3] [-]
     Steady steady = Steady::marching;
-    int max_iterations = 5000;      ///< periods marched, or Newton steps of the shooting [-]
-    int max_order = 8;              ///< highest period order detected by marching [-]
+    int max_iterations = 5000;  ///< periods marched, or Newton steps of the shooting [-]
+    int max_order = 8;          ///< highest period order detected by marching [-]
 
     void visit(auto&& field) {
       field("tolerance", tolerance, "[-]", "relative tolerance of the integration, in [1e-13, 1e-3]");
       field("steady", steady, "[-]", "marching | shooting: how the periodic motion is reached");
-      field("max_iterations", max_iterations, "[-]", "periods marched, or Newton steps of the shooting, >= 1");
+      field("max_iterations", max_iterations, "[-]",
+            "periods marched, or Newton steps of the shooting, >= 1");
       field("max_order", max_order, "[-]", "highest period order that marching detects, 1..64");
     }
   };

@@ -36,8 +36,8 @@ struct Place {
 };
 
 // Value of the function whose derivatives 0..4 stand in columns first..first + 4.
-double interpolate(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right, Eigen::Index row, Eigen::Index first,
-                   const Place& place) {
+double interpolate(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right, Eigen::Index row,
+                   Eigen::Index first, const Place& place) {
   double value = 0.0, power = 1.0, sign = 1.0;
   for (int k = 0; k <= kOrder; ++k) {
     const auto i = static_cast<std::size_t>(k);
@@ -68,7 +68,8 @@ EventTrajectory::EventTrajectory(double period, FlowState start, const std::vect
     }
   }
   for (ContactEvent& event : events_) event.time = wrap(event.time, period_);
-  std::stable_sort(events_.begin(), events_.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  std::stable_sort(events_.begin(), events_.end(),
+                   [](const auto& a, const auto& b) { return a.time < b.time; });
 }
 
 Samples EventTrajectory::sample(int count) const {

@@ -33,9 +33,9 @@ class EventTrajectory final : public Trajectory {
  private:
   double period_;
   FlowState start_;
-  std::vector<FlowNode> nodes_;          // in time order; two nodes at each event
-  std::vector<std::size_t> interval_;    // nodes that begin an interval
-  std::vector<double> interval_begin_;   // their times
+  std::vector<FlowNode> nodes_;         // in time order; two nodes at each event
+  std::vector<std::size_t> interval_;   // nodes that begin an interval
+  std::vector<double> interval_begin_;  // their times
   std::vector<ContactEvent> events_;
 };
 

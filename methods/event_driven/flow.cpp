@@ -12,11 +12,12 @@ namespace signorini {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr int kNodeOrder = 5;           // highest derivative of x kept at an instant; of lambda one less
-constexpr int kTaylorOrder = 12;        // of a short flight
-constexpr double kTaylorAngle = 0.3;    // its length in radians of the fastest rate: 0.3^13/13! is round-off
-constexpr double kStepsPerPeriod = 16;  // at least, of the highest load harmonic, so that a guard has one extremum per half step
-constexpr int kMaxEvents = 20000;       // per call
+constexpr int kNodeOrder = 5;         // highest derivative of x kept at an instant; of lambda one less
+constexpr int kTaylorOrder = 12;      // of a short flight
+constexpr double kTaylorAngle = 0.3;  // its length in radians of the fastest rate: 0.3^13/13! is round-off
+constexpr double kStepsPerPeriod =
+    16;  // at least, of the highest load harmonic, so that a guard has one extremum per half step
+constexpr int kMaxEvents = 20000;  // per call
 
 Eigen::VectorXd packed(const State& state) {
   Eigen::VectorXd y(2 * state.u.size());
@@ -51,12 +52,13 @@ EventFlow::EventFlow(const ContactDynamics& dynamics, double tolerance, std::fun
       tolerance_(tolerance),
       expired_(std::move(expired)),
       events_(dynamics, tolerance),
-      session_(local_tolerance(tolerance), absolute_tolerances(dynamics, local_tolerance(tolerance)),
-               [this](double time, const Eigen::Ref<const Eigen::VectorXd>& y, Eigen::Ref<Eigen::VectorXd> rate) {
-                 const Eigen::Index n = y.size() / 2;
-                 rate.head(n) = y.tail(n);
-                 dynamics_.acceleration(mode_, time, y.head(n), y.tail(n), rate.tail(n));
-               }) {}
+      session_(
+          local_tolerance(tolerance), absolute_tolerances(dynamics, local_tolerance(tolerance)),
+          [this](double time, const Eigen::Ref<const Eigen::VectorXd>& y, Eigen::Ref<Eigen::VectorXd> rate) {
+            const Eigen::Index n = y.size() / 2;
+            rate.head(n) = y.tail(n);
+            dynamics_.acceleration(mode_, time, y.head(n), y.tail(n), rate.tail(n));
+          }) {}
 
 FlowState EventFlow::place(double time, const State& state) const {
   FlowState flow{.time = time,
@@ -83,7 +85,8 @@ Guard EventFlow::guard(int contact, double time, const Eigen::VectorXd& y) const
   if (mode_.closed(contact) && dynamics_.rigid()) {
     const MotionDerivatives motion = dynamics_.derivatives(mode_, time, unpacked(y), 3);
     const double inverse_mass = dynamics_.delassus()(contact, contact);
-    return {.value = -motion.lambda(contact, 0) * inverse_mass, .rate = -motion.lambda(contact, 1) * inverse_mass};
+    return {.value = -motion.lambda(contact, 0) * inverse_mass,
+            .rate = -motion.lambda(contact, 1) * inverse_mass};
   }
   const double gap = dynamics_.gaps()[contact] - w.dot(y.head(n));
   const double opening = -w.dot(y.tail(n));
@@ -180,7 +183,8 @@ double EventFlow::short_flight(const FlowState& flow, const MotionDerivatives& m
     const auto w = dynamics_.directions().col(j);
     const double gap = dynamics_.gaps()[j] - w.dot(flow.state.u);
     const double v = w.dot(flow.state.v), a = w.dot(motion.u.col(2));
-    if (flow.closed[static_cast<std::size_t>(j)] || gap > events_.touch() || !(v < 0.0) || !(a > 0.0)) continue;
+    if (flow.closed[static_cast<std::size_t>(j)] || gap > events_.touch() || !(v < 0.0) || !(a > 0.0))
+      continue;
     const double flight = -2.0 * kMargin * v / a;
     if (flight <= longest && (length == 0.0 || flight < length)) length = flight;
   }
@@ -232,14 +236,16 @@ void EventFlow::integrate(FlowState& flow, double end, FlowRecord& record) {
     record.pieces.emplace_back();
     keep(begin, y, record);
   }
-  session_.start(begin, y, end, dynamics_.forcing_period() / (kStepsPerPeriod * dynamics_.highest_harmonic()));
+  session_.start(begin, y, end,
+                 dynamics_.forcing_period() / (kStepsPerPeriod * dynamics_.highest_harmonic()));
   for (long steps = 1;; ++steps) {
     if (steps % 256 == 0 && expired_()) throw FlowError("the time budget is spent");
     session_.step();
-    const Stretch stretch{.begin = session_.previous_time(),
-                          .end = session_.time(),
-                          .noise = noise,
-                          .at = [&](double time, Eigen::VectorXd& state) { session_.interpolate(time, state); }};
+    const Stretch stretch{
+        .begin = session_.previous_time(),
+        .end = session_.time(),
+        .noise = noise,
+        .at = [&](double time, Eigen::VectorXd& state) { session_.interpolate(time, state); }};
     const Crossing crossing = first_event(stretch, fresh, last);
     const bool finished = stretch.end >= end;
     const double time = crossing.contact < 0 ? stretch.end : crossing.time;
@@ -262,7 +268,8 @@ void EventFlow::advance(FlowState& flow, double duration, FlowRecord& record) {
     record.derivative = Eigen::MatrixXd::Identity(2 * dynamics_.size(), 2 * dynamics_.size());
   }
   for (int events = 0; end - flow.time > shortest; ++events) {
-    if (events > kMaxEvents) throw FlowError("more than " + std::to_string(kMaxEvents) + " events in one forcing period");
+    if (events > kMaxEvents)
+      throw FlowError("more than " + std::to_string(kMaxEvents) + " events in one forcing period");
     if (expired_()) throw FlowError("the time budget is spent");
     mode_ = dynamics_.mode(flow.closed);
     if (!take_short_flight(flow, end, record)) integrate(flow, end, record);

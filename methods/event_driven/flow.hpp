@@ -13,11 +13,12 @@
 
 namespace signorini {
 
-/// Advances a scene in time with a relative error of about `tolerance` over some periods: between events CVODE
-/// integrates with rtol = 0.01 tolerance, atol = rtol X and rtol V (MotionScales), never below 1e-13. Events are located on CVODE's dense output by `first_crossing`, not by
-/// CVODE's own root finder: that one compares signs at the ends of a step, so a graze or a short rebound
-/// inside a step would pass unseen, and the root that an impact leaves at its start would have to be hidden
-/// from it. Rebounds shorter than CVODE's first steps are summed by the Taylor series of the linear motion.
+/// Advances a scene in time with a relative error of about `tolerance` over some periods: between events
+/// CVODE integrates with rtol = 0.01 tolerance, atol = rtol X and rtol V (MotionScales), never below 1e-13.
+/// Events are located on CVODE's dense output by `first_crossing`, not by CVODE's own root finder: that one
+/// compares signs at the ends of a step, so a graze or a short rebound inside a step would pass unseen, and
+/// the root that an impact leaves at its start would have to be hidden from it. Rebounds shorter than CVODE's
+/// first steps are summed by the Taylor series of the linear motion.
 ///
 /// Guards, one per contact: gap g - x (open), force -lambda (sticking), compression x - g (penalty).
 class EventFlow {

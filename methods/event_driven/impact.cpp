@@ -9,7 +9,8 @@ namespace signorini {
 namespace {
 
 // z on the indices in `basis`, zero elsewhere, with w = 0 on the basis.
-Eigen::VectorXd basic_solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& q, const std::vector<int>& basis) {
+Eigen::VectorXd basic_solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& q,
+                               const std::vector<int>& basis) {
   Eigen::VectorXd z = Eigen::VectorXd::Zero(q.size());
   if (basis.empty()) return z;
   const Eigen::MatrixXd block = A(basis, basis);
@@ -34,8 +35,8 @@ std::optional<Eigen::VectorXd> solve_small_lcp(const Eigen::MatrixXd& A, const E
   constexpr double kRoundOff = 64.0 * std::numeric_limits<double>::epsilon();
   constexpr int kMaxPivots = 100000;
   const double w_noise = kRoundOff * (q.size() == 0 ? 0.0 : q.cwiseAbs().maxCoeff());
-  const double z_noise = w_noise / std::max(A.size() == 0 ? 0.0 : A.cwiseAbs().maxCoeff(),
-                                            std::numeric_limits<double>::min());
+  const double z_noise =
+      w_noise / std::max(A.size() == 0 ? 0.0 : A.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
   std::vector<bool> basic = held;
   for (int pivot = 0; pivot < kMaxPivots; ++pivot) {
     Eigen::VectorXd z = basic_solution(A, q, indices_of(basic));
@@ -60,7 +61,8 @@ std::optional<Eigen::VectorXd> solve_small_lcp(const Eigen::MatrixXd& A, const E
 std::optional<Eigen::VectorXd> newton_impulses(const ImpactInput& input) {
   const Eigen::VectorXd closing = input.approach.cwiseMax(0.0);
   const Eigen::VectorXd q = -(input.approach + input.restitution.cwiseProduct(closing));
-  const auto z = solve_small_lcp(input.delassus, q, std::vector<bool>(static_cast<std::size_t>(q.size()), false));
+  const auto z =
+      solve_small_lcp(input.delassus, q, std::vector<bool>(static_cast<std::size_t>(q.size()), false));
   if (!z) return std::nullopt;
   return Eigen::VectorXd(-*z);
 }

@@ -77,8 +77,8 @@ Shot shoot_once(PeriodMap& map, const FlowState& start, int order, const std::fu
 }
 
 // The step, halved until the residual falls; empty failure if it does.
-Shot damped_step(PeriodMap& map, const Shot& from, const Eigen::VectorXd& step, int order,
-                 int max_halvings, const std::function<bool()>& expired) {
+Shot damped_step(PeriodMap& map, const Shot& from, const Eigen::VectorXd& step, int order, int max_halvings,
+                 const std::function<bool()>& expired) {
   double factor = 1.0;
   Shot best = from;
   for (int halving = 0; halving <= max_halvings; ++halving, factor *= 0.5) {
@@ -87,7 +87,8 @@ Shot damped_step(PeriodMap& map, const Shot& from, const Eigen::VectorXd& step, 
     if (next.residual < (1.0 - 0.25 * factor) * from.residual) return next;
     best.failure = next.failure;
   }
-  if (best.failure.empty()) best.failure = "no reduction along the Newton step (the sequence of events changes)";
+  if (best.failure.empty())
+    best.failure = "no reduction along the Newton step (the sequence of events changes)";
   return best;
 }
 
@@ -107,7 +108,8 @@ Orbit newton_orbit(PeriodMap& map, const FlowState& guess, int order, const Newt
     const Eigen::VectorXd step = lu.solve(shot.defect);
     const double length = step.lpNorm<Eigen::Infinity>();
     if (!(lu.rcond() > kSingular) || !(length <= limits.largest_step)) {
-      orbit.reason = lu.rcond() > kSingular ? "the Newton step leaves the neighbourhood" : "a multiplier is 1 (singular)";
+      orbit.reason = lu.rcond() > kSingular ? "the Newton step leaves the neighbourhood"
+                                            : "a multiplier is 1 (singular)";
       break;
     }
     Shot next = damped_step(map, shot, step, order, polishing ? 0 : limits.max_halvings, expired);

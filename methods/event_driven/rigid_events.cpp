@@ -92,7 +92,8 @@ void RigidEvents::collide(FlowState& flow, Impact& impact, FlowRecord& record) c
   }
 }
 
-std::vector<bool> RigidEvents::pressed(double time, const State& state, const std::vector<int>& resting) const {
+std::vector<bool> RigidEvents::pressed(double time, const State& state,
+                                       const std::vector<int>& resting) const {
   std::vector<bool> closed(static_cast<std::size_t>(dynamics_.contact_count()), false);
   if (resting.empty()) return closed;
   const Eigen::MatrixXd G = dynamics_.delassus()(resting, resting);
@@ -122,7 +123,8 @@ void RigidEvents::decide(double time, const State& state, const std::vector<int>
                          const std::vector<bool>& held, std::vector<bool>& closed) const {
   const MotionDerivatives next = dynamics_.derivatives(dynamics_.mode(closed), time, state, 3);
   const Eigen::MatrixXd rows = dynamics_.directions()(Eigen::all, involved).transpose();
-  const auto growth = solve_small_lcp(dynamics_.delassus()(involved, involved), -(rows * next.u.col(3)), held);
+  const auto growth =
+      solve_small_lcp(dynamics_.delassus()(involved, involved), -(rows * next.u.col(3)), held);
   if (!growth) throw FlowError("no contact forces satisfy the contact law: the stops depend on each other");
   for (std::size_t i = 0; i < involved.size(); ++i) {
     closed[static_cast<std::size_t>(involved[i])] = held[i] || (*growth)[static_cast<Eigen::Index>(i)] > 0.0;
@@ -150,8 +152,8 @@ Eigen::MatrixXd RigidEvents::saltation(const Impact& impact, const FlowState& af
   if (!pushed.empty()) {
     const Eigen::MatrixXd G = dynamics_.delassus()(pushed, pushed);
     const auto scale = Eigen::VectorXd::Map(factor.data(), static_cast<Eigen::Index>(factor.size()));
-    R -= back(Eigen::all, pushed) * G.completeOrthogonalDecomposition().solve(
-                                        Eigen::MatrixXd(scale.asDiagonal() * W(Eigen::all, pushed).transpose()));
+    R -= back(Eigen::all, pushed) * G.completeOrthogonalDecomposition().solve(Eigen::MatrixXd(
+                                        scale.asDiagonal() * W(Eigen::all, pushed).transpose()));
   }
   Eigen::MatrixXd S = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   S.topLeftCorner(n, n).setIdentity();
@@ -176,7 +178,8 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
   Impact impact;
   impact.contacts = touching(flow);
   if (trigger >= 0 && !std::binary_search(impact.contacts.begin(), impact.contacts.end(), trigger)) {
-    impact.contacts.insert(std::upper_bound(impact.contacts.begin(), impact.contacts.end(), trigger), trigger);
+    impact.contacts.insert(std::upper_bound(impact.contacts.begin(), impact.contacts.end(), trigger),
+                           trigger);
   }
   const MotionDerivatives left = dynamics_.derivatives(dynamics_.mode(flow.closed), flow.time, flow.state, 3);
   impact.before = flow.state;
@@ -209,7 +212,8 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
 void RigidEvents::expel(State& state) const {
   const Eigen::VectorXd gap = dynamics_.gaps() - dynamics_.directions().transpose() * state.u;
   if (gap.size() == 0 || gap.minCoeff() >= 0.0) return;
-  const auto z = solve_small_lcp(dynamics_.delassus(), gap, std::vector<bool>(static_cast<std::size_t>(gap.size()), false));
+  const auto z = solve_small_lcp(dynamics_.delassus(), gap,
+                                 std::vector<bool>(static_cast<std::size_t>(gap.size()), false));
   if (!z) throw FlowError("no displacement satisfies all gaps");
   state.u -= dynamics_.impulse_response() * *z;
 }

@@ -54,11 +54,12 @@ class RigidEvents {
   [[nodiscard]] std::vector<int> touching(const FlowState& flow) const;
   [[nodiscard]] bool chatter_ends(double v, double a, double jerk) const;
   void collide(FlowState& flow, Impact& impact, FlowRecord& record) const;
-  [[nodiscard]] std::vector<bool> pressed(double time, const State& state, const std::vector<int>& resting) const;
-  void decide(double time, const State& state, const std::vector<int>& involved, const std::vector<bool>& held,
-              std::vector<bool>& closed) const;
-  [[nodiscard]] Eigen::MatrixXd saltation(const Impact& impact, const FlowState& after, const ContactMode& mode,
-                                          int trigger) const;
+  [[nodiscard]] std::vector<bool> pressed(double time, const State& state,
+                                          const std::vector<int>& resting) const;
+  void decide(double time, const State& state, const std::vector<int>& involved,
+              const std::vector<bool>& held, std::vector<bool>& closed) const;
+  [[nodiscard]] Eigen::MatrixXd saltation(const Impact& impact, const FlowState& after,
+                                          const ContactMode& mode, int trigger) const;
 
   const ContactDynamics& dynamics_;
   double tolerance_, touch_, rest_, weightless_;

@@ -1,5 +1,7 @@
 #include "methods/event_driven/steady_state.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -7,8 +9,6 @@
 #include <limits>
 #include <optional>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace signorini {
 
@@ -25,7 +25,8 @@ double phase_distance(double a, double b, double period) {
 
 double nearest_event(const std::vector<ContactEvent>& events, double phase, double period) {
   double nearest = period;
-  for (const ContactEvent& event : events) nearest = std::min(nearest, phase_distance(event.time, phase, period));
+  for (const ContactEvent& event : events)
+    nearest = std::min(nearest, phase_distance(event.time, phase, period));
   return nearest;
 }
 
@@ -156,7 +157,8 @@ std::optional<int> March::order_when_marched_on(const Orbit& orbit) {
   for (int order = 1; order <= orbit.order; ++order) {
     double worst = 0.0;
     for (std::size_t i = static_cast<std::size_t>(order); i < states.size(); ++i) {
-      worst = std::max(worst, (states[i] - states[i - static_cast<std::size_t>(order)]).lpNorm<Eigen::Infinity>());
+      worst = std::max(worst,
+                       (states[i] - states[i - static_cast<std::size_t>(order)]).lpNorm<Eigen::Infinity>());
     }
     if (worst <= limits_.accepted()) return order;
     if (order < orbit.order && worst <= kClear * limits_.accepted()) return std::nullopt;
@@ -242,8 +244,9 @@ SteadyState March::run() {
     }
   }
   return {.periodic = false,
-          .message = fmt::format("not periodic after {} periods (orders up to {}; nearest order {} within {:.2g})",
-                                 marched_, limits_.max_order, order, best),
+          .message =
+              fmt::format("not periodic after {} periods (orders up to {}; nearest order {} within {:.2g})",
+                          marched_, limits_.max_order, order, best),
           .start = state_,
           .order = order,
           .residual = best,
@@ -290,15 +293,17 @@ SteadyState shoot(PeriodMap& map, const FlowState& start, int order, const Stead
                                     .max_halvings = 12,
                                     .largest_step = 1e3},
                                    expired);
-  return {.periodic = orbit.converged,
-          .message = orbit.converged
-                         ? fmt::format("periodic with order {} after {} Newton steps, largest multiplier {:.6g}", order,
-                                       orbit.iterations, orbit.largest_multiplier())
-                         : fmt::format("no periodic motion after {} Newton steps: {}", orbit.iterations, orbit.reason),
-          .start = orbit.start,
-          .order = order,
-          .residual = orbit.residual,
-          .iterations = orbit.iterations};
+  return {
+      .periodic = orbit.converged,
+      .message =
+          orbit.converged
+              ? fmt::format("periodic with order {} after {} Newton steps, largest multiplier {:.6g}", order,
+                            orbit.iterations, orbit.largest_multiplier())
+              : fmt::format("no periodic motion after {} Newton steps: {}", orbit.iterations, orbit.reason),
+      .start = orbit.start,
+      .order = order,
+      .residual = orbit.residual,
+      .iterations = orbit.iterations};
 }
 
 }  // namespace signorini

@@ -126,12 +126,10 @@ Solution ProjectedContact::solve(const Start& start) {
     FourierTrajectory::Data data = fourier_data(receptance_, gap_, law_, force_coefficients(result.z, samples));
     const bool solved = result.status == LcpStatus::solved;
     std::string quadrature = fmt::format("N = {}", samples);
-    bool refined = true;
     if (solved && options_.quadrature == Quadrature::exact && result.z.maxCoeff() > 0.0) {
       const auto steps = refine_quadrature(receptance_, law_, samples, settings.tolerance, data);
-      refined = steps.has_value();
-      if (refined) work.iterations = work.iterations.value_or(0) + *steps;
-      quadrature += refined ? ", contact integral exact" : ", contact integral sampled: no exact one nearby";
+      if (steps) work.iterations = work.iterations.value_or(0) + *steps;
+      quadrature += steps ? ", contact integral exact" : ", contact integral sampled: no exact one nearby";
     }
     const double ratio = net_work_ratio(data.x, data.lambda);
     solution.verdict = solved ? Verdict::converged : Verdict::not_converged;
@@ -141,7 +139,7 @@ Solution ProjectedContact::solve(const Start& start) {
     if (result.z.allFinite()) solution.trajectory = std::make_shared<FourierTrajectory>(std::move(data));
     // More samples repair a ray or a coarse quadrature, not a Newton iteration that has lost its way.
     if ((newton && !solved) || result.status == LcpStatus::interrupted) break;
-    if (!ladder.climb(solved && refined, ratio)) break;
+    if (!ladder.climb(solved, ratio)) break;
   }
   solution.work = work;
   return solution;

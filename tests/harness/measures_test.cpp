@@ -46,7 +46,8 @@ TEST(MeasurePhysics, IsEmptyWithoutContacts) {
   Problem problem = test::one_mass();
   problem.contacts.clear();
   problem.law = std::monostate{};
-  const Physics physics = measure_physics(problem, std::monostate{}, FormulaMotion(kPeriod, {}, {}, {}, {}, 1, 0));
+  const Physics physics =
+      measure_physics(problem, std::monostate{}, FormulaMotion(kPeriod, {}, {}, {}, {}, 1, 0));
   EXPECT_FALSE(physics.penetration.has_value());
   EXPECT_FALSE(physics.complementarity.has_value());
   EXPECT_FALSE(physics.contact_ratio.has_value());

@@ -176,7 +176,9 @@ TEST(CsvReport, HasAReasonInEveryRowWithEmptyCells) {
   EXPECT_EQ(header.substr(header.rfind(',') + 1), "reason");
   int rows = 0;
   for (std::string line; std::getline(stream, line); ++rows) {
-    if (line.find(",,") != std::string::npos) EXPECT_NE(line.back(), ',') << line;
+    if (line.find(",,") != std::string::npos) {
+      EXPECT_NE(line.back(), ',') << line;
+    }
     EXPECT_EQ(line.find("nan"), std::string::npos);
   }
   EXPECT_EQ(rows, 10);

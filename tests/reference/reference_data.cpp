@@ -146,11 +146,4 @@ double relative_l2(const Eigen::MatrixXcd& x, const Eigen::MatrixXcd& reference,
   return std::sqrt(error / size);
 }
 
-double observed_slope(const std::vector<double>& sizes, const std::vector<double>& errors) {
-  const auto count = static_cast<Eigen::Index>(sizes.size());
-  const Eigen::ArrayXd s = Eigen::Map<const Eigen::ArrayXd>(sizes.data(), count).log();
-  const Eigen::ArrayXd e = Eigen::Map<const Eigen::ArrayXd>(errors.data(), count).log();
-  return ((s - s.mean()) * (e - e.mean())).sum() / (s - s.mean()).square().sum();
-}
-
 }  // namespace signorini::test

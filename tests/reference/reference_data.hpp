@@ -51,7 +51,4 @@ Eigen::MatrixXcd coefficients_of(const Solution& solution);
 /// |x - reference| / |reference| in L2(0, T) over the harmonics 0..`harmonics`; missing ones are zero.
 double relative_l2(const Eigen::MatrixXcd& x, const Eigen::MatrixXcd& reference, int harmonics);
 
-/// Slope of log(error) against log(size) by least squares: -1 for error ~ 1 / size.
-double observed_slope(const std::vector<double>& sizes, const std::vector<double>& errors);
-
 }  // namespace signorini::test

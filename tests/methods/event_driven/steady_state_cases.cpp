@@ -43,7 +43,8 @@ SteadyStateCase parse(const Json& json) {
     const auto load = json.at("load").get<std::vector<double>>();
     for (std::size_t i = 0; i < load.size(); ++i) {
       if (load[i] == 0.0) continue;
-      problem.force.push_back({.dof = static_cast<int>(i), .harmonic = 1, .cos = load_size * load[i], .sin = 0.0});
+      problem.force.push_back(
+          {.dof = static_cast<int>(i), .harmonic = 1, .cos = load_size * load[i], .sin = 0.0});
     }
   } else {
     constexpr int kElements = 10;
@@ -90,7 +91,8 @@ SparseMatrix sparse(const Rows& rows) {
   const auto size = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd dense(size, size);
   for (Eigen::Index i = 0; i < size; ++i) {
-    for (Eigen::Index j = 0; j < size; ++j) dense(i, j) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    for (Eigen::Index j = 0; j < size; ++j)
+      dense(i, j) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
   }
   return dense.sparseView();
 }
@@ -122,10 +124,12 @@ SteadyStateDifference difference(const SteadyStateCase& expected, const Trajecto
     SteadyStateDifference now;
     double largest = 0.0;
     for (const auto& row : expected.samples) {
-      const int index = (static_cast<int>(std::lround(row[0] * kPerPeriod)) + shift * kPerPeriod) % (kPerPeriod * order);
+      const int index =
+          (static_cast<int>(std::lround(row[0] * kPerPeriod)) + shift * kPerPeriod) % (kPerPeriod * order);
       for (int j = 0; j < expected.problem.contact_count(); ++j) {
         const auto& [dof, sign] = expected.problem.contacts[static_cast<std::size_t>(j)].normal.front();
-        const auto column = std::find(expected.dofs.begin(), expected.dofs.end(), dof) - expected.dofs.begin();
+        const auto column =
+            std::find(expected.dofs.begin(), expected.dofs.end(), dof) - expected.dofs.begin();
         const double x = sign * row[static_cast<std::size_t>(1 + 2 * column)];
         largest = std::max(largest, std::abs(x));
         now.x = std::max(now.x, std::abs(x - samples.x(index, j)));

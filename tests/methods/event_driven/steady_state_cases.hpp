@@ -33,7 +33,7 @@ SteadyStateCase steady_state_case(const std::string& family, const std::string& 
 /// Difference between a motion and the expected one, at the shift of whole forcing periods that fits best
 /// (a motion of order p is known up to such a shift).
 struct SteadyStateDifference {
-  double x = 0.0;           ///< largest at the contacts recorded, relative to the largest displacement
+  double x = 0.0;            ///< largest at the contacts recorded, relative to the largest displacement
   double impact_time = 0.0;  ///< largest, in forcing periods; impacts faster than `counted` only
   double impulse = 0.0;      ///< largest, relative to the largest impulse
   int expected_impacts = 0, found_impacts = 0;  ///< of that speed
