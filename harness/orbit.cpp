@@ -19,10 +19,11 @@ constexpr double kWeakImpact = 1e-3;
 double crossing(const Motion& motion, int contact, int inside, int outside) {
   const int count = motion.count();
   const auto f = [&](int i) { return motion.samples.force(((i % count) + count) % count, contact); };
-  // The force rises in proportion to the time since it began: its zero lies behind two inner samples.
-  const double slope = f(inside) - f(2 * inside - outside);
-  const double back = slope == 0.0 ? 0.5 : std::clamp(-f(inside) / slope, -1.0, 0.0) * -1.0;
-  return (inside + (outside - inside) * std::min(1.0, std::abs(back))) * motion.step();
+  // A force that grows in proportion to the time since it began has its zero on the line through the two
+  // innermost samples; one that jumps, anywhere between the instants.
+  const double fall = f(inside) - f(2 * inside - outside);
+  const double share = fall > 0.0 ? std::min(1.0, -f(inside) / fall) : 0.5;
+  return (inside + (outside - inside) * share) * motion.step();
 }
 
 double wrap(double time, double period) {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "harness/condensation.hpp"
 #include "harness/orbit.hpp"
 #include "harness/record.hpp"
 #include "harness/trajectory_json.hpp"
@@ -28,18 +29,37 @@ bool found(const Solution& solution) {
   return solution.verdict == Verdict::converged && solution.trajectory != nullptr;
 }
 
+Solution event_driven(const Problem& problem, const OrbitRequest& request) {
+  EventDriven::Options options;
+  options.tolerance = request.tolerance;
+  options.steady = request.shooting ? EventDriven::Steady::shooting : EventDriven::Steady::marching;
+  options.max_iterations = request.shooting ? kShootingSteps : kMarchedPeriods;
+  const EventDriven method(options);
+  const Support support = method.supports(problem);
+  if (!support.ok) return Solution{.message = support.reason};
+  return method.prepare(problem)->solve({.guess = request.guess, .deadline = request.deadline});
+}
+
+/// Time marching needs mass everywhere: the scene with spring stops that is exactly the same stands in.
+Solution event_driven_massless(const Problem& problem, OrbitRequest request) {
+  const CondensedScene condensed = condense(problem);
+  if (!condensed.problem) return Solution{.message = condensed.reason};
+  // A guess is used for its force alone, which both scenes share, unless it comes from here.
+  if (const auto* own = dynamic_cast<const CondensedMotion*>(request.guess.get()))
+    request.guess = own->inner();
+  Solution solution = event_driven(*condensed.problem, request);
+  if (solution.trajectory) {
+    solution.trajectory = std::make_shared<CondensedMotion>(solution.trajectory, contact_gaps(problem));
+  }
+  return solution;
+}
+
 }  // namespace
 
 OrbitSolver event_driven_orbits() {
   return [](const Problem& problem, const OrbitRequest& request) {
-    EventDriven::Options options;
-    options.tolerance = request.tolerance;
-    options.steady = request.shooting ? EventDriven::Steady::shooting : EventDriven::Steady::marching;
-    options.max_iterations = request.shooting ? kShootingSteps : kMarchedPeriods;
-    const EventDriven method(options);
-    const Support support = method.supports(problem);
-    if (!support.ok) return Solution{.message = support.reason};
-    return method.prepare(problem)->solve({.guess = request.guess, .deadline = request.deadline});
+    return std::holds_alternative<Massless>(problem.law) ? event_driven_massless(problem, request)
+                                                         : event_driven(problem, request);
   };
 }
 

@@ -26,7 +26,8 @@ struct OrbitRequest {
 /// exact-orbit kernel once there is one.
 using OrbitSolver = std::function<Solution(const Problem& problem, const OrbitRequest& request)>;
 
-/// The event-driven method. Where it does not apply, the solution says so.
+/// The event-driven method; for massless contacts on the condensed scene. Where it does not apply, the
+/// solution says so.
 OrbitSolver event_driven_orbits();
 
 /// Tolerances of the two computations whose difference is an orbit's error bar.

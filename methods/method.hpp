@@ -33,7 +33,8 @@ struct Start {
 
   /// True once the time budget is spent; methods ask between iterations and end `not_converged`.
   [[nodiscard]] bool expired() const {
-    return deadline != std::chrono::steady_clock::time_point::max() && std::chrono::steady_clock::now() > deadline;
+    return deadline != std::chrono::steady_clock::time_point::max() &&
+           std::chrono::steady_clock::now() > deadline;
   }
 };
 

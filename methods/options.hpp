@@ -134,7 +134,8 @@ template <class Options>
 std::vector<OptionEcho> echo_options(Options options) {
   std::vector<OptionEcho> echo;
   options.visit([&](std::string_view name, auto& field, std::string_view unit, std::string_view meaning) {
-    echo.push_back({std::string(name), option_detail::echo_of(field), std::string(unit), std::string(meaning)});
+    echo.push_back(
+        {std::string(name), option_detail::echo_of(field), std::string(unit), std::string(meaning)});
   });
   return echo;
 }

@@ -55,10 +55,10 @@ struct Work {
 
 struct Solution {
   Verdict verdict = Verdict::not_converged;
-  std::string message = {};                            ///< one sentence for a person
-  std::shared_ptr<const Trajectory> trajectory = {};   ///< best iterate; null if there is none
+  std::string message = {};                           ///< one sentence for a person
+  std::shared_ptr<const Trajectory> trajectory = {};  ///< best iterate; null if there is none
   Work work = {};
-  std::optional<double> residual = {};                 ///< of the method's own equations, relative [-]
+  std::optional<double> residual = {};  ///< of the method's own equations, relative [-]
 };
 
 }  // namespace signorini

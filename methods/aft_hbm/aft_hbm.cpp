@@ -21,16 +21,21 @@ constexpr int kNewtonSteps = 100;
 
 class PreparedAft final : public PreparedMethod {
  public:
-  PreparedAft(const Problem& problem, const AftHbm::Options& options, ContactReceptance receptance, ProjectedLaw law)
-      : options_(options), receptance_(std::move(receptance)), law_(std::move(law)), gap_(contact_gaps(problem)) {}
+  PreparedAft(const Problem& problem, const AftHbm::Options& options, ContactReceptance receptance,
+              ProjectedLaw law)
+      : options_(options),
+        receptance_(std::move(receptance)),
+        law_(std::move(law)),
+        gap_(contact_gaps(problem)) {}
 
   Solution solve(const Start& start) override {
     if (receptance_.contacts() == 0) return contact_free_response(receptance_);
     const bool automatic = !options_.samples.has_value();
     Solution solution;
     Work work{.unknowns = (2L * options_.harmonics + 1) * receptance_.contacts(), .iterations = 0};
-    Eigen::MatrixXcd guess = start.guess ? force_spectrum(*start.guess, options_.harmonics) : Eigen::MatrixXcd{};
-    SampleLadder ladder(options_.harmonics, options_.samples);
+    Eigen::MatrixXcd guess =
+        start.guess ? force_spectrum(*start.guess, options_.harmonics) : Eigen::MatrixXcd{};
+    SampleLadder ladder(options_.harmonics, options_.samples, options_.quadrature);
     while (true) {
       AftResidual residual(receptance_, gap_, law_, ladder.samples());
       const Outcome outcome = solve_on_grid(residual, guess, start);
@@ -40,18 +45,20 @@ class PreparedAft final : public PreparedMethod {
       const bool converged = outcome.newton.converged;
       if (converged) guess = data.lambda;
       std::string quadrature = fmt::format("N = {}", ladder.samples());
-      if (converged && options_.quadrature == Quadrature::exact && data.lambda.norm() > 0.0) {
+      bool exact = converged && data.lambda.norm() == 0.0;
+      if (converged && !exact && options_.quadrature == Quadrature::exact) {
         const auto steps = refine_quadrature(receptance_, law_, ladder.samples(), options_.tolerance, data);
+        exact = steps.has_value();
         work.iterations = *work.iterations + steps.value_or(0);
-        quadrature += steps ? ", contact integral exact" : ", contact integral sampled: no exact one nearby";
+        quadrature += exact ? ", contact integral exact" : ", contact integral sampled: no exact one nearby";
       }
       const double ratio = net_work_ratio(data.x, data.lambda);
       solution.verdict = converged ? Verdict::converged : Verdict::not_converged;
       solution.residual = outcome.newton.residual;
-      solution.message = fmt::format("{}; {}, net contact work {:.1e} of that exchanged", outcome.message, quadrature,
-                                     ratio);
+      solution.message = fmt::format("{}; {}, net contact work {:.1e} of that exchanged", outcome.message,
+                                     quadrature, ratio);
       if (data.lambda.allFinite()) solution.trajectory = std::make_shared<FourierTrajectory>(std::move(data));
-      if (!automatic || start.expired() || !ladder.climb(converged, ratio)) break;
+      if (!automatic || start.expired() || !ladder.climb(converged, exact, ratio)) break;
       // Newton alone that has lost its way is not helped by more samples.
       if (!converged && !options_.homotopy) break;
     }
@@ -69,7 +76,8 @@ class PreparedAft final : public PreparedMethod {
   /// Newton from the guess or the contact-free response; failing that, the homotopy and Newton from its end.
   Outcome solve_on_grid(AftResidual& residual, const Eigen::MatrixXcd& guess, const Start& start) const {
     Outcome outcome;
-    const int newton_steps = options_.max_iterations > 0 ? std::min(options_.max_iterations, kNewtonSteps) : kNewtonSteps;
+    const int newton_steps =
+        options_.max_iterations > 0 ? std::min(options_.max_iterations, kNewtonSteps) : kNewtonSteps;
     const Eigen::VectorXd first =
         guess.size() > 0 ? residual.unknowns_of(guess) : Eigen::VectorXd::Zero(residual.unknowns());
     outcome.newton = solve_newton_krylov(residual, first, options_.tolerance, newton_steps, start);
@@ -90,11 +98,16 @@ class PreparedAft final : public PreparedMethod {
 
   static std::string describe(GapPath::End end) {
     switch (end) {
-      case GapPath::End::arrived: return "gap homotopy and Newton-Krylov";
-      case GapPath::End::ray: return "the gap homotopy ended on a ray";
-      case GapPath::End::limit: return "the gap homotopy used up its iterations";
-      case GapPath::End::singular: return "a linear system of the gap homotopy could not be solved";
-      case GapPath::End::interrupted: return "time budget used up";
+      case GapPath::End::arrived:
+        return "gap homotopy and Newton-Krylov";
+      case GapPath::End::ray:
+        return "the gap homotopy ended on a ray";
+      case GapPath::End::limit:
+        return "the gap homotopy used up its iterations";
+      case GapPath::End::singular:
+        return "a linear system of the gap homotopy could not be solved";
+      case GapPath::End::interrupted:
+        return "time budget used up";
     }
     return "unknown";
   }
@@ -112,14 +125,19 @@ AftHbm::AftHbm(const Options& options) : options_(options) {
   require_option(!options_.c || *options_.c > 0.0, "c", options_.c, "must be positive, or auto");
   require_option(!options_.penalty || options_.penalty->value > 0.0, "penalty", options_.penalty,
                  "must be positive, or auto");
-  require_option(!options_.c || options_.law == ContactLaw::dlft, "c", options_.c, "must be auto unless law = dlft");
+  require_option(!options_.c || options_.law == ContactLaw::dlft, "c", options_.c,
+                 "must be auto unless law = dlft");
   require_option(!options_.penalty || options_.law == ContactLaw::penalty, "penalty", options_.penalty,
                  "must be auto unless law = penalty");
 }
 
-Support AftHbm::supports(const Problem& problem) const { return supports_harmonics(problem, options_.harmonics); }
+Support AftHbm::supports(const Problem& problem) const {
+  return supports_harmonics(problem, options_.harmonics);
+}
 
-RepresentedLaw AftHbm::law(const Problem& problem) const { return projected_method_law(problem, options_.penalty); }
+RepresentedLaw AftHbm::law(const Problem& problem) const {
+  return projected_method_law(problem, options_.penalty);
+}
 
 std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
   ContactReceptance receptance = fourier_receptance(problem, options_.harmonics);

@@ -35,21 +35,24 @@ class AftHbm final : public Method {
     std::optional<double> c = {};        ///< of dlft: > 0, times contact_stiffness_scale [-]
     std::optional<Scaled> penalty = {};  ///< of penalty: eps > 0 [N/m], or times contact_stiffness_scale
     Quadrature quadrature = Quadrature::exact;
-    bool homotopy = true;                ///< false: Newton alone
-    double tolerance = 1e-10;            ///< on |R|_2 / max(|P max(0, y)|_2, |load on the constraint|_2) [-]
-    int max_iterations = 0;              ///< Newton steps plus switches; 0: 100 and 6000 + 10 N Nc [-]
+    bool homotopy = true;      ///< false: Newton alone
+    double tolerance = 1e-10;  ///< on |R|_2 / max(|P max(0, y)|_2, |load on the constraint|_2) [-]
+    int max_iterations = 0;    ///< Newton steps plus switches; 0: 100 and 6000 + 10 N Nc [-]
 
     void visit(auto&& field) {
       field("harmonics", harmonics, "[-]", "highest harmonic H kept, 1..100000");
-      field("samples", samples, "[-]", "N per period, >= 2 H + 1; auto: 32 H, doubled where that does not do");
+      field("samples", samples, "[-]", "N per period, >= 2 H + 1; auto: 8 H (sampled: 32 H) or finer");
       field("law", law, "[-]", "dlft (dynamic Lagrangian) | penalty");
-      field("c", c, "[-]", "dlft: constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H");
+      field("c", c, "[-]",
+            "dlft: constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H");
       field("penalty", penalty, "[N/m]",
             "penalty: stiffness of the stop, 1e6 or 100x; auto: the scene's, else 8x the dynamic one near H");
-      field("quadrature", quadrature, "[-]", "exact: contact integral between its edges | sampled: on the N samples");
+      field("quadrature", quadrature, "[-]",
+            "exact: contact integral between its edges | sampled: on the N samples");
       field("homotopy", homotopy, "[-]", "follow the gap homotopy where Newton fails: true | false");
       field("tolerance", tolerance, "[-]", "relative residual accepted, in (0, 1e-2]");
-      field("max_iterations", max_iterations, "[-]", "limit on Newton steps and switches; 0: the solver's own");
+      field("max_iterations", max_iterations, "[-]",
+            "limit on Newton steps and switches; 0: the solver's own");
     }
   };
 

@@ -8,8 +8,8 @@
 
 namespace signorini {
 
-AftResidual::AftResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
-                         int samples)
+AftResidual::AftResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                         const ProjectedLaw& law, int samples)
     : harmonics_(receptance.harmonics()),
       contacts_(receptance.contacts()),
       samples_(samples),
@@ -91,7 +91,8 @@ void AftResidual::prepare_preconditioner(const std::vector<char>& contact) {
 Eigen::VectorXd AftResidual::precondition(const Eigen::VectorXd& v) const {
   Eigen::MatrixXcd spectrum = unpack_harmonics(v, harmonics_);
   for (int n = 0; n <= harmonics_; ++n) {
-    spectrum.row(n) = (preconditioner_[static_cast<std::size_t>(n)] * spectrum.row(n).transpose()).transpose().eval();
+    spectrum.row(n) =
+        (preconditioner_[static_cast<std::size_t>(n)] * spectrum.row(n).transpose()).transpose().eval();
   }
   return pack_harmonics(spectrum);
 }

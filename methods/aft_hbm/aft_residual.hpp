@@ -18,7 +18,8 @@ namespace signorini {
 /// in harmonic_vector.hpp: |lambda|_2 is the root mean square in time.
 class AftResidual {
  public:
-  AftResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law, int samples);
+  AftResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
+              int samples);
 
   [[nodiscard]] int unknowns() const { return (2 * harmonics_ + 1) * contacts_; }
   [[nodiscard]] int samples() const { return samples_; }

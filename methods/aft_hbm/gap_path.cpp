@@ -15,15 +15,17 @@ namespace {
 constexpr double kLinearTolerance = 1e-12;  // of each linear solve, relative to its right-hand side
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-Eigen::VectorXd solve_jacobian(AftResidual& residual, const std::vector<char>& contact, const Eigen::VectorXd& rhs) {
+Eigen::VectorXd solve_jacobian(AftResidual& residual, const std::vector<char>& contact,
+                               const Eigen::VectorXd& rhs) {
   residual.prepare_preconditioner(contact);
   return solve_by_gmres([&](const Eigen::VectorXd& v) { return residual.product(contact, v); },
-                        [&](const Eigen::VectorXd& v) { return residual.precondition(v); }, rhs, kLinearTolerance);
+                        [&](const Eigen::VectorXd& v) { return residual.precondition(v); }, rhs,
+                        kLinearTolerance);
 }
 
 /// Solves J v - s P chi d = r, (B v - s d)_i = rate for (v, s), stacked; empty on failure.
-Eigen::VectorXd solve_bordered(AftResidual& residual, const std::vector<char>& contact, const Eigen::VectorXd& r,
-                               int sample, double rate) {
+Eigen::VectorXd solve_bordered(AftResidual& residual, const std::vector<char>& contact,
+                               const Eigen::VectorXd& r, int sample, double rate) {
   residual.prepare_preconditioner(contact);
   Eigen::VectorXd shifted = residual.shift();
   for (Eigen::Index i = 0; i < shifted.size(); ++i) {
@@ -113,7 +115,8 @@ class Path {
   }
 
   /// The nearest switch along y + t dy; index -1 if there is none.
-  [[nodiscard]] std::pair<double, int> first_switch(const Eigen::VectorXd& y, const Eigen::VectorXd& dy) const {
+  [[nodiscard]] std::pair<double, int> first_switch(const Eigen::VectorXd& y,
+                                                    const Eigen::VectorXd& dy) const {
     double length = std::numeric_limits<double>::infinity();
     int next = -1;
     const double threshold = 64 * kEpsilon * std::max(1.0, dy.lpNorm<Eigen::Infinity>());
@@ -140,8 +143,8 @@ class Path {
 
 }  // namespace
 
-NewtonKrylov solve_newton_krylov(AftResidual& residual, Eigen::VectorXd lambda, double tolerance, int max_iterations,
-                                 const Start& start) {
+NewtonKrylov solve_newton_krylov(AftResidual& residual, Eigen::VectorXd lambda, double tolerance,
+                                 int max_iterations, const Start& start) {
   NewtonKrylov result;
   std::vector<char> contact;
   Eigen::VectorXd r = residual.residual(lambda, contact);

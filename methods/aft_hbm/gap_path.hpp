@@ -17,8 +17,8 @@ struct NewtonKrylov {
 
 /// Newton on R(lambda) = 0 with GMRES for each step and a monotone line search on |R|_2 (halving down
 /// to 2^-16). The equations are piecewise linear: near a solution one full step ends it.
-NewtonKrylov solve_newton_krylov(AftResidual& residual, Eigen::VectorXd lambda, double tolerance, int max_iterations,
-                                 const Start& start);
+NewtonKrylov solve_newton_krylov(AftResidual& residual, Eigen::VectorXd lambda, double tolerance,
+                                 int max_iterations, const Start& start);
 
 struct GapPath {
   enum class End { arrived, ray, limit, singular, interrupted } end = End::limit;

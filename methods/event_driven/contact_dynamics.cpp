@@ -15,10 +15,10 @@ bool ContactMode::closed(int contact) const {
 }
 
 ContactDynamics::ContactDynamics(const Problem& problem)
-    : K_(problem.stiffness),
-      D_(problem.damping),
+    : stiffness_(problem.stiffness),
+      damping_(problem.damping),
       force_(problem.force),
-      W_(contact_directions(problem)),
+      directions_(contact_directions(problem)),
       gaps_(contact_gaps(problem)),
       highest_harmonic_(std::max(1, highest_load_harmonic(problem))),
       frequency_(problem.frequency),
@@ -31,8 +31,8 @@ ContactDynamics::ContactDynamics(const Problem& problem)
   if (const auto* law = std::get_if<Penalty>(&problem.law)) {
     penalty_ = Eigen::VectorXd::Map(law->stiffness.data(), static_cast<Eigen::Index>(law->stiffness.size()));
   }
-  inverse_mass_W_ = mass_.solve(W_);
-  delassus_ = W_.transpose() * inverse_mass_W_;
+  impulse_response_ = mass_.solve(directions_);
+  delassus_ = directions_.transpose() * impulse_response_;
   prepare_small();
   measure_rates();
   measure_scales(problem);
@@ -42,8 +42,8 @@ void ContactDynamics::prepare_small() {
   constexpr int kSmall = 32;  // a dense product is then no dearer than sparse ones and a sparse solve
   small_ = size() <= kSmall;
   if (!small_) return;
-  inverse_mass_K_ = mass_.solve(Eigen::MatrixXd(K_));
-  inverse_mass_D_ = mass_.solve(Eigen::MatrixXd(D_));
+  inverse_mass_stiffness_ = mass_.solve(Eigen::MatrixXd(stiffness_));
+  inverse_mass_damping_ = mass_.solve(Eigen::MatrixXd(damping_));
   for (int h = 0; h <= highest_harmonic_; ++h) {
     Eigen::VectorXd cos = Eigen::VectorXd::Zero(size()), sin = cos;
     for (const ForceTerm& term : force_) {
@@ -85,7 +85,7 @@ Eigen::VectorXd ContactDynamics::load_derivative(double time, int order) const {
 
 // lambda_A that cancels the acceleration W_A^T `free` of a structure without contact forces.
 Eigen::VectorXd ContactDynamics::multiplier(const ContactMode& mode, const Eigen::VectorXd& free) const {
-  return -mode.response * (W_(Eigen::all, mode.active).transpose() * free);
+  return -mode.response * (directions_(Eigen::all, mode.active).transpose() * free);
 }
 
 void ContactDynamics::acceleration(const ContactMode& mode, double time,
@@ -93,23 +93,23 @@ void ContactDynamics::acceleration(const ContactMode& mode, double time,
                                    const Eigen::Ref<const Eigen::VectorXd>& v,
                                    Eigen::Ref<Eigen::VectorXd> a) const {
   if (small_) {
-    a.noalias() = inverse_mass_K_.lazyProduct(-u);
-    a.noalias() -= inverse_mass_D_.lazyProduct(v);
+    a.noalias() = inverse_mass_stiffness_.lazyProduct(-u);
+    a.noalias() -= inverse_mass_damping_.lazyProduct(v);
     for (const LoadRate& load : load_rates_) {
       a += std::cos(load.rate * time) * load.cos + std::sin(load.rate * time) * load.sin;
     }
   } else {
     Eigen::VectorXd force = load_derivative(time, 0);
-    force.noalias() -= K_ * u;
-    force.noalias() -= D_ * v;
+    force.noalias() -= stiffness_ * u;
+    force.noalias() -= damping_ * v;
     a = mass_.solve(force);
   }
   if (mode.active.empty()) return;
   if (rigid()) {
-    a += inverse_mass_W_(Eigen::all, mode.active) * multiplier(mode, a);
+    a += impulse_response_(Eigen::all, mode.active) * multiplier(mode, a);
   } else {
     for (const int j : mode.active)
-      a -= inverse_mass_W_.col(j) * (penalty_[j] * (W_.col(j).dot(u) - gaps_[j]));
+      a -= impulse_response_.col(j) * (penalty_[j] * (directions_.col(j).dot(u) - gaps_[j]));
   }
 }
 
@@ -120,17 +120,19 @@ MotionDerivatives ContactDynamics::derivatives(const ContactMode& mode, double t
   result.u.col(0) = state.u;
   result.u.col(1) = state.v;
   for (int k = 0; k + 2 <= order; ++k) {
-    Eigen::VectorXd force = load_derivative(time, k) - K_ * result.u.col(k) - D_ * result.u.col(k + 1);
+    Eigen::VectorXd force =
+        load_derivative(time, k) - stiffness_ * result.u.col(k) - damping_ * result.u.col(k + 1);
     if (!rigid()) {
       for (const int j : mode.active) {
-        result.lambda(j, k) = -penalty_[j] * (W_.col(j).dot(result.u.col(k)) - (k == 0 ? gaps_[j] : 0.0));
-        force += W_.col(j) * result.lambda(j, k);
+        result.lambda(j, k) =
+            -penalty_[j] * (directions_.col(j).dot(result.u.col(k)) - (k == 0 ? gaps_[j] : 0.0));
+        force += directions_.col(j) * result.lambda(j, k);
       }
     }
     Eigen::VectorXd next = mass_.solve(force);
     if (rigid() && !mode.active.empty()) {
       const Eigen::VectorXd lambda = multiplier(mode, next);
-      next += inverse_mass_W_(Eigen::all, mode.active) * lambda;
+      next += impulse_response_(Eigen::all, mode.active) * lambda;
       result.lambda(mode.active, k) = lambda;
     }
     result.u.col(k + 2) = next;
@@ -140,15 +142,16 @@ MotionDerivatives ContactDynamics::derivatives(const ContactMode& mode, double t
 
 Eigen::MatrixXd ContactDynamics::flow_matrix(const ContactMode& mode) const {
   const int n = size();
-  Eigen::MatrixXd stiffness = K_;
+  Eigen::MatrixXd stiffness = stiffness_;
   if (!rigid()) {
-    for (const int j : mode.active) stiffness += penalty_[j] * W_.col(j) * W_.col(j).transpose();
+    for (const int j : mode.active)
+      stiffness += penalty_[j] * directions_.col(j) * directions_.col(j).transpose();
   }
   Eigen::MatrixXd from_u = -mass_.solve(stiffness);
-  Eigen::MatrixXd from_v = -mass_.solve(Eigen::MatrixXd(D_));
+  Eigen::MatrixXd from_v = -mass_.solve(Eigen::MatrixXd(damping_));
   if (rigid() && !mode.active.empty()) {
-    const Eigen::MatrixXd back = inverse_mass_W_(Eigen::all, mode.active) * mode.response;
-    const Eigen::MatrixXd ahead = W_(Eigen::all, mode.active).transpose();
+    const Eigen::MatrixXd back = impulse_response_(Eigen::all, mode.active) * mode.response;
+    const Eigen::MatrixXd ahead = directions_(Eigen::all, mode.active).transpose();
     from_u -= back * (ahead * from_u);
     from_v -= back * (ahead * from_v);
   }
@@ -174,8 +177,8 @@ void ContactDynamics::measure_rates() {
     }
     return value;
   };
-  fastest_rate_ =
-      std::max({kMargin * std::sqrt(largest(K_)), kMargin * largest(D_), highest_harmonic_ * frequency_});
+  fastest_rate_ = std::max({kMargin * std::sqrt(largest(stiffness_)), kMargin * largest(damping_),
+                            highest_harmonic_ * frequency_});
 }
 
 // Largest coordinate of the contact-free periodic response [m]; infinite or NaN at an undamped resonance.
@@ -188,7 +191,7 @@ double ContactDynamics::linear_amplitude(const Problem& problem) const {
     const std::complex<double> iw(0.0, w);
     const Eigen::MatrixXcd Z =
         Eigen::MatrixXcd((problem.stiffness - w * w * problem.mass).cast<std::complex<double>>()) +
-        iw * Eigen::MatrixXcd(D_.cast<std::complex<double>>());
+        iw * Eigen::MatrixXcd(damping_.cast<std::complex<double>>());
     amplitude += Eigen::VectorXcd(Z.partialPivLu().solve(load)).cwiseAbs();
   }
   return amplitude.size() == 0 ? 0.0 : amplitude.maxCoeff();
@@ -206,11 +209,13 @@ double ContactDynamics::forced_amplitude(const Problem& problem) const {
 }
 
 void ContactDynamics::measure_scales(const Problem& problem) {
+  constexpr double kResonance = 1e6;  // beyond this the linear response is only the round-off of a resonance
   const double linear = linear_amplitude(problem);
   const double gap = gaps_.size() == 0 ? 0.0 : gaps_.cwiseAbs().maxCoeff();
   const double limited = std::max(gap, forced_amplitude(problem));
-  double X = linear;
-  if (!(X > 0.0) || !std::isfinite(X) || (contact_count() > 0 && limited < X)) X = limited;
+  const bool usable =
+      linear > 0.0 && linear <= kResonance * limited && (contact_count() == 0 || linear < limited);
+  double X = usable ? linear : limited;
   if (!(X > 0.0) || !std::isfinite(X)) X = 1.0;  // nothing moves: any unit will do
   scales_ = {.displacement = X, .velocity = frequency_ * X, .acceleration = fastest_rate_ * frequency_ * X};
 }

@@ -44,16 +44,16 @@ class ContactDynamics {
   /// \throws std::runtime_error if M is singular
   explicit ContactDynamics(const Problem& problem);
 
-  [[nodiscard]] int size() const { return static_cast<int>(W_.rows()); }
-  [[nodiscard]] int contact_count() const { return static_cast<int>(W_.cols()); }
+  [[nodiscard]] int size() const { return static_cast<int>(directions_.rows()); }
+  [[nodiscard]] int contact_count() const { return static_cast<int>(directions_.cols()); }
   /// False where the stops are springs.
   [[nodiscard]] bool rigid() const { return penalty_.size() == 0; }
   [[nodiscard]] double restitution() const { return restitution_; }  ///< e [-]; 1 without a law
   [[nodiscard]] double forcing_period() const { return forcing_period_; }
-  [[nodiscard]] const Eigen::MatrixXd& directions() const { return W_; }                     ///< W, Nd x Nc
-  [[nodiscard]] const Eigen::MatrixXd& impulse_response() const { return inverse_mass_W_; }  ///< M^-1 W
-  [[nodiscard]] const Eigen::MatrixXd& delassus() const { return delassus_; }                ///< G, Nc x Nc
-  [[nodiscard]] const Eigen::VectorXd& gaps() const { return gaps_; }                        ///< g, Nc [m]
+  [[nodiscard]] const Eigen::MatrixXd& directions() const { return directions_; }              ///< W, Nd x Nc
+  [[nodiscard]] const Eigen::MatrixXd& impulse_response() const { return impulse_response_; }  ///< M^-1 W
+  [[nodiscard]] const Eigen::MatrixXd& delassus() const { return delassus_; }                  ///< G, Nc x Nc
+  [[nodiscard]] const Eigen::VectorXd& gaps() const { return gaps_; }                          ///< g, Nc [m]
   [[nodiscard]] const MotionScales& scales() const { return scales_; }
   /// Upper estimate of the fastest rate of structure and load, max(sqrt(K/M), D/M, h omega) [rad/s].
   [[nodiscard]] double fastest_rate() const { return fastest_rate_; }
@@ -89,14 +89,14 @@ class ContactDynamics {
     Eigen::VectorXd cos, sin;  // M^-1 times the amplitudes, Nd
   };
 
-  SparseMatrix K_, D_;
+  SparseMatrix stiffness_, damping_;
   // Small structures: M^-1 K, M^-1 D and M^-1 f are formed once, so that an evaluation allocates nothing.
   bool small_ = false;
-  Eigen::MatrixXd inverse_mass_K_, inverse_mass_D_;
+  Eigen::MatrixXd inverse_mass_stiffness_, inverse_mass_damping_;
   std::vector<LoadRate> load_rates_;
   Eigen::SimplicialLLT<SparseMatrix> mass_;
   std::vector<ForceTerm> force_;
-  Eigen::MatrixXd W_, inverse_mass_W_, delassus_;
+  Eigen::MatrixXd directions_, impulse_response_, delassus_;
   Eigen::VectorXd gaps_, penalty_;
   int highest_harmonic_ = 1;
   double restitution_ = 1.0, frequency_ = 1.0, forcing_period_ = 1.0, fastest_rate_ = 1.0;

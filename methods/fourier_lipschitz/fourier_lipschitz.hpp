@@ -17,7 +17,8 @@ namespace signorini {
 class FourierLipschitz final : public Method {
  public:
   static constexpr std::string_view kName = "fourier-lipschitz";
-  static constexpr std::string_view kTitle = "Harmonic balance on the Lipschitz form of Signorini's condition";
+  static constexpr std::string_view kTitle =
+      "Harmonic balance on the Lipschitz form of Signorini's condition";
   static constexpr std::string_view kLaws = "restitution 1, penalty, massless";
   static constexpr std::string_view kLadder = "harmonics=10|40|160";
 
@@ -32,9 +33,10 @@ class FourierLipschitz final : public Method {
 
     void visit(auto&& field) {
       field("harmonics", harmonics, "[-]", "highest harmonic H kept, 1..100000");
-      field("samples", samples, "[-]", "N per period, >= 2 H + 1; auto: 32 H, doubled where that does not do");
+      field("samples", samples, "[-]", "N per period, >= 2 H + 1; auto: 8 H (sampled: 32 H) or finer");
       field("c", c, "[-]", "constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H");
-      field("quadrature", quadrature, "[-]", "exact: contact integral between its edges | sampled: on the N samples");
+      field("quadrature", quadrature, "[-]",
+            "exact: contact integral between its edges | sampled: on the N samples");
       field("solver", solver, "[-]", "auto (pivoting with restarts) | pivoting | newton");
       field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
       field("max_iterations", max_iterations, "[-]", "limit on pivots or Newton steps; 0: the solver's own");

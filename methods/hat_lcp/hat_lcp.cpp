@@ -47,16 +47,17 @@ class PreparedHatLcp final : public PreparedMethod {
   PreparedHatLcp(const Problem& problem, const HatLcp::Options& options, std::optional<double> restitution)
       : problem_(problem),
         options_(options),
-        receptance_(contact_receptance(
-            problem, options.samples / 2,
-            [&](int n) {
-              return scheme_weights(options.scheme, angle(n), problem.period() / options.samples);
-            })),
+        receptance_(contact_receptance(problem, options.samples / 2,
+                                       [&](int n) {
+                                         return scheme_weights(options.scheme, angle(n),
+                                                               problem.period() / options.samples);
+                                       })),
         gap_(contact_gaps(problem)),
         restitution_(restitution) {
     compliance_ = Eigen::VectorXd::Zero(problem.contact_count());
     if (const auto* stop = std::get_if<Penalty>(&problem.law)) {
-      compliance_ = Eigen::Map<const Eigen::VectorXd>(stop->stiffness.data(), compliance_.size()).cwiseInverse();
+      compliance_ =
+          Eigen::Map<const Eigen::VectorXd>(stop->stiffness.data(), compliance_.size()).cwiseInverse();
     }
   }
 
@@ -128,22 +129,27 @@ class PreparedHatLcp final : public PreparedMethod {
 
   /// The solver asked for; with `auto`, a path of pivots that grows long (chatter: as many solutions as
   /// bounces) gives way to marching in time, and is followed to its end only if that fails too.
-  LcpResult solve_scaled(Lcp& lcp, const Eigen::VectorXd& scale, const Start& start, const Eigen::VectorXd& guess) {
+  LcpResult solve_scaled(Lcp& lcp, const Eigen::VectorXd& scale, const Start& start,
+                         const Eigen::VectorXd& guess) {
     SolverSettings settings{options_.solver, options_.tolerance, options_.max_iterations, start.deadline};
     if (options_.solver != ComplementaritySolver::automatic) return solve_lcp(lcp, settings, guess);
     const int shortest = kShortPath * lcp.matrix.size();
-    if (options_.max_iterations == 0 || options_.max_iterations > shortest) settings.max_iterations = shortest;
+    if (options_.max_iterations == 0 || options_.max_iterations > shortest)
+      settings.max_iterations = shortest;
     LcpResult result = solve_lcp(lcp, settings, guess);
-    if (result.status != LcpStatus::limit || settings.max_iterations == options_.max_iterations) return result;
+    if (result.status != LcpStatus::limit || settings.max_iterations == options_.max_iterations)
+      return result;
     const long spent = result.pivots;
     NewtonOptions newton{.tolerance = options_.tolerance, .deadline = start.deadline};
     newton.guess = march_to_period(problem_, options_, restitution_.value_or(0.0), kMarchedPeriods, start);
     if (newton.guess.size() > 0) {
-      for (int c = 0; c < receptance_.contacts(); ++c) newton.guess.segment(c * samples(), samples()) /= scale[c];
+      for (int c = 0; c < receptance_.contacts(); ++c)
+        newton.guess.segment(c * samples(), samples()) /= scale[c];
       result = solve_by_newton(lcp, newton);
     }
     if (result.status != LcpStatus::solved) {
-      settings.max_iterations = options_.max_iterations > 0 ? options_.max_iterations : kLongPath * lcp.matrix.size();
+      settings.max_iterations =
+          options_.max_iterations > 0 ? options_.max_iterations : kLongPath * lcp.matrix.size();
       result = solve_lcp(lcp, settings);
     }
     result.pivots += spent;
@@ -162,8 +168,9 @@ class PreparedHatLcp final : public PreparedMethod {
     }
     Eigen::MatrixXd x(samples(), contacts);
     for (int n = 0; n < fft.coefficients() && contacts > 0; ++n) {
-      spectrum.row(n) = receptance_.free_response.row(n) +
-                        (receptance_.receptance[static_cast<std::size_t>(n)] * spectrum.row(n).transpose()).transpose();
+      spectrum.row(n) =
+          receptance_.free_response.row(n) +
+          (receptance_.receptance[static_cast<std::size_t>(n)] * spectrum.row(n).transpose()).transpose();
     }
     for (int c = 0; c < contacts; ++c) fft.inverse(spectrum.col(c), x.col(c));
     Solution solution;
@@ -178,7 +185,8 @@ class PreparedHatLcp final : public PreparedMethod {
       solution.work.pivots = result.pivots;
     }
     if (x.allFinite() && force.allFinite()) {
-      solution.trajectory = std::make_shared<NodalTrajectory>(receptance_.period, std::move(x), std::move(force));
+      solution.trajectory =
+          std::make_shared<NodalTrajectory>(receptance_.period, std::move(x), std::move(force));
     }
     return solution;
   }
@@ -198,14 +206,17 @@ HatLcp::HatLcp(const Options& options) : options_(options) {
                  "must be from 4 to 10000000");
   require_option(options_.tolerance > 0.0 && options_.tolerance <= 1e-2, "tolerance", options_.tolerance,
                  "must be in (0, 1e-2]");
-  require_option(options_.max_iterations >= 0, "max_iterations", options_.max_iterations, "must be 0 or more");
+  require_option(options_.max_iterations >= 0, "max_iterations", options_.max_iterations,
+                 "must be 0 or more");
 }
 
 Support HatLcp::supports(const Problem& problem) const {
   const int needed = highest_load_harmonic(problem) * problem.subharmonic;
   if (2 * needed < options_.samples) return {};
-  return {false, fmt::format("the load reaches harmonic {} of the motion's base frequency: samples = {} cannot resolve it",
-                             needed, options_.samples)};
+  return {false,
+          fmt::format(
+              "the load reaches harmonic {} of the motion's base frequency: samples = {} cannot resolve it",
+              needed, options_.samples)};
 }
 
 RepresentedLaw HatLcp::law(const Problem& problem) const {

@@ -22,14 +22,16 @@ class HatLcp final : public Method {
  public:
   /// Symbol of the structure at theta = 2 pi n / N, dt = T / N.
   enum class Scheme {
-    galerkin,  ///< hat functions, Galerkin: -M (2 - 2 cos theta)/dt^2 + i D sin(theta)/dt + K (2 + cos theta)/3
+    galerkin,  ///< hat functions, Galerkin: -M (2 - 2 cos theta)/dt^2 + i D sin(theta)/dt + K (2 + cos
+               ///< theta)/3
     nodal,     ///< the same with K and the load lumped at the nodes
     backward,  ///< backward differences, s = (1 - e^{-i theta})/dt: s^2 M + s D + K; represents restitution 0
   };
   enum class ImpactLaw { scene, none };
 
   static constexpr std::string_view kName = "hat-lcp";
-  static constexpr std::string_view kTitle = "Hat functions in time, one linear complementarity problem per period";
+  static constexpr std::string_view kTitle =
+      "Hat functions in time, one linear complementarity problem per period";
   static constexpr std::string_view kLaws = "restitution 0..1, penalty, massless; none: undetermined";
   static constexpr std::string_view kLadder = "samples=64|256|1024";
 

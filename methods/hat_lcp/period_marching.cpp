@@ -35,7 +35,8 @@ class Recurrence {
       // Hat functions weight each load by the mean over its two elements; nodal schemes take it as it is.
       const double t = k * step;
       load_.col(k) = consistent ? Eigen::VectorXd((load_at(problem, t - step) + 4.0 * load_at(problem, t) +
-                                                   load_at(problem, t + step)) / 6.0)
+                                                   load_at(problem, t + step)) /
+                                                  6.0)
                                 : load_at(problem, t);
     }
     scale_ = compliance_.cwiseAbs().maxCoeff();

@@ -19,7 +19,8 @@ BlockCirculant::BlockCirculant(int samples, const std::vector<Eigen::MatrixXcd>&
         spectrum[static_cast<Eigen::Index>(n)] = symbol_[n](row, col);
       }
       fft_.inverse(spectrum, values);
-      // z_j has Fourier coefficients (1/N) sum_j ..., hence the kernel of the convolution is the inverse over N.
+      // z_j has Fourier coefficients (1/N) sum_j ..., hence the kernel of the convolution is the inverse over
+      // N.
       values /= samples;
       if (row == col) values[0] += tail;
       lags_.col(row * contacts_ + col) << values, values;
@@ -27,7 +28,8 @@ BlockCirculant::BlockCirculant(int samples, const std::vector<Eigen::MatrixXcd>&
   }
 }
 
-void BlockCirculant::add_columns(std::span<const int> columns, const double* weights, Eigen::VectorXd& out) const {
+void BlockCirculant::add_columns(std::span<const int> columns, const double* weights,
+                                 Eigen::VectorXd& out) const {
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const int col_contact = columns[k] / samples_;
     const int shift = samples_ - columns[k] % samples_;

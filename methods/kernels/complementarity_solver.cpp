@@ -11,7 +11,8 @@ namespace {
 
 // Covering vectors of the restarts, (amplitude, phase) of their wave: the stronger, the more different the
 // path from the first, constant one.
-constexpr std::array kRestarts{std::pair{0.03, 1.6}, std::pair{0.03, 4.7}, std::pair{0.3, 3.1}, std::pair{0.3, 0.0}};
+constexpr std::array kRestarts{std::pair{0.03, 1.6}, std::pair{0.03, 4.7}, std::pair{0.3, 3.1},
+                               std::pair{0.3, 0.0}};
 
 }  // namespace
 

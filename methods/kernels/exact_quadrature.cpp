@@ -49,7 +49,8 @@ double polish_root(const Eigen::VectorXcd& y, double left, double right, bool ri
 
 class ExactResidual {
  public:
-  ExactResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law, int samples)
+  ExactResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
+                int samples)
       : harmonics_(receptance.harmonics()), samples_(samples), root_(law.constant.cwiseSqrt()) {
     symbol_.reserve(receptance.receptance.size());
     for (const Eigen::MatrixXcd& c : receptance.receptance) {
@@ -89,7 +90,8 @@ class ExactResidual {
  private:
   [[nodiscard]] Eigen::MatrixXcd rate(Eigen::MatrixXcd spectrum) const {
     for (Eigen::Index n = 0; n < spectrum.rows(); ++n) {
-      spectrum.row(n) = (symbol_[static_cast<std::size_t>(n)] * spectrum.row(n).transpose()).transpose().eval();
+      spectrum.row(n) =
+          (symbol_[static_cast<std::size_t>(n)] * spectrum.row(n).transpose()).transpose().eval();
     }
     return spectrum;
   }
@@ -118,7 +120,8 @@ std::vector<ContactInterval> positive_intervals(const Eigen::VectorXcd& y, int s
     const double edge = polish_root(y, static_cast<double>(i) / samples, (i + 1.0) / samples, then);
     (then ? rises : falls).push_back(edge);
   }
-  if (rises.empty()) return values[0] > 0.0 ? std::vector<ContactInterval>{{0.0, 1.0}} : std::vector<ContactInterval>{};
+  if (rises.empty())
+    return values[0] > 0.0 ? std::vector<ContactInterval>{{0.0, 1.0}} : std::vector<ContactInterval>{};
   // Each rise is followed by its fall, the last one perhaps beyond the period's end.
   if (falls.front() < rises.front()) {
     falls.push_back(falls.front() + 1.0);
@@ -173,8 +176,8 @@ ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen
     result.residual = scale > 0.0 ? r.norm() / scale : 0.0;
     result.converged = result.residual <= tolerance;
     if (result.converged || result.iterations == kSteps) break;
-    const Eigen::VectorXd step =
-        solve_by_gmres([&](const Eigen::VectorXd& v) { return residual.product(v); }, identity, r, kLinearTolerance);
+    const Eigen::VectorXd step = solve_by_gmres([&](const Eigen::VectorXd& v) { return residual.product(v); },
+                                                identity, r, kLinearTolerance);
     if (step.size() == 0) break;
     ++result.iterations;
     // Far from the solution a full step may lose a contact; a shorter one keeps it.

@@ -28,10 +28,10 @@ enum class LcpStatus {
 struct LcpResult {
   LcpStatus status = LcpStatus::breakdown;
   Eigen::VectorXd z = {};
-  double residual = 0.0;   ///< max |min(z, w)| / max(max |q|, max |z|), NaN-safe (infinity) [-]
-  long pivots = 0;         ///< pivoting solver
-  long iterations = 0;     ///< Newton solver
-  long factorisations = 0; ///< dense factorisations from scratch
+  double residual = 0.0;    ///< max |min(z, w)| / max(max |q|, max |z|), NaN-safe (infinity) [-]
+  long pivots = 0;          ///< pivoting solver
+  long iterations = 0;      ///< Newton solver
+  long factorisations = 0;  ///< dense factorisations from scratch
 };
 
 /// max_i |min(z_i, w_i)| / max(max |q|, max |z|) with w recomputed from z; infinity if anything is not

@@ -53,14 +53,16 @@ LcpResult solve_by_newton(Lcp& lcp, const NewtonOptions& options) {
   const bool warm = options.guess.size() == lcp.offset.size();
   // Where the guess presses, y = z; elsewhere y = -w.
   Eigen::VectorXd y = -lcp.offset;
-  if (warm) y = (options.guess.array() > 0.0).select(options.guess, -(lcp.offset + lcp.matrix * options.guess));
+  if (warm)
+    y = (options.guess.array() > 0.0).select(options.guess, -(lcp.offset + lcp.matrix * options.guess));
   result.status = LcpStatus::limit;
   while (true) {
     result.z = y.cwiseMax(0.0);
     result.residual = natural_residual(lcp, result.z);
     const Eigen::VectorXd residual = normal_map(lcp, y);
     const double scale = std::max(lcp.offset.lpNorm<Eigen::Infinity>(), y.lpNorm<Eigen::Infinity>());
-    if (result.residual <= options.tolerance && residual.lpNorm<Eigen::Infinity>() <= options.tolerance * scale) {
+    if (result.residual <= options.tolerance &&
+        residual.lpNorm<Eigen::Infinity>() <= options.tolerance * scale) {
       result.status = LcpStatus::solved;
       break;
     }

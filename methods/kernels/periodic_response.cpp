@@ -23,8 +23,9 @@ int forcing_periods(const Problem& problem, double period) {
   const double ratio = period * problem.frequency / kTwoPi;
   const double whole = std::round(ratio);
   if (!(whole >= 1.0) || std::abs(ratio - whole) > 1e-6 * whole) {
-    throw std::invalid_argument(fmt::format("trajectory.period = {} (must be a multiple of the forcing period {})",
-                                            period, kTwoPi / problem.frequency));
+    throw std::invalid_argument(
+        fmt::format("trajectory.period = {} (must be a multiple of the forcing period {})", period,
+                    kTwoPi / problem.frequency));
   }
   return static_cast<int>(whole);
 }
@@ -46,7 +47,8 @@ Eigen::MatrixXcd force_spectrum(const Trajectory& trajectory, int count) {
   const double period = trajectory.period();
   for (const Impulse& impulse : trajectory.impulses()) {
     for (int n = 0; n <= count; ++n) {
-      result(n, impulse.contact) += impulse.value / period * std::polar(1.0, -kTwoPi * n * impulse.time / period);
+      result(n, impulse.contact) +=
+          impulse.value / period * std::polar(1.0, -kTwoPi * n * impulse.time / period);
     }
   }
   return result;
@@ -100,7 +102,8 @@ double PeriodicResponse::work_of_load() const {
   double work = 0.0;
   for (Eigen::Index n = 1; n < u_.rows(); ++n) {
     // T * 2 Re(conj(f_n) i n w u_n) with n w T = 2 pi n.
-    work -= 2.0 * kTwoPi * static_cast<double>(n) * load_.row(n).conjugate().cwiseProduct(u_.row(n)).sum().imag();
+    work -=
+        2.0 * kTwoPi * static_cast<double>(n) * load_.row(n).conjugate().cwiseProduct(u_.row(n)).sum().imag();
   }
   return work;
 }
@@ -120,8 +123,8 @@ Eigen::VectorXd PeriodicResponse::contact_work() const {
   const Eigen::MatrixXcd x = u_ * contact_directions(problem_);
   Eigen::VectorXd work = Eigen::VectorXd::Zero(lambda_.cols());
   for (Eigen::Index n = 1; n < u_.rows(); ++n) {
-    work -=
-        2.0 * kTwoPi * static_cast<double>(n) * lambda_.row(n).conjugate().cwiseProduct(x.row(n)).imag().transpose();
+    work -= 2.0 * kTwoPi * static_cast<double>(n) *
+            lambda_.row(n).conjugate().cwiseProduct(x.row(n)).imag().transpose();
   }
   return work;
 }

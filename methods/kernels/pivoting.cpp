@@ -15,7 +15,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kSlack = 64 * kEpsilon;  // rounding of a few dozen operations, relative
-constexpr long kRefresh = 64;              // pivots between two recomputations from scratch
+constexpr long kRefresh = 64;             // pivots between two recomputations from scratch
 constexpr int kTau = -1;  // the column of the covering vector, and "tau" as a leaving variable
 
 /// What stops the path at the end of one linear piece.
@@ -60,7 +60,8 @@ class LemkePath {
  private:
   /// tau comes down from infinity with z = 0: the tightest gap closes first.
   bool start_cold() {
-    cover_ = options_.cover.size() == size_ ? options_.cover : smooth_cover(lcp_.matrix.samples(), lcp_.matrix.contacts());
+    cover_ = options_.cover.size() == size_ ? options_.cover
+                                            : smooth_cover(lcp_.matrix.samples(), lcp_.matrix.contacts());
     int first = 0;
     (-lcp_.offset.array() / cover_.array()).maxCoeff(&first);
     rows_ = {first};
@@ -165,7 +166,8 @@ class LemkePath {
     }
   }
 
-  /// Walks to the end of the piece; the basic values are then reordered as `exchange` will reorder the columns.
+  /// Walks to the end of the piece; the basic values are then reordered as `exchange` will reorder the
+  /// columns.
   void advance(const Blocking& block) {
     value_ += block.step * direction_;
     w_ += block.step * dw_;
@@ -313,7 +315,8 @@ class LemkePath {
   void append_row(int index) {
     column_.resize(static_cast<Eigen::Index>(columns_.size()));
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-      column_[static_cast<Eigen::Index>(k)] = columns_[k] == kTau ? cover_[index] : lcp_.matrix(index, columns_[k]);
+      column_[static_cast<Eigen::Index>(k)] =
+          columns_[k] == kTau ? cover_[index] : lcp_.matrix(index, columns_[k]);
     }
     qr_.append_row(column_);
     rows_.push_back(index);
@@ -366,7 +369,9 @@ Eigen::VectorXd smooth_cover(int samples, int contacts, double amplitude, double
   return cover;
 }
 
-LcpResult solve_by_pivoting(Lcp& lcp, const PivotingOptions& options) { return LemkePath(lcp, options).run(); }
+LcpResult solve_by_pivoting(Lcp& lcp, const PivotingOptions& options) {
+  return LemkePath(lcp, options).run();
+}
 
 double natural_residual(Lcp& lcp, const Eigen::VectorXd& z) {
   const Eigen::VectorXd w = lcp.offset + lcp.matrix * z;
@@ -378,12 +383,18 @@ double natural_residual(Lcp& lcp, const Eigen::VectorXd& z) {
 
 std::string describe(LcpStatus status) {
   switch (status) {
-    case LcpStatus::solved: return "solved";
-    case LcpStatus::ray: return "the path of pivots ended on a ray";
-    case LcpStatus::stalled: return "the line search found no descent";
-    case LcpStatus::limit: return "pivots or iterations used up";
-    case LcpStatus::breakdown: return "the active block is singular to working precision";
-    case LcpStatus::interrupted: return "time budget used up";
+    case LcpStatus::solved:
+      return "solved";
+    case LcpStatus::ray:
+      return "the path of pivots ended on a ray";
+    case LcpStatus::stalled:
+      return "the line search found no descent";
+    case LcpStatus::limit:
+      return "pivots or iterations used up";
+    case LcpStatus::breakdown:
+      return "the active block is singular to working precision";
+    case LcpStatus::interrupted:
+      return "time budget used up";
   }
   return "unknown";
 }

@@ -12,11 +12,13 @@ namespace signorini {
 
 namespace {
 
-// Samples per harmonic that the automatic choice begins with, and how often it may double them.
-// At 32 the pivoting path met no ray on a population with damping ratios down to 0.0016 (docs/theory.md).
-constexpr int kSamplesPerHarmonic = 32;
-constexpr int kDoublings = 2;
-// The automatic choice is content when the contact's net work is this small a part of the work exchanged.
+// Samples per harmonic. On 32 the path of pivots met no ray on a population with damping ratios down to
+// 0.0016 (docs/theory.md). Where the exact contact integral follows, a coarser grid will do to begin with: it
+// decides the path, not the answer.
+constexpr int kSampled = 32;
+constexpr int kCoarse = 8;
+constexpr int kFinest = 128;
+// A sampled answer is good enough when the contact's net work is this small a part of the work exchanged.
 constexpr double kEnergyIdentity = 1e-3;
 
 }  // namespace
@@ -61,21 +63,23 @@ ProjectedContact::ProjectedContact(const Problem& problem, ContactReceptance rec
       law_(std::move(law)),
       options_(std::move(options)) {}
 
-SampleLadder::SampleLadder(int harmonics, std::optional<int> fixed)
-    : samples_(fixed.value_or(std::max(64, kSamplesPerHarmonic * harmonics))),
-      doublings_left_(fixed ? 0 : kDoublings) {}
+SampleLadder::SampleLadder(int harmonics, std::optional<int> fixed, Quadrature quadrature)
+    : samples_(
+          fixed.value_or(std::max(64, (quadrature == Quadrature::exact ? kCoarse : kSampled) * harmonics))),
+      trusted_(kSampled * harmonics),
+      finest_(fixed ? 0 : kFinest * harmonics) {}
 
-bool SampleLadder::climb(bool converged, double net_work) {
-  if ((converged && net_work <= kEnergyIdentity) || doublings_left_ == 0) return false;
-  --doublings_left_;
+bool SampleLadder::climb(bool converged, bool exact, double net_work) {
+  const bool sampled_well = samples_ >= trusted_ && net_work <= kEnergyIdentity;
+  if ((converged && (exact || sampled_well)) || 2 * samples_ > finest_) return false;
   samples_ *= 2;
   return true;
 }
 
 FourierTrajectory::Data fourier_data(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                      const ProjectedLaw& law, Eigen::MatrixXcd lambda) {
-  FourierTrajectory::Data data{receptance.period, receptance.free_response, std::move(lambda), gap,
-                               law.constant,      law.relief};
+  FourierTrajectory::Data data{
+      receptance.period, receptance.free_response, std::move(lambda), gap, law.constant, law.relief};
   for (int n = 0; n <= receptance.harmonics(); ++n) {
     const auto& block = receptance.receptance[static_cast<std::size_t>(n)];
     data.x.row(n) += (block * data.lambda.row(n).transpose()).transpose();
@@ -83,8 +87,8 @@ FourierTrajectory::Data fourier_data(const ContactReceptance& receptance, const 
   return data;
 }
 
-std::optional<int> refine_quadrature(const ContactReceptance& receptance, const ProjectedLaw& law, int samples,
-                                     double tolerance, FourierTrajectory::Data& data) {
+std::optional<int> refine_quadrature(const ContactReceptance& receptance, const ProjectedLaw& law,
+                                     int samples, double tolerance, FourierTrajectory::Data& data) {
   ExactProjection exact = project_exactly(receptance, data.gap, law, data.lambda, samples, tolerance);
   if (!exact.converged) return std::nullopt;
   data = fourier_data(receptance, data.gap, law, std::move(exact.lambda));
@@ -110,7 +114,7 @@ Solution ProjectedContact::solve(const Start& start) {
   const bool newton = settings.solver == ComplementaritySolver::newton;
   Solution solution;
   Work work;
-  SampleLadder ladder(receptance_.harmonics(), options_.samples);
+  SampleLadder ladder(receptance_.harmonics(), options_.samples, options_.quadrature);
   while (true) {
     const int samples = ladder.samples();
     Lcp lcp = projected_lcp(receptance_, gap_, law_, samples);
@@ -123,23 +127,27 @@ Solution ProjectedContact::solve(const Start& start) {
     } else {
       work.pivots = work.pivots.value_or(0) + result.pivots;
     }
-    FourierTrajectory::Data data = fourier_data(receptance_, gap_, law_, force_coefficients(result.z, samples));
+    FourierTrajectory::Data data =
+        fourier_data(receptance_, gap_, law_, force_coefficients(result.z, samples));
     const bool solved = result.status == LcpStatus::solved;
     std::string quadrature = fmt::format("N = {}", samples);
-    if (solved && options_.quadrature == Quadrature::exact && result.z.maxCoeff() > 0.0) {
+    // Where nothing touches, the sampled integral is exact.
+    bool exact = solved && result.z.maxCoeff() == 0.0;
+    if (solved && !exact && options_.quadrature == Quadrature::exact) {
       const auto steps = refine_quadrature(receptance_, law_, samples, settings.tolerance, data);
-      if (steps) work.iterations = work.iterations.value_or(0) + *steps;
-      quadrature += steps ? ", contact integral exact" : ", contact integral sampled: no exact one nearby";
+      exact = steps.has_value();
+      if (exact) work.iterations = work.iterations.value_or(0) + *steps;
+      quadrature += exact ? ", contact integral exact" : ", contact integral sampled: no exact one nearby";
     }
     const double ratio = net_work_ratio(data.x, data.lambda);
     solution.verdict = solved ? Verdict::converged : Verdict::not_converged;
     solution.residual = result.residual;
-    solution.message =
-        fmt::format("{}; {}, net contact work {:.1e} of that exchanged", describe(result.status), quadrature, ratio);
+    solution.message = fmt::format("{}; {}, net contact work {:.1e} of that exchanged",
+                                   describe(result.status), quadrature, ratio);
     if (result.z.allFinite()) solution.trajectory = std::make_shared<FourierTrajectory>(std::move(data));
     // More samples repair a ray or a coarse quadrature, not a Newton iteration that has lost its way.
     if ((newton && !solved) || result.status == LcpStatus::interrupted) break;
-    if (!ladder.climb(solved, ratio)) break;
+    if (!ladder.climb(solved, exact, ratio)) break;
   }
   solution.work = work;
   return solution;

@@ -29,19 +29,21 @@ Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& ga
 /// Zero for exact quadrature (docs/theory.md): what is left measures how well N resolves the contact.
 double net_work_ratio(const Eigen::MatrixXcd& x, const Eigen::MatrixXcd& lambda);
 
-/// Samples per period as the harmonic-balance methods choose them: what the user fixed, else from 32 H up,
-/// doubled at most twice until the solve converges and the energy identity holds to 1e-3 (which it
-/// does by itself once the contact integral is exact).
+/// Samples per period as the harmonic-balance methods choose them: what the user fixed; else from 8 H up
+/// where the exact contact integral follows and from 32 H up where it does not, doubled up to 128 H until
+/// the solve converges and either its contact integral is exact or, from 32 H, the energy identity holds
+/// to 1e-3.
 class SampleLadder {
  public:
-  SampleLadder(int harmonics, std::optional<int> fixed);
+  SampleLadder(int harmonics, std::optional<int> fixed, Quadrature quadrature);
   [[nodiscard]] int samples() const { return samples_; }
   /// Doubles N unless the outcome contents; false if there is nothing left to try.
-  bool climb(bool converged, double net_work);
+  bool climb(bool converged, bool exact, double net_work);
 
  private:
   int samples_;
-  int doublings_left_;
+  int trusted_;
+  int finest_;
 };
 
 /// The trajectory behind the coefficients of lambda, (H+1) x Nc [N]: x_n = x_f,n + C_n lambda_n.
@@ -51,8 +53,8 @@ FourierTrajectory::Data fourier_data(const ContactReceptance& receptance, const 
 /// Replaces the sampled contact integral of `data` by the exact one. On success `data` holds the new
 /// solution and the Newton steps are returned; where a contact is born or lost on the way `data` is left
 /// as it is and nothing is returned.
-std::optional<int> refine_quadrature(const ContactReceptance& receptance, const ProjectedLaw& law, int samples,
-                                     double tolerance, FourierTrajectory::Data& data);
+std::optional<int> refine_quadrature(const ContactReceptance& receptance, const ProjectedLaw& law,
+                                     int samples, double tolerance, FourierTrajectory::Data& data);
 
 /// The answer where the scene has no contact.
 Solution contact_free_response(const ContactReceptance& receptance);
@@ -60,7 +62,8 @@ Solution contact_free_response(const ContactReceptance& receptance);
 /// A scene prepared for one projected law.
 class ProjectedContact final : public PreparedMethod {
  public:
-  ProjectedContact(const Problem& problem, ContactReceptance receptance, ProjectedLaw law, ProjectedOptions options);
+  ProjectedContact(const Problem& problem, ContactReceptance receptance, ProjectedLaw law,
+                   ProjectedOptions options);
   Solution solve(const Start& start) override;
 
  private:

@@ -66,7 +66,8 @@ RepresentedLaw projected_method_law(const Problem& problem, const std::optional<
   if (std::holds_alternative<Restitution>(problem.law)) return Restitution{1.0};
   if (penalty && std::holds_alternative<Penalty>(problem.law)) {
     Penalty asked;
-    for (const double scale : contact_stiffness_scale(problem)) asked.stiffness.push_back(penalty->in_units_of(scale));
+    for (const double scale : contact_stiffness_scale(problem))
+      asked.stiffness.push_back(penalty->in_units_of(scale));
     return asked;
   }
   return std::visit([](const auto& law) -> RepresentedLaw { return law; }, problem.law);
@@ -75,8 +76,9 @@ RepresentedLaw projected_method_law(const Problem& problem, const std::optional<
 Support supports_harmonics(const Problem& problem, int harmonics) {
   const int needed = highest_load_harmonic(problem) * problem.subharmonic;
   if (needed <= harmonics) return {};
-  return {false, fmt::format("the load reaches harmonic {} of the motion's base frequency, beyond harmonics = {}",
-                             needed, harmonics)};
+  return {false,
+          fmt::format("the load reaches harmonic {} of the motion's base frequency, beyond harmonics = {}",
+                      needed, harmonics)};
 }
 
 }  // namespace signorini

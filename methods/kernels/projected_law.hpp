@@ -61,8 +61,8 @@ template <class Options>
 void validate_harmonic_options(const Options& options) {
   require_option(options.harmonics >= 1 && options.harmonics <= 100000, "harmonics", options.harmonics,
                  "must be from 1 to 100000");
-  require_option(!options.samples || *options.samples >= 2 * options.harmonics + 1, "samples", options.samples,
-                 "must be at least 2 * harmonics + 1, or auto");
+  require_option(!options.samples || *options.samples >= 2 * options.harmonics + 1, "samples",
+                 options.samples, "must be at least 2 * harmonics + 1, or auto");
   require_option(!options.samples || *options.samples <= 10000000, "samples", options.samples,
                  "must be at most 10000000");
   require_option(options.tolerance > 0.0 && options.tolerance <= 1e-2, "tolerance", options.tolerance,

@@ -46,7 +46,8 @@ RealFft::RealFft(int samples) {
   // The few sizes in use at a time stay planned; the oldest gives way.
   constexpr std::size_t kKept = 8;
   thread_local std::deque<std::shared_ptr<Plans>> planned;
-  const auto known = std::find_if(planned.begin(), planned.end(), [&](const auto& p) { return p->size == samples; });
+  const auto known =
+      std::find_if(planned.begin(), planned.end(), [&](const auto& p) { return p->size == samples; });
   if (known != planned.end()) {
     plans_ = *known;
     return;
@@ -61,7 +62,8 @@ RealFft& RealFft::operator=(RealFft&&) noexcept = default;
 
 int RealFft::samples() const { return plans_->size; }
 
-void RealFft::forward(const Eigen::Ref<const Eigen::VectorXd>& values, Eigen::Ref<Eigen::VectorXcd> spectrum) {
+void RealFft::forward(const Eigen::Ref<const Eigen::VectorXd>& values,
+                      Eigen::Ref<Eigen::VectorXcd> spectrum) {
   std::copy_n(values.data(), plans_->size, plans_->real);
   fftw_execute(plans_->to_spectrum);
   const double scale = 1.0 / plans_->size;
@@ -70,7 +72,8 @@ void RealFft::forward(const Eigen::Ref<const Eigen::VectorXd>& values, Eigen::Re
   }
 }
 
-void RealFft::inverse(const Eigen::Ref<const Eigen::VectorXcd>& spectrum, Eigen::Ref<Eigen::VectorXd> values) {
+void RealFft::inverse(const Eigen::Ref<const Eigen::VectorXcd>& spectrum,
+                      Eigen::Ref<Eigen::VectorXd> values) {
   const auto given = static_cast<int>(spectrum.size());
   for (int n = 0; n < coefficients(); ++n) {
     plans_->complex[n][0] = n < given ? spectrum[n].real() : 0.0;

@@ -32,7 +32,8 @@ struct DynamicStiffness::Factors {
   }
 
   Eigen::MatrixXcd solve_dense(const HarmonicWeights& weights, const Eigen::MatrixXcd& rhs) {
-    matrix = weights.mass * dense_mass + weights.damping * dense_damping + weights.stiffness * dense_stiffness;
+    matrix =
+        weights.mass * dense_mass + weights.damping * dense_damping + weights.stiffness * dense_stiffness;
     lu.compute(matrix);
     // An exact rcond costs as much as the solve; the estimate is enough to refuse a singular Z.
     if (!(lu.rcond() > std::numeric_limits<double>::epsilon())) throw_singular();

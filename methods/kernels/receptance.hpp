@@ -43,9 +43,9 @@ class DynamicStiffness {
 /// The structure as its contacts see it: x_n = free_n + C_n lambda_n for each harmonic n of the base
 /// frequency of the motion looked for.
 struct ContactReceptance {
-  double period = 1.0;                        ///< [s]
-  std::vector<Eigen::MatrixXcd> receptance;   ///< C_n = W^T Z_n^{-1} W, Nc x Nc, n = 0..H [m/N]
-  Eigen::MatrixXcd free_response;             ///< W^T Z_n^{-1} f_n, (H+1) x Nc [m]
+  double period = 1.0;                       ///< [s]
+  std::vector<Eigen::MatrixXcd> receptance;  ///< C_n = W^T Z_n^{-1} W, Nc x Nc, n = 0..H [m/N]
+  Eigen::MatrixXcd free_response;            ///< W^T Z_n^{-1} f_n, (H+1) x Nc [m]
 
   /// H, the highest harmonic kept.
   [[nodiscard]] int harmonics() const { return static_cast<int>(receptance.size()) - 1; }

@@ -43,7 +43,8 @@ Samples FourierTrajectory::sample(int count) const {
     sum_series(rate, fft, samples.velocity.col(c));
     if (data_.lambda.cols() == 0) continue;
     sum_series(data_.lambda.col(c), fft, lambda);
-    const auto y = data_.stiffness[c] * (samples.x.col(c).array() - data_.gap[c]) - data_.relief[c] * lambda.array();
+    const auto y =
+        data_.stiffness[c] * (samples.x.col(c).array() - data_.gap[c]) - data_.relief[c] * lambda.array();
     samples.force.col(c) = -y.max(0.0);
   }
   return samples;

@@ -17,12 +17,12 @@ class FourierTrajectory final : public Trajectory {
  public:
   /// Coefficients n = 0..H per contact; negative n by conjugation.
   struct Data {
-    double period = 1.0;         ///< [s]
-    Eigen::MatrixXcd x;          ///< (H+1) x Nc [m]
-    Eigen::MatrixXcd lambda;     ///< (H+1) x Nc [N]
-    Eigen::VectorXd gap;         ///< Nc [m]
-    Eigen::VectorXd stiffness;   ///< Nc, > 0 [N/m]: c, or the penalty
-    Eigen::VectorXd relief;      ///< Nc [-]: 1 for a rigid stop, 1 - c / k_p for a stop of stiffness k_p
+    double period = 1.0;        ///< [s]
+    Eigen::MatrixXcd x;         ///< (H+1) x Nc [m]
+    Eigen::MatrixXcd lambda;    ///< (H+1) x Nc [N]
+    Eigen::VectorXd gap;        ///< Nc [m]
+    Eigen::VectorXd stiffness;  ///< Nc, > 0 [N/m]: c, or the penalty
+    Eigen::VectorXd relief;     ///< Nc [-]: 1 for a rigid stop, 1 - c / k_p for a stop of stiffness k_p
   };
 
   explicit FourierTrajectory(Data data) : data_(std::move(data)) {}

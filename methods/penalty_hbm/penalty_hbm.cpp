@@ -12,7 +12,9 @@ PenaltyHbm::PenaltyHbm(const Options& options) : options_(options) {
                  "must be positive, or auto");
 }
 
-Support PenaltyHbm::supports(const Problem& problem) const { return supports_harmonics(problem, options_.harmonics); }
+Support PenaltyHbm::supports(const Problem& problem) const {
+  return supports_harmonics(problem, options_.harmonics);
+}
 
 RepresentedLaw PenaltyHbm::law(const Problem& problem) const {
   return projected_method_law(problem, options_.penalty);

@@ -31,10 +31,12 @@ class PenaltyHbm final : public Method {
 
     void visit(auto&& field) {
       field("harmonics", harmonics, "[-]", "highest harmonic H kept, 1..100000");
-      field("samples", samples, "[-]", "N per period, >= 2 H + 1; auto: 32 H, doubled where that does not do");
+      field("samples", samples, "[-]", "N per period, >= 2 H + 1; auto: 8 H (sampled: 32 H) or finer");
       field("penalty", penalty, "[N/m]",
-            "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x the dynamic one near H");
-      field("quadrature", quadrature, "[-]", "exact: contact integral between its edges | sampled: on the N samples");
+            "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x the dynamic one "
+            "near H");
+      field("quadrature", quadrature, "[-]",
+            "exact: contact integral between its edges | sampled: on the N samples");
       field("solver", solver, "[-]", "auto (pivoting with restarts) | pivoting | newton");
       field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
       field("max_iterations", max_iterations, "[-]", "limit on pivots or Newton steps; 0: the solver's own");

@@ -37,8 +37,8 @@ void pivoting_on_population(benchmark::State& state) {
     }
   }
   const auto solves = static_cast<double>(state.iterations()) * static_cast<double>(scenes.size());
-  state.counters["ms_per_solve"] = benchmark::Counter(
-      1e-3 * solves, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["ms_per_solve"] =
+      benchmark::Counter(1e-3 * solves, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["pivots"] = static_cast<double>(pivots) / solves;
   state.counters["converged"] = static_cast<double>(converged) / solves;
 }

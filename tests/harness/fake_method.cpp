@@ -139,6 +139,7 @@ SparseMatrix scalar(double value) {
 Samples FormulaMotion::sample(int count) const {
   Samples samples{Eigen::MatrixXd(count, contacts_), Eigen::MatrixXd(count, contacts_),
                   Eigen::MatrixXd(count, contacts_)};
+  if (contacts_ == 0) return samples;
   for (int i = 0; i < count; ++i) {
     const double t = i * period_ / count;
     samples.x.row(i).setConstant(x_(t));

@@ -10,11 +10,8 @@
 namespace signorini {
 namespace {
 
-constexpr Limits kLimits{.timeout = 0.5,
-                         .memory_mb = 1024,
-                         .repetitions = 2,
-                         .certificate_timeout = 5.0,
-                         .reference_timeout = 5.0};
+constexpr Limits kLimits{
+    .timeout = 1.5, .memory_mb = 256, .repetitions = 2, .certificate_timeout = 5.0, .reference_timeout = 5.0};
 
 Record run_fake(const std::string& behaviour, const Scene& scene = test::one_mass_scene(),
                 OrbitSolver solver = test::free_orbits()) {

@@ -41,6 +41,12 @@ double distance(const Solution& solution, const ReferenceMotion& row) {
 
 void expect_same_orbit(const Problem& problem, const ReferenceMotion& row) {
   const auto guess = test::start_from(row, problem);
+  if (row.stiffness > 1e5) {
+    // 11 digits of x leave the active set of so stiff a stop open; pivoting closes it, Newton need not.
+    const Solution pivoted = solve<PenaltyHbm>(problem, penalty_options(row, ComplementaritySolver::automatic), guess);
+    EXPECT_LE(distance(pivoted, row), kSameOrbit) << pivoted.message;
+    return;
+  }
   const Solution newton =
       solve<PenaltyHbm>(problem, penalty_options(row, ComplementaritySolver::newton), guess);
   EXPECT_LE(distance(newton, row), kSameOrbit) << newton.message;
@@ -59,9 +65,6 @@ TEST(NlvibOscillator, EveryRowIsASolutionOfPenaltyHbmAndAftHbm) {
   const auto rows = test::load_oscillator_motions("nlvib_sdof.json");
   ASSERT_EQ(rows.size(), 61U);
   for (const ReferenceMotion& row : rows) {
-    // Newton's generalised Jacobian at a million times the structure's stiffness needs the exact active
-    // set, which 11 digits do not give.
-    if (row.stiffness > 1e5) continue;
     SCOPED_TRACE(testing::Message() << "stiffness " << row.stiffness << ", omega " << row.omega << ", H "
                                     << row.harmonics());
     expect_same_orbit(test::reference_oscillator(row.omega, Penalty{{row.stiffness}}), row);

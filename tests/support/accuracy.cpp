@@ -40,7 +40,8 @@ double observed_order(const std::vector<double>& steps, const std::vector<double
 }
 
 Samples GivenMotion::sample(int count) const {
-  Samples samples{Eigen::MatrixXd(count, 1), Eigen::MatrixXd::Zero(count, 1), Eigen::MatrixXd::Zero(count, 1)};
+  Samples samples{Eigen::MatrixXd(count, 1), Eigen::MatrixXd::Zero(count, 1),
+                  Eigen::MatrixXd::Zero(count, 1)};
   for (int i = 0; i < count; ++i) {
     samples.x(i, 0) = x_(period_ * i / count);
     if (force_) samples.force(i, 0) = force_(period_ * i / count);

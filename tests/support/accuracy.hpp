@@ -10,8 +10,8 @@
 namespace signorini::test {
 
 /// Relative L2 error of contact `contact`, |x - exact|_2 / |exact|_2, from `count` samples of a period.
-double relative_error(const Trajectory& trajectory, const std::function<double(double)>& exact, int contact = 0,
-                      int count = 8192);
+double relative_error(const Trajectory& trajectory, const std::function<double(double)>& exact,
+                      int contact = 0, int count = 8192);
 
 /// Relative L2 distance of two trajectories of equal period, all contacts together.
 double relative_distance(const Trajectory& a, const Trajectory& b, int count = 4096);

@@ -23,10 +23,11 @@ TEST_P(AftEqualsItsTwin, DynamicLagrangiansAreFourierLipschitz) {
   const int harmonics = GetParam();
   const int samples = 32 * harmonics;
   const Problem problem = test::to_problem(kStop);
-  const Solution aft = solve<AftHbm>(problem, {.harmonics = harmonics, .samples = samples, .c = 10.0, .quadrature = Quadrature::sampled});
+  const Solution aft = solve<AftHbm>(
+      problem, {.harmonics = harmonics, .samples = samples, .c = 10.0, .quadrature = Quadrature::sampled});
   ASSERT_EQ(aft.verdict, Verdict::converged) << aft.message;
-  const Solution twin =
-      solve<FourierLipschitz>(problem, {.harmonics = harmonics, .samples = samples, .c = 10.0, .quadrature = Quadrature::sampled});
+  const Solution twin = solve<FourierLipschitz>(
+      problem, {.harmonics = harmonics, .samples = samples, .c = 10.0, .quadrature = Quadrature::sampled});
   EXPECT_LE(relative_distance(*twin.trajectory, *aft.trajectory), 1e-8);
 }
 
@@ -35,13 +36,15 @@ TEST_P(AftEqualsItsTwin, ThePenaltyLawIsPenaltyHbm) {
   const int samples = 32 * harmonics;
   const Problem problem = test::to_problem(kStop);
   const Scaled penalty{300.0, false};
-  const Solution aft = solve<AftHbm>(
-      problem,
-      {.harmonics = harmonics, .samples = samples, .law = AftHbm::ContactLaw::penalty, .penalty = penalty,
-       .quadrature = Quadrature::sampled});
+  const Solution aft = solve<AftHbm>(problem, {.harmonics = harmonics,
+                                               .samples = samples,
+                                               .law = AftHbm::ContactLaw::penalty,
+                                               .penalty = penalty,
+                                               .quadrature = Quadrature::sampled});
   ASSERT_EQ(aft.verdict, Verdict::converged) << aft.message;
-  const Solution twin =
-      solve<PenaltyHbm>(problem, {.harmonics = harmonics, .samples = samples, .penalty = penalty, .quadrature = Quadrature::sampled});
+  const Solution twin = solve<PenaltyHbm>(
+      problem,
+      {.harmonics = harmonics, .samples = samples, .penalty = penalty, .quadrature = Quadrature::sampled});
   EXPECT_LE(relative_distance(*twin.trajectory, *aft.trajectory), 1e-8);
 }
 
@@ -118,7 +121,8 @@ TEST(AftHbm, NeedsAtMostTwoStepsFromTheAnswer) {
   const Problem problem = test::to_problem(kStop);
   const Solution cold =
       solve<AftHbm>(problem, {.harmonics = 10, .samples = 320, .quadrature = Quadrature::sampled});
-  const AftHbm::Options newton{.harmonics = 10, .samples = 320, .quadrature = Quadrature::sampled, .homotopy = false};
+  const AftHbm::Options newton{
+      .harmonics = 10, .samples = 320, .quadrature = Quadrature::sampled, .homotopy = false};
   const Solution warm = solve<AftHbm>(problem, newton, cold.trajectory);
   ASSERT_EQ(warm.verdict, Verdict::converged) << warm.message;
   EXPECT_LE(warm.work.iterations.value(), 2);

@@ -74,11 +74,13 @@ TEST(ContactDynamics, DerivativesAgreeWithDifferencesAlongTheMotion) {
       const MotionDerivatives ahead = shifted(kStep), behind = shifted(-kStep);
       for (int k = 2; k < 6; ++k) {
         const Eigen::VectorXd slope = (ahead.u.col(k) - behind.u.col(k)) / (2.0 * kStep);
-        EXPECT_LT((slope - here.u.col(k + 1)).norm(), kTolerance * (1.0 + slope.norm())) << "derivative " << k << " closed " << closed;
+        EXPECT_LT((slope - here.u.col(k + 1)).norm(), kTolerance * (1.0 + slope.norm()))
+            << "derivative " << k << " closed " << closed;
       }
       for (int k = 0; k < 4; ++k) {
         const double slope = (ahead.lambda(0, k) - behind.lambda(0, k)) / (2.0 * kStep);
-        EXPECT_NEAR(slope, here.lambda(0, k + 1), kTolerance * (1.0 + std::abs(slope))) << "force derivative " << k << " closed " << closed;
+        EXPECT_NEAR(slope, here.lambda(0, k + 1), kTolerance * (1.0 + std::abs(slope)))
+            << "force derivative " << k << " closed " << closed;
       }
     }
   }

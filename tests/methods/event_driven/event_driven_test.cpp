@@ -261,6 +261,42 @@ TEST(EventDriven, IsDeterministic) {
   EXPECT_EQ(first.trajectory->sample(33).x, second.trajectory->sample(33).x);
 }
 
+TEST(EventDriven, StaysAtRestWithoutLoad) {
+  for (const double gap : {0.3, 0.0}) {
+    Problem problem = two_masses(1.0, 0.5);
+    problem.force.clear();
+    problem.contacts[0].gap = gap;
+    const Solution solution = solve(problem, {.tolerance = 1e-9});
+    ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+    EXPECT_EQ(solution.trajectory->sample(10).x.cwiseAbs().maxCoeff(), 0.0);
+    EXPECT_TRUE(solution.trajectory->impulses().empty());
+  }
+}
+
+TEST(EventDriven, GivesUpOnAResonanceWithoutDampingOrStop) {
+  Problem problem = to_problem({.damping = 0.0, .frequency = 1.0});
+  problem.contacts.clear();
+  problem.law = std::monostate{};
+  const Solution marched = solve(problem, {.tolerance = 1e-8, .max_iterations = 100});
+  EXPECT_EQ(marched.verdict, Verdict::not_converged) << marched.message;
+  const Solution shot = solve(problem, {.tolerance = 1e-8, .steady = EventDriven::Steady::shooting});
+  EXPECT_EQ(shot.verdict, Verdict::not_converged) << shot.message;
+}
+
+TEST(EventDriven, SurvivesAGuessThatIsNotFinite) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const auto steady : {EventDriven::Steady::marching, EventDriven::Steady::shooting}) {
+    for (const double e : {0.5, 0.0}) {
+      const Problem problem = two_masses(1.0, e);
+      const auto guess = test::guess_from(problem, Eigen::Vector2d(0.1, nan), Eigen::Vector2d(0.0, 0.0));
+      const Solution solution =
+          solve(problem, {.tolerance = 1e-8, .steady = steady, .max_iterations = 50}, guess);
+      EXPECT_EQ(solution.verdict, Verdict::not_converged);
+      EXPECT_FALSE(solution.message.empty());
+    }
+  }
+}
+
 TEST(EventDriven, EndsNotConvergedWhenTheBudgetIsSpent) {
   const EventDriven method({.tolerance = 1e-9});
   const Problem problem = two_masses(1.5, 0.5);

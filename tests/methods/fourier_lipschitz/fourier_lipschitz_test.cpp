@@ -37,7 +37,8 @@ TEST(FourierLipschitz, ErrorAgainstTheClosedFormOrbitIsBoundedAtEachOrder) {
     double bound;  // of the root mean square error at c = 1 N/m
   } levels[] = {{20, 9.2e-2}, {40, 5.6e-2}, {80, 3.2e-2}};
   for (const auto& [harmonics, bound] : levels) {
-    const Solution solution = solve<FourierLipschitz>(test::to_problem(kStop), {.harmonics = harmonics, .c = 1.0});
+    const Solution solution =
+        solve<FourierLipschitz>(test::to_problem(kStop), {.harmonics = harmonics, .c = 1.0});
     ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
     const double error = relative_error(*solution.trajectory, [&](double t) { return orbit.x(t); });
     EXPECT_LE(error * root_mean_square(orbit), bound) << "H = " << harmonics;
@@ -90,8 +91,9 @@ class RoundOffIdentity : public testing::TestWithParam<std::tuple<int, int, doub
 // every N, c and H at a converged solution.
 TEST_P(RoundOffIdentity, HoldsAtAConvergedSolution) {
   const auto [harmonics, samples, c] = GetParam();
-  const Solution solution =
-      solve<FourierLipschitz>(test::to_problem(kStop), {.harmonics = harmonics, .samples = samples, .c = c, .quadrature = Quadrature::sampled});
+  const Solution solution = solve<FourierLipschitz>(
+      test::to_problem(kStop),
+      {.harmonics = harmonics, .samples = samples, .c = c, .quadrature = Quadrature::sampled});
   ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
   const auto& data = data_of(solution);
   double left = 0.0;

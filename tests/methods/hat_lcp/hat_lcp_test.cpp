@@ -42,8 +42,8 @@ TEST_P(HatLcpOrder, IsOneAgainstTheClosedFormOrbit) {
   std::vector<double> errors;
   for (const int samples : {128, 256, 512, 1024, 2048}) {
     steps.push_back(1.0 / samples);
-    errors.push_back(error_at(oscillator(GetParam().restitution),
-                              {.samples = samples, .scheme = GetParam().scheme}));
+    errors.push_back(
+        error_at(oscillator(GetParam().restitution), {.samples = samples, .scheme = GetParam().scheme}));
   }
   const double order = observed_order(steps, errors);
   EXPECT_GE(order, 0.9);
@@ -51,13 +51,11 @@ TEST_P(HatLcpOrder, IsOneAgainstTheClosedFormOrbit) {
   EXPECT_LE(errors.back(), 1e-2);
 }
 
-INSTANTIATE_TEST_SUITE_P(EachRestitution, HatLcpOrder,
-                         testing::Values(OrderCase{HatLcp::Scheme::galerkin, 0.5},
-                                         OrderCase{HatLcp::Scheme::galerkin, 0.8},
-                                         OrderCase{HatLcp::Scheme::galerkin, 1.0},
-                                         OrderCase{HatLcp::Scheme::nodal, 0.5},
-                                         OrderCase{HatLcp::Scheme::nodal, 0.8},
-                                         OrderCase{HatLcp::Scheme::nodal, 1.0}));
+INSTANTIATE_TEST_SUITE_P(
+    EachRestitution, HatLcpOrder,
+    testing::Values(OrderCase{HatLcp::Scheme::galerkin, 0.5}, OrderCase{HatLcp::Scheme::galerkin, 0.8},
+                    OrderCase{HatLcp::Scheme::galerkin, 1.0}, OrderCase{HatLcp::Scheme::nodal, 0.5},
+                    OrderCase{HatLcp::Scheme::nodal, 0.8}, OrderCase{HatLcp::Scheme::nodal, 1.0}));
 
 TEST(HatLcp, BackwardDifferencesRepresentRestitutionZero) {
   // One impact without sticking: S-A at e = 0.
@@ -82,9 +80,9 @@ TEST(HatLcp, IsSecondOrderWhereNothingTouches) {
       const Solution solution = solve<HatLcp>(problem, {.samples = samples, .scheme = scheme});
       EXPECT_EQ(solution.work.pivots, 0);
       steps.push_back(1.0 / samples);
-      errors.push_back(relative_error(*solution.trajectory,
-                                      [&](double t) { return (amplitude * std::polar(1.0, 1.5 * t)).real(); }, 0,
-                                      samples));
+      errors.push_back(relative_error(
+          *solution.trajectory, [&](double t) { return (amplitude * std::polar(1.0, 1.5 * t)).real(); }, 0,
+          samples));
     }
     EXPECT_NEAR(observed_order(steps, errors), 2.0, 0.1);
   }
@@ -100,7 +98,8 @@ TEST(HatLcp, BackwardDifferencesAreFirstOrderWhereNothingTouches) {
         solve<HatLcp>(problem, {.samples = samples, .scheme = HatLcp::Scheme::backward});
     steps.push_back(1.0 / samples);
     errors.push_back(relative_error(
-        *solution.trajectory, [&](double t) { return (amplitude * std::polar(1.0, 1.5 * t)).real(); }, 0, samples));
+        *solution.trajectory, [&](double t) { return (amplitude * std::polar(1.0, 1.5 * t)).real(); }, 0,
+        samples));
   }
   EXPECT_NEAR(observed_order(steps, errors), 1.0, 0.1);
 }
@@ -154,8 +153,8 @@ TEST(HatLcp, ChatterEndsThroughMarchingWherePivotsWander) {
   // A scene of the seeded population on which the path of pivots takes 7,000 steps.
   const Problem problem =
       test::to_problem({.damping = 0.1922, .frequency = 0.543, .gap = -0.288, .restitution = 0.5});
-  const Solution one_path =
-      solve<HatLcp>(problem, {.samples = 256, .solver = ComplementaritySolver::pivoting, .max_iterations = 2000});
+  const Solution one_path = solve<HatLcp>(
+      problem, {.samples = 256, .solver = ComplementaritySolver::pivoting, .max_iterations = 2000});
   EXPECT_EQ(one_path.verdict, Verdict::not_converged);
   const Solution solution = solve<HatLcp>(problem, {.samples = 256});
   EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
@@ -164,8 +163,7 @@ TEST(HatLcp, ChatterEndsThroughMarchingWherePivotsWander) {
   const Samples samples = solution.trajectory->sample(256);
   const double force = -samples.force.minCoeff();
   for (int i = 0; i < 256; ++i) {
-    const double room =
-        -0.288 - (samples.x((i + 1) % 256, 0) + 0.5 * samples.x((i + 255) % 256, 0)) / 1.5;
+    const double room = -0.288 - (samples.x((i + 1) % 256, 0) + 0.5 * samples.x((i + 255) % 256, 0)) / 1.5;
     EXPECT_GE(room, -1e-9);
     EXPECT_LE(samples.force(i, 0), 0.0);
     EXPECT_NEAR(room * samples.force(i, 0) / force, 0.0, 1e-9);

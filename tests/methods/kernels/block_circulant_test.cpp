@@ -74,7 +74,8 @@ class BlockCirculantOfShape : public testing::TestWithParam<Shape> {
 
 TEST_P(BlockCirculantOfShape, EntriesMatchDirectSums) {
   for (int i = 0; i < matrix_.size(); ++i) {
-    for (int j = 0; j < matrix_.size(); ++j) ASSERT_NEAR(matrix_(i, j), direct_(i, j), 1e-13 * direct_.norm());
+    for (int j = 0; j < matrix_.size(); ++j)
+      ASSERT_NEAR(matrix_(i, j), direct_(i, j), 1e-13 * direct_.norm());
   }
 }
 

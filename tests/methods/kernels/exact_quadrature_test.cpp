@@ -22,7 +22,8 @@ Eigen::VectorXcd some_polynomial() {
 
 double value(const Eigen::VectorXcd& y, double t) {
   double sum = y[0].real();
-  for (int n = 1; n < y.size(); ++n) sum += 2.0 * (y[n] * std::polar(1.0, 2.0 * std::numbers::pi * n * t)).real();
+  for (int n = 1; n < y.size(); ++n)
+    sum += 2.0 * (y[n] * std::polar(1.0, 2.0 * std::numbers::pi * n * t)).real();
   return sum;
 }
 

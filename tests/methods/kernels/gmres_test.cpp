@@ -43,7 +43,8 @@ TEST(SolveByGmres, ExactPreconditionerNeedsOneStep) {
         ++products;
         return a * v;
       },
-      [&](const Eigen::VectorXd& v) -> Eigen::VectorXd { return lu.solve(v); }, Eigen::VectorXd::Ones(20), 1e-10);
+      [&](const Eigen::VectorXd& v) -> Eigen::VectorXd { return lu.solve(v); }, Eigen::VectorXd::Ones(20),
+      1e-10);
   ASSERT_EQ(x.size(), 20);
   EXPECT_EQ(products, 2);
 }

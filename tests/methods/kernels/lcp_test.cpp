@@ -86,7 +86,9 @@ TEST(SolveByPivoting, FindsOneOfTheSolutionsOfRandomIndefiniteMatricesOrSaysRay)
     if (result.status == LcpStatus::solved) {
       ++solved;
       const auto solutions = enumerate_solutions(a, q);
-      const auto near = [&](const Eigen::VectorXd& z) { return (z - result.z).norm() <= 1e-7 * (1.0 + z.norm()); };
+      const auto near = [&](const Eigen::VectorXd& z) {
+        return (z - result.z).norm() <= 1e-7 * (1.0 + z.norm());
+      };
       EXPECT_TRUE(std::any_of(solutions.begin(), solutions.end(), near)) << "trial " << trial;
     } else {
       EXPECT_EQ(result.status, LcpStatus::ray) << describe(result.status);
@@ -114,7 +116,8 @@ TEST(SolveByPivoting, SeparatesTiesOfACompletelySymmetricProblem) {
   // Every sample closes at once: a constant load on a circulant.
   Eigen::MatrixXcd stiffness(1, 1);
   stiffness << 1.0;
-  Lcp lcp{BlockCirculant(64, std::vector<Eigen::MatrixXcd>(33, stiffness)), Eigen::VectorXd::Constant(64, -2.0)};
+  Lcp lcp{BlockCirculant(64, std::vector<Eigen::MatrixXcd>(33, stiffness)),
+          Eigen::VectorXd::Constant(64, -2.0)};
   const LcpResult result = solve_by_pivoting(lcp);
   ASSERT_EQ(result.status, LcpStatus::solved);
   EXPECT_LE((result.z - Eigen::VectorXd::Constant(64, 2.0)).norm(), 1e-12 * 16);
@@ -217,7 +220,8 @@ TEST(SolveLcp, RestartsWithAnotherCoverWhereTheFirstPathEndsOnARay) {
     }
     Lcp lcp{BlockCirculant(16, symbol), random_vector(16, random)};
     const bool one = solve_lcp(lcp, {.solver = ComplementaritySolver::pivoting}).status == LcpStatus::solved;
-    const bool several = solve_lcp(lcp, {.solver = ComplementaritySolver::automatic}).status == LcpStatus::solved;
+    const bool several =
+        solve_lcp(lcp, {.solver = ComplementaritySolver::automatic}).status == LcpStatus::solved;
     EXPECT_TRUE(several || !one);
     more += several && !one ? 1 : 0;
   }
@@ -236,7 +240,8 @@ TEST(SolveByPivoting, MemoryGrowsWithTheActiveSetNotWithTheSquareOfTheGrid) {
   const Problem problem =
       test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 1.0});
   const ContactReceptance receptance = fourier_receptance(problem, 256);
-  Lcp lcp = projected_lcp(receptance, contact_gaps(problem), lipschitz_law(problem, {}, receptance), kSamples);
+  Lcp lcp =
+      projected_lcp(receptance, contact_gaps(problem), lipschitz_law(problem, {}, receptance), kSamples);
   const long before = peak_memory_bytes();
   const LcpResult result = solve_by_pivoting(lcp);
   ASSERT_EQ(result.status, LcpStatus::solved);

@@ -48,7 +48,8 @@ TEST(PeriodicResponse, WithoutContactIsTheLinearResponse) {
 TEST(PeriodicResponse, OfAnImpulseIsTheClosedFormOrbit) {
   const Problem problem = test::to_problem(kStop);
   const auto orbit = test::single_impact_orbits(kStop).front();
-  const PeriodicResponse response(problem, Impacts(orbit.period, {{0, orbit.impact_time, -orbit.impulse}}), 4000);
+  const PeriodicResponse response(problem, Impacts(orbit.period, {{0, orbit.impact_time, -orbit.impulse}}),
+                                  4000);
   for (const double after : {0.2, 0.5, 0.8}) {
     const double t = std::fmod(orbit.impact_time + after * orbit.period, orbit.period);
     // The kink's series converges like 1/H^2 in u and 1/H in v away from the impact.
@@ -62,7 +63,8 @@ TEST(PeriodicResponse, OfAnImpulseIsTheClosedFormOrbit) {
 TEST(PeriodicResponse, BalancesItsEnergy) {
   const Problem problem = test::to_problem(kStop);
   const auto orbit = test::single_impact_orbits(kStop).front();
-  const PeriodicResponse response(problem, Impacts(orbit.period, {{0, orbit.impact_time, -orbit.impulse}}), 4000);
+  const PeriodicResponse response(problem, Impacts(orbit.period, {{0, orbit.impact_time, -orbit.impulse}}),
+                                  4000);
   const double balance = response.work_of_load() + response.contact_work()[0] - response.dissipation();
   EXPECT_NEAR(balance, 0.0, 1e-12 * response.work_of_load());
   // The impact takes m (1 - e^2) v^2 / 2; truncation leaves 1/H of it out.

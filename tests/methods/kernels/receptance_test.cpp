@@ -50,7 +50,8 @@ TEST_P(ReceptanceOfChain, MatchesTheDenseInverse) {
     const Eigen::MatrixXcd z = k - omega * omega * m + std::complex<double>(0.0, omega) * d;
     const Eigen::MatrixXcd inverse = z.inverse();
     const Eigen::MatrixXcd expected = w.transpose() * inverse * w;
-    EXPECT_LE((receptance.receptance[static_cast<std::size_t>(n)] - expected).norm(), 1e-12 * expected.norm());
+    EXPECT_LE((receptance.receptance[static_cast<std::size_t>(n)] - expected).norm(),
+              1e-12 * expected.norm());
     const Eigen::VectorXcd load = (n == 0 ? 1.0 : 0.5) * load_harmonic(problem, n);
     const Eigen::VectorXcd free = w.transpose() * inverse * load;
     EXPECT_LE((receptance.free_response.row(n).transpose() - free).norm(), 1e-12 * (free.norm() + 1e-300));

@@ -47,7 +47,8 @@ TEST_P(FourierTrajectorySampled, EqualsDirectSumsHoweverCoarse) {
       const double x = direct_sum(data.x.col(c), phase, false);
       const double lambda = direct_sum(data.lambda.col(c), phase, false);
       EXPECT_NEAR(samples.x(i, c), x, 1e-13);
-      EXPECT_NEAR(samples.velocity(i, c), 2.0 * std::numbers::pi / 2.5 * direct_sum(data.x.col(c), phase, true), 1e-12);
+      EXPECT_NEAR(samples.velocity(i, c),
+                  2.0 * std::numbers::pi / 2.5 * direct_sum(data.x.col(c), phase, true), 1e-12);
       const double y = data.stiffness[c] * (x - data.gap[c]) - data.relief[c] * lambda;
       EXPECT_NEAR(samples.force(i, c), -std::max(0.0, y), 1e-12);
     }

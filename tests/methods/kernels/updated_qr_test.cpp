@@ -83,8 +83,11 @@ TEST(UpdatedQr, SolvesAfterEachOfManyRandomUpdates) {
       case 1:
         if (size > 1) twin.shrink(any(random), any(random));
         break;
-      case 2: twin.replace_column(any(random)); break;
-      default: twin.replace_row(any(random));
+      case 2:
+        twin.replace_column(any(random));
+        break;
+      default:
+        twin.replace_row(any(random));
     }
     twin.expect_solves();
   }
