@@ -23,7 +23,8 @@ const MethodEntry& find_method(std::string_view name) {
   std::string names;
   for (const MethodEntry& entry : method_catalogue()) {
     if (entry.name == name) return entry;
-    names += (names.empty() ? "" : ", ") + std::string(entry.name);
+    if (!names.empty()) names += ", ";
+    names += entry.name;
   }
   throw InvalidOption("method = " + std::string(name) + " (must be one of " + names + ")");
 }

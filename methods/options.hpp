@@ -115,17 +115,20 @@ OptionValue echo_of(const T& field) {
 /// Ranges are checked by the method's constructor, which sees all options together.
 template <class Options>
 void apply_settings(Options& options, std::span<const OptionSetting> settings) {
-  for (const auto& [key, text] : settings) {
+  for (const OptionSetting& setting : settings) {
+    const std::string& key = setting.first;
+    const std::string& text = setting.second;
     bool known = false;
     std::string names;
     options.visit([&](std::string_view name, auto& field, auto&&...) {
-      names += (names.empty() ? "" : ", ") + std::string(name);
+      if (!names.empty()) names += ", ";
+      names += name;
       if (name == key) {
         known = true;
         option_detail::parse_into(field, key, text);
       }
     });
-    if (!known) throw InvalidOption(key + " = " + text + " (unknown option; known: " + names + ")");
+    if (!known) throw InvalidOption(option_detail::refuse(key, text, "unknown option; known: " + names));
   }
 }
 

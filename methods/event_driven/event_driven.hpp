@@ -8,6 +8,17 @@
 
 namespace signorini {
 
+/// Integrates M u'' + D u' + K u = f(t) + W lambda between events with CVODE, applies the scene's law at
+/// impacts, closings and openings (EventFlow, RigidEvents), and looks for a periodic motion either by
+/// marching until it repeats (`march`: the attractor reached from rest or from the guess, of any order up to
+/// `max_order` forcing periods; "not periodic after n periods" otherwise) or by Newton's method on the
+/// stroboscopic map (`shoot`: of period Problem::period(), unstable motions too).
+///
+/// Guarantee: a converged motion repeats itself within ten tolerances of the scales of motion; against closed
+/// forms its error is about `tolerance`, down to a few 1e-12. Measured cost: 300 right-hand sides per flight,
+/// and about omega_max T / 1.2 per period where the structure is stiff (explicit Adams): a beam with
+/// omega_max T = 1e4 takes 1e5. M must be positive definite, so scenes with massless contact coordinates are
+/// not supported.
 class EventDriven final : public Method {
  public:
   enum class Steady { marching, shooting };
@@ -25,7 +36,8 @@ class EventDriven final : public Method {
     int max_order = 8;          ///< highest period order detected by marching [-]
 
     void visit(auto&& field) {
-      field("tolerance", tolerance, "[-]", "relative tolerance of the integration, in [1e-13, 1e-3]");
+      field("tolerance", tolerance, "[-]",
+            "relative error aimed at (local errors are held to 1 % of it), in [1e-13, 1e-3]");
       field("steady", steady, "[-]", "marching | shooting: how the periodic motion is reached");
       field("max_iterations", max_iterations, "[-]",
             "periods marched, or Newton steps of the shooting, >= 1");

@@ -12,12 +12,11 @@ namespace signorini {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr int kNodeOrder = 5;         // highest derivative of x kept at an instant; of lambda one less
-constexpr int kTaylorOrder = 12;      // of a short flight
-constexpr double kTaylorAngle = 0.3;  // its length in radians of the fastest rate: 0.3^13/13! is round-off
-constexpr double kStepsPerPeriod =
-    16;  // at least, of the highest load harmonic, so that a guard has one extremum per half step
-constexpr int kMaxEvents = 20000;  // per call
+constexpr int kNodeOrder = 5;           // highest derivative of x kept at an instant; of lambda one less
+constexpr int kTaylorOrder = 12;        // of a short flight
+constexpr double kTaylorAngle = 0.3;    // its length in radians of the fastest rate: 0.3^13/13! is round-off
+constexpr double kStepsPerPeriod = 16;  // of the highest load harmonic, at least: one extremum per half step
+constexpr int kMaxEvents = 20000;       // per call
 
 Eigen::VectorXd packed(const State& state) {
   Eigen::VectorXd y(2 * state.u.size());

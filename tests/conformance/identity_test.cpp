@@ -78,8 +78,10 @@ class Identity : public testing::TestWithParam<MethodCase> {
     double worst = 0.0;
     for (int i = 0; i < count; ++i) {
       const int j = (i + expected.delay) % count;
-      worst = std::max(worst, (after.x.row(j) / expected.displacement - before.x.row(i)).cwiseAbs().maxCoeff() / x_scale);
-      worst = std::max(worst, (after.force.row(j) / expected.force - before.force.row(i)).cwiseAbs().maxCoeff() / f_scale);
+      worst = std::max(
+          worst, (after.x.row(j) / expected.displacement - before.x.row(i)).cwiseAbs().maxCoeff() / x_scale);
+      worst = std::max(
+          worst, (after.force.row(j) / expected.force - before.force.row(i)).cwiseAbs().maxCoeff() / f_scale);
     }
     return std::max(worst, impulse_deviation(found, expected));
   }
@@ -102,7 +104,8 @@ class Identity : public testing::TestWithParam<MethodCase> {
     const Solution again = test::solve(*method_, problem, motion);
     ASSERT_EQ(again.verdict, Verdict::converged) << again.message;
     const Samples given = motion->sample(traits_.samples), kept = again.trajectory->sample(traits_.samples);
-    EXPECT_LE((given.x - kept.x).cwiseAbs().maxCoeff(), traits_.agreement * test::displacement_scale(problem, given));
+    EXPECT_LE((given.x - kept.x).cwiseAbs().maxCoeff(),
+              traits_.agreement * test::displacement_scale(problem, given));
   }
 
   MethodCase pair_ = GetParam();
@@ -123,10 +126,12 @@ class Identity : public testing::TestWithParam<MethodCase> {
     for (const Impulse& impulse : base().trajectory->impulses()) {
       before[static_cast<std::size_t>(impulse.contact)] += impulse.value;
     }
-    for (const Impulse& impulse : found.impulses()) after[static_cast<std::size_t>(impulse.contact)] += impulse.value;
+    for (const Impulse& impulse : found.impulses())
+      after[static_cast<std::size_t>(impulse.contact)] += impulse.value;
     double worst = 0.0, scale = load_scale() * problem_.period();
     for (std::size_t c = 0; c < before.size(); ++c) {
-      worst = std::max(worst, std::abs(after[c] / expected.impulse - before[c]) / std::max(scale, std::abs(before[c])));
+      worst = std::max(
+          worst, std::abs(after[c] / expected.impulse - before[c]) / std::max(scale, std::abs(before[c])));
     }
     return worst;
   }
@@ -144,7 +149,9 @@ TEST_P(Identity, AnswerIsTheSameInOtherUnitsOfTime) {
   expect(test::with_time_scaled(problem_, kTime), {.impulse = kTime});
 }
 
-TEST_P(Identity, NumberingOfCoordinatesDoesNotMatter) { expect(test::with_coordinates_reversed(problem_), {}); }
+TEST_P(Identity, NumberingOfCoordinatesDoesNotMatter) {
+  expect(test::with_coordinates_reversed(problem_), {});
+}
 
 TEST_P(Identity, TwoSolvesGiveTheSameBits) {
   const auto prepared = method_->prepare(problem_);

@@ -32,7 +32,8 @@ void PrintTo(const MethodCase& pair, std::ostream* out) { *out << pair.name(); }
 std::vector<MethodCase> all_cases() {
   std::vector<MethodCase> pairs;
   for (const MethodEntry& entry : method_catalogue()) {
-    for (const auto& path : catalogue_scenes()) pairs.push_back({std::string(entry.name), path.stem().string()});
+    for (const auto& path : catalogue_scenes())
+      pairs.push_back({std::string(entry.name), path.stem().string()});
   }
   return pairs;
 }

@@ -36,9 +36,9 @@ struct CaseName {
 /// What the suite knows of a method beyond its interface.
 struct MethodTraits {
   std::vector<OptionSetting> settings;  ///< cheap resolution
-  int samples = 64;          ///< grid on which answers are compared: the method's own where it has one
-  double agreement = 1e-8;   ///< of two answers to equivalent problems, relative to the largest x and force
-  double identity = 1e-9;    ///< of one trajectory with itself at common instants, relative
+  int samples = 64;         ///< grid on which answers are compared: the method's own where it has one
+  double agreement = 1e-8;  ///< of two answers to equivalent problems, relative to the largest x and force
+  double identity = 1e-9;   ///< of one trajectory with itself at common instants, relative
 };
 
 /// Traits of a method; a method that the suite has not met yet runs at its defaults.
@@ -48,7 +48,8 @@ Problem scene_of(const MethodCase& pair);
 std::unique_ptr<Method> method_of(const MethodCase& pair);
 
 /// One solve, with a deadline far beyond what any of these takes: a hang becomes a failure.
-Solution solve(const Method& method, const Problem& problem, std::shared_ptr<const Trajectory> guess = nullptr);
+Solution solve(const Method& method, const Problem& problem,
+               std::shared_ptr<const Trajectory> guess = nullptr);
 
 /// The answer to the scene itself, computed once per pair and process.
 const Solution& base_answer(const MethodCase& pair);

@@ -33,7 +33,8 @@ TEST_P(OptionsOf, AreAllEchoedWithUnitAndMeaning) {
   for (const OptionEcho& option : make({})->options()) {
     EXPECT_TRUE(names.insert(option.name).second) << option.name << " twice";
     EXPECT_FALSE(option.meaning.empty()) << option.name;
-    EXPECT_TRUE(option.unit.starts_with('[') && option.unit.ends_with(']')) << option.name << ": " << option.unit;
+    EXPECT_TRUE(option.unit.starts_with('[') && option.unit.ends_with(']'))
+        << option.name << ": " << option.unit;
   }
   EXPECT_TRUE(names.contains("tolerance"));
   EXPECT_TRUE(names.contains("max_iterations"));
@@ -43,7 +44,8 @@ TEST_P(OptionsOf, TheCheapOnesOfThisSuiteAreEchoedAsGiven) {
   const Settings settings = test::traits_of(GetParam()).settings;
   const auto echo = make(settings)->options();
   for (const auto& [key, text] : settings) {
-    const auto found = std::find_if(echo.begin(), echo.end(), [&, &name = key](const auto& o) { return o.name == name; });
+    const auto found =
+        std::find_if(echo.begin(), echo.end(), [&, &name = key](const auto& o) { return o.name == name; });
     ASSERT_NE(found, echo.end()) << key;
     const auto* whole = std::get_if<long>(&found->value);
     const auto* number = std::get_if<double>(&found->value);
@@ -65,10 +67,12 @@ TEST_P(OptionsOf, UnknownOnesAreRefusedWithAListOfTheKnown) {
 }
 
 TEST_P(OptionsOf, EveryBadValueIsRefusedInOneLineOrAcceptedAndEchoed) {
-  const char* values[] = {"0",     "-0",   "-1",   "1",       "nan",  "-nan",  "inf",         "-inf",
-                          "1e300", "-1e300", "1e-300", "1e999", "0x10", "1.5",  "99999999999999999999",
-                          "2147483648", "4294967301", "10000001", "",   " ",    "auto",  "text",        "1e6x",
-                          "nanx",  "-1x",  "true", "1 ",      "1,5"};
+  const char* values[] = {"0",          "-0",         "-1",       "1",     "nan",
+                          "-nan",       "inf",        "-inf",     "1e300", "-1e300",
+                          "1e-300",     "1e999",      "0x10",     "1.5",   "99999999999999999999",
+                          "2147483648", "4294967301", "10000001", "",      " ",
+                          "auto",       "text",       "1e6x",     "nanx",  "-1x",
+                          "true",       "1 ",         "1,5"};
   for (const OptionEcho& option : make({})->options()) {
     for (const char* value : values) {
       SCOPED_TRACE(testing::Message() << option.name << " = '" << value << "'");

@@ -48,16 +48,19 @@ void expect_sound_impulses(const Problem& problem, const Trajectory& trajectory)
 }
 
 // Values at the instants that two sampling rates share.
-void expect_same_at_common_instants(const Trajectory& trajectory, int few, int many, double scale, double tolerance) {
+void expect_same_at_common_instants(const Trajectory& trajectory, int few, int many, double scale,
+                                    double tolerance) {
   const Samples coarse = trajectory.sample(few), fine = trajectory.sample(many);
   const int common = std::gcd(few, many);
   const double velocity_scale = scale * 2.0 * std::numbers::pi / trajectory.period() * many;
   const double force_scale = std::max(fine.force.cwiseAbs().maxCoeff(), coarse.force.cwiseAbs().maxCoeff());
   for (int i = 0; i < common; ++i) {
     const int a = i * (few / common), b = i * (many / common);
-    SCOPED_TRACE(testing::Message() << "instant " << i << "/" << common << " of the period, " << few << " and " << many);
+    SCOPED_TRACE(testing::Message() << "instant " << i << "/" << common << " of the period, " << few
+                                    << " and " << many);
     EXPECT_LE((coarse.x.row(a) - fine.x.row(b)).cwiseAbs().maxCoeff(), tolerance * scale);
-    EXPECT_LE((coarse.velocity.row(a) - fine.velocity.row(b)).cwiseAbs().maxCoeff(), tolerance * velocity_scale);
+    EXPECT_LE((coarse.velocity.row(a) - fine.velocity.row(b)).cwiseAbs().maxCoeff(),
+              tolerance * velocity_scale);
     EXPECT_LE((coarse.force.row(a) - fine.force.row(b)).cwiseAbs().maxCoeff(), tolerance * force_scale);
   }
 }

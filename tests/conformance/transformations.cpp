@@ -20,7 +20,8 @@ SparseMatrix reversed(const SparseMatrix& matrix) {
   const auto last_row = static_cast<int>(matrix.rows()) - 1, last_col = static_cast<int>(matrix.cols()) - 1;
   for (int k = 0; k < matrix.outerSize(); ++k) {
     for (SparseMatrix::InnerIterator it(matrix, k); it; ++it) {
-      entries.emplace_back(last_row - static_cast<int>(it.row()), last_col - static_cast<int>(it.col()), it.value());
+      entries.emplace_back(last_row - static_cast<int>(it.row()), last_col - static_cast<int>(it.col()),
+                           it.value());
     }
   }
   SparseMatrix result(matrix.rows(), matrix.cols());

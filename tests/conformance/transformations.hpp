@@ -8,7 +8,8 @@
 
 namespace signorini::test {
 
-/// f and g times `factor`: x and lambda scale with them, whatever the law (the contact conditions are a cone).
+/// f and g times `factor`: x and lambda scale with them, whatever the law (the contact conditions are a
+/// cone).
 Problem with_load_scaled(Problem problem, double factor);
 
 /// M, D, K, f and a spring stop times `factor`: lambda scales, x stays.

@@ -56,7 +56,8 @@ TEST(EventDrivenOrbits, SatisfyTheEquationsOfTheMasslessScene) {
   // x = W^T Z^-1 (f + W lambda) holds in the original scene, contact node included.
   const Eigen::VectorXd x = PeriodicResponse(problem, *reference.orbit).displacement(1024).col(1);
   const Samples coarse = reference.orbit->sample(1024);
-  EXPECT_LT((x - coarse.x.col(0)).norm() / coarse.x.norm(), 1e-5);
+  // Summed to 512 harmonics; those of a force with kinks fall like 1/n^2, which leaves some 512^-3/2 of it.
+  EXPECT_LT((x - coarse.x.col(0)).norm() / coarse.x.norm(), 5e-5);
 }
 
 }  // namespace

@@ -70,7 +70,8 @@ std::array<Phase, 2> phases_of(const BilinearOrbit& orbit) {
 Eigen::Vector3d mismatch_of(const BilinearOrbit& orbit) {
   const auto [contact, flight] = phases_of(orbit);
   return {(contact.x(orbit.open) - orbit.oscillator.gap) * contact.rate,
-          (flight.x(flight.end) - orbit.oscillator.gap) * flight.rate, flight.velocity(flight.end) - orbit.approach};
+          (flight.x(flight.end) - orbit.oscillator.gap) * flight.rate,
+          flight.velocity(flight.end) - orbit.approach};
 }
 
 // The phase that rules at `time`, and that time within it.
@@ -111,7 +112,8 @@ Complex BilinearOrbit::fourier(int n) const {
     const Complex turn(0.0, sign * base);
     const Complex forced = sign > 0.0 ? contact.forced : std::conj(contact.forced);
     force += 0.5 * forced * std::exp(turn * close) * integral(shift + turn);
-    force += (sign > 0.0 ? amplitude : std::conj(amplitude)) * integral(shift + (sign > 0.0 ? own : std::conj(own)));
+    force += (sign > 0.0 ? amplitude : std::conj(amplitude)) *
+             integral(shift + (sign > 0.0 ? own : std::conj(own)));
   }
   Complex load = -penalty / period() * std::exp(shift * close) * force;
   if (n == 0) load += o.static_load;
@@ -165,7 +167,8 @@ BilinearOrbit bilinear_orbit(const ImpactOscillator& oscillator, double penalty,
   orbit.close -= turns * orbit.period();
   orbit.open -= turns * orbit.period();
   orbit.mismatch = mismatch_of(orbit).norm() / orbit.approach;
-  if (!(orbit.mismatch < 1e-9) || !(orbit.approach > 0.0)) throw std::runtime_error("no bilinear orbit nearby");
+  if (!(orbit.mismatch < 1e-9) || !(orbit.approach > 0.0))
+    throw std::runtime_error("no bilinear orbit nearby");
   return orbit;
 }
 

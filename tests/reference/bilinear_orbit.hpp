@@ -18,8 +18,8 @@ struct BilinearOrbit {
   double mismatch = 0.0;             ///< what is missing to periodicity, relative to `approach` [-]
 
   [[nodiscard]] double period() const;
-  [[nodiscard]] double x(double time) const;          ///< [m]
-  [[nodiscard]] double velocity(double time) const;   ///< [m/s]
+  [[nodiscard]] double x(double time) const;         ///< [m]
+  [[nodiscard]] double velocity(double time) const;  ///< [m/s]
   /// Coefficient n of x(t) = sum_n x_n e^{i n w t}, exact [m].
   [[nodiscard]] std::complex<double> fourier(int n) const;
   /// Largest x - g [m].

@@ -43,7 +43,8 @@ void expect_same_orbit(const Problem& problem, const ReferenceMotion& row) {
   const auto guess = test::start_from(row, problem);
   if (row.stiffness > 1e5) {
     // 11 digits of x leave the active set of so stiff a stop open; pivoting closes it, Newton need not.
-    const Solution pivoted = solve<PenaltyHbm>(problem, penalty_options(row, ComplementaritySolver::automatic), guess);
+    const Solution pivoted =
+        solve<PenaltyHbm>(problem, penalty_options(row, ComplementaritySolver::automatic), guess);
     EXPECT_LE(distance(pivoted, row), kSameOrbit) << pivoted.message;
     return;
   }
@@ -90,7 +91,8 @@ TEST(NlvibOscillator, TheGapHomotopyOfAftHbmFindsWhatPivotingFinds) {
     AftHbm::Options options = aft_options(row);
     options.homotopy = true;
     const Solution aft = solve<AftHbm>(problem, options);
-    const Solution pivoted = solve<PenaltyHbm>(problem, penalty_options(row, ComplementaritySolver::automatic));
+    const Solution pivoted =
+        solve<PenaltyHbm>(problem, penalty_options(row, ComplementaritySolver::automatic));
     ASSERT_EQ(aft.verdict, Verdict::converged) << aft.message;
     ASSERT_EQ(pivoted.verdict, Verdict::converged) << pivoted.message;
     EXPECT_LE(test::relative_l2(test::coefficients_of(aft), test::coefficients_of(pivoted), row.harmonics()),

@@ -142,7 +142,8 @@ TEST_F(SoftStop, RootMeanSquareErrorIsTheKnownOne) {
   for (const auto& [harmonics, error] : levels) {
     const Solution solution = solve<PenaltyHbm>(problem_, {.harmonics = harmonics});
     ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
-    EXPECT_NEAR(test::relative_l2(test::coefficients_of(solution), exact_, kTail) * rms_, error, 5e-3 * error);
+    EXPECT_NEAR(test::relative_l2(test::coefficients_of(solution), exact_, kTail) * rms_, error,
+                5e-3 * error);
   }
   const Solution sampled =
       solve<PenaltyHbm>(problem_, {.harmonics = 20, .samples = 1024, .quadrature = Quadrature::sampled});

@@ -43,8 +43,10 @@ ReferenceMotion motion_of(const Json& row) {
     motion.x = complex_series(series);
     return motion;
   }
-  motion.x.resize(static_cast<Eigen::Index>(series[0].size() / 2 + 1), static_cast<Eigen::Index>(series.size()));
-  for (std::size_t c = 0; c < series.size(); ++c) motion.x.col(static_cast<Eigen::Index>(c)) = complex_series(series[c]);
+  motion.x.resize(static_cast<Eigen::Index>(series[0].size() / 2 + 1),
+                  static_cast<Eigen::Index>(series.size()));
+  for (std::size_t c = 0; c < series.size(); ++c)
+    motion.x.col(static_cast<Eigen::Index>(c)) = complex_series(series[c]);
   return motion;
 }
 
@@ -66,11 +68,14 @@ SparseMatrix matrix_of(const Json& rows) {
 
 }  // namespace
 
-std::vector<ReferenceMotion> load_oscillator_motions(const std::string& file) { return motions_of(read(file).at("rows")); }
+std::vector<ReferenceMotion> load_oscillator_motions(const std::string& file) {
+  return motions_of(read(file).at("rows"));
+}
 
 ReferenceStructure load_structure(const std::string& name) {
   const Json data = read(name + ".json");
-  ReferenceStructure structure{.problem = {}, .nlvib = motions_of(data.at("nlvib")), .exact = motions_of(data.at("exact"))};
+  ReferenceStructure structure{
+      .problem = {}, .nlvib = motions_of(data.at("nlvib")), .exact = motions_of(data.at("exact"))};
   Problem& problem = structure.problem;
   problem.name = name;
   problem.kind = "matrices";
@@ -79,7 +84,8 @@ ReferenceStructure load_structure(const std::string& name) {
   problem.stiffness = matrix_of(data.at("stiffness"));
   const auto load = data.at("load_cos").get<std::vector<double>>();
   for (std::size_t i = 0; i < load.size(); ++i) {
-    if (load[i] != 0.0) problem.force.push_back({.dof = static_cast<int>(i), .harmonic = 1, .cos = load[i], .sin = 0.0});
+    if (load[i] != 0.0)
+      problem.force.push_back({.dof = static_cast<int>(i), .harmonic = 1, .cos = load[i], .sin = 0.0});
   }
   const SparseMatrix directions = matrix_of(data.at("directions"));
   const auto gap = data.at("gap").get<std::vector<double>>();

@@ -14,23 +14,23 @@ namespace signorini::test {
 
 /// One periodic motion at the contacts, as somebody else computed it.
 struct ReferenceMotion {
-  double omega = 1.0;           ///< [rad/s]
-  double stiffness = 0.0;       ///< of the stop, where it varies from row to row [N/m]
-  double restitution = 1.0;     ///< of a rigid stop [-]
-  int samples = 0;              ///< N of a harmonic balance; 0 for an exact motion
-  double close = 0.0;           ///< start of the only contact, or time of the only impact [s]
-  double open = 0.0;            ///< end of the only contact [s]
-  double impulse = 0.0;         ///< of the only impact, > 0 [N s]
-  Eigen::MatrixXcd x = {};      ///< (H+1) x Nc, x(t) = sum_{|n|<=H} x_n e^{i n omega t} [m]
+  double omega = 1.0;        ///< [rad/s]
+  double stiffness = 0.0;    ///< of the stop, where it varies from row to row [N/m]
+  double restitution = 1.0;  ///< of a rigid stop [-]
+  int samples = 0;           ///< N of a harmonic balance; 0 for an exact motion
+  double close = 0.0;        ///< start of the only contact, or time of the only impact [s]
+  double open = 0.0;         ///< end of the only contact [s]
+  double impulse = 0.0;      ///< of the only impact, > 0 [N s]
+  Eigen::MatrixXcd x = {};   ///< (H+1) x Nc, x(t) = sum_{|n|<=H} x_n e^{i n omega t} [m]
 
   [[nodiscard]] int harmonics() const { return static_cast<int>(x.rows()) - 1; }
 };
 
 /// A structure with spring stops and the motions known of it.
 struct ReferenceStructure {
-  Problem problem;                       ///< frequency still to be set
-  std::vector<ReferenceMotion> nlvib;    ///< harmonic balance by NLvib 1.3
-  std::vector<ReferenceMotion> exact;    ///< closed-form piecewise-linear shooting
+  Problem problem;                     ///< frequency still to be set
+  std::vector<ReferenceMotion> nlvib;  ///< harmonic balance by NLvib 1.3
+  std::vector<ReferenceMotion> exact;  ///< closed-form piecewise-linear shooting
 };
 
 /// Every motion in a file of one-mass motions ("nlvib_sdof.json", ...).

@@ -23,8 +23,8 @@ using test::solve;
 
 // The closed-form orbit that the data describe.
 SingleImpactOrbit orbit_of(const ReferenceMotion& motion) {
-  const auto orbits = test::single_impact_orbits(
-      {.frequency = motion.omega, .gap = 1.0, .restitution = motion.restitution});
+  const auto orbits =
+      test::single_impact_orbits({.frequency = motion.omega, .gap = 1.0, .restitution = motion.restitution});
   return *std::min_element(orbits.begin(), orbits.end(), [&](const auto& a, const auto& b) {
     return std::abs(a.impulse - motion.impulse) < std::abs(b.impulse - motion.impulse);
   });
@@ -35,7 +35,8 @@ Problem problem_of(const ReferenceMotion& motion) {
 }
 
 // The exact orbit cut off at H, with the constant the method uses by default.
-std::shared_ptr<const Trajectory> truncated(const SingleImpactOrbit& orbit, const Problem& problem, int harmonics) {
+std::shared_ptr<const Trajectory> truncated(const SingleImpactOrbit& orbit, const Problem& problem,
+                                            int harmonics) {
   const ProjectedLaw law = lipschitz_law(problem, std::nullopt, fourier_receptance(problem, harmonics));
   FourierTrajectory::Data data;
   data.period = orbit.period;

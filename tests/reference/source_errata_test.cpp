@@ -75,7 +75,8 @@ class ContactEquation : public testing::Test {
     const double w = oscillator_.frequency;
     VectorXd load = VectorXd::Zero(u.size());
     load[1] = oscillator_.load;
-    return ((gram(kHarmonics, w, 2) + oscillator_.damping * gram(kHarmonics, w, 1) + gram(kHarmonics, w, 0)) * u -
+    return ((gram(kHarmonics, w, 2) + oscillator_.damping * gram(kHarmonics, w, 1) + gram(kHarmonics, w, 0)) *
+                u -
             gram(kHarmonics, w, 0) * (lambda + load))
         .norm();
   }
@@ -105,11 +106,9 @@ TEST_F(ContactEquation, AsPrintedIsSolvedByAMassHeldInPlace) {
 }
 
 TEST_F(ContactEquation, AsPrintedIsNotSolvedByTheContactMotion) {
-  const Solution solution = test::solve<FourierLipschitz>(test::to_problem(oscillator_),
-                                                          {.harmonics = kHarmonics,
-                                                           .samples = kSamples,
-                                                           .c = kConstant,
-                                                           .quadrature = Quadrature::sampled});
+  const Solution solution = test::solve<FourierLipschitz>(
+      test::to_problem(oscillator_),
+      {.harmonics = kHarmonics, .samples = kSamples, .c = kConstant, .quadrature = Quadrature::sampled});
   ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
   const auto& data = dynamic_cast<const FourierTrajectory&>(*solution.trajectory).data();
   const VectorXd u = in_basis(data.x.col(0)), lambda = in_basis(data.lambda.col(0));
@@ -145,9 +144,9 @@ class Reduction : public testing::Test {
   [[nodiscard]] MatrixXd reduced(bool as_printed) const {
     const MatrixXd a = system(as_printed);
     return unit_.inverse() *
-           (a.bottomRightCorner(size_, size_) - a.bottomLeftCorner(size_, inner_) *
-                                                    a.topLeftCorner(inner_, inner_).lu().solve(
-                                                        a.topRightCorner(inner_, size_)));
+           (a.bottomRightCorner(size_, size_) -
+            a.bottomLeftCorner(size_, inner_) *
+                a.topLeftCorner(inner_, inner_).lu().solve(a.topRightCorner(inner_, size_)));
   }
 
   // What (45) must be: u_2 = C_n lambda harmonic by harmonic, from the complex dynamic stiffness.
@@ -171,7 +170,8 @@ class Reduction : public testing::Test {
 
 TEST_F(Reduction, WithEquation40CorrectedIsTheReceptanceAtTheStop) {
   const MatrixXd product = reduced(false) * receptance();
-  EXPECT_LE((product - MatrixXd::Identity(size_, size_)).norm(), 1e-12 * std::sqrt(static_cast<double>(size_)));
+  EXPECT_LE((product - MatrixXd::Identity(size_, size_)).norm(),
+            1e-12 * std::sqrt(static_cast<double>(size_)));
 }
 
 TEST_F(Reduction, WithEquation40AsPrintedIsNot) {
@@ -187,7 +187,8 @@ TEST_F(Reduction, Equation41NeedsTheGramMatrixOnTheLoad) {
   const VectorXd u = a.lu().solve(Eigen::kroneckerProduct(MatrixXd::Identity(3, 3), unit_).eval() * load);
   const auto inner = a.topLeftCorner(inner_, inner_).lu();
   const VectorXd from_contact = inner.solve(a.topRightCorner(inner_, size_) * u.tail(size_));
-  const VectorXd weighted = Eigen::kroneckerProduct(MatrixXd::Identity(2, 2), unit_).eval() * load.head(inner_);
+  const VectorXd weighted =
+      Eigen::kroneckerProduct(MatrixXd::Identity(2, 2), unit_).eval() * load.head(inner_);
   const VectorXd corrected = -from_contact + inner.solve(weighted);
   const VectorXd printed = -from_contact + inner.solve(load.head(inner_));
   EXPECT_LE((corrected - u.head(inner_)).norm(), 1e-12 * u.norm());

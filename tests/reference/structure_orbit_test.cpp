@@ -30,9 +30,11 @@ Solution solve_nearby(const Problem& problem, int harmonics, std::shared_ptr<con
 double first_harmonic(const Problem& problem, const Solution& solution, int dof) {
   const auto& data = dynamic_cast<const FourierTrajectory&>(*solution.trajectory).data();
   const double w = problem.frequency;
-  const Eigen::MatrixXcd stiffness = Eigen::MatrixXd(problem.stiffness - w * w * problem.mass).cast<std::complex<double>>() +
-                                     std::complex<double>(0.0, w) * Eigen::MatrixXd(problem.damping).cast<std::complex<double>>();
-  const Eigen::VectorXcd force = load_harmonic(problem, 1) + contact_directions(problem) * (2.0 * data.lambda.row(1).transpose());
+  const Eigen::MatrixXcd stiffness =
+      Eigen::MatrixXd(problem.stiffness - w * w * problem.mass).cast<std::complex<double>>() +
+      std::complex<double>(0.0, w) * Eigen::MatrixXd(problem.damping).cast<std::complex<double>>();
+  const Eigen::VectorXcd force =
+      load_harmonic(problem, 1) + contact_directions(problem) * (2.0 * data.lambda.row(1).transpose());
   return std::abs(stiffness.fullPivLu().solve(force)[dof]);
 }
 
@@ -71,7 +73,8 @@ TEST(TwoMassesOneStop, AmplitudeOnTheImpactingBranchIsTheKnownOne) {
       std::shared_ptr<const Trajectory> guess;
       double frequency = 0.0;
       for (const ReferenceMotion& row : structure.nlvib) {
-        if (row.harmonics() != (harmonics == 60 ? 50 : harmonics) || row.omega < 0.72 || row.omega > 0.73) continue;
+        if (row.harmonics() != (harmonics == 60 ? 50 : harmonics) || row.omega < 0.72 || row.omega > 0.73)
+          continue;
         frequency = row.omega;
         problem.frequency = frequency;
         guess = test::start_from(row, problem);
@@ -154,9 +157,10 @@ TEST_P(StructureOrbit, IsApproachedAsHarmonicsAreAdded) {
 }
 
 // The rod's stop is a thousand times as stiff as the rod and excites its modes up to the mesh's last: slow.
-INSTANTIATE_TEST_SUITE_P(
-    Beam, StructureOrbit,
-    testing::Values(Branch{"beam_tip", 21.582477594955, {{7, 3.4e-2}, {15, 4e-3}, {40, 9e-5}, {60, 3.3e-5}}}));
+INSTANTIATE_TEST_SUITE_P(Beam, StructureOrbit,
+                         testing::Values(Branch{"beam_tip",
+                                                21.582477594955,
+                                                {{7, 3.4e-2}, {15, 4e-3}, {40, 9e-5}, {60, 3.3e-5}}}));
 INSTANTIATE_TEST_SUITE_P(Rod, StructureOrbit,
                          testing::Values(Branch{"rod_tip", 1.50179620432781, {{7, 1.3e-2}, {60, 2.6e-3}}},
                                          Branch{"rod_tip", 1.601376078181, {{15, 3.2e-2}, {60, 1.4e-3}}},

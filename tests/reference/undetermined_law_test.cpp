@@ -54,7 +54,9 @@ class FamilyMember {
     const double w = kOscillator.frequency;
     return std::polar(1.0, w * t) / Complex(1.0 - w * w, 0.1 * w);
   }
-  [[nodiscard]] double linear_rate() const { return (Complex(0.0, kOscillator.frequency) * linear(time_)).real(); }
+  [[nodiscard]] double linear_rate() const {
+    return (Complex(0.0, kOscillator.frequency) * linear(time_)).real();
+  }
   static double response(double s) {
     const double wrapped = s - period() * std::floor(s / period());
     return (std::exp(root() * wrapped) / (1.0 - std::exp(root() * period()))).imag() / root().imag();
@@ -92,10 +94,12 @@ bool describe_single_impact(const Trajectory& trajectory, int samples, NodalImpa
   }
   impact.time = moment / impact.impulse;
   const auto at = [&](int i) { return motion.x((i + samples) % samples, 0); };
-  impact.restitution = (at(pressed.back()) - at(pressed.back() + 1)) / (at(pressed.front()) - at(pressed.front() - 1));
+  impact.restitution =
+      (at(pressed.back()) - at(pressed.back() + 1)) / (at(pressed.front()) - at(pressed.front() - 1));
   const FamilyMember member(impact.time);
   impact.distance = 0.0;
-  for (int i = 0; i < samples; ++i) impact.distance = std::max(impact.distance, std::abs(at(i) - member.x(i * step)));
+  for (int i = 0; i < samples; ++i)
+    impact.distance = std::max(impact.distance, std::abs(at(i) - member.x(i * step)));
   return true;
 }
 
@@ -142,8 +146,8 @@ class WithoutImpactLaw : public testing::TestWithParam<HatLcp::Scheme> {};
 
 TEST_P(WithoutImpactLaw, EverySolutionLiesOnTheFamilyWithinAStep) {
   for (const int samples : {128, 256, 512}) {
-    const auto met = solutions_met(
-        {.samples = samples, .scheme = GetParam(), .restitution = HatLcp::ImpactLaw::none});
+    const auto met =
+        solutions_met({.samples = samples, .scheme = GetParam(), .restitution = HatLcp::ImpactLaw::none});
     // Admissible impact times fill a twelfth of the period: as many solutions as nodes in there.
     EXPECT_GE(static_cast<int>(met.size()), samples / 10);
     const double step = FamilyMember::period() / samples;
@@ -157,7 +161,8 @@ TEST_P(WithoutImpactLaw, EverySolutionLiesOnTheFamilyWithinAStep) {
 }
 
 TEST_P(WithoutImpactLaw, EffectiveRestitutionIsAnOutputAndAnythingButOne) {
-  const auto met = solutions_met({.samples = 256, .scheme = GetParam(), .restitution = HatLcp::ImpactLaw::none});
+  const auto met =
+      solutions_met({.samples = 256, .scheme = GetParam(), .restitution = HatLcp::ImpactLaw::none});
   ASSERT_FALSE(met.empty());
   const auto [least, most] = std::minmax_element(
       met.begin(), met.end(), [](const auto& a, const auto& b) { return a.restitution < b.restitution; });
@@ -165,8 +170,9 @@ TEST_P(WithoutImpactLaw, EffectiveRestitutionIsAnOutputAndAnythingButOne) {
   RecordProperty("most_restitution", std::to_string(most->restitution));
   EXPECT_LE(least->restitution, 0.1);
   EXPECT_GE(most->restitution, 5.0);
-  const auto far = std::count_if(met.begin(), met.end(),
-                                 [](const NodalImpact& impact) { return std::abs(impact.restitution - 1.0) > 0.1; });
+  const auto far = std::count_if(met.begin(), met.end(), [](const NodalImpact& impact) {
+    return std::abs(impact.restitution - 1.0) > 0.1;
+  });
   EXPECT_GE(far, static_cast<long>(3 * met.size() / 4));
 }
 
@@ -187,8 +193,10 @@ TEST_P(WithoutImpactLaw, AColdStartReturnsMoreEnergyThanItTook) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scheme, WithoutImpactLaw,
-                         testing::Values(HatLcp::Scheme::galerkin, HatLcp::Scheme::nodal), [](const auto& info) {
-                           return std::string(EnumNames<HatLcp::Scheme>::values[static_cast<std::size_t>(info.param)]);
+                         testing::Values(HatLcp::Scheme::galerkin, HatLcp::Scheme::nodal),
+                         [](const auto& info) {
+                           return std::string(
+                               EnumNames<HatLcp::Scheme>::values[static_cast<std::size_t>(info.param)]);
                          });
 
 }  // namespace
