@@ -30,7 +30,7 @@ class EventDriven final : public Method {
   static constexpr std::string_view kLadder = "tolerance=1e-6|1e-9";
 
   struct Options {
-    double tolerance = 1e-9;  ///< relative tolerance of the integration, in [1e-13, 1e-3] [-]
+    double tolerance = 1e-9;  ///< relative error aimed at, in [1e-13, 1e-3] [-]
     Steady steady = Steady::marching;
     int max_iterations = 5000;  ///< periods marched, or Newton steps of the shooting [-]
     int max_order = 8;          ///< highest period order detected by marching [-]

@@ -88,8 +88,8 @@ TEST(FourierLipschitz, ApproachesTheExactOrbitsOfRestitutionOneAtFirstOrder) {
     const Problem problem = problem_of(motion);
     std::vector<double> steps, errors, impulse_errors;
     for (const int harmonics : {10, 20, 40, 80, 160}) {
-      const Solution solution =
-          solve<FourierLipschitz>(problem, {.harmonics = harmonics}, truncated(orbit, problem, harmonics));
+      const Solution solution = solve<FourierLipschitz>(
+          problem, {.harmonics = harmonics, .samples = 32 * harmonics}, truncated(orbit, problem, harmonics));
       ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
       const auto& data = dynamic_cast<const FourierTrajectory&>(*solution.trajectory).data();
       steps.push_back(1.0 / harmonics);
