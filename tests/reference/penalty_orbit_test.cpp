@@ -46,8 +46,8 @@ std::vector<double> errors_of(const ReferenceMotion& motion, const std::vector<i
   const Eigen::MatrixXcd exact = spectrum_of(orbit_of(motion), kTail);
   std::vector<double> errors;
   for (const int harmonics : levels) {
-    const Solution solution = solve<PenaltyHbm>(problem, {.harmonics = harmonics, .samples = 32 * harmonics},
-                                                test::start_from(motion, problem));
+    const Solution solution =
+        solve<PenaltyHbm>(problem, {.harmonics = harmonics}, test::start_from(motion, problem));
     EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
     errors.push_back(test::relative_l2(test::coefficients_of(solution), exact, kTail));
   }

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <complex>
+#include <memory>
 
 #include "methods/aft_hbm/aft_hbm.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
