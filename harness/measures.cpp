@@ -63,11 +63,11 @@ class NoForce final : public Trajectory {
   double period_;
 };
 
-/// What lengths are measured by: the amplitude, but no less than a thousandth of the farthest that the
+/// What lengths are measured by: the amplitude, but no less than a tenth of the farthest that the
 /// contact-free motion gets from the stop, so that a contact that hardly moves is not judged by its noise.
 double length_scale(const Problem& problem, const Motion& motion, const Eigen::VectorXd& gaps) {
   constexpr int kInstants = 512;
-  constexpr double kLeast = 1e-3;
+  constexpr double kLeast = 0.1;
   const double moving = amplitude(motion);
   try {
     const Eigen::MatrixXd free =

@@ -39,6 +39,9 @@ class Trajectory {
   /// Harmonics of 2 pi / period that the representation resolves: the structure's response to
   /// `force` and `impulses` up to this harmonic is the method's own field. Empty: all of them.
   [[nodiscard]] virtual std::optional<int> bandwidth() const { return std::nullopt; }
+  /// Fourier coefficients n = 0..bandwidth of force and impulses where the representation is made of them,
+  /// (H+1) x Nc [N]; empty: they are taken from `sample` and `impulses`.
+  [[nodiscard]] virtual Eigen::MatrixXcd force_coefficients() const { return {}; }
 };
 
 /// What the method believes. The harness forms its own verdict.

@@ -21,18 +21,51 @@ constexpr int kNewtonSteps = 100;
 
 class PreparedAft final : public PreparedMethod {
  public:
-  PreparedAft(const Problem& problem, const AftHbm::Options& options, ContactReceptance receptance,
-              ProjectedLaw law)
+  PreparedAft(Eigen::VectorXd gap, const AftHbm::Options& options, ContactReceptance receptance, LawAt law_at,
+              double softness = 1.0)
       : options_(options),
+        gap_(std::move(gap)),
         receptance_(std::move(receptance)),
-        law_(std::move(law)),
-        gap_(contact_gaps(problem)) {}
+        law_at_(std::move(law_at)),
+        law_(softened(law_at_(receptance_), softness)) {}
 
   Solution solve(const Start& start) override {
     if (receptance_.contacts() == 0) return contact_free_response(receptance_);
-    const bool automatic = !options_.samples.has_value();
-    Solution solution;
     Work work{.unknowns = (2L * options_.harmonics + 1) * receptance_.contacts(), .iterations = 0};
+    std::optional<Solution> solution = climb(start, work);
+    if (!solution) solution = solve_on_grids(start, work);
+    solution->work = work;
+    return *std::move(solution);
+  }
+
+ private:
+  /// Permanent contact, or many harmonics from few; null where that is not asked for or does not serve.
+  std::optional<Solution> climb(const Start& start, Work& work) const {
+    const bool free = options_.homotopy && options_.quadrature == Quadrature::exact && !options_.samples;
+    if (!free || start.guess) return std::nullopt;
+    if (ExactProjection closed = permanent_contact(receptance_, gap_, law_, options_.tolerance);
+        closed.converged)
+      return exact_solution(receptance_, gap_, law_, std::move(closed.lambda), closed.residual,
+                            "permanent contact");
+    const ClimbFoot foot = climb_foot(receptance_);
+    if (foot.harmonics == 0) return std::nullopt;
+    AftHbm::Options few = options_;
+    few.harmonics = foot.harmonics;
+    PreparedAft coarse(gap_, few, truncated(receptance_, foot.harmonics), law_at_, foot.softness);
+    const Solution base = coarse.solve(start);
+    work.iterations = *work.iterations + base.work.iterations.value_or(0);
+    if (base.verdict != Verdict::converged) return std::nullopt;
+    HarmonicClimb climb = climb_harmonics(receptance_, gap_, law_at_, foot,
+                                          base.trajectory->force_coefficients(), options_.tolerance, start);
+    work.iterations = *work.iterations + climb.iterations;
+    if (!climb.converged) return std::nullopt;
+    return exact_solution(receptance_, gap_, law_, std::move(climb.lambda), climb.residual,
+                          fmt::format("{} harmonics first, Newton from there", foot.harmonics));
+  }
+
+  /// On the grids of SampleLadder.
+  Solution solve_on_grids(const Start& start, Work& work) const {
+    Solution solution;
     Eigen::MatrixXcd guess =
         start.guess ? force_spectrum(*start.guess, options_.harmonics) : Eigen::MatrixXcd{};
     SampleLadder ladder(options_.harmonics, options_.samples, options_.quadrature);
@@ -58,15 +91,13 @@ class PreparedAft final : public PreparedMethod {
       solution.message = fmt::format("{}; {}, net contact work {:.1e} of that exchanged", outcome.message,
                                      quadrature, ratio);
       if (data.lambda.allFinite()) solution.trajectory = std::make_shared<FourierTrajectory>(std::move(data));
-      if (!automatic || start.expired() || !ladder.climb(converged, exact, ratio)) break;
+      if (options_.samples || start.expired() || !ladder.climb(converged, exact, ratio)) break;
       // Newton alone that has lost its way is not helped by more samples.
       if (!converged && !options_.homotopy) break;
     }
-    solution.work = work;
     return solution;
   }
 
- private:
   struct Outcome {
     NewtonKrylov newton;
     int iterations = 0;
@@ -113,9 +144,10 @@ class PreparedAft final : public PreparedMethod {
   }
 
   AftHbm::Options options_;
-  ContactReceptance receptance_;
-  ProjectedLaw law_;
   Eigen::VectorXd gap_;
+  ContactReceptance receptance_;
+  LawAt law_at_;
+  ProjectedLaw law_;
 };
 
 }  // namespace
@@ -140,10 +172,12 @@ RepresentedLaw AftHbm::law(const Problem& problem) const {
 }
 
 std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
-  ContactReceptance receptance = fourier_receptance(problem, options_.harmonics);
-  ProjectedLaw law = options_.law == ContactLaw::penalty ? penalty_law(problem, options_.penalty, receptance)
-                                                         : lipschitz_law(problem, options_.c, receptance);
-  return std::make_unique<PreparedAft>(problem, options_, std::move(receptance), std::move(law));
+  const auto law = [&problem, options = options_](const ContactReceptance& receptance) {
+    return options.law == ContactLaw::penalty ? penalty_law(problem, options.penalty, receptance)
+                                              : lipschitz_law(problem, options.c, receptance);
+  };
+  return std::make_unique<PreparedAft>(contact_gaps(problem), options_,
+                                       fourier_receptance(problem, options_.harmonics), law);
 }
 
 }  // namespace signorini

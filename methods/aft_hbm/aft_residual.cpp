@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "methods/kernels/harmonic_vector.hpp"
+#include "methods/kernels/pivoting.hpp"
 
 namespace signorini {
 
@@ -28,6 +29,7 @@ AftResidual::AftResidual(const ContactReceptance& receptance, const Eigen::Vecto
     part = root_[c] * (part.array() - gap[c]);
     shift_.segment(c * samples_, samples_).setConstant(root_[c] / root_.maxCoeff());
   }
+  shift_ = shift_.cwiseProduct(smooth_cover(samples_, contacts_));
   load_scale_ = std::sqrt(free_.cwiseMax(0.0).squaredNorm() / samples_);
 }
 

@@ -13,9 +13,9 @@ namespace signorini {
 /// R(lambda, tau) = lambda + P [chi y],   y = y_f + B lambda - tau d,
 ///
 /// per contact in units of sqrt(c): lambda = lambda_physical / sqrt(c), y_f = sqrt(c) (x_f - g),
-/// B_n = sqrt(c) C_n sqrt(c) - relief, d the gap shift per unit of tau (1 for the stiffest contact).
-/// chi marks the samples in contact; chi = {y > 0} gives the residual proper. Unknowns are real, as
-/// in harmonic_vector.hpp: |lambda|_2 is the root mean square in time.
+/// B_n = sqrt(c) C_n sqrt(c) - relief, d the gap shift per unit of tau (1 for the stiffest contact, but for
+/// the part in 1e9 that separates ties). chi marks the samples in contact; chi = {y > 0} gives the residual
+/// proper. Unknowns are real, as in harmonic_vector.hpp: |lambda|_2 is the root mean square in time.
 class AftResidual {
  public:
   AftResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,

@@ -81,12 +81,12 @@ class Path {
     const Eigen::VectorXd dy = residual_.gap_rate(v) - s * residual_.shift();
     const auto [length, next] = first_switch(y, dy);
     const double to_zero = s < 0.0 ? tau_ / -s : std::numeric_limits<double>::infinity();
+    if (next < 0 && !std::isfinite(to_zero)) return GapPath::End::ray;
     if (to_zero <= length) {
       lambda_ += to_zero * v;
       tau_ = 0.0;
       return GapPath::End::arrived;
     }
-    if (next < 0) return GapPath::End::ray;
     lambda_ += length * v;
     tau_ += length * s;
     driving_ = next;

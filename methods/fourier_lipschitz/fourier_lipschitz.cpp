@@ -1,7 +1,5 @@
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 
-#include <utility>
-
 #include "methods/kernels/projected_contact.hpp"
 
 namespace signorini {
@@ -18,10 +16,12 @@ Support FourierLipschitz::supports(const Problem& problem) const {
 RepresentedLaw FourierLipschitz::law(const Problem& problem) const { return projected_method_law(problem); }
 
 std::unique_ptr<PreparedMethod> FourierLipschitz::prepare(const Problem& problem) const {
-  ContactReceptance receptance = fourier_receptance(problem, options_.harmonics);
-  ProjectedLaw law = lipschitz_law(problem, options_.c, receptance);
   const SolverSettings solver{options_.solver, options_.tolerance, options_.max_iterations};
-  return std::make_unique<ProjectedContact>(problem, std::move(receptance), std::move(law),
+  const auto law = [&problem, c = options_.c](const ContactReceptance& receptance) {
+    return lipschitz_law(problem, c, receptance);
+  };
+  return std::make_unique<ProjectedContact>(contact_gaps(problem),
+                                            fourier_receptance(problem, options_.harmonics), law,
                                             ProjectedOptions{options_.samples, options_.quadrature, solver});
 }
 

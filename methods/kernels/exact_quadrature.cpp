@@ -1,5 +1,6 @@
 #include "methods/kernels/exact_quadrature.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -18,26 +19,34 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
-/// y and dy/dt at a fraction t of the period, by Clenshaw-free direct powers of e^{2 pi i t}.
-std::pair<double, double> value_and_slope(const Eigen::VectorXcd& y, double t) {
+/// A trigonometric polynomial and its derivatives at one instant.
+struct Jet {
+  double value = 0.0, slope = 0.0, curvature = 0.0;
+};
+
+/// At a fraction t of the period, by the powers of e^{2 pi i t}.
+Jet evaluate(const Eigen::VectorXcd& y, double t) {
   const Complex unit = std::polar(1.0, kTwoPi * t);
   Complex phase = 1.0;
-  double value = y[0].real();
-  double slope = 0.0;
+  Jet jet{y[0].real(), 0.0, 0.0};
   for (Eigen::Index n = 1; n < y.size(); ++n) {
     phase *= unit;
     const Complex term = 2.0 * y[n] * phase;
-    value += term.real();
-    slope -= kTwoPi * static_cast<double>(n) * term.imag();
+    const double rate = kTwoPi * static_cast<double>(n);
+    jet.value += term.real();
+    jet.slope -= rate * term.imag();
+    jet.curvature -= rate * rate * term.real();
   }
-  return {value, slope};
+  return jet;
 }
 
-/// The sign change of y in [left, right], by Newton kept inside a shrinking bracket.
-double polish_root(const Eigen::VectorXcd& y, double left, double right, bool rising) {
+/// The zero of `function` (value and derivative at t) in [left, right], where it rises or falls through
+/// zero: Newton kept inside a shrinking bracket.
+template <class Function>
+double polish_root(const Function& function, double left, double right, bool rising) {
   double t = 0.5 * (left + right);
   for (int k = 0; k < 60; ++k) {
-    const auto [value, slope] = value_and_slope(y, t);
+    const auto [value, slope] = function(t);
     ((value > 0.0) == rising ? right : left) = t;
     double next = t - value / slope;
     if (!(next > left && next < right)) next = 0.5 * (left + right);
@@ -45,6 +54,42 @@ double polish_root(const Eigen::VectorXcd& y, double left, double right, bool ri
     t = next;
   }
   return t;
+}
+
+/// An instant at which the sign of y is known.
+struct Sign {
+  double t = 0.0;
+  bool positive = false;
+};
+
+/// Signs at the samples, and at each extremum between samples of one sign that reaches over to the other.
+std::vector<Sign> signs_of(const Eigen::VectorXcd& y, const Eigen::VectorXd& values) {
+  const auto samples = static_cast<int>(values.size());
+  std::vector<Sign> signs;
+  signs.reserve(static_cast<std::size_t>(samples) + 8);
+  for (int i = 0; i < samples; ++i) signs.push_back({static_cast<double>(i) / samples, values[i] > 0.0});
+  for (int i = 0; i < samples; ++i) {
+    const double before = values[(i + samples - 1) % samples];
+    const double after = values[(i + 1) % samples];
+    const double side = values[i] > 0.0 ? -1.0 : 1.0;  // the extremum looked for: a minimum or a maximum
+    if (side * (values[i] - before) < 0.0 || side * (values[i] - after) < 0.0) continue;
+    // The parabola through three samples rises this far above the middle one; twice that is safe.
+    const double bend = 0.5 * std::abs(after - 2.0 * values[i] + before);
+    if (bend == 0.0 || std::abs(values[i]) > 0.5 * bend) continue;
+    const double left = (i - 1.0) / samples;
+    const double right = (i + 1.0) / samples;
+    const auto slope = [&](double t) {
+      const Jet jet = evaluate(y, t);
+      return std::pair{jet.slope, jet.curvature};
+    };
+    const double extremum = polish_root(slope, left, right, side < 0.0);
+    if (side * evaluate(y, extremum).value > 0.0) {
+      signs.push_back({extremum - std::floor(extremum), side > 0.0});
+    }
+  }
+  if (static_cast<int>(signs.size()) > samples)
+    std::sort(signs.begin(), signs.end(), [](const Sign& a, const Sign& b) { return a.t < b.t; });
+  return signs;
 }
 
 class ExactResidual {
@@ -78,6 +123,20 @@ class ExactResidual {
     return lambda + pack_harmonics(pressed);
   }
 
+  /// J = 1 + P chi B at the intervals of the last residual, dense.
+  [[nodiscard]] Eigen::MatrixXd jacobian() const {
+    const Eigen::Index stride = 2 * harmonics_ + 1;
+    const Eigen::Index contacts = root_.size();
+    Eigen::MatrixXd matrix(stride * contacts, stride * contacts);
+    for (Eigen::Index row = 0; row < contacts; ++row) {
+      for (Eigen::Index column = 0; column < contacts; ++column) {
+        fill_block(row, column, matrix.block(row * stride, column * stride, stride, stride));
+      }
+    }
+    matrix.diagonal().array() += 1.0;
+    return matrix;
+  }
+
   /// J v = v + P chi B v at the intervals of the last residual.
   [[nodiscard]] Eigen::VectorXd product(const Eigen::VectorXd& v) const {
     Eigen::MatrixXcd signal = rate(unpack_harmonics(v, harmonics_));
@@ -96,6 +155,31 @@ class ExactResidual {
     return spectrum;
   }
 
+  /// What unit harmonics of one contact's lambda press at another one's samples in contact, in the packing
+  /// of harmonic_vector.hpp: a cosine of harmonic m drives s_m = B_m / sqrt 2, and (chi s)_n =
+  /// chi_{n-m} s_m + chi_{n+m} conj(s_m) is packed with a factor sqrt 2.
+  void fill_block(Eigen::Index row, Eigen::Index column, Eigen::Ref<Eigen::MatrixXd> block) const {
+    const Eigen::VectorXcd& chi = indicators_[static_cast<std::size_t>(row)];
+    for (Eigen::Index m = 0; m <= harmonics_; ++m) {
+      const Complex b = symbol_[static_cast<std::size_t>(m)](row, column);
+      for (int part = 0; part < (m == 0 ? 1 : 2); ++part) {
+        const Complex s = part == 0 ? b : Complex(0.0, 1.0) * b;
+        const Eigen::Index place = m == 0 ? 0 : 2 * m - 1 + part;
+        for (Eigen::Index n = 0; n <= harmonics_; ++n) {
+          const Complex below = n >= m ? chi[n - m] : std::conj(chi[m - n]);
+          Complex pressed = m == 0 ? below * b.real() : below * s + chi[n + m] * std::conj(s);
+          if (n == 0) {
+            block(0, place) = pressed.real() * (m == 0 ? 1.0 : std::numbers::sqrt2 / 2.0);
+            continue;
+          }
+          if (m == 0) pressed *= std::numbers::sqrt2;
+          block(2 * n - 1, place) = pressed.real();
+          block(2 * n, place) = pressed.imag();
+        }
+      }
+    }
+  }
+
   int harmonics_;
   int samples_;
   Eigen::VectorXd root_;
@@ -111,14 +195,19 @@ std::vector<ContactInterval> positive_intervals(const Eigen::VectorXcd& y, int s
   RealFft fft(samples);
   Eigen::VectorXd values(samples);
   fft.inverse(y, values);
+  const std::vector<Sign> signs = signs_of(y, values);
+  const auto value = [&](double t) {
+    const Jet jet = evaluate(y, t);
+    return std::pair{jet.value, jet.slope};
+  };
   std::vector<double> rises;
   std::vector<double> falls;
-  for (int i = 0; i < samples; ++i) {
-    const bool now = values[i] > 0.0;
-    const bool then = values[(i + 1) % samples] > 0.0;
-    if (now == then) continue;
-    const double edge = polish_root(y, static_cast<double>(i) / samples, (i + 1.0) / samples, then);
-    (then ? rises : falls).push_back(edge);
+  for (std::size_t i = 0; i < signs.size(); ++i) {
+    const Sign& now = signs[i];
+    const bool last = i + 1 == signs.size();
+    const Sign then = last ? Sign{signs.front().t + 1.0, signs.front().positive} : signs[i + 1];
+    if (now.positive == then.positive) continue;
+    (then.positive ? rises : falls).push_back(polish_root(value, now.t, then.t, then.positive));
   }
   if (rises.empty())
     return values[0] > 0.0 ? std::vector<ContactInterval>{{0.0, 1.0}} : std::vector<ContactInterval>{};
@@ -163,22 +252,29 @@ Eigen::VectorXcd restrict_to(const Eigen::VectorXcd& indicator, const Eigen::Vec
 ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                 const ProjectedLaw& law, const Eigen::MatrixXcd& lambda, int samples,
                                 double tolerance) {
-  constexpr int kSteps = 25;
+  constexpr int kSteps = 40;
   constexpr int kHalvings = 10;
+  constexpr Eigen::Index kDense = 2000;       // unknowns up to which factorising is the cheaper step
   constexpr double kLinearTolerance = 1e-12;  // of each GMRES solve, relative to its right-hand side
   ExactResidual residual(receptance, gap, law, samples);
   ExactProjection result;
   Eigen::VectorXd unknown = pack_harmonics(lambda * residual.root().cwiseInverse().asDiagonal());
   const auto identity = [](const Eigen::VectorXd& v) { return v; };
   Eigen::VectorXd r = residual(unknown);
+  // Short contacts press little on the mean, and much less than the load would: the force is the scale. Below
+  // it lies the rounding of y, in which the load and the response to the force cancel.
+  const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * residual.load_scale();
   while (true) {
-    const double scale = std::max(residual.load_scale(), unknown.norm());
+    const double scale = std::max(unknown.norm(), rounding / tolerance);
     result.residual = scale > 0.0 ? r.norm() / scale : 0.0;
     result.converged = result.residual <= tolerance;
     if (result.converged || result.iterations == kSteps) break;
-    const Eigen::VectorXd step = solve_by_gmres([&](const Eigen::VectorXd& v) { return residual.product(v); },
-                                                identity, r, kLinearTolerance);
-    if (step.size() == 0) break;
+    const Eigen::VectorXd step =
+        unknown.size() <= kDense
+            ? Eigen::VectorXd(residual.jacobian().partialPivLu().solve(r))
+            : solve_by_gmres([&](const Eigen::VectorXd& v) { return residual.product(v); }, identity, r,
+                             kLinearTolerance);
+    if (step.size() == 0 || !step.allFinite()) break;
     ++result.iterations;
     // Far from the solution a full step may lose a contact; a shorter one keeps it.
     double length = 1.0;

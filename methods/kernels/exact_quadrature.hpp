@@ -17,8 +17,8 @@ struct ContactInterval {
 };
 
 /// Where y(t) = sum_{|n| <= H} y_n e^{2 pi i n t} > 0. Sign changes are bracketed on `samples` equidistant
-/// instants and polished to rounding; intervals shorter than a sample between two samples of one sign
-/// are not seen. \param y n = 0..H
+/// instants and the extrema near zero between them, so that contacts shorter than a sample are seen too, and
+/// polished to rounding. \param y n = 0..H  \param samples at least 8 H to tell every extremum
 std::vector<ContactInterval> positive_intervals(const Eigen::VectorXcd& y, int samples);
 
 /// Fourier coefficients n = 0..count of the intervals' indicator function.
@@ -31,7 +31,7 @@ Eigen::VectorXcd restrict_to(const Eigen::VectorXcd& indicator, const Eigen::Vec
 struct ExactProjection {
   bool converged = false;
   int iterations = 0;       ///< Newton steps
-  double residual = 0.0;    ///< |R|_2 / max(|P max(0, y)|_2, |max load on the constraint|) [-]
+  double residual = 0.0;    ///< |R|_2 / |lambda|_2, or of rounding where that is larger [-]
   Eigen::MatrixXcd lambda;  ///< (H+1) x Nc [N]
 };
 
@@ -39,7 +39,8 @@ struct ExactProjection {
 /// Newton from a sampled solution `lambda`. With exact P the contact force does no net work at every
 /// contact, to rounding, whatever H and c (docs/theory.md); sampling leaves O(N^-2) of it, irregularly.
 /// The edges of contact move with lambda, where y = 0: the residual is continuously differentiable, and
-/// Newton converges quadratically where no contact is born or lost. Steps by GMRES, products O(H^2 Nc).
+/// Newton converges quadratically where no contact is born or lost. Steps by a dense factorisation of the
+/// (2 H + 1) Nc unknowns up to a few thousand of them, by GMRES with products of O(H^2 Nc) beyond.
 /// \param samples instants on which sign changes are bracketed
 ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                 const ProjectedLaw& law, const Eigen::MatrixXcd& lambda, int samples,

@@ -33,6 +33,12 @@ int forcing_periods(const Problem& problem, double period) {
 }  // namespace
 
 Eigen::MatrixXcd force_spectrum(const Trajectory& trajectory, int count) {
+  if (const Eigen::MatrixXcd own = trajectory.force_coefficients(); own.size() > 0) {
+    Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(count + 1, own.cols());
+    const Eigen::Index common = std::min(result.rows(), own.rows());
+    result.topRows(common) = own.topRows(common);
+    return result;
+  }
   // At 16 samples per harmonic the aliasing of a force with jumps stays below one part in a hundred of
   // the coefficient at the highest harmonic, and far below that at low ones.
   const auto samples = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(4096, 16 * count))));

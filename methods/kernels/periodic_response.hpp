@@ -45,7 +45,8 @@ class PeriodicResponse {
 };
 
 /// Fourier coefficients n = 0..count of the contact force, impulses included, (count+1) x Nc [N]:
-/// lambda_n = (1/T) integral over a period of lambda e^{-i n w t}.
+/// lambda_n = (1/T) integral over a period of lambda e^{-i n w t}. The trajectory's own coefficients where it
+/// has them, zero beyond its bandwidth; else by a fine transform of its samples.
 Eigen::MatrixXcd force_spectrum(const Trajectory& trajectory, int count);
 
 }  // namespace signorini

@@ -35,8 +35,10 @@ class LemkePath {
 
   LcpResult run() {
     if (!lcp_.offset.allFinite()) return finish(LcpStatus::breakdown, Eigen::VectorXd::Zero(size_));
-    if (lcp_.offset.minCoeff() >= 0.0) return finish(LcpStatus::solved, Eigen::VectorXd::Zero(size_));
     const bool warm = options_.guess.size() == size_ && options_.guess.maxCoeff() > 0.0;
+    // z = 0 solves the problem, but a guess may stand near another solution.
+    if (!warm && lcp_.offset.minCoeff() >= 0.0)
+      return finish(LcpStatus::solved, Eigen::VectorXd::Zero(size_));
     if (warm ? start_warm() : start_cold()) return conclude();
     while (result_.pivots < limit_) {
       if ((result_.pivots & 63) == 0 && std::chrono::steady_clock::now() > options_.deadline) {

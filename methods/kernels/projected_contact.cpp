@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "methods/kernels/exact_quadrature.hpp"
+#include "methods/kernels/periodic_response.hpp"
 #include "methods/kernels/real_fft.hpp"
 
 namespace signorini {
@@ -18,6 +20,7 @@ namespace {
 constexpr int kSampled = 32;
 constexpr int kCoarse = 8;
 constexpr int kFinest = 128;
+constexpr int kFewest = 8;  // harmonics for which the coarsest grid is made
 // A sampled answer is good enough when the contact's net work is this small a part of the work exchanged.
 constexpr double kEnergyIdentity = 1e-3;
 
@@ -56,16 +59,17 @@ double net_work_ratio(const Eigen::MatrixXcd& x, const Eigen::MatrixXcd& lambda)
   return exchanged > 0.0 ? std::abs(net) / exchanged : 0.0;
 }
 
-ProjectedContact::ProjectedContact(const Problem& problem, ContactReceptance receptance, ProjectedLaw law,
-                                   ProjectedOptions options)
-    : receptance_(std::move(receptance)),
-      gap_(contact_gaps(problem)),
-      law_(std::move(law)),
+ProjectedContact::ProjectedContact(Eigen::VectorXd gap, ContactReceptance receptance, LawAt law_at,
+                                   ProjectedOptions options, double softness)
+    : gap_(std::move(gap)),
+      receptance_(std::move(receptance)),
+      law_at_(std::move(law_at)),
+      law_(softened(law_at_(receptance_), softness)),
       options_(std::move(options)) {}
 
 SampleLadder::SampleLadder(int harmonics, std::optional<int> fixed, Quadrature quadrature)
-    : samples_(
-          fixed.value_or(std::max(64, (quadrature == Quadrature::exact ? kCoarse : kSampled) * harmonics))),
+    : samples_(fixed.value_or(
+          std::max(kCoarse * kFewest, (quadrature == Quadrature::exact ? kCoarse : kSampled) * harmonics))),
       trusted_(kSampled * harmonics),
       finest_(fixed ? 0 : kFinest * harmonics) {}
 
@@ -95,6 +99,18 @@ std::optional<int> refine_quadrature(const ContactReceptance& receptance, const 
   return exact.iterations;
 }
 
+Solution exact_solution(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                        const ProjectedLaw& law, Eigen::MatrixXcd lambda, double residual,
+                        const std::string& how) {
+  FourierTrajectory::Data data = fourier_data(receptance, gap, law, std::move(lambda));
+  const double ratio = net_work_ratio(data.x, data.lambda);
+  return {.verdict = Verdict::converged,
+          .message = fmt::format("{}; contact integral exact, net contact work {:.1e} of that exchanged", how,
+                                 ratio),
+          .trajectory = std::make_shared<FourierTrajectory>(std::move(data)),
+          .residual = residual};
+}
+
 Solution contact_free_response(const ContactReceptance& receptance) {
   FourierTrajectory::Data data;
   data.period = receptance.period;
@@ -107,13 +123,50 @@ Solution contact_free_response(const ContactReceptance& receptance) {
           .residual = 0.0};
 }
 
+std::optional<Solution> ProjectedContact::solve_without_grid(const Start& start, Work& work) const {
+  const bool free = options_.solver.solver == ComplementaritySolver::automatic &&
+                    options_.quadrature == Quadrature::exact && !options_.samples;
+  if (!free) return std::nullopt;
+  const double tolerance = options_.solver.tolerance;
+  const int harmonics = receptance_.harmonics();
+  if (start.guess) {
+    const ExactProjection near =
+        project_exactly(receptance_, gap_, law_, force_spectrum(*start.guess, harmonics),
+                        kCoarse * std::max(harmonics, kFewest), tolerance);
+    work.iterations = near.iterations;
+    if (near.converged)
+      return exact_solution(receptance_, gap_, law_, near.lambda, near.residual, "Newton from the guess");
+    return std::nullopt;
+  }
+  if (ExactProjection closed = permanent_contact(receptance_, gap_, law_, tolerance); closed.converged)
+    return exact_solution(receptance_, gap_, law_, std::move(closed.lambda), closed.residual,
+                          "permanent contact");
+  const ClimbFoot foot = climb_foot(receptance_);
+  if (foot.harmonics == 0) return std::nullopt;
+  ProjectedContact coarse(gap_, truncated(receptance_, foot.harmonics), law_at_, options_, foot.softness);
+  const Solution base = coarse.solve(start);
+  work.pivots = base.work.pivots;
+  work.iterations = base.work.iterations.value_or(0);
+  if (base.verdict != Verdict::converged) return std::nullopt;
+  HarmonicClimb climb = climb_harmonics(receptance_, gap_, law_at_, foot,
+                                        base.trajectory->force_coefficients(), tolerance, start);
+  work.iterations = *work.iterations + climb.iterations;
+  if (!climb.converged) return std::nullopt;
+  return exact_solution(receptance_, gap_, law_, std::move(climb.lambda), climb.residual,
+                        fmt::format("pivoting with {} harmonics, Newton from there", foot.harmonics));
+}
+
 Solution ProjectedContact::solve(const Start& start) {
   if (receptance_.contacts() == 0) return contact_free_response(receptance_);
   SolverSettings settings = options_.solver;
   settings.deadline = start.deadline;
   const bool newton = settings.solver == ComplementaritySolver::newton;
+  Work work{.unknowns = (2L * receptance_.harmonics() + 1) * receptance_.contacts()};
+  if (std::optional<Solution> direct = solve_without_grid(start, work)) {
+    direct->work = work;
+    return *std::move(direct);
+  }
   Solution solution;
-  Work work;
   SampleLadder ladder(receptance_.harmonics(), options_.samples, options_.quadrature);
   while (true) {
     const int samples = ladder.samples();

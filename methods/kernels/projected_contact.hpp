@@ -4,8 +4,10 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 
 #include "methods/kernels/complementarity_solver.hpp"
+#include "methods/kernels/harmonic_climb.hpp"
 #include "methods/kernels/projected_law.hpp"
 #include "methods/kernels/receptance.hpp"
 #include "methods/kernels/trajectories.hpp"
@@ -56,23 +58,36 @@ FourierTrajectory::Data fourier_data(const ContactReceptance& receptance, const 
 std::optional<int> refine_quadrature(const ContactReceptance& receptance, const ProjectedLaw& law,
                                      int samples, double tolerance, FourierTrajectory::Data& data);
 
+/// The answer behind a solution `lambda` of the exactly projected equations, found as `how` says.
+Solution exact_solution(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                        const ProjectedLaw& law, Eigen::MatrixXcd lambda, double residual,
+                        const std::string& how);
+
 /// The answer where the scene has no contact.
 Solution contact_free_response(const ContactReceptance& receptance);
 
 /// A scene prepared for one projected law.
+///
+/// With solver = auto and the exact contact integral, a guess is taken up by Newton's method at once
+/// (project_exactly), permanent contact is recognised, and more than twenty harmonics are reached from few
+/// (climb_harmonics); where none of these serves, as with the other settings, the complementarity problem is
+/// solved on the grids of SampleLadder and its integral refined.
 class ProjectedContact final : public PreparedMethod {
  public:
-  ProjectedContact(const Problem& problem, ContactReceptance receptance, ProjectedLaw law,
-                   ProjectedOptions options);
+  ProjectedContact(Eigen::VectorXd gap, ContactReceptance receptance, LawAt law_at, ProjectedOptions options,
+                   double softness = 1.0);
   Solution solve(const Start& start) override;
 
  private:
+  /// What needs no grid: Newton's method from the guess, permanent contact, the climb. Null if none serves.
+  std::optional<Solution> solve_without_grid(const Start& start, Work& work) const;
   /// z on the grid from a trajectory: max(0, y) sampled.
   [[nodiscard]] Eigen::VectorXd guess_from(const Trajectory& trajectory, int samples) const;
   [[nodiscard]] Eigen::MatrixXcd force_coefficients(const Eigen::VectorXd& z_scaled, int samples) const;
 
-  ContactReceptance receptance_;
   Eigen::VectorXd gap_;
+  ContactReceptance receptance_;
+  LawAt law_at_;
   ProjectedLaw law_;
   ProjectedOptions options_;
 };

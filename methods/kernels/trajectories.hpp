@@ -32,6 +32,7 @@ class FourierTrajectory final : public Trajectory {
   /// Exact at any count: the series is summed at each instant by one inverse transform.
   [[nodiscard]] Samples sample(int count) const override;
   [[nodiscard]] std::optional<int> bandwidth() const override { return static_cast<int>(data_.x.rows()) - 1; }
+  [[nodiscard]] Eigen::MatrixXcd force_coefficients() const override { return data_.lambda; }
   [[nodiscard]] const Data& data() const { return data_; }
 
  private:

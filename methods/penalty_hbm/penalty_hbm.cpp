@@ -1,7 +1,5 @@
 #include "methods/penalty_hbm/penalty_hbm.hpp"
 
-#include <utility>
-
 #include "methods/kernels/projected_contact.hpp"
 
 namespace signorini {
@@ -21,10 +19,12 @@ RepresentedLaw PenaltyHbm::law(const Problem& problem) const {
 }
 
 std::unique_ptr<PreparedMethod> PenaltyHbm::prepare(const Problem& problem) const {
-  ContactReceptance receptance = fourier_receptance(problem, options_.harmonics);
-  ProjectedLaw law = penalty_law(problem, options_.penalty, receptance);
   const SolverSettings solver{options_.solver, options_.tolerance, options_.max_iterations};
-  return std::make_unique<ProjectedContact>(problem, std::move(receptance), std::move(law),
+  const auto law = [&problem, penalty = options_.penalty](const ContactReceptance& receptance) {
+    return penalty_law(problem, penalty, receptance);
+  };
+  return std::make_unique<ProjectedContact>(contact_gaps(problem),
+                                            fourier_receptance(problem, options_.harmonics), law,
                                             ProjectedOptions{options_.samples, options_.quadrature, solver});
 }
 

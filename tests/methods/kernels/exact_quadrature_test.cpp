@@ -48,6 +48,22 @@ TEST(PositiveIntervals, AreTheWholePeriodOrNothingForAConstantSign) {
   EXPECT_TRUE(positive_intervals(-y, 16).empty());
 }
 
+TEST(PositiveIntervals, ShorterThanASampleAreSeen) {
+  // cos(3 theta) shifted so that its three maxima lie between samples and reach 1e-5 above zero, then
+  // its minima as far below.
+  for (const double sign : {1.0, -1.0}) {
+    Eigen::VectorXcd y = Eigen::VectorXcd::Zero(4);
+    y[0] = -sign * (1.0 - 1e-5);
+    y[3] = sign * std::polar(0.5, 0.7);
+    const auto intervals = positive_intervals(y, 24);
+    ASSERT_EQ(intervals.size(), 3U);
+    const double width = 2.0 * std::acos(1.0 - 1e-5) / (2.0 * std::numbers::pi * 3.0);
+    for (const auto& [begin, end] : intervals) {
+      EXPECT_NEAR(end - begin, sign > 0.0 ? width : 1.0 / 3.0 - width, 1e-12);
+    }
+  }
+}
+
 TEST(IndicatorSpectrum, MatchesAFineSum) {
   const std::vector<ContactInterval> intervals{{0.1, 0.25}, {0.8, 1.05}};
   const Eigen::VectorXcd spectrum = indicator_spectrum(intervals, 7);

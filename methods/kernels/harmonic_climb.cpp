@@ -1,0 +1,109 @@
+#include "methods/kernels/harmonic_climb.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "methods/kernels/exact_quadrature.hpp"
+#include "methods/kernels/real_fft.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr int kFootHarmonics = 20;
+constexpr double kFootSoftness = 1.0 / 16.0;
+constexpr double kStride = 2.0;  // harmonics are multiplied by this where Newton follows
+constexpr int kAttempts = 20;
+constexpr int kSamplesPerHarmonic = 16;  // tells every extremum of a polynomial of that degree
+
+Eigen::MatrixXcd extended(const Eigen::MatrixXcd& lambda, int harmonics) {
+  Eigen::MatrixXcd longer = Eigen::MatrixXcd::Zero(harmonics + 1, lambda.cols());
+  const Eigen::Index common = std::min(longer.rows(), lambda.rows());
+  longer.topRows(common) = lambda.topRows(common);
+  return longer;
+}
+
+}  // namespace
+
+ContactReceptance truncated(const ContactReceptance& receptance, int harmonics) {
+  const auto count = std::min(harmonics, receptance.harmonics()) + 1;
+  return {receptance.period,
+          {receptance.receptance.begin(), receptance.receptance.begin() + count},
+          receptance.free_response.topRows(count)};
+}
+
+ProjectedLaw softened(const ProjectedLaw& law, double softness) {
+  return {softness * law.constant, (1.0 - softness * (1.0 - law.relief.array())).matrix()};
+}
+
+ExactProjection permanent_contact(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                                  const ProjectedLaw& law, double tolerance) {
+  // y = -lambda throughout: c (x_f - g) + (c C + 1 - relief) lambda = 0.
+  const int harmonics = receptance.harmonics();
+  Eigen::MatrixXcd lambda(harmonics + 1, receptance.contacts());
+  for (int n = 0; n <= harmonics; ++n) {
+    Eigen::MatrixXcd block = law.constant.asDiagonal() * receptance.receptance[static_cast<std::size_t>(n)];
+    block.diagonal() += (1.0 - law.relief.array()).matrix();
+    Eigen::VectorXcd load = receptance.free_response.row(n).transpose();
+    if (n == 0) load -= gap;
+    lambda.row(n) = -block.partialPivLu().solve(law.constant.asDiagonal() * load).transpose();
+  }
+  if (!lambda.allFinite()) return {};
+  const int samples = kSamplesPerHarmonic * std::max(1, harmonics);
+  RealFft fft(samples);
+  Eigen::VectorXd force(samples);
+  for (Eigen::Index c = 0; c < lambda.cols(); ++c) {
+    fft.inverse(lambda.col(c), force);
+    if (force.maxCoeff() >= 0.0) return {};
+  }
+  return project_exactly(receptance, gap, law, lambda, samples, tolerance);
+}
+
+ClimbFoot climb_foot(const ContactReceptance& receptance) {
+  int loaded = 0;
+  for (int n = 0; n <= receptance.harmonics(); ++n) {
+    if (receptance.free_response.row(n).cwiseAbs().maxCoeff() > 0.0) loaded = n;
+  }
+  const int harmonics = std::max(kFootHarmonics, 2 * loaded);
+  return harmonics < receptance.harmonics() ? ClimbFoot{harmonics, kFootSoftness} : ClimbFoot{};
+}
+
+HarmonicClimb climb_harmonics(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                              const LawAt& law_at, const ClimbFoot& foot, Eigen::MatrixXcd lambda,
+                              double tolerance, const Start& start) {
+  const int top = receptance.harmonics();
+  const auto stride = [top](int harmonics) {
+    return std::min(top, static_cast<int>(std::ceil(kStride * harmonics)));
+  };
+  HarmonicClimb climb;
+  ClimbFoot here = foot;
+  ClimbFoot next{stride(here.harmonics), 1.0};
+  for (int attempt = 0; attempt < kAttempts && !start.expired(); ++attempt) {
+    const ContactReceptance level = truncated(receptance, next.harmonics);
+    ExactProjection exact =
+        project_exactly(level, gap, softened(law_at(level), next.softness), extended(lambda, next.harmonics),
+                        kSamplesPerHarmonic * next.harmonics, tolerance);
+    climb.iterations += exact.iterations;
+    if (exact.converged) {
+      here = next;
+      lambda = std::move(exact.lambda);
+      if (here.harmonics == top && here.softness == 1.0) {
+        climb.converged = true;
+        climb.residual = exact.residual;
+        climb.lambda = std::move(lambda);
+        break;
+      }
+      next = {stride(here.harmonics), 1.0};
+    } else {
+      const int halfway = static_cast<int>(std::sqrt(static_cast<double>(here.harmonics) * next.harmonics));
+      const double softer = std::sqrt(here.softness * next.softness);
+      if (halfway == here.harmonics && softer < 1.05 * here.softness) break;
+      next = {halfway, softer};
+    }
+  }
+  return climb;
+}
+
+}  // namespace signorini

@@ -1,0 +1,54 @@
+#pragma once
+// From a solution with few harmonics and a soft constant to one with all of them.
+
+#include <Eigen/Core>
+#include <functional>
+
+#include "methods/kernels/exact_quadrature.hpp"
+#include "methods/kernels/projected_law.hpp"
+#include "methods/kernels/receptance.hpp"
+#include "methods/method.hpp"
+
+namespace signorini {
+
+/// The law that a method imposes on a structure of so many harmonics: its constant may grow with them.
+using LawAt = std::function<ProjectedLaw(const ContactReceptance&)>;
+
+/// C_n and free response of the first harmonics alone.
+ContactReceptance truncated(const ContactReceptance& receptance, int harmonics);
+
+/// The same law in continuous time with `softness` times its constant: y = s c (x - g) - (1 - s (1 - relief))
+/// lambda. After projection the contact is s^{-1/2} times as long, and fewer samples resolve it.
+ProjectedLaw softened(const ProjectedLaw& law, double softness);
+
+/// The solution whose contacts all press at all times, by one small solve per harmonic; `converged` if it
+/// presses throughout.
+ExactProjection permanent_contact(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                                  const ProjectedLaw& law, double tolerance);
+
+/// The place where a climb begins: few harmonics, enough for every load, and a soft constant.
+struct ClimbFoot {
+  int harmonics = 0;
+  double softness = 1.0;
+};
+
+/// Nothing to climb (harmonics = 0) up to twenty harmonics.
+ClimbFoot climb_foot(const ContactReceptance& receptance);
+
+struct HarmonicClimb {
+  bool converged = false;
+  int iterations = 0;       ///< Newton steps, those of failed attempts included
+  double residual = 0.0;    ///< as of project_exactly [-]
+  Eigen::MatrixXcd lambda;  ///< (H+1) x Nc [N]
+};
+
+/// Follows a solution of the exactly projected equations (project_exactly) from `foot` to all harmonics of
+/// `receptance` at the full constant, doubling harmonics and stiffening in steps that are halved where
+/// Newton does not follow. A solution so found costs a few dense solves of (2 H + 1) Nc unknowns where a path
+/// of pivots on the fine grid costs thousands of updates.
+/// \param lambda  the solution at the foot, (foot.harmonics + 1) x Nc [N]
+HarmonicClimb climb_harmonics(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                              const LawAt& law_at, const ClimbFoot& foot, Eigen::MatrixXcd lambda,
+                              double tolerance, const Start& start);
+
+}  // namespace signorini
