@@ -8,8 +8,11 @@
 #include <complex>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <numbers>
+#include <system_error>
 #include <thread>
+#include <vector>
 
 namespace signorini::test {
 
@@ -199,10 +202,22 @@ Case fake_case(const Scene& scene, const std::string& behaviour) {
 }
 
 std::filesystem::path fresh_folder(const std::string& name) {
+  // Removed when the test program ends; its forked children leave them alone.
+  struct Folders {
+    std::vector<std::filesystem::path> paths = {};
+    pid_t owner = getpid();
+    ~Folders() {
+      if (getpid() != owner) return;
+      std::error_code ignored;
+      for (const auto& path : paths) std::filesystem::remove_all(path, ignored);
+    }
+  };
+  static Folders folders;
   std::filesystem::path folder =
       std::filesystem::path(testing::TempDir()) / ("signorini-" + name + "-" + std::to_string(getpid()));
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
+  folders.paths.push_back(folder);
   return folder;
 }
 

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "methods/kernels/real_fft.hpp"
+
 namespace signorini::test {
 
 namespace {
@@ -128,6 +130,15 @@ std::shared_ptr<const Trajectory> start_from(const ReferenceMotion& motion, cons
   const auto& stop = std::get<Penalty>(problem.law).stiffness;
   data.stiffness = Eigen::Map<const Eigen::VectorXd>(stop.data(), data.gap.size());
   data.relief = Eigen::VectorXd::Zero(data.gap.size());
+  // Known of the motion is x alone; the spring's force follows from it.
+  constexpr int kSamples = 4096;
+  const Samples samples = FourierTrajectory(data).sample(kSamples);
+  RealFft fft(kSamples);
+  Eigen::VectorXcd spectrum(fft.coefficients());
+  for (Eigen::Index c = 0; c < data.lambda.cols(); ++c) {
+    fft.forward(samples.force.col(c), spectrum);
+    data.lambda.col(c) = spectrum.head(data.lambda.rows());
+  }
   return std::make_shared<FourierTrajectory>(std::move(data));
 }
 
