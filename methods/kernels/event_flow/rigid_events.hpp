@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "methods/event_driven/contact_dynamics.hpp"
-#include "methods/event_driven/flow_record.hpp"
+#include "methods/kernels/event_flow/contact_dynamics.hpp"
+#include "methods/kernels/event_flow/flow_record.hpp"
 
 namespace signorini {
 

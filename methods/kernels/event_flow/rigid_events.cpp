@@ -1,11 +1,11 @@
-#include "methods/event_driven/rigid_events.hpp"
+#include "methods/kernels/event_flow/rigid_events.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "methods/event_driven/impact.hpp"
+#include "methods/kernels/event_flow/impact.hpp"
 
 namespace signorini {
 
