@@ -178,6 +178,10 @@ void EventFlow::pass_event(FlowState& flow, const Crossing& crossing, FlowRecord
   record.events.push_back({.kind = flow.closed[index] ? ContactEvent::Kind::close : ContactEvent::Kind::open,
                            .contact = crossing.contact,
                            .time = flow.time});
+  record.sequence.push_back({.kind = record.events.back().kind,
+                             .contact = crossing.contact,
+                             .time = flow.time,
+                             .closed = flow.closed});
 }
 
 // Length of the Taylor step that covers the next rebound of a contact that has just left its stop;
