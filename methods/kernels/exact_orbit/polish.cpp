@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "methods/kernels/exact_orbit/green_function.hpp"
+
 namespace signorini {
 
 namespace {
@@ -150,6 +152,31 @@ class Polish {
     return weight;
   }
 
+  // The second evaluation of a purely impulsive orbit; false if it is none.
+  bool by_green_function() {
+    const OrbitGuess& solved = orbit_.trajectory->orbit();
+    const auto touching = [](const std::vector<bool>& closed) {
+      return std::find(closed.begin(), closed.end(), true) != closed.end();
+    };
+    if (touching(solved.start.closed)) return false;
+    for (const SequenceEvent& event : solved.events) {
+      if (event.kind != ContactEvent::Kind::impact || touching(event.closed)) return false;
+    }
+    const GreenFunction green(model_->dynamics, model_->period);
+    if (!green.defined()) return false;
+    const MotionScales& scales = model_->dynamics.scales();
+    const std::vector<Impulse> impulses = orbit_.trajectory->impulses();
+    constexpr int kInstants = 17;
+    for (int i = 0; i < kInstants; ++i) {
+      const double time = solved.start.time + model_->period * i / kInstants;
+      const State a = green.state(time, impulses), b = orbit_.trajectory->at(time);
+      orbit_.error_bar =
+          std::max({orbit_.error_bar, (a.u - b.u).lpNorm<Eigen::Infinity>() / scales.displacement,
+                    (a.v - b.v).lpNorm<Eigen::Infinity>() / scales.velocity});
+    }
+    return true;
+  }
+
   void measure_error(const OrbitGuess& solved) {
     lu_.compute(equations_.jacobian());
     const Eigen::VectorXd weight = weights();
@@ -157,7 +184,7 @@ class Polish {
     const double noise = orbit_.residual + attainable();
     orbit_.error_bar =
         inverse.cwiseAbs().rowwise().sum().maxCoeff() * noise + orbit_.admissibility.chatter_error;
-    if (!options_.second_evaluation) return;
+    if (!options_.second_evaluation || by_green_function()) return;
     OrbitModel other(*model_, FlowForm::exponential);
     OrbitEquations again(other, solved);
     if (!again.evaluate(again.guess())) return;

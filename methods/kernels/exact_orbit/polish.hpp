@@ -28,7 +28,7 @@ struct PolishOptions {
   int max_iterations = 40;         ///< Newton steps
   double admissibility = 1e-9;     ///< penetration, tension, rest of a chatter; in scales [-]
   double grazing = 1e-7;           ///< approach speed over V below which an impact grazes [-]
-  bool second_evaluation = false;  ///< evaluate the residual again by matrix exponentials, for the error bar
+  bool second_evaluation = false;  ///< evaluate once more, by Green's function or exponentials
 };
 
 /// A polished orbit, or why there is none.
