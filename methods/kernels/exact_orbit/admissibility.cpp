@@ -43,23 +43,51 @@ double polished_peak(const Limited& f, double low, double high) {
   return t;
 }
 
+struct Sample {
+  double time = 0.0, value = 0.0, rate = 0.0, curvature = 0.0;
+};
+
+Sample sample(const Limited& f, double t) {
+  return {.time = t, .value = f.value(t, 0), .rate = f.value(t, 1), .curvature = f.value(t, 2)};
+}
+
+// Extremum of the rate between two samples on either side of it.
+Sample steepest(const Limited& f, double low, double high) {
+  constexpr int kBisections = 40;
+  const bool falls = f.value(low, 2) < 0.0;
+  for (int k = 0; k < kBisections; ++k) {
+    const double middle = 0.5 * (low + high);
+    ((f.value(middle, 2) < 0.0) == falls ? low : high) = middle;
+  }
+  return sample(f, 0.5 * (low + high));
+}
+
 Peak largest(const Limited& f, double begin, double end) {
   constexpr double kSteps = 16.0;  // per fastest period
   const double step = 2.0 * std::numbers::pi / (kSteps * f.arc.flow().fastest_rate());
   const auto steps = std::max(2L, static_cast<long>(std::ceil((end - begin) / step)));
-  Peak peak;
-  double before = 0.0, t_before = begin;
-  for (long i = 0; i <= steps; ++i) {
+  Sample before = sample(f, begin);
+  Peak peak{before.value, begin};
+  const auto rise = [&](const Sample& a, const Sample& b) {
+    if (!(a.rate > 0.0 && b.rate < 0.0)) return;
+    const double top = polished_peak(f, a.time, b.time);
+    if (const double there = f.value(top, 0); there > peak.value) peak = {there, top};
+  };
+  for (long i = 1; i <= steps; ++i) {
     const double t =
         i == steps ? end : begin + (end - begin) * static_cast<double>(i) / static_cast<double>(steps);
-    const double value = f.value(t, 0), rate = f.value(t, 1);
-    if (value > peak.value) peak = {value, t};
-    if (i > 0 && before > 0.0 && rate < 0.0) {
-      const double top = polished_peak(f, t_before, t);
-      if (const double there = f.value(top, 0); there > peak.value) peak = {there, top};
+    const Sample here = sample(f, t);
+    if (here.value > peak.value) peak = {here.value, t};
+    if (before.rate > 0.0 && here.rate < 0.0) {
+      rise(before, here);
+    } else if (before.curvature * here.curvature < 0.0) {
+      // The rate turns in between: a bump too short for its signs at the samples, as after an impact at e =
+      // 0.
+      const Sample turn = steepest(f, before.time, t);
+      rise(before, turn);
+      rise(turn, here);
     }
-    before = rate;
-    t_before = t;
+    before = here;
   }
   return peak;
 }

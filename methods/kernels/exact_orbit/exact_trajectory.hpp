@@ -2,12 +2,22 @@
 // A periodic orbit in closed form.
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "methods/kernels/exact_orbit/orbit_equations.hpp"
 #include "methods/solution.hpp"
 
 namespace signorini {
+
+/// What is known of a polished orbit.
+struct OrbitQuality {
+  double residual = 0.0;         ///< largest of its equations, in scales [-]
+  double error_bar = 0.0;        ///< of the motion, relative to the displacement scale X [-]
+  double amplification = 0.0;    ///< |J^-1|: what an error of evaluation may grow to in the motion [-]
+  Eigen::VectorXcd multipliers;  ///< Floquet, 2 Nd; empty where undefined
+  bool admissible = false;       ///< the contact conditions hold
+};
 
 /// Motion and contact force of a polished orbit, evaluated exactly (to round-off) at any instant; the
 /// velocity is right-sided at impacts.
@@ -27,6 +37,8 @@ class ExactTrajectory final : public Trajectory {
   [[nodiscard]] State at(double time) const;
   /// Section state and events, times in (start.time, start.time + period).
   [[nodiscard]] const OrbitGuess& orbit() const { return orbit_; }
+  [[nodiscard]] const OrbitQuality& quality() const { return quality_; }
+  void set_quality(OrbitQuality quality) { quality_ = std::move(quality); }
 
  private:
   [[nodiscard]] const LinearArc& arc_at(double& time) const;
@@ -35,6 +47,7 @@ class ExactTrajectory final : public Trajectory {
   OrbitGuess orbit_;
   std::vector<LinearArc> arcs_;
   std::vector<Impulse> impulses_;
+  OrbitQuality quality_;
 };
 
 }  // namespace signorini

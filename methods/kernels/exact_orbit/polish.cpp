@@ -119,27 +119,44 @@ class Polish {
   void judge() {
     orbit_.attainable = attainable();
     const OrbitGuess solved = equations_.orbit(unknowns_);
-    orbit_.trajectory =
+    const auto trajectory =
         std::make_shared<ExactTrajectory>(model_, solved, equations_.arcs(), equations_.passages());
+    orbit_.trajectory = trajectory;
     orbit_.admissibility = check_admissible(*model_, solved, equations_, options_.admissibility);
     measure_error(solved);
+    conclude(solved);
+    trajectory->set_quality({.residual = orbit_.residual,
+                             .error_bar = orbit_.error_bar,
+                             .amplification = orbit_.amplification,
+                             .multipliers = orbit_.multipliers,
+                             .admissible = orbit_.admissibility.ok});
+  }
+
+  void conclude(const OrbitGuess& solved) {
     const Admissibility& found = orbit_.admissibility;
     if (!found.ok) {
-      failed(found.reason, OrbitOutcome::not_admissible);
+      orbit_.outcome = OrbitOutcome::not_admissible;
+      orbit_.reason = found.reason;
       return;
     }
     if (found.impacts > 0 && found.weakest_impact < options_.grazing) {
-      failed(
-          fmt::format("an impact grazes its stop (approach speed {:.2g} of the scale)", found.weakest_impact),
-          OrbitOutcome::grazing);
+      orbit_.outcome = OrbitOutcome::grazing;
+      orbit_.reason =
+          fmt::format("an impact grazes its stop (approach speed {:.2g} of the scale)", found.weakest_impact);
       return;
     }
     const Eigen::MatrixXd monodromy = equations_.monodromy();
     if (monodromy.size() > 0 && monodromy.allFinite()) orbit_.multipliers = monodromy.eigenvalues();
     orbit_.outcome = found.chatter ? OrbitOutcome::chatter : OrbitOutcome::converged;
-    orbit_.reason = found.chatter
-                        ? fmt::format("complete chattering: {} impacts resolved, then contact", found.impacts)
-                        : fmt::format("periodic orbit with {} impacts", found.impacts);
+    const auto closings =
+        std::count_if(solved.events.begin(), solved.events.end(),
+                      [](const SequenceEvent& event) { return event.kind == ContactEvent::Kind::close; });
+    orbit_.reason =
+        found.chatter
+            ? fmt::format("complete chattering: {} impacts resolved, then contact", found.impacts)
+            : fmt::format("periodic orbit, impacts {}, phases of contact {}", found.impacts, closings);
+    if (closings == 0 && std::count(solved.start.closed.begin(), solved.start.closed.end(), true) > 0)
+      orbit_.reason += " (closed throughout)";
   }
 
   // Instants count with the displacement that they cost.

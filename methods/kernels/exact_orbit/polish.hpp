@@ -39,8 +39,9 @@ struct ExactOrbit {
   std::shared_ptr<const ExactTrajectory> trajectory;  ///< where the equations were solved
   double residual = 0.0;                              ///< largest of the equations, in scales [-]
   double attainable = 0.0;                            ///< round-off of the residual [-]
-  double error_bar = 0.0;  ///< of the motion, relative to X: |J^-1| times the residual and its noise [-]
-  int iterations = 0;      ///< Newton steps
+  double error_bar = 0.0;      ///< of the motion, relative to X: |J^-1| times the residual and its noise [-]
+  double amplification = 0.0;  ///< |J^-1| as in the error bar [-]
+  int iterations = 0;          ///< Newton steps
   Eigen::VectorXcd multipliers;  ///< Floquet, 2 Nd; empty where undefined
   Admissibility admissibility;
 
@@ -58,8 +59,10 @@ struct ExactOrbit {
 ///
 /// Converged: residual <= tolerance, or at the round-off of its evaluation (`attainable`, 32 epsilon times
 /// the largest state met). The error bar is the largest row sum of |J^-1|, rows of instants weighted with the
-/// speed there, times residual plus `attainable`; with `second_evaluation` no less than |J^-1 r'|, r' the
-/// residual by matrix exponentials. Failures are outcomes, never exceptions.
+/// speed there, times residual plus `attainable`; with `second_evaluation` no less than
+/// the distance to a second evaluation: of purely impulsive orbits the motion by the periodic Green's
+/// function at 17 instants, else |J^-1 r'|, r' the residual by matrix exponentials. Failures are outcomes,
+/// never exceptions.
 ExactOrbit polish_sequence(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& guess,
                            const PolishOptions& options = {});
 
