@@ -96,6 +96,7 @@ class Follower {
     generator_.block(0, n_, n_, n_).setIdentity();
     generator_.middleRows(n_, n_) = M_ * rate;
     force_scale_ = problem_.stiffness.coeff(0, 0) * x_scale_;
+    for (const double spring : springs_) force_scale_ = std::max(force_scale_, spring * x_scale_);
   }
 
   void fly(const std::vector<bool>& closed, double end) {

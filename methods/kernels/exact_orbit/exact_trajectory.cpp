@@ -22,9 +22,9 @@ ExactTrajectory::ExactTrajectory(std::shared_ptr<OrbitModel> model, OrbitGuess o
   for (std::size_t i = 0; i < orbit_.events.size(); ++i) {
     const SequenceEvent& event = orbit_.events[i];
     for (std::size_t k = 0; k < event.pushed.size(); ++k) {
-      impulses_.push_back({.contact = event.pushed[k],
-                           .time = wrap(event.time, period()),
-                           .value = std::min(0.0, passages[i].impulses[static_cast<Eigen::Index>(k)])});
+      const double value = passages[i].impulses[static_cast<Eigen::Index>(k)];
+      if (value < 0.0)  // a resting contact may have nothing to pass on
+        impulses_.push_back({.contact = event.pushed[k], .time = wrap(event.time, period()), .value = value});
     }
   }
   std::stable_sort(impulses_.begin(), impulses_.end(),

@@ -25,10 +25,12 @@ class Polish {
   ExactOrbit run() {
     orbit_.origin = start_.origin;
     unknowns_ = equations_.guess();
-    if (!equations_.evaluate(unknowns_)) return failed("the flow is not finite");
+    if (!equations_.evaluate(unknowns_)) {
+      fail("the flow is not finite");
+      return std::move(orbit_);
+    }
     orbit_.residual = norm();
-    if (!iterate()) return std::move(orbit_);
-    judge();
+    if (iterate()) judge();
     return std::move(orbit_);
   }
 
@@ -37,10 +39,9 @@ class Polish {
   [[nodiscard]] double attainable() const { return 32.0 * kEpsilon * equations_.largest_state(); }
   [[nodiscard]] double accepted() const { return std::max(options_.tolerance, attainable()); }
 
-  ExactOrbit failed(const std::string& reason, OrbitOutcome outcome = OrbitOutcome::no_convergence) {
+  void fail(const std::string& reason, OrbitOutcome outcome = OrbitOutcome::no_convergence) {
     orbit_.outcome = outcome;
     orbit_.reason = reason;
-    return std::move(orbit_);
   }
 
   // The part of a step that leaves each interval between events a fifth of its length.
@@ -68,21 +69,21 @@ class Polish {
     while (orbit_.residual > accepted() || !polished) {
       polished = orbit_.residual <= accepted();  // one step more: it costs little and halves the noise
       if (orbit_.iterations >= options_.max_iterations) {
-        failed(fmt::format("no convergence in {} Newton steps (residual {:.2g})", orbit_.iterations,
-                           orbit_.residual));
+        fail(fmt::format("no convergence in {} Newton steps (residual {:.2g})", orbit_.iterations,
+                         orbit_.residual));
         return false;
       }
       lu_.compute(equations_.jacobian());
       const Eigen::VectorXd step = -lu_.solve(equations_.residual());
       if (!step.allFinite()) {
         if (polished) break;
-        failed("the equations are singular (a multiplier is 1, or an impact grazes)");
+        fail("the equations are singular (a multiplier is 1, or an impact grazes)");
         return false;
       }
       const double part = longest_part(step);
       shortened = part < kMerging ? shortened + 1 : 0;
       if (shortened >= 3) {
-        failed("two events merge", OrbitOutcome::events_merge);
+        fail("two events merge", OrbitOutcome::events_merge);
         return false;
       }
       ++orbit_.iterations;
@@ -95,7 +96,7 @@ class Polish {
   bool at_noise() {
     constexpr double kNoise = 100.0;
     if (orbit_.residual <= kNoise * accepted()) return true;
-    failed(fmt::format("no descent along the Newton step (residual {:.2g})", orbit_.residual));
+    fail(fmt::format("no descent along the Newton step (residual {:.2g})", orbit_.residual));
     return false;
   }
 
