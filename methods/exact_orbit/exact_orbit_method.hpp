@@ -14,7 +14,7 @@ namespace signorini {
 /// marching on the closed-form flow. Represents the scene's own law always.
 ///
 /// Guarantee: a converged answer solves the equations of motion, the impact law and the periodicity to
-/// `tolerance` (or to the round-off stated), does not penetrate, and pulls nowhere (1e-9 of the scales); its
+/// `tolerance` (or to the round-off stated), does not penetrate, and pulls nowhere (1e-11 of the scales); its
 /// message gives the error bar. Of several orbits it returns the first found: stable or not.
 class ExactOrbitMethod final : public Method {
  public:

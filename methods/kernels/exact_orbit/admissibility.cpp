@@ -94,12 +94,14 @@ Peak largest(const Limited& f, double begin, double end) {
 
 class Check {
  public:
-  Check(const OrbitModel& model, const OrbitGuess& orbit, const OrbitEquations& equations, double tolerance)
+  Check(const OrbitModel& model, const OrbitGuess& orbit, const OrbitEquations& equations, double tolerance,
+        double chatter)
       : dynamics_(model.dynamics),
         model_(model),
         orbit_(orbit),
         equations_(equations),
-        tolerance_(tolerance) {}
+        tolerance_(tolerance),
+        chatter_(chatter) {}
 
   Admissibility run() {
     result_.weakest_impact = std::numeric_limits<double>::infinity();
@@ -169,7 +171,7 @@ class Check {
     if (event.restitution[k] == e || approach <= tolerance_ * dynamics_.scales().velocity) return;
     const double a = arc.displacement(event.pushed[k], event.time, 2);
     const double left_out = 0.5 * e * approach * approach / (a * (1.0 - e)) / dynamics_.scales().displacement;
-    if (a > 0.0 && e < 1.0 && left_out <= tolerance_) {
+    if (a > 0.0 && e < 1.0 && left_out <= chatter_) {
       result_.chatter = true;
       result_.chatter_error = std::max(result_.chatter_error, left_out);
       return;
@@ -182,15 +184,15 @@ class Check {
   const OrbitModel& model_;
   const OrbitGuess& orbit_;
   const OrbitEquations& equations_;
-  double tolerance_;
+  double tolerance_, chatter_;
   Admissibility result_;
 };
 
 }  // namespace
 
 Admissibility check_admissible(const OrbitModel& model, const OrbitGuess& orbit,
-                               const OrbitEquations& equations, double tolerance) {
-  return Check(model, orbit, equations, tolerance).run();
+                               const OrbitEquations& equations, double tolerance, double chatter) {
+  return Check(model, orbit, equations, tolerance, chatter).run();
 }
 
 }  // namespace signorini

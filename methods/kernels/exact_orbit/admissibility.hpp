@@ -23,8 +23,8 @@ struct Admissibility {
 /// method, those between two samples found by where the rate turns), approach speeds positive, impulses
 /// compressive, each impact by the scene's law. `tolerance` is relative to the scales of the motion. A
 /// contact that stops with e > 0 is accepted as the limit of a chatter if the rest of the geometric sequence
-/// displaces less than `tolerance`.
+/// displaces less than `chatter` X.
 Admissibility check_admissible(const OrbitModel& model, const OrbitGuess& orbit,
-                               const OrbitEquations& equations, double tolerance);
+                               const OrbitEquations& equations, double tolerance, double chatter);
 
 }  // namespace signorini

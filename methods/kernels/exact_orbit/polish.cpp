@@ -123,7 +123,8 @@ class Polish {
     const auto trajectory =
         std::make_shared<ExactTrajectory>(model_, solved, equations_.arcs(), equations_.passages());
     orbit_.trajectory = trajectory;
-    orbit_.admissibility = check_admissible(*model_, solved, equations_, options_.admissibility);
+    orbit_.admissibility =
+        check_admissible(*model_, solved, equations_, options_.admissibility, options_.chatter);
     measure_error(solved);
     conclude(solved);
     trajectory->set_quality({.residual = orbit_.residual,

@@ -24,10 +24,11 @@ enum class OrbitOutcome {
 std::string describe(OrbitOutcome outcome);
 
 struct PolishOptions {
-  double tolerance = 1e-12;        ///< of the residual, relative to the scales of the motion [-]
-  int max_iterations = 40;         ///< Newton steps
-  double admissibility = 1e-9;     ///< penetration, tension, rest of a chatter; in scales [-]
-  double grazing = 1e-7;           ///< approach speed over V below which an impact grazes [-]
+  double tolerance = 1e-12;      ///< of the residual, relative to the scales of the motion [-]
+  int max_iterations = 40;       ///< Newton steps
+  double admissibility = 1e-11;  ///< penetration and tension allowed, in scales [-]
+  double chatter = 1e-9;         ///< displacement that the summed rest of a chatter may leave out, over X [-]
+  double grazing = 1e-7;         ///< approach speed over V below which an impact grazes [-]
   bool second_evaluation = false;  ///< evaluate once more, by Green's function or exponentials
 };
 
