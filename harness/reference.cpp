@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "harness/condensation.hpp"
+#include "methods/kernels/condensation.hpp"
 #include "harness/orbit.hpp"
 #include "harness/record.hpp"
 #include "harness/trajectory_json.hpp"

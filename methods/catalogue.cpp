@@ -5,6 +5,7 @@
 
 #include "methods/aft_hbm/aft_hbm.hpp"
 #include "methods/event_driven/event_driven.hpp"
+#include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
@@ -14,7 +15,7 @@ namespace signorini {
 std::span<const MethodEntry> method_catalogue() {
   static const std::array entries{
       method_entry<HatLcp>(), method_entry<FourierLipschitz>(), method_entry<PenaltyHbm>(),
-      method_entry<AftHbm>(), method_entry<EventDriven>(),
+      method_entry<AftHbm>(), method_entry<EventDriven>(),      method_entry<ExactOrbitMethod>(),
   };
   return entries;
 }

@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "methods/event_driven/event_trajectory.hpp"
-#include "methods/event_driven/flow.hpp"
 #include "methods/event_driven/steady_state.hpp"
+#include "methods/kernels/event_flow/event_trajectory.hpp"
+#include "methods/kernels/event_flow/flow.hpp"
 #include "methods/kernels/periodic_response.hpp"
 
 namespace signorini {
@@ -25,7 +25,7 @@ class PreparedEventDriven final : public PreparedMethod {
     solution.work.unknowns = 2L * dynamics_.size();
     try {
       const std::function<bool()> expired = [&start] { return start.expired(); };
-      EventFlow flow(dynamics_, options_.tolerance, expired);
+      EventFlow flow(dynamics_, options_.tolerance, expired, options_.flow);
       PeriodMap map(flow);
       run(start, map, expired, solution);
       solution.work.rhs_evaluations = flow.rhs_evaluations();
@@ -39,9 +39,11 @@ class PreparedEventDriven final : public PreparedMethod {
  private:
   void run(const Start& start, PeriodMap& map, const std::function<bool()>& expired,
            Solution& solution) const {
+    constexpr double kCvodeNoise = 5e-11, kModalNoise = 1e-12;
     const SteadyLimits limits{.tolerance = options_.tolerance,
                               .max_iterations = options_.max_iterations,
-                              .max_order = std::max(options_.max_order, problem_.subharmonic)};
+                              .max_order = std::max(options_.max_order, problem_.subharmonic),
+                              .noise = options_.flow == Integrator::cvode ? kCvodeNoise : kModalNoise};
     FlowState state = first_state(start, map.flow());
     SteadyState found;
     try {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "methods/event_driven/period_map.hpp"
+#include "methods/kernels/event_flow/period_map.hpp"
 
 namespace signorini {
 
@@ -12,9 +12,10 @@ struct SteadyLimits {
   double tolerance = 1e-9;  ///< of the integration; a motion is periodic below ten times this [-]
   int max_iterations = 5000;
   int max_order = 8;
+  double noise = 5e-11;  ///< left by the integration at its tightest [-]
 
-  /// Residual that counts as periodic: ten tolerances, but not below the noise left at CVODE's tightest [-].
-  [[nodiscard]] double accepted() const { return std::max(10.0 * tolerance, 5e-11); }
+  /// Residual that counts as periodic: ten tolerances, but not below the noise left by the integration [-].
+  [[nodiscard]] double accepted() const { return std::max(10.0 * tolerance, noise); }
 };
 
 /// What a search for a periodic motion ended with.

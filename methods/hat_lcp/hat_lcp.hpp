@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "methods/kernels/complementarity_solver.hpp"
+#include "methods/kernels/hat_contact.hpp"
 #include "methods/method.hpp"
 
 namespace signorini {
@@ -20,13 +20,7 @@ namespace signorini {
 /// A spring stop adds its compliance to w; massless contacts and springs need no restitution.
 class HatLcp final : public Method {
  public:
-  /// Symbol of the structure at theta = 2 pi n / N, dt = T / N.
-  enum class Scheme {
-    galerkin,  ///< hat functions, Galerkin: -M (2 - 2 cos theta)/dt^2 + i D sin(theta)/dt + K (2 + cos
-               ///< theta)/3
-    nodal,     ///< the same with K and the load lumped at the nodes
-    backward,  ///< backward differences, s = (1 - e^{-i theta})/dt: s^2 M + s D + K; represents restitution 0
-  };
+  using Scheme = HatScheme;
   enum class ImpactLaw { scene, none };
 
   static constexpr std::string_view kName = "hat-lcp";
@@ -62,11 +56,6 @@ class HatLcp final : public Method {
 
  private:
   Options options_;
-};
-
-template <>
-struct EnumNames<HatLcp::Scheme> {
-  static constexpr std::array<std::string_view, 3> values{"galerkin", "nodal", "backward"};
 };
 
 template <>

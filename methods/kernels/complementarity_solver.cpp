@@ -26,6 +26,10 @@ LcpResult solve_lcp(Lcp& lcp, const SolverSettings& settings, const Eigen::Vecto
                           .tolerance = settings.tolerance,
                           .guess = guess,
                           .deadline = settings.deadline};
+  if (settings.cover_amplitude > 0.0) {
+    options.cover = smooth_cover(lcp.matrix.samples(), lcp.matrix.contacts(), settings.cover_amplitude,
+                                 settings.cover_phase);
+  }
   LcpResult result = solve_by_pivoting(lcp, options);
   if (guess.size() > 0 && result.status != LcpStatus::solved) {
     options.guess.resize(0);

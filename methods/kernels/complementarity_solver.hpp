@@ -26,6 +26,8 @@ struct SolverSettings {
   double tolerance = 1e-10;  ///< on LcpResult::residual [-]
   int max_iterations = 0;    ///< pivots or Newton iterations; 0: the solver's own limit
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+  double cover_amplitude = 0.0;  ///< of a wave on the first covering vector (smooth_cover), in [0, 1) [-]
+  double cover_phase = 0.0;      ///< [rad]
 };
 
 /// Solves the problem as the settings ask, from `guess` (z of a nearby problem) or cold when that is

@@ -52,6 +52,8 @@ class NodalTrajectory final : public Trajectory {
   [[nodiscard]] double period() const override { return period_; }
   [[nodiscard]] Samples sample(int count) const override;
   [[nodiscard]] std::optional<int> bandwidth() const override { return static_cast<int>(x_.rows() - 1) / 2; }
+  /// N x Nc [N].
+  [[nodiscard]] const Eigen::MatrixXd& nodal_force() const { return force_; }
 
  private:
   double period_;

@@ -1,9 +1,86 @@
 #include "tests/support/population.hpp"
 
+#include <Eigen/Dense>
 #include <cmath>
+#include <complex>
+#include <iterator>
 #include <random>
+#include <utility>
+
+#include "problems/assembly/chain.hpp"
 
 namespace signorini::test {
+
+namespace {
+
+constexpr double kRestitutions[] = {0.0, 0.3, 0.5, 0.8, 1.0};
+
+// Uniform numbers without the library's distributions, whose results vary between machines.
+class Random {
+ public:
+  explicit Random(unsigned long seed) : engine_(seed) {}
+  double uniform(double low, double high) {
+    constexpr double kRange = 18446744073709551616.0;  // 2^64
+    return low + (high - low) * (static_cast<double>(engine_()) / kRange);
+  }
+  int below(int count) { return static_cast<int>(engine_() % static_cast<unsigned long>(count)); }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// |u_dof| of the contact-free response to a load on one coordinate.
+double free_amplitude(const Problem& problem, int dof) {
+  const std::complex<double> iw(0.0, problem.frequency);
+  const Eigen::MatrixXcd Z =
+      Eigen::MatrixXcd((problem.stiffness - problem.frequency * problem.frequency * problem.mass)
+                           .cast<std::complex<double>>() +
+                       (iw * problem.damping.cast<std::complex<double>>()));
+  return std::abs(Eigen::VectorXcd(Z.fullPivLu().solve(load_harmonic(problem, 1)))[dof]);
+}
+
+}  // namespace
+
+std::vector<Problem> restitution_population(int count, unsigned long seed) {
+  std::vector<Problem> scenes;
+  for (ImpactOscillator& oscillator : contact_population(count, seed)) {
+    oscillator.restitution = kRestitutions[scenes.size() % std::size(kRestitutions)];
+    scenes.push_back(to_problem(oscillator));
+  }
+  return scenes;
+}
+
+std::vector<Problem> chain_population(int count, unsigned long seed) {
+  Random random(seed);
+  std::vector<Problem> scenes;
+  for (int scene = 0; scene < count; ++scene) {
+    const int masses = 2 + random.below(4);
+    Chain chain;
+    const double damping = std::pow(10.0, random.uniform(-2.0, -0.5));
+    for (int i = 0; i < masses; ++i) {
+      chain.masses.push_back(random.uniform(0.5, 2.0));
+      chain.springs.push_back(random.uniform(0.5, 2.0));
+      chain.dampers.push_back(damping * chain.springs.back());
+    }
+    const Structure structure = assemble(chain);
+    Problem problem;
+    problem.name = "random-chain";
+    problem.kind = "chain";
+    problem.mass = structure.mass;
+    problem.damping = structure.damping;
+    problem.stiffness = structure.stiffness;
+    problem.frequency = random.uniform(0.3, 2.5);
+    problem.force = {{.dof = random.below(masses), .harmonic = 1, .cos = 1.0, .sin = 0.0}};
+    for (int j = 0; j < 1 + scene % 2; ++j) {
+      const int dof = j == 0 ? masses - 1 : random.below(masses - 1);
+      problem.contacts.push_back(
+          {.normal = {{dof, 1.0}}, .gap = random.uniform(-0.1, 0.9) * free_amplitude(problem, dof)});
+    }
+    problem.law = Restitution{kRestitutions[static_cast<std::size_t>(scene) % std::size(kRestitutions)]};
+    scenes.push_back(std::move(problem));
+  }
+  return scenes;
+}
 
 std::vector<ImpactOscillator> contact_population(int count, unsigned long seed) {
   std::mt19937_64 random(seed);

@@ -12,4 +12,13 @@ namespace signorini::test {
 /// machine: the random numbers are drawn without the library's distributions, whose results vary.
 std::vector<ImpactOscillator> contact_population(int count, unsigned long seed = 20151228);
 
+/// The oscillators of `contact_population` with restitutions 0, 0.3, 0.5, 0.8 and 1 in turn, as scenes.
+std::vector<Problem> restitution_population(int count, unsigned long seed = 20260101);
+
+/// `count` chains of 2 to 5 masses fixed at one end: masses and springs in [0.5, 2], dampers of 10^[-2, -0.5]
+/// times the springs, one harmonic load on a random mass, frequency in [0.3, 2.5]; stops on the last mass
+/// and, in every other chain, on a second one, gaps between -0.1 and 0.9 of the contact-free amplitude there;
+/// restitutions 0, 0.3, 0.5, 0.8 and 1 in turn.
+std::vector<Problem> chain_population(int count, unsigned long seed = 20260102);
+
 }  // namespace signorini::test

@@ -1,4 +1,4 @@
-#include "methods/event_driven/contact_dynamics.hpp"
+#include "methods/kernels/event_flow/contact_dynamics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "methods/event_driven/crossing.hpp"
+#include "methods/kernels/event_flow/crossing.hpp"
 
 #include <gtest/gtest.h>
 

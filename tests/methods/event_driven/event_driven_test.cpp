@@ -43,9 +43,10 @@ TEST(EventDrivenOptions, OutOfRangeAreRefusedWithTheirName) {
 
 TEST(EventDrivenOptions, AreEchoedWithTheirUnits) {
   const auto echo = EventDriven({.tolerance = 1e-7, .steady = EventDriven::Steady::shooting}).options();
-  ASSERT_EQ(echo.size(), 4U);
+  ASSERT_EQ(echo.size(), 5U);
   EXPECT_EQ(std::get<double>(echo[0].value), 1e-7);
   EXPECT_EQ(std::get<std::string>(echo[1].value), "shooting");
+  EXPECT_EQ(std::get<std::string>(echo[2].value), "cvode");
 }
 
 TEST(EventDriven, RepresentsTheLawOfTheSceneAndRefusesMasslessContacts) {

@@ -1,4 +1,4 @@
-#include "methods/event_driven/event_trajectory.hpp"
+#include "methods/kernels/event_flow/event_trajectory.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "methods/event_driven/flow.hpp"
+#include "methods/kernels/event_flow/flow.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "methods/event_driven/period_map.hpp"
+#include "methods/kernels/event_flow/period_map.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
 
 namespace signorini {

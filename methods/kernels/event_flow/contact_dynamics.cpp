@@ -1,4 +1,4 @@
-#include "methods/event_driven/contact_dynamics.hpp"
+#include "methods/kernels/event_flow/contact_dynamics.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -15,7 +15,8 @@ bool ContactMode::closed(int contact) const {
 }
 
 ContactDynamics::ContactDynamics(const Problem& problem)
-    : stiffness_(problem.stiffness),
+    : mass_matrix_(problem.mass),
+      stiffness_(problem.stiffness),
       damping_(problem.damping),
       force_(problem.force),
       directions_(contact_directions(problem)),
@@ -54,6 +55,26 @@ void ContactDynamics::prepare_small() {
     if (cos.isZero(0.0) && sin.isZero(0.0)) continue;
     load_rates_.push_back({.rate = h * frequency_, .cos = mass_.solve(cos), .sin = mass_.solve(sin)});
   }
+}
+
+std::vector<double> ContactDynamics::load_rates() const {
+  std::vector<double> rates{0.0};
+  for (const ForceTerm& term : force_) {
+    const double rate = term.harmonic * frequency_;
+    if (std::find(rates.begin(), rates.end(), rate) == rates.end()) rates.push_back(rate);
+  }
+  std::sort(rates.begin(), rates.end());
+  return rates;
+}
+
+Eigen::MatrixXcd ContactDynamics::load_amplitudes() const {
+  const std::vector<double> rates = load_rates();
+  Eigen::MatrixXcd loads = Eigen::MatrixXcd::Zero(size(), static_cast<Eigen::Index>(rates.size()));
+  for (const ForceTerm& term : force_) {
+    const auto at = std::lower_bound(rates.begin(), rates.end(), term.harmonic * frequency_) - rates.begin();
+    loads(term.dof, at) += std::complex<double>(term.cos, term.harmonic == 0 ? 0.0 : -term.sin);
+  }
+  return loads;
 }
 
 ContactMode ContactDynamics::mode(const std::vector<bool>& closed) const {

@@ -3,15 +3,23 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <vector>
 
-#include "methods/event_driven/contact_dynamics.hpp"
-#include "methods/event_driven/crossing.hpp"
-#include "methods/event_driven/cvode_session.hpp"
-#include "methods/event_driven/flow_record.hpp"
-#include "methods/event_driven/rigid_events.hpp"
+#include "methods/kernels/event_flow/contact_dynamics.hpp"
+#include "methods/kernels/event_flow/crossing.hpp"
+#include "methods/kernels/event_flow/cvode_session.hpp"
+#include "methods/kernels/event_flow/flow_record.hpp"
+#include "methods/kernels/event_flow/linear_flow.hpp"
+#include "methods/kernels/event_flow/rigid_events.hpp"
 
 namespace signorini {
+
+/// What fills the time between two events.
+enum class Integrator {
+  cvode,  ///< CVODE, Adams
+  modal,  ///< closed form (LinearFlow)
+};
 
 /// Advances a scene in time with a relative error of about `tolerance` over some periods: between events
 /// CVODE integrates with rtol = 0.01 tolerance, atol = rtol X and rtol V (MotionScales), never below 1e-13.
@@ -21,10 +29,14 @@ namespace signorini {
 /// first steps are summed by the Taylor series of the linear motion.
 ///
 /// Guards, one per contact: gap g - x (open), force -lambda (sticking), compression x - g (penalty).
+///
+/// With Integrator::modal the stretches between events come from the exact flow of the mode (LinearFlow) in
+/// steps of an eighth of its fastest period; `tolerance` is then that of the events alone.
 class EventFlow {
  public:
   /// \param expired  asked now and then; true ends the flow with a FlowError
-  EventFlow(const ContactDynamics& dynamics, double tolerance, std::function<bool()> expired);
+  EventFlow(const ContactDynamics& dynamics, double tolerance, std::function<bool()> expired,
+            Integrator integrator = Integrator::cvode);
 
   /// A state made admissible: penetrating contacts are moved back to rigid stops, closing ones rebound,
   /// pressed ones stick.
@@ -36,14 +48,14 @@ class EventFlow {
 
   [[nodiscard]] const ContactDynamics& dynamics() const { return dynamics_; }
   [[nodiscard]] double tolerance() const { return tolerance_; }
-  [[nodiscard]] long rhs_evaluations() const { return session_.rhs_evaluations(); }
+  [[nodiscard]] long rhs_evaluations() const { return session_ ? session_->rhs_evaluations() : 0; }
 
  private:
   // A stretch of the solution that can be evaluated anywhere.
   struct Stretch {
     double begin = 0.0, end = 0.0;
-    double noise = 0.0;  // relative to X (gaps) and to the acceleration scale (forces)
-    std::function<void(double, Eigen::VectorXd&)> at;
+    double noise = 0.0;                       // relative to X (gaps) and to the acceleration scale (forces)
+    std::function<Guard(int, double)> guard;  // of a contact at a time within
   };
   struct Crossing {
     int contact = -1;  // -1: none
@@ -52,13 +64,16 @@ class EventFlow {
 
   bool take_short_flight(FlowState& flow, double end, FlowRecord& record);
   void integrate(FlowState& flow, double end, FlowRecord& record);
+  void follow(FlowState& flow, double end, FlowRecord& record);
+  [[nodiscard]] Guard exact_guard(int contact, double time) const;
   [[nodiscard]] double short_flight(const FlowState& flow, const MotionDerivatives& motion) const;
   [[nodiscard]] Guard guard(int contact, double time, const Eigen::VectorXd& y) const;
   [[nodiscard]] std::vector<bool> fresh_guards(const std::vector<Guard>& guards, double noise) const;
   Crossing first_event(const Stretch& stretch, std::vector<bool>& fresh, std::vector<Guard>& last) const;
   [[nodiscard]] std::vector<Guard> guards(double time, const Eigen::VectorXd& y) const;
   [[nodiscard]] double guard_floor(int contact, double noise) const;
-  void arrive(FlowState& flow, double time, const Eigen::VectorXd& y, double since, FlowRecord& record) const;
+  void arrive(FlowState& flow, double time, const Eigen::VectorXd& y, double since, FlowRecord& record);
+  [[nodiscard]] Eigen::MatrixXd transition(const std::vector<bool>& closed, double duration);
   void pass_event(FlowState& flow, const Crossing& crossing, FlowRecord& record) const;
   void keep(double time, const Eigen::VectorXd& y, FlowRecord& record) const;
 
@@ -67,7 +82,9 @@ class EventFlow {
   std::function<bool()> expired_;
   RigidEvents events_;
   ContactMode mode_;  // the one the integrator is in
-  CvodeSession session_;
+  LinearFlows flows_;
+  LinearArc arc_;
+  std::unique_ptr<CvodeSession> session_;  // none with the modal flow
 };
 
 }  // namespace signorini

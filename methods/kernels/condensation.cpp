@@ -1,4 +1,4 @@
-#include "harness/condensation.hpp"
+#include "methods/kernels/condensation.hpp"
 
 #include <algorithm>
 #include <vector>

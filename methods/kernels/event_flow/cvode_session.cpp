@@ -1,4 +1,4 @@
-#include "methods/event_driven/cvode_session.hpp"
+#include "methods/kernels/event_flow/cvode_session.hpp"
 
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>

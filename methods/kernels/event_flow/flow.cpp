@@ -1,9 +1,10 @@
-#include "methods/event_driven/flow.hpp"
+#include "methods/kernels/event_flow/flow.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
 
@@ -46,18 +47,22 @@ Eigen::VectorXd absolute_tolerances(const ContactDynamics& dynamics, double tole
 
 }  // namespace
 
-EventFlow::EventFlow(const ContactDynamics& dynamics, double tolerance, std::function<bool()> expired)
+EventFlow::EventFlow(const ContactDynamics& dynamics, double tolerance, std::function<bool()> expired,
+                     Integrator integrator)
     : dynamics_(dynamics),
       tolerance_(tolerance),
       expired_(std::move(expired)),
       events_(dynamics, tolerance),
-      session_(
-          local_tolerance(tolerance), absolute_tolerances(dynamics, local_tolerance(tolerance)),
-          [this](double time, const Eigen::Ref<const Eigen::VectorXd>& y, Eigen::Ref<Eigen::VectorXd> rate) {
-            const Eigen::Index n = y.size() / 2;
-            rate.head(n) = y.tail(n);
-            dynamics_.acceleration(mode_, time, y.head(n), y.tail(n), rate.tail(n));
-          }) {}
+      flows_(dynamics) {
+  if (integrator == Integrator::modal) return;
+  session_ = std::make_unique<CvodeSession>(
+      local_tolerance(tolerance), absolute_tolerances(dynamics, local_tolerance(tolerance)),
+      [this](double time, const Eigen::Ref<const Eigen::VectorXd>& y, Eigen::Ref<Eigen::VectorXd> rate) {
+        const Eigen::Index n = y.size() / 2;
+        rate.head(n) = y.tail(n);
+        dynamics_.acceleration(mode_, time, y.head(n), y.tail(n), rate.tail(n));
+      });
+}
 
 FlowState EventFlow::place(double time, const State& state) const {
   FlowState flow{.time = time,
@@ -118,18 +123,15 @@ EventFlow::Crossing EventFlow::first_event(const Stretch& stretch, std::vector<b
   if (fresh.empty()) return {};
   constexpr double kFar = 2.0;  // a guard this many times further from zero than its rates carry it is safe
   Crossing first;
-  Eigen::VectorXd y(2 * dynamics_.size());
-  stretch.at(stretch.end, y);
-  const std::vector<Guard> next = guards(stretch.end, y);
+  std::vector<Guard> next(fresh.size());
+  for (int j = 0; j < dynamics_.contact_count(); ++j)
+    next[static_cast<std::size_t>(j)] = stretch.guard(j, stretch.end);
   for (int j = 0; j < dynamics_.contact_count(); ++j) {
     const auto index = static_cast<std::size_t>(j);
     const double reach =
         kFar * (stretch.end - stretch.begin) * (std::abs(last[index].rate) + std::abs(next[index].rate));
     if (!fresh[index] && std::min(last[index].value, next[index].value) > reach) continue;
-    const auto value = [&](double time) {
-      stretch.at(time, y);
-      return guard(j, time, y);
-    };
+    const auto value = [&stretch, j](double time) { return stretch.guard(j, time); };
     const double floor = guard_floor(j, stretch.noise);
     const auto time = first_crossing(
         value, {.begin = stretch.begin, .end = stretch.end, .fresh = fresh[index], .floor = floor});
@@ -147,16 +149,22 @@ void EventFlow::keep(double time, const Eigen::VectorXd& y, FlowRecord& record) 
                                   .lambda = motion.lambda});
 }
 
+// Both forms agree on deviations that the constraint admits; those normal to it the saltation removes.
+Eigen::MatrixXd EventFlow::transition(const std::vector<bool>& closed, double duration) {
+  if (!session_) return flows_.of(closed).transition(duration);
+  const Eigen::MatrixXd exponent = dynamics_.flow_matrix(mode_) * duration;
+  return exponent.exp();
+}
+
 // Ends a stretch in one mode that began at `since`.
 void EventFlow::arrive(FlowState& flow, double time, const Eigen::VectorXd& y, double since,
-                       FlowRecord& record) const {
+                       FlowRecord& record) {
   flow.time = time;
   flow.state = unpacked(y);
   if (dynamics_.rigid()) events_.hold(flow.state, mode_);
   if (record.dense) keep(time, packed(flow.state), record);
   if (record.tangent) {
-    const Eigen::MatrixXd exponent = dynamics_.flow_matrix(mode_) * (time - since);
-    record.derivative = exponent.exp() * record.derivative;
+    record.derivative = transition(flow.closed, time - since) * record.derivative;
   }
 }
 
@@ -170,6 +178,10 @@ void EventFlow::pass_event(FlowState& flow, const Crossing& crossing, FlowRecord
   record.events.push_back({.kind = flow.closed[index] ? ContactEvent::Kind::close : ContactEvent::Kind::open,
                            .contact = crossing.contact,
                            .time = flow.time});
+  record.sequence.push_back({.kind = record.events.back().kind,
+                             .contact = crossing.contact,
+                             .time = flow.time,
+                             .closed = flow.closed});
 }
 
 // Length of the Taylor step that covers the next rebound of a contact that has just left its stop;
@@ -206,10 +218,14 @@ bool EventFlow::take_short_flight(FlowState& flow, double end, FlowRecord& recor
       y.tail(n) = motion.u.col(k) + s / k * y.tail(n);
     }
   };
+  Eigen::VectorXd y;
   const Stretch stretch{.begin = begin,
                         .end = std::min(end, begin + short_flight(flow, motion)),
                         .noise = 64.0 * kEpsilon,
-                        .at = series};
+                        .guard = [&](int contact, double time) {
+                          series(time, y);
+                          return guard(contact, time, y);
+                        }};
   std::vector<Guard> last = guards(begin, packed(flow.state));
   std::vector<bool> fresh = fresh_guards(last, stretch.noise);
   const Crossing crossing = first_event(stretch, fresh, last);
@@ -217,7 +233,6 @@ bool EventFlow::take_short_flight(FlowState& flow, double end, FlowRecord& recor
     record.pieces.emplace_back();
     keep(begin, packed(flow.state), record);
   }
-  Eigen::VectorXd y;
   const double time = crossing.contact < 0 ? stretch.end : crossing.time;
   series(time, y);
   arrive(flow, time, y, begin, record);
@@ -235,20 +250,22 @@ void EventFlow::integrate(FlowState& flow, double end, FlowRecord& record) {
     record.pieces.emplace_back();
     keep(begin, y, record);
   }
-  session_.start(begin, y, end,
-                 dynamics_.forcing_period() / (kStepsPerPeriod * dynamics_.highest_harmonic()));
+  session_->start(begin, y, end,
+                  dynamics_.forcing_period() / (kStepsPerPeriod * dynamics_.highest_harmonic()));
   for (long steps = 1;; ++steps) {
     if (steps % 256 == 0 && expired_()) throw FlowError("the time budget is spent");
-    session_.step();
-    const Stretch stretch{
-        .begin = session_.previous_time(),
-        .end = session_.time(),
-        .noise = noise,
-        .at = [&](double time, Eigen::VectorXd& state) { session_.interpolate(time, state); }};
+    session_->step();
+    const Stretch stretch{.begin = session_->previous_time(),
+                          .end = session_->time(),
+                          .noise = noise,
+                          .guard = [&](int contact, double time) {
+                            session_->interpolate(time, y);
+                            return guard(contact, time, y);
+                          }};
     const Crossing crossing = first_event(stretch, fresh, last);
     const bool finished = stretch.end >= end;
     const double time = crossing.contact < 0 ? stretch.end : crossing.time;
-    session_.interpolate(time, y);
+    session_->interpolate(time, y);
     if (!y.allFinite()) throw FlowError("the motion is no longer finite");
     if (crossing.contact < 0 && !finished) {
       if (record.dense) keep(time, y, record);
@@ -258,6 +275,58 @@ void EventFlow::integrate(FlowState& flow, double end, FlowRecord& record) {
     if (crossing.contact >= 0) pass_event(flow, crossing, record);
     return;
   }
+}
+
+Guard EventFlow::exact_guard(int contact, double time) const {
+  if (mode_.closed(contact) && dynamics_.rigid()) {
+    const double inverse_mass = dynamics_.delassus()(contact, contact);
+    return {.value = -inverse_mass * arc_.force(contact, time),
+            .rate = -inverse_mass * arc_.force(contact, time, 1)};
+  }
+  const double sign = mode_.closed(contact) ? -1.0 : 1.0;
+  return {.value = sign * (dynamics_.gaps()[contact] - arc_.displacement(contact, time)),
+          .rate = -sign * arc_.displacement(contact, time, 1)};
+}
+
+// As `integrate`, by the closed form of the motion.
+void EventFlow::follow(FlowState& flow, double end, FlowRecord& record) {
+  constexpr double kSteps = 8.0, kDenseSteps = 16.0;  // per fastest period
+  const double begin = flow.time;
+  const double noise = std::max(0.01 * tolerance_, 64.0 * kEpsilon);
+  const LinearFlow& linear = flows_.of(flow.closed);
+  arc_.start(linear, begin, flow.state);
+  std::vector<Guard> last(flow.closed.size());
+  for (int j = 0; j < dynamics_.contact_count(); ++j)
+    last[static_cast<std::size_t>(j)] = exact_guard(j, begin);
+  std::vector<bool> fresh = fresh_guards(last, noise);
+  if (record.dense) {
+    record.pieces.emplace_back();
+    keep(begin, packed(flow.state), record);
+  }
+  const double longest =
+      2.0 * std::numbers::pi / ((record.dense ? kDenseSteps : kSteps) * linear.fastest_rate());
+  const auto steps = static_cast<long>(std::ceil((end - begin) / longest));
+  Stretch stretch{.begin = begin, .end = begin, .noise = noise, .guard = [this](int contact, double time) {
+                    return exact_guard(contact, time);
+                  }};
+  Crossing crossing;
+  State state;
+  double time = begin;
+  for (long step = 1; step <= steps && crossing.contact < 0; ++step) {
+    if (step % 256 == 0 && expired_()) throw FlowError("the time budget is spent");
+    stretch.begin = stretch.end;
+    stretch.end = step == steps ? end : begin + static_cast<double>(step) * longest;
+    crossing = first_event(stretch, fresh, last);
+    time = crossing.contact < 0 ? stretch.end : crossing.time;
+    if (!record.dense || crossing.contact >= 0 || step == steps) continue;
+    arc_.state(time, state);
+    keep(time, packed(state), record);
+  }
+  arc_.state(time, state);
+  const Eigen::VectorXd y = packed(state);
+  if (!y.allFinite()) throw FlowError("the motion is no longer finite");
+  arrive(flow, time, y, begin, record);
+  if (crossing.contact >= 0) pass_event(flow, crossing, record);
 }
 
 void EventFlow::advance(FlowState& flow, double duration, FlowRecord& record) {
@@ -271,7 +340,8 @@ void EventFlow::advance(FlowState& flow, double duration, FlowRecord& record) {
       throw FlowError("more than " + std::to_string(kMaxEvents) + " events in one forcing period");
     if (expired_()) throw FlowError("the time budget is spent");
     mode_ = dynamics_.mode(flow.closed);
-    if (!take_short_flight(flow, end, record)) integrate(flow, end, record);
+    if (take_short_flight(flow, end, record)) continue;
+    session_ ? integrate(flow, end, record) : follow(flow, end, record);
   }
   flow.time = end;
 }

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "methods/hat_lcp/hat_lcp.hpp"
+#include "methods/kernels/hat_contact.hpp"
 #include "methods/method.hpp"
 
 namespace signorini {
@@ -17,7 +17,7 @@ namespace signorini {
 /// the last one, N Nc [N]. Complete chatter, where pivoting meets as many solutions as there are bounces,
 /// forgets its past within a period or two here.
 /// Empty if `periods` do not suffice, the steps grow without bound, or the budget is spent.
-Eigen::VectorXd march_to_period(const Problem& problem, const HatLcp::Options& options, double restitution,
+Eigen::VectorXd march_to_period(const Problem& problem, const HatSettings& options, double restitution,
                                 int periods, const Start& start);
 
 }  // namespace signorini

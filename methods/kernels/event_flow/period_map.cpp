@@ -1,4 +1,4 @@
-#include "methods/event_driven/period_map.hpp"
+#include "methods/kernels/event_flow/period_map.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "methods/event_driven/flow.hpp"
+#include "methods/kernels/event_flow/flow.hpp"
 
 namespace signorini {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "methods/event_driven/flow_record.hpp"
+#include "methods/kernels/event_flow/flow_record.hpp"
 #include "methods/solution.hpp"
 
 namespace signorini {

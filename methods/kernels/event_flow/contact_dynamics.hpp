@@ -49,6 +49,17 @@ class ContactDynamics {
   /// False where the stops are springs.
   [[nodiscard]] bool rigid() const { return penalty_.size() == 0; }
   [[nodiscard]] double restitution() const { return restitution_; }  ///< e [-]; 1 without a law
+  [[nodiscard]] double frequency() const { return frequency_; }      ///< omega [rad/s]
+  [[nodiscard]] const SparseMatrix& mass() const { return mass_matrix_; }
+  [[nodiscard]] const SparseMatrix& damping() const { return damping_; }
+  [[nodiscard]] const SparseMatrix& stiffness() const { return stiffness_; }
+  [[nodiscard]] const Eigen::VectorXd& penalty() const {
+    return penalty_;
+  }  ///< k_j, Nc; empty if rigid [N/m]
+  /// h omega of the harmonics present in the load, ascending, 0 always the first [rad/s].
+  [[nodiscard]] std::vector<double> load_rates() const;
+  /// f_h of f(t) = Re sum_h f_h e^{i h omega t}, one column per rate, Nd x Nh [N].
+  [[nodiscard]] Eigen::MatrixXcd load_amplitudes() const;
   [[nodiscard]] double forcing_period() const { return forcing_period_; }
   [[nodiscard]] const Eigen::MatrixXd& directions() const { return directions_; }              ///< W, Nd x Nc
   [[nodiscard]] const Eigen::MatrixXd& impulse_response() const { return impulse_response_; }  ///< M^-1 W
@@ -89,7 +100,7 @@ class ContactDynamics {
     Eigen::VectorXd cos, sin;  // M^-1 times the amplitudes, Nd
   };
 
-  SparseMatrix stiffness_, damping_;
+  SparseMatrix mass_matrix_, stiffness_, damping_;
   // Small structures: M^-1 K, M^-1 D and M^-1 f are formed once, so that an evaluation allocates nothing.
   bool small_ = false;
   Eigen::MatrixXd inverse_mass_stiffness_, inverse_mass_damping_;

@@ -1,4 +1,4 @@
-#include "methods/hat_lcp/period_marching.hpp"
+#include "methods/kernels/period_marching.hpp"
 
 #include <Eigen/SparseLU>
 #include <cmath>
@@ -12,14 +12,14 @@ namespace {
 
 class Recurrence {
  public:
-  Recurrence(const Problem& problem, const HatLcp::Options& options, double restitution)
+  Recurrence(const Problem& problem, const HatSettings& options, double restitution)
       : samples_(options.samples),
         contacts_(problem.contact_count()),
         restitution_(restitution),
         directions_(contact_directions(problem)),
         gap_(contact_gaps(problem)) {
     const double step = problem.period() / samples_;
-    const bool consistent = options.scheme == HatLcp::Scheme::galerkin;
+    const bool consistent = options.scheme == HatScheme::galerkin;
     const double outer = consistent ? 1.0 / 6.0 : 0.0;
     const SparseMatrix inertia = problem.mass / (step * step);
     const SparseMatrix drag = problem.damping / (2.0 * step);
@@ -85,7 +85,7 @@ class Recurrence {
 
 }  // namespace
 
-Eigen::VectorXd march_to_period(const Problem& problem, const HatLcp::Options& options, double restitution,
+Eigen::VectorXd march_to_period(const Problem& problem, const HatSettings& options, double restitution,
                                 int periods, const Start& start) {
   Recurrence recurrence(problem, options, restitution);
   if (!recurrence.usable()) return {};

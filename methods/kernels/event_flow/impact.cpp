@@ -1,4 +1,4 @@
-#include "methods/event_driven/impact.hpp"
+#include "methods/kernels/event_flow/impact.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,11 +1,11 @@
-#include "methods/event_driven/rigid_events.hpp"
+#include "methods/kernels/event_flow/rigid_events.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "methods/event_driven/impact.hpp"
+#include "methods/kernels/event_flow/impact.hpp"
 
 namespace signorini {
 
@@ -174,6 +174,22 @@ Eigen::MatrixXd RigidEvents::saltation(const Impact& impact, const FlowState& af
   return S;
 }
 
+SequenceEvent RigidEvents::entry(const Impact& impact, const FlowState& before,
+                                 const std::vector<bool>& closed, int trigger) const {
+  const auto index = static_cast<std::size_t>(trigger);
+  SequenceEvent event{.contact = trigger, .time = before.time, .closed = closed};
+  event.kind = before.closed[index] ? ContactEvent::Kind::open
+               : closed[index]      ? ContactEvent::Kind::close
+                                    : ContactEvent::Kind::impact;
+  for (std::size_t i = 0; i < impact.contacts.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (!(impact.impulse[row] < 0.0)) continue;
+    event.pushed.push_back(impact.contacts[i]);
+    event.restitution.push_back(impact.approach[row] > rest_ ? impact.restitution[row] : 0.0);
+  }
+  return event;
+}
+
 void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) const {
   Impact impact;
   impact.contacts = touching(flow);
@@ -205,6 +221,7 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
                              .contact = j,
                              .time = flow.time + delay});
   }
+  if (trigger >= 0) record.sequence.push_back(entry(impact, flow, closed, trigger));
   flow.closed = closed;
   if (record.tangent) record.derivative = saltation(impact, flow, mode, trigger) * record.derivative;
 }

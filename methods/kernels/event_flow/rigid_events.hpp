@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "methods/event_driven/contact_dynamics.hpp"
-#include "methods/event_driven/flow_record.hpp"
+#include "methods/kernels/event_flow/contact_dynamics.hpp"
+#include "methods/kernels/event_flow/flow_record.hpp"
 
 namespace signorini {
 
@@ -58,6 +58,8 @@ class RigidEvents {
                                           const std::vector<int>& resting) const;
   void decide(double time, const State& state, const std::vector<int>& involved,
               const std::vector<bool>& held, std::vector<bool>& closed) const;
+  [[nodiscard]] SequenceEvent entry(const Impact& impact, const FlowState& before,
+                                    const std::vector<bool>& closed, int trigger) const;
   [[nodiscard]] Eigen::MatrixXd saltation(const Impact& impact, const FlowState& after,
                                           const ContactMode& mode, int trigger) const;
 

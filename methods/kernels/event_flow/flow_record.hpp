@@ -18,6 +18,18 @@ struct ContactEvent {
   double impulse = 0.0;   ///< p <= 0 of an impact [N s]
 };
 
+/// One entry of the sequence that an orbit runs through: what ends a mode, and what the law makes of it.
+struct SequenceEvent {
+  /// impact: x_j reaches its stop and leaves again; close: it stays (at a spring stop: the spring begins to
+  /// act); open: lambda_j reaches zero (at a spring stop: x_j leaves).
+  ContactEvent::Kind kind = ContactEvent::Kind::impact;
+  int contact = 0;     ///< j, whose guard vanishes
+  double time = 0.0;   ///< [s]
+  std::vector<int> pushed = {};          ///< rigid contacts that take an impulse, ascending
+  std::vector<double> restitution = {};  ///< e of each; 0 at contacts that rest, and where a chatter ends [-]
+  std::vector<bool> closed = {};         ///< Nc, afterwards
+};
+
 /// Contact displacements and forces with their derivatives at one instant.
 struct FlowNode {
   double time = 0.0;
@@ -34,6 +46,7 @@ struct FlowRecord {
   bool tangent = false;  ///< keep the derivative of the final state with respect to the first
 
   std::vector<ContactEvent> events;
+  std::vector<SequenceEvent> sequence;  ///< the same, event by event
   std::vector<FlowPiece> pieces;
   Eigen::MatrixXd derivative;  ///< 2 Nd x 2 Nd, of (u, v)
   long accumulations = 0;      ///< chatters carried to their limit

@@ -1,0 +1,220 @@
+#include "methods/exact_orbit/exact_orbit_method.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <exception>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "methods/kernels/condensation.hpp"
+#include "methods/kernels/exact_orbit/exact_orbit.hpp"
+#include "methods/kernels/hat_contact.hpp"
+#include "methods/kernels/projected_contact.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr int kLargest = 300;  // coordinates that the dense closed-form flow takes
+
+bool conservative(const Problem& problem) {
+  const auto* law = std::get_if<Restitution>(&problem.law);
+  return law == nullptr || law->e == 1.0;
+}
+
+class PreparedExactOrbit final : public PreparedMethod {
+ public:
+  PreparedExactOrbit(const Problem& problem, const ExactOrbitMethod::Options& options)
+      : problem_(problem), options_(options), finder_(problem), coarse_(grid(options.samples, 0)) {}
+
+  Solution solve(const Start& start) override {
+    tried_.clear();
+    best_.reset();
+    work_ = {};
+    try {
+      search(start);
+    } catch (const std::exception& error) {  // a coarse grid that cannot be factorised
+      tried_.emplace_back(error.what());
+    }
+    return finish();
+  }
+
+ private:
+  // The coarse problem on N nodes; restart 0 has the constant covering vector.
+  [[nodiscard]] std::unique_ptr<PreparedMethod> grid(int samples, int restart) const {
+    constexpr double kWave = 0.3;  // strong enough for another path
+    HatSettings settings{.samples = samples};
+    if (restart > 0) {
+      settings.solver = ComplementaritySolver::pivoting;
+      settings.cover_amplitude = kWave;
+      settings.cover_phase = 2.0 * std::numbers::pi * restart / (options_.restarts + 1);
+    }
+    std::optional<double> restitution;
+    if (const auto* law = std::get_if<Restitution>(&problem_.law)) restitution = law->e;
+    return hat_contact(problem_, settings, restitution);
+  }
+
+  void search(const Start& start) {
+    if (start.guess && attempt(*start.guess, "the guess", start)) return;
+    if (attempt(coarse_->solve(cold(start)), fmt::format("N = {}", options_.samples), start)) return;
+    int samples = options_.samples;
+    for (int level = 0; level <= options_.refinements; ++level, samples *= 4) {
+      if (level > 0 && attempt(grid(samples, 0)->solve(cold(start)), fmt::format("N = {}", samples), start))
+        return;
+      if (level > 0 && level == options_.refinements) break;
+      for (int restart = 1; restart <= options_.restarts; ++restart) {
+        if (attempt(grid(samples, restart)->solve(cold(start)),
+                    fmt::format("N = {}, cover {}", samples, restart), start))
+          return;
+      }
+    }
+    if (conservative(problem_) && attempt(projected(start), "Fourier", start)) return;
+    to_the_end(start);
+  }
+
+  static Start cold(const Start& start) { return {.guess = {}, .deadline = start.deadline}; }
+
+  // Shooting and marching, from the first motion there is.
+  void to_the_end(const Start& start) {
+    if (!first_) return;
+    SearchOptions options = settings(start);
+    options.rounds = 1;
+    options.shootings = 40;
+    options.marched = options_.marching;
+    record(finder_.find(*first_, options), "shooting and marching");
+  }
+
+  Solution projected(const Start& start) const {
+    const int harmonics =
+        std::max(options_.samples / 4, highest_load_harmonic(problem_) * problem_.subharmonic);
+    ContactReceptance receptance = fourier_receptance(problem_, harmonics);
+    const bool spring = std::holds_alternative<Penalty>(problem_.law);
+    ProjectedLaw law =
+        spring ? penalty_law(problem_, {}, receptance) : lipschitz_law(problem_, {}, receptance);
+    return ProjectedContact(problem_, std::move(receptance), std::move(law), {}).solve(cold(start));
+  }
+
+  [[nodiscard]] SearchOptions settings(const Start& start) const {
+    SearchOptions options;
+    options.polish.tolerance = options_.tolerance;
+    options.polish.max_iterations = options_.max_iterations;
+    options.shootings = 0;
+    options.expired = [&start] { return start.expired(); };
+    return options;
+  }
+
+  bool attempt(const Solution& coarse, const std::string& name, const Start& start) {
+    work_.pivots = work_.pivots.value_or(0) + coarse.work.pivots.value_or(0);
+    if (!coarse.trajectory) {
+      tried_.push_back(name + ": " + coarse.message);
+      return false;
+    }
+    if (!first_) first_ = coarse.trajectory;
+    return attempt(*coarse.trajectory, name, start);
+  }
+
+  bool attempt(const Trajectory& motion, const std::string& name, const Start& start) {
+    if (start.expired()) {
+      tried_.emplace_back("the time budget is spent");
+      return true;
+    }
+    return record(finder_.find(motion, settings(start)), name);
+  }
+
+  bool record(OrbitSearch found, const std::string& name) {
+    work_.iterations = work_.iterations.value_or(0) + found.iterations;
+    const bool done = found.orbit.certified();
+    if (!done) tried_.push_back(name + ": " + describe(found.orbit.outcome) + ", " + found.orbit.reason);
+    if (done || !best_ || (found.trajectory && !best_->trajectory)) {
+      best_ = std::move(found);
+      name_ = name;
+    }
+    return done;
+  }
+
+  Solution finish() {
+    Solution solution;
+    work_.unknowns = 2L * finder_.model()->dynamics.size();
+    solution.work = work_;
+    if (best_) {
+      const ExactOrbit& orbit = best_->orbit;
+      solution.trajectory = best_->trajectory;
+      solution.residual = orbit.residual;
+      if (orbit.certified()) {
+        solution.verdict = Verdict::converged;
+        *solution.work.unknowns += static_cast<long>(orbit.trajectory->orbit().events.size());
+        solution.message =
+            fmt::format("{}; from {} by {}; error bar {:.1e}, largest multiplier {:.6g}", orbit.reason, name_,
+                        orbit.origin, orbit.error_bar, orbit.largest_multiplier());
+        return solution;
+      }
+    }
+    solution.message = fmt::format("no exact orbit: {}", fmt::join(tried_, "; "));
+    return solution;
+  }
+
+  const Problem& problem_;
+  ExactOrbitMethod::Options options_;
+  OrbitFinder finder_;
+  std::unique_ptr<PreparedMethod> coarse_;
+  std::vector<std::string> tried_;
+  std::optional<OrbitSearch> best_;
+  std::string name_;
+  std::shared_ptr<const Trajectory> first_;
+  Work work_;
+};
+
+}  // namespace
+
+ExactOrbitMethod::ExactOrbitMethod(const Options& options) : options_(options) {
+  require_option(options.samples >= 8 && options.samples <= 100000, "samples", options.samples,
+                 "must be from 8 to 100000");
+  require_option(options.refinements >= 0 && options.refinements <= 4, "refinements", options.refinements,
+                 "must be from 0 to 4");
+  require_option(options.restarts >= 0 && options.restarts <= 16, "restarts", options.restarts,
+                 "must be from 0 to 16");
+  require_option(options.tolerance >= 1e-14 && options.tolerance <= 1e-6, "tolerance", options.tolerance,
+                 "must be in [1e-14, 1e-6]");
+  require_option(options.max_iterations >= 1, "max_iterations", options.max_iterations, "must be at least 1");
+  require_option(options.marching >= 0, "marching", options.marching, "must be 0 or more");
+}
+
+Support ExactOrbitMethod::supports(const Problem& problem) const {
+  if (problem.size() > kLargest) {
+    return {false, fmt::format("{} coordinates: the closed-form flow is dense, at most {}", problem.size(),
+                               kLargest)};
+  }
+  const int needed = highest_load_harmonic(problem) * problem.subharmonic;
+  if (2 * needed >= options_.samples) {
+    return {false,
+            fmt::format("the load reaches harmonic {} of the motion's base frequency: samples = {} cannot "
+                        "resolve it",
+                        needed, options_.samples)};
+  }
+  if (std::holds_alternative<Massless>(problem.law)) {
+    CondensedScene scene = condense(problem);
+    if (!scene.problem) return {false, scene.reason + ": there is no equivalent spring stop"};
+    const Eigen::SimplicialLLT<SparseMatrix> mass(scene.problem->mass);
+    if (mass.info() == Eigen::Success) return {};
+    return {false, "coordinates other than the contacts carry no mass"};
+  }
+  const Eigen::SimplicialLLT<SparseMatrix> mass(problem.mass);
+  if (mass.info() != Eigen::Success)
+    return {false, "the mass matrix is singular: the flow between events needs it positive definite"};
+  return {};
+}
+
+RepresentedLaw ExactOrbitMethod::law(const Problem& problem) const {
+  return std::visit([](const auto& law) -> RepresentedLaw { return law; }, problem.law);
+}
+
+std::unique_ptr<PreparedMethod> ExactOrbitMethod::prepare(const Problem& problem) const {
+  return std::make_unique<PreparedExactOrbit>(problem, options_);
+}
+
+}  // namespace signorini

@@ -1,0 +1,55 @@
+#pragma once
+// Exact periodic orbits from a cold start: pivoting on a coarse grid, then Newton on the closed-form flow.
+
+#include <string_view>
+
+#include "methods/method.hpp"
+
+namespace signorini {
+
+/// (1) Solves the scene coarsely on N nodes by pivoting: hat functions with the scene's own restitution,
+/// spring or massless contact (`hat_contact`). (2) Reads the sequence of impacts and contacts off the answer
+/// and polishes it to an exact orbit (`OrbitFinder`). Where that fails it takes finer grids, other covering
+/// vectors, where the law is conservative the projected Fourier equations too, and at the end shooting and
+/// marching on the closed-form flow. Represents the scene's own law always.
+///
+/// Guarantee: a converged answer solves the equations of motion, the impact law and the periodicity to
+/// `tolerance` (or to the round-off stated), does not penetrate, and pulls nowhere (1e-11 of the scales); its
+/// message gives the error bar. Of several orbits it returns the first found: stable or not.
+class ExactOrbitMethod final : public Method {
+ public:
+  static constexpr std::string_view kName = "exact-orbit";
+  static constexpr std::string_view kTitle = "Coarse pivoting, then Newton on the exact flow between events";
+  static constexpr std::string_view kLaws = "restitution 0..1, penalty, massless";
+  static constexpr std::string_view kLadder = "samples=64|256";
+
+  struct Options {
+    int samples = 64;          ///< N >= 8 nodes of the coarse solve per period [-]
+    int refinements = 2;       ///< grids of 4 N, 16 N ... tried after the first [-]
+    int restarts = 4;          ///< other covering vectors tried on each grid but the last [-]
+    double tolerance = 1e-12;  ///< on the residual of the orbit's equations [-]
+    int max_iterations = 40;   ///< Newton steps of one polish [-]
+    int marching = 200;        ///< periods marched when all else has failed [-]
+
+    void visit(auto&& field) {
+      field("samples", samples, "[-]", "nodes N per period of the coarse solve, 8..100000");
+      field("refinements", refinements, "[-]", "grids of 4 N, 16 N, ... tried where the first fails, 0..4");
+      field("restarts", restarts, "[-]", "other covering vectors tried on each grid, 0..16");
+      field("tolerance", tolerance, "[-]", "residual of the orbit's equations accepted, in [1e-14, 1e-6]");
+      field("max_iterations", max_iterations, "[-]", "limit on the Newton steps of one polish, >= 1");
+      field("marching", marching, "[-]", "periods marched when all else has failed; 0: none");
+    }
+  };
+
+  explicit ExactOrbitMethod(const Options& options);  ///< \throws InvalidOption
+
+  [[nodiscard]] std::vector<OptionEcho> options() const override { return echo_options(options_); }
+  [[nodiscard]] Support supports(const Problem& problem) const override;
+  [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
+  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
+
+ private:
+  Options options_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,395 @@
+#include "methods/kernels/event_flow/linear_flow.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <stdexcept>
+#include <string>
+#include <unsupported/Eigen/MatrixFunctions>
+#include <utility>
+
+namespace signorini {
+
+namespace {
+
+using Complex = std::complex<double>;
+constexpr int kLongDouble = 12;  // coordinates up to which the modes are found in extended precision
+constexpr int kLargest = 300;    // coordinates of a dense flow
+// Digits that cancel between ill-conditioned modes, or between a resonance and its free motion.
+constexpr double kIllConditioned = 1e3;
+constexpr double kResonance = 1e-4;
+
+}  // namespace
+
+LinearFlow::LinearFlow(const ContactDynamics& dynamics, ContactMode mode, FlowForm form)
+    : dynamics_(&dynamics), mode_(std::move(mode)) {
+  const int n = dynamics.size();
+  if (n > kLargest) {
+    throw std::runtime_error("the closed-form flow is dense: " + std::to_string(n) +
+                             " coordinates are more than " + std::to_string(kLargest));
+  }
+  Eigen::MatrixXd stiffness = dynamics.stiffness();
+  rates_ = dynamics.load_rates();
+  load_ = dynamics.load_amplitudes();
+  offset_ = Eigen::VectorXd::Zero(n);
+  if (mode_.active.empty() || !dynamics.rigid()) {
+    basis_ = Eigen::MatrixXd::Identity(n, n);
+    for (const int j : mode_.active) {
+      const auto w = dynamics.directions().col(j);
+      stiffness += dynamics.penalty()[j] * w * w.transpose();
+      load_.col(0) += dynamics.penalty()[j] * dynamics.gaps()[j] * w.cast<Complex>();
+    }
+  } else {
+    const Eigen::MatrixXd W = dynamics.directions()(Eigen::all, mode_.active);
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(W);
+    const Eigen::MatrixXd whole = qr.householderQ() * Eigen::MatrixXd::Identity(n, n);
+    basis_ = whole.rightCols(n - qr.rank());
+    offset_ =
+        W.transpose().completeOrthogonalDecomposition().solve(Eigen::VectorXd(dynamics.gaps()(mode_.active)));
+  }
+  M_ = basis_.transpose() * dynamics.mass() * basis_;
+  D_ = basis_.transpose() * dynamics.damping() * basis_;
+  K_ = basis_.transpose() * stiffness * basis_;
+  fastest_rate_ = rates_.back();
+  modal_ = form == FlowForm::automatic &&
+           (n <= kLongDouble ? find_modes<long double>() : find_modes<double>()) && find_forced_response();
+  if (!modal_) prepare_exponential();
+  prepare_outputs();
+}
+
+// Modes of B = [0, E^T; -E + s^2 E^-T, -D~] for the state (e, z'), e = E^T z, z = L^T q, M = L L^T,
+// E E^T = L^-1 K L^-T + s^2.
+template <class Real>
+bool LinearFlow::find_modes() {
+  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+  using ComplexMatrix = Eigen::Matrix<std::complex<Real>, Eigen::Dynamic, Eigen::Dynamic>;
+  const Eigen::Index n = basis_.cols();
+  shapes_ = Eigen::MatrixXcd::Zero(size(), 0);
+  left_ = Eigen::MatrixXcd::Zero(0, 2 * size());
+  if (n == 0) return true;  // nothing moves
+  const auto s = static_cast<Real>(dynamics_->frequency());
+  const Eigen::LLT<Matrix> mass(M_.cast<Real>());
+  const Matrix L = mass.matrixL();
+  const auto symmetric = [&](const Eigen::MatrixXd& A) {
+    const Matrix half = mass.matrixL().solve(A.cast<Real>());
+    return Matrix(mass.matrixL().solve(Matrix(half.transpose())).transpose());
+  };
+  const Eigen::LLT<Matrix> energy(symmetric(K_) + s * s * Matrix::Identity(n, n));
+  if (mass.info() != Eigen::Success || energy.info() != Eigen::Success) return false;
+  const Matrix E = energy.matrixL();
+  Matrix B = Matrix::Zero(2 * n, 2 * n);
+  B.topRightCorner(n, n) = E.transpose();
+  B.bottomLeftCorner(n, n) = s * s * energy.matrixU().solve(Matrix::Identity(n, n)) - E;
+  B.bottomRightCorner(n, n) = -symmetric(D_);
+  const Eigen::EigenSolver<Matrix> solver(B);
+  if (solver.info() != Eigen::Success) return false;
+  const ComplexMatrix V = solver.eigenvectors();
+  const ComplexMatrix inverse = V.partialPivLu().inverse();
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < 2 * n; ++k) {
+    const Real condition = V.col(k).norm() * inverse.row(k).norm();
+    if (!(condition < static_cast<Real>(kIllConditioned))) return false;
+    if (solver.eigenvalues()[k].imag() >= Real(0)) kept.push_back(k);
+  }
+  const ComplexMatrix to_q = mass.matrixU()
+                                 .solve(Matrix(energy.matrixU().solve(Matrix::Identity(n, n))))
+                                 .template cast<std::complex<Real>>();
+  ComplexMatrix from_state = ComplexMatrix::Zero(2 * n, 2 * n);
+  from_state.topLeftCorner(n, n) = (E.transpose() * L.transpose()).template cast<std::complex<Real>>();
+  from_state.bottomRightCorner(n, n) = L.transpose().template cast<std::complex<Real>>();
+  const ComplexMatrix left = inverse(kept, Eigen::all) * from_state;
+  const ComplexMatrix shapes = to_q * V.topRows(n)(Eigen::all, kept);
+  mu_ = solver.eigenvalues()(kept).template cast<Complex>();
+  shapes_ = basis_ * shapes.template cast<Complex>();
+  left_.resize(static_cast<Eigen::Index>(kept.size()), 2 * size());
+  left_.leftCols(size()) = left.leftCols(n).template cast<Complex>() * basis_.transpose();
+  left_.rightCols(size()) = left.rightCols(n).template cast<Complex>() * basis_.transpose();
+  weight_ =
+      (mu_.imag().array() > 0.0)
+          .select(Eigen::VectorXd::Constant(mu_.size(), 2.0), Eigen::VectorXd::Constant(mu_.size(), 1.0));
+  if (mu_.size() > 0) fastest_rate_ = std::max(fastest_rate_, mu_.cwiseAbs().maxCoeff());
+  return true;
+}
+
+// P_h of each harmonic; false at a resonance.
+bool LinearFlow::find_forced_response() {
+  forced_ = Eigen::MatrixXcd::Zero(size(), static_cast<Eigen::Index>(rates_.size()));
+  for (std::size_t h = 0; h < rates_.size(); ++h) {
+    const auto col = static_cast<Eigen::Index>(h);
+    const Complex rate(0.0, rates_[h]);
+    Eigen::VectorXcd load = load_.col(col);
+    if (h == 0) load -= (dynamics_->stiffness() * offset_).cast<Complex>();
+    const Eigen::VectorXcd right = basis_.transpose() * load;
+    if (!right.isZero(0.0)) {
+      if ((mu_.array() - rate).abs().minCoeff() < kResonance * std::max(rates_[h], dynamics_->frequency()))
+        return false;
+      const Eigen::MatrixXcd Z = K_.cast<Complex>() + rate * D_ - rates_[h] * rates_[h] * M_.cast<Complex>();
+      forced_.col(col) = basis_ * Z.partialPivLu().solve(right);
+    }
+    if (h == 0) forced_.col(0) += offset_.cast<Complex>();
+  }
+  return true;
+}
+
+void LinearFlow::prepare_exponential() {
+  const Eigen::Index n = basis_.cols();
+  const auto harmonics = static_cast<Eigen::Index>(rates_.size());
+  const double unit = 1.0 / dynamics_->frequency();
+  time_unit_ = unit;
+  generator_ = Eigen::MatrixXd::Zero(2 * n + 2 * harmonics, 2 * n + 2 * harmonics);
+  Eigen::LLT<Eigen::MatrixXd> mass;
+  if (n > 0) mass.compute(M_);
+  generator_.block(0, n, n, n).diagonal().setConstant(1.0 / unit);
+  if (n > 0) {
+    generator_.block(n, 0, n, n) = -unit * mass.solve(K_);
+    generator_.block(n, n, n, n) = -mass.solve(D_);
+  }
+  for (Eigen::Index h = 0; h < harmonics; ++h) {
+    Eigen::VectorXcd load = load_.col(h);
+    if (h == 0) load -= (dynamics_->stiffness() * offset_).cast<Complex>();
+    const Eigen::VectorXcd right = basis_.transpose() * load;
+    const Eigen::Index c = 2 * n + 2 * h;
+    if (n > 0) {
+      generator_.block(n, c, n, 1) = unit * mass.solve(Eigen::VectorXd(right.real()));
+      generator_.block(n, c + 1, n, 1) = -unit * mass.solve(Eigen::VectorXd(right.imag()));
+    }
+    generator_(c, c + 1) = -rates_[static_cast<std::size_t>(h)];
+    generator_(c + 1, c) = rates_[static_cast<std::size_t>(h)];
+  }
+  // The bound of a Gershgorin disc would be too large for M far from the identity.
+  fastest_rate_ = std::max(fastest_rate_, 1.1 * dynamics_->fastest_rate());
+  if (!dynamics_->rigid()) {
+    for (const int j : mode_.active)
+      fastest_rate_ =
+          std::hypot(fastest_rate_, std::sqrt(dynamics_->penalty()[j] * dynamics_->delassus()(j, j)));
+  }
+}
+
+// lambda_A = rows (u, v) + terms of the load, |A| x 2 Nd.
+Eigen::MatrixXd LinearFlow::multiplier_rows() const {
+  const auto active = static_cast<Eigen::Index>(mode_.active.size());
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(active, 2 * size());
+  if (active == 0) return rows;
+  if (dynamics_->rigid()) {
+    const Eigen::MatrixXd back =
+        mode_.response * dynamics_->impulse_response()(Eigen::all, mode_.active).transpose();
+    rows.leftCols(size()) = back * dynamics_->stiffness();
+    rows.rightCols(size()) = back * dynamics_->damping();
+  } else {
+    for (Eigen::Index i = 0; i < active; ++i) {
+      const int j = mode_.active[static_cast<std::size_t>(i)];
+      rows.row(i).head(size()) = -dynamics_->penalty()[j] * dynamics_->directions().col(j).transpose();
+    }
+  }
+  return rows;
+}
+
+void LinearFlow::prepare_outputs() {
+  const int contacts = dynamics_->contact_count();
+  const Eigen::MatrixXd rows = multiplier_rows();
+  const auto active = rows.rows(), harmonics = static_cast<Eigen::Index>(rates_.size());
+  Eigen::MatrixXd direct(contacts + active, 2 * size());  // of (u, v)
+  direct << dynamics_->directions().transpose(), Eigen::MatrixXd::Zero(contacts, size()), rows;
+  Eigen::MatrixXcd of_load = Eigen::MatrixXcd::Zero(contacts + active, harmonics);
+  if (active > 0 && dynamics_->rigid()) {
+    of_load.bottomRows(active) =
+        -(mode_.response * dynamics_->impulse_response()(Eigen::all, mode_.active).transpose()) * load_;
+  } else {
+    for (Eigen::Index i = 0; i < active; ++i) {
+      const int j = mode_.active[static_cast<std::size_t>(i)];
+      of_load(contacts + i, 0) = dynamics_->penalty()[j] * dynamics_->gaps()[j];
+    }
+  }
+  if (modal_) {
+    Eigen::MatrixXcd states(2 * size(), mu_.size()), waves(2 * size(), harmonics);
+    states << shapes_, shapes_ * mu_.asDiagonal();
+    waves.topRows(size()) = forced_;
+    for (Eigen::Index h = 0; h < harmonics; ++h)
+      waves.col(h).tail(size()) = Complex(0.0, rates_[static_cast<std::size_t>(h)]) * forced_.col(h);
+    row_of_mode_ = direct * states * weight_.asDiagonal();
+    row_of_harmonic_ = direct * waves + of_load;
+    return;
+  }
+  const Eigen::Index n = basis_.cols();
+  output_ = Eigen::MatrixXd::Zero(contacts + active, generator_.cols());
+  output_.leftCols(n) = direct.leftCols(size()) * basis_;
+  output_.middleCols(n, n) = direct.rightCols(size()) * basis_ / time_unit_;
+  for (Eigen::Index h = 0; h < harmonics; ++h) {
+    output_.col(2 * n + 2 * h) = of_load.col(h).real();
+    output_.col(2 * n + 2 * h + 1) = -of_load.col(h).imag();
+  }
+  output_.col(2 * n) += direct.leftCols(size()) * offset_;
+}
+
+int LinearFlow::place(int contact) const {
+  const auto found = std::lower_bound(mode_.active.begin(), mode_.active.end(), contact);
+  return found != mode_.active.end() && *found == contact ? static_cast<int>(found - mode_.active.begin())
+                                                          : -1;
+}
+
+Eigen::RowVectorXd LinearFlow::multiplier_gradient(int contact) const {
+  return multiplier_rows().row(place(contact));
+}
+
+Eigen::MatrixXd LinearFlow::transition(double duration) const {
+  const int n = size();
+  Eigen::MatrixXd result(2 * n, 2 * n);
+  if (modal_) {
+    const Eigen::VectorXcd growth = weight_.array() * (mu_.array() * duration).exp();
+    const Eigen::MatrixXcd scaled = growth.asDiagonal() * left_;
+    result.topRows(n) = (shapes_ * scaled).real();
+    result.bottomRows(n) = (shapes_ * mu_.asDiagonal() * scaled).real();
+    return result;
+  }
+  const Eigen::Index r = basis_.cols();
+  const Eigen::MatrixXd exponent = generator_.topLeftCorner(2 * r, 2 * r) * duration;
+  const Eigen::MatrixXd reduced = exponent.exp();
+  const Eigen::MatrixXd& Q = basis_;
+  result.topLeftCorner(n, n) = Q * reduced.topLeftCorner(r, r) * Q.transpose();
+  result.topRightCorner(n, n) = time_unit_ * Q * reduced.topRightCorner(r, r) * Q.transpose();
+  result.bottomLeftCorner(n, n) = Q * reduced.bottomLeftCorner(r, r) * Q.transpose() / time_unit_;
+  result.bottomRightCorner(n, n) = Q * reduced.bottomRightCorner(r, r) * Q.transpose();
+  return result;
+}
+
+void LinearArc::start(const LinearFlow& flow, double time, const State& state) {
+  flow_ = &flow;
+  begin_ = time;
+  placed_ = false;
+  const auto harmonics = static_cast<Eigen::Index>(flow.rates_.size());
+  const int n = flow.size();
+  if (!flow.modal_) {
+    const Eigen::Index r = flow.basis_.cols();
+    first_.resize(flow.generator_.cols());
+    first_.head(r) = flow.basis_.transpose() * (state.u - flow.offset_);
+    first_.segment(r, r) = flow.time_unit_ * flow.basis_.transpose() * state.v;
+    for (Eigen::Index h = 0; h < harmonics; ++h) {
+      const double angle = flow.rates_[static_cast<std::size_t>(h)] * time;
+      first_[2 * r + 2 * h] = std::cos(angle);
+      first_[2 * r + 2 * h + 1] = std::sin(angle);
+    }
+    return;
+  }
+  growth_.resize(flow.mu_.size());
+  wave_.resize(harmonics);
+  amplitude_.resize(flow.mu_.size());
+  for (Eigen::Index h = 0; h < harmonics; ++h)
+    wave_[h] = std::polar(1.0, flow.rates_[static_cast<std::size_t>(h)] * time);
+  amplitude_.setZero();
+  for (int i = 0; i < n; ++i) {
+    double u = state.u[i], v = state.v[i];
+    for (Eigen::Index h = 0; h < harmonics; ++h) {
+      const Complex part = flow.forced_(i, h) * wave_[h];
+      u -= part.real();
+      v += flow.rates_[static_cast<std::size_t>(h)] * part.imag();
+    }
+    amplitude_ += u * flow.left_.col(i) + v * flow.left_.col(n + i);
+  }
+  contribution_ = flow.row_of_mode_ * amplitude_.asDiagonal();
+}
+
+void LinearArc::move_to(double time) const {
+  if (placed_ && now_ == time) return;
+  placed_ = true;
+  now_ = time;
+  const double s = time - begin_;
+  if (!flow_->modal_) {
+    const Eigen::MatrixXd exponent = flow_->generator_ * s;
+    augmented_ = exponent.exp() * first_;
+    return;
+  }
+  for (Eigen::Index k = 0; k < growth_.size(); ++k) {
+    const Complex mu = flow_->mu_[k];
+    growth_[k] = std::polar(std::exp(mu.real() * s), mu.imag() * s);
+  }
+  for (Eigen::Index h = 0; h < wave_.size(); ++h) {
+    const double rate = flow_->rates_[static_cast<std::size_t>(h)];
+    wave_[h] = rate == 0.0 ? Complex(1.0) : std::polar(1.0, rate * time);
+  }
+}
+
+double LinearArc::output(Eigen::Index row, double time, int order) const {
+  move_to(time);
+  if (!flow_->modal_) {
+    Eigen::VectorXd state = augmented_;
+    for (int k = 0; k < order; ++k) state = (flow_->generator_ * state).eval();
+    return flow_->output_.row(row).dot(state);
+  }
+  double sum = 0.0;
+  for (Eigen::Index k = 0; k < growth_.size(); ++k) {
+    Complex term = contribution_(row, k) * growth_[k];
+    for (int i = 0; i < order; ++i) term *= flow_->mu_[k];
+    sum += term.real();
+  }
+  for (Eigen::Index h = 0; h < wave_.size(); ++h) {
+    Complex term = flow_->row_of_harmonic_(row, h) * wave_[h];
+    for (int i = 0; i < order; ++i) term *= Complex(0.0, flow_->rates_[static_cast<std::size_t>(h)]);
+    sum += term.real();
+  }
+  return sum;
+}
+
+double LinearArc::displacement(int contact, double time, int order) const {
+  return output(contact, time, order);
+}
+
+double LinearArc::force(int contact, double time, int order) const {
+  const int place = flow_->place(contact);
+  return place < 0 ? 0.0 : output(flow_->dynamics_->contact_count() + place, time, order);
+}
+
+void LinearArc::state(double time, State& state) const {
+  move_to(time);
+  const int n = flow_->size();
+  if (!flow_->modal_) {
+    const Eigen::Index r = flow_->basis_.cols();
+    state.u = flow_->offset_ + flow_->basis_ * augmented_.head(r);
+    state.v = flow_->basis_ * augmented_.segment(r, r) / flow_->time_unit_;
+    return;
+  }
+  state.u.setZero(n);
+  state.v.setZero(n);
+  for (Eigen::Index k = 0; k < growth_.size(); ++k) {
+    const Complex a = flow_->weight_[k] * amplitude_[k] * growth_[k], b = a * flow_->mu_[k];
+    for (int i = 0; i < n; ++i) {
+      state.u[i] += (a * flow_->shapes_(i, k)).real();
+      state.v[i] += (b * flow_->shapes_(i, k)).real();
+    }
+  }
+  for (Eigen::Index h = 0; h < wave_.size(); ++h) {
+    for (int i = 0; i < n; ++i) {
+      const Complex part = flow_->forced_(i, h) * wave_[h];
+      state.u[i] += part.real();
+      state.v[i] -= flow_->rates_[static_cast<std::size_t>(h)] * part.imag();
+    }
+  }
+}
+
+void LinearArc::acceleration(double time, Eigen::VectorXd& a) const {
+  move_to(time);
+  const int n = flow_->size();
+  if (!flow_->modal_) {
+    const Eigen::Index r = flow_->basis_.cols();
+    const Eigen::VectorXd rate = flow_->generator_ * augmented_;
+    a = flow_->basis_ * rate.segment(r, r) / flow_->time_unit_;
+    return;
+  }
+  a.setZero(n);
+  for (Eigen::Index k = 0; k < growth_.size(); ++k) {
+    const Complex b = flow_->weight_[k] * amplitude_[k] * growth_[k] * flow_->mu_[k] * flow_->mu_[k];
+    for (int i = 0; i < n; ++i) a[i] += (b * flow_->shapes_(i, k)).real();
+  }
+  for (Eigen::Index h = 0; h < wave_.size(); ++h) {
+    const double rate = flow_->rates_[static_cast<std::size_t>(h)];
+    for (int i = 0; i < n; ++i) a[i] -= rate * rate * (flow_->forced_(i, h) * wave_[h]).real();
+  }
+}
+
+const LinearFlow& LinearFlows::of(const std::vector<bool>& closed) {
+  auto& flow = flows_[closed];
+  if (!flow) flow = std::make_unique<LinearFlow>(dynamics_, dynamics_.mode(closed), form_);
+  return *flow;
+}
+
+}  // namespace signorini

@@ -1,0 +1,44 @@
+#pragma once
+// Hat functions in time with a contact condition at the nodes: the problem behind hat-lcp, and the coarse
+// solve that exact-orbit starts from.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "methods/kernels/complementarity_solver.hpp"
+#include "methods/method.hpp"
+
+namespace signorini {
+
+/// Symbol of the structure at theta = 2 pi n / N, dt = T / N.
+enum class HatScheme {
+  galerkin,  ///< hat functions, Galerkin: -M (2 - 2 cos theta)/dt^2 + i D sin(theta)/dt + K (2 + cos theta)/3
+  nodal,     ///< the same with K and the load lumped at the nodes
+  backward,  ///< backward differences, s = (1 - e^{-i theta})/dt: s^2 M + s D + K; represents restitution 0
+};
+
+template <>
+struct EnumNames<HatScheme> {
+  static constexpr std::array<std::string_view, 3> values{"galerkin", "nodal", "backward"};
+};
+
+struct HatSettings {
+  int samples = 256;  ///< N >= 4 nodes per period [-]
+  HatScheme scheme = HatScheme::galerkin;
+  ComplementaritySolver solver = ComplementaritySolver::automatic;
+  double tolerance = 1e-10;      ///< on LcpResult::residual [-]
+  int max_iterations = 0;        ///< pivots or Newton steps; 0: the solver's own limit [-]
+  double cover_amplitude = 0.0;  ///< of the covering vector's wave (smooth_cover), in [0, 1) [-]
+  double cover_phase = 0.0;      ///< [rad]
+};
+
+/// The scene on N nodes as one linear complementarity problem, ready to be solved. Without `restitution` the
+/// condition holds on the nodal gaps; with it on g - (x_{k+1} + e x_{k-1}) / (1 + e), the periodic form of
+/// the Paoli-Schatzman scheme [paoli2002]. A spring stop adds its compliance. `problem` must outlive the
+/// result. \throws std::runtime_error if the structure cannot be factorised
+std::unique_ptr<PreparedMethod> hat_contact(const Problem& problem, const HatSettings& settings,
+                                            std::optional<double> restitution);
+
+}  // namespace signorini

@@ -1,0 +1,94 @@
+// The method around the kernel: options, support, guesses, messages.
+
+#include "methods/exact_orbit/exact_orbit_method.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "methods/catalogue.hpp"
+#include "tests/methods/kernels/exact_orbit/cold_orbit.hpp"
+#include "tests/support/exact_scenes.hpp"
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+std::string refusal(const ExactOrbitMethod::Options& options) {
+  try {
+    const ExactOrbitMethod method(options);
+  } catch (const InvalidOption& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(ExactOrbitMethod, RefusesOptionsOutOfRange) {
+  EXPECT_NE(refusal({.samples = 7}).find("samples = 7 ("), std::string::npos);
+  EXPECT_NE(refusal({.refinements = 5}).find("refinements = 5 ("), std::string::npos);
+  EXPECT_NE(refusal({.restarts = -1}).find("restarts = -1 ("), std::string::npos);
+  EXPECT_NE(refusal({.tolerance = 1e-3}).find("tolerance = 0.001 ("), std::string::npos);
+  EXPECT_NE(refusal({.max_iterations = 0}).find("max_iterations = 0 ("), std::string::npos);
+  EXPECT_NE(refusal({.marching = -1}).find("marching = -1 ("), std::string::npos);
+  EXPECT_EQ(refusal({}), "");
+}
+
+TEST(ExactOrbitMethod, IsInTheCatalogueAndDeclaresTheScenesOwnLaw) {
+  const MethodEntry& entry = find_method("exact-orbit");
+  const auto method = entry.make({});
+  const Problem rigid = test::to_problem({.restitution = 0.4});
+  EXPECT_TRUE(method->supports(rigid).ok);
+  EXPECT_TRUE(law_matches(method->law(rigid), rigid.law));
+  const Problem spring = test::penalty_oscillator(100.0);
+  EXPECT_TRUE(law_matches(method->law(spring), spring.law));
+}
+
+TEST(ExactOrbitMethod, RefusesWhatItCannotResolve) {
+  Problem problem = test::to_problem({});
+  problem.force.push_back({.dof = 0, .harmonic = 40, .cos = 0.1, .sin = 0.0});
+  EXPECT_FALSE(ExactOrbitMethod({}).supports(problem).ok);
+  EXPECT_TRUE(ExactOrbitMethod({.samples = 256}).supports(problem).ok);
+}
+
+TEST(ExactOrbitMethod, AGuessIsTakenFirst) {
+  // From the subharmonic's own branch the same orbit comes back, in a step or two.
+  const Problem problem =
+      test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 0.5});
+  const auto cold = test::cold_orbit(problem);
+  ASSERT_TRUE(cold.orbit);
+  const Solution warm = test::solve<ExactOrbitMethod>(problem, {}, cold.orbit);
+  ASSERT_EQ(warm.verdict, Verdict::converged);
+  EXPECT_NE(warm.message.find("from the guess"), std::string::npos) << warm.message;
+  EXPECT_LE(*warm.work.iterations, 2);
+  EXPECT_LT(test::relative_distance(*warm.trajectory, *cold.orbit), 1e-13);
+}
+
+TEST(ExactOrbitMethod, SolvesAreRepeatable) {
+  const Problem problem = test::stopped_chain(3, 0.5, 2, 1.1);
+  const ExactOrbitMethod method({});
+  const auto prepared = method.prepare(problem);
+  const Solution first = prepared->solve({}), second = prepared->solve({});
+  ASSERT_EQ(first.verdict, Verdict::converged) << first.message;
+  EXPECT_EQ(first.message, second.message);
+  EXPECT_EQ((first.trajectory->sample(100).x - second.trajectory->sample(100).x).norm(), 0.0);
+}
+
+TEST(ExactOrbitMethod, SaysWhatStoppedEachAttempt) {
+  // Undamped and resonant: nothing periodic exists.
+  const Problem problem = test::to_problem({.damping = 0.0, .frequency = 1.0, .gap = 1.0});
+  Solution solution;
+  try {
+    solution = test::solve<ExactOrbitMethod>(problem, {.refinements = 1, .restarts = 1, .marching = 0});
+  } catch (const std::runtime_error& error) {
+    solution.message = std::string("no exact orbit: ") + error.what();  // the coarse grid is singular too
+  }
+  if (solution.verdict == Verdict::converged) {
+    EXPECT_LE(*solution.residual, 1e-11);  // a rebounding orbit is one
+  } else {
+    EXPECT_NE(solution.message.find("no exact orbit: "), std::string::npos);
+    EXPECT_GT(solution.message.size(), 30U);
+  }
+}
+
+}  // namespace
+}  // namespace signorini
