@@ -32,24 +32,52 @@ Candidate place(const Problem& problem, const Motion& answer, std::shared_ptr<co
   return candidate;
 }
 
-void describe_orbit(const Candidate& candidate, double error_bar, const std::optional<double>& residual,
-                    const Reference& reference, const Motion* reference_motion, Certificate& certificate) {
+/// `of` is the certificate of the candidate: for the reference what is known of it.
+void describe_orbit(const Candidate& candidate, const CheckedOrbit& of, const Reference& reference,
+                    const Motion* reference_motion, Certificate& certificate) {
   certificate.status = CertificateStatus::certified;
   certificate.reason.clear();
-  certificate.error_bar = error_bar;
-  certificate.residual = residual;
+  certificate.source = of.source;
+  certificate.error_bar = of.error_bar;
+  certificate.residual = of.residual;
   certificate.order = least_order(candidate.motion);
-  certificate.events = orbit_events(candidate.motion);
+  certificate.events = of.events.empty() ? orbit_events(candidate.motion) : of.events;
+  certificate.return_distance = of.return_distance;
+  certificate.floquet = of.floquet;
+  certificate.stable = of.stable;
   certificate.orbit = fingerprint(candidate.motion);
   if (reference_motion == nullptr) return;
   certificate.same_orbit = same_orbit(candidate.motion, *reference_motion);
   if (*certificate.same_orbit) certificate.orbit = reference.fingerprint;
 }
 
+/// Tries one way to an orbit; true if it certifies the answer.
+bool take(const Problem& problem, const Motion& answer, const CheckedOrbit& found, const Reference& reference,
+          const Motion* known, Judgement& judgement) {
+  Certificate& certificate = judgement.certificate;
+  if (!found.orbit) {
+    if (!certificate.reason.empty()) certificate.reason += "; ";
+    certificate.reason += found.reason;
+    return false;
+  }
+  const Candidate candidate = place(problem, answer, found.orbit, false);
+  if (!certificate.distance || candidate.distance < *certificate.distance)
+    certificate.distance = candidate.distance;
+  certificate.source = found.source;
+  if (candidate.distance > kNearOrbit) {
+    certificate.reason =
+        fmt::format("the orbit that it leads to ({}) is {:.2g} away", found.source, candidate.distance);
+    return false;
+  }
+  describe_orbit(candidate, found, reference, known, certificate);
+  judgement.orbit = candidate.orbit;
+  return true;
+}
+
 }  // namespace
 
 Judgement certify(const Problem& problem, std::shared_ptr<const Trajectory> answer,
-                  const Reference& reference, const OrbitSolver& solver,
+                  const Reference& reference, const OrbitTools& tools,
                   std::chrono::steady_clock::time_point deadline) {
   const Motion motion = sample_motion(problem, *answer);
   Judgement judgement;
@@ -66,31 +94,24 @@ Judgement certify(const Problem& problem, std::shared_ptr<const Trajectory> answ
 
   Problem same_order = problem;
   same_order.subharmonic = motion.order;
-  const CheckedOrbit polished = find_orbit(
-      same_order, solver,
+  if (tools.polish &&
+      take(problem, motion, tools.polish(same_order, *answer, deadline), reference, known, judgement)) {
+    return judgement;
+  }
+  const CheckedOrbit shot = find_orbit(
+      same_order, tools.solver,
       {.tolerance = kOrbitTolerance, .shooting = true, .guess = std::move(answer), .deadline = deadline},
       kLargestErrorBar);
-  if (polished.orbit) {
-    const Candidate candidate = place(problem, motion, polished.orbit, false);
-    certificate.distance = candidate.distance;
-    certificate.source = "shooting from the answer";
-    if (candidate.distance <= kNearOrbit) {
-      describe_orbit(candidate, polished.error_bar, polished.residual, reference, known, certificate);
-      judgement.orbit = candidate.orbit;
-      return judgement;
-    }
-    certificate.reason =
-        fmt::format("the orbit that shooting finds from it is {:.2g} away", candidate.distance);
-  } else {
-    certificate.reason = polished.reason;
-  }
+  if (take(problem, motion, shot, reference, known, judgement)) return judgement;
   if (known == nullptr) return judgement;
   const Candidate candidate = place(problem, motion, reference.orbit, true);
   if (!certificate.distance || candidate.distance < *certificate.distance)
     certificate.distance = candidate.distance;
   if (candidate.distance > kNearOrbit) return judgement;
-  certificate.source = "the motion reached from rest";
-  describe_orbit(candidate, reference.error_bar, reference.residual, reference, known, certificate);
+  const CheckedOrbit from_rest{.error_bar = reference.error_bar,
+                               .residual = reference.residual,
+                               .source = "the motion reached from rest"};
+  describe_orbit(candidate, from_rest, reference, known, certificate);
   judgement.orbit = candidate.orbit;
   judgement.shift = candidate.shift;
   return judgement;

@@ -20,14 +20,16 @@ struct Judgement {
 
 /// Looks for an orbit of `problem` (under the law that the answer represents) behind an answer:
 ///
-/// 1. shooting at 1e-11 from the answer, repeated at 1e-12 for the error bar; an orbit within kNearOrbit
-///    certifies the answer
-/// 2. otherwise the reference of that law, if it is within kNearOrbit
+/// 1. the exact orbit that the answer polishes to, confirmed by CVODE
+/// 2. where there is none, shooting at 1e-11 from the answer, repeated at 1e-12 for the error bar
+/// 3. where that finds none within kNearOrbit either, the reference of that law
+///
+/// An orbit within kNearOrbit certifies the answer.
 ///
 /// Otherwise uncertified, with the reason. `distance` is that of the orbit nearest to the answer, if any was
 /// found. An answer without contact coordinates is certified by an orbit of the structure.
 Judgement certify(const Problem& problem, std::shared_ptr<const Trajectory> answer,
-                  const Reference& reference, const OrbitSolver& solver,
+                  const Reference& reference, const OrbitTools& tools,
                   std::chrono::steady_clock::time_point deadline);
 
 /// The status that the harness gives: `inaccurate` where the method says converged, but penetrates a rigid

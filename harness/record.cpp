@@ -140,6 +140,7 @@ Json write_certificate(const Certificate& certificate) {
     put(item, "value", event.value);
     json["events"].push_back(std::move(item));
   }
+  put(json, "return_distance", certificate.return_distance);
   put(json, "floquet", certificate.floquet);
   put(json, "stable", certificate.stable);
   return json;
@@ -165,6 +166,7 @@ Certificate read_certificate(const Json& json) {
     get(item, "value", event.value);
     certificate.events.push_back(std::move(event));
   }
+  get(json, "return_distance", certificate.return_distance);
   get(json, "floquet", certificate.floquet);
   get(json, "stable", certificate.stable);
   return certificate;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "methods/method.hpp"
@@ -54,6 +55,9 @@ struct OrbitEvent {
   Measure value = {};     ///< impulse of an impact [N s]
 };
 
+/// Real and imaginary parts.
+using FloquetMultipliers = std::vector<std::pair<double, double>>;
+
 /// Whether a true orbit of the represented law stands behind an answer, and which.
 struct Certificate {
   CertificateStatus status = CertificateStatus::none;
@@ -69,7 +73,8 @@ struct Certificate {
   std::string reference_reason = {};    ///< why there is none
   std::optional<bool> same_orbit = {};  ///< the answer's orbit is that one
   std::vector<OrbitEvent> events = {};
-  std::optional<std::vector<std::pair<double, double>>> floquet = {};
+  Measure return_distance = {};  ///< of the orbit after one period by CVODE, in the scales of the motion
+  std::optional<FloquetMultipliers> floquet = {};
   std::optional<bool> stable = {};
 };
 

@@ -4,11 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "methods/kernels/condensation.hpp"
 #include "harness/orbit.hpp"
 #include "harness/record.hpp"
 #include "harness/trajectory_json.hpp"
 #include "methods/event_driven/event_driven.hpp"
+#include "methods/kernels/condensation.hpp"
 
 namespace signorini {
 
@@ -27,6 +27,17 @@ struct LawSetter {
 
 bool found(const Solution& solution) {
   return solution.verdict == Verdict::converged && solution.trajectory != nullptr;
+}
+
+std::string reason_of(const Solution& solution) {
+  return solution.message.empty() ? "no orbit was found" : solution.message;
+}
+
+/// Polishing at most sheds the error of the integration: a motion farther away is another one.
+bool stays(const Problem& problem, const Trajectory& marched, const Trajectory& polished) {
+  constexpr double kDrift = 1e-6;
+  const Motion from = sample_motion(problem, marched);
+  return distance(from, sample_motion(problem, polished)).x_l2.value_or(0.0) <= kDrift;
 }
 
 Solution event_driven(const Problem& problem, const OrbitRequest& request) {
@@ -67,7 +78,7 @@ CheckedOrbit find_orbit(const Problem& problem, const OrbitSolver& solver, Orbit
                         double largest_error_bar) {
   request.tolerance = kOrbitTolerance;
   const Solution first = solver(problem, request);
-  if (!found(first)) return {.reason = first.message.empty() ? "no orbit was found" : first.message};
+  if (!found(first)) return {.reason = reason_of(first)};
   // Continued at the order that was found, which marching may find to be several forcing periods.
   const Motion motion = sample_motion(problem, *first.trajectory);
   Problem continued = problem;
@@ -91,15 +102,27 @@ CheckedOrbit find_orbit(const Problem& problem, const OrbitSolver& solver, Orbit
   if (error_bar > largest_error_bar) {
     return {.reason = fmt::format("two tolerances give orbits that differ by {:.1e}", error_bar)};
   }
-  return {.orbit = second.trajectory, .reason = {}, .error_bar = error_bar, .residual = second.residual};
+  return {.orbit = second.trajectory,
+          .error_bar = error_bar,
+          .residual = second.residual,
+          .source = request.shooting ? "shooting from the answer" : "marching"};
 }
 
-Reference compute_reference(const Problem& problem, const OrbitSolver& solver,
+Reference compute_reference(const Problem& problem, const OrbitTools& tools,
                             std::chrono::steady_clock::time_point deadline) {
-  const CheckedOrbit checked = find_orbit(
-      problem, solver, {.tolerance = kOrbitTolerance, .shooting = false, .guess = {}, .deadline = deadline},
-      kReferenceErrorBar);
-  if (!checked.orbit) return {.orbit = {}, .reason = checked.reason, .residual = {}, .fingerprint = {}};
+  OrbitRequest request{.tolerance = kOrbitTolerance, .shooting = false, .guess = {}, .deadline = deadline};
+  CheckedOrbit checked;
+  if (tools.polish) {
+    const Solution marched = tools.solver(problem, request);
+    if (!found(marched)) return {.reason = reason_of(marched)};
+    Problem same_order = problem;
+    same_order.subharmonic = sample_motion(problem, *marched.trajectory).order;
+    checked = tools.polish(same_order, *marched.trajectory, deadline);
+    if (checked.orbit && !stays(problem, *marched.trajectory, *checked.orbit)) checked.orbit = nullptr;
+  }
+  if (!checked.orbit || checked.error_bar > kReferenceErrorBar)
+    checked = find_orbit(problem, tools.solver, request, kReferenceErrorBar);
+  if (!checked.orbit) return {.reason = checked.reason};
   const Motion motion = sample_motion(problem, *checked.orbit);
   return {.orbit = std::make_shared<SampledTrajectory>(*checked.orbit, motion.count()),
           .reason = {},

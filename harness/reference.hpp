@@ -7,8 +7,11 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "harness/motion.hpp"
+#include "harness/record.hpp"
 #include "harness/sampled_trajectory.hpp"
 #include "methods/method.hpp"
 
@@ -22,8 +25,7 @@ struct OrbitRequest {
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 };
 
-/// Looks for a periodic motion of the problem under the problem's own law. Replaced in tests, and by the
-/// exact-orbit kernel once there is one.
+/// Looks for a periodic motion of the problem under the problem's own law. Replaced in tests.
 using OrbitSolver = std::function<Solution(const Problem& problem, const OrbitRequest& request)>;
 
 /// The event-driven method; for massless contacts on the condensed scene. Where it does not apply, the
@@ -34,12 +36,29 @@ OrbitSolver event_driven_orbits();
 inline constexpr double kOrbitTolerance = 1e-11;
 inline constexpr double kTightOrbitTolerance = 1e-12;
 
-/// An orbit known at two tolerances.
+/// An orbit, known exactly or at two tolerances.
 struct CheckedOrbit {
-  std::shared_ptr<const Trajectory> orbit = {};  ///< at the tighter tolerance; null: none
+  std::shared_ptr<const Trajectory> orbit = {};  ///< null: none
   std::string reason = {};                       ///< why there is none
-  double error_bar = 0.0;                        ///< relative x_l2 of the two
+  double error_bar = 0.0;                        ///< relative x_l2
   std::optional<double> residual = {};           ///< of the orbit solver's own equations [-]
+  std::string source = {};                       ///< how it was found
+  std::vector<OrbitEvent> events = {};           ///< exact orbits only, as is what follows
+  std::optional<double> return_distance = {};    ///< of one period by CVODE, in the scales of the motion [-]
+  std::optional<FloquetMultipliers> floquet = {};
+  std::optional<bool> stable = {};
+};
+
+/// Polishes an answer to the exact orbit behind it, if there is one.
+using OrbitPolisher = std::function<CheckedOrbit(const Problem& problem, const Trajectory& answer,
+                                                 std::chrono::steady_clock::time_point deadline)>;
+
+/// The harness's ways to orbits. Without a polisher, all is left to the solver at two tolerances.
+struct OrbitTools {
+  OrbitTools(OrbitSolver flow, OrbitPolisher polisher = {})
+      : solver(std::move(flow)), polish(std::move(polisher)) {}
+  OrbitSolver solver;
+  OrbitPolisher polish;
 };
 
 /// Looks for an orbit at kOrbitTolerance as asked, then again by shooting from there at the tighter one (by
@@ -57,7 +76,8 @@ struct Reference {
   std::string fingerprint = {};
 };
 
-Reference compute_reference(const Problem& problem, const OrbitSolver& solver,
+/// Marches at kOrbitTolerance and polishes what it comes to, if the polish stays with it; else by find_orbit.
+Reference compute_reference(const Problem& problem, const OrbitTools& tools,
                             std::chrono::steady_clock::time_point deadline);
 
 nlohmann::ordered_json to_json(const Reference& reference);

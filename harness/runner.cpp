@@ -107,8 +107,8 @@ void take_failure(const ChildEnd& end, Record& record) {
   }
 }
 
-Runner::Runner(Limits limits, OrbitSolver solver, CodeVersion version)
-    : limits_(limits), solver_(std::move(solver)), code_version_(std::move(version)) {}
+Runner::Runner(Limits limits, OrbitTools orbits, CodeVersion version)
+    : limits_(limits), orbits_(std::move(orbits)), code_version_(std::move(version)) {}
 
 std::string Runner::key_of(const Scene& scene, const Case& run) const {
   return case_key(scene, run, limits_, code_version_(run.choice.entry->name));
@@ -142,7 +142,7 @@ void Runner::compute_references(const Scene& scene, std::span<const Survey> surv
     work.push_back([this, &scene, law](const Send& send) {
       const auto limit = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
           std::chrono::duration<double>(limits_.reference_timeout));
-      send(one_line(to_json(compute_reference(under_law(scene.problem, law), solver_,
+      send(one_line(to_json(compute_reference(under_law(scene.problem, law), orbits_,
                                               std::chrono::steady_clock::now() + limit))));
     });
   };
@@ -205,7 +205,7 @@ std::optional<Record> Runner::run(const Scene& scene, const Case& run, const Sur
                     .law = *survey.law,
                     .reference = reference_for(scene.problem, *survey.law),
                     .scene_reference = reference_for(scene.problem, Undetermined{}),
-                    .solver = solver_,
+                    .orbits = orbits_,
                     .start = extras.start,
                     .samples = extras.samples,
                     .timed = extras.timed};

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "harness/build_info.hpp"
+#include "harness/exact_certificate.hpp"
 #include "harness/isolation.hpp"
 #include "harness/plan.hpp"
 #include "harness/record.hpp"
@@ -37,8 +38,7 @@ using CodeVersion = std::function<std::string(std::string_view method)>;
 
 class Runner {
  public:
-  explicit Runner(Limits limits, OrbitSolver solver = event_driven_orbits(),
-                  CodeVersion version = code_version);
+  explicit Runner(Limits limits, OrbitTools orbits = orbit_tools(), CodeVersion version = code_version);
 
   /// Asks the methods of several cases of one scene whether they apply and what law they represent.
   [[nodiscard]] std::vector<Survey> survey(const Scene& scene, std::span<const Case* const> cases) const;
@@ -61,7 +61,7 @@ class Runner {
   [[nodiscard]] IsolationLimits trial_limits() const;
 
   Limits limits_;
-  OrbitSolver solver_;
+  OrbitTools orbits_;
   CodeVersion code_version_;
   std::map<std::string, Reference> references_;  // by law
 };

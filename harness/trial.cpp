@@ -96,7 +96,7 @@ void take_times(const Trial& trial, const Method& method, PreparedMethod& prepar
 void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory>& answer, Record& record) {
   const Problem problem = under_law(trial.scene.problem, trial.law);
   const Judgement judgement =
-      certify(problem, answer, trial.reference, trial.solver, after(trial.limits.certificate_timeout));
+      certify(problem, answer, trial.reference, trial.orbits, after(trial.limits.certificate_timeout));
   record.certificate = judgement.certificate;
   if (judgement.orbit) record.errors = measure_errors(problem, *answer, *judgement.orbit, judgement.shift);
   if (record.law_matches_scene == false && trial.scene_reference.orbit) {

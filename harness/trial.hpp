@@ -18,7 +18,7 @@ struct Trial {
   RepresentedLaw law = {};           ///< the method's on this scene
   const Reference& reference;        ///< of the scene under that law
   const Reference& scene_reference;  ///< of the scene under its own
-  const OrbitSolver& solver;
+  const OrbitTools& orbits;
   std::shared_ptr<const Trajectory> start = {};  ///< null: cold
   int samples = 0;                               ///< instants of the trajectory kept in the record; 0: none
   bool timed = true;

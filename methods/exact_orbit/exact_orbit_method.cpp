@@ -92,11 +92,12 @@ class PreparedExactOrbit final : public PreparedMethod {
   Solution projected(const Start& start) const {
     const int harmonics =
         std::max(options_.samples / 4, highest_load_harmonic(problem_) * problem_.subharmonic);
-    ContactReceptance receptance = fourier_receptance(problem_, harmonics);
     const bool spring = std::holds_alternative<Penalty>(problem_.law);
-    ProjectedLaw law =
-        spring ? penalty_law(problem_, {}, receptance) : lipschitz_law(problem_, {}, receptance);
-    return ProjectedContact(problem_, std::move(receptance), std::move(law), {}).solve(cold(start));
+    const auto law = [this, spring](const ContactReceptance& receptance) {
+      return spring ? penalty_law(problem_, {}, receptance) : lipschitz_law(problem_, {}, receptance);
+    };
+    return ProjectedContact(contact_gaps(problem_), fourier_receptance(problem_, harmonics), law, {})
+        .solve(cold(start));
   }
 
   [[nodiscard]] SearchOptions settings(const Start& start) const {

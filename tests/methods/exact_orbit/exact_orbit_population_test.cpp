@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "methods/kernels/event_flow/flow.hpp"
+#include "methods/kernels/exact_orbit/return_check.hpp"
 #include "tests/methods/kernels/exact_orbit/cold_orbit.hpp"
 #include "tests/support/orbit_check.hpp"
 #include "tests/support/population.hpp"
@@ -18,37 +18,6 @@ namespace {
 
 constexpr double kResidual = 1e-11;
 constexpr double kWanted = 0.98;
-
-// One period of the CVODE flow from the orbit's section, against the state it started from.
-struct Return {
-  double distance = 0.0;  // relative to the scales of the motion
-  double allowed = 0.0;   // the error bar and CVODE's own floor
-};
-
-// CVODE's own error over a period at its tightest, relative to the largest state met (measured: below 2e-11);
-// the orbit's instability and the sensitivity of its instants amplify it.
-constexpr double kCvodeFloor = 3e-11;
-
-Return cvode_return(const Problem& problem, const ExactTrajectory& orbit) {
-  const ContactDynamics dynamics(problem);
-  const MotionScales& scales = dynamics.scales();
-  EventFlow flow(dynamics, 1e-13, [] { return false; });
-  const FlowState& start = orbit.orbit().start;
-  FlowState end = start;
-  FlowRecord record;
-  flow.advance(end, orbit.period(), record);
-  double largest = 1.0;
-  for (int i = 0; i < 100; ++i) {
-    const State state = orbit.at(orbit.period() * i / 100);
-    largest = std::max({largest, state.u.lpNorm<Eigen::Infinity>() / scales.displacement,
-                        state.v.lpNorm<Eigen::Infinity>() / scales.velocity});
-  }
-  const OrbitQuality& quality = orbit.quality();
-  const double growth = 1.0 + quality.amplification + quality.multipliers.cwiseAbs().maxCoeff();
-  return {.distance = std::max((end.state.u - start.state.u).lpNorm<Eigen::Infinity>() / scales.displacement,
-                               (end.state.v - start.state.v).lpNorm<Eigen::Infinity>() / scales.velocity),
-          .allowed = quality.error_bar + kCvodeFloor * largest * growth};
-}
 
 void expect_population(const std::string& name, const std::vector<Problem>& scenes) {
   int certified = 0, index = 0, chatters = 0, unstable = 0, lasting = 0;
@@ -67,7 +36,7 @@ void expect_population(const std::string& name, const std::vector<Problem>& scen
     const auto check = test::check_orbit(problem, *found.orbit, 1e-8);
     EXPECT_TRUE(check.ok) << check.reason << "; " << found.solution.message;
     EXPECT_LT(check.return_distance, 1e-10) << found.solution.message;
-    const Return cvode = cvode_return(problem, *found.orbit);
+    const ReturnCheck cvode = cvode_return(ContactDynamics(problem), *found.orbit, [] { return false; });
     EXPECT_LE(cvode.distance, cvode.allowed) << found.solution.message;
     worst_return = std::max(worst_return, cvode.distance / cvode.allowed);
     chatters += found.solution.message.find("complete chattering") != std::string::npos ? 1 : 0;
