@@ -103,7 +103,7 @@ class PreparedExactOrbit final : public PreparedMethod {
     SearchOptions options;
     options.polish.tolerance = options_.tolerance;
     options.polish.max_iterations = options_.max_iterations;
-    options.shootings = 0;
+    options.shootings = 15;
     options.expired = [&start] { return start.expired(); };
     return options;
   }
