@@ -7,6 +7,7 @@
 #include <exception>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -89,7 +90,16 @@ class PreparedExactOrbit final : public PreparedMethod {
     record(finder_.find(*first_, options), "shooting and marching");
   }
 
+  // The projected Fourier equations; a structure that they cannot reduce is a failed attempt, not the end.
   Solution projected(const Start& start) const {
+    try {
+      return projected_solve(start);
+    } catch (const std::runtime_error& error) {
+      return {.message = error.what()};
+    }
+  }
+
+  Solution projected_solve(const Start& start) const {
     const int harmonics =
         std::max(options_.samples / 4, highest_load_harmonic(problem_) * problem_.subharmonic);
     const bool spring = std::holds_alternative<Penalty>(problem_.law);
@@ -104,7 +114,7 @@ class PreparedExactOrbit final : public PreparedMethod {
     SearchOptions options;
     options.polish.tolerance = options_.tolerance;
     options.polish.max_iterations = options_.max_iterations;
-    options.shootings = 0;
+    options.shootings = 15;
     options.expired = [&start] { return start.expired(); };
     return options;
   }

@@ -9,9 +9,9 @@ namespace signorini {
 
 /// (1) Solves the scene coarsely on N nodes by pivoting: hat functions with the scene's own restitution,
 /// spring or massless contact (`hat_contact`). (2) Reads the sequence of impacts and contacts off the answer
-/// and polishes it to an exact orbit (`OrbitFinder`). Where that fails it takes finer grids, other covering
-/// vectors, where the law is conservative the projected Fourier equations too, and at the end shooting and
-/// marching on the closed-form flow. Represents the scene's own law always.
+/// and polishes it to an exact orbit (`OrbitFinder`). Where that fails it shoots on the closed-form flow from
+/// there, takes other covering vectors and finer grids, where the law is conservative the projected Fourier
+/// equations too, and at the end shooting and marching. Represents the scene's own law always.
 ///
 /// Guarantee: a converged answer solves the equations of motion, the impact law and the periodicity to
 /// `tolerance` (or to the round-off stated), does not penetrate, and pulls nowhere (1e-11 of the scales); its

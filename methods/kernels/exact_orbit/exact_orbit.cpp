@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "methods/kernels/condensation.hpp"
@@ -44,8 +45,15 @@ class OrbitFinder::Search {
 
  private:
   bool attempt(const OrbitGuess& guess) {
+    constexpr std::size_t kMostEvents =
+        400;  // unresolved rattling beyond: the dense equations grow with their cube
     if (options_.expired()) return true;
-    ExactOrbit orbit = polish_sequence(model_, guess, options_.polish);
+    ExactOrbit orbit;
+    if (guess.events.size() <= kMostEvents) {
+      orbit = polish_sequence(model_, guess, options_.polish);
+    } else {
+      orbit.reason = std::to_string(guess.events.size()) + " events in a period are more than a polish takes";
+    }
     ++result_.attempts;
     result_.iterations += orbit.iterations;
     last_ = orbit.trajectory ? std::optional(orbit.trajectory->orbit().start) : std::nullopt;
@@ -78,7 +86,9 @@ class OrbitFinder::Search {
   bool shoot(const FlowState& from) {
     constexpr double kTolerance = 1e-11, kLargestStep = 1e3;
     constexpr int kHalvings = 8;
-    if (options_.shootings == 0) return false;
+    constexpr int kMany =
+        16;  // coordinates from which a shooting carries too large a monodromy to be tried often
+    if (options_.shootings == 0 || (options_.marched == 0 && model_->dynamics.size() > kMany)) return false;
     try {
       EventFlow flow(model_->dynamics, kTolerance, options_.expired, Integrator::modal);
       PeriodMap map(flow);

@@ -83,7 +83,8 @@ class Polish {
       const double part = longest_part(step);
       shortened = part < kMerging ? shortened + 1 : 0;
       if (shortened >= 3) {
-        fail("two events merge", OrbitOutcome::events_merge);
+        fail(fmt::format("the steps close an interval (residual {:.2g})", orbit_.residual),
+             OrbitOutcome::events_merge);
         return false;
       }
       ++orbit_.iterations;
@@ -135,7 +136,14 @@ class Polish {
   }
 
   void conclude(const OrbitGuess& solved) {
+    constexpr double kUndetermined = 1e-3;  // an error bar of this size determines nothing
     const Admissibility& found = orbit_.admissibility;
+    if (!(orbit_.error_bar < kUndetermined)) {
+      fail(
+          fmt::format("the equations are singular (a multiplier is 1, or an impact grazes): error bar {:.2g}",
+                      orbit_.error_bar));
+      return;
+    }
     if (!found.ok) {
       orbit_.outcome = OrbitOutcome::not_admissible;
       orbit_.reason = found.reason;

@@ -221,7 +221,9 @@ TEST(ExactOrbitErrorBar, CoversTheSecondEvaluation) {
     options.second_evaluation = true;
     const ExactOrbit twice = polish_orbit(problem, found.orbit->orbit(), options);
     ASSERT_TRUE(twice.certified());
-    EXPECT_GE(twice.error_bar, 0.0);
+    // It may only widen the bar; a polish from the solution itself leaves the same noise but for a few
+    // digits.
+    EXPECT_GE(twice.error_bar, twice.amplification * twice.attainable);
     EXPECT_LT(twice.error_bar, 1e-10);
     EXPECT_LT(test::relative_distance(*twice.trajectory, *found.orbit),
               10.0 * (twice.error_bar + found.orbit->quality().error_bar));
