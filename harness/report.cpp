@@ -368,8 +368,9 @@ std::string orbit_text(const Record& record) {
 
 std::string markdown_report(const std::vector<Record>& unsorted) {
   const std::vector<Record> records = sorted(unsorted);
-  std::string text = fmt::format("{}\n{}\n{}\n{}", to_markdown(summary_table(records)),
-                                 to_markdown(speed_table(records)), to_markdown(main_table(records)), kLegend);
+  std::string text =
+      fmt::format("{}\n{}\n{}\n{}", to_markdown(summary_table(records)), to_markdown(speed_table(records)),
+                  to_markdown(main_table(records)), kLegend);
   if (const std::string said = notes(records); !said.empty()) text += "\nWhat went otherwise:\n\n" + said;
   return text;
 }

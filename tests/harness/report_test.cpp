@@ -26,12 +26,14 @@ std::vector<std::string> cells(const std::string& line) {
   return found;
 }
 
-/// The cells of the row of the main table that has this resolution, blanks trimmed.
-std::vector<std::string> row_of(const std::string& report, const std::string& resolution) {
+/// The cells of the row that has this resolution, blanks trimmed, of the table with so many columns.
+std::vector<std::string> row_of(const std::string& report, const std::string& resolution,
+                                std::size_t columns = 11) {
   std::istringstream stream(report);
   for (std::string line; std::getline(stream, line);) {
     if (line.rfind("|", 0) != 0 || line.find("[" + resolution + "]") == std::string::npos) continue;
     std::vector<std::string> row = cells(line);
+    if (row.size() != columns) continue;
     for (std::string& cell : row) {
       cell.erase(0, cell.find_first_not_of(' '));
       cell.erase(cell.find_last_not_of(' ') + 1);
@@ -105,6 +107,31 @@ TEST(MarkdownReport, MarksAnotherLawAndAnotherOrbit) {
   EXPECT_EQ(row[1], "e = 0.5");
   EXPECT_EQ(row[3], "e = 1 ≠ scene");
   EXPECT_EQ(row[kOrbit], "other (0a1b2c3d)");
+}
+
+TEST(MarkdownReport, SaysWhichOrbitsAreUnstable) {
+  Record record = test::good_record("s", "m", "n=1", 0.1, 1.0);
+  record.certificate.stable = false;
+  EXPECT_EQ(row_of(markdown_report({record}), "n=1")[kOrbit], "same, unstable");
+}
+
+TEST(MarkdownReport, SetsTimesBesideMarchingSceneByScene) {
+  std::vector<Record> records;
+  for (const double seconds : {1.0, 2.0, 4.0}) {
+    const std::string scene = "s" + std::to_string(static_cast<int>(seconds));
+    records.push_back(test::good_record(scene, "event-driven", "tolerance=1e-6", 1e-6, seconds));
+    records.push_back(test::good_record(scene, "m", "n=1", 0.1 * seconds, 0.25));
+  }
+  // Three ratios: 0.25, 0.125, 0.0625.
+  EXPECT_EQ(row_of(markdown_report(records), "n=1", 5),
+            (std::vector<std::string>{"m[n=1]", "3 of 3", "2.0e-01", "250 ms", "0.12"}));
+  // A failure counts as infinite; two of three make the median so.
+  records[1].status = Status::timeout;
+  EXPECT_EQ(row_of(markdown_report(records), "n=1", 5)[4], "0.12");
+  records[3].status = Status::timeout;
+  EXPECT_EQ(row_of(markdown_report(records), "n=1", 5),
+            (std::vector<std::string>{"m[n=1]", "1 of 3", "half or more failed", "half or more failed",
+                                      "half or more failed"}));
 }
 
 std::vector<std::string> summary_of(const std::vector<Record>& records, const std::string& method) {
