@@ -141,7 +141,7 @@ Table main_table(const std::vector<Record>& records) {
 }
 
 /// What times are set beside: time marching to six digits, as most would do it.
-constexpr std::string_view kYardstick = "event-driven[tolerance=1e-6]";
+constexpr std::string_view kYardstick = "event-driven[flow=cvode,tolerance=1e-6]";
 
 /// The figures of one method at one resolution over all scenes to which it applies; infinite where it failed.
 struct Speed {

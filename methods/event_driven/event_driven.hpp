@@ -27,9 +27,9 @@ class EventDriven final : public Method {
 
   static constexpr std::string_view kName = "event-driven";
   static constexpr std::string_view kTitle =
-      "CVODE between events, impact law at events, to the steady state";
+      "CVODE or closed-form flow between events, impact law at events, to the steady state";
   static constexpr std::string_view kLaws = "restitution 0..1, penalty";
-  static constexpr std::string_view kLadder = "tolerance=1e-6|1e-9";
+  static constexpr std::string_view kLadder = "flow=cvode|modal,tolerance=1e-6|1e-9";
 
   struct Options {
     double tolerance = 1e-9;  ///< relative error aimed at, in [1e-13, 1e-3] [-]

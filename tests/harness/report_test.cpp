@@ -119,7 +119,7 @@ TEST(MarkdownReport, SetsTimesBesideMarchingSceneByScene) {
   std::vector<Record> records;
   for (const double seconds : {1.0, 2.0, 4.0}) {
     const std::string scene = "s" + std::to_string(static_cast<int>(seconds));
-    records.push_back(test::good_record(scene, "event-driven", "tolerance=1e-6", 1e-6, seconds));
+    records.push_back(test::good_record(scene, "event-driven", "flow=cvode,tolerance=1e-6", 1e-6, seconds));
     records.push_back(test::good_record(scene, "m", "n=1", 0.1 * seconds, 0.25));
   }
   // Three ratios: 0.25, 0.125, 0.0625.
