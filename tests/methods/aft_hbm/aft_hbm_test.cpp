@@ -151,5 +151,32 @@ TEST(FollowGapPath, ArrivesAtOnceWhereNothingTouches) {
   EXPECT_EQ(path.lambda.norm(), 0.0);
 }
 
+TEST(AftHbm, SeparatesTheTiesOfTwoSymmetricStops) {
+  Problem problem = test::to_problem({.damping = 0.05, .frequency = 1.2, .gap = 0.3, .restitution = 1.0});
+  Contact other = problem.contacts.front();
+  for (auto& [dof, coefficient] : other.normal) coefficient = -coefficient;
+  problem.contacts.push_back(other);
+  const Solution solution = solve<AftHbm>(problem, {.harmonics = 12});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  const Solution twin = solve<FourierLipschitz>(problem, {.harmonics = 12});
+  ASSERT_EQ(twin.verdict, Verdict::converged) << twin.message;
+  EXPECT_LE(relative_distance(*twin.trajectory, *solution.trajectory), 1e-7);
+}
+
+TEST(AftHbm, ReportsARayAndLeavesFiniteNumbers) {
+  // Light damping and few samples break the energy balance that excludes rays.
+  const Problem problem =
+      test::to_problem({.damping = 0.003, .frequency = 1.6, .gap = 0.5, .restitution = 1.0});
+  int rays = 0;
+  for (const int samples : {24, 32, 48, 64, 96, 128}) {
+    const Solution solution =
+        solve<AftHbm>(problem, {.harmonics = 10, .samples = samples, .quadrature = Quadrature::sampled});
+    rays += solution.message.find("ray") != std::string::npos ? 1 : 0;
+    ASSERT_NE(solution.trajectory, nullptr) << samples;
+    EXPECT_TRUE(solution.trajectory->sample(16).x.allFinite()) << samples;
+  }
+  EXPECT_GE(rays, 1);
+}
+
 }  // namespace
 }  // namespace signorini
