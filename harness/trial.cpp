@@ -5,6 +5,7 @@
 #include <chrono>
 #include <fstream>
 #include <numbers>
+#include <stdexcept>
 
 #include "harness/certificate.hpp"
 #include "harness/measures.hpp"
@@ -114,7 +115,15 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   Solution solution;
   const std::optional<long> before = restart_peak_memory();
   const Start start{.guess = trial.start, .deadline = after(trial.limits.timeout)};
-  const double setup = seconds_of([&] { prepared = method->prepare(trial.scene.problem); });
+  double setup = 0.0;
+  try {
+    setup = seconds_of([&] { prepared = method->prepare(trial.scene.problem); });
+  } catch (const std::runtime_error& error) {  // as Method::prepare states: the structure is singular
+    record.status = Status::not_converged;
+    record.message = error.what();
+    stage_done(record);
+    return;
+  }
   const double solve = seconds_of([&] { solution = prepared->solve(start); });
   if (const auto peak = status_bytes("VmHWM"); peak && before)
     record.work.peak_memory_bytes = *peak - *before;

@@ -1,5 +1,7 @@
 #include "methods/kernels/block_circulant.hpp"
 
+#include <Eigen/LU>
+
 namespace signorini {
 
 BlockCirculant::BlockCirculant(int samples, const std::vector<Eigen::MatrixXcd>& symbol, double tail)
@@ -66,6 +68,20 @@ Eigen::VectorXd BlockCirculant::operator*(const Eigen::VectorXd& z) {
   Eigen::VectorXd result(size());
   for (int c = 0; c < contacts_; ++c) fft_.inverse(output.col(c), result.segment(c * samples_, samples_));
   return result + tail_ * z;
+}
+
+Eigen::VectorXd BlockCirculant::solve(const Eigen::VectorXd& b) {
+  Eigen::MatrixXcd spectrum(fft_.coefficients(), contacts_);
+  for (int c = 0; c < contacts_; ++c) fft_.forward(b.segment(c * samples_, samples_), spectrum.col(c));
+  const Eigen::MatrixXcd tail = tail_ * Eigen::MatrixXcd::Identity(contacts_, contacts_);
+  for (Eigen::Index n = 0; n < spectrum.rows(); ++n) {
+    const auto place = static_cast<std::size_t>(n);
+    const Eigen::MatrixXcd block = place < symbol_.size() ? Eigen::MatrixXcd(symbol_[place] + tail) : tail;
+    spectrum.row(n) = block.partialPivLu().solve(spectrum.row(n).transpose()).transpose().eval();
+  }
+  Eigen::VectorXd result(size());
+  for (int c = 0; c < contacts_; ++c) fft_.inverse(spectrum.col(c), result.segment(c * samples_, samples_));
+  return result;
 }
 
 }  // namespace signorini

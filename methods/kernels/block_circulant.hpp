@@ -44,6 +44,9 @@ class BlockCirculant {
   /// A z by FFTs, O(N log N Nc + N Nc^2).
   [[nodiscard]] Eigen::VectorXd operator*(const Eigen::VectorXd& z);
 
+  /// A^{-1} b, one Nc x Nc solve per harmonic; not finite where some A_n is singular.
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b);
+
  private:
   [[nodiscard]] double lag(int row_contact, int col_contact, int difference) const {
     return lags_(difference + samples_, row_contact * contacts_ + col_contact);

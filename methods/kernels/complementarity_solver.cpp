@@ -1,5 +1,7 @@
 #include "methods/kernels/complementarity_solver.hpp"
 
+#include <array>
+#include <optional>
 #include <utility>
 
 #include "methods/kernels/newton.hpp"
@@ -14,6 +16,23 @@ namespace {
 constexpr std::array kRestarts{std::pair{0.03, 1.6}, std::pair{0.03, 4.7}, std::pair{0.3, 3.1},
                                std::pair{0.3, 0.0}};
 
+/// The solution that presses everywhere, if it does: permanent contact, which the path of pivots would reach
+/// last, having met rattling motions on its way.
+std::optional<LcpResult> press_everywhere(Lcp& lcp, double tolerance) {
+  const int samples = lcp.matrix.samples();
+  for (int c = 0; c < lcp.matrix.contacts(); ++c) {
+    if (!(lcp.offset.segment(c * samples, samples).sum() < 0.0))
+      return std::nullopt;  // stands open on average
+  }
+  LcpResult result;
+  result.z = lcp.matrix.solve(-lcp.offset);
+  if (!result.z.allFinite() || !(result.z.minCoeff() > 0.0)) return std::nullopt;
+  result.residual = natural_residual(lcp, result.z);
+  if (!(result.residual <= tolerance)) return std::nullopt;
+  result.status = LcpStatus::solved;
+  return result;
+}
+
 }  // namespace
 
 LcpResult solve_lcp(Lcp& lcp, const SolverSettings& settings, const Eigen::VectorXd& guess) {
@@ -21,6 +40,10 @@ LcpResult solve_lcp(Lcp& lcp, const SolverSettings& settings, const Eigen::Vecto
     NewtonOptions options{.tolerance = settings.tolerance, .guess = guess, .deadline = settings.deadline};
     if (settings.max_iterations > 0) options.max_iterations = settings.max_iterations;
     return solve_by_newton(lcp, options);
+  }
+  if (settings.solver == ComplementaritySolver::automatic && guess.size() == 0) {
+    if (std::optional<LcpResult> pressed = press_everywhere(lcp, settings.tolerance))
+      return *std::move(pressed);
   }
   PivotingOptions options{.max_pivots = settings.max_iterations,
                           .tolerance = settings.tolerance,

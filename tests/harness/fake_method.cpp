@@ -164,6 +164,7 @@ RepresentedLaw FakeMethod::law(const Problem& problem) const {
 }
 
 std::unique_ptr<PreparedMethod> FakeMethod::prepare(const Problem& problem) const {
+  if (options_.behaviour == Behaviour::singular) throw std::runtime_error("the structure is singular");
   return std::make_unique<PreparedFake>(problem, options_.behaviour);
 }
 

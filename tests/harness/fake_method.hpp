@@ -34,7 +34,8 @@ enum class Behaviour {
   orphan,
   unsupported,
   crash_when_asked,
-  crash_when_repeated
+  crash_when_repeated,
+  singular
 };
 
 /// Motion of one contact given by formulas of time; any number of contacts repeats it.
@@ -115,13 +116,14 @@ std::filesystem::path fresh_folder(const std::string& name);
 namespace signorini {
 template <>
 struct EnumNames<test::Behaviour> {
-  static constexpr std::array<std::string_view, 21> values{
+  static constexpr std::array<std::string_view, 22> values{
       "good",           "segfault",         "abort_now",
       "exit_three",     "throw_error",      "throw_number",
       "spin",           "allocate",         "not_a_number",
       "ignore_sigterm", "overflow_stack",   "lie",
       "no_trajectory",  "wrong_size",       "wrong_period",
       "give_up",        "obey_deadline",    "orphan",
-      "unsupported",    "crash_when_asked", "crash_when_repeated"};
+      "unsupported",    "crash_when_asked", "crash_when_repeated",
+      "singular"};
 };
 }  // namespace signorini

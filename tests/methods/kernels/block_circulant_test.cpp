@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/SVD>
 #include <array>
 #include <complex>
 #include <numbers>
@@ -82,6 +83,13 @@ TEST_P(BlockCirculantOfShape, EntriesMatchDirectSums) {
 TEST_P(BlockCirculantOfShape, ProductMatchesDirectSums) {
   const Eigen::VectorXd z = Eigen::VectorXd::Random(matrix_.size());
   EXPECT_NEAR((matrix_ * z - direct_ * z).norm(), 0.0, 1e-12 * direct_.norm());
+}
+
+TEST_P(BlockCirculantOfShape, SolveUndoesTheProduct) {
+  const Eigen::VectorXd z = Eigen::VectorXd::Random(matrix_.size());
+  const double condition =
+      direct_.jacobiSvd().singularValues()[0] / direct_.jacobiSvd().singularValues()[matrix_.size() - 1];
+  EXPECT_LE((matrix_.solve(direct_ * z) - z).norm(), 1e-13 * condition * z.norm());
 }
 
 TEST_P(BlockCirculantOfShape, ColumnsAddUpToTheProduct) {
