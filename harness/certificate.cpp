@@ -60,6 +60,11 @@ bool take(const Problem& problem, const Motion& answer, const CheckedOrbit& foun
     certificate.reason += found.reason;
     return false;
   }
+  if (!(found.error_bar <= kLargestErrorBar)) {
+    if (!certificate.reason.empty()) certificate.reason += "; ";
+    certificate.reason += fmt::format("the orbit that it leads to is known to {:.1e} only", found.error_bar);
+    return false;
+  }
   const Candidate candidate = place(problem, answer, found.orbit, false);
   if (!certificate.distance || candidate.distance < *certificate.distance)
     certificate.distance = candidate.distance;

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <stdexcept>
+#include <exception>
+#include <new>
 
 #include "methods/kernels/exact_orbit/exact_orbit.hpp"
 #include "methods/kernels/exact_orbit/return_check.hpp"
@@ -58,6 +59,15 @@ double relative_error_bar(const ExactOrbit& orbit, const Trajectory& motion, dou
   return norm > 0.0 ? orbit.error_bar * displacement_scale / norm : orbit.error_bar;
 }
 
+/// Whether small disturbances die out; open where no multiplier is defined or round-off would decide.
+std::optional<bool> stability(const ExactOrbit& orbit) {
+  constexpr double kUndecided = 1e-9;
+  if (orbit.multipliers.size() == 0) return std::nullopt;
+  const double largest = orbit.largest_multiplier();
+  if (std::abs(largest - 1.0) <= std::max(kUndecided, orbit.error_bar)) return std::nullopt;
+  return largest < 1.0;
+}
+
 CheckedOrbit polish(const Problem& problem, const Trajectory& answer,
                     std::chrono::steady_clock::time_point deadline) {
   const auto expired = [deadline] { return Start{.guess = {}, .deadline = deadline}.expired(); };
@@ -87,7 +97,7 @@ CheckedOrbit polish(const Problem& problem, const Trajectory& answer,
   orbit.floquet.emplace();
   for (const std::complex<double>& multiplier : found.multipliers)
     orbit.floquet->emplace_back(multiplier.real(), multiplier.imag());
-  orbit.stable = found.largest_multiplier() < 1.0;
+  orbit.stable = stability(found);
   return orbit;
 }
 
@@ -98,7 +108,9 @@ OrbitPolisher exact_orbits() {
             std::chrono::steady_clock::time_point deadline) -> CheckedOrbit {
     try {
       return polish(problem, answer, deadline);
-    } catch (const std::runtime_error& error) {  // a singular structure, a flow that fails
+    } catch (const std::bad_alloc&) {
+      throw;                                 // the child's memory limit is told apart
+    } catch (const std::exception& error) {  // a singular structure, a flow that fails
       return {.reason = error.what()};
     }
   };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "harness/orbit.hpp"
@@ -98,7 +99,9 @@ CheckedOrbit find_orbit(const Problem& problem, const OrbitSolver& solver, Orbit
                                   kTightOrbitTolerance, second.message)};
   }
   const Motion tight = sample_motion(problem, *second.trajectory);
-  const double error_bar = distance(motion, tight, best_shift(motion, tight)).x_l2.value_or(0.0);
+  // Two searches from one guess may stay at it alike: no orbit is known better than they integrate.
+  const double error_bar =
+      std::max(kOrbitTolerance, distance(motion, tight, best_shift(motion, tight)).x_l2.value_or(0.0));
   if (error_bar > largest_error_bar) {
     return {.reason = fmt::format("two tolerances give orbits that differ by {:.1e}", error_bar)};
   }
@@ -118,7 +121,11 @@ Reference compute_reference(const Problem& problem, const OrbitTools& tools,
     Problem same_order = problem;
     same_order.subharmonic = sample_motion(problem, *marched.trajectory).order;
     checked = tools.polish(same_order, *marched.trajectory, deadline);
-    if (checked.orbit && !stays(problem, *marched.trajectory, *checked.orbit)) checked.orbit = nullptr;
+    if (checked.orbit && !stays(problem, *marched.trajectory, *checked.orbit)) {
+      return {.reason =
+                  "marching from rest has not settled: the exact orbit nearest to where it ended is farther "
+                  "away than its error bar allows"};
+    }
   }
   if (!checked.orbit || checked.error_bar > kReferenceErrorBar)
     checked = find_orbit(problem, tools.solver, request, kReferenceErrorBar);

@@ -336,8 +336,12 @@ std::string error_text(const Record& record) {
   const bool field = !record.errors.x_l2.has_value();
   const Measure error = field ? record.errors.u_l2 : record.errors.x_l2;
   if (!error) return "no scale";
+  return bounded_text(*error, record) + (field ? " (u)" : "");
+}
+
+std::string bounded_text(double error, const Record& record) {
   const double floor = kErrorBars * record.certificate.error_bar.value_or(0.0);
-  return fmt::format("{}{:.1e}{}", *error < floor ? "<" : "", std::max(*error, floor), field ? " (u)" : "");
+  return fmt::format("{}{:.1e}", error < floor ? "<" : "", std::max(error, floor));
 }
 
 std::string time_text(double seconds) {

@@ -21,6 +21,9 @@ std::string law_text(const RepresentedLaw& law);
 /// Where there is none, the reason.
 std::string error_text(const Record& record);
 
+/// An error against the certified orbit, "<" and ten error bars of that orbit where it is smaller.
+std::string bounded_text(double error, const Record& record);
+
 /// "0.31 ms" and so on.
 std::string time_text(double seconds);
 

@@ -40,6 +40,11 @@ void print_measure(const char* name, const Measure& value) {
   if (value) fmt::print("{:<22}{:.3e}\n", name, *value);
 }
 
+/// No smaller than the orbit is known.
+void print_error(const char* name, const Measure& value, const Record& record) {
+  if (value) fmt::print("{:<22}{}\n", name, bounded_text(*value, record));
+}
+
 void print_report(const Record& record) {
   fmt::print("{}: {}{}{}\n", record.case_id, status_name(record.status), record.message.empty() ? "" : ": ",
              record.message);
@@ -50,10 +55,10 @@ void print_report(const Record& record) {
   print_measure("period [s]", record.period);
   fmt::print("{:<22}{}\n", "orbit", orbit_text(record));
   fmt::print("{:<22}{}\n", "error of x", error_text(record));
-  print_measure("  largest", record.errors.x_max);
-  print_measure("error of u", record.errors.u_l2);
-  print_measure("error of velocity", record.errors.velocity_l2);
-  print_measure("error of impulse", record.errors.impulse);
+  print_error("  largest", record.errors.x_max, record);
+  print_error("error of u", record.errors.u_l2, record);
+  print_error("error of velocity", record.errors.velocity_l2, record);
+  print_error("error of impulse", record.errors.impulse, record);
   print_measure("penetration", record.physics.penetration);
   print_measure("complementarity", record.physics.complementarity);
   print_measure("energy defect", record.physics.energy_defect);

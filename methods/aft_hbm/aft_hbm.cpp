@@ -41,7 +41,8 @@ class PreparedAft final : public PreparedMethod {
  private:
   /// Permanent contact, or many harmonics from few; null where that is not asked for or does not serve.
   std::optional<Solution> climb(const Start& start, Work& work) const {
-    const bool free = options_.homotopy && options_.quadrature == Quadrature::exact && !options_.samples;
+    const bool free = options_.homotopy && options_.max_iterations == 0 &&
+                      options_.quadrature == Quadrature::exact && !options_.samples;
     if (!free || start.guess) return std::nullopt;
     if (ExactProjection closed = permanent_contact(receptance_, gap_, law_, options_.tolerance);
         closed.converged)
@@ -86,12 +87,15 @@ class PreparedAft final : public PreparedMethod {
         quadrature += exact ? ", contact integral exact" : ", contact integral sampled: no exact one nearby";
       }
       const double ratio = net_work_ratio(data.x, data.lambda);
-      solution.verdict = converged ? Verdict::converged : Verdict::not_converged;
+      const bool in_limit = options_.max_iterations == 0 || *work.iterations <= options_.max_iterations;
+      const bool accepted = converged && in_limit && ladder.accepts(exact, ratio);
+      solution.verdict = accepted ? Verdict::converged : Verdict::not_converged;
       solution.residual = outcome.newton.residual;
-      solution.message = fmt::format("{}; {}, net contact work {:.1e} of that exchanged", outcome.message,
-                                     quadrature, ratio);
+      solution.message =
+          fmt::format("{}; {}, net contact work {:.1e} of that exchanged",
+                      in_limit ? outcome.message : "max_iterations used up", quadrature, ratio);
       if (data.lambda.allFinite()) solution.trajectory = std::make_shared<FourierTrajectory>(std::move(data));
-      if (options_.samples || start.expired() || !ladder.climb(converged, exact, ratio)) break;
+      if (options_.samples || !in_limit || start.expired() || !ladder.climb(converged, exact, ratio)) break;
       // Newton alone that has lost its way is not helped by more samples.
       if (!converged && !options_.homotopy) break;
     }

@@ -41,7 +41,8 @@ class AftHbm final : public Method {
 
     void visit(auto&& field) {
       field("harmonics", harmonics, "[-]", "highest harmonic H kept, 1..100000");
-      field("samples", samples, "[-]", "N per period, >= 2 H + 1; auto: 8 H (sampled: 32 H) or finer");
+      field("samples", samples, "[-]",
+            "N per period, >= 2 H + 1; auto: no grid beyond 20 harmonics, else 8 H or finer (sampled: 32 H)");
       field("law", law, "[-]", "dlft (dynamic Lagrangian) | penalty");
       field("c", c, "[-]",
             "dlft: constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H");

@@ -31,13 +31,14 @@ bool conservative(const Problem& problem) {
 class PreparedExactOrbit final : public PreparedMethod {
  public:
   PreparedExactOrbit(const Problem& problem, const ExactOrbitMethod::Options& options)
-      : problem_(problem), options_(options), finder_(problem), coarse_(grid(options.samples, 0)) {}
+      : problem_(problem), options_(options), coarse_(grid(options.samples, 0)) {}
 
   Solution solve(const Start& start) override {
     tried_.clear();
     best_.reset();
     work_ = {};
     try {
+      finder_.emplace(problem_);  // anew: the flows that it keeps are part of every cold solve
       search(start);
     } catch (const std::exception& error) {  // a coarse grid that cannot be factorised
       tried_.emplace_back(error.what());
@@ -87,7 +88,7 @@ class PreparedExactOrbit final : public PreparedMethod {
     options.rounds = 1;
     options.shootings = 40;
     options.marched = options_.marching;
-    record(finder_.find(*first_, options), "shooting and marching");
+    record(finder_->find(*first_, options), "shooting and marching");
   }
 
   // The projected Fourier equations; a structure that they cannot reduce is a failed attempt, not the end.
@@ -134,7 +135,7 @@ class PreparedExactOrbit final : public PreparedMethod {
       tried_.emplace_back("the time budget is spent");
       return true;
     }
-    return record(finder_.find(motion, settings(start)), name);
+    return record(finder_->find(motion, settings(start)), name);
   }
 
   bool record(OrbitSearch found, const std::string& name) {
@@ -150,7 +151,7 @@ class PreparedExactOrbit final : public PreparedMethod {
 
   Solution finish() {
     Solution solution;
-    work_.unknowns = 2L * finder_.model()->dynamics.size();
+    work_.unknowns = 2L * finder_->model()->dynamics.size();
     solution.work = work_;
     if (best_) {
       const ExactOrbit& orbit = best_->orbit;
@@ -171,7 +172,7 @@ class PreparedExactOrbit final : public PreparedMethod {
 
   const Problem& problem_;
   ExactOrbitMethod::Options options_;
-  OrbitFinder finder_;
+  std::optional<OrbitFinder> finder_;
   std::unique_ptr<PreparedMethod> coarse_;
   std::vector<std::string> tried_;
   std::optional<OrbitSearch> best_;

@@ -68,10 +68,15 @@ ProjectedContact::ProjectedContact(Eigen::VectorXd gap, ContactReceptance recept
       options_(std::move(options)) {}
 
 SampleLadder::SampleLadder(int harmonics, std::optional<int> fixed, Quadrature quadrature)
-    : samples_(fixed.value_or(
+    : quadrature_(quadrature),
+      samples_(fixed.value_or(
           std::max(kCoarse * kFewest, (quadrature == Quadrature::exact ? kCoarse : kSampled) * harmonics))),
       trusted_(kSampled * harmonics),
       finest_(fixed ? 0 : kFinest * harmonics) {}
+
+bool SampleLadder::accepts(bool exact, double net_work) const {
+  return exact || quadrature_ == Quadrature::sampled || net_work <= kEnergyIdentity;
+}
 
 bool SampleLadder::climb(bool converged, bool exact, double net_work) {
   const bool sampled_well = samples_ >= trusted_ && net_work <= kEnergyIdentity;
@@ -125,7 +130,8 @@ Solution contact_free_response(const ContactReceptance& receptance) {
 
 std::optional<Solution> ProjectedContact::solve_without_grid(const Start& start, Work& work) const {
   const bool free = options_.solver.solver == ComplementaritySolver::automatic &&
-                    options_.quadrature == Quadrature::exact && !options_.samples;
+                    options_.solver.max_iterations == 0 && options_.quadrature == Quadrature::exact &&
+                    !options_.samples;
   if (!free) return std::nullopt;
   const double tolerance = options_.solver.tolerance;
   const int harmonics = receptance_.harmonics();
@@ -172,6 +178,9 @@ Solution ProjectedContact::solve(const Start& start) {
     const int samples = ladder.samples();
     Lcp lcp = projected_lcp(receptance_, gap_, law_, samples);
     const Eigen::VectorXd guess = start.guess ? guess_from(*start.guess, samples) : Eigen::VectorXd{};
+    const long limit = options_.solver.max_iterations;
+    const auto spent = [&work] { return work.pivots.value_or(0) + work.iterations.value_or(0); };
+    if (limit > 0) settings.max_iterations = static_cast<int>(std::max(1L, limit - spent()));
     const LcpResult result = solve_lcp(lcp, settings, guess);
     work.unknowns = lcp.matrix.size();
     if (newton) {
@@ -193,13 +202,15 @@ Solution ProjectedContact::solve(const Start& start) {
       quadrature += exact ? ", contact integral exact" : ", contact integral sampled: no exact one nearby";
     }
     const double ratio = net_work_ratio(data.x, data.lambda);
-    solution.verdict = solved ? Verdict::converged : Verdict::not_converged;
+    const bool in_limit = limit == 0 || spent() <= limit;
+    const bool accepted = solved && in_limit && ladder.accepts(exact, ratio);
+    solution.verdict = accepted ? Verdict::converged : Verdict::not_converged;
     solution.residual = result.residual;
     solution.message = fmt::format("{}; {}, net contact work {:.1e} of that exchanged",
-                                   describe(result.status), quadrature, ratio);
+                                   describe(in_limit ? result.status : LcpStatus::limit), quadrature, ratio);
     if (result.z.allFinite()) solution.trajectory = std::make_shared<FourierTrajectory>(std::move(data));
     // More samples repair a ray or a coarse quadrature, not a Newton iteration that has lost its way.
-    if ((newton && !solved) || result.status == LcpStatus::interrupted) break;
+    if ((newton && !solved) || result.status == LcpStatus::interrupted || !in_limit) break;
     if (!ladder.climb(solved, exact, ratio)) break;
   }
   solution.work = work;

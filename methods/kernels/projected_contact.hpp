@@ -39,10 +39,14 @@ class SampleLadder {
  public:
   SampleLadder(int harmonics, std::optional<int> fixed, Quadrature quadrature);
   [[nodiscard]] int samples() const { return samples_; }
+  /// Whether an answer is one: its contact integral exact, or sampled because that was asked for, or so well
+  /// that the energy identity holds to 1e-3.
+  [[nodiscard]] bool accepts(bool exact, double net_work) const;
   /// Doubles N unless the outcome contents; false if there is nothing left to try.
   bool climb(bool converged, bool exact, double net_work);
 
  private:
+  Quadrature quadrature_;
   int samples_;
   int trusted_;
   int finest_;

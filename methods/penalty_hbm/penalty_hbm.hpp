@@ -31,7 +31,8 @@ class PenaltyHbm final : public Method {
 
     void visit(auto&& field) {
       field("harmonics", harmonics, "[-]", "highest harmonic H kept, 1..100000");
-      field("samples", samples, "[-]", "N per period, >= 2 H + 1; auto: 8 H (sampled: 32 H) or finer");
+      field("samples", samples, "[-]",
+            "N per period, >= 2 H + 1; auto: no grid beyond 20 harmonics, else 8 H or finer (sampled: 32 H)");
       field("penalty", penalty, "[N/m]",
             "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x the dynamic one "
             "near H");

@@ -23,8 +23,8 @@ struct SequenceEvent {
   /// impact: x_j reaches its stop and leaves again; close: it stays (at a spring stop: the spring begins to
   /// act); open: lambda_j reaches zero (at a spring stop: x_j leaves).
   ContactEvent::Kind kind = ContactEvent::Kind::impact;
-  int contact = 0;     ///< j, whose guard vanishes
-  double time = 0.0;   ///< [s]
+  int contact = 0;                       ///< j, whose guard vanishes
+  double time = 0.0;                     ///< [s]
   std::vector<int> pushed = {};          ///< rigid contacts that take an impulse, ascending
   std::vector<double> restitution = {};  ///< e of each; 0 at contacts that rest, and where a chatter ends [-]
   std::vector<bool> closed = {};         ///< Nc, afterwards

@@ -93,10 +93,10 @@ class Polish {
     return true;
   }
 
-  // A residual that no longer falls counts as converged if its step is round-off.
+  // A residual that no longer falls counts as converged if it is at the round-off of its evaluation.
   bool at_noise() {
-    constexpr double kNoise = 100.0;
-    if (orbit_.residual <= kNoise * accepted()) return true;
+    constexpr double kNoise = 100.0;  // cancellation between the arcs of a sequence, beyond `attainable`
+    if (orbit_.residual <= std::max(accepted(), kNoise * attainable())) return true;
     fail(fmt::format("no descent along the Newton step (residual {:.2g})", orbit_.residual));
     return false;
   }
@@ -210,7 +210,7 @@ class Polish {
     const Eigen::MatrixXd inverse = weight.asDiagonal() * lu_.inverse();
     const double noise = orbit_.residual + attainable();
     orbit_.error_bar =
-        inverse.cwiseAbs().rowwise().sum().maxCoeff() * noise + orbit_.admissibility.chatter_error;
+        inverse.cwiseAbs().rowwise().sum().maxCoeff() * (noise + orbit_.admissibility.chatter_error);
     if (!options_.second_evaluation || by_green_function()) return;
     OrbitModel other(*model_, FlowForm::exponential);
     OrbitEquations again(other, solved);
