@@ -42,6 +42,36 @@ OrbitGuess first_period(OrbitGuess orbit, double period) {
   return orbit;
 }
 
+/// A certified orbit of least period `order`.
+FoundOrbit describe_orbit(const Problem& problem, int order, CheckedOrbit checked) {
+  const Motion whole = sample_motion(problem, *checked.orbit);
+  return {.certificate = std::move(checked),
+          .fingerprint = fingerprint(whole),
+          .order = order,
+          .period = whole.period(),
+          .amplitude = amplitude(whole)};
+}
+
+/// Nothing but impulses: what the polish needs of an orbit without contact phases.
+class ImpulseTrain final : public Trajectory {
+ public:
+  ImpulseTrain(int contacts, double period, std::vector<Impulse> impulses)
+      : contacts_(contacts), period_(period), impulses_(std::move(impulses)) {}
+
+  [[nodiscard]] int contact_count() const override { return contacts_; }
+  [[nodiscard]] double period() const override { return period_; }
+  [[nodiscard]] Samples sample(int count) const override {
+    const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(count, contacts_);
+    return {.x = zero, .velocity = zero, .force = zero};
+  }
+  [[nodiscard]] std::vector<Impulse> impulses() const override { return impulses_; }
+
+ private:
+  int contacts_;
+  double period_;
+  std::vector<Impulse> impulses_;
+};
+
 class Census {
  public:
   Census(const Problem& problem, const OrbitPolisher& polish, SteadyTime deadline)
@@ -102,12 +132,7 @@ class Census {
       refused_.emplace_back(motion, checked.reason);
       return;
     }
-    const Motion whole = sample_motion(problem_, *checked.orbit);
-    FoundOrbit found{.certificate = std::move(checked),
-                     .fingerprint = fingerprint(whole),
-                     .order = order,
-                     .period = whole.period(),
-                     .amplitude = amplitude(whole)};
+    FoundOrbit found = describe_orbit(problem_, order, std::move(checked));
     motions_.push_back(sample_motion(problem_, *found.certificate.orbit, kCompared));
     credit(found, candidate);
     result.orbits.push_back(std::move(found));
@@ -160,7 +185,9 @@ void sort_orbits(std::vector<FoundOrbit>& orbits) {
 
 }  // namespace
 
-int default_subharmonics(const Problem& problem) { return std::max(2, problem.subharmonic); }
+int default_subharmonics(const Problem& problem) {
+  return std::max(OrbitQuest{}.subharmonics, problem.subharmonic);
+}
 
 int FoundOrbit::impacts() const {
   return static_cast<int>(std::count_if(certificate.events.begin(), certificate.events.end(),
@@ -194,6 +221,25 @@ OrbitCensus find_all_orbits(const Problem& problem, const OrbitQuest& quest, con
   census.result.expired = Clock::now() > deadline;
   sort_orbits(census.result.orbits);
   return std::move(census.result);
+}
+
+std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit& kept,
+                                        const OrbitPolisher& polish) {
+  std::vector<Impulse> impulses;
+  for (const OrbitEvent& event : kept.certificate.events) {
+    if (event.kind != "impact" || !event.value) return std::nullopt;
+    impulses.push_back({event.contact, event.time, *event.value});
+  }
+  Problem at_order = problem;
+  at_order.subharmonic = kept.order;
+  const OrbitPolisher certify = polish ? polish : exact_orbits();
+  CheckedOrbit checked =
+      certify(at_order, ImpulseTrain(problem.contact_count(), at_order.period(), std::move(impulses)),
+              SteadyTime::max());
+  if (!checked.orbit) return std::nullopt;
+  FoundOrbit found = describe_orbit(problem, kept.order, std::move(checked));
+  found.from_rest = kept.from_rest;  // not asked here
+  return found;
 }
 
 }  // namespace signorini

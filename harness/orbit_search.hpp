@@ -16,12 +16,12 @@ namespace signorini {
 /// What to search.
 struct OrbitQuest {
   int starts = 48;         ///< random states at each order
-  int subharmonics = 2;    ///< orders 1..this are searched [forcing periods]
+  int subharmonics = 3;    ///< orders 1..this are searched [forcing periods]
   unsigned seed = 1;       ///< of the random states
   double timeout = 300.0;  ///< wall time of the whole search [s]
 };
 
-/// Orders searched unless told otherwise: 2, or the scene's own subharmonic if that is higher.
+/// Orders searched unless told otherwise: 3, or the scene's own subharmonic if that is higher.
 int default_subharmonics(const Problem& problem);
 
 /// One orbit, with all that the harness knows of it.
@@ -64,5 +64,10 @@ using SearchNews = std::function<void(int order)>;
 /// solve, 2 s for a random state, the quest's for all).
 OrbitCensus find_all_orbits(const Problem& problem, const OrbitQuest& quest, const OrbitPolisher& polish = {},
                             const SearchNews& news = {});
+
+/// Polishes and certifies an orbit of impacts anew from nothing but its events as they were kept. Empty if it
+/// has other events, or leads to none.
+std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit& kept,
+                                        const OrbitPolisher& polish = {});
 
 }  // namespace signorini

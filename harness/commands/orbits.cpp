@@ -92,7 +92,7 @@ void add_search_options(CLI::App& command, OrbitQuest& quest, std::optional<int>
       ->capture_default_str();
   command
       .add_option("--subharmonics", subharmonics,
-                  "search periods of 1 to this many forcing periods; if absent 2, or the scene's own if more")
+                  "search periods of 1 to this many forcing periods; if absent 3, or the scene's own if more")
       ->check(CLI::Range(1, 64));
   command.add_option("--seed", quest.seed, "of the random states")->capture_default_str();
   command.add_option("--timeout", quest.timeout, "wall time of the search of one scene [s]")

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <complex>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
 
 #include "harness/exact_certificate.hpp"
@@ -124,6 +126,26 @@ TEST(FindAllOrbits, NamesTheMotionFromRestAndTheMethodsThatFindAnOrbitCold) {
       for (const std::string& label : orbit.cold) EXPECT_EQ(label.find("event-driven"), std::string::npos);
     }
   }
+}
+
+TEST(CertifyAgain, ComesBackToAnOrbitFromItsEventsAlone) {
+  const Problem problem = coexisting();
+  for (const FoundOrbit& orbit : census_of_pair().orbits) {
+    FoundOrbit kept = orbit;
+    kept.certificate.orbit = nullptr;
+    kept.certificate.events.front().time += 1e-4;
+    const std::optional<FoundOrbit> again = certify_again(problem, kept);
+    ASSERT_TRUE(again.has_value());
+    EXPECT_EQ(again->fingerprint, orbit.fingerprint);
+    EXPECT_NEAR(again->certificate.events.front().time, orbit.certificate.events.front().time, 1e-11);
+    EXPECT_EQ(again->certificate.stable, orbit.certificate.stable);
+  }
+}
+
+TEST(CertifyAgain, LeavesContactPhasesToTheSearch) {
+  FoundOrbit kept = census_of_pair().orbits.front();
+  kept.certificate.events.front().kind = "close";
+  EXPECT_FALSE(certify_again(coexisting(), kept).has_value());
 }
 
 TEST(FindAllOrbits, LeavesOutWhatIsNotCertified) {
