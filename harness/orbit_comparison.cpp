@@ -96,8 +96,11 @@ Gap gap_between(const FoundOrbit& kept, const FoundOrbit& now) {
     const Gap gap = event_gap(kept, now, shift * kept.period / kept.order);
     if (shift == 0 || gap.size < best.size) best = gap;
   }
-  best.widen(std::abs(kept.amplitude - now.amplitude) / (std::abs(kept.amplitude) * allowed(kept, now)),
-             fmt::format("amplitude {:.12g} m became {:.12g} m", kept.amplitude, now.amplitude));
+  if (kept.amplitude != now.amplitude) {  // both 0 where a contact stays closed
+    best.widen(std::abs(kept.amplitude - now.amplitude) /
+                   (std::max(kept.amplitude, now.amplitude) * allowed(kept, now)),
+               fmt::format("amplitude {:.12g} m became {:.12g} m", kept.amplitude, now.amplitude));
+  }
   return best;
 }
 
