@@ -121,8 +121,8 @@ TEST(OrbitFiles, ComeBackAsTheyWereWritten) {
 }
 
 TEST(OrbitFiles, AreRefusedWithTheirNameInOneLine) {
-  for (const std::string text : {std::string("{"), std::string("[]"), std::string("{\"schema\": 7}"),
-                                 std::string("{\"schema\": 1, \"scene\": 3}")}) {
+  for (const std::string& text : {std::string("{"), std::string("[]"), std::string("{\"schema\": 7}"),
+                                  std::string("{\"schema\": 1, \"scene\": 3}")}) {
     try {
       parse_orbit_file(text, "some.json");
       ADD_FAILURE() << text;

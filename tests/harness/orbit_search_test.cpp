@@ -121,7 +121,9 @@ TEST(FindAllOrbits, NamesTheMotionFromRestAndTheMethodsThatFindAnOrbitCold) {
   EXPECT_EQ(from_rest, 1);
   for (const FoundOrbit& orbit : census.orbits) {
     // Marching goes to stable motions only.
-    if (orbit.from_rest) EXPECT_EQ(orbit.certificate.stable, true);
+    if (orbit.from_rest) {
+      EXPECT_EQ(orbit.certificate.stable, true);
+    }
     if (orbit.certificate.stable == false) {
       for (const std::string& label : orbit.cold) EXPECT_EQ(label.find("event-driven"), std::string::npos);
     }
