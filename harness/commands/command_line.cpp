@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "harness/build_info.hpp"
@@ -54,6 +55,12 @@ void require_known_command(const CLI::App& app, int argc, char** argv) {
 
 }  // namespace
 
+std::string positive_seconds(const std::string& text) {
+  double value = 0.0;
+  const bool ok = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0.0;
+  return ok ? std::string{} : fmt::format("timeout = {} (must be a positive number of seconds)", text);
+}
+
 int run_command_line(int argc, char** argv) {
   CLI::App app{"Compares methods for periodic vibrations of structures with unilateral contact.",
                "signorini"};
@@ -67,6 +74,8 @@ int run_command_line(int argc, char** argv) {
   add_solve_command(app, exit_code);
   add_run_command(app, exit_code, words);
   add_report_command(app, exit_code);
+  add_orbits_command(app, exit_code);
+  add_verify_command(app, exit_code);
   try {
     require_known_command(app, argc, argv);
     app.parse(argc, argv);

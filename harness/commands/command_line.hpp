@@ -1,6 +1,7 @@
 #pragma once
 // The commands. CLI11 is known to the .cpp files of this folder only.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@ class App;
 }
 
 namespace signorini {
+
+struct OrbitQuest;
 
 /// Exit codes of the program.
 enum ExitCode : int {
@@ -30,5 +33,14 @@ void add_solve_command(CLI::App& app, int& exit_code);
 /// \param words  the command line, for the manifest
 void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::string>& words);
 void add_report_command(CLI::App& app, int& exit_code);
+void add_orbits_command(CLI::App& app, int& exit_code);
+void add_verify_command(CLI::App& app, int& exit_code);
+
+/// --starts, --subharmonics, --seed, --timeout: of the commands that search for orbits.
+void add_search_options(CLI::App& command, OrbitQuest& quest, std::optional<int>& subharmonics);
+
+/// Refuses what is no positive number of seconds; CLI::PositiveNumber says what is allowed by printing the
+/// largest double in full.
+std::string positive_seconds(const std::string& text);
 
 }  // namespace signorini

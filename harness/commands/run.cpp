@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -85,13 +84,6 @@ int run_suite(const RunArguments& arguments) {
   if (!failures.empty())
     fmt::print(stderr, "{} cases did not converge that were expected to\n", failures.size());
   return failures.empty() ? kDone : kUnexpectedFailure;
-}
-
-/// CLI::PositiveNumber says what is allowed by printing the largest double in full.
-std::string positive_seconds(const std::string& text) {
-  double value = 0.0;
-  const bool ok = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0.0;
-  return ok ? std::string{} : fmt::format("timeout = {} (must be a positive number of seconds)", text);
 }
 
 }  // namespace

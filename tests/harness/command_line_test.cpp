@@ -58,7 +58,8 @@ TEST_P(BadUses, GetOneLineOnStderrAndTheirExitCode) {
 INSTANTIATE_TEST_SUITE_P(
     Each, BadUses,
     testing::Values(
-        BadUse{"frobnicate", 2, "command = frobnicate (must be one of list, show, solve, run, report)"},
+        BadUse{"frobnicate", 2,
+               "command = frobnicate (must be one of list, show, solve, run, report, orbits, verify)"},
         BadUse{"", 2, "subcommand is required"}, BadUse{"list animals", 2, "animals"},
         BadUse{"show nothing-of-that-name", 2, "name = nothing-of-that-name"},
         BadUse{"solve no-such-scene --method hat-lcp", 2, "scene = no-such-scene"},
@@ -77,10 +78,15 @@ INSTANTIATE_TEST_SUITE_P(
         BadUse{"run quick --repetitions 0", 2, "--repetitions"},
         BadUse{"run quick --no-such-flag", 2, "--no-such-flag"},
         BadUse{"report /no/such/folder", 2, "dir = /no/such/folder"},
-        BadUse{"report . --format pdf", 2, "pdf"}));
+        BadUse{"orbits no-such-scene", 2, "scene = no-such-scene"},
+        BadUse{"orbits sdof-stop --subharmonics 0", 2, "--subharmonics"},
+        BadUse{"orbits sdof-stop --starts -1", 2, "--starts"},
+        BadUse{"orbits sdof-stop --timeout 0", 2, "timeout = 0"}, BadUse{"orbits", 2, "scene"},
+        BadUse{"verify /no/such/folder", 2, "dir = /no/such/folder"},
+        BadUse{"verify . --scenes zzz*", 3, "scenes = zzz*"}, BadUse{"report . --format pdf", 2, "pdf"}));
 
 TEST(CommandLine, HelpsWithEveryCommand) {
-  for (const char* command : {"", "list", "show", "solve", "run", "report"}) {
+  for (const char* command : {"", "list", "show", "solve", "run", "report", "orbits", "verify"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.code, 0) << command;
     EXPECT_NE(outcome.out.find("Usage: signorini"), std::string::npos) << command;
@@ -188,6 +194,109 @@ TEST(CommandLine, ExitsWithOneWhereSomethingFailedThatWasNotExpectedTo) {
       "'fourier-lipschitz[harmonics=5,max_iterations=1,solver=newton]' --out ";
   EXPECT_EQ(run(case_line + folder.string()).code, 1);
   EXPECT_EQ(read_records(folder / "records.jsonl").size(), 1U);
+}
+
+TEST(CommandLine, ListsTheOrbitsOfAScene) {
+  const Outcome table = run("orbits sdof-subharmonic --starts 8 --subharmonics 2");
+  EXPECT_EQ(table.code, 0) << table.err;
+  EXPECT_NE(table.out.find("| orbit"), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("unstable"), std::string::npos) << table.out;
+  const Outcome outcome = run("orbits sdof-subharmonic --starts 8 --subharmonics 2 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json orbits = Json::parse(outcome.out);
+  ASSERT_GE(orbits.size(), 2U);
+  for (const char* key : {"orbit", "order", "period", "amplitude", "impacts", "error_bar", "floquet",
+                          "stable", "events", "found_by", "starts", "from_rest"}) {
+    EXPECT_TRUE(orbits[0].contains(key)) << key;
+  }
+  EXPECT_EQ(orbits[0]["order"], 1);
+}
+
+TEST(CommandLine, ExitsWithOneWhereNoOrbitIsFound) {
+  const Outcome outcome = run("orbits sdof-stop --starts 0 --timeout 1e-9");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("no certified orbit"), std::string::npos) << outcome.err;
+}
+
+/// Kept orbits of one scene, for a test to spoil.
+std::filesystem::path kept_orbits(const char* name) {
+  const auto folder = test::fresh_folder(name);
+  const Outcome update = run("verify --update --scenes sdof-subharmonic --starts 8 " + folder.string());
+  EXPECT_EQ(update.code, 0) << update.err << update.out;
+  return folder;
+}
+
+Outcome verify(const std::filesystem::path& folder) {
+  return run("verify " + folder.string() + " --scenes sdof-subharmonic");
+}
+
+TEST(Verify, PassesWhatIsUnchangedAndKeepsNothingOfTheMachine) {
+  const auto folder = kept_orbits("verify-same");
+  const std::string text = read_file(folder / "sdof-subharmonic.json");
+  EXPECT_EQ(text.find("tmp"), std::string::npos);
+  EXPECT_EQ(text.find("seconds"), std::string::npos);
+  const Outcome outcome = verify(folder);
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("1 scenes, 0 differences"), std::string::npos) << outcome.out;
+}
+
+TEST(Verify, FindsTamperedOrbits) {
+  const auto folder = kept_orbits("verify-tampered");
+  const auto file = folder / "sdof-subharmonic.json";
+  const Json kept = Json::parse(read_file(file));
+  Json changed = kept;
+  changed["orbits"][0]["events"][0]["time"] = kept["orbits"][0]["events"][0]["time"].get<double>() + 1e-5;
+  std::ofstream(file) << changed.dump();
+  Outcome outcome = verify(folder);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.out.find("time"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("1 scenes, 1 differences"), std::string::npos) << outcome.out;
+  changed = kept;
+  changed["orbits"][0]["stable"] = !kept["orbits"][0]["stable"].get<bool>();
+  std::ofstream(file) << changed.dump();
+  outcome = verify(folder);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.out.find("stable became"), std::string::npos) << outcome.out;
+  changed = kept;
+  changed["orbits"].erase(0);
+  std::ofstream(file) << changed.dump();
+  outcome = verify(folder);
+  EXPECT_EQ(outcome.code, 0) << outcome.out;  // what is new is told, and is no difference
+  EXPECT_NE(outcome.out.find(": new, amplitude"), std::string::npos) << outcome.out;
+}
+
+TEST(Verify, FindsAMissingFileAndAChangedScene) {
+  const auto folder = test::fresh_folder("verify-missing");
+  Outcome outcome = verify(folder);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.out.find("sdof-subharmonic: no orbits are kept"), std::string::npos) << outcome.out;
+  std::ofstream(folder / "sdof-subharmonic.json")
+      << R"({"schema": 1, "scene": "sdof-subharmonic", "scene_sha256": "other", "law": {"restitution": 0.8},
+            "search": {"starts": 8, "subharmonics": 2, "seed": 1}, "orbits": []})";
+  outcome = verify(folder);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.out.find("sdof-subharmonic: the scene file has changed"), std::string::npos);
+  std::ofstream(folder / "sdof-subharmonic.json") << "{ nonsense";
+  outcome = verify(folder);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("sdof-subharmonic.json: "), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST(Verify, RerunsTheRecordsOfARun) {
+  const auto folder = test::fresh_folder("verify-run");
+  ASSERT_EQ(run("run smoke --scenes sdof-stop --methods 'hat-lcp[samples=64]' --out " + folder.string()).code,
+            0);
+  Outcome outcome = run("verify " + folder.string());
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("1 cases, 0 differences"), std::string::npos) << outcome.out;
+  Json record = Json::parse(read_file(folder / "records.jsonl"));
+  record["errors"]["x_l2"] = 0.5 * record["errors"]["x_l2"].get<double>();
+  std::ofstream(folder / "records.jsonl") << record.dump() << "\n";
+  outcome = run("verify " + folder.string());
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.out.find("error of x"), std::string::npos) << outcome.out;
+  EXPECT_EQ(run("verify " + folder.string() + " --cases 'zzz*'").code, 3);
 }
 
 TEST(CommandLine, StopsAtAnInterruptAndCompletesTheRunLater) {

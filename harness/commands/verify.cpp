@@ -1,0 +1,230 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "harness/commands/command_line.hpp"
+#include "harness/failure.hpp"
+#include "harness/glob.hpp"
+#include "harness/interrupt.hpp"
+#include "harness/manifest.hpp"
+#include "harness/orbit_comparison.hpp"
+#include "harness/progress.hpp"
+#include "harness/record_store.hpp"
+#include "harness/rerun.hpp"
+#include "harness/sha256.hpp"
+#include "harness/statistics.hpp"
+#include "problems/scene_file.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct VerifyArguments {
+  std::optional<std::string> folder;
+  std::string scenes = "*";
+  std::string cases = "*";
+  OrbitQuest quest;
+  std::optional<int> subharmonics;
+  bool update = false;
+};
+
+/// results/references below the current folder or one of those above it.
+fs::path default_folder() {
+  const fs::path references = fs::path("results") / "references";
+  for (fs::path folder = fs::current_path();; folder = folder.parent_path()) {
+    if (fs::is_directory(folder / references)) return folder / references;
+    if (folder == folder.parent_path()) return references;
+  }
+}
+
+void print_lines(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) fmt::print("{}\n", line);
+}
+
+/// Scenes of the catalogue that the filter takes, and those that have a file in the folder.
+std::vector<std::string> scenes_to_verify(const VerifyArguments& arguments, const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::path& file : catalogue_scenes()) names.push_back(file.stem().string());
+  if (!arguments.update) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  std::erase_if(names, [&](const std::string& name) { return !filter_matches(arguments.scenes, name); });
+  if (names.empty()) {
+    throw NothingMatched(
+        fmt::format("scenes = {} (matches no scene; see `signorini list scenes`)", arguments.scenes));
+  }
+  return names;
+}
+
+/// A search; an incomplete one would prove nothing.
+std::optional<OrbitFile> search(const Scene& scene, const OrbitQuest& quest,
+                                std::vector<std::string>& differences) {
+  const OrbitCensus census = find_all_orbits(scene.problem, quest);
+  if (census.interrupted) return std::nullopt;
+  if (census.expired) {
+    differences.push_back(fmt::format("{}: the search did not end within {:g} s (--timeout)",
+                                      scene.problem.name, quest.timeout));
+    return std::nullopt;
+  }
+  return make_orbit_file(scene, quest, census);
+}
+
+void update_scene(const VerifyArguments& arguments, const fs::path& file, const Scene& scene,
+                  std::vector<std::string>& differences) {
+  OrbitQuest quest = arguments.quest;
+  quest.subharmonics = arguments.subharmonics.value_or(default_subharmonics(scene.problem));
+  const auto found = search(scene, quest, differences);
+  if (!found) return;
+  const std::string text = print_orbit_file(*found);
+  const bool same = fs::exists(file) && read_file(file) == text;
+  if (!same) write_whole(file, text);
+  fmt::print("{}: {} orbits {}\n", scene.problem.name, found->orbits.size(), same ? "unchanged" : "written");
+}
+
+/// A search may miss by bad luck, such as a time limit, what exists: kept orbits of impacts that are not
+/// there again are certified from their own events.
+void add_missed(const Scene& scene, const OrbitFile& kept, OrbitFile& now) {
+  for (const FoundOrbit& orbit : kept.orbits) {
+    const auto same = [&](const FoundOrbit& found) {
+      return found.order == orbit.order && found.fingerprint == orbit.fingerprint;
+    };
+    if (std::any_of(now.orbits.begin(), now.orbits.end(), same)) continue;
+    auto again = certify_again(scene.problem, orbit);
+    if (!again || !same(*again)) continue;
+    fmt::print("{}: orbit {} of order {}: not met by the search, certified again from its events\n",
+               scene.problem.name, orbit.fingerprint, orbit.order);
+    now.orbits.push_back(std::move(*again));
+  }
+}
+
+void verify_scene(const VerifyArguments& arguments, const fs::path& file, const std::string& name,
+                  std::vector<std::string>& differences) {
+  if (!fs::exists(file)) {
+    differences.push_back(name + ": no orbits are kept for this scene (verify --update keeps them)");
+    return;
+  }
+  const OrbitFile kept = parse_orbit_file(read_file(file), file.string());
+  const Scene scene = read_scene(name);
+  OrbitDifferences result;
+  std::vector<std::string> failures;
+  if (kept.scene_sha256 != scene.sha256) {  // before the search: it would be in vain
+    result = compare_orbits(kept, make_orbit_file(scene, kept.quest, {}));
+  } else {
+    OrbitQuest quest = kept.quest;
+    quest.timeout = arguments.quest.timeout;
+    auto now = search(scene, quest, failures);
+    if (interrupted()) return;
+    if (now) {
+      add_missed(scene, kept, *now);
+      result = compare_orbits(kept, *now);
+    }
+  }
+  result.differences.insert(result.differences.end(), failures.begin(), failures.end());
+  print_lines(result.differences);
+  print_lines(result.fresh);
+  if (result.differences.empty())
+    fmt::print("{}: {} orbits as kept, {} new\n", name, kept.orbits.size(), result.fresh.size());
+  differences.insert(differences.end(), result.differences.begin(), result.differences.end());
+}
+
+int verify_references(const VerifyArguments& arguments, const fs::path& folder) {
+  const std::vector<std::string> names = scenes_to_verify(arguments, folder);
+  if (arguments.update) fs::create_directories(folder);
+  std::vector<std::string> differences;
+  Progress progress(names.size());
+  for (const std::string& name : names) {
+    if (interrupted()) break;
+    progress.begin(name);
+    const std::size_t before = differences.size();
+    const fs::path file = folder / (name + ".json");
+    if (arguments.update) {
+      update_scene(arguments, file, read_scene(name), differences);
+    } else {
+      verify_scene(arguments, file, name, differences);
+    }
+    if (arguments.update || !fs::exists(file))
+      print_lines({differences.begin() + static_cast<std::ptrdiff_t>(before), differences.end()});
+    progress.step();
+  }
+  if (interrupted()) {
+    fmt::print(stderr, "interrupted\n");
+    return kInterrupted;
+  }
+  if (!arguments.update) fmt::print("{} scenes, {} differences\n", names.size(), differences.size());
+  return differences.empty() ? kDone : kUnexpectedFailure;
+}
+
+int verify_records(const VerifyArguments& arguments, const fs::path& folder) {
+  if (arguments.update)
+    throw UsageError(fmt::format(
+        "dir = {} (must be a folder of references to be updated; `signorini run` makes records anew)",
+        folder.string()));
+  std::vector<Record> kept = read_records(folder / "records.jsonl");
+  std::erase_if(kept, [&](const Record& record) { return !filter_matches(arguments.scenes, record.scene); });
+  Progress progress(kept.size());
+  const Rerun result = rerun_records(kept, limits_of_run(folder), arguments.cases, method_catalogue(),
+                                     [&](const std::string& what) { progress.begin(what); });
+  print_lines(result.differences);
+  for (const std::string& remark : result.remarks)
+    fmt::print("{}: a time limit decided, no difference\n", remark);
+  fmt::print("{} cases, {} differences\n", result.cases, result.differences.size());
+  if (!result.time_ratios.empty()) {
+    fmt::print("time, new over kept: {:.3g} in the median of {} cases\n", median(result.time_ratios),
+               result.time_ratios.size());
+  }
+  if (result.interrupted) return kInterrupted;
+  return result.differences.empty() ? kDone : kUnexpectedFailure;
+}
+
+int verify(const VerifyArguments& arguments) {
+  const fs::path folder = arguments.folder ? fs::path(*arguments.folder) : default_folder();
+  if (!arguments.update && !fs::is_directory(folder)) {
+    throw UsageError(
+        fmt::format("dir = {} (must be a folder of references, as verify --update makes it, or of records, "
+                    "as run makes it)",
+                    folder.string()));
+  }
+  watch_interrupts();
+  return fs::exists(folder / "records.jsonl") ? verify_records(arguments, folder)
+                                              : verify_references(arguments, folder);
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand(
+      "verify",
+      fmt::format(
+          "Are the committed results still true? Of a folder of references: searches every scene's "
+          "orbits again; each kept orbit must be found, or certified "
+          "again from its impacts, its events within {:g} times the sum of both "
+          "error bars plus {:g} of a period, with the same multipliers and stability. Of a folder with "
+          "records.jsonl: runs the cases again; each must end with the same status and an error of x "
+          "within a factor of {:g} or below ten error bars, while times are only reported. Exit code 0 "
+          "if all is the same, 1 if not.",
+          kErrorBars, kInstantFloor, kErrorFactor));
+  const auto arguments = std::make_shared<VerifyArguments>();
+  command->add_option("dir", arguments->folder,
+                      "folder of references or of a run; results/references here or above if absent");
+  command->add_option("--scenes", arguments->scenes, "scenes by glob, A*:B*-C*")->capture_default_str();
+  command->add_option("--cases", arguments->cases, "cases of a run by glob on SCENE/METHOD[OPTIONS]")
+      ->capture_default_str();
+  command->add_flag(
+      "--update", arguments->update,
+      "search, and keep what is found, instead of comparing; --starts, --subharmonics and --seed "
+      "are for this, a comparison searches as the files say");
+  add_search_options(*command, arguments->quest, arguments->subharmonics);
+  command->callback([arguments, &exit_code] { exit_code = verify(*arguments); });
+}
+
+}  // namespace signorini
