@@ -56,6 +56,47 @@ normal = [[2, 1.0]]
 gap = 0.5
 )";
 
+// Its tip carries mass.
+constexpr std::string_view kBar = R"(schema = 1
+name = "bad"
+[system]
+kind = "bar"
+elements = 3
+length = 1.0
+area = 1.0
+young = 1.0
+density = 1.0
+damping = { alpha = 0.1, beta = 0.01 }
+contact_mass = "consistent"
+[forcing]
+frequency = 1.0
+[[contact]]
+dof = 2
+gap = 0.5
+[law]
+restitution = 1.0
+)";
+
+// Its tip carries none.
+constexpr std::string_view kBeam = R"(schema = 1
+name = "bad"
+[system]
+kind = "beam"
+elements = 2
+length = 1.0
+area = 1.0
+inertia = 1.0
+young = 1.0
+density = 1.0
+damping = { modal = [0.01, 0.02] }
+contact_mass = "massless"
+[forcing]
+frequency = 1.0
+[[contact]]
+dof = 2
+gap = 0.5
+)";
+
 struct Malformed {
   std::string_view label;
   std::string_view scene;        ///< the sound scene that is spoiled
@@ -113,16 +154,13 @@ inline constexpr Malformed kMalformed[] = {
      "3: law = 1 (must be a table with restitution or penalty)"},
     // System
     {"NoSystem", kContactFree, 3, "[forcing.system]",
-     "1: system = missing (must be a table with kind = \"sdof\" or \"chain\")"},
-    {"NoKind", kOscillator, 6, "", "5: system.kind = missing (must be \"sdof\" or \"chain\")"},
-    {"KindOfTomorrow", kOscillator, 6, "kind = \"beam\"",
-     "6: system.kind = \"beam\" (this version reads \"sdof\" and \"chain\" only)"},
-    {"KindBar", kOscillator, 6, "kind = \"bar\"",
-     "6: system.kind = \"bar\" (this version reads \"sdof\" and \"chain\" only)"},
-    {"KindMatrices", kOscillator, 6, "kind = \"matrices\"",
-     "6: system.kind = \"matrices\" (this version reads \"sdof\" and \"chain\" only)"},
+     "1: system = missing (must be a table with kind = \"sdof\", \"chain\", \"bar\" or \"beam\")"},
+    {"NoKind", kOscillator, 6, "",
+     "5: system.kind = missing (must be \"sdof\", \"chain\", \"bar\" or \"beam\")"},
+    {"KindOfTomorrow", kOscillator, 6, "kind = \"shell\"",
+     "6: system.kind = \"shell\" (must be \"sdof\", \"chain\", \"bar\" or \"beam\")"},
     {"UnknownKind", kOscillator, 6, "kind = \"SDOF\"",
-     "6: system.kind = \"SDOF\" (this version reads \"sdof\" and \"chain\" only)"},
+     "6: system.kind = \"SDOF\" (must be \"sdof\", \"chain\", \"bar\" or \"beam\")"},
     {"KeyOfAnotherKind", kOscillator, 7, "masses = [1.0]",
      "7: system.masses = [1] (unknown key; known: kind, mass, damping, stiffness)"},
     {"NoMass", kOscillator, 7, "", "5: system.mass = missing (must be a positive number [kg])"},
@@ -267,11 +305,77 @@ inline constexpr Malformed kMalformed[] = {
      "normal = [[2, 1.0], [1, -1.0]]\ngap = 0.1\n[law]\nrestitution = 1\n[[contact]]\ndof = 0",
      "11: contact[0].normal = partly massless (under a restitution law every coordinate of a normal must "
      "carry mass)"},
+    // Finite elements
+    {"BarWithoutElements", kBar, 5, "", "3: system.elements = missing (must be a whole number, 1..100000)"},
+    {"BarOfNoElements", kBar, 5, "elements = 0",
+     "5: system.elements = 0 (must be a whole number, 1..100000)"},
+    {"BarOfTooManyElements", kBar, 5, "elements = 100001",
+     "5: system.elements = 100001 (must be a whole number, 1..100000)"},
+    {"BarOfHalfAnElement", kBar, 5, "elements = 2.5",
+     "5: system.elements = 2.5 (must be a whole number, 1..100000)"},
+    {"BarWithoutLength", kBar, 6, "length = 0.0", "6: system.length = 0 (must be a positive number [m])"},
+    {"BarOfNegativeArea", kBar, 7, "area = -1.0", "7: system.area = -1 (must be a positive number [m^2])"},
+    {"BarOfInfiniteYoung", kBar, 8, "young = inf",
+     "8: system.young = inf (must be a positive number [N/m^2])"},
+    {"BarWhoseStiffnessOverflows", kBar, 8, "young = 1.7e308",
+     "8: system.young = inf (must be a finite number)"},
+    {"BarOfDensityAsText", kBar, 9, "density = \"steel\"",
+     "9: system.density = \"steel\" (must be a positive number [kg/m^3])"},
+    {"BarWithInertia", kBar, 9, "density = 1.0\ninertia = 1.0",
+     "10: system.inertia = 1 (unknown key; known: kind, elements, length, area, young, density, damping, "
+     "contact_mass)"},
+    {"BarWithoutDamping", kBar, 10, "",
+     "3: system.damping = missing (must be { alpha = .., beta = .. } or { modal = .. })"},
+    {"BarDampingAsNumber", kBar, 10, "damping = 0.1",
+     "10: system.damping = 0.1 (must be { alpha = .., beta = .. } or { modal = .. })"},
+    {"BarDampingOfNothing", kBar, 10, "damping = {}",
+     "10: system.damping = {} (must be { alpha = .., beta = .. } or { modal = .. })"},
+    {"BarDampingUnknown", kBar, 10, "damping = { gamma = 0.1 }",
+     "10: system.damping.gamma = 0.1 (unknown key; known: alpha, beta, modal)"},
+    {"BarDampingOfBothSorts", kBar, 10, "damping = { alpha = 0.1, modal = 0.01 }",
+     "10: system.damping.modal = 0.01 (must be absent: alpha or beta is given)"},
+    {"BarDampingThatFeeds", kBar, 10, "damping = { alpha = -0.1 }",
+     "10: system.damping.alpha = -0.1 (must be a number >= 0 [1/s])"},
+    {"BarDampingNotANumber", kBar, 10, "damping = { beta = nan }",
+     "10: system.damping.beta = nan (must be a number >= 0 [s])"},
+    {"BarModalNegative", kBar, 10, "damping = { modal = -0.01 }",
+     "10: system.damping.modal = -0.01 (must be a damping ratio >= 0 [-], or a list of them)"},
+    {"BarModalOfTooManyModes", kBar, 10, "damping = { modal = [0.1, 0.1, 0.1, 0.1] }",
+     "10: system.damping.modal = 4 values (has at most 3 modes)"},
+    {"ContactMassUnknown", kBar, 11, "contact_mass = \"none\"",
+     "11: system.contact_mass = \"none\" (must be \"consistent\", \"lumped\" or \"massless\")"},
+    {"ContactMassAsFlag", kBar, 11, "contact_mass = false",
+     "11: system.contact_mass = false (must be \"consistent\", \"lumped\" or \"massless\")"},
+    {"RestitutionAtAMasslessBar", kBar, 11, "contact_mass = \"massless\"",
+     "18: law.restitution = 1 (must be absent: no contact coordinate carries mass)"},
+    {"BarOfMasslessNodesOnly", kBar, 11,
+     "contact_mass = \"massless\"\n[[contact]]\ndof = 0\ngap = 1\n[[contact]]\ndof = 1\ngap = 1",
+     "11: system.contact_mass = massless (must leave some node besides the clamped one without contact, to "
+     "carry the mass)"},
+    {"BarContactBeyondItsEnd", kBar, 15, "dof = 3",
+     "15: contact[0].dof = 3 (must be a coordinate of the system, 0..2)"},
+    {"BeamWithoutInertia", kBeam, 8, "", "3: system.inertia = missing (must be a positive number [m^4])"},
+    {"BeamModalRatioAsText", kBeam, 11, "damping = { modal = [0.01, \"x\"] }",
+     "11: system.damping.modal[1] = \"x\" (must be a damping ratio >= 0 [-])"},
+    {"BeamModalTooLarge", kBeam, 5, "elements = 201",
+     "11: system.damping.modal = a system of 402 coordinates (modal damping takes at most 400: use alpha and "
+     "beta)"},
+    {"BeamModalOfNoModes", kBeam, 11, "damping = { modal = [] }",
+     "11: system.damping.modal = [] (must be a damping ratio >= 0 [-], or a list of them)"},
+    {"BeamWithMasslessRotation", kBeam, 16, "dof = 3",
+     "12: system.contact_mass = massless (needs contacts on deflections only, the even coordinates: "
+     "rotations "
+     "keep their mass)"},
+    {"BeamContactBeyondItsEnd", kBeam, 16, "dof = 4",
+     "16: contact[0].dof = 4 (must be a coordinate of the system, 0..3)"},
+    {"BeamContactMassiveWithoutLaw", kBeam, 12, "contact_mass = \"lumped\"",
+     "1: law.restitution = missing (required, in 0..1, unless a penalty is given: the contact coordinates "
+     "carry mass)"},
     // A scene without contact
     {"NoForcing", kContactFree, 8, "[[contact]]",
      "1: forcing = missing (must be a table with the frequency)"},
     {"SystemAsText", kContactFree, 3, "system = 1\n[forcing.other]",
-     "3: system = 1 (must be a table with kind = \"sdof\" or \"chain\")"},
+     "3: system = 1 (must be a table with kind = \"sdof\", \"chain\", \"bar\" or \"beam\")"},
     {"SineAtHarmonicZero", kContactFree, 9,
      "frequency = 1.0\n[[forcing.term]]\ndof = 0\nharmonic = 0\nsin = 0.5",
      "13: forcing.term[0].sin = 0.5 (must be 0 or absent: at harmonic 0 a sine is nothing)"},

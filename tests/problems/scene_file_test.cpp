@@ -101,6 +101,8 @@ TEST(ParseScene, AcceptsTheScenesThatTheTableSpoils) {
   EXPECT_EQ(complaint(kOscillator), "");
   EXPECT_EQ(complaint(kContactFree), "");
   EXPECT_EQ(complaint(kChain), "");
+  EXPECT_EQ(complaint(kBar), "");
+  EXPECT_EQ(complaint(kBeam), "");
 }
 
 TEST(ParseScene, SaysWhereTextIsNotToml) {
@@ -230,6 +232,28 @@ TEST(ParseScene, InfersTheLawOfMasslessContacts) {
   EXPECT_TRUE(std::holds_alternative<Massless>(parse_scene(kChain, "massless.toml").law));
   const Problem penalty = parse_scene(std::string(kChain) + "[law]\npenalty = 7.0\n", "penalty.toml");
   EXPECT_EQ(std::get<Penalty>(penalty.law).stiffness, std::vector<double>{7.0});
+}
+
+TEST(ParseScene, AssemblesBarsAndBeams) {
+  const Problem bar = parse_scene(kBar, "bar.toml");
+  EXPECT_EQ(bar.kind, "bar");
+  EXPECT_EQ(bar.size(), 3);
+  EXPECT_DOUBLE_EQ(bar.stiffness.coeff(0, 0), 6.0);
+  EXPECT_DOUBLE_EQ(bar.mass.coeff(2, 2), 1.0 / 9.0);
+  EXPECT_DOUBLE_EQ(bar.damping.coeff(2, 2), 0.1 / 9.0 + 0.01 * 3.0);
+
+  const Problem beam = parse_scene(kBeam, "beam.toml");
+  EXPECT_EQ(beam.size(), 4);
+  EXPECT_DOUBLE_EQ(beam.stiffness.coeff(2, 2), 12.0 * 8.0);
+  EXPECT_TRUE(std::holds_alternative<Massless>(beam.law)) << "implied by contact_mass";
+  EXPECT_TRUE(contacts_are_massless(beam));
+}
+
+TEST(ParseScene, TakesConsistentMassUnlessToldOtherwise) {
+  std::string text(kBar);
+  text.erase(text.find("contact_mass"), std::string_view("contact_mass = \"consistent\"\n").size());
+  EXPECT_EQ(Eigen::MatrixXd(parse_scene(text, "bar.toml").mass),
+            Eigen::MatrixXd(parse_scene(kBar, "bar.toml").mass));
 }
 
 TEST(ParseScene, GivesEveryContactTheOnePenalty) {
