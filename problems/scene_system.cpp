@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <utility>
 
@@ -12,6 +14,7 @@
 #include "problems/assembly/chain.hpp"
 #include "problems/assembly/damping.hpp"
 #include "problems/definiteness.hpp"
+#include "problems/matrix_market.hpp"
 
 namespace signorini {
 
@@ -19,7 +22,7 @@ namespace {
 
 constexpr double kSmallest = std::numeric_limits<double>::min();
 constexpr int kMostElements = 100000;
-constexpr std::string_view kKinds = "\"sdof\", \"chain\", \"bar\" or \"beam\"";
+constexpr std::string_view kKinds = "\"sdof\", \"chain\", \"bar\", \"beam\" or \"matrices\"";
 
 std::vector<double> read_elements(const SceneField& field, std::string_view unit, std::size_t count) {
   const std::string requirement = fmt::format("must be a list of numbers >= 0 {}, at least one", unit);
@@ -155,11 +158,78 @@ SystemDescription read_beam(const SceneField& system) {
   return described(beam, read_damping(system["damping"], 2 * beam.elements), 2 * beam.elements);
 }
 
+SparseMatrix read_matrix(const SceneField& field) {
+  constexpr std::string_view kRequirement =
+      "must be the name of a Matrix Market file, relative to the scene's folder";
+  const std::string name = field.text(kRequirement);
+  const std::filesystem::path path = std::filesystem::path(field.file()).parent_path() / name;
+  std::error_code ignored;
+  if (name.empty() || std::filesystem::is_directory(path, ignored)) field.refuse(kRequirement);
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream.is_open()) field.refuse("must be a file that may be read, relative to the scene's folder");
+  return read_matrix_market(stream, path.string());
+}
+
+SparseMatrix read_matrix(const SceneField& field, Eigen::Index size) {
+  SparseMatrix A = read_matrix(field);
+  if (A.rows() != size) {
+    field.refuse(fmt::format("{} x {} matrix", A.rows(), A.cols()),
+                 fmt::format("must be {} x {}, as mass", size, size));
+  }
+  return A;
+}
+
+// What validate() refuses has no modes: it is left undamped here, and the complaint to validate().
+bool has_modes(const Structure& structure) {
+  const double inertia = largest_entry(structure.mass);
+  const double springs = largest_entry(structure.stiffness);
+  if (!(inertia > 0.0)) return false;
+  for (const SparseMatrix* A : {&structure.mass, &structure.stiffness}) {
+    if (!is_symmetric(*A) || !is_semidefinite(*A)) return false;
+  }
+  return is_definite(springs > 0.0 ? SparseMatrix(structure.mass / inertia + structure.stiffness / springs)
+                                   : structure.mass);
+}
+
+// One of damping, rayleigh and modal.
+SparseMatrix read_matrix_damping(const SceneField& system, const Structure& structure) {
+  const auto size = static_cast<int>(structure.mass.rows());
+  const SceneField damping = system["damping"];
+  const SceneField rayleigh = system["rayleigh"];
+  const SceneField modal = system["modal"];
+  if (damping.given() && rayleigh.given()) rayleigh.refuse("must be absent: damping is given");
+  if (modal.given() && (damping.given() || rayleigh.given())) {
+    modal.refuse(fmt::format("must be absent: {} is given", damping.given() ? "damping" : "rayleigh"));
+  }
+  if (modal.given()) {
+    const ModalDamping model = read_modal(modal, size);
+    if (!has_modes(structure)) return {size, size};
+    return damping_matrix(model, structure.mass, structure.stiffness);
+  }
+  if (!rayleigh.given()) return read_matrix(damping, size);
+  constexpr std::string_view kRequirement = "must be { alpha = .., beta = .. }";
+  rayleigh.allow_only({"alpha", "beta"}, kRequirement);
+  if (!rayleigh["alpha"].given() && !rayleigh["beta"].given()) rayleigh.refuse(kRequirement);
+  return damping_matrix(read_rayleigh(rayleigh), structure.mass, structure.stiffness);
+}
+
+SystemDescription read_matrices(const SceneField& system) {
+  system.allow_only({"kind", "mass", "damping", "rayleigh", "modal", "stiffness"}, "must be a table");
+  Structure structure{.mass = read_matrix(system["mass"]), .damping = {}, .stiffness = {}};
+  structure.stiffness = read_matrix(system["stiffness"], structure.mass.rows());
+  structure.damping = read_matrix_damping(system, structure);
+  return independent_of_contacts(std::move(structure));
+}
+
 }  // namespace
 
 SystemDescription read_system(const SceneField& system) {
-  constexpr std::array<std::pair<std::string_view, SystemDescription (*)(const SceneField&)>, 4> kReaders{
-      {{"sdof", read_sdof}, {"chain", read_chain}, {"bar", read_bar}, {"beam", read_beam}}};
+  constexpr std::array<std::pair<std::string_view, SystemDescription (*)(const SceneField&)>, 5> kReaders{
+      {{"sdof", read_sdof},
+       {"chain", read_chain},
+       {"bar", read_bar},
+       {"beam", read_beam},
+       {"matrices", read_matrices}}};
   const std::string requirement = fmt::format("must be {}", kKinds);
   if (!system.is_table()) system.refuse(fmt::format("must be a table with kind = {}", kKinds));
   const std::string kind = system["kind"].text(requirement);

@@ -1,7 +1,6 @@
 #include "problems/scene_file.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <Eigen/Dense>
 #include <cstdlib>
@@ -10,6 +9,7 @@
 #include <sstream>
 
 #include "tests/problems/malformed_scenes.hpp"
+#include "tests/problems/temporary_folder.hpp"
 
 namespace signorini::test {
 namespace {
@@ -37,30 +37,6 @@ std::string complaint(std::string_view text) {
     return error.what();
   }
 }
-
-// A folder of its own for one test, gone afterwards.
-class TemporaryFolder {
- public:
-  TemporaryFolder()
-      : path_(fs::temp_directory_path() /
-              (std::string("signorini-scenes-") + std::to_string(::getpid()) + "-" +
-               testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    fs::create_directories(path_);
-  }
-  ~TemporaryFolder() { fs::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] fs::path write(const std::string& name, std::string_view text) const {
-    fs::create_directories((path_ / name).parent_path());
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return path_ / name;
-  }
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 // The catalogue of a test; restores the environment.
 class CatalogueAt {
