@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <set>
 
+#include "problems/assembly/rotor.hpp"
 #include "problems/scene_field.hpp"
 #include "problems/scene_system.hpp"
 #include "problems/toml_tree.hpp"
@@ -19,7 +21,9 @@ namespace {
 constexpr int kSchema = 1;
 constexpr std::size_t kLargestFile = std::size_t{1} << 24;  // bytes; a scene is text written by hand
 constexpr std::size_t kLongestName = 64;
+constexpr int kMostFacets = 1000;  // of one ring
 constexpr std::string_view kNumber = "must be a finite number";
+constexpr std::string_view kGap = "must be a finite number [m]";
 
 bool is_lower_kebab_case(std::string_view name) {
   const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
@@ -91,12 +95,45 @@ std::vector<std::pair<int, double>> read_normal(const SceneField& contact, int s
   return result;
 }
 
+// A regular polygon of contacts in the plane of two coordinates.
+std::vector<Contact> read_ring(const SceneField& contact, int size) {
+  for (const char* key : {"dof", "normal"}) {
+    if (contact[key].given()) contact[key].refuse("must be absent: a ring of facets has dofs, a pair");
+  }
+  constexpr std::string_view kPair = "must be a pair of different coordinates";
+  const std::vector<SceneField> pair = contact["dofs"].items(kPair);
+  if (pair.size() != 2) contact["dofs"].refuse(kPair);
+  const int first = read_dof(pair[0], size);
+  const int second = read_dof(pair[1], size);
+  if (first == second) contact["dofs"].refuse(kPair);
+  const int facets =
+      contact["facets"].whole(fmt::format("must be a whole number, 3..{}", kMostFacets), 3, kMostFacets);
+  return ring_of_contacts(first, second, facets, contact["gap"].number(kGap));
+}
+
+bool is_ring(const SceneField& contact) { return contact["facets"].given() || contact["dofs"].given(); }
+
 void read_contacts(const SceneField& contacts, int size, Problem& problem) {
   if (!contacts.given()) return;
   for (const SceneField& contact : contacts.items("must be [[contact]] tables; left out if there is none")) {
-    contact.allow_only({"dof", "normal", "gap"}, "must be a table");
-    problem.contacts.push_back(
-        {.normal = read_normal(contact, size), .gap = contact["gap"].number("must be a finite number [m]")});
+    contact.allow_only({"dof", "normal", "dofs", "facets", "gap"}, "must be a table");
+    if (is_ring(contact)) {
+      std::ranges::move(read_ring(contact, size), std::back_inserter(problem.contacts));
+    } else {
+      problem.contacts.push_back({.normal = read_normal(contact, size), .gap = contact["gap"].number(kGap)});
+    }
+  }
+}
+
+// The table that contact `index` was made from; a ring makes many.
+SceneField contact_as_written(const SceneField& document, int index) {
+  int table = 0;
+  while (true) {
+    const SceneField contact = document.at(fmt::format("contact[{}]", table));
+    const int made = is_ring(contact) ? contact["facets"].whole("", 3, kMostFacets) : 1;
+    if (index < made || !contact.given()) return contact;
+    index -= made;
+    ++table;
   }
 }
 
@@ -131,6 +168,11 @@ Law read_law(const SceneField& law, const Problem& problem) {
 SceneField as_written(const SceneField& document, const InvalidProblem& error) {
   if (error.field.starts_with("law.penalty[") && !document["law"]["penalty"].is_array()) {
     return document["law"]["penalty"];
+  }
+  if (constexpr std::string_view kContact = "contact["; error.field.starts_with(kContact)) {
+    const std::size_t end = error.field.find(']');
+    const int index = std::stoi(error.field.substr(kContact.size(), end - kContact.size()));
+    return contact_as_written(document, index).at(std::string_view(error.field).substr(end + 1));
   }
   return system_field_as_written(document, error.field);
 }

@@ -13,6 +13,7 @@
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/chain.hpp"
 #include "problems/assembly/damping.hpp"
+#include "problems/assembly/rotor.hpp"
 #include "problems/definiteness.hpp"
 #include "problems/matrix_market.hpp"
 
@@ -22,7 +23,7 @@ namespace {
 
 constexpr double kSmallest = std::numeric_limits<double>::min();
 constexpr int kMostElements = 100000;
-constexpr std::string_view kKinds = "\"sdof\", \"chain\", \"bar\", \"beam\" or \"matrices\"";
+constexpr std::string_view kKinds = "\"sdof\", \"chain\", \"bar\", \"beam\", \"rotor\" or \"matrices\"";
 
 std::vector<double> read_elements(const SceneField& field, std::string_view unit, std::size_t count) {
   const std::string requirement = fmt::format("must be a list of numbers >= 0 {}, at least one", unit);
@@ -47,6 +48,14 @@ SystemDescription read_sdof(const SceneField& system) {
       assemble(Chain{.masses = {system["mass"].number("must be a positive number [kg]", kSmallest)},
                      .dampers = {system["damping"].number("must be a number >= 0 [N s/m]", 0.0)},
                      .springs = {system["stiffness"].number("must be a number >= 0 [N/m]", 0.0)}}));
+}
+
+SystemDescription read_rotor(const SceneField& system) {
+  system.allow_only({"kind", "mass", "damping", "stiffness"}, "must be a table");
+  return independent_of_contacts(
+      assemble(Rotor{.mass = system["mass"].number("must be a positive number [kg]", kSmallest),
+                     .damping = system["damping"].number("must be a number >= 0 [N s/m]", 0.0),
+                     .stiffness = system["stiffness"].number("must be a number >= 0 [N/m]", 0.0)}));
 }
 
 SystemDescription read_chain(const SceneField& system) {
@@ -224,11 +233,12 @@ SystemDescription read_matrices(const SceneField& system) {
 }  // namespace
 
 SystemDescription read_system(const SceneField& system) {
-  constexpr std::array<std::pair<std::string_view, SystemDescription (*)(const SceneField&)>, 5> kReaders{
+  constexpr std::array<std::pair<std::string_view, SystemDescription (*)(const SceneField&)>, 6> kReaders{
       {{"sdof", read_sdof},
        {"chain", read_chain},
        {"bar", read_bar},
        {"beam", read_beam},
+       {"rotor", read_rotor},
        {"matrices", read_matrices}}};
   const std::string requirement = fmt::format("must be {}", kKinds);
   if (!system.is_table()) system.refuse(fmt::format("must be a table with kind = {}", kKinds));

@@ -97,6 +97,23 @@ dof = 2
 gap = 0.5
 )";
 
+constexpr std::string_view kRotor = R"(schema = 1
+name = "bad"
+[system]
+kind = "rotor"
+mass = 1.0
+damping = 0.1
+stiffness = 1.0
+[forcing]
+frequency = 1.0
+[[contact]]
+dofs = [0, 1]
+facets = 5
+gap = 0.5
+[law]
+restitution = 1.0
+)";
+
 struct Malformed {
   std::string_view label;
   std::string_view scene;        ///< the sound scene that is spoiled
@@ -154,14 +171,15 @@ inline constexpr Malformed kMalformed[] = {
      "3: law = 1 (must be a table with restitution or penalty)"},
     // System
     {"NoSystem", kContactFree, 3, "[forcing.system]",
-     "1: system = missing (must be a table with kind = \"sdof\", \"chain\", \"bar\", \"beam\" or "
+     "1: system = missing (must be a table with kind = \"sdof\", \"chain\", \"bar\", \"beam\", \"rotor\" or "
      "\"matrices\")"},
     {"NoKind", kOscillator, 6, "",
-     "5: system.kind = missing (must be \"sdof\", \"chain\", \"bar\", \"beam\" or \"matrices\")"},
+     "5: system.kind = missing (must be \"sdof\", \"chain\", \"bar\", \"beam\", \"rotor\" or \"matrices\")"},
     {"KindOfTomorrow", kOscillator, 6, "kind = \"shell\"",
-     "6: system.kind = \"shell\" (must be \"sdof\", \"chain\", \"bar\", \"beam\" or \"matrices\")"},
+     "6: system.kind = \"shell\" (must be \"sdof\", \"chain\", \"bar\", \"beam\", \"rotor\" or "
+     "\"matrices\")"},
     {"UnknownKind", kOscillator, 6, "kind = \"SDOF\"",
-     "6: system.kind = \"SDOF\" (must be \"sdof\", \"chain\", \"bar\", \"beam\" or \"matrices\")"},
+     "6: system.kind = \"SDOF\" (must be \"sdof\", \"chain\", \"bar\", \"beam\", \"rotor\" or \"matrices\")"},
     {"KeyOfAnotherKind", kOscillator, 7, "masses = [1.0]",
      "7: system.masses = [1] (unknown key; known: kind, mass, damping, stiffness)"},
     {"NoMass", kOscillator, 7, "", "5: system.mass = missing (must be a positive number [kg])"},
@@ -255,7 +273,7 @@ inline constexpr Malformed kMalformed[] = {
     {"NoGap", kOscillator, 20, "", "18: contact[0].gap = missing (must be a finite number [m])"},
     {"GapInfinite", kOscillator, 20, "gap = inf", "20: contact[0].gap = inf (must be a finite number [m])"},
     {"UnknownContactKey", kOscillator, 20, "gap = 0.2\nfriction = 0.3",
-     "21: contact[0].friction = 0.3 (unknown key; known: dof, normal, gap)"},
+     "21: contact[0].friction = 0.3 (unknown key; known: dof, normal, dofs, facets, gap)"},
     {"EmptyNormal", kChain, 11, "normal = []",
      "11: contact[0].normal = [] (must be a list of pairs [dof, coefficient])"},
     {"FlatNormal", kChain, 11, "normal = [2, 1.0]",
@@ -372,11 +390,37 @@ inline constexpr Malformed kMalformed[] = {
     {"BeamContactMassiveWithoutLaw", kBeam, 12, "contact_mass = \"lumped\"",
      "1: law.restitution = missing (required, in 0..1, unless a penalty is given: the contact coordinates "
      "carry mass)"},
+    // Rotors and rings
+    {"RotorWithoutMass", kRotor, 5, "mass = 0.0", "5: system.mass = 0 (must be a positive number [kg])"},
+    {"RotorWithMasses", kRotor, 5, "masses = [1.0, 1.0]",
+     "5: system.masses = [1, 1] (unknown key; known: kind, mass, damping, stiffness)"},
+    {"RingWithoutDofs", kRotor, 11, "",
+     "10: contact[0].dofs = missing (must be a pair of different coordinates)"},
+    {"RingInOneDirection", kRotor, 11, "dofs = [1, 1]",
+     "11: contact[0].dofs = [1, 1] (must be a pair of different coordinates)"},
+    {"RingInThreeDirections", kRotor, 11, "dofs = [0, 1, 0]",
+     "11: contact[0].dofs = [0, 1, 0] (must be a pair of different coordinates)"},
+    {"RingDofOutOfRange", kRotor, 11, "dofs = [0, 2]",
+     "11: contact[0].dofs[1] = 2 (must be a coordinate of the system, 0..1)"},
+    {"RingWithNormal", kRotor, 11, "normal = [[0, 1.0]]",
+     "11: contact[0].normal = [[0, 1]] (must be absent: a ring of facets has dofs, a pair)"},
+    {"RingOfTwoFacets", kRotor, 12, "facets = 2",
+     "12: contact[0].facets = 2 (must be a whole number, 3..1000)"},
+    {"RingWithoutFacets", kRotor, 12, "",
+     "10: contact[0].facets = missing (must be a whole number, 3..1000)"},
+    {"RingWithoutGap", kRotor, 13, "", "10: contact[0].gap = missing (must be a finite number [m])"},
+    {"RingWithTooFewPenalties", kRotor, 15, "penalty = [1.0]",
+     "15: law.penalty = 1 values (must be one number, or one per contact: 5)"},
+    {"MasslessContactAfterARing", kChain, 11, "dofs = [0, 1]\nfacets = 4\ngap = 0.1\n[[contact]]\ndof = 2",
+     "14: contact[1] = massless (beside contacts that carry mass only a penalty law will do: all or none "
+     "must "
+     "carry mass)"},
     // A scene without contact
     {"NoForcing", kContactFree, 8, "[[contact]]",
      "1: forcing = missing (must be a table with the frequency)"},
     {"SystemAsText", kContactFree, 3, "system = 1\n[forcing.other]",
-     "3: system = 1 (must be a table with kind = \"sdof\", \"chain\", \"bar\", \"beam\" or \"matrices\")"},
+     "3: system = 1 (must be a table with kind = \"sdof\", \"chain\", \"bar\", \"beam\", \"rotor\" or "
+     "\"matrices\")"},
     {"SineAtHarmonicZero", kContactFree, 9,
      "frequency = 1.0\n[[forcing.term]]\ndof = 0\nharmonic = 0\nsin = 0.5",
      "13: forcing.term[0].sin = 0.5 (must be 0 or absent: at harmonic 0 a sine is nothing)"},

@@ -79,6 +79,7 @@ TEST(ParseScene, AcceptsTheScenesThatTheTableSpoils) {
   EXPECT_EQ(complaint(kChain), "");
   EXPECT_EQ(complaint(kBar), "");
   EXPECT_EQ(complaint(kBeam), "");
+  EXPECT_EQ(complaint(kRotor), "");
 }
 
 TEST(ParseScene, SaysWhereTextIsNotToml) {
