@@ -166,6 +166,18 @@ TEST(Catalogue, CoversChainsWithOneContact) {
             1);
 }
 
+TEST(Catalogue, CoversFiniteElementsAndManyContacts) {
+  const auto any = [](std::string_view kind, auto holds) {
+    return count([&](const Problem& scene) { return scene.kind == kind && holds(scene); }) > 0;
+  };
+  const auto massless = [](const Problem& scene) { return contacts_are_massless(scene); };
+  const auto massive = [](const Problem& scene) { return !contacts_are_massless(scene); };
+  EXPECT_TRUE(any("bar", massless));
+  EXPECT_TRUE(any("beam", massless));
+  EXPECT_TRUE(any("beam", massive));
+  EXPECT_TRUE(any("rotor", [](const Problem& scene) { return scene.contact_count() >= 12; }));
+}
+
 TEST(Catalogue, FarStopIsNeverReachedAndClosedStopNeverLeft) {
   const Problem far = load_scene(find_scene("sdof-far-stop"));
   const double w = far.frequency;
