@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tests/problems/malformed_scenes.hpp"
+#include "tests/problems/malformed_structures.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
 namespace signorini::test {
@@ -71,6 +72,9 @@ TEST_P(MalformedScene, IsRefusedInOneLineThatNamesTheCulprit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, MalformedScene, testing::ValuesIn(kMalformed),
+                         [](const auto& info) { return std::string(info.param.label); });
+
+INSTANTIATE_TEST_SUITE_P(Structures, MalformedScene, testing::ValuesIn(kMalformedStructures),
                          [](const auto& info) { return std::string(info.param.label); });
 
 TEST(ParseScene, AcceptsTheScenesThatTheTableSpoils) {
