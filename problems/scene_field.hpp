@@ -26,6 +26,8 @@ class SceneField {
   [[nodiscard]] bool is_table() const;
   [[nodiscard]] bool is_array() const;
   [[nodiscard]] const std::string& path() const { return path_; }
+  /// Name of the scene file, as messages give it.
+  [[nodiscard]] const std::string& file() const { return *file_; }
 
   /// Refuses anything but a table, and in it any key but these.
   void allow_only(std::initializer_list<std::string_view> keys, std::string_view requirement) const;

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <limits>
+#include <set>
 
-#include "problems/assembly/chain.hpp"
+#include "problems/assembly/rotor.hpp"
 #include "problems/scene_field.hpp"
+#include "problems/scene_system.hpp"
 #include "problems/toml_tree.hpp"
 
 namespace signorini {
@@ -18,8 +21,9 @@ namespace {
 constexpr int kSchema = 1;
 constexpr std::size_t kLargestFile = std::size_t{1} << 24;  // bytes; a scene is text written by hand
 constexpr std::size_t kLongestName = 64;
-constexpr double kSmallest = std::numeric_limits<double>::min();
+constexpr int kMostFacets = 1000;  // of one ring
 constexpr std::string_view kNumber = "must be a finite number";
+constexpr std::string_view kGap = "must be a finite number [m]";
 
 bool is_lower_kebab_case(std::string_view name) {
   const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
@@ -50,51 +54,8 @@ std::vector<std::string> read_tags(const SceneField& field) {
   return tags;
 }
 
-std::vector<double> read_elements(const SceneField& field, std::string_view unit, std::size_t count) {
-  const std::string requirement = fmt::format("must be a list of numbers >= 0 {}, at least one", unit);
-  const std::string each = fmt::format("must be a number >= 0 {}", unit);
-  std::vector<double> values;
-  for (const SceneField& item : field.items(requirement)) values.push_back(item.number(each, 0.0));
-  if (count != 0 && values.size() != count) {
-    field.refuse(fmt::format("{} values", values.size()), fmt::format("must have one per mass: {}", count));
-  }
-  return values;
-}
-
-Structure read_sdof(const SceneField& system) {
-  system.allow_only({"kind", "mass", "damping", "stiffness"}, "must be a table");
-  return assemble(Chain{.masses = {system["mass"].number("must be a positive number [kg]", kSmallest)},
-                        .dampers = {system["damping"].number("must be a number >= 0 [N s/m]", 0.0)},
-                        .springs = {system["stiffness"].number("must be a number >= 0 [N/m]", 0.0)}});
-}
-
-Structure read_chain(const SceneField& system) {
-  system.allow_only({"kind", "masses", "dampers", "springs"}, "must be a table");
-  Chain chain{.masses = read_elements(system["masses"], "[kg]", 0), .dampers = {}, .springs = {}};
-  chain.dampers = read_elements(system["dampers"], "[N s/m]", chain.masses.size());
-  chain.springs = read_elements(system["springs"], "[N/m]", chain.masses.size());
-  return assemble(chain);
-}
-
-void read_system(const SceneField& system, Problem& problem) {
-  if (!system.is_table()) system.refuse("must be a table with kind = \"sdof\" or \"chain\"");
-  const SceneField kind = system["kind"];
-  problem.kind = kind.text("must be \"sdof\" or \"chain\"");
-  Structure structure;
-  if (problem.kind == "sdof") {
-    structure = read_sdof(system);
-  } else if (problem.kind == "chain") {
-    structure = read_chain(system);
-  } else {
-    kind.refuse("this version reads \"sdof\" and \"chain\" only");
-  }
-  problem.mass = structure.mass;
-  problem.damping = structure.damping;
-  problem.stiffness = structure.stiffness;
-}
-
-int read_dof(const SceneField& field, const Problem& problem) {
-  const int last = problem.size() - 1;
+int read_dof(const SceneField& field, int size) {
+  const int last = size - 1;
   return field.whole(fmt::format("must be a coordinate of the system, 0..{}", last), 0, last);
 }
 
@@ -104,7 +65,7 @@ int read_int(const SceneField& field, int otherwise) {
   return field.whole_or(otherwise, "must be a whole number", -kMost, kMost);
 }
 
-void read_forcing(const SceneField& forcing, Problem& problem) {
+void read_forcing(const SceneField& forcing, int size, Problem& problem) {
   forcing.allow_only({"frequency", "subharmonic", "term"}, "must be a table with the frequency");
   problem.frequency = forcing["frequency"].number("must be a positive number [rad/s]");
   problem.subharmonic = read_int(forcing["subharmonic"], 1);
@@ -112,34 +73,67 @@ void read_forcing(const SceneField& forcing, Problem& problem) {
   if (!terms.given()) return;
   for (const SceneField& term : terms.items("must be [[forcing.term]] tables; left out if there is none")) {
     term.allow_only({"dof", "harmonic", "cos", "sin"}, "must be a table");
-    problem.force.push_back({.dof = read_dof(term["dof"], problem),
+    problem.force.push_back({.dof = read_dof(term["dof"], size),
                              .harmonic = read_int(term["harmonic"], 1),
                              .cos = term["cos"].number_or(0.0, kNumber),
                              .sin = term["sin"].number_or(0.0, kNumber)});
   }
 }
 
-std::vector<std::pair<int, double>> read_normal(const SceneField& contact, const Problem& problem) {
+std::vector<std::pair<int, double>> read_normal(const SceneField& contact, int size) {
   const SceneField dof = contact["dof"];
   const SceneField normal = contact["normal"];
   if (dof.given() && normal.given()) normal.refuse("must be absent: dof is given");
-  if (!normal.given()) return {{read_dof(dof, problem), 1.0}};
+  if (!normal.given()) return {{read_dof(dof, size), 1.0}};
   constexpr std::string_view kPair = "must be a pair [dof, coefficient]";
   std::vector<std::pair<int, double>> result;
   for (const SceneField& entry : normal.items("must be a list of pairs [dof, coefficient]")) {
     const std::vector<SceneField> pair = entry.items(kPair);
     if (pair.size() != 2) entry.refuse(kPair);
-    result.emplace_back(read_dof(pair[0], problem), pair[1].number(kNumber));
+    result.emplace_back(read_dof(pair[0], size), pair[1].number(kNumber));
   }
   return result;
 }
 
-void read_contacts(const SceneField& contacts, Problem& problem) {
+// A regular polygon of contacts in the plane of two coordinates.
+std::vector<Contact> read_ring(const SceneField& contact, int size) {
+  for (const char* key : {"dof", "normal"}) {
+    if (contact[key].given()) contact[key].refuse("must be absent: a ring of facets has dofs, a pair");
+  }
+  constexpr std::string_view kPair = "must be a pair of different coordinates";
+  const std::vector<SceneField> pair = contact["dofs"].items(kPair);
+  if (pair.size() != 2) contact["dofs"].refuse(kPair);
+  const int first = read_dof(pair[0], size);
+  const int second = read_dof(pair[1], size);
+  if (first == second) contact["dofs"].refuse(kPair);
+  const int facets =
+      contact["facets"].whole(fmt::format("must be a whole number, 3..{}", kMostFacets), 3, kMostFacets);
+  return ring_of_contacts(first, second, facets, contact["gap"].number(kGap));
+}
+
+bool is_ring(const SceneField& contact) { return contact["facets"].given() || contact["dofs"].given(); }
+
+void read_contacts(const SceneField& contacts, int size, Problem& problem) {
   if (!contacts.given()) return;
   for (const SceneField& contact : contacts.items("must be [[contact]] tables; left out if there is none")) {
-    contact.allow_only({"dof", "normal", "gap"}, "must be a table");
-    problem.contacts.push_back({.normal = read_normal(contact, problem),
-                                .gap = contact["gap"].number("must be a finite number [m]")});
+    contact.allow_only({"dof", "normal", "dofs", "facets", "gap"}, "must be a table");
+    if (is_ring(contact)) {
+      std::ranges::move(read_ring(contact, size), std::back_inserter(problem.contacts));
+    } else {
+      problem.contacts.push_back({.normal = read_normal(contact, size), .gap = contact["gap"].number(kGap)});
+    }
+  }
+}
+
+// The table that contact `index` was made from; a ring makes many.
+SceneField contact_as_written(const SceneField& document, int index) {
+  int table = 0;
+  while (true) {
+    const SceneField contact = document.at(fmt::format("contact[{}]", table));
+    const int made = is_ring(contact) ? contact["facets"].whole("", 3, kMostFacets) : 1;
+    if (index < made || !contact.given()) return contact;
+    index -= made;
+    ++table;
   }
 }
 
@@ -172,17 +166,26 @@ Law read_law(const SceneField& law, const Problem& problem) {
 
 // The place in the file that a path of validate() stands for.
 SceneField as_written(const SceneField& document, const InvalidProblem& error) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kChain{
-      {{"system.mass", "system.masses"},
-       {"system.damping", "system.dampers"},
-       {"system.stiffness", "system.springs"}}};
-  for (const auto& [field, elements] : kChain) {
-    if (error.field == field && document.at(elements).given()) return document.at(elements);
-  }
   if (error.field.starts_with("law.penalty[") && !document["law"]["penalty"].is_array()) {
     return document["law"]["penalty"];
   }
-  return document.at(error.field);
+  if (constexpr std::string_view kContact = "contact["; error.field.starts_with(kContact)) {
+    const std::size_t end = error.field.find(']');
+    const int index = std::stoi(error.field.substr(kContact.size(), end - kContact.size()));
+    return contact_as_written(document, index).at(std::string_view(error.field).substr(end + 1));
+  }
+  return system_field_as_written(document, error.field);
+}
+
+// Every coordinate with a part in some contact, once.
+std::vector<int> contact_coordinates(const Problem& problem) {
+  std::set<int> coordinates;
+  for (const Contact& contact : problem.contacts) {
+    for (const auto& [dof, coefficient] : contact.normal) {
+      if (coefficient != 0.0) coordinates.insert(dof);
+    }
+  }
+  return {coordinates.begin(), coordinates.end()};
 }
 
 Problem read_scene(const SceneField& scene) {
@@ -195,9 +198,14 @@ Problem read_scene(const SceneField& scene) {
   problem.title = read_optional_text(scene["title"]);
   problem.reference = read_optional_text(scene["reference"]);
   problem.tags = read_tags(scene["tags"]);
-  read_system(scene["system"], problem);
-  read_forcing(scene["forcing"], problem);
-  read_contacts(scene["contact"], problem);
+  const SystemDescription system = read_system(scene["system"]);
+  problem.kind = system.kind;
+  read_forcing(scene["forcing"], system.size, problem);
+  read_contacts(scene["contact"], system.size, problem);
+  Structure structure = system.assemble(contact_coordinates(problem));
+  problem.mass = std::move(structure.mass);
+  problem.damping = std::move(structure.damping);
+  problem.stiffness = std::move(structure.stiffness);
   problem.law = read_law(scene["law"], problem);
   return problem;
 }
@@ -232,13 +240,13 @@ Problem parse_scene(std::string_view text, const std::string& name) {
         fmt::format("{}:{}: file = not TOML (must be valid TOML 1.0; {})", name, error.line, error.what()));
   }
   const SceneField scene(document, name);
-  Problem problem = read_scene(scene);
   try {
+    Problem problem = read_scene(scene);
     validate(problem);
+    return problem;
   } catch (const InvalidProblem& error) {
     as_written(scene, error).refuse(error.found, error.requirement);
   }
-  return problem;
 }
 
 Problem load_scene(const std::filesystem::path& path) { return parse_scene(read_text(path), path.string()); }

@@ -23,7 +23,8 @@ class SceneError : public std::runtime_error {
 ///         out of range, or a Problem that `validate` refuses; the line points at the culprit.
 Problem load_scene(const std::filesystem::path& path);
 
-/// The same from text already in memory; `name` stands for the file in messages.
+/// The same from text already in memory; `name` stands for the file in messages; the files
+/// of matrices that the scene names are looked for in its folder.
 Problem parse_scene(std::string_view text, const std::string& name);
 
 /// Folder that holds catalogue/ and suites/: $SIGNORINI_PROBLEMS if set, else the installed or source folder.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 #include <string>
 
 #include "methods/catalogue.hpp"
@@ -145,14 +146,15 @@ TEST(MethodCatalogue, AnUnknownNameIsRefusedWithTheNamesThereAre) {
 // The resolutions a benchmark runs must be options the method accepts.
 TEST(MethodCatalogue, LaddersAreAccepted) {
   for (const MethodEntry& entry : method_catalogue()) {
-    const std::string ladder(entry.ladder);
-    const auto equals = ladder.find('=');
-    std::string rest = ladder.substr(equals + 1);
-    for (std::size_t begin = 0; begin < rest.size();) {
-      const auto end = std::min(rest.find('|', begin), rest.size());
-      const Settings settings{{ladder.substr(0, equals), rest.substr(begin, end - begin)}};
-      EXPECT_NO_THROW((void)entry.make(settings)) << entry.name << ": " << ladder;
-      begin = end + 1;
+    std::istringstream ladder{std::string(entry.ladder)};
+    for (std::string option; std::getline(ladder, option, ',');) {
+      const auto equals = option.find('=');
+      ASSERT_NE(equals, std::string::npos) << entry.name << ": " << entry.ladder;
+      std::istringstream values(option.substr(equals + 1));
+      for (std::string value; std::getline(values, value, '|');) {
+        EXPECT_NO_THROW((void)entry.make({{option.substr(0, equals), value}}))
+            << entry.name << ": " << entry.ladder;
+      }
     }
   }
 }

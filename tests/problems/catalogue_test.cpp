@@ -166,6 +166,11 @@ TEST(Catalogue, CoversChainsWithOneContact) {
             1);
 }
 
+TEST(Catalogue, CoversFiniteElementsWithAMasslessContact) {
+  EXPECT_GT(count([](const Problem& scene) { return scene.kind == "bar" && contacts_are_massless(scene); }),
+            0);
+}
+
 TEST(Catalogue, FarStopIsNeverReachedAndClosedStopNeverLeft) {
   const Problem far = load_scene(find_scene("sdof-far-stop"));
   const double w = far.frequency;

@@ -1,7 +1,6 @@
 #include "problems/scene_file.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <Eigen/Dense>
 #include <cstdlib>
@@ -10,6 +9,8 @@
 #include <sstream>
 
 #include "tests/problems/malformed_scenes.hpp"
+#include "tests/problems/malformed_structures.hpp"
+#include "tests/problems/temporary_folder.hpp"
 
 namespace signorini::test {
 namespace {
@@ -37,30 +38,6 @@ std::string complaint(std::string_view text) {
     return error.what();
   }
 }
-
-// A folder of its own for one test, gone afterwards.
-class TemporaryFolder {
- public:
-  TemporaryFolder()
-      : path_(fs::temp_directory_path() /
-              (std::string("signorini-scenes-") + std::to_string(::getpid()) + "-" +
-               testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    fs::create_directories(path_);
-  }
-  ~TemporaryFolder() { fs::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] fs::path write(const std::string& name, std::string_view text) const {
-    fs::create_directories((path_ / name).parent_path());
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return path_ / name;
-  }
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 // The catalogue of a test; restores the environment.
 class CatalogueAt {
@@ -97,10 +74,16 @@ TEST_P(MalformedScene, IsRefusedInOneLineThatNamesTheCulprit) {
 INSTANTIATE_TEST_SUITE_P(Table, MalformedScene, testing::ValuesIn(kMalformed),
                          [](const auto& info) { return std::string(info.param.label); });
 
+INSTANTIATE_TEST_SUITE_P(Structures, MalformedScene, testing::ValuesIn(kMalformedStructures),
+                         [](const auto& info) { return std::string(info.param.label); });
+
 TEST(ParseScene, AcceptsTheScenesThatTheTableSpoils) {
   EXPECT_EQ(complaint(kOscillator), "");
   EXPECT_EQ(complaint(kContactFree), "");
   EXPECT_EQ(complaint(kChain), "");
+  EXPECT_EQ(complaint(kBar), "");
+  EXPECT_EQ(complaint(kBeam), "");
+  EXPECT_EQ(complaint(kRotor), "");
 }
 
 TEST(ParseScene, SaysWhereTextIsNotToml) {
@@ -230,6 +213,28 @@ TEST(ParseScene, InfersTheLawOfMasslessContacts) {
   EXPECT_TRUE(std::holds_alternative<Massless>(parse_scene(kChain, "massless.toml").law));
   const Problem penalty = parse_scene(std::string(kChain) + "[law]\npenalty = 7.0\n", "penalty.toml");
   EXPECT_EQ(std::get<Penalty>(penalty.law).stiffness, std::vector<double>{7.0});
+}
+
+TEST(ParseScene, AssemblesBarsAndBeams) {
+  const Problem bar = parse_scene(kBar, "bar.toml");
+  EXPECT_EQ(bar.kind, "bar");
+  EXPECT_EQ(bar.size(), 3);
+  EXPECT_DOUBLE_EQ(bar.stiffness.coeff(0, 0), 6.0);
+  EXPECT_DOUBLE_EQ(bar.mass.coeff(2, 2), 1.0 / 9.0);
+  EXPECT_DOUBLE_EQ(bar.damping.coeff(2, 2), 0.1 / 9.0 + 0.01 * 3.0);
+
+  const Problem beam = parse_scene(kBeam, "beam.toml");
+  EXPECT_EQ(beam.size(), 4);
+  EXPECT_DOUBLE_EQ(beam.stiffness.coeff(2, 2), 12.0 * 8.0);
+  EXPECT_TRUE(std::holds_alternative<Massless>(beam.law)) << "implied by contact_mass";
+  EXPECT_TRUE(contacts_are_massless(beam));
+}
+
+TEST(ParseScene, TakesConsistentMassUnlessToldOtherwise) {
+  std::string text(kBar);
+  text.erase(text.find("contact_mass"), std::string_view("contact_mass = \"consistent\"\n").size());
+  EXPECT_EQ(Eigen::MatrixXd(parse_scene(text, "bar.toml").mass),
+            Eigen::MatrixXd(parse_scene(kBar, "bar.toml").mass));
 }
 
 TEST(ParseScene, GivesEveryContactTheOnePenalty) {

@@ -1,0 +1,79 @@
+#include "problems/assembly/beam.hpp"
+
+#include <cstdlib>
+#include <map>
+
+#include "problems/assembly/element_row.hpp"
+
+namespace signorini {
+
+namespace {
+
+double element_length(const Beam& beam) { return beam.length / beam.elements; }
+
+// Adds weight * (deflection of `from` + integral of the rotation from there to `to`).
+void integrate(int from, int to, double h, double weight, std::map<int, double>& leaders) {
+  leaders[2 * from] += weight;
+  const int step = to > from ? 1 : -1;
+  for (int node = from; node != to; node += step) {
+    leaders[2 * node + 1] += weight * step * h / 2.0;
+    leaders[2 * (node + step) + 1] += weight * step * h / 2.0;
+  }
+}
+
+std::vector<Follower> followers(const Beam& beam) {
+  std::vector<bool> contact(static_cast<std::size_t>(beam.elements) + 1, false);
+  for (const int dof : beam.contacts) {
+    if (dof % 2 != 0) {
+      throw InvalidProblem(
+          "system.contact_mass", "massless",
+          "needs contacts on deflections only, the even coordinates: rotations keep their mass");
+    }
+    contact[static_cast<std::size_t>(dof / 2) + 1] = true;
+  }
+  std::vector<Follower> result;
+  for (int node = 1; node <= beam.elements; ++node) {
+    if (!contact[static_cast<std::size_t>(node)]) continue;
+    const auto [left, other] = nearest_free_nodes(contact, node);  // node 0 is free: there is a left one
+    const bool between = other > node;
+    const double share = between ? static_cast<double>(other - node) / (other - left) : 1.0;
+    std::map<int, double> leaders;
+    integrate(left, node, element_length(beam), share, leaders);
+    if (between) integrate(other, node, element_length(beam), 1.0 - share, leaders);
+    result.push_back({.dof = 2 * node, .leaders = {leaders.begin(), leaders.end()}});
+  }
+  return result;
+}
+
+}  // namespace
+
+SparseMatrix unclamped_mass(const Beam& beam) {
+  const double h = element_length(beam);
+  const double mass = beam.density * beam.area * h;
+  if (beam.contact_mass == ContactMass::lumped) {
+    const Eigen::Vector4d halves(mass / 2, mass * h * h / 78, mass / 2, mass * h * h / 78);
+    return sum_of_elements(beam.elements, halves.asDiagonal());
+  }
+  Eigen::Matrix4d element;
+  element << 156, 22 * h, 54, -13 * h,        //
+      22 * h, 4 * h * h, 13 * h, -3 * h * h,  //
+      54, 13 * h, 156, -22 * h,               //
+      -13 * h, -3 * h * h, -22 * h, 4 * h * h;
+  const SparseMatrix consistent = sum_of_elements(beam.elements, mass / 420 * element);
+  return beam.contact_mass == ContactMass::massless ? redistributed(consistent, followers(beam)) : consistent;
+}
+
+Structure assemble(const Beam& beam) {
+  const double h = element_length(beam);
+  Eigen::Matrix4d element;
+  element << 12, 6 * h, -12, 6 * h,         //
+      6 * h, 4 * h * h, -6 * h, 2 * h * h,  //
+      -12, -6 * h, 12, -6 * h,              //
+      6 * h, 2 * h * h, -6 * h, 4 * h * h;
+  const double stiffness = beam.young * beam.inertia / (h * h * h);
+  return {.mass = clamped(unclamped_mass(beam), 2),
+          .damping = SparseMatrix(2 * beam.elements, 2 * beam.elements),
+          .stiffness = clamped(sum_of_elements(beam.elements, stiffness * element), 2)};
+}
+
+}  // namespace signorini

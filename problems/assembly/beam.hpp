@@ -1,0 +1,35 @@
+#pragma once
+// A slender beam in bending (Euler-Bernoulli): 2-node finite elements with Hermite's cubic shape functions.
+
+#include <vector>
+
+#include "problems/assembly/contact_mass.hpp"
+#include "problems/assembly/structure.hpp"
+
+namespace signorini {
+
+/// A straight beam of equal elements, clamped at x = 0. Node i + 1, at x = (i + 1) length / elements, has two
+/// coordinates: 2 i its deflection w [m], 2 i + 1 its rotation dw/dx [rad].
+struct Beam {
+  int elements = 1;      ///< >= 1; Nd = 2 elements
+  double length = 1.0;   ///< > 0 [m]
+  double area = 1.0;     ///< of the cross-section, > 0 [m^2]
+  double inertia = 1.0;  ///< second moment of area, > 0 [m^4]
+  double young = 1.0;    ///< > 0 [N/m^2]
+  double density = 1.0;  ///< > 0 [kg/m^3]
+  ContactMass contact_mass = ContactMass::consistent;
+  std::vector<int> contacts = {};  ///< coordinates that contacts touch; of use for ContactMass::massless only
+};
+
+/// M and K, and D = 0. Rotary inertia of the cross-section is left out. Lumped: element mass m = density area
+/// h to equal halves on its deflections, m h^2 / 78 on each rotation (hinton1976). Massless: the deflection
+/// of a contact node follows the rotations (trapezoidal rule) from the nearest nodes without contact on
+/// either side, the mean of both weighted by nearness; total mass, first and second moments of the free beam
+/// are kept. \throws InvalidProblem (system.contact_mass) if a contact touches a rotation and is to be
+/// massless
+Structure assemble(const Beam& beam);
+
+/// The same M before clamping, 2 (elements + 1) square: coordinates 2 i and 2 i + 1 are those of node i.
+SparseMatrix unclamped_mass(const Beam& beam);
+
+}  // namespace signorini

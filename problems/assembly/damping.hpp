@@ -1,0 +1,36 @@
+#pragma once
+// Damping matrices made from mass and stiffness: Rayleigh's, and the one with given ratios per mode.
+
+#include <Eigen/Core>
+#include <variant>
+#include <vector>
+
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// D = alpha M + beta K.
+struct RayleighDamping {
+  double alpha = 0.0;  ///< >= 0 [1/s]
+  double beta = 0.0;   ///< >= 0 [s]
+};
+
+/// D = sum over modes of 2 zeta_i w_i M phi_i phi_i^T M, phi_i^T M phi_i = 1, K phi_i = w_i^2 M phi_i.
+struct ModalDamping {
+  std::vector<double>
+      ratios;  ///< zeta_i >= 0 [-], modes by rising frequency; the last one holds for all further
+};
+
+using DampingModel = std::variant<RayleighDamping, ModalDamping>;
+
+/// Largest number of coordinates for modal damping: it takes all modes, by dense arrays.
+inline constexpr int kMostModalCoordinates = 400;
+
+/// D, Nd x Nd [N s/m], symmetric positive semi-definite. M and K are symmetric positive semi-definite without
+/// a common null vector. Modes without mass (and what rounding cannot tell from them: more than about 1e7
+/// times the lowest frequency) are not damped by ModalDamping; nor are rigid-body motions, whose w is 0.
+/// \throws std::invalid_argument beyond kMostModalCoordinates, or if the eigenvalue problem breaks down
+SparseMatrix damping_matrix(const DampingModel& model, const SparseMatrix& mass,
+                            const SparseMatrix& stiffness);
+
+}  // namespace signorini

@@ -1,0 +1,140 @@
+#include "problems/assembly/beam.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "problems/definiteness.hpp"
+
+namespace signorini {
+namespace {
+
+Beam steel_beam(int elements, ContactMass contact_mass = ContactMass::consistent) {
+  return {.elements = elements,
+          .length = 1.5,
+          .area = 2e-4,
+          .inertia = 1.7e-9,
+          .young = 2.1e11,
+          .density = 7850.0,
+          .contact_mass = contact_mass};
+}
+
+// (w_k / w_unit)^(1/2), w_unit = sqrt(E I / (rho A L^4)): the roots of cos(b) cosh(b) = -1 if exact.
+double root(const Beam& beam, const Structure& structure, int k) {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
+      Eigen::MatrixXd(structure.stiffness), Eigen::MatrixXd(structure.mass), Eigen::EigenvaluesOnly);
+  const double unit = beam.young * beam.inertia / (beam.density * beam.area * std::pow(beam.length, 4));
+  return std::pow(modes.eigenvalues()(k - 1) / unit, 0.25);
+}
+
+TEST(AssembleBeam, HasTheTabulatedFrequenciesOfACantilever) {
+  const Beam beam = steel_beam(24);
+  const Structure structure = assemble(beam);
+
+  EXPECT_NEAR(root(beam, structure, 1), 1.8751, 1e-4);
+  EXPECT_NEAR(root(beam, structure, 2), 4.6941, 1e-4);
+  EXPECT_NEAR(root(beam, structure, 3), 7.8548, 1e-4);
+}
+
+TEST(AssembleBeam, ApproachesTheContinuousBeamAtOrderFourAndTwo) {
+  constexpr double kRoots[] = {1.8751040687119611, 4.6940911329741746, 7.8547574382376126};
+  for (int k = 1; k <= 3; ++k) {
+    const auto error = [&](int elements, ContactMass kind) {
+      const Beam beam = steel_beam(elements, kind);
+      return std::abs(root(beam, assemble(beam), k) / kRoots[k - 1] - 1.0);
+    };
+    const int coarse = 4 * k;
+    EXPECT_NEAR(
+        std::log2(error(coarse, ContactMass::consistent) / error(2 * coarse, ContactMass::consistent)), 4.0,
+        0.3)
+        << "mode " << k;
+    EXPECT_NEAR(std::log2(error(2 * coarse, ContactMass::lumped) / error(4 * coarse, ContactMass::lumped)),
+                2.0, 0.3)
+        << "mode " << k;
+  }
+}
+
+TEST(AssembleBeam, BendsExactlyUnderTipLoads) {
+  constexpr int kElements = 5;
+  const Beam beam = steel_beam(kElements);
+  const Eigen::MatrixXd K = assemble(beam).stiffness;
+  const double EI = beam.young * beam.inertia;
+  const double L = beam.length;
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(2 * kElements);
+  force(2 * kElements - 2) = 100.0;  // P = 100 N
+  Eigen::VectorXd couple = Eigen::VectorXd::Zero(2 * kElements);
+  couple(2 * kElements - 1) = 10.0;  // 10 N m
+
+  const Eigen::VectorXd bent = K.ldlt().solve(force);
+  const Eigen::VectorXd turned = K.ldlt().solve(couple);
+
+  const double tip = 100.0 * L * L * L / (3.0 * EI);
+  for (int node = 1; node <= kElements; ++node) {
+    const double x = L * node / kElements;
+    EXPECT_NEAR(bent(2 * node - 2), 100.0 * x * x * (3.0 * L - x) / (6.0 * EI), 1e-10 * tip);
+    EXPECT_NEAR(bent(2 * node - 1), 100.0 * x * (2.0 * L - x) / (2.0 * EI), 1e-10 * tip);
+    EXPECT_NEAR(turned(2 * node - 2), 10.0 * x * x / (2.0 * EI), 1e-10 * tip);
+  }
+}
+
+TEST(AssembleBeam, KeepsMassAndMomentsWithoutMassAtContacts) {
+  constexpr int kElements = 6;
+  const std::vector<std::vector<int>> patterns{{10}, {4}, {0}, {8, 10}, {2, 4, 6, 10}, {0, 2, 4, 6, 8, 10}};
+  for (const std::vector<int>& contacts : patterns) {
+    Beam beam = steel_beam(kElements, ContactMass::massless);
+    beam.contacts = contacts;
+    Eigen::VectorXd shift = Eigen::VectorXd::Zero(2 * kElements + 2);
+    Eigen::VectorXd turn = shift;
+    for (int node = 0; node <= kElements; ++node) {
+      shift(2 * node) = 1.0;
+      turn(2 * node) = beam.length * node / kElements;
+      turn(2 * node + 1) = 1.0;
+    }
+    const double m = beam.density * beam.area * beam.length;
+
+    const SparseMatrix mass = unclamped_mass(beam);
+    const Structure structure = assemble(beam);
+
+    EXPECT_NEAR(shift.dot(mass * shift), m, 1e-13 * m);
+    EXPECT_NEAR(shift.dot(mass * turn), m * beam.length / 2.0, 1e-13 * m * beam.length);
+    EXPECT_NEAR(turn.dot(mass * turn), m * beam.length * beam.length / 3.0,
+                1e-13 * m * beam.length * beam.length);
+    EXPECT_TRUE(is_semidefinite(structure.mass));
+    for (int i = 0; i < 2 * kElements; ++i) {
+      const bool touched = std::find(contacts.begin(), contacts.end(), i) != contacts.end();
+      const double row = Eigen::VectorXd(structure.mass.row(i).transpose()).cwiseAbs().sum();
+      EXPECT_EQ(row == 0.0, touched) << "coordinate " << i;
+    }
+  }
+}
+
+// What a massless contact node does between its neighbours is Hermite's cubic through them.
+TEST(AssembleBeam, PutsAMasslessNodeOnTheCubicOfItsNeighbours) {
+  Beam beam = steel_beam(2, ContactMass::massless);
+  beam.contacts = {0};
+  const double h = beam.length / 2.0;
+  const Eigen::Vector4d ends(0.3, -0.2, 0.7, 0.4);  // deflection and rotation of nodes 0 and 2
+  const double middle = (ends(0) + ends(2)) / 2.0 + h / 4.0 * (ends(1) - ends(3));
+  Eigen::VectorXd u(6);
+  u << ends(0), ends(1), 99.0, 0.15, ends(2), ends(3);
+  Eigen::VectorXd on_cubic = u;
+  on_cubic(2) = middle;
+
+  const double found = u.dot(unclamped_mass(beam) * u);
+  const double expected = on_cubic.dot(unclamped_mass(steel_beam(2)) * on_cubic);
+
+  EXPECT_NEAR(found, expected, 1e-13 * expected);
+}
+
+TEST(AssembleBeam, RefusesMasslessRotations) {
+  Beam beam = steel_beam(4, ContactMass::massless);
+  beam.contacts = {6, 7};
+  EXPECT_THROW(assemble(beam), InvalidProblem);
+  beam.contact_mass = ContactMass::lumped;
+  EXPECT_NO_THROW(assemble(beam));
+}
+
+}  // namespace
+}  // namespace signorini
