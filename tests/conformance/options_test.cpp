@@ -152,8 +152,8 @@ TEST(MethodCatalogue, LaddersAreAccepted) {
       ASSERT_NE(equals, std::string::npos) << entry.name << ": " << entry.ladder;
       std::istringstream values(option.substr(equals + 1));
       for (std::string value; std::getline(values, value, '|');) {
-        EXPECT_NO_THROW((void)entry.make({{option.substr(0, equals), value}}))
-            << entry.name << ": " << entry.ladder;
+        const Settings settings{{option.substr(0, equals), value}};
+        EXPECT_NO_THROW((void)entry.make(settings)) << entry.name << ": " << entry.ladder;
       }
     }
   }
