@@ -8,8 +8,11 @@
 #include <numbers>
 #include <string>
 #include <unsupported/Eigen/MatrixFunctions>
+#include <utility>
 #include <vector>
 
+#include "methods/kernels/exact_orbit/exact_orbit.hpp"
+#include "methods/kernels/exact_orbit/green_function.hpp"
 #include "tests/methods/kernels/exact_orbit/cold_orbit.hpp"
 #include "tests/reference/bilinear_orbit.hpp"
 #include "tests/support/exact_scenes.hpp"
@@ -33,6 +36,28 @@ struct TableRow {
 };
 
 void PrintTo(const TableRow& row, std::ostream* out) { *out << row.name; }
+
+/// The closed form as a motion with its impulse.
+class ClosedForm final : public Trajectory {
+ public:
+  explicit ClosedForm(test::SingleImpactOrbit orbit) : orbit_(std::move(orbit)) {}
+  [[nodiscard]] int contact_count() const override { return 1; }
+  [[nodiscard]] double period() const override { return orbit_.period; }
+  [[nodiscard]] Samples sample(int count) const override {
+    Samples samples{Eigen::MatrixXd(count, 1), Eigen::MatrixXd(count, 1), Eigen::MatrixXd::Zero(count, 1)};
+    for (int i = 0; i < count; ++i) {
+      samples.x(i, 0) = orbit_.x(orbit_.period * i / count);
+      samples.velocity(i, 0) = orbit_.velocity(orbit_.period * i / count);
+    }
+    return samples;
+  }
+  [[nodiscard]] std::vector<Impulse> impulses() const override {
+    return {{.contact = 0, .time = orbit_.impact_time, .value = -orbit_.impulse}};
+  }
+
+ private:
+  test::SingleImpactOrbit orbit_;
+};
 
 class SingleImpact : public testing::TestWithParam<TableRow> {};
 
@@ -151,6 +176,59 @@ TEST(ExactOrbits, ACoexistingPairOneOfThemUnstable) {
   const Samples samples = two.orbit->sample(200000);
   lowest = samples.x.minCoeff();
   EXPECT_NEAR(lowest, -1.0911472789, 1e-8);
+}
+
+// Beside the fold where impacting motion begins, S-B of the table: F_SN = 0.0999707536, grazing at 0.1. Two
+// orbits just above it, one of them unstable; none below.
+TEST(ExactOrbits, ExistInPairsDownToTheFoldAndNotBelow) {
+  ImpactOscillator o{.damping = 0.1, .load = 0.09998, .frequency = 1.0, .gap = 1.0, .restitution = 0.8};
+  const auto pair = test::single_impact_orbits(o);
+  ASSERT_EQ(pair.size(), 2U);
+  int stable = 0;
+  OrbitSearch last;
+  for (const auto& closed : pair) {
+    const Problem problem = test::to_problem(o);
+    const OrbitSearch found = find_exact_orbit(problem, ClosedForm(closed));
+    ASSERT_TRUE(found.orbit.certified()) << describe(found.orbit.outcome) << ": " << found.orbit.reason;
+    ASSERT_EQ(found.orbit.trajectory->impulses().size(), 1U);
+    // Beside a fold the orbit is ill-conditioned: its own error bar is the measure.
+    EXPECT_NEAR(-found.orbit.trajectory->impulses()[0].value, closed.impulse,
+                std::max(1e-12, 10.0 * found.orbit.error_bar));
+    EXPECT_EQ(found.orbit.largest_multiplier() < 1.0, closed.stable());
+    stable += closed.stable() ? 1 : 0;
+    last = found;
+  }
+  EXPECT_EQ(stable, 1);
+  o.load = 0.0999;
+  EXPECT_TRUE(test::single_impact_orbits(o).empty());
+  const ExactOrbit below =
+      polish_orbit(test::to_problem(o), last.orbit.trajectory->orbit(), {.max_iterations = 60});
+  EXPECT_FALSE(below.certified());
+}
+
+// Free vibration against an elastic stop (oracle 1b): amplitude A, frequency pi w0 / (pi - arccos(g / A)),
+// speed w0 sqrt(A^2 - g^2) at the stop; with one impulse of twice the momentum per period the Green's
+// function is it.
+TEST(GreenFunction, ContainsTheBackboneOfTheUndampedOscillator) {
+  const struct {
+    double ratio, frequency;  // g / A, omega / w0 as tabulated
+  } rows[] = {{0.5, 1.5}, {0.0, 2.0}, {-0.5, 3.0}, {0.9, 1.16763270}, {-0.9, 6.96542328}};
+  for (const auto& [ratio, frequency] : rows) {
+    EXPECT_NEAR(std::numbers::pi / (std::numbers::pi - std::acos(ratio)), frequency, 1e-8);
+    const double exact = std::numbers::pi / (std::numbers::pi - std::acos(ratio));
+    const ImpactOscillator o{.damping = 0.0, .load = 0.0, .frequency = exact, .gap = ratio};
+    const ContactDynamics dynamics(test::to_problem(o));
+    const GreenFunction green(dynamics, 2.0 * std::numbers::pi / exact);
+    ASSERT_TRUE(green.defined());
+    const double speed = std::sqrt(1.0 - ratio * ratio);
+    const State after = green.state(0.0, {{.contact = 0, .time = 0.0, .value = -2.0 * speed}});
+    EXPECT_NEAR(after.u[0], ratio, 1e-12);
+    EXPECT_NEAR(after.v[0], -speed, 1e-12);
+    const State far =
+        green.state(std::numbers::pi / exact, {{.contact = 0, .time = 0.0, .value = -2.0 * speed}});
+    EXPECT_NEAR(far.u[0], -1.0, 1e-12);
+    EXPECT_NEAR(far.v[0], 0.0, 1e-12);
+  }
 }
 
 // Several coordinates, one contact: the state after a unit impulse, repeated every period, is
