@@ -10,6 +10,7 @@
 
 #include "methods/kernels/exact_orbit/exact_orbit.hpp"
 #include "methods/kernels/exact_orbit/return_check.hpp"
+#include "methods/kernels/periodic_time.hpp"
 
 namespace signorini {
 
@@ -29,19 +30,16 @@ std::string_view kind_name(ContactEvent::Kind kind) {
   return "event";
 }
 
-double wrapped(double time, double period) {
-  const double turned = time - period * std::floor(time / period);
-  return turned < period ? turned : 0.0;
-}
-
 std::vector<OrbitEvent> events_of(const ExactTrajectory& orbit) {
   std::vector<OrbitEvent> events;
   const double period = orbit.period();
   const std::vector<Impulse> impulses = orbit.impulses();
   for (const SequenceEvent& event : orbit.orbit().events) {
-    OrbitEvent listed{wrapped(event.time, period), event.contact, std::string(kind_name(event.kind)), {}};
+    OrbitEvent listed{
+        wrapped_time(event.time, period), event.contact, std::string(kind_name(event.kind)), {}};
     for (const Impulse& impulse : impulses) {
-      const double apart = std::abs(wrapped(impulse.time - event.time + 0.5 * period, period) - 0.5 * period);
+      const double apart =
+          std::abs(wrapped_time(impulse.time - event.time + 0.5 * period, period) - 0.5 * period);
       if (impulse.contact == event.contact && apart <= 1e-12 * period) listed.value = impulse.value;
     }
     events.push_back(std::move(listed));

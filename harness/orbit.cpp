@@ -7,6 +7,7 @@
 
 #include "harness/impacts.hpp"
 #include "harness/sha256.hpp"
+#include "methods/kernels/periodic_time.hpp"
 
 namespace signorini {
 
@@ -24,11 +25,6 @@ double crossing(const Motion& motion, int contact, int inside, int outside) {
   const double fall = f(inside) - f(2 * inside - outside);
   const double share = fall > 0.0 ? std::min(1.0, -f(inside) / fall) : 0.5;
   return (inside + (outside - inside) * share) * motion.step();
-}
-
-double wrap(double time, double period) {
-  const double turned = time - period * std::floor(time / period);
-  return turned < period ? turned : 0.0;
 }
 
 std::string rounded(double value, double scale) {
@@ -50,8 +46,8 @@ std::vector<OrbitEvent> orbit_events(const Motion& motion) {
     if (last - first + 1 >= motion.count()) continue;  // never opens
     const double close = last > first ? crossing(motion, phase.contact, first, first - 1) : phase.begin;
     const double open = last > first ? crossing(motion, phase.contact, last, last + 1) : phase.end;
-    events.push_back({wrap(close, motion.period()), phase.contact, "close", {}});
-    events.push_back({wrap(open, motion.period()), phase.contact, "open", {}});
+    events.push_back({wrapped_time(close, motion.period()), phase.contact, "close", {}});
+    events.push_back({wrapped_time(open, motion.period()), phase.contact, "open", {}});
   }
   std::stable_sort(events.begin(), events.end(),
                    [](const OrbitEvent& a, const OrbitEvent& b) { return a.time < b.time; });

@@ -123,7 +123,7 @@ Seconds read_seconds(const Json& json) {
 
 Json write_certificate(const Certificate& certificate) {
   Json json;
-  json["status"] = kCertificateNames[static_cast<std::size_t>(certificate.status)];
+  json["status"] = certificate_name(certificate.status);
   put(json, "reason", certificate.reason);
   put(json, "source", certificate.source);
   put(json, "orbit", certificate.orbit);
@@ -244,6 +244,15 @@ void read_body(const Json& json, Record& record) {
 }
 
 }  // namespace
+
+std::string_view certificate_name(CertificateStatus status) {
+  return kCertificateNames[static_cast<std::size_t>(status)];
+}
+
+double measurable_error(const Record& record) {
+  constexpr double kErrorBars = 10.0;
+  return kErrorBars * record.certificate.error_bar.value_or(0.0);
+}
 
 std::string_view status_name(Status status) { return kStatusNames[static_cast<std::size_t>(status)]; }
 

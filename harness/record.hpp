@@ -48,6 +48,9 @@ struct Seconds {
 
 enum class CertificateStatus { none, uncertified, certified };
 
+/// "none", "uncertified", "certified"; the words of records.
+std::string_view certificate_name(CertificateStatus status);
+
 struct OrbitEvent {
   double time = 0.0;  ///< [s]
   int contact = 0;
@@ -115,6 +118,9 @@ struct Record {
   Physics physics = {};
   std::optional<TrajectorySamples> trajectory = {};
 };
+
+/// Ten error bars of the certified orbit: an error below this is not measured but bounded.
+double measurable_error(const Record& record);
 
 /// A line that is no record of a known schema.
 class BadRecord : public std::runtime_error {

@@ -66,19 +66,9 @@ Solution event_driven_massless(const Problem& problem, OrbitRequest request) {
   return solution;
 }
 
-}  // namespace
-
-OrbitSolver event_driven_orbits() {
-  return [](const Problem& problem, const OrbitRequest& request) {
-    return std::holds_alternative<Massless>(problem.law) ? event_driven_massless(problem, request)
-                                                         : event_driven(problem, request);
-  };
-}
-
-CheckedOrbit find_orbit(const Problem& problem, const OrbitSolver& solver, OrbitRequest request,
-                        double largest_error_bar) {
-  request.tolerance = kOrbitTolerance;
-  const Solution first = solver(problem, request);
+/// What `solver` found at kOrbitTolerance, found again at the tighter one (see find_orbit).
+CheckedOrbit confirm_orbit(const Problem& problem, const OrbitSolver& solver, const OrbitRequest& request,
+                           const Solution& first, double largest_error_bar) {
   if (!found(first)) return {.reason = reason_of(first)};
   // Continued at the order that was found, which marching may find to be several forcing periods.
   const Motion motion = sample_motion(problem, *first.trajectory);
@@ -111,13 +101,29 @@ CheckedOrbit find_orbit(const Problem& problem, const OrbitSolver& solver, Orbit
           .source = request.shooting ? "shooting from the answer" : "marching"};
 }
 
+}  // namespace
+
+OrbitSolver event_driven_orbits() {
+  return [](const Problem& problem, const OrbitRequest& request) {
+    return std::holds_alternative<Massless>(problem.law) ? event_driven_massless(problem, request)
+                                                         : event_driven(problem, request);
+  };
+}
+
+CheckedOrbit find_orbit(const Problem& problem, const OrbitSolver& solver, OrbitRequest request,
+                        double largest_error_bar) {
+  request.tolerance = kOrbitTolerance;
+  return confirm_orbit(problem, solver, request, solver(problem, request), largest_error_bar);
+}
+
 Reference compute_reference(const Problem& problem, const OrbitTools& tools,
                             std::chrono::steady_clock::time_point deadline) {
-  OrbitRequest request{.tolerance = kOrbitTolerance, .shooting = false, .guess = {}, .deadline = deadline};
+  const OrbitRequest request{
+      .tolerance = kOrbitTolerance, .shooting = false, .guess = {}, .deadline = deadline};
+  const Solution marched = tools.solver(problem, request);
+  if (!found(marched)) return {.reason = reason_of(marched)};
   CheckedOrbit checked;
   if (tools.polish) {
-    const Solution marched = tools.solver(problem, request);
-    if (!found(marched)) return {.reason = reason_of(marched)};
     Problem same_order = problem;
     same_order.subharmonic = sample_motion(problem, *marched.trajectory).order;
     checked = tools.polish(same_order, *marched.trajectory, deadline);
@@ -128,7 +134,7 @@ Reference compute_reference(const Problem& problem, const OrbitTools& tools,
     }
   }
   if (!checked.orbit || checked.error_bar > kReferenceErrorBar)
-    checked = find_orbit(problem, tools.solver, request, kReferenceErrorBar);
+    checked = confirm_orbit(problem, tools.solver, request, marched, kReferenceErrorBar);
   if (!checked.orbit) return {.reason = checked.reason};
   const Motion motion = sample_motion(problem, *checked.orbit);
   return {.orbit = std::make_shared<SampledTrajectory>(*checked.orbit, motion.count()),

@@ -14,9 +14,6 @@ namespace signorini {
 
 namespace {
 
-/// Errors below this many error bars of the orbit are not measured but bounded.
-constexpr double kErrorBars = 10.0;
-
 std::string shortened(const std::string& text) {
   constexpr std::size_t kLongest = 60;
   if (text.size() <= kLongest) return text;
@@ -167,7 +164,7 @@ std::vector<Speed> speeds(const std::vector<Record>& records) {
     Speed& speed = result[place[method]];
     const bool good = solved(r);
     const Measure error = r.errors.x_l2 ? r.errors.x_l2 : r.errors.u_l2;
-    const double floor = kErrorBars * r.certificate.error_bar.value_or(0.0);
+    const double floor = measurable_error(r);
     speed.errors.push_back(good && error ? std::max(*error, floor) : kFailed);
     speed.times.push_back(good ? r.seconds->median : kFailed);
     if (const auto found = yardstick.find(r.scene); found != yardstick.end())
@@ -234,18 +231,6 @@ std::string number(const Measure& value) { return value ? fmt::format("{:.9e}", 
 std::string number(const std::optional<long>& value) { return value ? std::to_string(*value) : ""; }
 std::string yes_no(const std::optional<bool>& value) { return value ? (*value ? "true" : "false") : ""; }
 
-std::string certificate_name(CertificateStatus status) {
-  switch (status) {
-    case CertificateStatus::none:
-      return "none";
-    case CertificateStatus::uncertified:
-      return "uncertified";
-    case CertificateStatus::certified:
-      return "certified";
-  }
-  return {};
-}
-
 /// Why cells of a row are empty, or what is to be said about it.
 std::string csv_reason(const Record& record) {
   if (!answered(record)) return fmt::format("{}: {}", status_name(record.status), record.message);
@@ -300,7 +285,7 @@ std::vector<std::string> csv_row(const Record& r) {
           number(work.rhs_evaluations),
           number(work.factorisations),
           number(r.work.peak_memory_bytes),
-          certificate_name(r.certificate.status),
+          std::string(certificate_name(r.certificate.status)),
           r.certificate.orbit.value_or(""),
           yes_no(r.certificate.same_orbit),
           yes_no(r.certificate.stable),
@@ -340,7 +325,7 @@ std::string error_text(const Record& record) {
 }
 
 std::string bounded_text(double error, const Record& record) {
-  const double floor = kErrorBars * record.certificate.error_bar.value_or(0.0);
+  const double floor = measurable_error(record);
   return fmt::format("{}{:.1e}", error < floor ? "<" : "", std::max(error, floor));
 }
 

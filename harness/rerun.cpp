@@ -16,24 +16,7 @@ namespace signorini {
 
 namespace {
 
-/// Errors below this multiple of the orbit's error bar say nothing, as in tables.
-constexpr double kBelowBars = 10.0;
-
-std::string_view certificate_word(CertificateStatus status) {
-  switch (status) {
-    case CertificateStatus::none:
-      return "none";
-    case CertificateStatus::uncertified:
-      return "uncertified";
-    case CertificateStatus::certified:
-      return "certified";
-  }
-  return "";
-}
-
-bool below_bars(const Record& record) {
-  return *record.errors.x_l2 <= kBelowBars * record.certificate.error_bar.value_or(0.0);
-}
+bool below_bars(const Record& record) { return *record.errors.x_l2 <= measurable_error(record); }
 
 bool decided_by_time(const Record& kept, const Record& now) {
   return kept.status != now.status && (kept.status == Status::timeout || now.status == Status::timeout);
@@ -107,7 +90,7 @@ std::vector<std::string> compare_records(const Record& kept, const Record& now) 
   }
   if (kept.certificate.status != now.certificate.status) {
     return {fmt::format("{}: certificate {} became {}{}{}", kept.case_id,
-                        certificate_word(kept.certificate.status), certificate_word(now.certificate.status),
+                        certificate_name(kept.certificate.status), certificate_name(now.certificate.status),
                         now.certificate.reason.empty() ? "" : ": ", now.certificate.reason)};
   }
   if (!kept.errors.x_l2 || !now.errors.x_l2) {

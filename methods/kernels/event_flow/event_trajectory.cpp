@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "methods/kernels/periodic_time.hpp"
+
 namespace signorini {
 
 namespace {
@@ -48,11 +50,6 @@ double interpolate(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right, Ei
   return value;
 }
 
-double wrap(double time, double period) {
-  const double wrapped = time - period * std::floor(time / period);
-  return wrapped < period ? wrapped : 0.0;
-}
-
 }  // namespace
 
 EventTrajectory::EventTrajectory(double period, FlowState start, const std::vector<FlowPiece>& pieces,
@@ -67,7 +64,7 @@ EventTrajectory::EventTrajectory(double period, FlowState start, const std::vect
       nodes_.push_back(piece[i]);
     }
   }
-  for (ContactEvent& event : events_) event.time = wrap(event.time, period_);
+  for (ContactEvent& event : events_) event.time = wrapped_time(event.time, period_);
   std::stable_sort(events_.begin(), events_.end(),
                    [](const auto& a, const auto& b) { return a.time < b.time; });
 }
@@ -78,7 +75,7 @@ Samples EventTrajectory::sample(int count) const {
                   .velocity = Eigen::MatrixXd::Zero(count, contacts),
                   .force = Eigen::MatrixXd::Zero(count, contacts)};
   for (int i = 0; i < count; ++i) {
-    const double time = start_.time + wrap(i * (period_ / count) - start_.time, period_);
+    const double time = start_.time + wrapped_time(i * (period_ / count) - start_.time, period_);
     const auto after = std::upper_bound(interval_begin_.begin(), interval_begin_.end(), time);
     const auto index = after == interval_begin_.begin() ? 0 : after - interval_begin_.begin() - 1;
     const FlowNode& left = nodes_[interval_[static_cast<std::size_t>(index)]];

@@ -4,16 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "methods/kernels/periodic_time.hpp"
+
 namespace signorini {
-
-namespace {
-
-double wrap(double time, double period) {
-  const double wrapped = time - period * std::floor(time / period);
-  return wrapped < period ? wrapped : 0.0;
-}
-
-}  // namespace
 
 ExactTrajectory::ExactTrajectory(std::shared_ptr<OrbitModel> model, OrbitGuess orbit,
                                  std::vector<LinearArc> arcs,
@@ -24,7 +17,8 @@ ExactTrajectory::ExactTrajectory(std::shared_ptr<OrbitModel> model, OrbitGuess o
     for (std::size_t k = 0; k < event.pushed.size(); ++k) {
       const double value = passages[i].impulses[static_cast<Eigen::Index>(k)];
       if (value < 0.0)  // a resting contact may have nothing to pass on
-        impulses_.push_back({.contact = event.pushed[k], .time = wrap(event.time, period()), .value = value});
+        impulses_.push_back(
+            {.contact = event.pushed[k], .time = wrapped_time(event.time, period()), .value = value});
     }
   }
   std::stable_sort(impulses_.begin(), impulses_.end(),
@@ -33,7 +27,7 @@ ExactTrajectory::ExactTrajectory(std::shared_ptr<OrbitModel> model, OrbitGuess o
 
 const LinearArc& ExactTrajectory::arc_at(double& time) const {
   const double start = orbit_.start.time;
-  time = start + wrap(time - start, period());
+  time = start + wrapped_time(time - start, period());
   const auto after = std::upper_bound(orbit_.events.begin(), orbit_.events.end(), time,
                                       [](double t, const SequenceEvent& event) { return t < event.time; });
   return arcs_[static_cast<std::size_t>(after - orbit_.events.begin())];

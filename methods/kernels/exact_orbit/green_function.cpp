@@ -4,6 +4,8 @@
 #include <cmath>
 #include <complex>
 
+#include "methods/kernels/periodic_time.hpp"
+
 namespace signorini {
 
 using Complex = std::complex<double>;
@@ -45,8 +47,7 @@ GreenFunction::GreenFunction(const ContactDynamics& dynamics, double period)
 }
 
 Eigen::VectorXcd GreenFunction::growth(double tau) const {
-  const double wrapped = tau - period_ * std::floor(tau / period_);
-  return (mu_ * (wrapped < period_ ? wrapped : 0.0)).array().exp();
+  return (mu_ * wrapped_time(tau, period_)).array().exp();
 }
 
 double GreenFunction::at(int row, int column, double tau, int derivative) const {

@@ -9,6 +9,7 @@
 #include "methods/kernels/event_flow/flow.hpp"
 #include "methods/kernels/event_flow/rigid_events.hpp"
 #include "methods/kernels/exact_orbit/exact_trajectory.hpp"
+#include "methods/kernels/periodic_time.hpp"
 #include "methods/kernels/trajectories.hpp"
 
 namespace signorini {
@@ -79,11 +80,6 @@ std::vector<Cluster> clusters_of(const ForceHistory& history, bool springs) {
   return clusters;
 }
 
-double wrap(double time, double period) {
-  const double wrapped = time - period * std::floor(time / period);
-  return wrapped < period ? wrapped : 0.0;
-}
-
 // Middle of the longest time free of the given intervals; or of instants, if they are everywhere.
 double quiet_instant(const std::vector<Cluster>& clusters, double period) {
   const auto middle_of_longest = [&](std::vector<std::pair<double, double>> busy) {
@@ -103,14 +99,15 @@ double quiet_instant(const std::vector<Cluster>& clusters, double period) {
   std::vector<std::pair<double, double>> spans, edges;
   for (const Cluster& cluster : clusters) {
     if (cluster.end - cluster.begin >= period) continue;  // no instant is free of it, none is an event
-    const double begin = wrap(cluster.begin, period), length = cluster.end - cluster.begin;
+    const double begin = wrapped_time(cluster.begin, period), length = cluster.end - cluster.begin;
     spans.emplace_back(begin, begin + length);
     edges.emplace_back(begin, begin);
-    edges.emplace_back(wrap(begin + length, period), wrap(begin + length, period));
+    edges.emplace_back(wrapped_time(begin + length, period), wrapped_time(begin + length, period));
   }
   const auto [length, middle] = middle_of_longest(spans);
   constexpr double kTight = 0.02;  // of the period: contact nearly all the time
-  return wrap(length > kTight * period || spans.empty() ? middle : middle_of_longest(edges).second, period);
+  return wrapped_time(length > kTight * period || spans.empty() ? middle : middle_of_longest(edges).second,
+                      period);
 }
 
 // The structure's periodic state at `time` under load and impulses p_k at times t_k.
@@ -127,7 +124,7 @@ std::optional<State> periodic_state(OrbitModel& model, double time, const ForceH
   Eigen::VectorXd sum(2 * n);
   sum << end.u, end.v;
   const auto add = [&](int contact, double at, double value) {
-    const double left = model.period - wrap(at - time, model.period);
+    const double left = model.period - wrapped_time(at - time, model.period);
     sum.noalias() += flow.transition(left).rightCols(n) * (value * dynamics.impulse_response().col(contact));
   };
   for (int c = 0; c < dynamics.contact_count(); ++c) {
@@ -148,7 +145,7 @@ std::optional<State> periodic_state(OrbitModel& model, double time, const ForceH
 std::vector<SequenceEvent> events_of(const ContactDynamics& dynamics, const std::vector<Cluster>& clusters,
                                      FlowState& start, double period) {
   std::vector<SequenceEvent> events;
-  const auto after_section = [&](double t) { return start.time + wrap(t - start.time, period); };
+  const auto after_section = [&](double t) { return start.time + wrapped_time(t - start.time, period); };
   for (const Cluster& cluster : clusters) {
     if (!cluster.lasting) {
       events.push_back({.kind = ContactEvent::Kind::impact,
@@ -250,7 +247,7 @@ std::optional<OrbitGuess> simulated_sequence(OrbitModel& model, const FlowState&
       if (wait > 0.0) {
         FlowRecord passed;
         flow.advance(guess.start, wait, passed);
-        guess.start.time = wrap(guess.start.time, model.period);
+        guess.start.time = wrapped_time(guess.start.time, model.period);
         continue;
       }
       if (end != nullptr) *end = last;
