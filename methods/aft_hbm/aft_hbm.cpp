@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "methods/aft_hbm/aft_residual.hpp"
-#include "methods/aft_hbm/gap_path.hpp"
+#include "methods/aft_hbm/newton_krylov.hpp"
+#include "methods/kernels/complementarity_solver.hpp"
 #include "methods/kernels/periodic_response.hpp"
 #include "methods/kernels/projected_contact.hpp"
 #include "methods/kernels/projected_law.hpp"
@@ -18,6 +19,9 @@ namespace signorini {
 namespace {
 
 constexpr int kNewtonSteps = 100;
+// Cold, Newton converges at once or creeps (of the one-mass population it solves 1 scene in 200): the
+// homotopy takes over early.
+constexpr int kColdSteps = 5;
 
 class PreparedAft final : public PreparedMethod {
  public:
@@ -44,24 +48,12 @@ class PreparedAft final : public PreparedMethod {
     const bool free = options_.homotopy && options_.max_iterations == 0 &&
                       options_.quadrature == Quadrature::exact && !options_.samples;
     if (!free || start.guess) return std::nullopt;
-    if (ExactProjection closed = permanent_contact(receptance_, gap_, law_, options_.tolerance);
-        closed.converged)
-      return exact_solution(receptance_, gap_, law_, std::move(closed.lambda), closed.residual,
-                            "permanent contact");
-    const ClimbFoot foot = climb_foot(receptance_);
-    if (foot.harmonics == 0) return std::nullopt;
-    AftHbm::Options few = options_;
-    few.harmonics = foot.harmonics;
-    PreparedAft coarse(gap_, few, truncated(receptance_, foot.harmonics), law_at_, foot.softness);
-    const Solution base = coarse.solve(start);
-    work.iterations = *work.iterations + base.work.iterations.value_or(0);
-    if (base.verdict != Verdict::converged) return std::nullopt;
-    HarmonicClimb climb = climb_harmonics(receptance_, gap_, law_at_, foot,
-                                          base.trajectory->force_coefficients(), options_.tolerance, start);
-    work.iterations = *work.iterations + climb.iterations;
-    if (!climb.converged) return std::nullopt;
-    return exact_solution(receptance_, gap_, law_, std::move(climb.lambda), climb.residual,
-                          fmt::format("{} harmonics first, Newton from there", foot.harmonics));
+    return solve_by_climbing(receptance_, gap_, law_at_, options_.tolerance, start, work,
+                             [this, &start](const ContactReceptance& few, double softness) {
+                               AftHbm::Options options = options_;
+                               options.harmonics = few.harmonics();
+                               return PreparedAft(gap_, options, few, law_at_, softness).solve(start);
+                             });
   }
 
   /// On the grids of SampleLadder.
@@ -72,8 +64,7 @@ class PreparedAft final : public PreparedMethod {
     SampleLadder ladder(options_.harmonics, options_.samples, options_.quadrature);
     while (true) {
       AftResidual residual(receptance_, gap_, law_, ladder.samples());
-      const Outcome outcome = solve_on_grid(residual, guess, start);
-      work.iterations = *work.iterations + outcome.iterations;
+      const Outcome outcome = solve_on_grid(residual, guess, start, work);
       FourierTrajectory::Data data =
           fourier_data(receptance_, gap_, law_, residual.coefficients(outcome.newton.lambda));
       const bool converged = outcome.newton.converged;
@@ -87,7 +78,7 @@ class PreparedAft final : public PreparedMethod {
         quadrature += exact ? ", contact integral exact" : ", contact integral sampled: no exact one nearby";
       }
       const double ratio = net_work_ratio(data.x, data.lambda);
-      const bool in_limit = options_.max_iterations == 0 || *work.iterations <= options_.max_iterations;
+      const bool in_limit = options_.max_iterations == 0 || spent(work) <= options_.max_iterations;
       const bool accepted = converged && in_limit && ladder.accepts(exact, ratio);
       solution.verdict = accepted ? Verdict::converged : Verdict::not_converged;
       solution.residual = outcome.newton.residual;
@@ -104,47 +95,44 @@ class PreparedAft final : public PreparedMethod {
 
   struct Outcome {
     NewtonKrylov newton;
-    int iterations = 0;
     std::string message;
   };
 
-  /// Newton from the guess or the contact-free response; failing that, the homotopy and Newton from its end.
-  Outcome solve_on_grid(AftResidual& residual, const Eigen::MatrixXcd& guess, const Start& start) const {
+  /// Newton from the guess or the contact-free response; failing that, from the end of the gap homotopy.
+  Outcome solve_on_grid(AftResidual& residual, const Eigen::MatrixXcd& guess, const Start& start,
+                        Work& work) const {
+    const bool cold = guess.size() == 0;
+    const auto allowed = [this](int steps) {
+      return options_.max_iterations > 0 ? std::min(options_.max_iterations, steps) : steps;
+    };
     Outcome outcome;
-    const int newton_steps =
-        options_.max_iterations > 0 ? std::min(options_.max_iterations, kNewtonSteps) : kNewtonSteps;
-    const Eigen::VectorXd first =
-        guess.size() > 0 ? residual.unknowns_of(guess) : Eigen::VectorXd::Zero(residual.unknowns());
-    outcome.newton = solve_newton_krylov(residual, first, options_.tolerance, newton_steps, start);
-    outcome.iterations = outcome.newton.iterations;
+    outcome.newton = solve_newton_krylov(
+        residual, cold ? Eigen::VectorXd::Zero(residual.unknowns()) : residual.unknowns_of(guess),
+        options_.tolerance, allowed(cold && options_.homotopy ? kColdSteps : kNewtonSteps), start);
+    work.iterations = work.iterations.value_or(0) + outcome.newton.iterations;
     outcome.message = outcome.newton.converged ? "Newton-Krylov" : "Newton-Krylov found no descent";
-    if (outcome.newton.converged || !options_.homotopy) return outcome;
-    const int limit = 6000 + 10 * residual.samples() * residual.contacts();
-    const int allowed = options_.max_iterations > 0 ? options_.max_iterations - outcome.iterations : limit;
-    const GapPath path = follow_gap_path(residual, std::max(0, allowed), start);
-    outcome.iterations += path.switches;
-    if (path.end == GapPath::End::arrived) {
-      outcome.newton = solve_newton_krylov(residual, path.lambda, options_.tolerance, newton_steps, start);
-      outcome.iterations += outcome.newton.iterations;
-    }
-    outcome.message = describe(path.end);
+    if (outcome.newton.converged || !options_.homotopy || spent_all(work)) return outcome;
+    SolverSettings settings{.tolerance = options_.tolerance, .deadline = start.deadline};
+    if (options_.max_iterations > 0)
+      settings.max_iterations = options_.max_iterations - static_cast<int>(spent(work));
+    Lcp lcp = projected_lcp(receptance_, gap_, law_, residual.samples());
+    const LcpResult path = solve_lcp(lcp, settings);
+    work.pivots = work.pivots.value_or(0) + path.pivots;
+    outcome.message = fmt::format("gap homotopy: {}", describe(path.status));
+    if (path.status != LcpStatus::solved) return outcome;
+    const Eigen::MatrixXcd lambda =
+        force_coefficients(law_, path.z, residual.samples(), receptance_.harmonics());
+    outcome.newton = solve_newton_krylov(residual, residual.unknowns_of(lambda), options_.tolerance,
+                                         allowed(kNewtonSteps), start);
+    work.iterations = *work.iterations + outcome.newton.iterations;
+    outcome.message = "gap homotopy and Newton-Krylov";
     return outcome;
   }
 
-  static std::string describe(GapPath::End end) {
-    switch (end) {
-      case GapPath::End::arrived:
-        return "gap homotopy and Newton-Krylov";
-      case GapPath::End::ray:
-        return "the gap homotopy ended on a ray";
-      case GapPath::End::limit:
-        return "the gap homotopy used up its iterations";
-      case GapPath::End::singular:
-        return "a linear system of the gap homotopy could not be solved";
-      case GapPath::End::interrupted:
-        return "time budget used up";
-    }
-    return "unknown";
+  static long spent(const Work& work) { return work.iterations.value_or(0) + work.pivots.value_or(0); }
+
+  [[nodiscard]] bool spent_all(const Work& work) const {
+    return options_.max_iterations > 0 && spent(work) >= options_.max_iterations;
   }
 
   AftHbm::Options options_;

@@ -16,9 +16,9 @@ namespace signorini {
 /// contact law in time -> FFT -> harmonics; no matrix in time or frequency is formed. The equations are
 /// those of fourier-lipschitz and penalty-hbm; what differs is the solver.
 ///
-/// Globalisation: Newton with GMRES, a harmonic-wise preconditioner and a line search; where that
-/// fails, the gap homotopy is followed from the first touch, sample switch by sample switch, with the
-/// same residual and products (gap_path.hpp), and Newton finishes.
+/// Globalisation: Newton with GMRES, a harmonic-wise preconditioner and a line search; where that fails, the
+/// gap homotopy of the same equations on the same samples is followed by pivoting
+/// (complementarity_solver.hpp), and Newton finishes.
 class AftHbm final : public Method {
  public:
   enum class ContactLaw { dlft, penalty };
@@ -37,7 +37,7 @@ class AftHbm final : public Method {
     Quadrature quadrature = Quadrature::exact;
     bool homotopy = true;      ///< false: Newton alone
     double tolerance = 1e-10;  ///< on |R|_2 / max(|P max(0, y)|_2, |load on the constraint|_2) [-]
-    int max_iterations = 0;    ///< Newton steps plus switches; 0: 100 and 6000 + 10 N Nc [-]
+    int max_iterations = 0;    ///< Newton steps plus pivots; 0: 100 and 6000 + 10 N Nc [-]
 
     void visit(auto&& field) {
       field("harmonics", harmonics, "[-]", "highest harmonic H kept, 1..100000");
@@ -52,8 +52,7 @@ class AftHbm final : public Method {
             "exact: contact integral between its edges | sampled: on the N samples");
       field("homotopy", homotopy, "[-]", "follow the gap homotopy where Newton fails: true | false");
       field("tolerance", tolerance, "[-]", "relative residual accepted, in (0, 1e-2]");
-      field("max_iterations", max_iterations, "[-]",
-            "limit on Newton steps and switches; 0: the solver's own");
+      field("max_iterations", max_iterations, "[-]", "limit on Newton steps and pivots; 0: the solver's own");
     }
   };
 

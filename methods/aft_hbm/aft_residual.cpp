@@ -1,64 +1,44 @@
 #include "methods/aft_hbm/aft_residual.hpp"
 
-#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
-#include <complex>
+#include <cstddef>
 
 #include "methods/kernels/harmonic_vector.hpp"
-#include "methods/kernels/pivoting.hpp"
 
 namespace signorini {
 
 AftResidual::AftResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                          const ProjectedLaw& law, int samples)
-    : harmonics_(receptance.harmonics()),
-      contacts_(receptance.contacts()),
-      samples_(samples),
-      root_(law.constant.cwiseSqrt()),
-      free_(samples * contacts_),
-      shift_(samples * contacts_),
-      fft_(samples) {
-  symbol_.reserve(receptance.receptance.size());
-  for (const Eigen::MatrixXcd& c : receptance.receptance) {
-    symbol_.emplace_back(root_.asDiagonal() * c * root_.asDiagonal());
-    symbol_.back().diagonal() -= law.relief;
-  }
-  for (int c = 0; c < contacts_; ++c) {
+    : symbol_(receptance, law), samples_(samples), free_(samples * receptance.contacts()), fft_(samples) {
+  const Eigen::VectorXd& root = symbol_.root();
+  for (int c = 0; c < contacts(); ++c) {
     auto part = free_.segment(c * samples_, samples_);
     fft_.inverse(receptance.free_response.col(c), part);
-    part = root_[c] * (part.array() - gap[c]);
-    shift_.segment(c * samples_, samples_).setConstant(root_[c] / root_.maxCoeff());
+    part = root[c] * (part.array() - gap[c]);
   }
-  shift_ = shift_.cwiseProduct(smooth_cover(samples_, contacts_));
   load_scale_ = std::sqrt(free_.cwiseMax(0.0).squaredNorm() / samples_);
 }
 
 Eigen::VectorXd AftResidual::gap_rate(const Eigen::VectorXd& v) {
-  Eigen::MatrixXcd spectrum = unpack_harmonics(v, harmonics_);
-  for (int n = 0; n <= harmonics_; ++n) {
-    spectrum.row(n) = (symbol_[static_cast<std::size_t>(n)] * spectrum.row(n).transpose()).transpose().eval();
-  }
-  Eigen::VectorXd signal(samples_ * contacts_);
-  for (int c = 0; c < contacts_; ++c) fft_.inverse(spectrum.col(c), signal.segment(c * samples_, samples_));
+  const Eigen::MatrixXcd spectrum = symbol_.rate(v);
+  Eigen::VectorXd signal(samples_ * contacts());
+  for (int c = 0; c < contacts(); ++c) fft_.inverse(spectrum.col(c), signal.segment(c * samples_, samples_));
   return signal;
 }
 
-Eigen::VectorXd AftResidual::gap_function(const Eigen::VectorXd& lambda, double tau) {
-  return free_ + gap_rate(lambda) - tau * shift_;
-}
-
 Eigen::VectorXd AftResidual::project(const Eigen::VectorXd& signal) {
-  Eigen::MatrixXcd spectrum(harmonics_ + 1, contacts_);
+  Eigen::MatrixXcd spectrum(symbol_.harmonics() + 1, contacts());
   Eigen::VectorXcd full(fft_.coefficients());
-  for (int c = 0; c < contacts_; ++c) {
+  for (int c = 0; c < contacts(); ++c) {
     fft_.forward(signal.segment(c * samples_, samples_), full);
-    spectrum.col(c) = full.head(harmonics_ + 1);
+    spectrum.col(c) = full.head(symbol_.harmonics() + 1);
   }
   return pack_harmonics(spectrum);
 }
 
 Eigen::VectorXd AftResidual::residual(const Eigen::VectorXd& lambda, std::vector<char>& contact) {
-  const Eigen::VectorXd y = gap_function(lambda, 0.0);
+  const Eigen::VectorXd y = free_ + gap_rate(lambda);
   contact.resize(static_cast<std::size_t>(y.size()));
   for (Eigen::Index i = 0; i < y.size(); ++i) contact[static_cast<std::size_t>(i)] = y[i] > 0.0 ? 1 : 0;
   return lambda + project(y.cwiseMax(0.0));
@@ -72,39 +52,21 @@ Eigen::VectorXd AftResidual::product(const std::vector<char>& contact, const Eig
   return v + project(signal);
 }
 
-void AftResidual::prepare_preconditioner(const std::vector<char>& contact) {
-  Eigen::VectorXcd ratio(contacts_);
-  for (int c = 0; c < contacts_; ++c) {
-    int closed = 0;
-    for (int i = 0; i < samples_; ++i) closed += contact[static_cast<std::size_t>(c * samples_ + i)];
-    ratio[c] = static_cast<double>(closed) / samples_;
+MeanContactInverse AftResidual::mean_inverse(const std::vector<char>& contact) const {
+  Eigen::VectorXd duty(contacts());
+  for (int c = 0; c < contacts(); ++c) {
+    const auto first = contact.begin() + static_cast<std::ptrdiff_t>(c) * samples_;
+    duty[c] = static_cast<double>(std::count(first, first + samples_, 1)) / samples_;
   }
-  preconditioner_.resize(symbol_.size());
-  for (std::size_t n = 0; n < symbol_.size(); ++n) {
-    Eigen::MatrixXcd block = ratio.asDiagonal() * symbol_[n];
-    block.diagonal().array() += 1.0;
-    // Nc x Nc only; where the mean Jacobian is singular by accident, the identity serves as well.
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(block);
-    preconditioner_[n] = lu.inverse();
-    if (!preconditioner_[n].allFinite()) preconditioner_[n].setIdentity();
-  }
-}
-
-Eigen::VectorXd AftResidual::precondition(const Eigen::VectorXd& v) const {
-  Eigen::MatrixXcd spectrum = unpack_harmonics(v, harmonics_);
-  for (int n = 0; n <= harmonics_; ++n) {
-    spectrum.row(n) =
-        (preconditioner_[static_cast<std::size_t>(n)] * spectrum.row(n).transpose()).transpose().eval();
-  }
-  return pack_harmonics(spectrum);
+  return {symbol_, duty};
 }
 
 Eigen::MatrixXcd AftResidual::coefficients(const Eigen::VectorXd& lambda) const {
-  return unpack_harmonics(lambda, harmonics_) * root_.asDiagonal();
+  return unpack_harmonics(lambda, symbol_.harmonics()) * symbol_.root().asDiagonal();
 }
 
 Eigen::VectorXd AftResidual::unknowns_of(const Eigen::MatrixXcd& coefficients) const {
-  return pack_harmonics(coefficients * root_.cwiseInverse().asDiagonal());
+  return pack_harmonics(coefficients * symbol_.root().cwiseInverse().asDiagonal());
 }
 
 }  // namespace signorini

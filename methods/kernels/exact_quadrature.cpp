@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "methods/kernels/contact_symbol.hpp"
 #include "methods/kernels/gmres.hpp"
 #include "methods/kernels/harmonic_vector.hpp"
 #include "methods/kernels/real_fft.hpp"
@@ -96,24 +97,19 @@ class ExactResidual {
  public:
   ExactResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
                 int samples)
-      : harmonics_(receptance.harmonics()), samples_(samples), root_(law.constant.cwiseSqrt()) {
-    symbol_.reserve(receptance.receptance.size());
-    for (const Eigen::MatrixXcd& c : receptance.receptance) {
-      symbol_.emplace_back(root_.asDiagonal() * c * root_.asDiagonal());
-      symbol_.back().diagonal() -= law.relief;
-    }
+      : harmonics_(receptance.harmonics()), samples_(samples), symbol_(receptance, law) {
     free_ = receptance.free_response;
     free_.row(0) -= gap.transpose();
-    free_ = free_ * root_.asDiagonal();
+    free_ = free_ * root().asDiagonal();
     scale_ = pack_harmonics(free_).norm();
   }
 
-  [[nodiscard]] const Eigen::VectorXd& root() const { return root_; }
+  [[nodiscard]] const Eigen::VectorXd& root() const { return symbol_.root(); }
   [[nodiscard]] double load_scale() const { return scale_; }
 
   /// R at lambda (scaled by sqrt(c)); keeps the contact intervals for `product`.
   Eigen::VectorXd operator()(const Eigen::VectorXd& lambda) {
-    const Eigen::MatrixXcd y = free_ + rate(unpack_harmonics(lambda, harmonics_));
+    const Eigen::MatrixXcd y = free_ + symbol_.rate(lambda);
     Eigen::MatrixXcd pressed(harmonics_ + 1, y.cols());
     indicators_.clear();
     for (Eigen::Index c = 0; c < y.cols(); ++c) {
@@ -123,10 +119,24 @@ class ExactResidual {
     return lambda + pack_harmonics(pressed);
   }
 
-  /// J = 1 + P chi B at the intervals of the last residual, dense.
+  /// J^{-1} r at the intervals of the last residual, J = 1 + P chi B; empty if that is not to be had.
+  [[nodiscard]] Eigen::VectorXd solve_jacobian(const Eigen::VectorXd& r) const {
+    if (r.size() <= kDense) return jacobian().partialPivLu().solve(r);
+    Eigen::VectorXd duty(root().size());
+    for (Eigen::Index c = 0; c < duty.size(); ++c)
+      duty[c] = indicators_[static_cast<std::size_t>(c)][0].real();
+    const MeanContactInverse mean(symbol_, duty);
+    return solve_by_gmres([this](const Eigen::VectorXd& v) { return product(v); },
+                          [&mean](const Eigen::VectorXd& v) { return mean * v; }, r, kLinearTolerance);
+  }
+
+ private:
+  static constexpr Eigen::Index kDense = 500;        // unknowns up to which factorising is the cheaper step
+  static constexpr double kLinearTolerance = 1e-12;  // of each GMRES solve, relative to its right-hand side
+
   [[nodiscard]] Eigen::MatrixXd jacobian() const {
     const Eigen::Index stride = 2 * harmonics_ + 1;
-    const Eigen::Index contacts = root_.size();
+    const Eigen::Index contacts = root().size();
     Eigen::MatrixXd matrix(stride * contacts, stride * contacts);
     for (Eigen::Index row = 0; row < contacts; ++row) {
       for (Eigen::Index column = 0; column < contacts; ++column) {
@@ -137,22 +147,12 @@ class ExactResidual {
     return matrix;
   }
 
-  /// J v = v + P chi B v at the intervals of the last residual.
   [[nodiscard]] Eigen::VectorXd product(const Eigen::VectorXd& v) const {
-    Eigen::MatrixXcd signal = rate(unpack_harmonics(v, harmonics_));
+    Eigen::MatrixXcd signal = symbol_.rate(v);
     for (Eigen::Index c = 0; c < signal.cols(); ++c) {
       signal.col(c) = restrict_to(indicators_[static_cast<std::size_t>(c)], signal.col(c));
     }
     return v + pack_harmonics(signal);
-  }
-
- private:
-  [[nodiscard]] Eigen::MatrixXcd rate(Eigen::MatrixXcd spectrum) const {
-    for (Eigen::Index n = 0; n < spectrum.rows(); ++n) {
-      spectrum.row(n) =
-          (symbol_[static_cast<std::size_t>(n)] * spectrum.row(n).transpose()).transpose().eval();
-    }
-    return spectrum;
   }
 
   /// What unit harmonics of one contact's lambda press at another one's samples in contact, in the packing
@@ -161,7 +161,7 @@ class ExactResidual {
   void fill_block(Eigen::Index row, Eigen::Index column, Eigen::Ref<Eigen::MatrixXd> block) const {
     const Eigen::VectorXcd& chi = indicators_[static_cast<std::size_t>(row)];
     for (Eigen::Index m = 0; m <= harmonics_; ++m) {
-      const Complex b = symbol_[static_cast<std::size_t>(m)](row, column);
+      const Complex b = symbol_.block(m)(row, column);
       for (int part = 0; part < (m == 0 ? 1 : 2); ++part) {
         const Complex s = part == 0 ? b : Complex(0.0, 1.0) * b;
         const Eigen::Index place = m == 0 ? 0 : 2 * m - 1 + part;
@@ -182,9 +182,8 @@ class ExactResidual {
 
   int harmonics_;
   int samples_;
-  Eigen::VectorXd root_;
-  std::vector<Eigen::MatrixXcd> symbol_;  // B_n = sqrt(c) C_n sqrt(c) - relief
-  Eigen::MatrixXcd free_;                 // of sqrt(c) (x_f - g)
+  ContactSymbol symbol_;
+  Eigen::MatrixXcd free_;  // of sqrt(c) (x_f - g)
   double scale_ = 0.0;
   std::vector<Eigen::VectorXcd> indicators_;
 };
@@ -254,12 +253,9 @@ ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen
                                 double tolerance) {
   constexpr int kSteps = 40;
   constexpr int kHalvings = 10;
-  constexpr Eigen::Index kDense = 2000;       // unknowns up to which factorising is the cheaper step
-  constexpr double kLinearTolerance = 1e-12;  // of each GMRES solve, relative to its right-hand side
   ExactResidual residual(receptance, gap, law, samples);
   ExactProjection result;
   Eigen::VectorXd unknown = pack_harmonics(lambda * residual.root().cwiseInverse().asDiagonal());
-  const auto identity = [](const Eigen::VectorXd& v) { return v; };
   Eigen::VectorXd r = residual(unknown);
   // Short contacts press little on the mean, and much less than the load would: the force is the scale. Below
   // it lies the rounding of y, in which the load and the response to the force cancel.
@@ -269,11 +265,7 @@ ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen
     result.residual = scale > 0.0 ? r.norm() / scale : 0.0;
     result.converged = result.residual <= tolerance;
     if (result.converged || result.iterations == kSteps) break;
-    const Eigen::VectorXd step =
-        unknown.size() <= kDense
-            ? Eigen::VectorXd(residual.jacobian().partialPivLu().solve(r))
-            : solve_by_gmres([&](const Eigen::VectorXd& v) { return residual.product(v); }, identity, r,
-                             kLinearTolerance);
+    const Eigen::VectorXd step = residual.solve_jacobian(r);
     if (step.size() == 0 || !step.allFinite()) break;
     ++result.iterations;
     // Far from the solution a full step may lose a contact; a shorter one keeps it.

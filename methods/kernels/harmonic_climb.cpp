@@ -13,6 +13,8 @@ namespace signorini {
 namespace {
 
 constexpr int kFootHarmonics = 20;
+constexpr int kFewestHarmonics = 5;
+constexpr int kFootUnknowns = 800;  // harmonics times contacts: pivots grow with both
 constexpr double kFootSoftness = 1.0 / 16.0;
 constexpr double kStride = 2.0;  // harmonics are multiplied by this where Newton follows
 constexpr int kAttempts = 20;
@@ -66,7 +68,9 @@ ClimbFoot climb_foot(const ContactReceptance& receptance) {
   for (int n = 0; n <= receptance.harmonics(); ++n) {
     if (receptance.free_response.row(n).cwiseAbs().maxCoeff() > 0.0) loaded = n;
   }
-  const int harmonics = std::max(kFootHarmonics, 2 * loaded);
+  const int affordable =
+      std::clamp(kFootUnknowns / std::max(1, receptance.contacts()), kFewestHarmonics, kFootHarmonics);
+  const int harmonics = std::max(affordable, 2 * loaded);
   return harmonics < receptance.harmonics() ? ClimbFoot{harmonics, kFootSoftness} : ClimbFoot{};
 }
 

@@ -32,7 +32,8 @@ struct ClimbFoot {
   double softness = 1.0;
 };
 
-/// Nothing to climb (harmonics = 0) up to twenty harmonics.
+/// Twenty harmonics, fewer (down to five) where there are more than ten contacts, more where the load needs
+/// them. Nothing to climb (harmonics = 0) if that is all.
 ClimbFoot climb_foot(const ContactReceptance& receptance);
 
 struct HarmonicClimb {

@@ -46,6 +46,18 @@ Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& ga
   return {BlockCirculant(samples, symbol, 1.0), std::move(offset)};
 }
 
+Eigen::MatrixXcd force_coefficients(const ProjectedLaw& law, const Eigen::VectorXd& z_scaled, int samples,
+                                    int harmonics) {
+  RealFft fft(samples);
+  Eigen::VectorXcd spectrum(fft.coefficients());
+  Eigen::MatrixXcd lambda(harmonics + 1, law.constant.size());
+  for (Eigen::Index c = 0; c < lambda.cols(); ++c) {
+    fft.forward(z_scaled.segment(c * samples, samples), spectrum);
+    lambda.col(c) = -std::sqrt(law.constant[c]) * spectrum.head(lambda.rows());
+  }
+  return lambda;
+}
+
 double net_work_ratio(const Eigen::MatrixXcd& x, const Eigen::MatrixXcd& lambda) {
   double net = 0.0;
   double exchanged = 0.0;
@@ -116,6 +128,27 @@ Solution exact_solution(const ContactReceptance& receptance, const Eigen::Vector
           .residual = residual};
 }
 
+std::optional<Solution> solve_by_climbing(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                                          const LawAt& law_at, double tolerance, const Start& start,
+                                          Work& work, const FootSolver& solve_foot) {
+  if (ExactProjection closed = permanent_contact(receptance, gap, law_at(receptance), tolerance);
+      closed.converged)
+    return exact_solution(receptance, gap, law_at(receptance), std::move(closed.lambda), closed.residual,
+                          "permanent contact");
+  const ClimbFoot foot = climb_foot(receptance);
+  if (foot.harmonics == 0) return std::nullopt;
+  const Solution base = solve_foot(truncated(receptance, foot.harmonics), foot.softness);
+  if (base.work.pivots) work.pivots = work.pivots.value_or(0) + *base.work.pivots;
+  work.iterations = work.iterations.value_or(0) + base.work.iterations.value_or(0);
+  if (base.verdict != Verdict::converged) return std::nullopt;
+  HarmonicClimb climb =
+      climb_harmonics(receptance, gap, law_at, foot, base.trajectory->force_coefficients(), tolerance, start);
+  work.iterations = *work.iterations + climb.iterations;
+  if (!climb.converged) return std::nullopt;
+  return exact_solution(receptance, gap, law_at(receptance), std::move(climb.lambda), climb.residual,
+                        fmt::format("{} harmonics first, Newton from there", foot.harmonics));
+}
+
 Solution contact_free_response(const ContactReceptance& receptance) {
   FourierTrajectory::Data data;
   data.period = receptance.period;
@@ -144,22 +177,10 @@ std::optional<Solution> ProjectedContact::solve_without_grid(const Start& start,
       return exact_solution(receptance_, gap_, law_, near.lambda, near.residual, "Newton from the guess");
     return std::nullopt;
   }
-  if (ExactProjection closed = permanent_contact(receptance_, gap_, law_, tolerance); closed.converged)
-    return exact_solution(receptance_, gap_, law_, std::move(closed.lambda), closed.residual,
-                          "permanent contact");
-  const ClimbFoot foot = climb_foot(receptance_);
-  if (foot.harmonics == 0) return std::nullopt;
-  ProjectedContact coarse(gap_, truncated(receptance_, foot.harmonics), law_at_, options_, foot.softness);
-  const Solution base = coarse.solve(start);
-  work.pivots = base.work.pivots;
-  work.iterations = base.work.iterations.value_or(0);
-  if (base.verdict != Verdict::converged) return std::nullopt;
-  HarmonicClimb climb = climb_harmonics(receptance_, gap_, law_at_, foot,
-                                        base.trajectory->force_coefficients(), tolerance, start);
-  work.iterations = *work.iterations + climb.iterations;
-  if (!climb.converged) return std::nullopt;
-  return exact_solution(receptance_, gap_, law_, std::move(climb.lambda), climb.residual,
-                        fmt::format("pivoting with {} harmonics, Newton from there", foot.harmonics));
+  return solve_by_climbing(receptance_, gap_, law_at_, tolerance, start, work,
+                           [this, &start](const ContactReceptance& few, double softness) {
+                             return ProjectedContact(gap_, few, law_at_, options_, softness).solve(start);
+                           });
 }
 
 Solution ProjectedContact::solve(const Start& start) {
@@ -189,8 +210,8 @@ Solution ProjectedContact::solve(const Start& start) {
     } else {
       work.pivots = work.pivots.value_or(0) + result.pivots;
     }
-    FourierTrajectory::Data data =
-        fourier_data(receptance_, gap_, law_, force_coefficients(result.z, samples));
+    FourierTrajectory::Data data = fourier_data(
+        receptance_, gap_, law_, force_coefficients(law_, result.z, samples, receptance_.harmonics()));
     const bool solved = result.status == LcpStatus::solved;
     std::string quadrature = fmt::format("N = {}", samples);
     // Where nothing touches, the sampled integral is exact.
@@ -226,17 +247,6 @@ Eigen::VectorXd ProjectedContact::guess_from(const Trajectory& trajectory, int s
         (-motion.force.col(c).array() / std::sqrt(law_.constant[c])).max(0.0).matrix();
   }
   return guess;
-}
-
-Eigen::MatrixXcd ProjectedContact::force_coefficients(const Eigen::VectorXd& z_scaled, int samples) const {
-  RealFft fft(samples);
-  Eigen::VectorXcd spectrum(fft.coefficients());
-  Eigen::MatrixXcd lambda(receptance_.harmonics() + 1, receptance_.contacts());
-  for (int c = 0; c < receptance_.contacts(); ++c) {
-    fft.forward(z_scaled.segment(c * samples, samples), spectrum);
-    lambda.col(c) = -std::sqrt(law_.constant[c]) * spectrum.head(lambda.rows());
-  }
-  return lambda;
 }
 
 }  // namespace signorini

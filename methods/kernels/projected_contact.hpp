@@ -3,6 +3,7 @@
 // Fourier Lipschitz and the penalty method share.
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -25,6 +26,10 @@ struct ProjectedOptions {
 /// rows and columns scaled by sqrt(c) per contact, z_scaled = z / sqrt(c).
 Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
                   int samples);
+
+/// Coefficients n = 0..H of lambda = -P z behind a solution of projected_lcp, (H+1) x Nc [N].
+Eigen::MatrixXcd force_coefficients(const ProjectedLaw& law, const Eigen::VectorXd& z_scaled, int samples,
+                                    int harmonics);
 
 /// Net work of the contact force over a period, relative to the work exchanged,
 /// |2 T sum_n Re(conj(lambda_n) i n w x_n)| / (2 T sum_n n w |lambda_n| |x_n|), summed over contacts.
@@ -67,15 +72,24 @@ Solution exact_solution(const ContactReceptance& receptance, const Eigen::Vector
                         const ProjectedLaw& law, Eigen::MatrixXcd lambda, double residual,
                         const std::string& how);
 
+/// Solves the problem at the foot of a climb: the first harmonics alone, the law softened.
+using FootSolver = std::function<Solution(const ContactReceptance& few, double softness)>;
+
+/// Permanent contact, or all harmonics from few (climb_foot, climb_harmonics); nothing where neither serves.
+/// Adds what it spent to `work`.
+std::optional<Solution> solve_by_climbing(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                                          const LawAt& law_at, double tolerance, const Start& start,
+                                          Work& work, const FootSolver& solve_foot);
+
 /// The answer where the scene has no contact.
 Solution contact_free_response(const ContactReceptance& receptance);
 
 /// A scene prepared for one projected law.
 ///
 /// With solver = auto and the exact contact integral, a guess is taken up by Newton's method at once
-/// (project_exactly), permanent contact is recognised, and more than twenty harmonics are reached from few
-/// (climb_harmonics); where none of these serves, as with the other settings, the complementarity problem is
-/// solved on the grids of SampleLadder and its integral refined.
+/// (project_exactly), permanent contact is recognised, and many harmonics are reached from few
+/// (solve_by_climbing); where none of these serves, as with the other settings, the complementarity problem
+/// is solved on the grids of SampleLadder and its integral refined.
 class ProjectedContact final : public PreparedMethod {
  public:
   ProjectedContact(Eigen::VectorXd gap, ContactReceptance receptance, LawAt law_at, ProjectedOptions options,
@@ -87,7 +101,6 @@ class ProjectedContact final : public PreparedMethod {
   std::optional<Solution> solve_without_grid(const Start& start, Work& work) const;
   /// z on the grid from a trajectory: max(0, y) sampled.
   [[nodiscard]] Eigen::VectorXd guess_from(const Trajectory& trajectory, int samples) const;
-  [[nodiscard]] Eigen::MatrixXcd force_coefficients(const Eigen::VectorXd& z_scaled, int samples) const;
 
   Eigen::VectorXd gap_;
   ContactReceptance receptance_;

@@ -1,13 +1,16 @@
 #include "tests/support/population.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <iterator>
 #include <random>
 #include <utility>
 
+#include "problems/assembly/beam.hpp"
 #include "problems/assembly/chain.hpp"
+#include "problems/assembly/damping.hpp"
 
 namespace signorini::test {
 
@@ -29,14 +32,14 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-// |u_dof| of the contact-free response to a load on one coordinate.
-double free_amplitude(const Problem& problem, int dof) {
+// |u| of the contact-free response, Nd.
+Eigen::VectorXd free_amplitudes(const Problem& problem) {
   const std::complex<double> iw(0.0, problem.frequency);
   const Eigen::MatrixXcd Z =
       Eigen::MatrixXcd((problem.stiffness - problem.frequency * problem.frequency * problem.mass)
                            .cast<std::complex<double>>() +
                        (iw * problem.damping.cast<std::complex<double>>()));
-  return std::abs(Eigen::VectorXcd(Z.fullPivLu().solve(load_harmonic(problem, 1)))[dof]);
+  return Z.fullPivLu().solve(load_harmonic(problem, 1)).cwiseAbs();
 }
 
 }  // namespace
@@ -71,10 +74,42 @@ std::vector<Problem> chain_population(int count, unsigned long seed) {
     problem.stiffness = structure.stiffness;
     problem.frequency = random.uniform(0.3, 2.5);
     problem.force = {{.dof = random.below(masses), .harmonic = 1, .cos = 1.0, .sin = 0.0}};
+    const Eigen::VectorXd amplitude = free_amplitudes(problem);
     for (int j = 0; j < 1 + scene % 2; ++j) {
       const int dof = j == 0 ? masses - 1 : random.below(masses - 1);
       problem.contacts.push_back(
-          {.normal = {{dof, 1.0}}, .gap = random.uniform(-0.1, 0.9) * free_amplitude(problem, dof)});
+          {.normal = {{dof, 1.0}}, .gap = random.uniform(-0.1, 0.9) * amplitude[dof]});
+    }
+    problem.law = Restitution{kRestitutions[static_cast<std::size_t>(scene) % std::size(kRestitutions)]};
+    scenes.push_back(std::move(problem));
+  }
+  return scenes;
+}
+
+std::vector<Problem> beam_population(int count, unsigned long seed) {
+  constexpr int kElements = 20;
+  constexpr int kOuterNodes = 15;
+  constexpr double kFirstFrequency = 3.516;  // of a cantilever, in units of sqrt(E I / (rho A L^4))
+  Random random(seed);
+  std::vector<Problem> scenes;
+  for (int scene = 0; scene < count; ++scene) {
+    const Structure structure = assemble(Beam{.elements = kElements});
+    const double ratio = std::pow(10.0, random.uniform(std::log10(0.005), std::log10(0.1)));
+    Problem problem;
+    problem.name = "random-beam";
+    problem.kind = "beam";
+    problem.mass = structure.mass;
+    problem.damping = damping_matrix(ModalDamping{{ratio}}, structure.mass, structure.stiffness);
+    problem.stiffness = structure.stiffness;
+    problem.frequency = kFirstFrequency * random.uniform(0.4, 7.0);
+    problem.force = {{.dof = 2 * kElements - 2, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
+    const Eigen::VectorXd amplitude = free_amplitudes(problem);
+    std::vector<int> stopped;
+    while (static_cast<int>(stopped.size()) < 1 + scene % 10) {
+      const int dof = 2 * (kElements - 1 - random.below(kOuterNodes));
+      if (std::find(stopped.begin(), stopped.end(), dof) != stopped.end()) continue;
+      stopped.push_back(dof);
+      problem.contacts.push_back({.normal = {{dof, 1.0}}, .gap = random.uniform(0.0, 0.8) * amplitude[dof]});
     }
     problem.law = Restitution{kRestitutions[static_cast<std::size_t>(scene) % std::size(kRestitutions)]};
     scenes.push_back(std::move(problem));

@@ -21,4 +21,10 @@ std::vector<Problem> restitution_population(int count, unsigned long seed = 2026
 /// restitutions 0, 0.3, 0.5, 0.8 and 1 in turn.
 std::vector<Problem> chain_population(int count, unsigned long seed = 20260102);
 
+/// `count` cantilever beams of 20 elements, in units of their length, mass and bending stiffness, driven at
+/// the tip between 0.4 and 7 times the first eigenfrequency: 1 to 10 stops in turn on distinct deflections of
+/// the outer 15 nodes, gaps of 0 to 0.8 of the contact-free amplitude there, the same modal damping ratio
+/// 10^[log 0.005, log 0.1] in all modes; restitutions 0, 0.3, 0.5, 0.8 and 1 in turn.
+std::vector<Problem> beam_population(int count, unsigned long seed = 20260103);
+
 }  // namespace signorini::test
