@@ -19,7 +19,7 @@ namespace signorini {
 namespace {
 
 constexpr int kNewtonSteps = 100;
-// Cold, Newton converges at once or creeps (of the one-mass population it solves 1 scene in 200): the
+// Cold, Newton converges at once or creeps (of the one-mass population it solves no scene): the
 // homotopy takes over early.
 constexpr int kColdSteps = 5;
 

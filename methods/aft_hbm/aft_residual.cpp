@@ -52,7 +52,7 @@ Eigen::VectorXd AftResidual::product(const std::vector<char>& contact, const Eig
   return v + project(signal);
 }
 
-MeanContactInverse AftResidual::mean_inverse(const std::vector<char>& contact) const {
+LastingContactInverse AftResidual::lasting_inverse(const std::vector<char>& contact) const {
   Eigen::VectorXd duty(contacts());
   for (int c = 0; c < contacts(); ++c) {
     const auto first = contact.begin() + static_cast<std::ptrdiff_t>(c) * samples_;

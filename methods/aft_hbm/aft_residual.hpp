@@ -36,7 +36,7 @@ class AftResidual {
   /// J v = v + P chi B v.
   [[nodiscard]] Eigen::VectorXd product(const std::vector<char>& contact, const Eigen::VectorXd& v);
   /// The preconditioner of J for this contact pattern.
-  [[nodiscard]] MeanContactInverse mean_inverse(const std::vector<char>& contact) const;
+  [[nodiscard]] LastingContactInverse lasting_inverse(const std::vector<char>& contact) const;
 
   /// Unscaled coefficients n = 0..H of lambda, (H+1) x Nc [N], and back.
   [[nodiscard]] Eigen::MatrixXcd coefficients(const Eigen::VectorXd& lambda) const;

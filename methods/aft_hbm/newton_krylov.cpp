@@ -14,9 +14,9 @@ constexpr double kLinearTolerance = 1e-12;  // of each linear solve, relative to
 
 Eigen::VectorXd solve_jacobian(AftResidual& residual, const std::vector<char>& contact,
                                const Eigen::VectorXd& rhs) {
-  const MeanContactInverse mean = residual.mean_inverse(contact);
+  const LastingContactInverse lasting = residual.lasting_inverse(contact);
   return solve_by_gmres([&](const Eigen::VectorXd& v) { return residual.product(contact, v); },
-                        [&](const Eigen::VectorXd& v) { return mean * v; }, rhs, kLinearTolerance);
+                        [&](const Eigen::VectorXd& v) { return lasting * v; }, rhs, kLinearTolerance);
 }
 
 }  // namespace

@@ -125,13 +125,13 @@ class ExactResidual {
     Eigen::VectorXd duty(root().size());
     for (Eigen::Index c = 0; c < duty.size(); ++c)
       duty[c] = indicators_[static_cast<std::size_t>(c)][0].real();
-    const MeanContactInverse mean(symbol_, duty);
+    const LastingContactInverse lasting(symbol_, duty);
     return solve_by_gmres([this](const Eigen::VectorXd& v) { return product(v); },
-                          [&mean](const Eigen::VectorXd& v) { return mean * v; }, r, kLinearTolerance);
+                          [&lasting](const Eigen::VectorXd& v) { return lasting * v; }, r, kLinearTolerance);
   }
 
  private:
-  static constexpr Eigen::Index kDense = 500;        // unknowns up to which factorising is the cheaper step
+  static constexpr Eigen::Index kDense = 100;        // unknowns up to which factorising is the cheaper step
   static constexpr double kLinearTolerance = 1e-12;  // of each GMRES solve, relative to its right-hand side
 
   [[nodiscard]] Eigen::MatrixXd jacobian() const {
@@ -236,16 +236,16 @@ Eigen::VectorXcd indicator_spectrum(const std::vector<ContactInterval>& interval
 
 Eigen::VectorXcd restrict_to(const Eigen::VectorXcd& indicator, const Eigen::VectorXcd& s) {
   const auto harmonics = static_cast<int>(s.size()) - 1;
-  Eigen::VectorXcd result(harmonics + 1);
-  for (int n = 0; n <= harmonics; ++n) {
-    Complex sum = indicator[n] * s[0].real();
-    for (int m = 1; m <= harmonics; ++m) {
-      const Complex difference = n >= m ? indicator[n - m] : std::conj(indicator[m - n]);
-      sum += difference * s[m] + indicator[n + m] * std::conj(s[m]);
-    }
-    result[n] = sum;
-  }
-  return result;
+  // chi s reaches harmonic 3 H: on more than 4 H samples none of it folds onto |n| <= H.
+  RealFft fft(4 * harmonics + 2);
+  Eigen::VectorXd chi(fft.samples());
+  Eigen::VectorXd values(fft.samples());
+  fft.inverse(indicator.head(2 * harmonics + 1), chi);
+  fft.inverse(s, values);
+  values.array() *= chi.array();
+  Eigen::VectorXcd spectrum(fft.coefficients());
+  fft.forward(values, spectrum);
+  return spectrum.head(harmonics + 1);
 }
 
 ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen::VectorXd& gap,

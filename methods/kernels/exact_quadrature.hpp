@@ -25,7 +25,7 @@ std::vector<ContactInterval> positive_intervals(const Eigen::VectorXcd& y, int s
 Eigen::VectorXcd indicator_spectrum(const std::vector<ContactInterval>& intervals, int count);
 
 /// Coefficients n = 0..H of P[chi s] for the polynomial s, chi given by its spectrum up to 2 H: the exact
-/// integral of s over the intervals, (chi s)_n = sum_{|m| <= H} chi_{n-m} s_m.
+/// integral of s over the intervals, (chi s)_n = sum_{|m| <= H} chi_{n-m} s_m, in O(H log H).
 Eigen::VectorXcd restrict_to(const Eigen::VectorXcd& indicator, const Eigen::VectorXcd& s);
 
 struct ExactProjection {
@@ -40,8 +40,9 @@ struct ExactProjection {
 /// contact, to rounding, whatever H and c (docs/theory.md); sampling leaves O(N^-2) of it, irregularly.
 /// The edges of contact move with lambda, where y = 0: the residual is continuously differentiable, and
 /// Newton converges quadratically where no contact is born or lost. Steps by a dense factorisation of the
-/// (2 H + 1) Nc unknowns up to a few thousand of them, by GMRES with products of O(H^2 Nc) beyond.
-/// \param samples instants on which sign changes are bracketed
+/// (2 H + 1) Nc unknowns up to a few hundred of them, beyond by GMRES with products of O(H log H Nc + H
+/// Nc^2), preconditioned by LastingContactInverse. \param samples instants on which sign changes are
+/// bracketed
 ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                 const ProjectedLaw& law, const Eigen::MatrixXcd& lambda, int samples,
                                 double tolerance);

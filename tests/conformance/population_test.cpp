@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -193,6 +194,84 @@ TEST(Population, TheGapHomotopyOfAftHbmRepairsNewton) {
   publish("aft-hbm[homotopy=false]", newton);
   EXPECT_GE(homotopy.percent(), 98.0);
   EXPECT_LT(newton.converged, homotopy.converged);
+}
+
+// Z x = f + W lambda at every harmonic kept and -force = max(0, c (x - g) - P force) at every sample of every
+// contact, by dense solves and direct sums.
+void expect_fourier_solution(const Problem& problem, const Trajectory& trajectory) {
+  const Samples samples = trajectory.sample(kSamples);
+  const Eigen::MatrixXcd W = Eigen::MatrixXd(contact_directions(problem)).cast<Complex>();
+  const Eigen::MatrixXcd M = Eigen::MatrixXd(problem.mass).cast<Complex>();
+  const Eigen::MatrixXcd D = Eigen::MatrixXd(problem.damping).cast<Complex>();
+  const Eigen::MatrixXcd K = Eigen::MatrixXd(problem.stiffness).cast<Complex>();
+  Eigen::MatrixXcd x_n(kHarmonics + 1, problem.contact_count()), lambda_n(x_n.rows(), x_n.cols());
+  for (int c = 0; c < problem.contact_count(); ++c) {
+    const auto x = harmonics_of(samples.x.col(c)), force = harmonics_of(samples.force.col(c));
+    x_n.col(c) = Eigen::Map<const Eigen::VectorXcd>(x.data(), x_n.rows());
+    lambda_n.col(c) = Eigen::Map<const Eigen::VectorXcd>(force.data(), x_n.rows());
+  }
+  const double x_scale = samples.x.cwiseAbs().maxCoeff();
+  for (int n = 0; n <= kHarmonics; ++n) {
+    const double w = n * problem.frequency;
+    const Eigen::VectorXcd load =
+        (n == 1 ? 0.5 : 0.0) * load_harmonic(problem, 1) + W * lambda_n.row(n).transpose();
+    const Eigen::VectorXcd u = Eigen::MatrixXcd(K - w * w * M + Complex(0.0, w) * D).fullPivLu().solve(load);
+    EXPECT_LE((W.transpose() * u - x_n.row(n).transpose()).norm(), kRecheck * x_scale) << "harmonic " << n;
+  }
+  for (int c = 0; c < problem.contact_count(); ++c) {
+    const double gap = problem.contacts[static_cast<std::size_t>(c)].gap;
+    const Eigen::ArrayXd force = samples.force.col(c).array(), room = samples.x.col(c).array() - gap;
+    Eigen::ArrayXd lambda = Eigen::ArrayXd::Constant(kSamples, lambda_n(0, c).real());
+    for (int i = 0; i < kSamples; ++i) {
+      for (int n = 1; n <= kHarmonics; ++n) {
+        const double angle = 2.0 * std::numbers::pi * (n * i % kSamples) / kSamples;
+        lambda[i] += 2.0 * (lambda_n(n, c) * std::polar(1.0, angle)).real();
+      }
+    }
+    // c from the pressing samples by least squares: c (x - g) = lambda - force there.
+    const Eigen::ArrayXd pressing = (force < 0.0).cast<double>();
+    if (pressing.sum() == 0.0) {
+      EXPECT_LE(room.maxCoeff(), kRecheck * x_scale) << "contact " << c << " is open and penetrated";
+      continue;
+    }
+    const double constant = (pressing * room * (lambda - force)).sum() / (pressing * room.square()).sum();
+    const Eigen::ArrayXd expected = -(constant * room - lambda).max(0.0);
+    EXPECT_LE((force - expected).abs().maxCoeff(), kRecheck * force.abs().maxCoeff()) << "contact " << c;
+  }
+}
+
+TEST(BeamPopulation, PivotingConvergesOnEveryScene) {
+  Tally tally;
+  for (const Problem& beam : test::beam_population(kScenes)) {
+    SCOPED_TRACE(testing::Message() << beam.contact_count() << " stops, w = " << beam.frequency);
+    const Solution solution =
+        test::solve<FourierLipschitz>(beam, {.harmonics = kHarmonics,
+                                             .samples = kSamples,
+                                             .quadrature = Quadrature::sampled,
+                                             .solver = ComplementaritySolver::pivoting});
+    tally.add(solution);
+    ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+    expect_fourier_solution(beam, *solution.trajectory);
+  }
+  publish("fourier-lipschitz, beams", tally);
+}
+
+TEST(BeamPopulation, HatLcpConvergesForEveryRestitution) {
+  Tally tally;
+  for (const Problem& beam : test::beam_population(kScenes))
+    tally.add(test::solve<HatLcp>(beam, {.samples = kNodes / 2}));
+  publish("hat-lcp, beams", tally);
+  EXPECT_GE(tally.percent(), 99.0);
+}
+
+TEST(BeamPopulation, TheExactContactIntegralIsFoundOnEveryScene) {
+  Tally tally;
+  for (const Problem& beam : test::beam_population(kScenes)) {
+    const Solution solution = test::solve<FourierLipschitz>(beam, {.harmonics = 2 * kHarmonics});
+    tally.add(solution);
+    EXPECT_EQ(solution.verdict, Verdict::converged) << beam.contact_count() << " stops: " << solution.message;
+  }
+  publish("fourier-lipschitz[harmonics=20], beams", tally);
 }
 
 }  // namespace

@@ -77,8 +77,7 @@ std::vector<Problem> chain_population(int count, unsigned long seed) {
     const Eigen::VectorXd amplitude = free_amplitudes(problem);
     for (int j = 0; j < 1 + scene % 2; ++j) {
       const int dof = j == 0 ? masses - 1 : random.below(masses - 1);
-      problem.contacts.push_back(
-          {.normal = {{dof, 1.0}}, .gap = random.uniform(-0.1, 0.9) * amplitude[dof]});
+      problem.contacts.push_back({.normal = {{dof, 1.0}}, .gap = random.uniform(-0.1, 0.9) * amplitude[dof]});
     }
     problem.law = Restitution{kRestitutions[static_cast<std::size_t>(scene) % std::size(kRestitutions)]};
     scenes.push_back(std::move(problem));

@@ -101,7 +101,7 @@ TEST_F(AftResidualTest, PreconditionerInvertsTheJacobianOfUniformContact) {
   for (const char state : {char{0}, char{1}}) {
     std::vector<char> contact(128, 0);
     std::fill_n(contact.begin(), 64, state);
-    const Eigen::VectorXd back = residual_->mean_inverse(contact) * residual_->product(contact, lambda_);
+    const Eigen::VectorXd back = residual_->lasting_inverse(contact) * residual_->product(contact, lambda_);
     EXPECT_LE((back - lambda_).norm(), 1e-10 * lambda_.norm());
   }
 }
