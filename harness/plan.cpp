@@ -21,11 +21,10 @@ struct OptionPrinter {
   std::string operator()(const std::string& value) const { return value; }
 };
 
-bool belongs(const Suite& suite, const Problem& problem) {
-  const auto named = [&](const std::string& glob) { return glob_match(glob, problem.name); };
-  const auto carried = [&](const std::string& tag) {
-    return std::find(problem.tags.begin(), problem.tags.end(), tag) != problem.tags.end();
-  };
+bool belongs(const Suite& suite, const SceneHeader& scene) {
+  const auto named = [&](const std::string& glob) { return glob_match(glob, scene.name); };
+  const auto carried = [&](const std::string& tag) { return scene.carries(tag); };
+  if (std::any_of(suite.without_tags.begin(), suite.without_tags.end(), carried)) return false;
   return std::any_of(suite.scenes.begin(), suite.scenes.end(), named) ||
          std::any_of(suite.tags.begin(), suite.tags.end(), carried);
 }
@@ -34,10 +33,10 @@ std::vector<Scene> choose_scenes(const Suite& suite, const Narrowing& narrowing,
                                  std::span<const std::filesystem::path> files) {
   std::vector<Scene> scenes;
   for (const std::filesystem::path& file : files) {
-    Scene scene = read_scene(file.string());
-    if (!belongs(suite, scene.problem)) continue;
-    if (narrowing.scenes && !filter_matches(*narrowing.scenes, scene.problem.name)) continue;
-    scenes.push_back(std::move(scene));
+    const SceneHeader header = load_header(file);  // first: a large scene takes time to assemble
+    if (!belongs(suite, header)) continue;
+    if (narrowing.scenes && !filter_matches(*narrowing.scenes, header.name)) continue;
+    scenes.push_back(read_scene(file.string()));
   }
   if (scenes.empty()) {
     throw NothingMatched(

@@ -67,8 +67,9 @@ Suite parse_suite(std::string_view text, const std::string& file) {
   }
   const SceneField root(document, file);
   static_cast<void>(root["schema"].whole("must be 1", 1, 1));  // first: another schema may have other keys
-  root.allow_only({"schema", "name", "title", "scenes", "tags", "methods", "limits", "expected_failure"},
-                  "must be a table");
+  root.allow_only(
+      {"schema", "name", "title", "scenes", "tags", "without_tags", "methods", "limits", "expected_failure"},
+      "must be a table");
   Suite suite;
   suite.name = root["name"].text("must be a name in lower-kebab-case");
   const auto kebab = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
@@ -78,6 +79,7 @@ Suite parse_suite(std::string_view text, const std::string& file) {
   suite.title = root["title"].text("must be one line of text");
   suite.scenes = texts(root["scenes"], "must be a list of globs on scene names");
   suite.tags = texts(root["tags"], "must be a list of tags");
+  suite.without_tags = texts(root["without_tags"], "must be a list of tags");
   if (suite.scenes.empty() && suite.tags.empty()) {
     root["scenes"].refuse("must be a list of globs on scene names, unless tags are given");
   }

@@ -19,23 +19,37 @@ constexpr double kNothing = 1e-14;
 constexpr int kMaxSubharmonic = 64;
 constexpr int kMaxLoadHarmonic = 10000;
 
-// w^T A w / |w|^4, zero where it is rounding only.
-double reduced(const SparseMatrix& A, const Eigen::VectorXd& w) {
-  const double form = w.dot(A * w);
-  const double length2 = w.squaredNorm();
-  return form > kNothing * largest_entry(A) * length2 ? form / (length2 * length2) : 0.0;
+// w_j^T A w_j / |w_j|^4 for every column w_j of W, zero where it is rounding only.
+Eigen::VectorXd reduced(const SparseMatrix& A, const SparseMatrix& W) {
+  const SparseMatrix AW = A * W;
+  const double least = kNothing * largest_entry(A);
+  Eigen::VectorXd forms(W.cols());
+  for (int j = 0; j < W.cols(); ++j) {
+    const double form = W.col(j).dot(AW.col(j));
+    const double length2 = W.col(j).squaredNorm();
+    forms(j) = form > least * length2 ? form / (length2 * length2) : 0.0;
+  }
+  return forms;
+}
+
+// max |w_j| of every column.
+Eigen::VectorXd largest_of_columns(const SparseMatrix& W) {
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(W.cols());
+  for (int j = 0; j < W.outerSize(); ++j) {
+    for (SparseMatrix::InnerIterator entry(W, j); entry; ++entry) {
+      largest(j) = std::max(largest(j), std::abs(entry.value()));
+    }
+  }
+  return largest;
 }
 
 // For each contact, whether M w != 0.
 std::vector<bool> contacts_with_mass(const Problem& problem) {
-  const double inertia = largest_entry(problem.mass);
   const SparseMatrix W = contact_directions(problem);
+  const Eigen::VectorXd momentum = largest_of_columns(problem.mass * W);
+  const Eigen::VectorXd least = kNothing * largest_entry(problem.mass) * largest_of_columns(W);
   std::vector<bool> massive;
-  for (int j = 0; j < problem.contact_count(); ++j) {
-    const Eigen::VectorXd w = W.col(j);
-    const Eigen::VectorXd momentum = problem.mass * w;
-    massive.push_back(momentum.cwiseAbs().maxCoeff() > kNothing * inertia * w.cwiseAbs().maxCoeff());
-  }
+  for (int j = 0; j < problem.contact_count(); ++j) massive.push_back(momentum(j) > least(j));
   return massive;
 }
 
@@ -236,19 +250,25 @@ Eigen::MatrixXd delassus_matrix(const Problem& problem) {
   }
   const SparseMatrix W = contact_directions(problem);
   const Eigen::SimplicialLDLT<SparseMatrix> factors(problem.mass);
-  return W.transpose() * factors.solve(Eigen::MatrixXd(W));
+  Eigen::MatrixXd G(W.cols(), W.cols());
+  // One column at a time: all of them together would be a dense Nd x Nc array.
+  for (int j = 0; j < W.cols(); ++j) {
+    const Eigen::VectorXd w = W.col(j);
+    G.col(j) = W.transpose() * factors.solve(w);
+  }
+  return G;
 }
 
 Eigen::VectorXd contact_stiffness_scale(const Problem& problem) {
   const SparseMatrix W = contact_directions(problem);
   const double omega = problem.frequency;
-  Eigen::VectorXd scale(problem.contact_count());
-  for (int j = 0; j < problem.contact_count(); ++j) {
-    const Eigen::VectorXd w = W.col(j);
-    scale(j) = reduced(problem.stiffness, w);
-    if (scale(j) == 0.0) scale(j) = omega * omega * reduced(problem.mass, w);
+  Eigen::VectorXd scale = reduced(problem.stiffness, W);
+  if ((scale.array() > 0.0).all()) return scale;
+  const Eigen::VectorXd inertia = omega * omega * reduced(problem.mass, W);
+  const Eigen::VectorXd resistance = omega * reduced(problem.damping, W);
+  for (int j = 0; j < scale.size(); ++j) {
     // Neither spring nor mass: validate() has made sure of a damper.
-    if (scale(j) == 0.0) scale(j) = omega * reduced(problem.damping, w);
+    if (scale(j) == 0.0) scale(j) = inertia(j) > 0.0 ? inertia(j) : resistance(j);
   }
   return scale;
 }

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <iterator>
-#include <limits>
 #include <set>
 
-#include "problems/assembly/rotor.hpp"
+#include "problems/scene_boundary.hpp"
 #include "problems/scene_field.hpp"
 #include "problems/scene_system.hpp"
 #include "problems/toml_tree.hpp"
@@ -21,9 +19,6 @@ namespace {
 constexpr int kSchema = 1;
 constexpr std::size_t kLargestFile = std::size_t{1} << 24;  // bytes; a scene is text written by hand
 constexpr std::size_t kLongestName = 64;
-constexpr int kMostFacets = 1000;  // of one ring
-constexpr std::string_view kNumber = "must be a finite number";
-constexpr std::string_view kGap = "must be a finite number [m]";
 
 bool is_lower_kebab_case(std::string_view name) {
   const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
@@ -54,89 +49,6 @@ std::vector<std::string> read_tags(const SceneField& field) {
   return tags;
 }
 
-int read_dof(const SceneField& field, int size) {
-  const int last = size - 1;
-  return field.whole(fmt::format("must be a coordinate of the system, 0..{}", last), 0, last);
-}
-
-// Ranges are validate()'s business; here a number need only be an int.
-int read_int(const SceneField& field, int otherwise) {
-  constexpr int kMost = std::numeric_limits<int>::max();
-  return field.whole_or(otherwise, "must be a whole number", -kMost, kMost);
-}
-
-void read_forcing(const SceneField& forcing, int size, Problem& problem) {
-  forcing.allow_only({"frequency", "subharmonic", "term"}, "must be a table with the frequency");
-  problem.frequency = forcing["frequency"].number("must be a positive number [rad/s]");
-  problem.subharmonic = read_int(forcing["subharmonic"], 1);
-  const SceneField terms = forcing["term"];
-  if (!terms.given()) return;
-  for (const SceneField& term : terms.items("must be [[forcing.term]] tables; left out if there is none")) {
-    term.allow_only({"dof", "harmonic", "cos", "sin"}, "must be a table");
-    problem.force.push_back({.dof = read_dof(term["dof"], size),
-                             .harmonic = read_int(term["harmonic"], 1),
-                             .cos = term["cos"].number_or(0.0, kNumber),
-                             .sin = term["sin"].number_or(0.0, kNumber)});
-  }
-}
-
-std::vector<std::pair<int, double>> read_normal(const SceneField& contact, int size) {
-  const SceneField dof = contact["dof"];
-  const SceneField normal = contact["normal"];
-  if (dof.given() && normal.given()) normal.refuse("must be absent: dof is given");
-  if (!normal.given()) return {{read_dof(dof, size), 1.0}};
-  constexpr std::string_view kPair = "must be a pair [dof, coefficient]";
-  std::vector<std::pair<int, double>> result;
-  for (const SceneField& entry : normal.items("must be a list of pairs [dof, coefficient]")) {
-    const std::vector<SceneField> pair = entry.items(kPair);
-    if (pair.size() != 2) entry.refuse(kPair);
-    result.emplace_back(read_dof(pair[0], size), pair[1].number(kNumber));
-  }
-  return result;
-}
-
-// A regular polygon of contacts in the plane of two coordinates.
-std::vector<Contact> read_ring(const SceneField& contact, int size) {
-  for (const char* key : {"dof", "normal"}) {
-    if (contact[key].given()) contact[key].refuse("must be absent: a ring of facets has dofs, a pair");
-  }
-  constexpr std::string_view kPair = "must be a pair of different coordinates";
-  const std::vector<SceneField> pair = contact["dofs"].items(kPair);
-  if (pair.size() != 2) contact["dofs"].refuse(kPair);
-  const int first = read_dof(pair[0], size);
-  const int second = read_dof(pair[1], size);
-  if (first == second) contact["dofs"].refuse(kPair);
-  const int facets =
-      contact["facets"].whole(fmt::format("must be a whole number, 3..{}", kMostFacets), 3, kMostFacets);
-  return ring_of_contacts(first, second, facets, contact["gap"].number(kGap));
-}
-
-bool is_ring(const SceneField& contact) { return contact["facets"].given() || contact["dofs"].given(); }
-
-void read_contacts(const SceneField& contacts, int size, Problem& problem) {
-  if (!contacts.given()) return;
-  for (const SceneField& contact : contacts.items("must be [[contact]] tables; left out if there is none")) {
-    contact.allow_only({"dof", "normal", "dofs", "facets", "gap"}, "must be a table");
-    if (is_ring(contact)) {
-      std::ranges::move(read_ring(contact, size), std::back_inserter(problem.contacts));
-    } else {
-      problem.contacts.push_back({.normal = read_normal(contact, size), .gap = contact["gap"].number(kGap)});
-    }
-  }
-}
-
-// The table that contact `index` was made from; a ring makes many.
-SceneField contact_as_written(const SceneField& document, int index) {
-  int table = 0;
-  while (true) {
-    const SceneField contact = document.at(fmt::format("contact[{}]", table));
-    const int made = is_ring(contact) ? contact["facets"].whole("", 3, kMostFacets) : 1;
-    if (index < made || !contact.given()) return contact;
-    index -= made;
-    ++table;
-  }
-}
-
 std::vector<double> read_penalty(const SceneField& penalty, std::size_t contacts) {
   constexpr std::string_view kRequirement = "must be a positive number [N/m], or a list of them";
   if (!penalty.is_array()) return std::vector<double>(contacts, penalty.number(kRequirement));
@@ -145,6 +57,17 @@ std::vector<double> read_penalty(const SceneField& penalty, std::size_t contacts
     values.push_back(item.number("must be a positive number [N/m]"));
   }
   return values;
+}
+
+SceneHeader read_header(const SceneField& document) {
+  static_cast<void>(
+      document["schema"].whole("must be 1", kSchema, kSchema));  // first: others may have other keys
+  document.allow_only({"schema", "name", "title", "reference", "tags", "system", "forcing", "contact", "law"},
+                      "must be a table");
+  return {.name = read_name(document["name"]),
+          .title = read_optional_text(document["title"]),
+          .reference = read_optional_text(document["reference"]),
+          .tags = read_tags(document["tags"])};
 }
 
 Law read_law(const SceneField& law, const Problem& problem) {
@@ -164,17 +87,30 @@ Law read_law(const SceneField& law, const Problem& problem) {
   return Restitution{restitution.number("must be in 0..1")};
 }
 
+// A scene, and the tables that its load and its contacts were made from.
+struct ReadScene {
+  Problem problem = {};
+  std::vector<int> term_tables = {};
+  std::vector<int> contact_tables = {};
+};
+
+// "contact[12].gap" with the number of the table that made contact 12.
+std::string with_table(const std::string& path, std::string_view list, const std::vector<int>& tables) {
+  const std::size_t end = path.find(']');
+  const int index = std::stoi(path.substr(list.size(), end - list.size()));
+  return fmt::format("{}{}{}", list, tables.at(static_cast<std::size_t>(index)), path.substr(end));
+}
+
 // The place in the file that a path of validate() stands for.
-SceneField as_written(const SceneField& document, const InvalidProblem& error) {
-  if (error.field.starts_with("law.penalty[") && !document["law"]["penalty"].is_array()) {
+SceneField as_written(const SceneField& document, const ReadScene& scene, const std::string& path) {
+  constexpr std::string_view kContact = "contact[";
+  constexpr std::string_view kTerm = "forcing.term[";
+  if (path.starts_with("law.penalty[") && !document["law"]["penalty"].is_array()) {
     return document["law"]["penalty"];
   }
-  if (constexpr std::string_view kContact = "contact["; error.field.starts_with(kContact)) {
-    const std::size_t end = error.field.find(']');
-    const int index = std::stoi(error.field.substr(kContact.size(), end - kContact.size()));
-    return contact_as_written(document, index).at(std::string_view(error.field).substr(end + 1));
-  }
-  return system_field_as_written(document, error.field);
+  if (path.starts_with(kContact)) return document.at(with_table(path, kContact, scene.contact_tables));
+  if (path.starts_with(kTerm)) return document.at(with_table(path, kTerm, scene.term_tables));
+  return system_field_as_written(document, path);
 }
 
 // Every coordinate with a part in some contact, once.
@@ -188,26 +124,34 @@ std::vector<int> contact_coordinates(const Problem& problem) {
   return {coordinates.begin(), coordinates.end()};
 }
 
-Problem read_scene(const SceneField& scene) {
-  static_cast<void>(
-      scene["schema"].whole("must be 1", kSchema, kSchema));  // first: others may have other keys
-  scene.allow_only({"schema", "name", "title", "reference", "tags", "system", "forcing", "contact", "law"},
-                   "must be a table");
-  Problem problem;
-  problem.name = read_name(scene["name"]);
-  problem.title = read_optional_text(scene["title"]);
-  problem.reference = read_optional_text(scene["reference"]);
-  problem.tags = read_tags(scene["tags"]);
-  const SystemDescription system = read_system(scene["system"]);
+void read_forcing(const SceneField& forcing, const SystemDescription& system, ReadScene& scene) {
+  forcing.allow_only({"frequency", "subharmonic", "term"}, "must be a table with the frequency");
+  scene.problem.frequency = forcing["frequency"].number("must be a positive number [rad/s]");
+  scene.problem.subharmonic = read_int(forcing["subharmonic"], 1);
+  FromTables<ForceTerm> load = read_load(forcing["term"], system);
+  scene.problem.force = std::move(load.things);
+  scene.term_tables = std::move(load.tables);
+}
+
+// Fills `scene` as far as it comes.
+void read_scene(const SceneField& document, ReadScene& scene) {
+  SceneHeader header = read_header(document);
+  Problem& problem = scene.problem;
+  problem.name = std::move(header.name);
+  problem.title = std::move(header.title);
+  problem.reference = std::move(header.reference);
+  problem.tags = std::move(header.tags);
+  const SystemDescription system = read_system(document["system"]);
   problem.kind = system.kind;
-  read_forcing(scene["forcing"], system.size, problem);
-  read_contacts(scene["contact"], system.size, problem);
+  read_forcing(document["forcing"], system, scene);
+  FromTables<Contact> contacts = read_contacts(document["contact"], system);
+  problem.contacts = std::move(contacts.things);
+  scene.contact_tables = std::move(contacts.tables);
   Structure structure = system.assemble(contact_coordinates(problem));
   problem.mass = std::move(structure.mass);
   problem.damping = std::move(structure.damping);
   problem.stiffness = std::move(structure.stiffness);
-  problem.law = read_law(scene["law"], problem);
-  return problem;
+  problem.law = read_law(document["law"], problem);
 }
 
 std::string read_text(const std::filesystem::path& path) {
@@ -229,23 +173,37 @@ std::string read_text(const std::filesystem::path& path) {
   return text;
 }
 
-}  // namespace
-
-Problem parse_scene(std::string_view text, const std::string& name) {
-  TomlNode document;
+TomlNode parse_document(std::string_view text, const std::string& name) {
   try {
-    document = parse_toml(text);
+    return parse_toml(text);
   } catch (const TomlSyntaxError& error) {
     throw SceneError(
         fmt::format("{}:{}: file = not TOML (must be valid TOML 1.0; {})", name, error.line, error.what()));
   }
-  const SceneField scene(document, name);
+}
+
+}  // namespace
+
+bool SceneHeader::carries(std::string_view tag) const {
+  return std::find(tags.begin(), tags.end(), tag) != tags.end();
+}
+
+SceneHeader load_header(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  const TomlNode document = parse_document(read_text(path), name);
+  return read_header(SceneField(document, name));
+}
+
+Problem parse_scene(std::string_view text, const std::string& name) {
+  const TomlNode document = parse_document(text, name);
+  const SceneField root(document, name);
+  ReadScene scene;
   try {
-    Problem problem = read_scene(scene);
-    validate(problem);
-    return problem;
+    read_scene(root, scene);
+    validate(scene.problem);
+    return std::move(scene.problem);
   } catch (const InvalidProblem& error) {
-    as_written(scene, error).refuse(error.found, error.requirement);
+    as_written(root, scene, error.field).refuse(error.found, error.requirement);
   }
 }
 

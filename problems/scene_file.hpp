@@ -18,6 +18,24 @@ class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The tag of scenes with more than a thousand coordinates or thirty contacts: what visits the whole
+/// catalogue by itself, such as a test, leaves them out.
+inline constexpr std::string_view kLarge = "large";
+
+/// What a scene says of itself.
+struct SceneHeader {
+  std::string name = {};
+  std::string title = {};
+  std::string reference = {};
+  std::vector<std::string> tags = {};
+
+  [[nodiscard]] bool carries(std::string_view tag) const;
+};
+
+/// Reads no more than this of a scene file: nothing is assembled, however large the system.
+/// \throws SceneError as load_scene does for what it reads
+SceneHeader load_header(const std::filesystem::path& path);
+
 /// Reads and validates one scene file.
 /// \throws SceneError for a missing or unreadable file, bad TOML, an unknown or missing key, a value
 ///         out of range, or a Problem that `validate` refuses; the line points at the culprit.

@@ -9,21 +9,20 @@
 #include <limits>
 #include <utility>
 
-#include "problems/assembly/bar.hpp"
-#include "problems/assembly/beam.hpp"
 #include "problems/assembly/chain.hpp"
-#include "problems/assembly/damping.hpp"
 #include "problems/assembly/rotor.hpp"
 #include "problems/definiteness.hpp"
 #include "problems/matrix_market.hpp"
+#include "problems/scene_damping.hpp"
+#include "problems/scene_finite_elements.hpp"
 
 namespace signorini {
 
 namespace {
 
 constexpr double kSmallest = std::numeric_limits<double>::min();
-constexpr int kMostElements = 100000;
-constexpr std::string_view kKinds = "\"sdof\", \"chain\", \"bar\", \"beam\", \"rotor\" or \"matrices\"";
+constexpr std::string_view kKinds =
+    "\"sdof\", \"chain\", \"bar\", \"beam\", \"block\", \"rotor\", \"shaft\" or \"matrices\"";
 
 std::vector<double> read_elements(const SceneField& field, std::string_view unit, std::size_t count) {
   const std::string requirement = fmt::format("must be a list of numbers >= 0 {}, at least one", unit);
@@ -58,113 +57,39 @@ SystemDescription read_rotor(const SceneField& system) {
                      .stiffness = system["stiffness"].number("must be a number >= 0 [N/m]", 0.0)}));
 }
 
+// Absent: empty.
+std::vector<double> read_ground(const SceneField& field, std::string_view unit, std::size_t count) {
+  return field.given() ? read_elements(field, unit, count) : std::vector<double>();
+}
+
+std::vector<Link> read_links(const SceneField& links, int size) {
+  std::vector<Link> result;
+  if (!links.given()) return result;
+  constexpr std::string_view kLink = "must be [mass, another mass, spring, damper]";
+  const std::string mass = fmt::format("must be a mass of the chain, 0..{}", size - 1);
+  for (const SceneField& link : links.items("must be a list of [mass, another mass, spring, damper]")) {
+    const std::vector<SceneField> items = link.items(kLink);
+    if (items.size() != 4) link.refuse(kLink);
+    result.push_back({.first = items[0].whole(mass, 0, size - 1),
+                      .second = items[1].whole(mass, 0, size - 1),
+                      .spring = items[2].number("must be a number >= 0 [N/m]", 0.0),
+                      .damper = items[3].number("must be a number >= 0 [N s/m]", 0.0)});
+    if (result.back().first == result.back().second) link.refuse(kLink);
+  }
+  return result;
+}
+
 SystemDescription read_chain(const SceneField& system) {
-  system.allow_only({"kind", "masses", "dampers", "springs"}, "must be a table");
-  Chain chain{.masses = read_elements(system["masses"], "[kg]", 0), .dampers = {}, .springs = {}};
-  chain.dampers = read_elements(system["dampers"], "[N s/m]", chain.masses.size());
-  chain.springs = read_elements(system["springs"], "[N/m]", chain.masses.size());
-  return independent_of_contacts(assemble(chain));
-}
-
-double read_positive(const SceneField& field, std::string_view unit) {
-  return field.number(fmt::format("must be a positive number {}", unit), kSmallest);
-}
-
-int read_element_count(const SceneField& field) {
-  return field.whole(fmt::format("must be a whole number, 1..{}", kMostElements), 1, kMostElements);
-}
-
-ContactMass read_contact_mass(const SceneField& field) {
-  constexpr std::string_view kRequirement = "must be \"consistent\", \"lumped\" or \"massless\"";
-  if (!field.given()) return ContactMass::consistent;
-  const std::string word = field.text(kRequirement);
-  if (word == "lumped") return ContactMass::lumped;
-  if (word == "massless") return ContactMass::massless;
-  if (word != "consistent") field.refuse(kRequirement);
-  return ContactMass::consistent;
-}
-
-ModalDamping read_modal(const SceneField& modal, int size) {
-  constexpr std::string_view kRequirement = "must be a damping ratio >= 0 [-], or a list of them";
-  if (size > kMostModalCoordinates) {
-    modal.refuse(fmt::format("a system of {} coordinates", size),
-                 fmt::format("modal damping takes at most {}: use alpha and beta", kMostModalCoordinates));
-  }
-  if (!modal.is_array()) return {{modal.number(kRequirement, 0.0)}};
-  ModalDamping damping;
-  for (const SceneField& item : modal.items(kRequirement)) {
-    damping.ratios.push_back(item.number("must be a damping ratio >= 0 [-]", 0.0));
-  }
-  if (std::ssize(damping.ratios) > size) {
-    modal.refuse(fmt::format("{} values", damping.ratios.size()), fmt::format("has at most {} modes", size));
-  }
-  return damping;
-}
-
-RayleighDamping read_rayleigh(const SceneField& rayleigh) {
-  const auto read = [&](std::string_view key, std::string_view unit) {
-    const SceneField field = rayleigh[key];
-    return field.given() ? field.number(fmt::format("must be a number >= 0 {}", unit), 0.0) : 0.0;
-  };
-  return {.alpha = read("alpha", "[1/s]"), .beta = read("beta", "[s]")};
-}
-
-DampingModel read_damping(const SceneField& damping, int size) {
-  constexpr std::string_view kRequirement = "must be { alpha = .., beta = .. } or { modal = .. }";
-  damping.allow_only({"alpha", "beta", "modal"}, kRequirement);
-  const SceneField modal = damping["modal"];
-  const bool rayleigh = damping["alpha"].given() || damping["beta"].given();
-  if (modal.given() && rayleigh) modal.refuse("must be absent: alpha or beta is given");
-  if (modal.given()) return read_modal(modal, size);
-  if (!rayleigh) damping.refuse(kRequirement);
-  return read_rayleigh(damping);
-}
-
-// Before damping is made of it, so that the complaint names the culprit.
-void require_finite(const SparseMatrix& A, const std::string& field) {
-  const double largest = largest_entry(A);
-  if (!std::isfinite(largest))
-    throw InvalidProblem(field, fmt::format("{}", largest), "must be a finite number");
-}
-
-// A finite-element model whose mass may depend on its contacts.
-template <class Model>
-SystemDescription described(const Model& model, const DampingModel& damping, int size) {
-  return {.size = size, .assemble = [model, damping](const std::vector<int>& contact_coordinates) {
-            Model with_contacts = model;
-            with_contacts.contacts = contact_coordinates;
-            Structure structure = assemble(with_contacts);
-            require_finite(structure.mass, "system.mass");
-            require_finite(structure.stiffness, "system.stiffness");
-            structure.damping = damping_matrix(damping, structure.mass, structure.stiffness);
-            return structure;
-          }};
-}
-
-SystemDescription read_bar(const SceneField& system) {
-  system.allow_only({"kind", "elements", "length", "area", "young", "density", "damping", "contact_mass"},
+  system.allow_only({"kind", "masses", "dampers", "springs", "ground_dampers", "ground_springs", "links"},
                     "must be a table");
-  const Bar bar{.elements = read_element_count(system["elements"]),
-                .length = read_positive(system["length"], "[m]"),
-                .area = read_positive(system["area"], "[m^2]"),
-                .young = read_positive(system["young"], "[N/m^2]"),
-                .density = read_positive(system["density"], "[kg/m^3]"),
-                .contact_mass = read_contact_mass(system["contact_mass"])};
-  return described(bar, read_damping(system["damping"], bar.elements), bar.elements);
-}
-
-SystemDescription read_beam(const SceneField& system) {
-  system.allow_only(
-      {"kind", "elements", "length", "area", "inertia", "young", "density", "damping", "contact_mass"},
-      "must be a table");
-  const Beam beam{.elements = read_element_count(system["elements"]),
-                  .length = read_positive(system["length"], "[m]"),
-                  .area = read_positive(system["area"], "[m^2]"),
-                  .inertia = read_positive(system["inertia"], "[m^4]"),
-                  .young = read_positive(system["young"], "[N/m^2]"),
-                  .density = read_positive(system["density"], "[kg/m^3]"),
-                  .contact_mass = read_contact_mass(system["contact_mass"])};
-  return described(beam, read_damping(system["damping"], 2 * beam.elements), 2 * beam.elements);
+  Chain chain{.masses = read_elements(system["masses"], "[kg]", 0), .dampers = {}, .springs = {}};
+  const std::size_t size = chain.masses.size();
+  chain.dampers = read_elements(system["dampers"], "[N s/m]", size);
+  chain.springs = read_elements(system["springs"], "[N/m]", size);
+  chain.ground_dampers = read_ground(system["ground_dampers"], "[N s/m]", size);
+  chain.ground_springs = read_ground(system["ground_springs"], "[N/m]", size);
+  chain.links = read_links(system["links"], static_cast<int>(size));
+  return independent_of_contacts(assemble(chain));
 }
 
 SparseMatrix read_matrix(const SceneField& field) {
@@ -233,12 +158,14 @@ SystemDescription read_matrices(const SceneField& system) {
 }  // namespace
 
 SystemDescription read_system(const SceneField& system) {
-  constexpr std::array<std::pair<std::string_view, SystemDescription (*)(const SceneField&)>, 6> kReaders{
+  constexpr std::array<std::pair<std::string_view, SystemDescription (*)(const SceneField&)>, 8> kReaders{
       {{"sdof", read_sdof},
        {"chain", read_chain},
        {"bar", read_bar},
        {"beam", read_beam},
+       {"block", read_block},
        {"rotor", read_rotor},
+       {"shaft", read_shaft},
        {"matrices", read_matrices}}};
   const std::string requirement = fmt::format("must be {}", kKinds);
   if (!system.is_table()) system.refuse(fmt::format("must be a table with kind = {}", kKinds));

@@ -1,11 +1,12 @@
 #pragma once
 // The [system] table of a scene file: which kind of structure, and its matrices.
 
-#include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "problems/assembly/block_mesh.hpp"
 #include "problems/assembly/structure.hpp"
 #include "problems/scene_field.hpp"
 
@@ -15,7 +16,8 @@ namespace signorini {
 /// depend on where its contacts are: the matrices come last.
 struct SystemDescription {
   std::string kind = {};
-  int size = 0;  ///< Nd
+  int size = 0;                        ///< Nd
+  std::optional<BlockMesh> mesh = {};  ///< whose faces contacts and loads may name
   /// The matrices, given the coordinates that contacts touch.
   /// \throws InvalidProblem if contacts there and the system do not go together
   std::function<Structure(const std::vector<int>& contact_coordinates)> assemble = {};

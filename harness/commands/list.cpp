@@ -22,8 +22,8 @@ void list_methods() {
 
 void list_scenes() {
   for (const auto& file : catalogue_scenes()) {
-    const Problem problem = load_scene(file);
-    fmt::print("{:<26} {} [{}]\n", problem.name, problem.title, fmt::join(problem.tags, ", "));
+    const SceneHeader scene = load_header(file);
+    fmt::print("{:<26} {} [{}]\n", scene.name, scene.title, fmt::join(scene.tags, ", "));
   }
 }
 

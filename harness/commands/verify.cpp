@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 struct VerifyArguments {
   std::optional<std::string> folder;
-  std::string scenes = "*";
+  std::optional<std::string> scenes;
   std::string cases = "*";
   OrbitQuest quest;
   std::optional<int> subharmonics;
@@ -47,10 +47,13 @@ void print_lines(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) fmt::print("{}\n", line);
 }
 
-/// Scenes of the catalogue that the filter takes, and those that have a file in the folder.
+/// Scenes of the catalogue that the filter takes, and those that have a file in the folder. A search of the
+/// orbits of a large scene would take too long: it is kept to those that are asked for.
 std::vector<std::string> scenes_to_verify(const VerifyArguments& arguments, const fs::path& folder) {
   std::vector<std::string> names;
-  for (const fs::path& file : catalogue_scenes()) names.push_back(file.stem().string());
+  for (const fs::path& file : catalogue_scenes()) {
+    if (arguments.scenes || !load_header(file).carries(kLarge)) names.push_back(file.stem().string());
+  }
   if (!arguments.update) {
     for (const auto& entry : fs::directory_iterator(folder)) {
       if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
@@ -58,10 +61,10 @@ std::vector<std::string> scenes_to_verify(const VerifyArguments& arguments, cons
   }
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  std::erase_if(names, [&](const std::string& name) { return !filter_matches(arguments.scenes, name); });
+  const std::string filter = arguments.scenes.value_or("*");
+  std::erase_if(names, [&](const std::string& name) { return !filter_matches(filter, name); });
   if (names.empty()) {
-    throw NothingMatched(
-        fmt::format("scenes = {} (matches no scene; see `signorini list scenes`)", arguments.scenes));
+    throw NothingMatched(fmt::format("scenes = {} (matches no scene; see `signorini list scenes`)", filter));
   }
   return names;
 }
@@ -170,7 +173,8 @@ int verify_records(const VerifyArguments& arguments, const fs::path& folder) {
         "dir = {} (must be a folder of references to be updated; `signorini run` makes records anew)",
         folder.string()));
   std::vector<Record> kept = read_records(folder / "records.jsonl");
-  std::erase_if(kept, [&](const Record& record) { return !filter_matches(arguments.scenes, record.scene); });
+  const std::string filter = arguments.scenes.value_or("*");
+  std::erase_if(kept, [&](const Record& record) { return !filter_matches(filter, record.scene); });
   Progress progress(kept.size());
   const Rerun result = rerun_records(kept, limits_of_run(folder), arguments.cases, method_catalogue(),
                                      [&](const std::string& what) { progress.begin(what); });
@@ -216,7 +220,9 @@ void add_verify_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<VerifyArguments>();
   command->add_option("dir", arguments->folder,
                       "folder of references or of a run; results/references here or above if absent");
-  command->add_option("--scenes", arguments->scenes, "scenes by glob, A*:B*-C*")->capture_default_str();
+  command->add_option(
+      "--scenes", arguments->scenes,
+      "scenes by glob, A*:B*-C*; if absent all but those of the catalogue tagged large that have no file");
   command->add_option("--cases", arguments->cases, "cases of a run by glob on SCENE/METHOD[OPTIONS]")
       ->capture_default_str();
   command->add_flag(

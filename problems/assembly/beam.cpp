@@ -63,17 +63,31 @@ SparseMatrix unclamped_mass(const Beam& beam) {
   return beam.contact_mass == ContactMass::massless ? redistributed(consistent, followers(beam)) : consistent;
 }
 
-Structure assemble(const Beam& beam) {
+SparseMatrix unclamped_stiffness(const Beam& beam) {
   const double h = element_length(beam);
   Eigen::Matrix4d element;
   element << 12, 6 * h, -12, 6 * h,         //
       6 * h, 4 * h * h, -6 * h, 2 * h * h,  //
       -12, -6 * h, 12, -6 * h,              //
       6 * h, 2 * h * h, -6 * h, 4 * h * h;
-  const double stiffness = beam.young * beam.inertia / (h * h * h);
-  return {.mass = clamped(unclamped_mass(beam), 2),
-          .damping = SparseMatrix(2 * beam.elements, 2 * beam.elements),
-          .stiffness = clamped(sum_of_elements(beam.elements, stiffness * element), 2)};
+  return sum_of_elements(beam.elements, beam.young * beam.inertia / (h * h * h) * element);
+}
+
+Structure assemble(const Beam& beam) {
+  const int size = 2 * beam.elements;
+  std::vector<SparseMatrix> masses;
+  for (int b = 0; b < beam.count; ++b) {
+    Beam single = beam;
+    single.contacts.clear();
+    for (const int dof : beam.contacts) {
+      if (dof / size == b) single.contacts.push_back(dof % size);
+    }
+    masses.push_back(clamped(unclamped_mass(single), 2));
+  }
+  const std::vector<SparseMatrix> springs(masses.size(), clamped(unclamped_stiffness(beam), 2));
+  return {.mass = block_diagonal(masses),
+          .damping = SparseMatrix(size * beam.count, size * beam.count),
+          .stiffness = block_diagonal(springs)};
 }
 
 }  // namespace signorini

@@ -9,9 +9,11 @@
 namespace signorini {
 
 /// A straight beam of equal elements, clamped at x = 0. Node i + 1, at x = (i + 1) length / elements, has two
-/// coordinates: 2 i its deflection w [m], 2 i + 1 its rotation dw/dx [rad].
+/// coordinates: 2 i its deflection w [m], 2 i + 1 its rotation dw/dx [rad]. There may be several such beams,
+/// side by side, that nothing but contacts joins: the coordinates of beam b start at 2 elements b.
 struct Beam {
-  int elements = 1;      ///< >= 1; Nd = 2 elements
+  int elements = 1;      ///< of each beam, >= 1; Nd = 2 elements count
+  int count = 1;         ///< of equal beams, >= 1
   double length = 1.0;   ///< > 0 [m]
   double area = 1.0;     ///< of the cross-section, > 0 [m^2]
   double inertia = 1.0;  ///< second moment of area, > 0 [m^4]
@@ -29,7 +31,11 @@ struct Beam {
 /// massless
 Structure assemble(const Beam& beam);
 
-/// The same M before clamping, 2 (elements + 1) square: coordinates 2 i and 2 i + 1 are those of node i.
+/// The same M of a single beam before clamping, 2 (elements + 1) square: coordinates 2 i and 2 i + 1 are
+/// those of node i. `contacts` are counted as if the beam were clamped.
 SparseMatrix unclamped_mass(const Beam& beam);
+
+/// K of a single beam before clamping, 2 (elements + 1) square.
+SparseMatrix unclamped_stiffness(const Beam& beam);
 
 }  // namespace signorini

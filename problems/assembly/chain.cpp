@@ -4,41 +4,63 @@ namespace signorini {
 
 namespace {
 
-SparseMatrix elements_in_a_row(const std::vector<double>& elements) {
-  const int size = static_cast<int>(elements.size());
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < size; ++i) {
-    const double a = elements[static_cast<std::size_t>(i)];
-    entries.emplace_back(i, i, a);
-    if (i == 0) continue;  // the wall does not move
-    entries.emplace_back(i - 1, i - 1, a);
-    entries.emplace_back(i - 1, i, -a);
-    entries.emplace_back(i, i - 1, -a);
-  }
-  SparseMatrix A(size, size);
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+SparseMatrix matrix_of(const Entries& entries, std::size_t size) {
+  SparseMatrix A(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
   A.setFromTriplets(entries.begin(), entries.end());
   return A;
 }
 
-SparseMatrix diagonal(const std::vector<double>& values) {
-  const int size = static_cast<int>(values.size());
-  std::vector<Eigen::Triplet<double>> entries;
+// An element of constant `a` between masses i and j.
+void join(int i, int j, double a, Entries& entries) {
+  entries.emplace_back(i, i, a);
+  entries.emplace_back(j, j, a);
+  entries.emplace_back(i, j, -a);
+  entries.emplace_back(j, i, -a);
+}
+
+Entries diagonal(const std::vector<double>& values) {
+  Entries entries;
   entries.reserve(values.size());
-  for (int i = 0; i < size; ++i) entries.emplace_back(i, i, values[static_cast<std::size_t>(i)]);
-  SparseMatrix A(size, size);
-  A.setFromTriplets(entries.begin(), entries.end());
-  return A;
+  for (int i = 0; i < std::ssize(values); ++i) {
+    entries.emplace_back(i, i, values[static_cast<std::size_t>(i)]);
+  }
+  return entries;
+}
+
+// Springs or dampers: those of the row, those to the ground, and those of the links.
+SparseMatrix elements(const std::vector<double>& row, const std::vector<double>& ground,
+                      const std::vector<Link>& links, double Link::*constant) {
+  Entries entries = diagonal(ground);
+  for (int i = 0; i < std::ssize(row); ++i) {
+    const double a = row[static_cast<std::size_t>(i)];
+    if (i == 0) {
+      entries.emplace_back(0, 0, a);  // the wall does not move
+    } else {
+      join(i - 1, i, a, entries);
+    }
+  }
+  for (const Link& link : links) {
+    if (link.*constant != 0.0) join(link.first, link.second, link.*constant, entries);
+  }
+  return matrix_of(entries, row.size());
 }
 
 }  // namespace
 
 Structure assemble(const Chain& chain) {
-  if (chain.dampers.size() != chain.masses.size() || chain.springs.size() != chain.masses.size()) {
+  const std::size_t size = chain.masses.size();
+  const auto fits = [=](const std::vector<double>& ground) {
+    return ground.empty() || ground.size() == size;
+  };
+  if (chain.dampers.size() != size || chain.springs.size() != size || !fits(chain.ground_dampers) ||
+      !fits(chain.ground_springs)) {
     throw std::invalid_argument("chain: masses, dampers and springs must have one entry per mass");
   }
-  return {.mass = diagonal(chain.masses),
-          .damping = elements_in_a_row(chain.dampers),
-          .stiffness = elements_in_a_row(chain.springs)};
+  return {.mass = matrix_of(diagonal(chain.masses), size),
+          .damping = elements(chain.dampers, chain.ground_dampers, chain.links, &Link::damper),
+          .stiffness = elements(chain.springs, chain.ground_springs, chain.links, &Link::spring)};
 }
 
 }  // namespace signorini

@@ -1,5 +1,5 @@
 #pragma once
-// Masses in a row, each tied to the one before by a spring and a damper.
+// Masses tied to each other, to a wall and to the ground by springs and dampers.
 
 #include <vector>
 
@@ -7,16 +7,30 @@
 
 namespace signorini {
 
-/// A chain fixed to a wall: element i joins mass i-1 to mass i, element 0 the wall to mass 0.
-/// All three have one entry per mass, all entries >= 0; a mass of 0 makes a massless node.
-struct Chain {
-  std::vector<double> masses;   ///< [kg]
-  std::vector<double> dampers;  ///< [N s/m]
-  std::vector<double> springs;  ///< [N/m]
+/// A spring and a damper between two masses.
+struct Link {
+  int first = 0;
+  int second = 0;       ///< another mass
+  double spring = 0.0;  ///< >= 0 [N/m]
+  double damper = 0.0;  ///< >= 0 [N s/m]
 };
 
-/// M = diag(m), K and D tridiagonal: element i adds a_i (u_i - u_{i-1})^2 / 2 to its quadratic form.
-/// Nd is the number of masses. \throws std::invalid_argument if the sizes differ
+/// A chain fixed to a wall: element i joins mass i-1 to mass i, element 0 the wall to mass 0. The first three
+/// lists have one entry per mass, all entries >= 0; a mass of 0 makes a massless node. Any other topology
+/// comes of what may be added to the row, none of it by default: elements between each mass and the ground,
+/// and links between any two masses.
+struct Chain {
+  std::vector<double> masses;               ///< [kg]
+  std::vector<double> dampers;              ///< [N s/m]
+  std::vector<double> springs;              ///< [N/m]
+  std::vector<double> ground_dampers = {};  ///< empty, or one per mass [N s/m]
+  std::vector<double> ground_springs = {};  ///< empty, or one per mass [N/m]
+  std::vector<Link> links = {};
+};
+
+/// M = diag(m); a spring k between masses i and j adds k (u_i - u_j)^2 / 2 to the quadratic form of K, one
+/// between mass i and the wall or the ground k u_i^2 / 2, and dampers do so to that of D. Nd is the number of
+/// masses. \throws std::invalid_argument if the sizes differ
 Structure assemble(const Chain& chain);
 
 }  // namespace signorini

@@ -20,6 +20,22 @@ SparseMatrix sum_of_elements(int elements, const Eigen::MatrixXd& element) {
   return A;
 }
 
+SparseMatrix block_diagonal(const std::vector<SparseMatrix>& parts) {
+  std::vector<Eigen::Triplet<double>> entries;
+  int size = 0;
+  for (const SparseMatrix& part : parts) {
+    for (int column = 0; column < part.outerSize(); ++column) {
+      for (SparseMatrix::InnerIterator entry(part, column); entry; ++entry) {
+        entries.emplace_back(size + static_cast<int>(entry.row()), size + column, entry.value());
+      }
+    }
+    size += static_cast<int>(part.rows());
+  }
+  SparseMatrix A(size, size);
+  A.setFromTriplets(entries.begin(), entries.end());
+  return A;
+}
+
 SparseMatrix clamped(const SparseMatrix& A, int coordinates) {
   const Eigen::Index left = A.rows() - coordinates;
   return A.bottomRightCorner(left, left);

@@ -283,6 +283,26 @@ TEST(Verify, FindsAMissingFileAndAChangedScene) {
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
+TEST(Verify, AsksForLargeScenesOnlyByName) {
+  const auto problems = test::fresh_folder("verify-large");
+  std::filesystem::create_directories(problems / "catalogue");
+  for (const std::string name : {"huge", "small"}) {
+    std::ofstream(problems / "catalogue" / (name + ".toml"))
+        << "schema = 1\nname = \"" << name << "\"\n"
+        << (name == "huge" ? "tags = [\"large\"]\n" : "");
+  }
+  ASSERT_EQ(::setenv("SIGNORINI_PROBLEMS", problems.c_str(), 1), 0);
+  const auto references = test::fresh_folder("verify-large-references");
+  const Outcome all = run("verify " + references.string());
+  const Outcome named = run("verify --scenes huge " + references.string());
+  ASSERT_EQ(::unsetenv("SIGNORINI_PROBLEMS"), 0);
+
+  EXPECT_EQ(all.code, 1);
+  EXPECT_NE(all.out.find("small: no orbits are kept"), std::string::npos) << all.out;
+  EXPECT_EQ(all.out.find("huge"), std::string::npos) << all.out;
+  EXPECT_NE(named.out.find("huge: no orbits are kept"), std::string::npos) << named.out;
+}
+
 TEST(Verify, RerunsTheRecordsOfARun) {
   const auto folder = test::fresh_folder("verify-run");
   ASSERT_EQ(run("run smoke --scenes sdof-stop --methods 'hat-lcp[samples=64]' --out " + folder.string()).code,

@@ -75,6 +75,23 @@ TEST_F(MakePlan, TakesScenesByTagAndSettingsFromTheSuite) {
             (Ids{"beta/fake-method[level=1]", "beta/fake-method[level=2]"}));
 }
 
+TEST_F(MakePlan, LeavesOutScenesByTag) {
+  const std::string methods = "\nmethods = [\"fake*[level=1]\"]";
+  EXPECT_EQ(ids(suite_of("scenes = [\"*\"]\nwithout_tags = [\"red\", \"green\"]" + methods)),
+            (Ids{"alpha/fake-method[level=1]"}));
+  EXPECT_THROW(ids(suite_of("tags = [\"red\"]\nwithout_tags = [\"red\"]" + methods)), NothingMatched);
+}
+
+// Of a scene that a suite does not take only the header is read: this one has no system.
+TEST_F(MakePlan, DoesNotAssembleWhatItLeavesOut) {
+  std::ofstream(folder_ / "gamma.toml") << "schema = 1\nname = \"gamma\"\ntags = [\"large\"]\n";
+  files_.push_back(folder_ / "gamma.toml");
+  EXPECT_EQ(
+      ids(suite_of("scenes = [\"*\"]\nwithout_tags = [\"large\", \"red\"]\nmethods = [\"fake*[level=1]\"]")),
+      (Ids{"alpha/fake-method[level=1]"}));
+  EXPECT_THROW(ids(suite_of("scenes = [\"*\"]")), SceneError);
+}
+
 TEST_F(MakePlan, IsNarrowedByScenesAndMethods) {
   const Suite suite = suite_of("scenes = [\"*\"]\nmethods = [\"fake*[level=3]\"]");
   EXPECT_EQ(ids(suite, {.methods = {}, .scenes = "al*"}), (Ids{"alpha/fake-method[level=3]"}));
@@ -135,6 +152,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadSuite{"schema = 1\nname=\"s\"\nscenes=[\"*\"]", "x.toml:1: title = missing"},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"", "x.toml:1: scenes = missing"},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=\"*\"", "x.toml:4: scenes = \"*\""},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]\nwithout_tags=\"x\"",
+                 "x.toml:5: without_tags = \"x\""},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[1]", "x.toml:4: scenes[0] = 1"},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]\nfoo = 1", "x.toml:5: foo = 1"},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]\n[limits]\ntimeout = 0",

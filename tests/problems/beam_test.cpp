@@ -128,6 +128,24 @@ TEST(AssembleBeam, PutsAMasslessNodeOnTheCubicOfItsNeighbours) {
   EXPECT_NEAR(found, expected, 1e-13 * expected);
 }
 
+TEST(AssembleBeam, StandsBesideItsEquals) {
+  Beam pair = steel_beam(3, ContactMass::massless);
+  pair.count = 2;
+  pair.contacts = {4, 6, 8};  // the tip of the first, two nodes of the second
+  const Structure both = assemble(pair);
+
+  ASSERT_EQ(both.mass.rows(), 12);
+  for (const int b : {0, 1}) {
+    Beam single = steel_beam(3, ContactMass::massless);
+    single.contacts = b == 0 ? std::vector<int>{4} : std::vector<int>{0, 2};
+    const Structure alone = assemble(single);
+    EXPECT_EQ(Eigen::MatrixXd(both.mass).block(6 * b, 6 * b, 6, 6), Eigen::MatrixXd(alone.mass));
+    EXPECT_EQ(Eigen::MatrixXd(both.stiffness).block(6 * b, 6 * b, 6, 6), Eigen::MatrixXd(alone.stiffness));
+  }
+  EXPECT_EQ(Eigen::MatrixXd(both.stiffness).topRightCorner(6, 6), Eigen::MatrixXd::Zero(6, 6));
+  EXPECT_EQ(Eigen::MatrixXd(both.mass).topRightCorner(6, 6), Eigen::MatrixXd::Zero(6, 6));
+}
+
 TEST(AssembleBeam, RefusesMasslessRotations) {
   Beam beam = steel_beam(4, ContactMass::massless);
   beam.contacts = {6, 7};

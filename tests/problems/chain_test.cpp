@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
 #include <random>
 
 namespace signorini {
@@ -58,6 +60,68 @@ TEST(AssembleChain, StoresTheEnergyOfItsSprings) {
   EXPECT_NEAR(u.dot(structure.damping * u), dampers, 1e-13 * dampers);
 }
 
+TEST(AssembleChain, HoldsMassesToTheGroundAndToEachOther) {
+  const Structure net = assemble(Chain{.masses = {1.0, 1.0, 1.0},
+                                       .dampers = {0.0, 0.0, 0.0},
+                                       .springs = {0.0, 10.0, 0.0},
+                                       .ground_dampers = {0.1, 0.0, 0.4},
+                                       .ground_springs = {1.0, 2.0, 4.0},
+                                       .links = {{.first = 2, .second = 0, .spring = 5.0, .damper = 0.2},
+                                                 {.first = 0, .second = 1, .spring = 7.0, .damper = 0.0}}});
+  Eigen::Matrix3d K;
+  K << 23, -17, -5, -17, 19, 0, -5, 0, 9;
+  Eigen::Matrix3d D;
+  D << 0.3, 0, -0.2, 0, 0, 0, -0.2, 0, 0.6;
+  EXPECT_EQ(Eigen::Matrix3d(net.stiffness), K);
+  EXPECT_LE((Eigen::Matrix3d(net.damping) - D).cwiseAbs().maxCoeff(), 1e-15);
+}
+
+// w_k = 2 sqrt(k / m) sin(pi k / n): the ring has no beginning.
+TEST(AssembleChain, ClosedToARingHasTheFrequenciesOfTheRing) {
+  constexpr int kSize = 7;
+  std::vector<double> springs(kSize, 3.0);
+  springs[0] = 0.0;
+  const Structure ring = assemble(Chain{.masses = std::vector<double>(kSize, 2.0),
+                                        .dampers = std::vector<double>(kSize, 0.0),
+                                        .springs = springs,
+                                        .links = {{.first = kSize - 1, .second = 0, .spring = 3.0}}});
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(Eigen::MatrixXd(ring.stiffness) / 2.0,
+                                                             Eigen::EigenvaluesOnly);
+  for (int i = 0; i < kSize; ++i) {
+    const double sine = std::sin(std::numbers::pi * ((i + 1) / 2) / kSize);
+    EXPECT_NEAR(modes.eigenvalues()(i), 4.0 * 1.5 * sine * sine, 1e-14 * 6.0);
+  }
+}
+
+// Masses may be named in any order if links alone join them.
+TEST(AssembleChain, OfLinksDoesNotDependOnTheOrderOfMasses) {
+  const auto star = [](const std::vector<int>& place) {
+    Chain chain{.masses = std::vector<double>(4),
+                .dampers = std::vector<double>(4, 0.0),
+                .springs = std::vector<double>(4, 0.0),
+                .ground_springs = std::vector<double>(4)};
+    for (int i = 0; i < 4; ++i) {
+      const auto at = static_cast<std::size_t>(place[static_cast<std::size_t>(i)]);
+      chain.masses[at] = 1.0 + i;
+      chain.ground_springs[at] = 0.5 * i;
+      if (i > 0)
+        chain.links.push_back({.first = place[0], .second = static_cast<int>(at), .spring = 2.0 * i});
+    }
+    return assemble(chain);
+  };
+  const std::vector<int> order{2, 0, 3, 1};
+  const Structure straight = star({0, 1, 2, 3});
+  const Structure mixed = star(order);
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      const int a = order[static_cast<std::size_t>(i)];
+      const int b = order[static_cast<std::size_t>(j)];
+      EXPECT_EQ(mixed.stiffness.coeff(a, b), straight.stiffness.coeff(i, j));
+      EXPECT_EQ(mixed.mass.coeff(a, b), straight.mass.coeff(i, j));
+    }
+  }
+}
+
 TEST(AssembleChain, StaysTridiagonalForManyMasses) {
   constexpr int kSize = 100000;
   const std::vector<double> ones(kSize, 1.0);
@@ -73,6 +137,9 @@ TEST(AssembleChain, RefusesListsOfDifferentLengths) {
   EXPECT_THROW(assemble(Chain{.masses = {1.0, 1.0}, .dampers = {0.1}, .springs = {1.0, 1.0}}),
                std::invalid_argument);
   EXPECT_THROW(assemble(Chain{.masses = {1.0}, .dampers = {0.1}, .springs = {}}), std::invalid_argument);
+  EXPECT_THROW(
+      assemble(Chain{.masses = {1.0}, .dampers = {0.1}, .springs = {1.0}, .ground_springs = {1.0, 1.0}}),
+      std::invalid_argument);
 }
 
 }  // namespace

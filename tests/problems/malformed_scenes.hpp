@@ -113,15 +113,17 @@ inline constexpr Malformed kMalformed[] = {
      "3: law = 1 (must be a table with restitution or penalty)"},
     // System
     {"NoSystem", kContactFree, 3, "[forcing.system]",
-     "1: system = missing (must be a table with kind = \"sdof\", \"chain\", \"bar\", \"beam\", \"rotor\" or "
-     "\"matrices\")"},
+     "1: system = missing (must be a table with kind = \"sdof\", \"chain\", \"bar\", \"beam\", \"block\", "
+     "\"rotor\", \"shaft\" or \"matrices\")"},
     {"NoKind", kOscillator, 6, "",
-     "5: system.kind = missing (must be \"sdof\", \"chain\", \"bar\", \"beam\", \"rotor\" or \"matrices\")"},
+     "5: system.kind = missing (must be \"sdof\", \"chain\", \"bar\", \"beam\", \"block\", \"rotor\", "
+     "\"shaft\" or \"matrices\")"},
     {"KindOfTomorrow", kOscillator, 6, "kind = \"shell\"",
-     "6: system.kind = \"shell\" (must be \"sdof\", \"chain\", \"bar\", \"beam\", \"rotor\" or "
-     "\"matrices\")"},
+     "6: system.kind = \"shell\" (must be \"sdof\", \"chain\", \"bar\", \"beam\", \"block\", "
+     "\"rotor\", \"shaft\" or \"matrices\")"},
     {"UnknownKind", kOscillator, 6, "kind = \"SDOF\"",
-     "6: system.kind = \"SDOF\" (must be \"sdof\", \"chain\", \"bar\", \"beam\", \"rotor\" or \"matrices\")"},
+     "6: system.kind = \"SDOF\" (must be \"sdof\", \"chain\", \"bar\", \"beam\", \"block\", \"rotor\", "
+     "\"shaft\" or \"matrices\")"},
     {"KeyOfAnotherKind", kOscillator, 7, "masses = [1.0]",
      "7: system.masses = [1] (unknown key; known: kind, mass, damping, stiffness)"},
     {"NoMass", kOscillator, 7, "", "5: system.mass = missing (must be a positive number [kg])"},
@@ -202,7 +204,7 @@ inline constexpr Malformed kMalformed[] = {
     {"LoadNotANumber", kOscillator, 16, "cos = nan",
      "16: forcing.term[0].cos = nan (must be a finite number)"},
     {"UnknownTermKey", kOscillator, 17, "phase = 0.5",
-     "17: forcing.term[0].phase = 0.5 (unknown key; known: dof, harmonic, cos, sin)"},
+     "17: forcing.term[0].phase = 0.5 (unknown key; known: dof, face, direction, harmonic, cos, sin)"},
     // Contacts
     {"ContactAsTable", kOscillator, 18, "[contact]",
      "18: contact = {dof = 0, gap = 0.2} (must be [[contact]] tables; left out if there is none)"},
@@ -215,7 +217,7 @@ inline constexpr Malformed kMalformed[] = {
     {"NoGap", kOscillator, 20, "", "18: contact[0].gap = missing (must be a finite number [m])"},
     {"GapInfinite", kOscillator, 20, "gap = inf", "20: contact[0].gap = inf (must be a finite number [m])"},
     {"UnknownContactKey", kOscillator, 20, "gap = 0.2\nfriction = 0.3",
-     "21: contact[0].friction = 0.3 (unknown key; known: dof, normal, dofs, facets, gap)"},
+     "21: contact[0].friction = 0.3 (unknown key; known: dof, normal, dofs, facets, face, patch, gap)"},
     {"EmptyNormal", kChain, 11, "normal = []",
      "11: contact[0].normal = [] (must be a list of pairs [dof, coefficient])"},
     {"FlatNormal", kChain, 11, "normal = [2, 1.0]",
@@ -270,8 +272,8 @@ inline constexpr Malformed kMalformed[] = {
     {"NoForcing", kContactFree, 8, "[[contact]]",
      "1: forcing = missing (must be a table with the frequency)"},
     {"SystemAsText", kContactFree, 3, "system = 1\n[forcing.other]",
-     "3: system = 1 (must be a table with kind = \"sdof\", \"chain\", \"bar\", \"beam\", \"rotor\" or "
-     "\"matrices\")"},
+     "3: system = 1 (must be a table with kind = \"sdof\", \"chain\", \"bar\", \"beam\", \"block\", "
+     "\"rotor\", \"shaft\" or \"matrices\")"},
     {"SineAtHarmonicZero", kContactFree, 9,
      "frequency = 1.0\n[[forcing.term]]\ndof = 0\nharmonic = 0\nsin = 0.5",
      "13: forcing.term[0].sin = 0.5 (must be 0 or absent: at harmonic 0 a sine is nothing)"},

@@ -1,5 +1,6 @@
 #pragma once
-// Bars, beams, rotors and rings of contacts that must be refused, and the one line that refuses each.
+// Networks of masses, bars, beams, blocks, rotors, shafts, faces and rings of contacts that must be refused,
+// and the one line that refuses each.
 
 #include "tests/problems/malformed_scenes.hpp"
 
@@ -63,7 +64,78 @@ gap = 0.5
 restitution = 1.0
 )";
 
+constexpr std::string_view kShaft = R"(schema = 1
+name = "bad"
+[system]
+kind = "shaft"
+elements = 4
+length = 1.0
+area = 1.0
+inertia = 1.0
+young = 1.0
+density = 1.0
+disc_mass = 1.0
+disc_node = 2
+bearing_stiffness = 1.0
+bearing_damping = 0.1
+damping = { beta = 0.01 }
+[forcing]
+frequency = 1.0
+[[contact]]
+dofs = [8, 10]
+facets = 5
+gap = 0.5
+[law]
+penalty = 100.0
+)";
+
+// Its contacts carry no mass: nodes are 0.5 m, 0.2 m and 0.2 m apart.
+constexpr std::string_view kBlock = R"(schema = 1
+name = "bad"
+[system]
+kind = "block"
+elements = [2, 3, 4]
+lengths = [1.0, 0.6, 0.8]
+young = 1.0
+poisson = 0.3
+density = 1.0
+damping = { alpha = 0.1, beta = 0.01 }
+contact_mass = "massless"
+[forcing]
+frequency = 1.0
+[[forcing.term]]
+face = "x+"
+direction = "z"
+cos = 1.0
+[[contact]]
+face = "z+"
+patch = [[0.4, 1.0], [0.0, 0.2]]
+gap = 0.5
+)";
+
 inline constexpr Malformed kMalformedStructures[] = {
+    // Chains of any topology
+    {"GroundOfTooFewSprings", kChain, 7, "springs = [1.0, 1.0, 50.0]\nground_springs = [1.0]",
+     "8: system.ground_springs = 1 values (must have one per mass: 3)"},
+    {"GroundSpringNegative", kChain, 7, "springs = [1.0, 1.0, 50.0]\nground_springs = [1.0, -1.0, 0.0]",
+     "8: system.ground_springs[1] = -1 (must be a number >= 0 [N/m])"},
+    {"GroundDampersAsNumber", kChain, 7, "springs = [1.0, 1.0, 50.0]\nground_dampers = 0.1",
+     "8: system.ground_dampers = 0.1 (must be a list of numbers >= 0 [N s/m], at least one)"},
+    {"LinksOfNothing", kChain, 7, "springs = [1.0, 1.0, 50.0]\nlinks = []",
+     "8: system.links = [] (must be a list of [mass, another mass, spring, damper])"},
+    {"LinkOfThree", kChain, 7, "springs = [1.0, 1.0, 50.0]\nlinks = [[0, 2, 1.0]]",
+     "8: system.links[0] = [0, 2, 1] (must be [mass, another mass, spring, damper])"},
+    {"LinkToItself", kChain, 7, "springs = [1.0, 1.0, 50.0]\nlinks = [[0, 2, 1, 0],\n[1, 1, 1, 0]]",
+     "9: system.links[1] = [1, 1, 1, 0] (must be [mass, another mass, spring, damper])"},
+    {"LinkToNoMass", kChain, 7, "springs = [1.0, 1.0, 50.0]\nlinks = [[0, 3, 1.0, 0.0]]",
+     "8: system.links[0][1] = 3 (must be a mass of the chain, 0..2)"},
+    {"LinkSpringNegative", kChain, 7, "springs = [1.0, 1.0, 50.0]\nlinks = [[0, 2, -1.0, 0.0]]",
+     "8: system.links[0][2] = -1 (must be a number >= 0 [N/m])"},
+    {"LinkDamperNotANumber", kChain, 7, "springs = [1.0, 1.0, 50.0]\nlinks = [[0, 2, 1.0, nan]]",
+     "8: system.links[0][3] = nan (must be a number >= 0 [N s/m])"},
+    {"UnknownChainKey", kChain, 7, "springs = [1.0, 1.0, 50.0]\nground = [1.0, 1.0, 1.0]",
+     "8: system.ground = [1, 1, 1] (unknown key; known: kind, masses, dampers, springs, ground_dampers, "
+     "ground_springs, links)"},
     // Finite elements
     {"BarWithoutElements", kBar, 5, "", "3: system.elements = missing (must be a whole number, 1..100000)"},
     {"BarOfNoElements", kBar, 5, "elements = 0",
@@ -127,9 +199,89 @@ inline constexpr Malformed kMalformedStructures[] = {
      "keep their mass)"},
     {"BeamContactBeyondItsEnd", kBeam, 16, "dof = 4",
      "16: contact[0].dof = 4 (must be a coordinate of the system, 0..3)"},
+    {"BeamOfNoBeams", kBeam, 5, "elements = 2\ncount = 0",
+     "6: system.count = 0 (must be a whole number, 1..100)"},
+    {"BeamContactBeyondTheSecond", kBeam, 16, "dof = 8",
+     "16: contact[0].dof = 8 (must be a coordinate of the system, 0..3)"},
     {"BeamContactMassiveWithoutLaw", kBeam, 12, "contact_mass = \"lumped\"",
      "1: law.restitution = missing (required, in 0..1, unless a penalty is given: the contact coordinates "
      "carry mass)"},
+    // Blocks
+    {"BlockOfTwoElements", kBlock, 5, "elements = [2, 3]",
+     "5: system.elements = [2, 3] (must be three whole numbers: bricks along x, y and z)"},
+    {"BlockOfNoElementsAlongZ", kBlock, 5, "elements = [2, 3, 0]",
+     "5: system.elements[2] = 0 (must be a whole number, 1..100000)"},
+    {"BlockTooLarge", kBlock, 5, "elements = [1000, 100, 100]",
+     "5: system.elements = 30603000 coordinates (must make at most 1000000)"},
+    {"BlockWithoutLengths", kBlock, 6, "",
+     "3: system.lengths = missing (must be three positive numbers, along x, y and z [m])"},
+    {"BlockOfNoDepth", kBlock, 6, "lengths = [1.0, 0.6, 0.0]",
+     "6: system.lengths[2] = 0 (must be a positive number [m])"},
+    {"BlockWithoutYoung", kBlock, 7, "young = 0.0",
+     "7: system.young = 0 (must be a positive number [N/m^2])"},
+    {"BlockIncompressible", kBlock, 8, "poisson = 0.5",
+     "8: system.poisson = 0.5 (must be a number between -1 and 0.5 [-])"},
+    {"BlockWithoutShearStiffness", kBlock, 8, "poisson = -1",
+     "8: system.poisson = -1 (must be a number between -1 and 0.5 [-])"},
+    {"BlockWithoutPoisson", kBlock, 8, "",
+     "3: system.poisson = missing (must be a number between -1 and 0.5 [-])"},
+    {"BlockWhoseStiffnessOverflows", kBlock, 7, "young = 1.7e308",
+     "7: system.young = nan (must be a finite number)"},
+    {"BlockOfMasslessNodesOnly", kBlock, 5, "elements = [2, 3, 1]",
+     "11: system.contact_mass = massless (must leave two nodes without contact behind each other at every "
+     "contact, to carry its mass)"},
+    {"FaceUnknown", kBlock, 19, "face = \"top\"",
+     "19: contact[0].face = \"top\" (must be \"x+\", \"y-\", \"y+\", \"z-\" or \"z+\": x- is clamped)"},
+    {"FaceClamped", kBlock, 19, "face = \"x-\"",
+     "19: contact[0].face = \"x-\" (must be \"x+\", \"y-\", \"y+\", \"z-\" or \"z+\": x- is clamped)"},
+    {"FaceAndDof", kBlock, 19, "face = \"z+\"\ndof = 0",
+     "20: contact[0].dof = 0 (must be absent: face is given)"},
+    {"FaceOfABar", kBar, 15, "face = \"x+\"",
+     "15: contact[0].face = \"x+\" (must be absent: only a block has faces)"},
+    {"PatchWithoutFace", kBlock, 19, "dof = 0",
+     "20: contact[0].patch = [[0.4, 1], [0, 0.2]] (must be absent: no face is given)"},
+    {"PatchOfOneSide", kBlock, 20, "patch = [[0.4, 1.0]]",
+     "20: contact[0].patch = [[0.4, 1]] (must be [[from, to], [from, to]], along the two axes of the face "
+     "[m])"},
+    {"PatchSideOfThree", kBlock, 20, "patch = [[0.4, 1.0], [0.0, 0.1, 0.2]]",
+     "20: contact[0].patch[1] = [0, 0.1, 0.2] (must be [[from, to], [from, to]], along the two axes of the "
+     "face [m])"},
+    {"PatchEndNotANumber", kBlock, 20, "patch = [[0.4, inf], [0.0, 0.2]]",
+     "20: contact[0].patch[0][1] = inf (must be a finite number [m])"},
+    {"PatchBetweenNodes", kBlock, 20, "patch = [[0.6, 0.9], [0.0, 0.2]]",
+     "20: contact[0].patch = [[0.6, 0.9], [0, 0.2]] (must hold a node that can move: they are 0.5 m by 0.2 m "
+     "apart)"},
+    {"FaceWithoutGap", kBlock, 21, "", "18: contact[0].gap = missing (must be a finite number [m])"},
+    {"FaceContactsWithALaw", kBlock, 21, "gap = 0.5\n[law]\nrestitution = 0.5",
+     "23: law.restitution = 0.5 (must be absent: no contact coordinate carries mass)"},
+    {"LoadOnAFaceOfABar", kBar, 13, "frequency = 1.0\n[[forcing.term]]\nface = \"x+\"\ndirection = \"x\"",
+     "15: forcing.term[0].face = \"x+\" (must be absent: only a block has faces)"},
+    {"LoadWithoutDirection", kBlock, 16, "",
+     "14: forcing.term[0].direction = missing (must be \"x\", \"y\" or \"z\")"},
+    {"LoadInNoDirection", kBlock, 16, "direction = \"normal\"",
+     "16: forcing.term[0].direction = \"normal\" (must be \"x\", \"y\" or \"z\")"},
+    {"LoadOnDofAndFace", kBlock, 16, "direction = \"z\"\ndof = 0",
+     "15: forcing.term[0].face = \"x+\" (must be absent: dof is given)"},
+    {"DirectionWithoutFace", kBlock, 15, "dof = 0",
+     "16: forcing.term[0].direction = \"z\" (must be absent: no face is given)"},
+    {"HarmonicAbsurdAfterAFace", kBlock, 17, "cos = 1.0\n[[forcing.term]]\ndof = 0\nharmonic = 10001",
+     "20: forcing.term[1].harmonic = 10001 (must be a whole number, 0..10000)"},
+    // Shafts
+    {"ShaftWithoutDisc", kShaft, 11, "", "3: system.disc_mass = missing (must be a number >= 0 [kg])"},
+    {"ShaftWithNegativeDisc", kShaft, 11, "disc_mass = -1",
+     "11: system.disc_mass = -1 (must be a number >= 0 [kg])"},
+    {"ShaftDiscBeyondItsEnd", kShaft, 12, "disc_node = 5",
+     "12: system.disc_node = 5 (must be a node of the shaft, 0..4)"},
+    {"ShaftWithoutBearings", kShaft, 13, "bearing_stiffness = 0",
+     "13: system.bearing_stiffness = 0 (must be a positive number [N/m])"},
+    {"ShaftBearingsThatFeed", kShaft, 14, "bearing_damping = -0.1",
+     "14: system.bearing_damping = -0.1 (must be a number >= 0 [N s/m])"},
+    {"ShaftWithContactMass", kShaft, 14, "bearing_damping = 0.1\ncontact_mass = \"massless\"",
+     "15: system.contact_mass = \"massless\" (unknown key; known: kind, elements, length, area, inertia, "
+     "young, "
+     "density, disc_mass, disc_node, bearing_stiffness, bearing_damping, damping)"},
+    {"ShaftRingBeyondItsEnd", kShaft, 19, "dofs = [18, 20]",
+     "19: contact[0].dofs[1] = 20 (must be a coordinate of the system, 0..19)"},
     // Rotors and rings
     {"RotorWithoutMass", kRotor, 5, "mass = 0.0", "5: system.mass = 0 (must be a positive number [kg])"},
     {"RotorWithMasses", kRotor, 5, "masses = [1.0, 1.0]",

@@ -84,6 +84,8 @@ TEST(ParseScene, AcceptsTheScenesThatTheTableSpoils) {
   EXPECT_EQ(complaint(kBar), "");
   EXPECT_EQ(complaint(kBeam), "");
   EXPECT_EQ(complaint(kRotor), "");
+  EXPECT_EQ(complaint(kShaft), "");
+  EXPECT_EQ(complaint(kBlock), "");
 }
 
 TEST(ParseScene, SaysWhereTextIsNotToml) {
@@ -228,6 +230,44 @@ TEST(ParseScene, AssemblesBarsAndBeams) {
   EXPECT_DOUBLE_EQ(beam.stiffness.coeff(2, 2), 12.0 * 8.0);
   EXPECT_TRUE(std::holds_alternative<Massless>(beam.law)) << "implied by contact_mass";
   EXPECT_TRUE(contacts_are_massless(beam));
+}
+
+TEST(ParseScene, MakesContactsAndLoadsOfTheFacesOfABlock) {
+  const Problem block =
+      parse_scene(std::string(kBlock) + "[[contact]]\nface = \"y-\"\ngap = 0.25\n", "b.toml");
+  EXPECT_EQ(block.kind, "block");
+  ASSERT_EQ(block.size(), 2 * 4 * 5 * 3);
+  ASSERT_EQ(block.contact_count(), 2 * 2 + 2 * 5);
+  // Node (1, 1, 4): the numbering of the manual.
+  EXPECT_EQ(block.contacts[1].normal, (std::vector<std::pair<int, double>>{{3 * (1 * 5 + 4) + 2, 1.0}}));
+  EXPECT_EQ(block.contacts[1].gap, 0.5);
+  EXPECT_EQ(block.contacts[4].normal, (std::vector<std::pair<int, double>>{{1, -1.0}}));
+  EXPECT_TRUE(std::holds_alternative<Massless>(block.law));
+  const Eigen::VectorXd load = load_at(block, 0.0);
+  EXPECT_NEAR(load.sum(), 1.0, 1e-14);
+  EXPECT_NEAR(load(3 * 20 + 2), 1.0 / 12.0 / 4.0, 1e-15) << "a corner bears a quarter of a brick's share";
+}
+
+TEST(ParseScene, AssemblesAShaft) {
+  const Problem shaft = parse_scene(kShaft, "shaft.toml");
+  EXPECT_EQ(shaft.kind, "shaft");
+  EXPECT_EQ(shaft.size(), 20);
+  EXPECT_EQ(shaft.contact_count(), 5);
+  EXPECT_DOUBLE_EQ(shaft.stiffness.coeff(0, 0), 12.0 * 64.0 + 1.0);
+  EXPECT_DOUBLE_EQ(shaft.damping.coeff(0, 0), 0.1 + 0.01 * (12.0 * 64.0 + 1.0));
+  EXPECT_DOUBLE_EQ(shaft.mass.coeff(10, 10), 1.0 + 2.0 * 156.0 / 420.0 / 4.0);
+}
+
+TEST(ParseScene, AssemblesAChainWithGroundAndLinks) {
+  std::string text(kChain);
+  const std::string_view springs = "springs = [1.0, 1.0, 50.0]\n";
+  text.insert(text.find(springs) + springs.size(),
+              "ground_springs = [4, 0, 0]\nground_dampers = [0, 0.5, 0]\nlinks = [[0, 2, 3.0, 0.25]]\n");
+  const Problem chain = parse_scene(text, "chain.toml");
+  EXPECT_EQ(chain.stiffness.coeff(0, 0), 1.0 + 1.0 + 4.0 + 3.0);
+  EXPECT_EQ(chain.stiffness.coeff(2, 0), -3.0);
+  EXPECT_EQ(chain.damping.coeff(1, 1), 0.1 + 0.5);
+  EXPECT_EQ(chain.damping.coeff(0, 2), -0.25);
 }
 
 TEST(ParseScene, TakesConsistentMassUnlessToldOtherwise) {
