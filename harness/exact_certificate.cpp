@@ -86,8 +86,8 @@ CheckedOrbit polish(const Problem& problem, const Trajectory& answer,
                 fmt::format("an exact orbit, but CVODE returns {:.1e} away from it where {:.1e} is allowed",
                             check.distance, check.allowed)};
   }
-  CheckedOrbit orbit{.orbit = search.trajectory, .residual = found.residual};
-  orbit.error_bar = relative_error_bar(found, *search.trajectory, dynamics.scales().displacement);
+  CheckedOrbit orbit{.orbit = found.trajectory, .residual = found.residual};
+  orbit.error_bar = relative_error_bar(found, *found.trajectory, dynamics.scales().displacement);
   orbit.source =
       found.outcome == OrbitOutcome::chatter ? "exact orbit with a complete chatter" : "exact orbit";
   orbit.events = events_of(*found.trajectory);

@@ -15,7 +15,6 @@
 #include "harness/sampled_trajectory.hpp"
 #include "harness/selection.hpp"
 #include "methods/event_driven/event_driven.hpp"
-#include "methods/kernels/condensation.hpp"
 #include "methods/kernels/event_flow/flow.hpp"
 #include "methods/kernels/hat_contact.hpp"
 
@@ -75,7 +74,7 @@ void polish_answer(const Problem& problem, const Trajectory& answer, SteadyTime 
   const OrbitSearch search = finder.find(answer, search_options(deadline));
   take_search(search, candidate);
   if (!candidate.orbit) return;
-  const Motion orbit = sample_motion(same_order, *search.trajectory);
+  const Motion orbit = sample_motion(same_order, *search.orbit.trajectory);
   candidate.near = distance(sample_motion(same_order, answer), orbit).x_l2.value_or(0.0) <= kNearOrbit;
 }
 
@@ -98,12 +97,10 @@ CandidateUnit from_rest(const Problem& problem) {
             options.flow = Integrator::modal;
             options.max_iterations = 20000;
             const EventDriven method(options);
-            const bool massless = std::holds_alternative<Massless>(problem.law);
-            const std::optional<Problem> condensed = massless ? condense(problem).problem : problem;
-            if (!condensed || !method.supports(*condensed).ok) {
+            if (!method.supports(problem).ok) {
               candidate.reason = "time marching does not apply";
             } else {
-              solve_cold(*condensed, method, deadline, candidate);
+              solve_cold(problem, method, deadline, candidate);
             }
             deliver(candidate);
           }};

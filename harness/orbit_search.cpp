@@ -13,7 +13,6 @@
 #include "harness/isolation.hpp"
 #include "harness/orbit.hpp"
 #include "harness/record.hpp"
-#include "methods/kernels/condensation.hpp"
 
 namespace signorini {
 
@@ -28,12 +27,6 @@ constexpr int kMemoryMb = 2048;
 constexpr double kLineSeconds = 15.0;
 /// Instants per forcing period on which orbits are compared; exact orbits need no more.
 constexpr int kCompared = 512;
-
-/// The motion of an exact orbit; a massless contact's is that of the condensed scene.
-const ExactTrajectory* exact_motion(const Trajectory* motion) {
-  if (const auto* condensed = dynamic_cast<const CondensedMotion*>(motion)) motion = condensed->inner().get();
-  return dynamic_cast<const ExactTrajectory*>(motion);
-}
 
 /// The events of the first `period` of an orbit that repeats after it.
 OrbitGuess first_period(OrbitGuess orbit, double period) {
@@ -88,7 +81,7 @@ class Census {
       ++result.failures[describe(search.orbit.outcome)];
       return;
     }
-    const Motion motion = sample_motion(problem_, *search.trajectory, kCompared);
+    const Motion motion = sample_motion(problem_, *search.orbit.trajectory, kCompared);
     for (std::size_t i = 0; i < motions_.size(); ++i) {
       if (same_orbit(motion, motions_[i])) return credit(result.orbits[i], candidate);
     }
@@ -123,10 +116,10 @@ class Census {
     OrbitSearch least = search;
     if (order < candidate.order) {
       const double period = order * motion.forcing_period;
-      least = solve(first_period(exact_motion(search.trajectory.get())->orbit(), period), order);
+      least = solve(first_period(search.orbit.trajectory->orbit(), period), order);
     }
     CheckedOrbit checked{.reason = "the orbit does not close after its least period"};
-    if (least.orbit.certified()) checked = polish_(at(order), *least.trajectory, deadline_);
+    if (least.orbit.certified()) checked = polish_(at(order), *least.orbit.trajectory, deadline_);
     if (!checked.orbit) {
       ++result.failures[checked.reason];
       refused_.emplace_back(motion, checked.reason);

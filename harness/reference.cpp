@@ -9,7 +9,6 @@
 #include "harness/record.hpp"
 #include "harness/trajectory_json.hpp"
 #include "methods/event_driven/event_driven.hpp"
-#include "methods/kernels/condensation.hpp"
 
 namespace signorini {
 
@@ -52,20 +51,6 @@ Solution event_driven(const Problem& problem, const OrbitRequest& request) {
   return method.prepare(problem)->solve({.guess = request.guess, .deadline = request.deadline});
 }
 
-/// Time marching needs mass everywhere: the scene with spring stops that is exactly the same stands in.
-Solution event_driven_massless(const Problem& problem, OrbitRequest request) {
-  const CondensedScene condensed = condense(problem);
-  if (!condensed.problem) return Solution{.message = condensed.reason};
-  // A guess is used for its force alone, which both scenes share, unless it comes from here.
-  if (const auto* own = dynamic_cast<const CondensedMotion*>(request.guess.get()))
-    request.guess = own->inner();
-  Solution solution = event_driven(*condensed.problem, request);
-  if (solution.trajectory) {
-    solution.trajectory = std::make_shared<CondensedMotion>(solution.trajectory, contact_gaps(problem));
-  }
-  return solution;
-}
-
 /// What `solver` found at kOrbitTolerance, found again at the tighter one (see find_orbit).
 CheckedOrbit confirm_orbit(const Problem& problem, const OrbitSolver& solver, const OrbitRequest& request,
                            const Solution& first, double largest_error_bar) {
@@ -103,12 +88,7 @@ CheckedOrbit confirm_orbit(const Problem& problem, const OrbitSolver& solver, co
 
 }  // namespace
 
-OrbitSolver event_driven_orbits() {
-  return [](const Problem& problem, const OrbitRequest& request) {
-    return std::holds_alternative<Massless>(problem.law) ? event_driven_massless(problem, request)
-                                                         : event_driven(problem, request);
-  };
-}
+OrbitSolver event_driven_orbits() { return event_driven; }
 
 CheckedOrbit find_orbit(const Problem& problem, const OrbitSolver& solver, OrbitRequest request,
                         double largest_error_bar) {

@@ -28,8 +28,7 @@ struct OrbitRequest {
 /// Looks for a periodic motion of the problem under the problem's own law. Replaced in tests.
 using OrbitSolver = std::function<Solution(const Problem& problem, const OrbitRequest& request)>;
 
-/// The event-driven method; for massless contacts on the condensed scene. Where it does not apply, the
-/// solution says so.
+/// The event-driven method. Where it does not apply, the solution says so.
 OrbitSolver event_driven_orbits();
 
 /// Tolerances of the two computations whose difference is an orbit's error bar.

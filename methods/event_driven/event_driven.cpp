@@ -1,12 +1,12 @@
 #include "methods/event_driven/event_driven.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <cmath>
 #include <exception>
 #include <optional>
 #include <utility>
 
 #include "methods/event_driven/steady_state.hpp"
+#include "methods/kernels/condensation.hpp"
 #include "methods/kernels/event_flow/event_trajectory.hpp"
 #include "methods/kernels/event_flow/flow.hpp"
 #include "methods/kernels/periodic_response.hpp"
@@ -81,7 +81,7 @@ class PreparedEventDriven final : public PreparedMethod {
     if (own != nullptr && own->start().state.u.size() == dynamics_.size()) {
       return flow.place(std::fmod(own->start().time, dynamics_.forcing_period()), own->start().state);
     }
-    return flow.place(0.0, PeriodicResponse(problem_, *start.guess).at(0.0));
+    return flow.place(0.0, dynamics_.with_mass(PeriodicResponse(problem_, *start.guess).at(0.0)));
   }
 
   [[nodiscard]] static std::shared_ptr<const Trajectory> recorded(PeriodMap& map, const SteadyState& found) {
@@ -111,13 +111,8 @@ EventDriven::EventDriven(const Options& options) : options_(options) {
 }
 
 Support EventDriven::supports(const Problem& problem) const {
-  if (std::holds_alternative<Massless>(problem.law)) {
-    return {.ok = false,
-            .reason = "contact coordinates carry no mass: time marching needs a nonsingular mass matrix"};
-  }
-  const Eigen::SimplicialLLT<SparseMatrix> mass(problem.mass);
-  if (mass.info() != Eigen::Success) {
-    return {.ok = false, .reason = "the mass matrix is singular: time marching needs it positive definite"};
+  if (const std::string obstacle = flow_obstacle(problem); !obstacle.empty()) {
+    return {.ok = false, .reason = obstacle};
   }
   return {};
 }

@@ -19,8 +19,8 @@ namespace signorini {
 /// forms its error is about `tolerance`, down to a few 1e-12. With flow = modal the motion between events is
 /// closed-form (at most 300 coordinates), `tolerance` that of the events and of the periodicity. Measured
 /// cost: 300 right-hand sides per flight, and about omega_max T / 1.2 per period where the structure is stiff
-/// (explicit Adams): a beam with omega_max T = 1e4 takes 1e5. M must be positive definite, so scenes with
-/// massless contact coordinates are not supported.
+/// (explicit Adams): a beam with omega_max T = 1e4 takes 1e5. Coordinates without mass
+/// follow the others statically (`condense`); damped ones are not supported.
 class EventDriven final : public Method {
  public:
   enum class Steady { marching, shooting };
@@ -28,7 +28,7 @@ class EventDriven final : public Method {
   static constexpr std::string_view kName = "event-driven";
   static constexpr std::string_view kTitle =
       "CVODE or closed-form flow between events, impact law at events, to the steady state";
-  static constexpr std::string_view kLaws = "restitution 0..1, penalty";
+  static constexpr std::string_view kLaws = "restitution 0..1, penalty, massless";
   static constexpr std::string_view kLadder = "flow=cvode|modal,tolerance=1e-6|1e-9";
 
   struct Options {

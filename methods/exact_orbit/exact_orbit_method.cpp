@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <exception>
 #include <numbers>
@@ -142,7 +141,7 @@ class PreparedExactOrbit final : public PreparedMethod {
     work_.iterations = work_.iterations.value_or(0) + found.iterations;
     const bool done = found.orbit.certified();
     if (!done) tried_.push_back(name + ": " + describe(found.orbit.outcome) + ", " + found.orbit.reason);
-    if (done || !best_ || (found.trajectory && !best_->trajectory)) {
+    if (done || !best_ || (found.orbit.trajectory && !best_->orbit.trajectory)) {
       best_ = std::move(found);
       name_ = name;
     }
@@ -155,7 +154,7 @@ class PreparedExactOrbit final : public PreparedMethod {
     solution.work = work_;
     if (best_) {
       const ExactOrbit& orbit = best_->orbit;
-      solution.trajectory = best_->trajectory;
+      solution.trajectory = orbit.trajectory;
       solution.residual = orbit.residual;
       if (orbit.certified()) {
         solution.verdict = Verdict::converged;
@@ -208,16 +207,7 @@ Support ExactOrbitMethod::supports(const Problem& problem) const {
                         "resolve it",
                         needed, options_.samples)};
   }
-  if (std::holds_alternative<Massless>(problem.law)) {
-    CondensedScene scene = condense(problem);
-    if (!scene.problem) return {false, scene.reason + ": there is no equivalent spring stop"};
-    const Eigen::SimplicialLLT<SparseMatrix> mass(scene.problem->mass);
-    if (mass.info() == Eigen::Success) return {};
-    return {false, "coordinates other than the contacts carry no mass"};
-  }
-  const Eigen::SimplicialLLT<SparseMatrix> mass(problem.mass);
-  if (mass.info() != Eigen::Success)
-    return {false, "the mass matrix is singular: the flow between events needs it positive definite"};
+  if (const std::string obstacle = flow_obstacle(problem); !obstacle.empty()) return {false, obstacle};
   return {};
 }
 

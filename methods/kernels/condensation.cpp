@@ -1,99 +1,122 @@
 #include "methods/kernels/condensation.hpp"
 
+#include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <vector>
+#include <complex>
+#include <limits>
+
+#include "problems/definiteness.hpp"
 
 namespace signorini {
 
 namespace {
 
-/// The coordinate of each contact; empty and a reason where a contact is not one coordinate of its own.
-std::vector<int> contact_dofs(const Problem& problem, std::string& reason) {
-  std::vector<int> dofs;
-  for (const Contact& contact : problem.contacts) {
-    if (contact.normal.size() != 1 || contact.normal.front().second != 1.0) {
-      reason = "a massless contact acts on several coordinates";
-      return {};
+struct Split {
+  std::vector<int> kept, massless;  // coordinates
+};
+
+Split split_by_mass(const SparseMatrix& mass) {
+  std::vector<bool> heavy(static_cast<std::size_t>(mass.rows()), false);
+  for (int column = 0; column < mass.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator it(mass, column); it; ++it) {
+      if (it.value() != 0.0) heavy[static_cast<std::size_t>(it.row())] = true;
     }
-    const int dof = contact.normal.front().first;
-    if (std::find(dofs.begin(), dofs.end(), dof) != dofs.end()) {
-      reason = "two massless contacts share a coordinate";
-      return {};
-    }
-    dofs.push_back(dof);
   }
-  return dofs;
+  Split split;
+  for (int dof = 0; dof < mass.rows(); ++dof) {
+    (heavy[static_cast<std::size_t>(dof)] ? split.kept : split.massless).push_back(dof);
+  }
+  return split;
 }
 
-/// Empty if the contact coordinates follow the others statically and independently.
-std::string obstacle(const Problem& problem, const std::vector<int>& dofs) {
+// The 0/1 matrix that picks coordinates, Nd x |picked|.
+SparseMatrix picking(const std::vector<int>& picked, Eigen::Index size) {
+  SparseMatrix P(size, static_cast<Eigen::Index>(picked.size()));
+  for (std::size_t i = 0; i < picked.size(); ++i) P.insert(picked[i], static_cast<Eigen::Index>(i)) = 1.0;
+  P.makeCompressed();
+  return P;
+}
+
+bool touches(const SparseMatrix& A, const SparseMatrix& picked) {
+  constexpr double kRoundOff = 64.0 * std::numeric_limits<double>::epsilon();
+  return largest_entry(SparseMatrix(A * picked)) > kRoundOff * largest_entry(A) ||
+         largest_entry(SparseMatrix(picked.transpose() * A)) > kRoundOff * largest_entry(A);
+}
+
+std::vector<double> load_rates(const Problem& problem) {
+  std::vector<double> rates{0.0};
+  for (const ForceTerm& term : problem.force) rates.push_back(term.harmonic * problem.frequency);
+  std::sort(rates.begin(), rates.end());
+  rates.erase(std::unique(rates.begin(), rates.end()), rates.end());
+  return rates;
+}
+
+Eigen::MatrixXcd load_amplitudes(const Problem& problem, const std::vector<double>& rates) {
+  Eigen::MatrixXcd load = Eigen::MatrixXcd::Zero(problem.size(), static_cast<Eigen::Index>(rates.size()));
   for (const ForceTerm& term : problem.force) {
-    if (std::find(dofs.begin(), dofs.end(), term.dof) != dofs.end())
-      return "a load acts on a massless contact";
+    const auto at =
+        std::lower_bound(rates.begin(), rates.end(), term.harmonic * problem.frequency) - rates.begin();
+    load(term.dof, at) += std::complex<double>(term.cos, term.harmonic == 0 ? 0.0 : -term.sin);
   }
-  const Eigen::MatrixXd damping(problem.damping);
-  for (const int dof : dofs) {
-    if (!damping.row(dof).isZero(0.0) || !damping.col(dof).isZero(0.0)) return "a massless contact is damped";
-    if (problem.stiffness.coeff(dof, dof) <= 0.0) return "a massless contact has no stiffness behind it";
-    for (const int other : dofs) {
-      if (other != dof && problem.stiffness.coeff(dof, other) != 0.0) return "massless contacts are coupled";
-    }
-  }
-  return {};
+  return load;
 }
 
-SparseMatrix kept_block(const Eigen::MatrixXd& matrix, const std::vector<int>& kept) {
-  return SparseMatrix(Eigen::MatrixXd(matrix(kept, kept)).sparseView());
+// Static elimination of the massless coordinates picked by `b`.
+void eliminate(const Problem& problem, const SparseMatrix& i, const SparseMatrix& b,
+               CondensedStructure& result) {
+  const SparseMatrix K_bb = b.transpose() * problem.stiffness * b;
+  const SparseMatrix K_bi = b.transpose() * problem.stiffness * i;
+  if (!is_definite(K_bb)) {
+    result.obstacle = "coordinates without mass have no stiffness of their own";
+    return;
+  }
+  const Eigen::SimplicialLDLT<SparseMatrix> stiffness(K_bb);
+  const SparseMatrix W_b = b.transpose() * contact_directions(problem);
+  const SparseMatrix follows = stiffness.solve(K_bi);  // u_b = -follows u_i
+  const SparseMatrix yields = stiffness.solve(W_b);    // u_b = yields lambda
+  const Eigen::MatrixXcd loaded = b.transpose().cast<std::complex<double>>() * result.load;
+  const Eigen::MatrixXd real = stiffness.solve(Eigen::MatrixXd(loaded.real()));
+  const Eigen::MatrixXd imag = stiffness.solve(Eigen::MatrixXd(loaded.imag()));
+  const Eigen::MatrixXcd carried =
+      real.cast<std::complex<double>>() + std::complex<double>(0.0, 1.0) * imag.cast<std::complex<double>>();
+  const SparseMatrix pulled = K_bi.transpose() * follows;
+  result.stiffness -= SparseMatrix(0.5 * (pulled + SparseMatrix(pulled.transpose())));
+  result.directions -= SparseMatrix(K_bi.transpose() * yields);
+  result.compliance = Eigen::MatrixXd(W_b.transpose() * yields);
+  result.shift = W_b.transpose().cast<std::complex<double>>() * carried;
+  result.load = (i.transpose().cast<std::complex<double>>() * result.load -
+                 K_bi.transpose().cast<std::complex<double>>() * carried)
+                    .eval();
 }
 
 }  // namespace
 
-CondensedScene condense(const Problem& problem) {
-  CondensedScene result;
-  const std::vector<int> dofs = contact_dofs(problem, result.reason);
-  if (result.reason.empty()) result.reason = obstacle(problem, dofs);
-  if (!result.reason.empty()) return result;
-  std::vector<int> kept;
-  std::vector<int> place(static_cast<std::size_t>(problem.size()), -1);
-  for (int dof = 0; dof < problem.size(); ++dof) {
-    if (std::find(dofs.begin(), dofs.end(), dof) != dofs.end()) continue;
-    place[static_cast<std::size_t>(dof)] = static_cast<int>(kept.size());
-    kept.push_back(dof);
+CondensedStructure condense(const Problem& problem) {
+  CondensedStructure result;
+  const Split split = split_by_mass(problem.mass);
+  const SparseMatrix i = picking(split.kept, problem.size()), b = picking(split.massless, problem.size());
+  if (touches(problem.damping, b)) {
+    result.obstacle = "a coordinate without mass is damped: its equation is of first order";
+    return result;
   }
-  Problem condensed = problem;
-  Eigen::MatrixXd stiffness(problem.stiffness);
-  Penalty law;
-  for (std::size_t c = 0; c < dofs.size(); ++c) {
-    const Eigen::VectorXd coupling = stiffness.col(dofs[c]);
-    const double own = coupling[dofs[c]];
-    Contact& contact = condensed.contacts[c];
-    contact.normal.clear();
-    for (std::size_t r = 0; r < kept.size(); ++r) {
-      if (coupling[kept[r]] != 0.0)
-        contact.normal.emplace_back(static_cast<int>(r), -coupling[kept[r]] / own);
-    }
-    stiffness -= coupling * coupling.transpose() / own;
-    law.stiffness.push_back(own);
-  }
-  condensed.mass = kept_block(Eigen::MatrixXd(problem.mass), kept);
-  condensed.damping = kept_block(Eigen::MatrixXd(problem.damping), kept);
-  condensed.stiffness = kept_block(stiffness, kept);
-  for (ForceTerm& term : condensed.force) term.dof = place[static_cast<std::size_t>(term.dof)];
-  condensed.law = law;
-  result.problem = std::move(condensed);
+  result.kept = split.kept;
+  result.mass = i.transpose() * problem.mass * i;
+  result.damping = i.transpose() * problem.damping * i;
+  result.stiffness = i.transpose() * problem.stiffness * i;
+  result.directions = i.transpose() * contact_directions(problem);
+  result.compliance = Eigen::MatrixXd::Zero(problem.contact_count(), problem.contact_count());
+  result.rates = load_rates(problem);
+  result.load = load_amplitudes(problem, result.rates);
+  result.shift = Eigen::MatrixXcd::Zero(problem.contact_count(), result.load.cols());
+  if (!split.massless.empty()) eliminate(problem, i, b, result);
   return result;
 }
 
-Samples CondensedMotion::sample(int count) const {
-  Samples samples = inner_->sample(count);
-  for (Eigen::Index c = 0; c < samples.x.cols(); ++c) {
-    for (Eigen::Index i = 0; i < samples.x.rows(); ++i) {
-      if (samples.x(i, c) < gaps_[c]) continue;
-      samples.x(i, c) = gaps_[c];
-      samples.velocity(i, c) = 0.0;
-    }
-  }
-  return samples;
+std::string flow_obstacle(const Problem& problem) {
+  const CondensedStructure structure = condense(problem);
+  if (!structure.obstacle.empty()) return structure.obstacle;
+  const Eigen::SimplicialLLT<SparseMatrix> mass(structure.mass);
+  return mass.info() == Eigen::Success ? "" : "the mass matrix is singular on the coordinates with mass";
 }
 
 }  // namespace signorini

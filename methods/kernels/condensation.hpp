@@ -1,44 +1,45 @@
 #pragma once
-// Scenes whose contact coordinates carry no mass, as the scenes with spring stops that they are.
+// Coordinates without mass, which follow the others statically.
 
-#include <memory>
-#include <optional>
+#include <Eigen/Core>
 #include <string>
+#include <vector>
 
-#include "methods/solution.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {
 
-/// A contact coordinate c without mass and damping follows the others statically:
-/// u_c = y = -K_cr u_r / K_cc while open, and while closed u_c = g takes the force lambda = -K_cc (y - g). So
-/// the others move exactly as with a spring stop of stiffness K_cc on y, and their stiffness is K_rr - K_rc
-/// K_cr / K_cc.
-struct CondensedScene {
-  std::optional<Problem> problem;  ///< in u_r, law Penalty; absent if this cannot be done
-  std::string reason;              ///< why not
+/// A scene in its coordinates with mass i. With b those without, K_bb positive definite and no damping at b,
+///
+///     u_b = K_bb^-1 (f_b - K_bi u_i + W_b lambda),
+///
+/// so that the others move as a structure with contact directions N, whose stops yield:
+///
+///     M_ii u_i'' + D_ii u_i' + (K_ii - K_ib K_bb^-1 K_bi) u_i = f_i - K_ib K_bb^-1 f_b + N lambda,
+///     x = N^T u_i + s(t) + C lambda,   N = W_i - K_ib K_bb^-1 W_b,   C = W_b^T K_bb^-1 W_b,
+///     s = W_b^T K_bb^-1 f_b.
+///
+/// Where every contact acts on massless coordinates, x <= g, lambda <= 0, lambda (x - g) = 0 is a linear
+/// complementarity problem in C, which has one solution x for every u_i and one lambda where the columns of
+/// W_b are independent: lambda is a Lipschitz function of (u_i, t), and no impact law is needed
+/// [khenous2008]. A scene without massless coordinates is left as it is: N = W, C = 0, s = 0.
+struct CondensedStructure {
+  std::string obstacle;                   ///< why this cannot be done, one clause; the rest is then empty
+  std::vector<int> kept;                  ///< i, ascending: coordinates of the scene
+  SparseMatrix mass, damping, stiffness;  ///< Nd x Nd, Nd = |i|
+  SparseMatrix directions;                ///< N, Nd x Nc
+  Eigen::MatrixXd compliance;             ///< C, Nc x Nc [m/N]
+  /// h omega of the harmonics in the load, ascending, 0 always the first [rad/s].
+  std::vector<double> rates;
+  Eigen::MatrixXcd load;   ///< of e^{i h omega t}, its real part to be taken; Nd x Nh [N]
+  Eigen::MatrixXcd shift;  ///< s likewise, Nc x Nh [m]
 };
 
-/// Requires a scene with the law Massless. Not done: contacts that act on several coordinates or share one,
-/// damping, loads or coupling between them at the contact coordinates.
-CondensedScene condense(const Problem& problem);
+/// Sparse throughout, but for C and the columns of load and shift.
+CondensedStructure condense(const Problem& problem);
 
-/// The motion of the massless contacts behind a motion of the condensed scene: x = min(y, g), the force the
-/// same.
-class CondensedMotion final : public Trajectory {
- public:
-  CondensedMotion(std::shared_ptr<const Trajectory> inner, Eigen::VectorXd gaps)
-      : inner_(std::move(inner)), gaps_(std::move(gaps)) {}
-
-  [[nodiscard]] int contact_count() const override { return inner_->contact_count(); }
-  [[nodiscard]] double period() const override { return inner_->period(); }
-  [[nodiscard]] Samples sample(int count) const override;
-  [[nodiscard]] std::optional<int> bandwidth() const override { return inner_->bandwidth(); }
-  [[nodiscard]] const std::shared_ptr<const Trajectory>& inner() const { return inner_; }
-
- private:
-  std::shared_ptr<const Trajectory> inner_;
-  Eigen::VectorXd gaps_;
-};
+/// Why a scene's motion between events is no ordinary differential equation of second order; empty if it is
+/// one. Damping at coordinates without mass, which makes an equation of first order there, is not done.
+std::string flow_obstacle(const Problem& problem);
 
 }  // namespace signorini

@@ -11,8 +11,8 @@ namespace signorini {
 /// Piecewise Hermite interpolation of degree 9 between the instants kept: x, x' and lambda, each with its
 /// first four derivatives at both ends, which the equation of motion gives exactly. The error is
 /// h^10 |x^(10)| / 3.7e9 at most (10! 2^10) for a step h: round-off at the steps that CVODE takes.
-/// The velocity is right-sided; the force is the multiplier of a sticking contact or the force of a
-/// penalty stop.
+/// The velocity is right-sided; the force is the multiplier of a sticking contact or that of a stop that
+/// yields.
 class EventTrajectory final : public Trajectory {
  public:
   /// \param pieces  consecutive, from start.time to start.time + period
@@ -27,7 +27,7 @@ class EventTrajectory final : public Trajectory {
 
   /// Impacts, closings and openings in one period, times in [0, period), ordered.
   [[nodiscard]] const std::vector<ContactEvent>& events() const { return events_; }
-  /// State of the whole structure at the time where the motion was cut open.
+  /// State of the coordinates with mass at the time where the motion was cut open.
   [[nodiscard]] const FlowState& start() const { return start_; }
 
  private:

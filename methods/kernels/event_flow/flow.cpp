@@ -52,7 +52,8 @@ EventFlow::EventFlow(const ContactDynamics& dynamics, double tolerance, std::fun
     : dynamics_(dynamics),
       tolerance_(tolerance),
       expired_(std::move(expired)),
-      events_(dynamics, tolerance),
+      rigid_events_(dynamics, tolerance),
+      yielding_events_(dynamics, tolerance),
       flows_(dynamics) {
   if (integrator == Integrator::modal) return;
   session_ = std::make_unique<CvodeSession>(
@@ -70,32 +71,19 @@ FlowState EventFlow::place(double time, const State& state) const {
                  .closed = std::vector<bool>(static_cast<std::size_t>(dynamics_.contact_count()), false)};
   if (dynamics_.rigid()) {
     FlowRecord ignored;
-    events_.expel(flow.state);
-    events_.resolve(flow, -1, ignored);
+    rigid_events_.expel(flow.state);
+    rigid_events_.resolve(flow, -1, ignored);
   } else {
-    const Eigen::VectorXd x = dynamics_.directions().transpose() * state.u;
-    const Eigen::VectorXd v = dynamics_.directions().transpose() * state.v;
-    for (int j = 0; j < dynamics_.contact_count(); ++j) {
-      const double depth = x[j] - dynamics_.gaps()[j];
-      flow.closed[static_cast<std::size_t>(j)] = depth > 0.0 || (depth == 0.0 && v[j] > 0.0);
-    }
+    flow.closed = yielding_events_.pushing(time, state);
   }
   return flow;
 }
 
 Guard EventFlow::guard(int contact, double time, const Eigen::VectorXd& y) const {
+  if (!dynamics_.rigid() || mode_.closed(contact)) return guards(time, y)[static_cast<std::size_t>(contact)];
   const Eigen::Index n = y.size() / 2;
   const auto w = dynamics_.directions().col(contact);
-  if (mode_.closed(contact) && dynamics_.rigid()) {
-    const MotionDerivatives motion = dynamics_.derivatives(mode_, time, unpacked(y), 3);
-    const double inverse_mass = dynamics_.delassus()(contact, contact);
-    return {.value = -motion.lambda(contact, 0) * inverse_mass,
-            .rate = -motion.lambda(contact, 1) * inverse_mass};
-  }
-  const double gap = dynamics_.gaps()[contact] - w.dot(y.head(n));
-  const double opening = -w.dot(y.tail(n));
-  if (mode_.closed(contact)) return {.value = -gap, .rate = -opening};
-  return {.value = gap, .rate = opening};
+  return {.value = dynamics_.gaps()[contact] - w.dot(y.head(n)), .rate = -w.dot(y.tail(n))};
 }
 
 double EventFlow::guard_floor(int contact, double noise) const {
@@ -104,8 +92,28 @@ double EventFlow::guard_floor(int contact, double noise) const {
 }
 
 std::vector<Guard> EventFlow::guards(double time, const Eigen::VectorXd& y) const {
-  std::vector<Guard> result(static_cast<std::size_t>(dynamics_.contact_count()));
-  for (int j = 0; j < dynamics_.contact_count(); ++j) result[static_cast<std::size_t>(j)] = guard(j, time, y);
+  const Eigen::Index n = y.size() / 2;
+  const int contacts = dynamics_.contact_count();
+  Eigen::VectorXd x = dynamics_.unloaded(time, y.head(n), 0), v = dynamics_.unloaded(time, y.tail(n), 1);
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(contacts), rate = force;  // lambda, d lambda / dt
+  if (!mode_.active.empty() && dynamics_.rigid()) {
+    const MotionDerivatives motion = dynamics_.derivatives(mode_, time, unpacked(y), 3);
+    force = motion.lambda.col(0);
+    rate = motion.lambda.col(1);
+  } else if (!mode_.active.empty()) {
+    force = dynamics_.yielding_force(mode_, x, 0);
+    rate = dynamics_.yielding_force(mode_, v, 1);
+    x += dynamics_.massless_compliance() * force;
+    v += dynamics_.massless_compliance() * rate;
+  }
+  const auto unit = (dynamics_.rigid() ? dynamics_.delassus() : dynamics_.compliance()).diagonal();
+  std::vector<Guard> result(static_cast<std::size_t>(contacts));
+  for (int j = 0; j < contacts; ++j) {
+    result[static_cast<std::size_t>(j)] = {.value = dynamics_.gaps()[j] - x[j], .rate = -v[j]};
+  }
+  for (const int j : mode_.active) {
+    result[static_cast<std::size_t>(j)] = {.value = -unit[j] * force[j], .rate = -unit[j] * rate[j]};
+  }
   return result;
 }
 
@@ -123,9 +131,7 @@ EventFlow::Crossing EventFlow::first_event(const Stretch& stretch, std::vector<b
   if (fresh.empty()) return {};
   constexpr double kFar = 2.0;  // a guard this many times further from zero than its rates carry it is safe
   Crossing first;
-  std::vector<Guard> next(fresh.size());
-  for (int j = 0; j < dynamics_.contact_count(); ++j)
-    next[static_cast<std::size_t>(j)] = stretch.guard(j, stretch.end);
+  const std::vector<Guard> next = stretch.guards(stretch.end);
   for (int j = 0; j < dynamics_.contact_count(); ++j) {
     const auto index = static_cast<std::size_t>(j);
     const double reach =
@@ -143,10 +149,8 @@ EventFlow::Crossing EventFlow::first_event(const Stretch& stretch, std::vector<b
 }
 
 void EventFlow::keep(double time, const Eigen::VectorXd& y, FlowRecord& record) const {
-  const MotionDerivatives motion = dynamics_.derivatives(mode_, time, unpacked(y), kNodeOrder + 1);
-  record.pieces.back().push_back({.time = time,
-                                  .x = dynamics_.directions().transpose() * motion.u.leftCols(kNodeOrder + 1),
-                                  .lambda = motion.lambda});
+  const MotionDerivatives motion = dynamics_.derivatives(mode_, time, unpacked(y), kNodeOrder + 2);
+  record.pieces.back().push_back({.time = time, .x = motion.x, .lambda = motion.lambda.leftCols(kNodeOrder)});
 }
 
 // Both forms agree on deviations that the constraint admits; those normal to it the saltation removes.
@@ -161,7 +165,7 @@ void EventFlow::arrive(FlowState& flow, double time, const Eigen::VectorXd& y, d
                        FlowRecord& record) {
   flow.time = time;
   flow.state = unpacked(y);
-  if (dynamics_.rigid()) events_.hold(flow.state, mode_);
+  if (dynamics_.rigid()) rigid_events_.hold(flow.state, mode_);
   if (record.dense) keep(time, packed(flow.state), record);
   if (record.tangent) {
     record.derivative = transition(flow.closed, time - since) * record.derivative;
@@ -169,19 +173,11 @@ void EventFlow::arrive(FlowState& flow, double time, const Eigen::VectorXd& y, d
 }
 
 void EventFlow::pass_event(FlowState& flow, const Crossing& crossing, FlowRecord& record) const {
-  const auto index = static_cast<std::size_t>(crossing.contact);
   if (dynamics_.rigid()) {
-    events_.resolve(flow, crossing.contact, record);
-    return;
+    rigid_events_.resolve(flow, crossing.contact, record);
+  } else {
+    yielding_events_.resolve(flow, crossing.contact, record);
   }
-  flow.closed[index] = !flow.closed[index];
-  record.events.push_back({.kind = flow.closed[index] ? ContactEvent::Kind::close : ContactEvent::Kind::open,
-                           .contact = crossing.contact,
-                           .time = flow.time});
-  record.sequence.push_back({.kind = record.events.back().kind,
-                             .contact = crossing.contact,
-                             .time = flow.time,
-                             .closed = flow.closed});
 }
 
 // Length of the Taylor step that covers the next rebound of a contact that has just left its stop;
@@ -194,7 +190,7 @@ double EventFlow::short_flight(const FlowState& flow, const MotionDerivatives& m
     const auto w = dynamics_.directions().col(j);
     const double gap = dynamics_.gaps()[j] - w.dot(flow.state.u);
     const double v = w.dot(flow.state.v), a = w.dot(motion.u.col(2));
-    if (flow.closed[static_cast<std::size_t>(j)] || gap > events_.touch() || !(v < 0.0) || !(a > 0.0))
+    if (flow.closed[static_cast<std::size_t>(j)] || gap > rigid_events_.touch() || !(v < 0.0) || !(a > 0.0))
       continue;
     const double flight = -2.0 * kMargin * v / a;
     if (flight <= longest && (length == 0.0 || flight < length)) length = flight;
@@ -222,10 +218,16 @@ bool EventFlow::take_short_flight(FlowState& flow, double end, FlowRecord& recor
   const Stretch stretch{.begin = begin,
                         .end = std::min(end, begin + short_flight(flow, motion)),
                         .noise = 64.0 * kEpsilon,
-                        .guard = [&](int contact, double time) {
-                          series(time, y);
-                          return guard(contact, time, y);
-                        }};
+                        .guard =
+                            [&](int contact, double time) {
+                              series(time, y);
+                              return guard(contact, time, y);
+                            },
+                        .guards =
+                            [&](double time) {
+                              series(time, y);
+                              return guards(time, y);
+                            }};
   std::vector<Guard> last = guards(begin, packed(flow.state));
   std::vector<bool> fresh = fresh_guards(last, stretch.noise);
   const Crossing crossing = first_event(stretch, fresh, last);
@@ -258,10 +260,16 @@ void EventFlow::integrate(FlowState& flow, double end, FlowRecord& record) {
     const Stretch stretch{.begin = session_->previous_time(),
                           .end = session_->time(),
                           .noise = noise,
-                          .guard = [&](int contact, double time) {
-                            session_->interpolate(time, y);
-                            return guard(contact, time, y);
-                          }};
+                          .guard =
+                              [&](int contact, double time) {
+                                session_->interpolate(time, y);
+                                return guard(contact, time, y);
+                              },
+                          .guards =
+                              [&](double time) {
+                                session_->interpolate(time, y);
+                                return guards(time, y);
+                              }};
     const Crossing crossing = first_event(stretch, fresh, last);
     const bool finished = stretch.end >= end;
     const double time = crossing.contact < 0 ? stretch.end : crossing.time;
@@ -278,14 +286,12 @@ void EventFlow::integrate(FlowState& flow, double end, FlowRecord& record) {
 }
 
 Guard EventFlow::exact_guard(int contact, double time) const {
-  if (mode_.closed(contact) && dynamics_.rigid()) {
-    const double inverse_mass = dynamics_.delassus()(contact, contact);
-    return {.value = -inverse_mass * arc_.force(contact, time),
-            .rate = -inverse_mass * arc_.force(contact, time, 1)};
+  if (mode_.closed(contact)) {
+    const double unit = (dynamics_.rigid() ? dynamics_.delassus() : dynamics_.compliance())(contact, contact);
+    return {.value = -unit * arc_.force(contact, time), .rate = -unit * arc_.force(contact, time, 1)};
   }
-  const double sign = mode_.closed(contact) ? -1.0 : 1.0;
-  return {.value = sign * (dynamics_.gaps()[contact] - arc_.displacement(contact, time)),
-          .rate = -sign * arc_.displacement(contact, time, 1)};
+  return {.value = dynamics_.gaps()[contact] - arc_.displacement(contact, time),
+          .rate = -arc_.displacement(contact, time, 1)};
 }
 
 // As `integrate`, by the closed form of the motion.
@@ -295,9 +301,12 @@ void EventFlow::follow(FlowState& flow, double end, FlowRecord& record) {
   const double noise = std::max(0.01 * tolerance_, 64.0 * kEpsilon);
   const LinearFlow& linear = flows_.of(flow.closed);
   arc_.start(linear, begin, flow.state);
-  std::vector<Guard> last(flow.closed.size());
-  for (int j = 0; j < dynamics_.contact_count(); ++j)
-    last[static_cast<std::size_t>(j)] = exact_guard(j, begin);
+  const auto exact_guards = [this](double time) {
+    std::vector<Guard> all;
+    for (int j = 0; j < dynamics_.contact_count(); ++j) all.push_back(exact_guard(j, time));
+    return all;
+  };
+  std::vector<Guard> last = exact_guards(begin);
   std::vector<bool> fresh = fresh_guards(last, noise);
   if (record.dense) {
     record.pieces.emplace_back();
@@ -306,9 +315,11 @@ void EventFlow::follow(FlowState& flow, double end, FlowRecord& record) {
   const double longest =
       2.0 * std::numbers::pi / ((record.dense ? kDenseSteps : kSteps) * linear.fastest_rate());
   const auto steps = static_cast<long>(std::ceil((end - begin) / longest));
-  Stretch stretch{.begin = begin, .end = begin, .noise = noise, .guard = [this](int contact, double time) {
-                    return exact_guard(contact, time);
-                  }};
+  Stretch stretch{.begin = begin,
+                  .end = begin,
+                  .noise = noise,
+                  .guard = [this](int contact, double time) { return exact_guard(contact, time); },
+                  .guards = exact_guards};
   Crossing crossing;
   State state;
   double time = begin;

@@ -12,6 +12,7 @@
 #include "methods/kernels/event_flow/flow_record.hpp"
 #include "methods/kernels/event_flow/linear_flow.hpp"
 #include "methods/kernels/event_flow/rigid_events.hpp"
+#include "methods/kernels/event_flow/yielding_events.hpp"
 
 namespace signorini {
 
@@ -28,7 +29,7 @@ enum class Integrator {
 /// the root that an impact leaves at its start would have to be hidden from it. Rebounds shorter than CVODE's
 /// first steps are summed by the Taylor series of the linear motion.
 ///
-/// Guards, one per contact: gap g - x (open), force -lambda (sticking), compression x - g (penalty).
+/// Guards, one per contact: gap g - x (open), force -lambda (closed).
 ///
 /// With Integrator::modal the stretches between events come from the exact flow of the mode (LinearFlow) in
 /// steps of an eighth of its fastest period; `tolerance` is then that of the events alone.
@@ -56,6 +57,7 @@ class EventFlow {
     double begin = 0.0, end = 0.0;
     double noise = 0.0;                       // relative to X (gaps) and to the acceleration scale (forces)
     std::function<Guard(int, double)> guard;  // of a contact at a time within
+    std::function<std::vector<Guard>(double)> guards;  // of all contacts
   };
   struct Crossing {
     int contact = -1;  // -1: none
@@ -80,7 +82,8 @@ class EventFlow {
   const ContactDynamics& dynamics_;
   double tolerance_;
   std::function<bool()> expired_;
-  RigidEvents events_;
+  RigidEvents rigid_events_;
+  YieldingEvents yielding_events_;
   ContactMode mode_;  // the one the integrator is in
   LinearFlows flows_;
   LinearArc arc_;

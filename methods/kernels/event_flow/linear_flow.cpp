@@ -35,10 +35,11 @@ LinearFlow::LinearFlow(const ContactDynamics& dynamics, ContactMode mode, FlowFo
   offset_ = Eigen::VectorXd::Zero(n);
   if (mode_.active.empty() || !dynamics.rigid()) {
     basis_ = Eigen::MatrixXd::Identity(n, n);
-    for (const int j : mode_.active) {
-      const auto w = dynamics.directions().col(j);
-      stiffness += dynamics.penalty()[j] * w * w.transpose();
-      load_.col(0) += dynamics.penalty()[j] * dynamics.gaps()[j] * w.cast<Complex>();
+    if (!mode_.active.empty()) {
+      const Eigen::MatrixXd pull = dynamics.directions()(Eigen::all, mode_.active) * mode_.response;
+      stiffness += pull * dynamics.directions()(Eigen::all, mode_.active).transpose();
+      load_ -= pull * dynamics.shift_amplitudes()(mode_.active, Eigen::all);
+      load_.col(0) += (pull * dynamics.gaps()(mode_.active)).cast<Complex>();
     }
   } else {
     const Eigen::MatrixXd W = dynamics.directions()(Eigen::all, mode_.active);
@@ -160,9 +161,12 @@ void LinearFlow::prepare_exponential() {
   // The bound of a Gershgorin disc would be too large for M far from the identity.
   fastest_rate_ = std::max(fastest_rate_, 1.1 * dynamics_->fastest_rate());
   if (!dynamics_->rigid()) {
-    for (const int j : mode_.active)
+    for (std::size_t i = 0; i < mode_.active.size(); ++i) {
+      const int j = mode_.active[i];
+      const auto row = static_cast<Eigen::Index>(i);
       fastest_rate_ =
-          std::hypot(fastest_rate_, std::sqrt(dynamics_->penalty()[j] * dynamics_->delassus()(j, j)));
+          std::hypot(fastest_rate_, std::sqrt(mode_.response(row, row) * dynamics_->delassus()(j, j)));
+    }
   }
 }
 
@@ -177,30 +181,46 @@ Eigen::MatrixXd LinearFlow::multiplier_rows() const {
     rows.leftCols(size()) = back * dynamics_->stiffness();
     rows.rightCols(size()) = back * dynamics_->damping();
   } else {
-    for (Eigen::Index i = 0; i < active; ++i) {
-      const int j = mode_.active[static_cast<std::size_t>(i)];
-      rows.row(i).head(size()) = -dynamics_->penalty()[j] * dynamics_->directions().col(j).transpose();
-    }
+    rows.leftCols(size()) = -mode_.response * dynamics_->directions()(Eigen::all, mode_.active).transpose();
   }
   return rows;
 }
 
+// x = rows (u, v) + terms of the load, Nc x 2 Nd.
+Eigen::MatrixXd LinearFlow::displacement_rows() const {
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(dynamics_->contact_count(), 2 * size());
+  rows.leftCols(size()) = dynamics_->directions().transpose();
+  rows += dynamics_->massless_compliance()(Eigen::all, mode_.active) * multiplier_rows();
+  return rows;
+}
+
+// The terms of the load in x and lambda_A, (Nc + |A|) x Nh.
+Eigen::MatrixXcd LinearFlow::outputs_of_load() const {
+  const int contacts = dynamics_->contact_count();
+  const auto active = static_cast<Eigen::Index>(mode_.active.size());
+  Eigen::MatrixXcd result(contacts + active, static_cast<Eigen::Index>(rates_.size()));
+  result.topRows(contacts) = dynamics_->shift_amplitudes();
+  if (active == 0) return result;
+  if (dynamics_->rigid()) {
+    result.bottomRows(active) =
+        -(mode_.response * dynamics_->impulse_response()(Eigen::all, mode_.active).transpose()) * load_;
+    return result;
+  }
+  Eigen::MatrixXcd depth = dynamics_->shift_amplitudes()(mode_.active, Eigen::all);
+  depth.col(0) -= dynamics_->gaps()(mode_.active).cast<Complex>();
+  result.bottomRows(active) = -mode_.response * depth;
+  result.topRows(contacts) +=
+      dynamics_->massless_compliance()(Eigen::all, mode_.active) * result.bottomRows(active);
+  return result;
+}
+
 void LinearFlow::prepare_outputs() {
   const int contacts = dynamics_->contact_count();
-  const Eigen::MatrixXd rows = multiplier_rows();
-  const auto active = rows.rows(), harmonics = static_cast<Eigen::Index>(rates_.size());
+  const auto active = static_cast<Eigen::Index>(mode_.active.size()),
+             harmonics = static_cast<Eigen::Index>(rates_.size());
   Eigen::MatrixXd direct(contacts + active, 2 * size());  // of (u, v)
-  direct << dynamics_->directions().transpose(), Eigen::MatrixXd::Zero(contacts, size()), rows;
-  Eigen::MatrixXcd of_load = Eigen::MatrixXcd::Zero(contacts + active, harmonics);
-  if (active > 0 && dynamics_->rigid()) {
-    of_load.bottomRows(active) =
-        -(mode_.response * dynamics_->impulse_response()(Eigen::all, mode_.active).transpose()) * load_;
-  } else {
-    for (Eigen::Index i = 0; i < active; ++i) {
-      const int j = mode_.active[static_cast<std::size_t>(i)];
-      of_load(contacts + i, 0) = dynamics_->penalty()[j] * dynamics_->gaps()[j];
-    }
-  }
+  direct << displacement_rows(), multiplier_rows();
+  const Eigen::MatrixXcd of_load = outputs_of_load();
   if (modal_) {
     Eigen::MatrixXcd states(2 * size(), mu_.size()), waves(2 * size(), harmonics);
     states << shapes_, shapes_ * mu_.asDiagonal();
@@ -230,6 +250,10 @@ int LinearFlow::place(int contact) const {
 
 Eigen::RowVectorXd LinearFlow::multiplier_gradient(int contact) const {
   return multiplier_rows().row(place(contact));
+}
+
+Eigen::RowVectorXd LinearFlow::displacement_gradient(int contact) const {
+  return displacement_rows().row(contact);
 }
 
 Eigen::MatrixXd LinearFlow::transition(double duration) const {

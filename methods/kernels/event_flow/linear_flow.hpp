@@ -20,8 +20,9 @@ enum class FlowForm {
 ///
 /// A rigid stop's constraint is removed, not penalised: u = u_g + Q q with Q an orthonormal basis of the
 /// null space of W_A^T and W_A^T u_g = g_A, so that q obeys Q^T (M, D, K) Q and the load Q^T (f - K u_g) (and
-/// the double eigenvalue zero of x'' = 0 is gone). A penalty stop adds W_A k W_A^T to K and W_A k g to the
-/// load. With the complex modes (mu_k, U_k) of the reduced structure, proportional damping or not,
+/// the double eigenvalue zero of x'' = 0 is gone). Stops that yield add W_A C_AA^-1 W_A^T to K and
+/// W_A C_AA^-1 (g_A - s_A) to the load (ContactDynamics). With the complex modes (mu_k, U_k) of the reduced
+/// structure, proportional damping or not,
 ///
 ///     u(t) = Re sum_k w_k U_k a_k e^{mu_k (t - t0)} + Re sum_h P_h e^{i h omega t},
 ///
@@ -44,6 +45,8 @@ class LinearFlow {
   [[nodiscard]] Eigen::MatrixXd transition(double duration) const;
   /// d lambda_j / d(u, v) at a closed contact, 1 x 2 Nd.
   [[nodiscard]] Eigen::RowVectorXd multiplier_gradient(int contact) const;
+  /// d x_j / d(u, v), 1 x 2 Nd.
+  [[nodiscard]] Eigen::RowVectorXd displacement_gradient(int contact) const;
 
  private:
   friend class LinearArc;
@@ -53,6 +56,8 @@ class LinearFlow {
   void prepare_exponential();
   void prepare_outputs();
   [[nodiscard]] Eigen::MatrixXd multiplier_rows() const;
+  [[nodiscard]] Eigen::MatrixXd displacement_rows() const;
+  [[nodiscard]] Eigen::MatrixXcd outputs_of_load() const;
   [[nodiscard]] int place(int contact) const;  // of a closed contact among the active ones
 
   const ContactDynamics* dynamics_;

@@ -16,11 +16,11 @@ struct Limited {
   const LinearArc& arc;
   int contact;
   bool of_force;
-  double sign, offset, unit;
+  double offset, unit;
 
   [[nodiscard]] double value(double t, int order) const {
     const double raw = of_force ? arc.force(contact, t, order) : arc.displacement(contact, t, order);
-    return sign * (raw - (order == 0 ? offset : 0.0)) / unit;
+    return (raw - (order == 0 ? offset : 0.0)) / unit;
   }
 };
 
@@ -124,19 +124,15 @@ class Check {
   }
 
   void arc(const LinearArc& arc, double begin, double end) {
-    const MotionScales& scales = dynamics_.scales();
     for (int j = 0; j < dynamics_.contact_count(); ++j) {
       const bool closed = arc.flow().mode().closed(j);
-      const bool of_force = closed && dynamics_.rigid();
-      const Limited f{
-          .arc = arc,
-          .contact = j,
-          .of_force = of_force,
-          .sign = closed && !of_force ? -1.0 : 1.0,
-          .offset = of_force ? 0.0 : dynamics_.gaps()[j],
-          .unit = of_force ? scales.acceleration / dynamics_.delassus()(j, j) : scales.displacement};
+      const Limited f{.arc = arc,
+                      .contact = j,
+                      .of_force = closed,
+                      .offset = closed ? 0.0 : dynamics_.gaps()[j],
+                      .unit = closed ? dynamics_.force_scale(j) : dynamics_.scales().displacement};
       const Peak peak = largest(f, begin, end);
-      double& worst = of_force ? result_.tension : result_.penetration;
+      double& worst = closed ? result_.tension : result_.penetration;
       worst = std::max(worst, peak.value);
       if (peak.value <= tolerance_) continue;
       fail(closed ? fmt::format("contact {} pulls at t = {:.6g} s ({:.2g} of the force scale)", j, peak.time,

@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "methods/kernels/condensation.hpp"
 #include "methods/kernels/event_flow/period_map.hpp"
 
 namespace signorini {
@@ -130,32 +129,18 @@ class OrbitFinder::Search {
   std::optional<FlowState> last_;  // section state of the last equations solved
 };
 
-OrbitFinder::OrbitFinder(const Problem& problem) {
-  if (std::holds_alternative<Massless>(problem.law)) {
-    CondensedScene scene = condense(problem);
-    if (!scene.problem) throw std::runtime_error(scene.reason);
-    condensed_ = std::move(scene.problem);
-    massless_gaps_ = contact_gaps(problem);
-  }
-  model_ = std::make_shared<OrbitModel>(condensed_ ? *condensed_ : problem);
-}
+OrbitFinder::OrbitFinder(const Problem& problem) : model_(std::make_shared<OrbitModel>(problem)) {}
 
 ExactOrbit OrbitFinder::polish(const OrbitGuess& guess, const PolishOptions& options) {
   return polish_sequence(model_, guess, options);
 }
 
 OrbitSearch OrbitFinder::find(const OrbitGuess& guess, const SearchOptions& options) {
-  OrbitSearch result = Search(model_, options).run(guess);
-  result.trajectory = result.orbit.trajectory;
-  if (condensed_ && result.trajectory)
-    result.trajectory = std::make_shared<CondensedMotion>(result.orbit.trajectory, massless_gaps_);
-  return result;
+  return Search(model_, options).run(guess);
 }
 
 OrbitSearch OrbitFinder::find(const Trajectory& trajectory, const SearchOptions& options) {
-  const Trajectory* motion = &trajectory;
-  if (const auto* condensed = dynamic_cast<const CondensedMotion*>(motion)) motion = condensed->inner().get();
-  const auto guess = orbit_guess(*model_, *motion);
+  const auto guess = orbit_guess(*model_, trajectory);
   if (guess) return find(*guess, options);
   OrbitSearch result;
   result.orbit.reason = "the structure has no unique response to the contact force";

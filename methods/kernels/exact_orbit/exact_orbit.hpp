@@ -14,10 +14,7 @@ namespace signorini {
 
 /// What a search found, and what was tried on the way.
 struct OrbitSearch {
-  ExactOrbit orbit;  ///< the certified one, or the attempt that came furthest
-  /// The motion at the scene's own contacts: the orbit's trajectory; for massless contacts that of the
-  /// condensed scene, brought back (CondensedMotion). Null where no equations were solved.
-  std::shared_ptr<const Trajectory> trajectory;
+  ExactOrbit orbit;     ///< the certified one, or the attempt that came furthest
   int attempts = 0;     ///< sequences polished
   long iterations = 0;  ///< Newton steps in all
 };
@@ -30,11 +27,10 @@ struct SearchOptions {
   std::function<bool()> expired = [] { return false; };
 };
 
-/// Exact orbits of one scene of period Problem::period(). Massless contacts are condensed to the spring stops
-/// that they are (`condense`). Not thread-safe: flows are made when first needed.
+/// Exact orbits of one scene of period Problem::period(). Not thread-safe: flows are made when first needed.
 class OrbitFinder {
  public:
-  /// \throws std::runtime_error if M is singular and the scene cannot be condensed
+  /// \throws std::runtime_error with flow_obstacle(problem) if there is one
   explicit OrbitFinder(const Problem& problem);
 
   /// Candidates in order, until one polishes to an admissible orbit: the sequence read off the contact force
@@ -51,8 +47,6 @@ class OrbitFinder {
 
  private:
   class Search;
-  std::optional<Problem> condensed_;
-  Eigen::VectorXd massless_gaps_;
   std::shared_ptr<OrbitModel> model_;
 };
 

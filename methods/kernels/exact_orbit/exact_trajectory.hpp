@@ -33,7 +33,7 @@ class ExactTrajectory final : public Trajectory {
   [[nodiscard]] Samples sample(int count) const override;
   [[nodiscard]] std::vector<Impulse> impulses() const override { return impulses_; }
 
-  /// State of the whole structure at any time [s].
+  /// State of the coordinates with mass at any time [s].
   [[nodiscard]] State at(double time) const;
   /// Section state and events, times in (start.time, start.time + period).
   [[nodiscard]] const OrbitGuess& orbit() const { return orbit_; }

@@ -28,10 +28,8 @@ void OrbitEquations::prepare(const OrbitGuess& guess) {
     first_[2 * n_ + i] = (event.time - guess.start.time) / t_unit_;
     flows_.push_back(&model_.flows.of(event.closed));
     Jump jump;
-    jump.of_force = dynamics.rigid() && event.kind == ContactEvent::Kind::open;
-    jump.unit = jump.of_force
-                    ? dynamics.scales().acceleration / dynamics.delassus()(event.contact, event.contact)
-                    : x_unit_;
+    jump.of_force = event.kind == ContactEvent::Kind::open;
+    jump.unit = jump.of_force ? dynamics.force_scale(event.contact) : x_unit_;
     if (!event.pushed.empty()) {
       const Eigen::MatrixXd G = dynamics.delassus()(event.pushed, event.pushed);
       Eigen::MatrixXd speeds = dynamics.directions()(Eigen::all, event.pushed).transpose();
@@ -64,18 +62,18 @@ void OrbitEquations::pass_event(Eigen::Index i) {
   arc.acceleration(time, a_);
   sensitivity_.col(row).head(n_) = t_unit_ * state_.v;
   sensitivity_.col(row).tail(n_) = t_unit_ * a_;
-  const auto w = dynamics.directions().col(event.contact);
   Passage& passage = passages_[index];
-  passage.approach = w.dot(state_.v);
+  passage.approach = arc.displacement(event.contact, time, 1);
+  const LinearFlow& flow = *flows_[index];
+  const Eigen::RowVectorXd gradient =
+      jump.of_force ? flow.multiplier_gradient(event.contact) : flow.displacement_gradient(event.contact);
+  jacobian_.row(row).head(known).noalias() = gradient * sensitivity_.leftCols(known) / jump.unit;
   if (jump.of_force) {
     residual_[row] = arc.force(event.contact, time) / jump.unit;
-    const Eigen::RowVectorXd gradient = flows_[index]->multiplier_gradient(event.contact) / jump.unit;
-    jacobian_.row(row).head(known).noalias() = gradient * sensitivity_.leftCols(known);
     jacobian_(row, row) = t_unit_ * arc.force(event.contact, time, 1) / jump.unit;
   } else {
-    residual_[row] = (w.dot(state_.u) - dynamics.gaps()[event.contact]) / jump.unit;
-    jacobian_.row(row).head(known).noalias() =
-        w.transpose().lazyProduct(sensitivity_.topLeftCorner(n_, known)) / jump.unit;
+    residual_[row] = (arc.displacement(event.contact, time) - dynamics.gaps()[event.contact]) / jump.unit;
+    jacobian_(row, row) = t_unit_ * passage.approach / jump.unit;
   }
   jacobian_.row(row).tail(size() - known).setZero();
   if (event.pushed.empty()) return;

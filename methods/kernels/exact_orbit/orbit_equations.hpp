@@ -40,10 +40,9 @@ struct OrbitGuess {
 /// Unknowns: the state y_0 at the section and the instants t_1 < ... < t_m of the events, in the scales
 /// (X, V, 1 / omega), 2 Nd + m. Equations, as many:
 ///
-///     y(t_0 + T) - y_0 = 0,    x_j(t_i) - g_j = 0 (impact, close; spring stops: open too),    lambda_j(t_i)
-///     = 0 (open),
+///     y(t_0 + T) - y_0 = 0,    x_j(t_i) - g_j = 0 (impact, close),    lambda_j(t_i) = 0 (open),
 ///
-/// in the scales X, V and, for a force, the acceleration scale over G_jj. Between events the motion is that
+/// in the scales X, V and, for a force, ContactDynamics::force_scale. Between events the motion is that
 /// of LinearFlow; at impacts v_+ = v_- - M^-1 W_S G_SS^-1 diag(1 + e) W_S^T v_-, S the contacts that take an
 /// impulse, which also is the projection on sticking where e = 0. The Jacobian is carried along: an event's
 /// instant moves the state after it by R F_- - F_+, F = (v, a) on either side.

@@ -10,6 +10,7 @@
 
 #include "methods/kernels/periodic_response.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
+#include "tests/support/massless_scenes.hpp"
 
 namespace signorini {
 namespace {
@@ -49,7 +50,7 @@ TEST(EventDrivenOptions, AreEchoedWithTheirUnits) {
   EXPECT_EQ(std::get<std::string>(echo[2].value), "cvode");
 }
 
-TEST(EventDriven, RepresentsTheLawOfTheSceneAndRefusesMasslessContacts) {
+TEST(EventDriven, RepresentsTheLawOfTheSceneAndRefusesAMassMatrixThatIsSingular) {
   const EventDriven method({});
   Problem problem = two_masses(1.0, 0.5);
   EXPECT_TRUE(method.supports(problem).ok);
@@ -57,12 +58,11 @@ TEST(EventDriven, RepresentsTheLawOfTheSceneAndRefusesMasslessContacts) {
   problem.law = Penalty{{10.0}};
   EXPECT_TRUE(method.supports(problem).ok);
   EXPECT_TRUE(law_matches(method.law(problem), problem.law));
-  problem.law = Massless{};
-  EXPECT_FALSE(method.supports(problem).ok);
-  EXPECT_NE(method.supports(problem).reason.find("no mass"), std::string::npos);
+  const Problem massless = test::massless_node();
+  EXPECT_TRUE(method.supports(massless).ok);
+  EXPECT_TRUE(law_matches(method.law(massless), massless.law));
   problem.law = Restitution{0.5};
-  problem.mass = SparseMatrix(2, 2);
-  problem.mass.insert(0, 0) = 1.0;
+  problem.mass = Eigen::MatrixXd(Eigen::Matrix2d::Ones()).sparseView();
   EXPECT_FALSE(method.supports(problem).ok);
   EXPECT_NE(method.supports(problem).reason.find("singular"), std::string::npos);
 }
@@ -216,6 +216,33 @@ TEST(EventDriven, SeparateMassesMoveAsIfAlone) {
 
 // The trajectory's force and impulses must explain its own displacement: the structure's exact response
 // to them is the motion, harmonic by harmonic. (A jump in velocity leaves 1/H of the impulse per mass.)
+// Two rows of W that are equal, or nearly: the impulse is shared in any way, the motion is that of one stop.
+TEST(EventDriven, TheSameRigidStopTwiceIsThatStop) {
+  for (const double restitution : {0.0, 0.5, 1.0}) {
+    const Problem once = two_masses(1.0, restitution);
+    for (const double apart : {0.0, 1e-15, 1e-13}) {
+      SCOPED_TRACE(testing::Message() << "e " << restitution << ", apart " << apart);
+      Problem twice = once;
+      twice.contacts.push_back(once.contacts.front());
+      twice.contacts.back().gap *= 1.0 + apart;
+      for (const Integrator flow : {Integrator::cvode, Integrator::modal}) {
+        const EventDriven::Options options{.tolerance = 1e-9, .flow = flow};
+        const Solution one = solve(once, options), two = solve(twice, options);
+        ASSERT_EQ(one.verdict, Verdict::converged) << one.message;
+        ASSERT_EQ(two.verdict, Verdict::converged) << two.message;
+        const Samples expected = one.trajectory->sample(500), found = two.trajectory->sample(500);
+        const double x = expected.x.cwiseAbs().maxCoeff();
+        EXPECT_LT((found.x.col(0) - expected.x.col(0)).cwiseAbs().maxCoeff(), 1e-6 * x);
+        EXPECT_LT((found.x.col(1) - expected.x.col(0)).cwiseAbs().maxCoeff(), 1e-6 * x);
+        double impulse = 0.0, both = 0.0;
+        for (const Impulse& each : one.trajectory->impulses()) impulse += each.value;
+        for (const Impulse& each : two.trajectory->impulses()) both += each.value;
+        EXPECT_NEAR(both, impulse, 1e-5 * std::abs(impulse));
+      }
+    }
+  }
+}
+
 TEST(EventDriven, ForceAndImpulsesReproduceTheDisplacement) {
   for (const double e : {0.8, 0.0}) {
     const Problem problem = two_masses(0.6, e);

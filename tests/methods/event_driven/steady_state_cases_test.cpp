@@ -6,6 +6,7 @@
 
 #include <ostream>
 
+#include "methods/kernels/exact_orbit/exact_orbit.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
 
 namespace signorini::test {
@@ -56,6 +57,22 @@ TEST_P(SteadyState, AgreesWithTheIndependentCode) {
   // A phase of sticking across the block's end is listed by one of its ends only; a period has as many of
   // each.
   EXPECT_EQ(closings, openings);
+}
+
+TEST_P(SteadyState, IsPolishedToAnExactOrbitThatAgreesToo) {
+  const SteadyStateCase& expected = GetParam();
+  const bool bar = expected.name.starts_with("bar");
+  const Solution marched = solve(expected.problem, {.tolerance = 1e-8, .flow = Integrator::modal});
+  ASSERT_EQ(marched.verdict, Verdict::converged) << marched.message;
+  Problem problem = expected.problem;
+  problem.subharmonic = expected.order;
+  const ExactOrbit orbit = find_exact_orbit(problem, *marched.trajectory).orbit;
+  ASSERT_TRUE(orbit.certified()) << describe(orbit.outcome) << ": " << orbit.reason;
+  constexpr double kResolved = 1e-3;  // slower impacts may be summed into the rest of a chatter
+  const SteadyStateDifference found = difference(expected, *orbit.trajectory, kResolved);
+  EXPECT_LT(found.x, bar ? 5e-8 : 1e-8);
+  EXPECT_LT(found.impulse, bar ? 3e-7 : 1e-8);
+  EXPECT_EQ(found.found_impacts, found.expected_impacts);
 }
 
 INSTANTIATE_TEST_SUITE_P(OneMass, SteadyState, testing::ValuesIn(steady_state_cases("sdof")), test_name);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
 #include <random>
 
 namespace signorini {
@@ -54,6 +55,52 @@ TEST(SolveSmallLcp, MatchesExhaustiveEnumerationOnRandomPositiveDefiniteMatrices
     ASSERT_TRUE(z);
     const Eigen::VectorXd expected = by_enumeration(A, q, held);
     EXPECT_LT((*z - expected).norm(), 1e-9 * (1.0 + expected.norm())) << "trial " << trial;
+  }
+}
+
+// Stops that depend on each other: w = A z + q is unique, z is not. Forty contacts on a few masses.
+TEST(SolveSmallLcp, SolvesSingularProblemsOfManyContacts) {
+  std::mt19937 random(20250303);
+  std::normal_distribution<double> normal;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Eigen::Index size = 5 + 5 * (trial % 8), rank = 1 + trial % 6;
+    Eigen::MatrixXd W = Eigen::MatrixXd::NullaryExpr(rank, size, [&] { return normal(random); });
+    W.col(size - 1) = W.col(0);  // one stop twice
+    const Eigen::MatrixXd A = W.transpose() * W;
+    // Solvable: some motion of the masses satisfies all stops.
+    const Eigen::VectorXd motion = Eigen::VectorXd::NullaryExpr(rank, [&] { return normal(random); });
+    const Eigen::VectorXd margin =
+        Eigen::VectorXd::NullaryExpr(size, [&] { return std::abs(normal(random)); });
+    const Eigen::VectorXd q = W.transpose() * motion + margin;
+    const auto z = solve_small_lcp(A, q, std::vector<bool>(static_cast<std::size_t>(size), false));
+    ASSERT_TRUE(z) << "trial " << trial;
+    const Eigen::VectorXd w = A * *z + q;
+    const double scale = 1e-10 * (q.norm() + A.norm() * z->norm());
+    EXPECT_GE(z->minCoeff(), 0.0);
+    EXPECT_GE(w.minCoeff(), -scale) << "trial " << trial;
+    EXPECT_LE(std::abs(z->dot(w)), scale * (1.0 + z->norm())) << "trial " << trial;
+  }
+}
+
+TEST(SolveSmallLcp, RefusesContradictoryStops) {
+  // One mass between two stops that leave no room for it.
+  const Eigen::Matrix2d A = (Eigen::Matrix2d() << 1.0, -1.0, -1.0, 1.0).finished();
+  EXPECT_FALSE(solve_small_lcp(A, Eigen::Vector2d(-1.0, -1.0), {false, false}));
+}
+
+// Rows that differ by rounding alone share the force, whatever the solution of a nearly singular system is.
+TEST(NewtonImpulses, OfTheSameStopTwiceGiveTheVelocityOfTheStopOnce) {
+  for (const double apart : {0.0, 1e-16, 1e-13, 1e-10}) {
+    Eigen::Matrix2d G = Eigen::Matrix2d::Constant(0.5);
+    G(0, 1) = G(1, 0) = 0.5 * (1.0 - apart);
+    const auto p = newton_impulses(
+        {.delassus = G, .approach = Eigen::Vector2d(2.0, 2.0), .restitution = Eigen::Vector2d(0.5, 0.5)});
+    ASSERT_TRUE(p) << apart;
+    EXPECT_LE(p->maxCoeff(), 0.0);
+    const Eigen::Vector2d after = Eigen::Vector2d(2.0, 2.0) + G * *p;
+    EXPECT_NEAR(after[0], -1.0, 1e-9);
+    EXPECT_NEAR(after[1], -1.0, 1e-9);
+    EXPECT_NEAR(p->sum(), -6.0, 1e-8);
   }
 }
 

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "methods/exact_orbit/exact_orbit_method.hpp"
-#include "methods/kernels/condensation.hpp"
 #include "methods/kernels/exact_orbit/exact_orbit.hpp"
 #include "tests/support/accuracy.hpp"
 
@@ -20,10 +19,8 @@ struct ColdOrbit {
 
 inline ColdOrbit cold_orbit(const Problem& problem, const ExactOrbitMethod::Options& options = {}) {
   ColdOrbit result{.solution = solve<ExactOrbitMethod>(problem, options)};
-  std::shared_ptr<const Trajectory> motion = result.solution.trajectory;
-  if (const auto* massless = dynamic_cast<const CondensedMotion*>(motion.get())) motion = massless->inner();
   if (result.solution.verdict == Verdict::converged)
-    result.orbit = std::dynamic_pointer_cast<const ExactTrajectory>(motion);
+    result.orbit = std::dynamic_pointer_cast<const ExactTrajectory>(result.solution.trajectory);
   return result;
 }
 

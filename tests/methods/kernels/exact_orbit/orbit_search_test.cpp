@@ -114,12 +114,12 @@ TEST(ExactOrbitSearch, EveryMethodsAnswerLeadsToTheSameOrbit) {
     ASSERT_EQ(solution.verdict, Verdict::converged);
     const OrbitSearch found = find_exact_orbit(problem, *solution.trajectory);
     ASSERT_EQ(found.orbit.outcome, OrbitOutcome::converged) << found.orbit.reason;
-    EXPECT_LT(test::relative_error(*found.trajectory, [&](double t) { return exact.x(t); }), 1e-11);
+    EXPECT_LT(test::relative_error(*found.orbit.trajectory, [&](double t) { return exact.x(t); }), 1e-11);
     EXPECT_LE(found.orbit.residual, 1e-12);
   }
   // An exact orbit is its own guess.
   const OrbitSearch first = find_exact_orbit(problem, *coarse[0].trajectory);
-  const OrbitSearch again = find_exact_orbit(problem, *first.trajectory);
+  const OrbitSearch again = find_exact_orbit(problem, *first.orbit.trajectory);
   EXPECT_EQ(again.attempts, 1);
   EXPECT_LE(again.iterations, 2);
 }
