@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 
@@ -26,6 +27,7 @@ struct Cost {
 // The scene is the parent's; its pages count for the child as it reads them.
 Cost cost_of(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
+  std::fflush(stdout);
   const pid_t child = fork();
   if (child == 0) {
     work();
