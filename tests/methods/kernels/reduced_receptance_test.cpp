@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "problems/definiteness.hpp"
 #include "problems/sparse_cholesky.hpp"
 #include "tests/support/brick.hpp"
 
@@ -174,6 +175,15 @@ TEST(SparseCholesky, TellsDefiniteFromIndefiniteAndSolves) {
   EXPECT_LE((factors.solve(problem.stiffness * u) - u).norm(), 1e-11 * u.norm());
   const SparseMatrix indefinite = problem.stiffness - 100.0 * problem.mass;
   EXPECT_LE(SparseCholesky(indefinite).smallest_pivot(), 0.0);
+}
+
+TEST(Definiteness, OfLargeMatricesIsJudgedByCurvature) {
+  const Problem problem = test::to_problem({.nx = 9, .ny = 8, .nz = 8});
+  EXPECT_TRUE(is_semidefinite(problem.stiffness));
+  EXPECT_TRUE(is_definite(problem.stiffness));
+  // The lowest eigenfrequency of the brick lies below 1 rad/s: this matrix is indefinite by a single
+  // direction or few.
+  EXPECT_FALSE(is_semidefinite(problem.stiffness - 1.0 * problem.mass));
 }
 
 }  // namespace
