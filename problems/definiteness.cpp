@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "problems/sparse_cholesky.hpp"
+
 namespace signorini {
 
 namespace {
@@ -12,6 +14,7 @@ namespace {
 constexpr double kAsymmetry = 1e-12;  // of the largest entry
 constexpr double kCurvature = 1e-10;  // of the unit diagonal
 constexpr double kMargin = 1e-13;     // of the unit diagonal
+constexpr int kLarge = 2000;          // coordinates from which nested dissection and supernodes pay
 
 template <class Visit>
 void for_each_entry(const SparseMatrix& A, Visit visit) {
@@ -42,8 +45,18 @@ double smallest_pivot(const SparseMatrix& A, double shift) {
   for (int i = 0; i < A.rows(); ++i) entries.emplace_back(i, i, 1.0 + shift);
   SparseMatrix scaled(A.rows(), A.cols());
   scaled.setFromTriplets(entries.begin(), entries.end());
+  if (A.rows() > kLarge) return (1.0 + shift) * SparseCholesky(scaled).smallest_pivot();
   const Eigen::SimplicialLDLT<SparseMatrix> factors(scaled);
   return factors.info() == Eigen::Success ? factors.vectorD().minCoeff() : -1.0;
+}
+
+// Gershgorin: enough for A to be positive semi-definite, without a factorisation.
+bool is_dominated_by_diagonal(const SparseMatrix& A) {
+  Eigen::VectorXd surplus = A.diagonal();
+  for_each_entry(A, [&](int row, int column, double value) {
+    if (row != column) surplus(column) -= std::abs(value);
+  });
+  return (surplus.array() >= 0.0).all();
 }
 
 }  // namespace
@@ -61,7 +74,9 @@ bool is_symmetric(const SparseMatrix& A) {
   return largest_entry(difference) <= kAsymmetry * largest_entry(A);
 }
 
-bool is_semidefinite(const SparseMatrix& A) { return smallest_pivot(A, kCurvature) > 0.0; }
+bool is_semidefinite(const SparseMatrix& A) {
+  return is_dominated_by_diagonal(A) || smallest_pivot(A, kCurvature) > 0.0;
+}
 
 bool is_definite(const SparseMatrix& A) {
   return (A.diagonal().array() > 0.0).all() && smallest_pivot(A, 0.0) > kMargin;

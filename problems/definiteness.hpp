@@ -13,7 +13,7 @@ bool is_symmetric(const SparseMatrix& A);
 
 /// x^T A x >= 0 for all x. Judged after scaling to unit diagonal, so that the verdict does not depend on
 /// units: curvature down to -1e-10 of the diagonal counts as rounding. A is symmetric and finite. One sparse
-/// factorisation; Sylvester's law of inertia.
+/// factorisation at most, none where the diagonal dominates; Sylvester's law of inertia.
 bool is_semidefinite(const SparseMatrix& A);
 
 /// x^T A x > 0 for all x != 0, by a margin of 1e-13 of the diagonal. A is symmetric and finite.

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "problems/definiteness.hpp"
+#include "problems/proportional_damping.hpp"
 
 namespace signorini {
 
@@ -89,7 +90,9 @@ void check_matrices(const Problem& problem) {
   check_symmetric(problem.mass, "system.mass");
   check_symmetric(problem.stiffness, "system.stiffness");
   const SparseMatrix dissipative = 0.5 * (problem.damping + SparseMatrix(problem.damping.transpose()));
-  require(is_semidefinite(dissipative), "system.damping", "matrix that feeds energy",
+  const auto combination = proportional_damping(problem.mass, problem.stiffness, dissipative);
+  const bool dissipates = combination && combination->alpha >= 0.0 && combination->beta >= 0.0;
+  require(dissipates || is_semidefinite(dissipative), "system.damping", "matrix that feeds energy",
           "its symmetric part must be positive semi-definite");
   SparseMatrix all = problem.mass / inertia;
   for (const SparseMatrix* A : {&dissipative, &problem.stiffness}) {

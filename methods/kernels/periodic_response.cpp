@@ -75,7 +75,8 @@ PeriodicResponse::PeriodicResponse(const Problem& problem, const Trajectory& tra
       load_.row(n) = (n == 0 ? 1.0 : 0.5) * load_harmonic(problem, n / order).transpose();
     }
     const Eigen::MatrixXcd rhs = load_.row(n).transpose() + directions * lambda_.row(n).transpose();
-    u_.row(n) = stiffness.solve(exact_weights(n * base_frequency_), rhs).transpose();
+    stiffness.factorise(exact_weights(n * base_frequency_));
+    u_.row(n) = stiffness.solve(rhs).transpose();
   }
 }
 

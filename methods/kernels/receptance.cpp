@@ -1,9 +1,11 @@
 #include "methods/kernels/receptance.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SparseLU>
+#include <Eigen/UmfPackSupport>
+#include <algorithm>
 #include <limits>
-#include <stdexcept>
+
+#include "methods/kernels/reduced_receptance.hpp"
 
 namespace signorini {
 
@@ -11,6 +13,13 @@ namespace {
 
 // Below this many coordinates a dense factorisation is the faster one.
 constexpr int kDenseLimit = 32;
+// Above this many, one real factorisation and a projection are faster than a factorisation per harmonic, and
+// nested dissection leaves less fill than minimum degree (docs/decisions/0009).
+constexpr int kDirectLimit = 2000;
+// Error of a projected receptance, relative to its norm: far below what a truncated series leaves.
+constexpr double kReducedTolerance = 1e-10;
+// Right-hand sides solved for at a time: bounds what is kept beside the factors.
+constexpr int kColumns = 32;
 
 }  // namespace
 
@@ -19,7 +28,7 @@ HarmonicWeights exact_weights(double w) { return {{-w * w, 0.0}, {0.0, w}, {1.0,
 struct DynamicStiffness::Factors {
   using SparseComplex = Eigen::SparseMatrix<std::complex<double>>;
 
-  explicit Factors(const Problem& problem) : dense(problem.size() <= kDenseLimit) {
+  Factors(const Problem& problem, bool as_dense) : dense(as_dense) {
     if (dense) {
       dense_mass = problem.mass;
       dense_damping = problem.damping;
@@ -28,33 +37,37 @@ struct DynamicStiffness::Factors {
       mass = problem.mass.cast<std::complex<double>>();
       damping = problem.damping.cast<std::complex<double>>();
       stiffness = problem.stiffness.cast<std::complex<double>>();
+      auto& control = sparse_lu.umfpackControl();
+      control(UMFPACK_STRATEGY) = UMFPACK_STRATEGY_SYMMETRIC;
+      if (problem.size() > kDirectLimit) control(UMFPACK_ORDERING) = UMFPACK_ORDERING_METIS;
+      // Diagonal pivots of a well-scaled Z leave residuals of rounding; refining them triples the time of a
+      // solve.
+      control(UMFPACK_IRSTEP) = 0;
     }
   }
 
-  Eigen::MatrixXcd solve_dense(const HarmonicWeights& weights, const Eigen::MatrixXcd& rhs) {
-    matrix =
-        weights.mass * dense_mass + weights.damping * dense_damping + weights.stiffness * dense_stiffness;
-    lu.compute(matrix);
-    // An exact rcond costs as much as the solve; the estimate is enough to refuse a singular Z.
-    if (!(lu.rcond() > std::numeric_limits<double>::epsilon())) throw_singular();
-    return lu.solve(rhs);
-  }
-
-  Eigen::MatrixXcd solve_sparse(const HarmonicWeights& weights, const Eigen::MatrixXcd& rhs) {
+  void factorise(const HarmonicWeights& weights) {
+    if (dense) {
+      matrix =
+          weights.mass * dense_mass + weights.damping * dense_damping + weights.stiffness * dense_stiffness;
+      lu.compute(matrix);
+      // An exact rcond costs as much as the solve; the estimate is enough to refuse a singular Z.
+      if (!(lu.rcond() > std::numeric_limits<double>::epsilon())) throw SingularStiffness();
+      return;
+    }
     sparse = weights.mass * mass + weights.damping * damping + weights.stiffness * stiffness;
     sparse.makeCompressed();
     if (!analysed) sparse_lu.analyzePattern(sparse);
     analysed = true;
     sparse_lu.factorize(sparse);
-    if (sparse_lu.info() != Eigen::Success) throw_singular();
-    Eigen::MatrixXcd solution = sparse_lu.solve(rhs);
-    if (!solution.allFinite()) throw_singular();
-    return solution;
+    if (sparse_lu.info() != Eigen::Success) throw SingularStiffness();
   }
 
-  [[noreturn]] static void throw_singular() {
-    throw std::runtime_error(
-        "dynamic stiffness is singular at a harmonic: undamped resonance or free rigid-body motion");
+  [[nodiscard]] Eigen::MatrixXcd solve(const Eigen::MatrixXcd& rhs) const {
+    if (dense) return lu.solve(rhs);
+    Eigen::MatrixXcd solution = sparse_lu.solve(rhs);
+    if (!solution.allFinite()) throw SingularStiffness();
+    return solution;
   }
 
   bool dense;
@@ -63,15 +76,18 @@ struct DynamicStiffness::Factors {
   Eigen::MatrixXcd matrix;
   Eigen::PartialPivLU<Eigen::MatrixXcd> lu;
   SparseComplex mass, damping, stiffness, sparse;
-  Eigen::SparseLU<SparseComplex> sparse_lu;
+  Eigen::UmfPackLU<SparseComplex> sparse_lu;
 };
 
-DynamicStiffness::DynamicStiffness(const Problem& problem) : factors_(std::make_unique<Factors>(problem)) {}
+DynamicStiffness::DynamicStiffness(const Problem& problem)
+    : factors_(std::make_unique<Factors>(problem, problem.size() <= kDenseLimit)) {}
+DynamicStiffness::DynamicStiffness(const Problem& problem, bool dense)
+    : factors_(std::make_unique<Factors>(problem, dense)) {}
 DynamicStiffness::~DynamicStiffness() = default;
 
-Eigen::MatrixXcd DynamicStiffness::solve(const HarmonicWeights& weights, const Eigen::MatrixXcd& rhs) {
-  return factors_->dense ? factors_->solve_dense(weights, rhs) : factors_->solve_sparse(weights, rhs);
-}
+void DynamicStiffness::factorise(const HarmonicWeights& weights) { factors_->factorise(weights); }
+
+Eigen::MatrixXcd DynamicStiffness::solve(const Eigen::MatrixXcd& rhs) const { return factors_->solve(rhs); }
 
 Eigen::VectorXcd load_coefficient(const Problem& problem, int n) {
   if (n % problem.subharmonic != 0) return Eigen::VectorXcd::Zero(problem.size());
@@ -79,30 +95,49 @@ Eigen::VectorXcd load_coefficient(const Problem& problem, int n) {
   return n == 0 ? load : Eigen::VectorXcd(0.5 * load);
 }
 
-ContactReceptance contact_receptance(const Problem& problem, int harmonics,
-                                     const std::function<HarmonicWeights(int)>& weights) {
+namespace {
+
+ContactReceptance factorised_receptance(const Problem& problem, int harmonics,
+                                        const std::function<HarmonicWeights(int)>& weights, bool dense) {
   const int contacts = problem.contact_count();
   const SparseMatrix directions = contact_directions(problem);
   const int loaded = highest_load_harmonic(problem) * problem.subharmonic;
-  DynamicStiffness stiffness(problem);
+  DynamicStiffness stiffness(problem, dense);
   ContactReceptance result;
   result.period = problem.period();
-  result.receptance.reserve(static_cast<std::size_t>(harmonics) + 1);
+  result.report.method = dense ? ReceptanceMethod::dense : ReceptanceMethod::direct;
+  result.receptance.assign(static_cast<std::size_t>(harmonics) + 1, Eigen::MatrixXcd(contacts, contacts));
   result.free_response = Eigen::MatrixXcd::Zero(harmonics + 1, contacts);
-  Eigen::MatrixXcd rhs(problem.size(), contacts + 1);
-  rhs.leftCols(contacts) = Eigen::MatrixXd(directions).cast<std::complex<double>>();
   for (int n = 0; n <= harmonics; ++n) {
     const HarmonicWeights weight = weights(n);
-    if (n <= loaded) {
-      rhs.col(contacts) = weight.load * load_coefficient(problem, n);
-    } else {
-      rhs.col(contacts).setZero();
+    stiffness.factorise(weight);
+    for (int first = 0; first < contacts; first += kColumns) {
+      const int count = std::min(kColumns, contacts - first);
+      const Eigen::MatrixXcd columns =
+          Eigen::MatrixXd(directions.middleCols(first, count)).cast<std::complex<double>>();
+      result.receptance[static_cast<std::size_t>(n)].middleCols(first, count) =
+          directions.transpose() * stiffness.solve(columns);
     }
-    const Eigen::MatrixXcd reduced = directions.transpose() * stiffness.solve(weight, rhs);
-    result.receptance.emplace_back(reduced.leftCols(contacts));
-    result.free_response.row(n) = reduced.col(contacts).transpose();
+    if (n > loaded) continue;
+    const Eigen::MatrixXcd load = weight.load * load_coefficient(problem, n);
+    result.free_response.row(n) = (directions.transpose() * stiffness.solve(load)).transpose();
   }
   return result;
+}
+
+}  // namespace
+
+ContactReceptance contact_receptance(const Problem& problem, int harmonics,
+                                     const std::function<HarmonicWeights(int)>& weights,
+                                     ReceptanceMethod method) {
+  const bool large = problem.size() > kDirectLimit;
+  if (method == ReceptanceMethod::reduced || (method == ReceptanceMethod::automatic && large)) {
+    auto reduced = reduced_receptance(problem, harmonics, weights, kReducedTolerance);
+    if (reduced) return *std::move(reduced);
+  }
+  const bool dense = method == ReceptanceMethod::dense ||
+                     (method == ReceptanceMethod::automatic && problem.size() <= kDenseLimit);
+  return factorised_receptance(problem, harmonics, weights, dense);
 }
 
 }  // namespace signorini

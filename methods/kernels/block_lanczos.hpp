@@ -1,0 +1,77 @@
+#pragma once
+// Krylov spaces of a definite pencil (P, M), started from several columns at once.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "problems/problem.hpp"
+#include "problems/sparse_cholesky.hpp"
+
+namespace signorini {
+
+/// The block Krylov space span{P^{-1} B, (P^{-1} M) P^{-1} B, (P^{-1} M)^2 P^{-1} B, ...}, one power at a
+/// time, in a basis V with V^T P V = 1, P symmetric positive definite and M symmetric positive semi-definite.
+/// Block Lanczos method [grimes1994] with full reorthogonalisation; directions that a block adds only in its
+/// rounding are left out.
+///
+///     P^{-1} B = V r + o(n),     P^{-1} M V = V t + X,    X^T P V = 0,
+///
+/// X vanishing but for the columns of the newest block, and for what was left out of older ones.
+class BlockLanczos {
+ public:
+  /// Factorises P; B is Nd x m. The space begins with the span of P^{-1} B.
+  BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const SparseMatrix& B);
+
+  /// False if the first factorisation found P not to be definite by the margin asked for in
+  /// problems/definiteness.hpp.
+  [[nodiscard]] bool definite() const { return definite_; }
+  /// Adds the next power; nothing once the space is exhausted.
+  void grow();
+  /// True if the space is invariant under P^{-1} M: growing adds nothing.
+  [[nodiscard]] bool exhausted() const { return next_.cols() == 0; }
+  /// Dimension of the space, without the block that would come next.
+  [[nodiscard]] Eigen::Index size() const { return size_; }
+  /// t = V^T M V, k x k.
+  [[nodiscard]] Eigen::MatrixXd projected_mass() const;
+  /// r = V^T B, k x m.
+  [[nodiscard]] Eigen::MatrixXd projected_start() const;
+  /// Coefficients of X in the newest block of V, P-orthonormal rows understood: |X y|_P = |coupling()
+  /// y_newest| for the rows of y that belong to the newest block, the last ones.
+  [[nodiscard]] const Eigen::MatrixXd& coupling() const { return coupling_; }
+  /// t between the newest block and itself.
+  [[nodiscard]] Eigen::MatrixXd newest_mass() const {
+    return projected_.back().bottomRows(projected_.back().cols());
+  }
+  /// omega with |X y|_P <= |coupling() y_newest| + omega |y|: what was left out of blocks so far as rounding.
+  [[nodiscard]] double omitted() const;
+  /// The same of a column of B, |P^{-1} b - V V^T b|_P at most.
+  [[nodiscard]] double omitted_start() const { return omitted_start_; }
+  /// Floating-point operations of the next growth, roughly.
+  [[nodiscard]] double operations_of_growth() const;
+  [[nodiscard]] const SparseCholesky& factors() const { return factors_; }
+
+ private:
+  void adopt_next();
+  void prepare_next();
+  // Splits columns, P-orthogonal to the basis and of P-Gram matrix `gram`, into a P-orthonormal block and its
+  // coefficients, columns = next_ * coupling_; `before` is their squared P-norm before they were made
+  // orthogonal. Returns the squared P-norm of what is left out, at most.
+  double orthonormalise(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& gram, double before);
+
+  void polish_next();
+
+  const SparseMatrix& P_;
+  const SparseMatrix& M_;
+  SparseCholesky factors_;
+  bool definite_ = false;
+  Eigen::Index size_ = 0;
+  std::vector<Eigen::MatrixXd> basis_;
+  std::vector<Eigen::MatrixXd> projected_;  // V^T M V_j of block j, rows up to and with its own
+  double omitted_start_ = 0.0;
+  double omitted_squares_ = 0.0;  // of the longest direction left out of each block, summed
+  Eigen::MatrixXd start_;
+  Eigen::MatrixXd next_;
+  Eigen::MatrixXd coupling_;
+};
+
+}  // namespace signorini

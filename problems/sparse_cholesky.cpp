@@ -1,0 +1,140 @@
+#include "problems/sparse_cholesky.hpp"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+namespace signorini {
+
+namespace {
+
+cholmod_sparse lower_triangle_of(SparseMatrix& A) {
+  cholmod_sparse view{};
+  view.nrow = static_cast<std::size_t>(A.rows());
+  view.ncol = static_cast<std::size_t>(A.cols());
+  view.nzmax = static_cast<std::size_t>(A.nonZeros());
+  view.p = A.outerIndexPtr();
+  view.i = A.innerIndexPtr();
+  view.x = A.valuePtr();
+  view.stype = -1;
+  view.itype = CHOLMOD_INT;
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.sorted = 1;
+  view.packed = 1;
+  return view;
+}
+
+cholmod_dense view_of(Eigen::MatrixXd& columns) {
+  cholmod_dense view{};
+  view.nrow = static_cast<std::size_t>(columns.rows());
+  view.ncol = static_cast<std::size_t>(columns.cols());
+  view.nzmax = view.nrow * view.ncol;
+  view.d = view.nrow;
+  view.x = columns.data();
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  return view;
+}
+
+}  // namespace
+
+struct SparseCholesky::Handle {
+  Handle() {
+    cholmod_start(&common);
+    common.print = 0;
+    common.quick_return_if_not_posdef = 1;
+    common.final_ll = 1;
+  }
+  ~Handle() {
+    cholmod_free_dense(&workspace, &common);
+    cholmod_free_dense(&second_workspace, &common);
+    cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+
+  void check() const {
+    if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
+    if (common.status < 0) {
+      throw std::runtime_error("sparse Cholesky factorisation failed, status " +
+                               std::to_string(common.status));
+    }
+  }
+
+  // Calls visit(column of A, L_jj) for every column.
+  template <class Visit>
+  void for_each_diagonal(Visit visit) const {
+    const auto* order = static_cast<const int*>(factor->Perm);
+    const auto* x = static_cast<const double*>(factor->x);
+    if (factor->is_super == 0) {
+      const auto* start = static_cast<const int*>(factor->p);
+      for (std::size_t j = 0; j < factor->n; ++j) visit(order[j], x[start[j]]);
+      return;
+    }
+    const auto* first = static_cast<const int*>(factor->super);
+    const auto* rows = static_cast<const int*>(factor->pi);
+    const auto* block = static_cast<const int*>(factor->px);
+    for (std::size_t s = 0; s < factor->nsuper; ++s) {
+      const std::ptrdiff_t height = rows[s + 1] - rows[s];
+      for (int j = first[s]; j < first[s + 1]; ++j) {
+        visit(order[j], x[block[s] + (j - first[s]) * (height + 1)]);
+      }
+    }
+  }
+
+  cholmod_common common{};
+  cholmod_factor* factor = nullptr;
+  cholmod_dense* workspace = nullptr;
+  cholmod_dense* second_workspace = nullptr;
+  double smallest_pivot = 0.0;
+};
+
+SparseCholesky::SparseCholesky(const SparseMatrix& A) : handle_(std::make_unique<Handle>()) {
+  Handle& h = *handle_;
+  SparseMatrix lower = A.triangularView<Eigen::Lower>();
+  cholmod_sparse view = lower_triangle_of(lower);
+  h.factor = cholmod_analyze(&view, &h.common);
+  h.check();
+  cholmod_factorize(&view, h.factor, &h.common);
+  h.check();
+  if (h.common.status == CHOLMOD_NOT_POSDEF || h.factor->minor < h.factor->n) return;
+  const Eigen::VectorXd diagonal = A.diagonal();
+  h.smallest_pivot = std::numeric_limits<double>::infinity();
+  h.for_each_diagonal([&](int column, double pivot) {
+    h.smallest_pivot = std::min(h.smallest_pivot, pivot * pivot / diagonal(column));
+  });
+}
+
+SparseCholesky::~SparseCholesky() = default;
+
+double SparseCholesky::smallest_pivot() const { return handle_->smallest_pivot; }
+
+double SparseCholesky::entries() const {
+  const cholmod_factor& factor = *handle_->factor;
+  return static_cast<double>(factor.is_super != 0 ? factor.xsize : factor.nzmax);
+}
+
+double SparseCholesky::operations() const { return handle_->common.fl; }
+
+Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& rhs) {
+  Handle& h = *handle_;
+  Eigen::MatrixXd solution(rhs.rows(), rhs.cols());
+  if (rhs.cols() == 0) return solution;
+  // CHOLMOD only reads it.
+  cholmod_dense given =
+      view_of(const_cast<Eigen::MatrixXd&>(rhs));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+  cholmod_dense found = view_of(solution);
+  cholmod_dense* out = &found;
+  cholmod_solve2(CHOLMOD_A, h.factor, &given, nullptr, &out, nullptr, &h.workspace, &h.second_workspace,
+                 &h.common);
+  h.check();
+  return solution;
+}
+
+}  // namespace signorini

@@ -1,0 +1,37 @@
+#pragma once
+// Supernodal Cholesky factorisation of large sparse matrices.
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// A = L L^T, columns in the order found best of minimum degree and nested dissection. CHOLMOD [chen2008];
+/// one thread with a serial BLAS.
+class SparseCholesky {
+ public:
+  /// Factorises A, symmetric, Nd x Nd; only its lower triangle is looked at.
+  /// \throws std::bad_alloc where memory does not suffice
+  explicit SparseCholesky(const SparseMatrix& A);
+  ~SparseCholesky();
+  SparseCholesky(const SparseCholesky&) = delete;
+  SparseCholesky& operator=(const SparseCholesky&) = delete;
+
+  /// Smallest pivot of A scaled to unit diagonal, min L_jj^2 / a_jj [-]; not positive where A is not positive
+  /// definite to working precision.
+  [[nodiscard]] double smallest_pivot() const;
+  /// A^{-1} rhs, Nd x k. A is positive definite.
+  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs);
+  /// Numbers kept in L, zeros that fill its supernodes included.
+  [[nodiscard]] double entries() const;
+  /// Floating-point operations of the factorisation.
+  [[nodiscard]] double operations() const;
+
+ private:
+  struct Handle;
+  std::unique_ptr<Handle> handle_;
+};
+
+}  // namespace signorini
