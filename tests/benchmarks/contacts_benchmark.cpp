@@ -21,11 +21,11 @@ Problem beam_on_obstacle(int contacts) {
   problem.mass = structure.mass;
   problem.stiffness = structure.stiffness;
   problem.damping = damping_matrix(ModalDamping{{0.02}}, structure.mass, structure.stiffness);
-  problem.frequency = 9.0;
+  problem.frequency = 3.0;
   problem.force = {{.dof = 4 * contacts - 2, .harmonic = 1, .cos = 1.0}};
   for (int j = 1; j <= contacts; ++j) {
     const double x = static_cast<double>(j) / contacts;
-    problem.contacts.push_back({.normal = {{4 * j - 2, 1.0}}, .gap = 0.04 * x * x});
+    problem.contacts.push_back({.normal = {{4 * j - 2, 1.0}}, .gap = 0.2 * x * x});
   }
   problem.law = Restitution{1.0};
   return problem;
