@@ -230,7 +230,8 @@ double linear_amplitude(const Problem& problem) {
     const Eigen::VectorXcd load = load_harmonic(problem, h);
     if (load.isZero(0.0)) continue;
     try {
-      amplitude += stiffness.solve(exact_weights(h * problem.frequency), load).cwiseAbs().col(0);
+      stiffness.factorise(exact_weights(h * problem.frequency));
+      amplitude += stiffness.solve(load).cwiseAbs().col(0);
     } catch (const std::runtime_error&) {
       return std::numeric_limits<double>::infinity();
     }
