@@ -43,7 +43,7 @@ void newton_step(benchmark::State& state, int harmonics, int contacts) {
     state.SkipWithError(solution.message.c_str());
     return;
   }
-  const Eigen::MatrixXcd near = 1.001 * solution.trajectory->force_coefficients();
+  const Eigen::MatrixXcd near = (1.0 + 1e-6) * solution.trajectory->force_coefficients();
   long steps = 0;
   for (auto _ : state) {
     const ExactProjection exact =
