@@ -1,13 +1,21 @@
 #include "harness/measures.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "harness/impacts.hpp"
+#include "methods/kernels/condensation.hpp"
+#include "methods/kernels/contact_response.hpp"
 #include "methods/kernels/periodic_response.hpp"
+#include "methods/kernels/receptance.hpp"
+#include "problems/definiteness.hpp"
+#include "problems/sparse_cholesky.hpp"
 
 namespace signorini {
 
@@ -16,6 +24,10 @@ namespace {
 /// Harmonics and instants of the fields compared for u_l2.
 constexpr int kFieldHarmonics = 512;
 constexpr int kFieldInstants = 2048;
+/// Harmonics of the response whose work is summed.
+constexpr int kEnergyHarmonics = 512;
+/// Work of a load, relative to what loads and displacements of its size can do, that is round-off.
+constexpr double kRounding = 1e-12;
 /// Impacts slower than this share of the largest speed say nothing about restitution.
 constexpr double kSlow = 0.01;
 
@@ -29,7 +41,7 @@ Measure impulse_error(const Problem& problem, const Trajectory& answer, const Tr
 }
 
 Measure field_error(const Problem& problem, const Trajectory& answer, const Trajectory& orbit, int shift) {
-  if (problem.size() <= problem.contact_count()) return std::nullopt;
+  if (problem.size() <= problem.contact_count() || problem.size() > kMostInTime) return std::nullopt;
   try {
     const auto field = [&](const Trajectory& trajectory) {
       Motion motion;
@@ -65,15 +77,18 @@ class NoForce final : public Trajectory {
 
 /// What lengths are measured by: the amplitude, but no less than a tenth of the farthest that the
 /// contact-free motion gets from the stop, so that a contact that hardly moves is not judged by its noise.
-double length_scale(const Problem& problem, const Motion& motion, const Eigen::VectorXd& gaps) {
+double length_scale(const Problem& problem, const Motion& motion, const Eigen::VectorXd& gaps,
+                    const std::optional<ContactResponse>& response) {
   constexpr int kInstants = 512;
   constexpr double kLeast = 0.1;
   const double moving = amplitude(motion);
   try {
+    // An answer may have no response where the load alone has one: its harmonics are more.
     const Eigen::MatrixXd free =
-        PeriodicResponse(problem, NoForce(problem)).displacement(kInstants) * contact_directions(problem);
+        response ? response->free_displacement(kInstants)
+                 : ContactResponse(problem, NoForce(problem)).free_displacement(kInstants);
     return std::max(moving, kLeast * (free.rowwise() - gaps.transpose()).cwiseAbs().maxCoeff());
-  } catch (const std::exception&) {
+  } catch (const SingularStiffness&) {
     return moving;  // driven at an undamped eigenfrequency: there is no contact-free motion
   }
 }
@@ -119,13 +134,18 @@ double cosine_tail(double theta, int harmonics) {
   return tail;
 }
 
+/// M^-1 W, Nd x Nc. \throws std::invalid_argument where M is singular
+Eigen::MatrixXd velocity_jumps(const Problem& problem) {
+  if (!is_definite(problem.mass)) throw std::invalid_argument("an impulse meets coordinates without mass");
+  return SparseCholesky(problem.mass).solve(Eigen::MatrixXd(contact_directions(problem)));
+}
+
 /// Dissipation beyond harmonic H of velocities that jump by M^-1 W p: with v_n = M^-1 W p_n / (i n w),
 /// W_D = sum over n > H of 2 T v_n^* D v_n.
 double dissipation_tail(const Problem& problem, const Trajectory& answer, int harmonics) {
   const std::vector<Impulse> impulses = answer.impulses();
   if (impulses.empty()) return 0.0;
-  const Eigen::MatrixXd directions(contact_directions(problem));
-  const Eigen::MatrixXd jumps = Eigen::MatrixXd(problem.mass).llt().solve(directions);
+  const Eigen::MatrixXd jumps = velocity_jumps(problem);
   const Eigen::MatrixXd weight = jumps.transpose() * (problem.damping * jumps);
   const double period = answer.period();
   double sum = 0.0;
@@ -139,12 +159,41 @@ double dissipation_tail(const Problem& problem, const Trajectory& answer, int ha
   return sum * period / (2.0 * std::numbers::pi * std::numbers::pi);
 }
 
-/// Bound on the work that loads of this size can do on displacements of this size [J].
-double largest_work(const Problem& problem, const PeriodicResponse& response) {
-  constexpr int kInstants = 256;
-  double force = 0.0;
-  for (const ForceTerm& term : problem.force) force += term.harmonic * std::hypot(term.cos, term.sin);
-  return 2.0 * std::numbers::pi * force * response.displacement(kInstants).cwiseAbs().maxCoeff();
+/// Response to an answer's contact force, or why there is none.
+struct Response {
+  Response(const Problem& problem, const Trajectory& answer) {
+    try {
+      found.emplace(problem, answer, kEnergyHarmonics);
+    } catch (const std::bad_alloc&) {
+      throw;  // the child's memory limit is told apart
+    } catch (const std::exception& error) {
+      reason = error.what();
+    }
+  }
+
+  std::optional<ContactResponse> found;
+  std::string reason;
+};
+
+EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer,
+                           const Response& response) {
+  if (std::holds_alternative<Undetermined>(law)) return {.reason = "the law leaves the impacts open"};
+  if (!response.found) return {.reason = response.reason};
+  const double work = response.found->work_of_load();
+  // Without damping the exact work is zero: what round-off leaves of it is no scale.
+  if (std::abs(work) <= kRounding * response.found->largest_work_of_load())
+    return {.reason = "the load does no work"};
+  double lost = response.found->dissipation();
+  try {
+    if (!answer.bandwidth()) lost += dissipation_tail(problem, answer, kEnergyHarmonics);
+    const auto* restitution = std::get_if<Restitution>(&law);
+    if (restitution != nullptr && restitution->e < 1.0) {
+      lost += expected_loss(sample_motion(problem, answer), restitution->e, delassus_matrix(problem));
+    }
+  } catch (const std::invalid_argument& error) {
+    return {.reason = error.what()};  // no Delassus matrix
+  }
+  return {.value = std::abs(work - lost) / std::abs(work)};
 }
 
 }  // namespace
@@ -192,34 +241,20 @@ double expected_loss(const Motion& motion, double restitution, const Eigen::Matr
   return loss;
 }
 
-Measure energy_defect(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer) {
-  if (std::holds_alternative<Undetermined>(law)) return std::nullopt;
-  constexpr int kHarmonics = 512;
-  try {
-    const PeriodicResponse response(problem, answer, kHarmonics);
-    const double work = response.work_of_load();
-    double lost = response.dissipation();
-    if (!answer.bandwidth()) lost += dissipation_tail(problem, answer, kHarmonics);
-    const auto* restitution = std::get_if<Restitution>(&law);
-    if (restitution != nullptr && restitution->e < 1.0) {
-      lost += expected_loss(sample_motion(problem, answer), restitution->e, delassus_matrix(problem));
-    }
-    // Without damping the exact work is zero: what round-off leaves of it is no scale.
-    if (std::abs(work) <= 1e-12 * largest_work(problem, response)) return std::nullopt;
-    return std::abs(work - lost) / std::abs(work);
-  } catch (const std::exception&) {
-    return std::nullopt;  // no response (undamped resonance) or no Delassus matrix: the balance is not
-                          // defined
-  }
+EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer) {
+  return energy_defect(problem, law, answer, Response(problem, answer));
 }
 
 Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer) {
   Physics physics;
-  physics.energy_defect = energy_defect(problem, law, answer);
+  const Response response(problem, answer);
+  EnergyDefect energy = energy_defect(problem, law, answer, response);
+  physics.energy_defect = energy.value;
+  physics.energy_reason = std::move(energy.reason);
   if (problem.contacts.empty()) return physics;
   const Motion motion = sample_motion(problem, answer);
   const Eigen::VectorXd gaps = contact_gaps(problem);
-  const double scale = length_scale(problem, motion, gaps);
+  const double scale = length_scale(problem, motion, gaps, response.found);
   physics.penetration = penetration(motion, gaps, scale);
   physics.complementarity = complementarity(motion, gaps, law, contact_stiffness_scale(problem), scale);
   physics.contact_ratio = contact_ratio(motion);

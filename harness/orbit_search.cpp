@@ -13,6 +13,7 @@
 #include "harness/isolation.hpp"
 #include "harness/orbit.hpp"
 #include "harness/record.hpp"
+#include "methods/kernels/condensation.hpp"
 
 namespace signorini {
 
@@ -205,6 +206,10 @@ OrbitCensus find_all_orbits(const Problem& problem, const OrbitQuest& quest, con
                                                  std::chrono::duration<double>(quest.timeout));
   const OrbitPolisher certify = polish ? polish : exact_orbits();
   Census census(problem, certify, deadline);
+  if (problem.size() > kMostInTime) {
+    census.result.failures[flow_obstacle(problem)] = 1;
+    return std::move(census.result);
+  }
   for (int order = 1; order <= quest.subharmonics; ++order) {
     if (interrupted() || Clock::now() > deadline) break;
     if (news) news(order);

@@ -182,6 +182,7 @@ constexpr std::array kPhysicsKeys{"penetration", "complementarity", "energy_defe
 Json write_physics(const Physics& physics) {
   Json json = Json::object();
   for (std::size_t i = 0; i < kPhysics.size(); ++i) put(json, kPhysicsKeys[i], physics.*kPhysics[i]);
+  if (!physics.energy_reason.empty()) json["energy_reason"] = physics.energy_reason;
   if (!physics.effective_restitution.empty()) json["effective_restitution"] = physics.effective_restitution;
   return json;
 }
@@ -239,6 +240,7 @@ void read_body(const Json& json, Record& record) {
   const Json& physics = object(json, "physics");
   for (std::size_t i = 0; i < kPhysics.size(); ++i)
     get(physics, kPhysicsKeys[i], record.physics.*kPhysics[i]);
+  get(physics, "energy_reason", record.physics.energy_reason);
   get(physics, "effective_restitution", record.physics.effective_restitution);
   if (json.contains("trajectory")) record.trajectory = read_trajectory(json["trajectory"]);
 }

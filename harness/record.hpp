@@ -89,6 +89,7 @@ struct Errors {
 
 struct Physics {
   Measure penetration = {}, complementarity = {}, energy_defect = {}, contact_ratio = {};
+  std::string energy_reason = {};                  ///< why there is no energy_defect
   std::vector<double> effective_restitution = {};  ///< of each impact, in time order
 };
 

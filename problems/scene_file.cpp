@@ -92,6 +92,7 @@ struct ReadScene {
   Problem problem = {};
   std::vector<int> term_tables = {};
   std::vector<int> contact_tables = {};
+  Definiteness definiteness = Definiteness::to_be_checked;
 };
 
 // "contact[12].gap" with the number of the table that made contact 12.
@@ -143,6 +144,7 @@ void read_scene(const SceneField& document, ReadScene& scene) {
   problem.tags = std::move(header.tags);
   const SystemDescription system = read_system(document["system"]);
   problem.kind = system.kind;
+  scene.definiteness = system.definiteness;
   read_forcing(document["forcing"], system, scene);
   FromTables<Contact> contacts = read_contacts(document["contact"], system);
   problem.contacts = std::move(contacts.things);
@@ -200,7 +202,7 @@ Problem parse_scene(std::string_view text, const std::string& name) {
   ReadScene scene;
   try {
     read_scene(root, scene);
-    validate(scene.problem);
+    validate(scene.problem, scene.definiteness);
     return std::move(scene.problem);
   } catch (const InvalidProblem& error) {
     as_written(root, scene, error.field).refuse(error.found, error.requirement);

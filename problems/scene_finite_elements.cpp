@@ -51,6 +51,7 @@ using Assembly = std::function<Structure(const std::vector<int>& contact_coordin
 // A structure that gets its damping from its mass and stiffness, besides what its parts have.
 SystemDescription damped(Assembly undamped, DampingModel damping, int size) {
   return {.size = size,
+          .definiteness = Definiteness::by_construction,
           .assemble = [undamped = std::move(undamped),
                        damping = std::move(damping)](const std::vector<int>& contact_coordinates) {
             Structure structure = undamped(contact_coordinates);

@@ -8,6 +8,7 @@
 
 #include "problems/assembly/block_mesh.hpp"
 #include "problems/assembly/structure.hpp"
+#include "problems/definiteness.hpp"
 #include "problems/scene_field.hpp"
 
 namespace signorini {
@@ -18,6 +19,7 @@ struct SystemDescription {
   std::string kind = {};
   int size = 0;                        ///< Nd
   std::optional<BlockMesh> mesh = {};  ///< whose faces contacts and loads may name
+  Definiteness definiteness = Definiteness::to_be_checked;
   /// The matrices, given the coordinates that contacts touch.
   /// \throws InvalidProblem if contacts there and the system do not go together
   std::function<Structure(const std::vector<int>& contact_coordinates)> assemble = {};

@@ -1,6 +1,7 @@
 #include "problems/sparse_cholesky.hpp"
 
 #include <cholmod.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <limits>
@@ -96,6 +97,9 @@ struct SparseCholesky::Handle {
 };
 
 SparseCholesky::SparseCholesky(const SparseMatrix& A) : handle_(std::make_unique<Handle>()) {
+  // CHOLMOD asks for four threads whatever it is told. They would not outlive a fork, and a child that
+  // factorises again would wait for them for ever.
+  omp_set_max_active_levels(0);
   Handle& h = *handle_;
   SparseMatrix lower = A.triangularView<Eigen::Lower>();
   cholmod_sparse view = lower_triangle_of(lower);

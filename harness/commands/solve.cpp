@@ -62,6 +62,8 @@ void print_report(const Record& record) {
   print_measure("penetration", record.physics.penetration);
   print_measure("complementarity", record.physics.complementarity);
   print_measure("energy defect", record.physics.energy_defect);
+  if (!record.physics.energy_reason.empty())
+    fmt::print("{:<22}not defined: {}\n", "energy defect", record.physics.energy_reason);
   print_measure("contact ratio", record.physics.contact_ratio);
   if (!record.physics.effective_restitution.empty()) {
     fmt::print("{:<22}{:.4f}\n", "restitution found", fmt::join(record.physics.effective_restitution, ", "));

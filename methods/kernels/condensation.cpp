@@ -1,5 +1,7 @@
 #include "methods/kernels/condensation.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <complex>
@@ -93,6 +95,11 @@ void eliminate(const Problem& problem, const SparseMatrix& i, const SparseMatrix
 
 CondensedStructure condense(const Problem& problem) {
   CondensedStructure result;
+  if (problem.size() > kMostInTime) {
+    result.obstacle =
+        fmt::format("{} coordinates: at most {} are followed through time", problem.size(), kMostInTime);
+    return result;
+  }
   const Split split = split_by_mass(problem.mass);
   const SparseMatrix i = picking(split.kept, problem.size()), b = picking(split.massless, problem.size());
   if (touches(problem.damping, b)) {

@@ -35,7 +35,12 @@ struct CondensedStructure {
   Eigen::MatrixXcd shift;  ///< s likewise, Nc x Nh [m]
 };
 
-/// Sparse throughout, but for C and the columns of load and shift.
+/// Coordinates beyond which no motion is followed through time: the steps are as short as the fastest mode
+/// asks, which a fine mesh makes faster still, and each costs a solve.
+inline constexpr int kMostInTime = 10000;
+
+/// Sparse throughout, but for C and the columns of load and shift. More than `kMostInTime` coordinates are an
+/// obstacle.
 CondensedStructure condense(const Problem& problem);
 
 /// Why a scene's motion between events is no ordinary differential equation of second order; empty if it is

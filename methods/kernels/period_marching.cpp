@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "methods/kernels/condensation.hpp"
 #include "methods/kernels/pivoting.hpp"
 
 namespace signorini {
@@ -87,6 +88,7 @@ class Recurrence {
 
 Eigen::VectorXd march_to_period(const Problem& problem, const HatSettings& options, double restitution,
                                 int periods, const Start& start) {
+  if (problem.size() > kMostInTime) return {};
   Recurrence recurrence(problem, options, restitution);
   if (!recurrence.usable()) return {};
   Eigen::VectorXd pressure = Eigen::VectorXd::Zero(options.samples * problem.contact_count());

@@ -60,21 +60,39 @@ Eigen::MatrixXcd force_spectrum(const Trajectory& trajectory, int count) {
   return result;
 }
 
-PeriodicResponse::PeriodicResponse(const Problem& problem, const Trajectory& trajectory, int max_harmonics)
-    : problem_(problem), base_frequency_(kTwoPi / trajectory.period()) {
-  const int order = forcing_periods(problem, trajectory.period());
+ForceSeries force_series(const Problem& problem, const Trajectory& trajectory, int max_harmonics) {
+  ForceSeries series;
+  series.order = forcing_periods(problem, trajectory.period());
+  series.base_frequency = kTwoPi / trajectory.period();
   const int harmonics = std::max(std::min(trajectory.bandwidth().value_or(max_harmonics), max_harmonics),
-                                 order * highest_load_harmonic(problem));
-  lambda_ = force_spectrum(trajectory, harmonics);
-  load_ = Eigen::MatrixXcd::Zero(harmonics + 1, problem.size());
-  u_.resize(harmonics + 1, problem.size());
+                                 series.order * highest_load_harmonic(problem));
+  series.lambda = force_spectrum(trajectory, harmonics);
+  return series;
+}
+
+Eigen::MatrixXd sample_series(const Eigen::MatrixXcd& coefficients, int count) {
+  // Finely enough for every harmonic, then thinned to the instants asked for.
+  const auto harmonics = static_cast<int>(coefficients.rows()) - 1;
+  const int refine = std::max(1, (2 * harmonics + count) / count);
+  RealFft fft(count * refine);
+  Eigen::MatrixXd result(count, coefficients.cols());
+  Eigen::VectorXd fine(count * refine);
+  for (Eigen::Index c = 0; c < coefficients.cols(); ++c) {
+    fft.inverse(coefficients.col(c), fine);
+    for (int i = 0; i < count; ++i) result(i, c) = fine[i * refine];
+  }
+  return result;
+}
+
+PeriodicResponse::PeriodicResponse(const Problem& problem, const Trajectory& trajectory, int max_harmonics) {
+  const ForceSeries series = force_series(problem, trajectory, max_harmonics);
+  base_frequency_ = series.base_frequency;
+  u_.resize(series.lambda.rows(), problem.size());
   const SparseMatrix directions = contact_directions(problem);
   DynamicStiffness stiffness(problem);
-  for (int n = 0; n <= harmonics; ++n) {
-    if (n % order == 0) {
-      load_.row(n) = (n == 0 ? 1.0 : 0.5) * load_harmonic(problem, n / order).transpose();
-    }
-    const Eigen::MatrixXcd rhs = load_.row(n).transpose() + directions * lambda_.row(n).transpose();
+  for (int n = 0; n < static_cast<int>(u_.rows()); ++n) {
+    Eigen::VectorXcd rhs = directions * series.lambda.row(n).transpose();
+    if (n % series.order == 0) rhs += (n == 0 ? 1.0 : 0.5) * load_harmonic(problem, n / series.order);
     stiffness.factorise(exact_weights(n * base_frequency_));
     u_.row(n) = stiffness.solve(rhs).transpose();
   }
@@ -91,49 +109,6 @@ State PeriodicResponse::at(double time) const {
   return state;
 }
 
-Eigen::MatrixXd PeriodicResponse::displacement(int count) const {
-  // Sampled finely enough for every harmonic, then thinned to the instants asked for.
-  const auto harmonics = static_cast<int>(u_.rows()) - 1;
-  const int refine = std::max(1, (2 * harmonics + count) / count);
-  RealFft fft(count * refine);
-  Eigen::MatrixXd result(count, u_.cols());
-  Eigen::VectorXd fine(count * refine);
-  for (Eigen::Index c = 0; c < u_.cols(); ++c) {
-    fft.inverse(u_.col(c), fine);
-    for (int i = 0; i < count; ++i) result(i, c) = fine[i * refine];
-  }
-  return result;
-}
-
-double PeriodicResponse::work_of_load() const {
-  double work = 0.0;
-  for (Eigen::Index n = 1; n < u_.rows(); ++n) {
-    // T * 2 Re(conj(f_n) i n w u_n) with n w T = 2 pi n.
-    work -=
-        2.0 * kTwoPi * static_cast<double>(n) * load_.row(n).conjugate().cwiseProduct(u_.row(n)).sum().imag();
-  }
-  return work;
-}
-
-double PeriodicResponse::dissipation() const {
-  double work = 0.0;
-  for (Eigen::Index n = 1; n < u_.rows(); ++n) {
-    const Eigen::VectorXcd u = u_.row(n).transpose();
-    const Eigen::VectorXcd du = problem_.damping * u;
-    const double order = static_cast<double>(n);
-    work += 2.0 * kTwoPi * order * order * base_frequency_ * u.dot(du).real();
-  }
-  return work;
-}
-
-Eigen::VectorXd PeriodicResponse::contact_work() const {
-  const Eigen::MatrixXcd x = u_ * contact_directions(problem_);
-  Eigen::VectorXd work = Eigen::VectorXd::Zero(lambda_.cols());
-  for (Eigen::Index n = 1; n < u_.rows(); ++n) {
-    work -= 2.0 * kTwoPi * static_cast<double>(n) *
-            lambda_.row(n).conjugate().cwiseProduct(x.row(n)).imag().transpose();
-  }
-  return work;
-}
+Eigen::MatrixXd PeriodicResponse::displacement(int count) const { return sample_series(u_, count); }
 
 }  // namespace signorini

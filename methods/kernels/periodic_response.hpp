@@ -15,38 +15,45 @@ struct State {
   Eigen::VectorXd v;  ///< Nd [m/s]
 };
 
+/// The contact force of a trajectory in harmonics of the trajectory's own period.
+struct ForceSeries {
+  int order = 1;                ///< forcing periods in the period
+  double base_frequency = 1.0;  ///< 2 pi / period [rad/s]
+  Eigen::MatrixXcd lambda;      ///< (H+1) x Nc [N]
+};
+
+/// H is the trajectory's bandwidth where it has one, `max_harmonics` otherwise, never more but for harmonics
+/// of the load. The trajectory's period must be a whole multiple of the forcing period (to 1e-6 relative).
+/// \throws std::invalid_argument otherwise
+ForceSeries force_series(const Problem& problem, const Trajectory& trajectory, int max_harmonics);
+
 /// u(t) = sum_{|n|<=H} Z_n^{-1} (f_n + W lambda_n) e^{i n w t}, Z_n = K - (n w)^2 M + i n w D,
 /// w = 2 pi / period of the trajectory, lambda_n the Fourier coefficients of its force and impulses.
-/// (Seed eq. 41 and 45, corrected: design in docs/theory.md.)
+/// (Seed eq. 41 and 45, corrected: design in docs/theory.md.) Keeps the whole field, (H+1) x Nd numbers,
+/// which `ContactResponse` does without.
 class PeriodicResponse {
  public:
-  /// H is the trajectory's bandwidth where it has one, `max_harmonics` otherwise, never more.
-  /// The trajectory's period must be a whole multiple of the forcing period (to 1e-6 relative).
-  /// \throws std::invalid_argument otherwise; std::runtime_error if some Z_n is singular
+  /// H and the period as in `force_series`.
+  /// \throws std::invalid_argument for a foreign period; std::runtime_error if some Z_n is singular
   PeriodicResponse(const Problem& problem, const Trajectory& trajectory, int max_harmonics = 512);
 
   /// u and v at any time; v is the mean of its sides where it jumps.
   [[nodiscard]] State at(double time) const;
   /// u at count instants, count x Nd [m].
   [[nodiscard]] Eigen::MatrixXd displacement(int count) const;
-  /// Work of the load per period, integral of f^T u' dt [J].
-  [[nodiscard]] double work_of_load() const;
-  /// Work dissipated by D per period, integral of u'^T D u' dt >= 0 [J].
-  [[nodiscard]] double dissipation() const;
-  /// Work of the contact force per period and contact, integral of lambda_j x_j' dt [J], Nc.
-  [[nodiscard]] Eigen::VectorXd contact_work() const;
 
  private:
-  const Problem& problem_;
-  double base_frequency_;
-  Eigen::MatrixXcd u_;       // (H+1) x Nd
-  Eigen::MatrixXcd load_;    // (H+1) x Nd
-  Eigen::MatrixXcd lambda_;  // (H+1) x Nc
+  double base_frequency_ = 0.0;
+  Eigen::MatrixXcd u_;  // (H+1) x Nd
 };
 
 /// Fourier coefficients n = 0..count of the contact force, impulses included, (count+1) x Nc [N]:
 /// lambda_n = (1/T) integral over a period of lambda e^{-i n w t}. The trajectory's own coefficients where it
 /// has them, zero beyond its bandwidth; else by a fine transform of its samples.
 Eigen::MatrixXcd force_spectrum(const Trajectory& trajectory, int count);
+
+/// A real function of the period's time at `count` instants, count x k, from its coefficients n = 0..H, (H+1)
+/// x k.
+Eigen::MatrixXd sample_series(const Eigen::MatrixXcd& coefficients, int count);
 
 }  // namespace signorini

@@ -13,9 +13,6 @@ namespace {
 
 // Below this many coordinates a dense factorisation is the faster one.
 constexpr int kDenseLimit = 32;
-// Above this many, one real factorisation and a projection are faster than a factorisation per harmonic, and
-// nested dissection leaves less fill than minimum degree (docs/decisions/0009).
-constexpr int kDirectLimit = 2000;
 // Error of a projected receptance, relative to its norm: far below what a truncated series leaves.
 constexpr double kReducedTolerance = 1e-10;
 // Right-hand sides solved for at a time: bounds what is kept beside the factors.
@@ -39,7 +36,7 @@ struct DynamicStiffness::Factors {
       stiffness = problem.stiffness.cast<std::complex<double>>();
       auto& control = sparse_lu.umfpackControl();
       control(UMFPACK_STRATEGY) = UMFPACK_STRATEGY_SYMMETRIC;
-      if (problem.size() > kDirectLimit) control(UMFPACK_ORDERING) = UMFPACK_ORDERING_METIS;
+      if (problem.size() > kMostFactorised) control(UMFPACK_ORDERING) = UMFPACK_ORDERING_METIS;
       // Diagonal pivots of a well-scaled Z leave residuals of rounding; refining them triples the time of a
       // solve.
       control(UMFPACK_IRSTEP) = 0;
@@ -130,7 +127,7 @@ ContactReceptance factorised_receptance(const Problem& problem, int harmonics,
 ContactReceptance contact_receptance(const Problem& problem, int harmonics,
                                      const std::function<HarmonicWeights(int)>& weights,
                                      ReceptanceMethod method) {
-  const bool large = problem.size() > kDirectLimit;
+  const bool large = problem.size() > kMostFactorised;
   if (method == ReceptanceMethod::reduced || (method == ReceptanceMethod::automatic && large)) {
     auto reduced = reduced_receptance(problem, harmonics, weights, kReducedTolerance);
     if (reduced) return *std::move(reduced);

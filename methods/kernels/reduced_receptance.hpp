@@ -8,6 +8,9 @@
 
 namespace signorini {
 
+/// Coordinates up to which each Z_n is factorised without further ado; beyond, a projection is tried first.
+inline constexpr int kMostFactorised = 2000;
+
 /// `contact_receptance` by projection. With D = alpha M + beta K every dynamic stiffness is a combination of
 /// the same two matrices, Z_n = kappa_n P + mu_n M, P = K + sigma M. On the basis V of the block Krylov space
 /// of P^{-1} M from P^{-1} [W, loads] (`BlockLanczos`) it becomes Z_n ~ kappa_n + mu_n t, diagonal in the

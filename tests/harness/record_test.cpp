@@ -52,7 +52,7 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
                   "reference", "reference_reason", "same_orbit", "events", "floquet", "stable"}));
   EXPECT_EQ(keys(json["certificate"]["events"][0]), (Keys{"time", "contact", "kind", "value"}));
   EXPECT_EQ(keys(json["errors"]), (Keys{"x_l2", "x_max", "u_l2", "velocity_l2", "impulse", "x_l2_scene"}));
-  EXPECT_EQ(keys(json["physics"]), (Keys{"penetration", "complementarity", "energy_defect",
+  EXPECT_EQ(keys(json["physics"]), (Keys{"penetration", "complementarity", "energy_defect", "energy_reason",
                                          "effective_restitution", "contact_ratio"}));
   EXPECT_EQ(keys(json["trajectory"]), (Keys{"t", "x", "velocity", "force", "impulses", "bandwidth"}));
   EXPECT_EQ(keys(json["trajectory"]["impulses"][0]), (Keys{"contact", "time", "value"}));

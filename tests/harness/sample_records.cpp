@@ -24,6 +24,7 @@ Record full_record() {
                     .complementarity = 0.2,
                     .energy_defect = 0.3,
                     .contact_ratio = 0.4,
+                    .energy_reason = "because",
                     .effective_restitution = {0.9, 1.0}};
   record.trajectory = TrajectorySamples{.t = {0.0, 0.5},
                                         .x = {{1.0, 2.0}},

@@ -50,6 +50,11 @@ double frequency_ratio(const Problem& sdof) {
   return sdof.frequency / std::sqrt(sdof.stiffness.coeff(0, 0) / sdof.mass.coeff(0, 0));
 }
 
+// Reading a scene of finite elements takes its matrices for semi-definite: they are.
+TEST(Catalogue, PassesTheWholeCheck) {
+  for (const Problem& scene : catalogue()) EXPECT_NO_THROW(validate(scene)) << scene.name;
+}
+
 TEST(Catalogue, NamesAreFileNames) {
   ASSERT_GE(catalogue().size(), 16U);
   for (const auto& path : catalogue_scenes()) {

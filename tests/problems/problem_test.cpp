@@ -260,6 +260,24 @@ TEST(Validate, RefusesMatricesOfNoStructure) {
       "system = structure with a loose coordinate (every motion must meet a mass, a damper or a spring)");
 }
 
+// A trusted matrix is not factorised; everything else about it is checked.
+TEST(Validate, TakesForGrantedWhatHoldsByConstructionAndNoMore) {
+  const auto trusted = [](const std::function<void(Problem&)>& change) {
+    Problem problem = three_masses();
+    change(problem);
+    validate(problem, Definiteness::by_construction);
+  };
+  EXPECT_NO_THROW(trusted([](Problem& p) { p.stiffness.coeffRef(2, 2) = 10.0; }));
+  EXPECT_THROW(trusted([](Problem& p) { p.stiffness.coeffRef(1, 0) += 1e-9; }), InvalidProblem);
+  EXPECT_THROW(trusted([](Problem& p) { p.stiffness.coeffRef(0, 0) = kNaN; }), InvalidProblem);
+  EXPECT_THROW(trusted([](Problem& p) { p.damping.coeffRef(0, 0) = -0.1; }), InvalidProblem);
+  EXPECT_THROW(trusted([](Problem& p) { p.frequency = 0.0; }), InvalidProblem);
+  EXPECT_THROW(validate(chain_problem({.masses = {1.0, 0.0}, .dampers = {0.1, 0.0}, .springs = {1.0, 0.0}}),
+                        Definiteness::by_construction),
+               InvalidProblem)
+      << "a coordinate that nothing holds";
+}
+
 TEST(Validate, RefusesForcingOutOfRange) {
   const auto frequency = [](double value) {
     return complaint_after([=](Problem& p) { p.frequency = value; });

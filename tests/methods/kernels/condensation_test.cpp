@@ -62,6 +62,14 @@ TEST(Condense, KeepsTheReceptanceOfCoupledAndLoadedContacts) {
   }
 }
 
+TEST(Condense, RefusesWhatIsTooLargeToBeFollowedThroughTime) {
+  Problem large;
+  large.mass = SparseMatrix(kMostInTime + 1, kMostInTime + 1);
+  large.mass.setIdentity();
+  large.damping = large.stiffness = large.mass;
+  EXPECT_EQ(flow_obstacle(large), "10001 coordinates: at most 10000 are followed through time");
+}
+
 TEST(Condense, SaysWhereItCannotBeDone) {
   Problem damped = test::massless_node();
   damped.damping = Eigen::MatrixXd((Eigen::Matrix2d() << 0.1, -0.1, -0.1, 0.1).finished()).sparseView();

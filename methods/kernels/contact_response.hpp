@@ -1,0 +1,53 @@
+#pragma once
+// What a periodic contact force does to the structure, seen from its contacts and its load: no field is kept.
+
+#include <Eigen/Core>
+
+#include "methods/solution.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// The response of `PeriodicResponse`, reduced to where forces act: x_n = W^T u_n and q_n = F^T u_n, with
+/// F phi_n the load of harmonic n. Memory holds (H+1) x (Nc + Nf) numbers and, for one harmonic at a time,
+/// Z_n; Nf, the number of columns of F, is at most twice the number of harmonics in the load.
+///
+/// Beyond 2000 coordinates x and q come from the receptances of [W, F] by projection (`reduced_receptance`),
+/// with an error of 1e-10 of their norm; where that is dearer than factorising every Z_n, so it is done.
+class ContactResponse {
+ public:
+  /// Arguments and H as for `PeriodicResponse`.
+  /// \throws std::invalid_argument for a foreign period; SingularStiffness if some Z_n is singular
+  ContactResponse(const Problem& problem, const Trajectory& trajectory, int max_harmonics = 512);
+
+  /// H.
+  [[nodiscard]] int harmonics() const { return static_cast<int>(x_.rows()) - 1; }
+  /// x at count instants of the period, count x Nc [m].
+  [[nodiscard]] Eigen::MatrixXd displacement(int count) const;
+  /// The same of the structure under its load alone, without contact force.
+  [[nodiscard]] Eigen::MatrixXd free_displacement(int count) const;
+  /// Work of the load per period, integral of f^T u' dt [J].
+  [[nodiscard]] double work_of_load() const;
+  /// What bounds its absolute value: loads and displacements of this size, in whatever phase [J].
+  [[nodiscard]] double largest_work_of_load() const;
+  /// Work of the contact force per period and contact, integral of lambda_j x_j' dt [J], Nc.
+  [[nodiscard]] Eigen::VectorXd contact_work() const;
+  /// Work dissipated by D per period, integral of u'^T D u' dt >= 0 [J]. Where u is not computed, by
+  /// projection: what load and contacts put in, which is the same at every harmonic of a linear response.
+  [[nodiscard]] double dissipation() const;
+
+ private:
+  struct Ports;
+
+  void factorise(const Problem& problem, const Ports& ports);
+  [[nodiscard]] bool project(const Problem& problem, const Ports& ports);
+
+  double base_frequency_ = 0.0;
+  Eigen::MatrixXcd lambda_;  // (H+1) x Nc
+  Eigen::MatrixXcd load_;    // phi, (H+1) x Nf
+  Eigen::MatrixXcd x_, q_;   // (H+1) x Nc, (H+1) x Nf
+  Eigen::MatrixXcd free_;    // x without contact force, (H+1) x Nc
+  double dissipation_ = 0.0;
+};
+
+}  // namespace signorini

@@ -1,0 +1,60 @@
+// What reading a large structure may take: never a dense array over its coordinates.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "problems/scene_file.hpp"
+#include "tests/support/child.hpp"
+
+namespace signorini {
+namespace {
+
+constexpr double kMegabyte = 1024.0 * 1024.0;
+
+double dense_megabytes(int size) { return 8.0 * size * size / kMegabyte; }
+
+std::string scene_of_bricks(int along) {
+  return R"(schema = 1
+name = "long-block"
+[system]
+kind = "block"
+elements = [)" +
+         std::to_string(along) + R"(, 6, 6]
+lengths = [)" +
+         std::to_string(0.005 * along) +
+         R"(, 0.03, 0.03]
+young = 2e11
+poisson = 0.3
+density = 7800.0
+damping = { alpha = 0.5, beta = 1e-3 }
+contact_mass = "massless"
+[forcing]
+frequency = 10.0
+[[contact]]
+face = "z+"
+patch = [[0.1, 0.2], [0.0, 0.03]]
+gap = 0.005
+)";
+}
+
+class SceneAtScale : public testing::TestWithParam<int> {};
+
+// M, D and K have up to 81 entries a row, 12 bytes each: the same room for each coordinate at every size.
+TEST_P(SceneAtScale, IsReadInMemoryProportionalToItsCoordinates) {
+  constexpr double kBytes = 16384.0;
+  const int along = GetParam();
+  const int size = 3 * along * 7 * 7;
+  const double allowed = kBytes * size / kMegabyte;
+  ASSERT_LT(allowed, dense_megabytes(size) / 10.0);
+  const auto read = [&] {
+    if (parse_scene(scene_of_bricks(along), "long-block.toml").size() != size) std::abort();
+  };
+  EXPECT_TRUE(test::run_in_child(read, allowed).finished) << "within " << allowed << " MB";
+}
+
+INSTANTIATE_TEST_SUITE_P(Lengths, SceneAtScale, testing::Values(170, 700));
+
+}  // namespace
+}  // namespace signorini
