@@ -21,6 +21,8 @@ class SceneError : public std::runtime_error {
 /// The tag of scenes with more than a thousand coordinates or thirty contacts: what visits the whole
 /// catalogue by itself, such as a test, leaves them out.
 inline constexpr std::string_view kLarge = "large";
+/// The tag of scenes whose orbits take minutes to search.
+inline constexpr std::string_view kLongSearch = "long-search";
 
 /// What a scene says of itself.
 struct SceneHeader {

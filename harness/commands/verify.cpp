@@ -47,12 +47,16 @@ void print_lines(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) fmt::print("{}\n", line);
 }
 
-/// Scenes of the catalogue that the filter takes, and those that have a file in the folder. A search of the
-/// orbits of a large scene would take too long: it is kept to those that are asked for.
+/// True of scenes whose orbits take too long to search unless they are asked for.
+bool searched_by_name_only(const SceneHeader& header) {
+  return header.carries(kLarge) || header.carries(kLongSearch);
+}
+
+/// Scenes of the catalogue that the filter takes, and those that have a file in the folder.
 std::vector<std::string> scenes_to_verify(const VerifyArguments& arguments, const fs::path& folder) {
   std::vector<std::string> names;
   for (const fs::path& file : catalogue_scenes()) {
-    if (arguments.scenes || !load_header(file).carries(kLarge)) names.push_back(file.stem().string());
+    if (arguments.scenes || !searched_by_name_only(load_header(file))) names.push_back(file.stem().string());
   }
   if (!arguments.update) {
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -222,7 +226,8 @@ void add_verify_command(CLI::App& app, int& exit_code) {
                       "folder of references or of a run; results/references here or above if absent");
   command->add_option(
       "--scenes", arguments->scenes,
-      "scenes by glob, A*:B*-C*; if absent all but those of the catalogue tagged large that have no file");
+      "scenes by glob, A*:B*-C*; if absent all but those of the catalogue tagged large or long-search that "
+      "have no file");
   command->add_option("--cases", arguments->cases, "cases of a run by glob on SCENE/METHOD[OPTIONS]")
       ->capture_default_str();
   command->add_flag(

@@ -263,12 +263,12 @@ class ReducedModel {
 
   double relative_error(const HarmonicPencil& pencil) {
     const Eigen::MatrixXcd y = response(pencil);
-    const auto [least, everywhere] = distance(pencil);
+    const std::pair<double, bool> nearest = distance(pencil);
     double error = 0.0;
     const auto add = [&](const Eigen::MatrixXcd& columns, double scale) {
       if (columns.cols() == 0 || scale == 0.0) return;
       const double rho = residual(pencil, columns);
-      error = std::max(error, rho * rho / (least * scale));
+      error = std::max(error, rho * rho / (nearest.first * scale));
     };
     add(y.leftCols(contacts_), (contact_rows_.transpose() * y.leftCols(contacts_)).norm());
     if (pencil.load.size() > 0) {
@@ -276,7 +276,7 @@ class ReducedModel {
       add(y.rightCols(1), std::abs(load.dot(y.col(contacts_))));
     }
     largest_error_ = std::max(largest_error_, error);
-    bound_ = bound_ && everywhere;
+    bound_ = bound_ && nearest.second;
     return error;
   }
 

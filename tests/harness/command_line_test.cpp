@@ -1,5 +1,6 @@
 // Runs the built program: exit codes and messages are part of its contract.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -283,13 +284,12 @@ TEST(Verify, FindsAMissingFileAndAChangedScene) {
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
-TEST(Verify, AsksForLargeScenesOnlyByName) {
+TEST(Verify, AsksForScenesThatTakeLongOnlyByName) {
   const auto problems = test::fresh_folder("verify-large");
   std::filesystem::create_directories(problems / "catalogue");
-  for (const std::string name : {"huge", "small"}) {
-    std::ofstream(problems / "catalogue" / (name + ".toml"))
-        << "schema = 1\nname = \"" << name << "\"\n"
-        << (name == "huge" ? "tags = [\"large\"]\n" : "");
+  for (const auto& [name, tag] : {std::pair{"huge", "large"}, {"hard", "long-search"}, {"small", "easy"}}) {
+    std::ofstream(problems / "catalogue" / (std::string(name) + ".toml"))
+        << fmt::format("schema = 1\nname = \"{}\"\ntags = [\"{}\"]\n", name, tag);
   }
   ASSERT_EQ(::setenv("SIGNORINI_PROBLEMS", problems.c_str(), 1), 0);
   const auto references = test::fresh_folder("verify-large-references");
@@ -300,6 +300,7 @@ TEST(Verify, AsksForLargeScenesOnlyByName) {
   EXPECT_EQ(all.code, 1);
   EXPECT_NE(all.out.find("small: no orbits are kept"), std::string::npos) << all.out;
   EXPECT_EQ(all.out.find("huge"), std::string::npos) << all.out;
+  EXPECT_EQ(all.out.find("hard"), std::string::npos) << all.out;
   EXPECT_NE(named.out.find("huge: no orbits are kept"), std::string::npos) << named.out;
 }
 
