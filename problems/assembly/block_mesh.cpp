@@ -67,9 +67,10 @@ std::vector<Contact> contacts_on_face(const BlockMesh& mesh, const Face& face, c
 
 std::vector<std::pair<int, double>> load_on_face(const BlockMesh& mesh, const Face& face, int direction) {
   std::vector<std::pair<int, double>> load;
-  const auto [first, second] = face.axes();
+  const std::array<int, 2> axes = face.axes();
   for_each_node_of(mesh, face, [&](const Node& node) {
-    load.emplace_back(mesh.coordinate(node, direction), share(mesh, node, first) * share(mesh, node, second));
+    load.emplace_back(mesh.coordinate(node, direction),
+                      share(mesh, node, axes[0]) * share(mesh, node, axes[1]));
   });
   return load;
 }
