@@ -166,7 +166,6 @@ void EventFlow::arrive(FlowState& flow, double time, const Eigen::VectorXd& y, d
   flow.time = time;
   flow.state = unpacked(y);
   if (dynamics_.rigid()) rigid_events_.hold(flow.state, mode_);
-  if (record.dense) keep(time, packed(flow.state), record);
   if (record.tangent) {
     record.derivative = transition(flow.closed, time - since) * record.derivative;
   }
@@ -238,6 +237,7 @@ bool EventFlow::take_short_flight(FlowState& flow, double end, FlowRecord& recor
   const double time = crossing.contact < 0 ? stretch.end : crossing.time;
   series(time, y);
   arrive(flow, time, y, begin, record);
+  if (record.dense) keep(time, packed(flow.state), record);
   if (crossing.contact >= 0) pass_event(flow, crossing, record);
   return true;
 }
@@ -280,6 +280,7 @@ void EventFlow::integrate(FlowState& flow, double end, FlowRecord& record) {
       continue;
     }
     arrive(flow, time, y, begin, record);
+    if (record.dense) keep(time, packed(flow.state), record);
     if (crossing.contact >= 0) pass_event(flow, crossing, record);
     return;
   }
@@ -294,13 +295,25 @@ Guard EventFlow::exact_guard(int contact, double time) const {
           .rate = -arc_.displacement(contact, time, 1)};
 }
 
-// As `integrate`, by the closed form of the motion.
+void EventFlow::keep_exact(double time, FlowRecord& record) const {
+  const int contacts = dynamics_.contact_count();
+  FlowNode node{.time = time,
+                .x = Eigen::MatrixXd(contacts, kNodeOrder + 1),
+                .lambda = Eigen::MatrixXd(contacts, kNodeOrder)};
+  for (int j = 0; j < contacts; ++j) {
+    for (int order = 0; order <= kNodeOrder; ++order) node.x(j, order) = arc_.displacement(j, time, order);
+    for (int order = 0; order < kNodeOrder; ++order) node.lambda(j, order) = arc_.force(j, time, order);
+  }
+  record.pieces.back().push_back(std::move(node));
+}
+
+// As `integrate`, by the closed form of the motion: in steps of a fraction of the fastest period left in the
+// guards, and in what is kept of the motion. Modes below the noise of the guards bound no step.
 void EventFlow::follow(FlowState& flow, double end, FlowRecord& record) {
   constexpr double kSteps = 8.0, kDenseSteps = 16.0;  // per fastest period
   const double begin = flow.time;
   const double noise = std::max(0.01 * tolerance_, 64.0 * kEpsilon);
-  const LinearFlow& linear = flows_.of(flow.closed);
-  arc_.start(linear, begin, flow.state);
+  arc_.start(flows_.of(flow.closed), begin, flow.state);
   const auto exact_guards = [this](double time) {
     std::vector<Guard> all;
     for (int j = 0; j < dynamics_.contact_count(); ++j) all.push_back(exact_guard(j, time));
@@ -308,34 +321,34 @@ void EventFlow::follow(FlowState& flow, double end, FlowRecord& record) {
   };
   std::vector<Guard> last = exact_guards(begin);
   std::vector<bool> fresh = fresh_guards(last, noise);
+  const double angle = 2.0 * std::numbers::pi / (record.dense ? kDenseSteps : kSteps);
+  const double longest = angle / (dynamics_.highest_harmonic() * dynamics_.frequency());
+  const std::vector<FadingRate> terms =
+      record.dense ? arc_.fading_rates(noise, longest, kNodeOrder) : arc_.fading_rates(noise);
   if (record.dense) {
     record.pieces.emplace_back();
-    keep(begin, packed(flow.state), record);
+    keep_exact(begin, record);
   }
-  const double longest =
-      2.0 * std::numbers::pi / ((record.dense ? kDenseSteps : kSteps) * linear.fastest_rate());
-  const auto steps = static_cast<long>(std::ceil((end - begin) / longest));
   Stretch stretch{.begin = begin,
                   .end = begin,
                   .noise = noise,
                   .guard = [this](int contact, double time) { return exact_guard(contact, time); },
                   .guards = exact_guards};
   Crossing crossing;
-  State state;
   double time = begin;
-  for (long step = 1; step <= steps && crossing.contact < 0; ++step) {
+  for (long step = 1; stretch.end < end && crossing.contact < 0; ++step) {
     if (step % 256 == 0 && expired_()) throw FlowError("the time budget is spent");
     stretch.begin = stretch.end;
-    stretch.end = step == steps ? end : begin + static_cast<double>(step) * longest;
+    stretch.end = std::min(end, stretch.begin + angle / fastest_left(terms, stretch.begin));
     crossing = first_event(stretch, fresh, last);
     time = crossing.contact < 0 ? stretch.end : crossing.time;
-    if (!record.dense || crossing.contact >= 0 || step == steps) continue;
-    arc_.state(time, state);
-    keep(time, packed(state), record);
+    if (record.dense && crossing.contact < 0 && stretch.end < end) keep_exact(time, record);
   }
+  State state;
   arc_.state(time, state);
   const Eigen::VectorXd y = packed(state);
   if (!y.allFinite()) throw FlowError("the motion is no longer finite");
+  if (record.dense) keep_exact(time, record);
   arrive(flow, time, y, begin, record);
   if (crossing.contact >= 0) pass_event(flow, crossing, record);
 }

@@ -32,7 +32,9 @@ enum class Integrator {
 /// Guards, one per contact: gap g - x (open), force -lambda (closed).
 ///
 /// With Integrator::modal the stretches between events come from the exact flow of the mode (LinearFlow) in
-/// steps of an eighth of its fastest period; `tolerance` is then that of the events alone.
+/// steps of an eighth of the fastest period still alive in the guards (LinearArc::fading_rates): the modes of
+/// a stiff structure bound the steps only as long as they move a contact by more than the noise. `tolerance`
+/// is then that of the events alone.
 class EventFlow {
  public:
   /// \param expired  asked now and then; true ends the flow with a FlowError
@@ -78,6 +80,7 @@ class EventFlow {
   [[nodiscard]] Eigen::MatrixXd transition(const std::vector<bool>& closed, double duration);
   void pass_event(FlowState& flow, const Crossing& crossing, FlowRecord& record) const;
   void keep(double time, const Eigen::VectorXd& y, FlowRecord& record) const;
+  void keep_exact(double time, FlowRecord& record) const;
 
   const ContactDynamics& dynamics_;
   double tolerance_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <unsupported/Eigen/MatrixFunctions>
@@ -19,6 +20,38 @@ constexpr int kLargest = 300;    // coordinates of a dense flow
 // Digits that cancel between ill-conditioned modes, or between a resonance and its free motion.
 constexpr double kIllConditioned = 1e3;
 constexpr double kResonance = 1e-4;
+
+// B = [0, E^T; -K~ E^-T, -D~] for the state (e, z'): e = E^T z, z = L^T q, M = L L^T, (K~, D~) = L^-1 (K, D)
+// L^-T. With E E^T = K~ + s^2 the lower left block is s^2 E^-T - E and B nearly skew; where that is not
+// definite, E = s.
+template <class Real>
+struct EnergyForm {
+  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+
+  EnergyForm(const Eigen::MatrixXd& M, const Eigen::MatrixXd& D, const Eigen::MatrixXd& K, Real s) {
+    const Eigen::Index n = M.rows();
+    const Matrix identity = Matrix::Identity(n, n);
+    const Eigen::LLT<Matrix> mass(M.cast<Real>());
+    L = mass.matrixL();
+    const auto symmetric = [&](const Eigen::MatrixXd& A) {
+      const Matrix half = mass.matrixL().solve(A.cast<Real>());
+      return Matrix(mass.matrixL().solve(Matrix(half.transpose())).transpose());
+    };
+    const Matrix stiffness = symmetric(K);
+    const Eigen::LLT<Matrix> energy(stiffness + s * s * identity);
+    definite = mass.info() == Eigen::Success && energy.info() == Eigen::Success;
+    E = definite ? Matrix(energy.matrixL()) : Matrix(s * identity);
+    z_of_e = E.transpose().template triangularView<Eigen::Upper>().solve(identity);
+    q_of_z = mass.matrixU().solve(identity);
+    B = Matrix::Zero(2 * n, 2 * n);
+    B.topRightCorner(n, n) = E.transpose();
+    B.bottomLeftCorner(n, n) = definite ? Matrix(s * s * z_of_e - E) : Matrix(-stiffness * z_of_e);
+    B.bottomRightCorner(n, n) = -symmetric(D);
+  }
+
+  bool definite = false;
+  Matrix L, E, z_of_e, q_of_z, B;
+};
 
 }  // namespace
 
@@ -59,31 +92,18 @@ LinearFlow::LinearFlow(const ContactDynamics& dynamics, ContactMode mode, FlowFo
   prepare_outputs();
 }
 
-// Modes of B = [0, E^T; -E + s^2 E^-T, -D~] for the state (e, z'), e = E^T z, z = L^T q, M = L L^T,
-// E E^T = L^-1 K L^-T + s^2.
+// Modes of the energy form.
 template <class Real>
 bool LinearFlow::find_modes() {
-  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+  using Matrix = typename EnergyForm<Real>::Matrix;
   using ComplexMatrix = Eigen::Matrix<std::complex<Real>, Eigen::Dynamic, Eigen::Dynamic>;
   const Eigen::Index n = basis_.cols();
   shapes_ = Eigen::MatrixXcd::Zero(size(), 0);
   left_ = Eigen::MatrixXcd::Zero(0, 2 * size());
   if (n == 0) return true;  // nothing moves
-  const auto s = static_cast<Real>(dynamics_->frequency());
-  const Eigen::LLT<Matrix> mass(M_.cast<Real>());
-  const Matrix L = mass.matrixL();
-  const auto symmetric = [&](const Eigen::MatrixXd& A) {
-    const Matrix half = mass.matrixL().solve(A.cast<Real>());
-    return Matrix(mass.matrixL().solve(Matrix(half.transpose())).transpose());
-  };
-  const Eigen::LLT<Matrix> energy(symmetric(K_) + s * s * Matrix::Identity(n, n));
-  if (mass.info() != Eigen::Success || energy.info() != Eigen::Success) return false;
-  const Matrix E = energy.matrixL();
-  Matrix B = Matrix::Zero(2 * n, 2 * n);
-  B.topRightCorner(n, n) = E.transpose();
-  B.bottomLeftCorner(n, n) = s * s * energy.matrixU().solve(Matrix::Identity(n, n)) - E;
-  B.bottomRightCorner(n, n) = -symmetric(D_);
-  const Eigen::EigenSolver<Matrix> solver(B);
+  const EnergyForm<Real> form(M_, D_, K_, static_cast<Real>(dynamics_->frequency()));
+  if (!form.definite) return false;
+  const Eigen::EigenSolver<Matrix> solver(form.B);
   if (solver.info() != Eigen::Success) return false;
   const ComplexMatrix V = solver.eigenvectors();
   const ComplexMatrix inverse = V.partialPivLu().inverse();
@@ -93,12 +113,11 @@ bool LinearFlow::find_modes() {
     if (!(condition < static_cast<Real>(kIllConditioned))) return false;
     if (solver.eigenvalues()[k].imag() >= Real(0)) kept.push_back(k);
   }
-  const ComplexMatrix to_q = mass.matrixU()
-                                 .solve(Matrix(energy.matrixU().solve(Matrix::Identity(n, n))))
-                                 .template cast<std::complex<Real>>();
+  const ComplexMatrix to_q = Matrix(form.q_of_z * form.z_of_e).template cast<std::complex<Real>>();
   ComplexMatrix from_state = ComplexMatrix::Zero(2 * n, 2 * n);
-  from_state.topLeftCorner(n, n) = (E.transpose() * L.transpose()).template cast<std::complex<Real>>();
-  from_state.bottomRightCorner(n, n) = L.transpose().template cast<std::complex<Real>>();
+  from_state.topLeftCorner(n, n) =
+      (form.E.transpose() * form.L.transpose()).template cast<std::complex<Real>>();
+  from_state.bottomRightCorner(n, n) = form.L.transpose().template cast<std::complex<Real>>();
   const ComplexMatrix left = inverse(kept, Eigen::all) * from_state;
   const ComplexMatrix shapes = to_q * V.topRows(n)(Eigen::all, kept);
   mu_ = solver.eigenvalues()(kept).template cast<Complex>();
@@ -136,25 +155,23 @@ bool LinearFlow::find_forced_response() {
 void LinearFlow::prepare_exponential() {
   const Eigen::Index n = basis_.cols();
   const auto harmonics = static_cast<Eigen::Index>(rates_.size());
-  const double unit = 1.0 / dynamics_->frequency();
-  time_unit_ = unit;
   generator_ = Eigen::MatrixXd::Zero(2 * n + 2 * harmonics, 2 * n + 2 * harmonics);
-  Eigen::LLT<Eigen::MatrixXd> mass;
-  if (n > 0) mass.compute(M_);
-  generator_.block(0, n, n, n).diagonal().setConstant(1.0 / unit);
+  u_of_e_ = v_of_z_ = Eigen::MatrixXd::Zero(size(), n);
+  e_of_u_ = z_of_v_ = Eigen::MatrixXd::Zero(n, size());
   if (n > 0) {
-    generator_.block(n, 0, n, n) = -unit * mass.solve(K_);
-    generator_.block(n, n, n, n) = -mass.solve(D_);
+    const EnergyForm<double> form(M_, D_, K_, dynamics_->frequency());
+    generator_.topLeftCorner(2 * n, 2 * n) = form.B;
+    v_of_z_ = basis_ * form.q_of_z;
+    u_of_e_ = v_of_z_ * form.z_of_e;
+    z_of_v_ = form.L.transpose() * basis_.transpose();
+    e_of_u_ = form.E.transpose() * z_of_v_;
   }
   for (Eigen::Index h = 0; h < harmonics; ++h) {
     Eigen::VectorXcd load = load_.col(h);
     if (h == 0) load -= (dynamics_->stiffness() * offset_).cast<Complex>();
-    const Eigen::VectorXcd right = basis_.transpose() * load;
     const Eigen::Index c = 2 * n + 2 * h;
-    if (n > 0) {
-      generator_.block(n, c, n, 1) = unit * mass.solve(Eigen::VectorXd(right.real()));
-      generator_.block(n, c + 1, n, 1) = -unit * mass.solve(Eigen::VectorXd(right.imag()));
-    }
+    generator_.block(n, c, n, 1) = v_of_z_.transpose() * load.real();
+    generator_.block(n, c + 1, n, 1) = -v_of_z_.transpose() * load.imag();
     generator_(c, c + 1) = -rates_[static_cast<std::size_t>(h)];
     generator_(c + 1, c) = rates_[static_cast<std::size_t>(h)];
   }
@@ -233,8 +250,8 @@ void LinearFlow::prepare_outputs() {
   }
   const Eigen::Index n = basis_.cols();
   output_ = Eigen::MatrixXd::Zero(contacts + active, generator_.cols());
-  output_.leftCols(n) = direct.leftCols(size()) * basis_;
-  output_.middleCols(n, n) = direct.rightCols(size()) * basis_ / time_unit_;
+  output_.leftCols(n) = direct.leftCols(size()) * u_of_e_;
+  output_.middleCols(n, n) = direct.rightCols(size()) * v_of_z_;
   for (Eigen::Index h = 0; h < harmonics; ++h) {
     output_.col(2 * n + 2 * h) = of_load.col(h).real();
     output_.col(2 * n + 2 * h + 1) = -of_load.col(h).imag();
@@ -269,12 +286,38 @@ Eigen::MatrixXd LinearFlow::transition(double duration) const {
   const Eigen::Index r = basis_.cols();
   const Eigen::MatrixXd exponent = generator_.topLeftCorner(2 * r, 2 * r) * duration;
   const Eigen::MatrixXd reduced = exponent.exp();
-  const Eigen::MatrixXd& Q = basis_;
-  result.topLeftCorner(n, n) = Q * reduced.topLeftCorner(r, r) * Q.transpose();
-  result.topRightCorner(n, n) = time_unit_ * Q * reduced.topRightCorner(r, r) * Q.transpose();
-  result.bottomLeftCorner(n, n) = Q * reduced.bottomLeftCorner(r, r) * Q.transpose() / time_unit_;
-  result.bottomRightCorner(n, n) = Q * reduced.bottomRightCorner(r, r) * Q.transpose();
+  result.topLeftCorner(n, n) = u_of_e_ * reduced.topLeftCorner(r, r) * e_of_u_;
+  result.topRightCorner(n, n) = u_of_e_ * reduced.topRightCorner(r, r) * z_of_v_;
+  result.bottomLeftCorner(n, n) = v_of_z_ * reduced.bottomLeftCorner(r, r) * e_of_u_;
+  result.bottomRightCorner(n, n) = v_of_z_ * reduced.bottomRightCorner(r, r) * z_of_v_;
   return result;
+}
+
+State LinearFlow::response(const std::vector<Impulse>& impulses) const {
+  const int n = size();
+  const Eigen::MatrixXd& kicks = dynamics_->impulse_response();
+  if (!modal_) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(2 * n);
+    for (const Impulse& impulse : impulses)
+      sum += transition(impulse.time).rightCols(n) * (impulse.value * kicks.col(impulse.contact));
+    return {.u = sum.head(n), .v = sum.tail(n)};
+  }
+  const Eigen::MatrixXcd excited = left_.rightCols(n) * kicks;
+  Eigen::VectorXcd amplitude = Eigen::VectorXcd::Zero(mu_.size());
+  for (const Impulse& impulse : impulses) {
+    amplitude.array() +=
+        impulse.value * excited.col(impulse.contact).array() * (impulse.time * mu_.array()).exp();
+  }
+  amplitude.array() *= weight_.array();
+  const Eigen::VectorXcd rates = mu_.cwiseProduct(amplitude);
+  return {.u = (shapes_ * amplitude).real(), .v = (shapes_ * rates).real()};
+}
+
+double fastest_left(const std::vector<FadingRate>& terms, double time) {
+  for (const FadingRate& term : terms) {
+    if (term.until > time) return term.rate;
+  }
+  return 0.0;
 }
 
 void LinearArc::start(const LinearFlow& flow, double time, const State& state) {
@@ -286,8 +329,8 @@ void LinearArc::start(const LinearFlow& flow, double time, const State& state) {
   if (!flow.modal_) {
     const Eigen::Index r = flow.basis_.cols();
     first_.resize(flow.generator_.cols());
-    first_.head(r) = flow.basis_.transpose() * (state.u - flow.offset_);
-    first_.segment(r, r) = flow.time_unit_ * flow.basis_.transpose() * state.v;
+    first_.head(r) = flow.e_of_u_ * (state.u - flow.offset_);
+    first_.segment(r, r) = flow.z_of_v_ * state.v;
     for (Eigen::Index h = 0; h < harmonics; ++h) {
       const double angle = flow.rates_[static_cast<std::size_t>(h)] * time;
       first_[2 * r + 2 * h] = std::cos(angle);
@@ -311,6 +354,32 @@ void LinearArc::start(const LinearFlow& flow, double time, const State& state) {
     amplitude_ += u * flow.left_.col(i) + v * flow.left_.col(n + i);
   }
   contribution_ = flow.row_of_mode_ * amplitude_.asDiagonal();
+}
+
+std::vector<FadingRate> LinearArc::fading_rates(double floor, double step, int order) const {
+  constexpr double kForever = std::numeric_limits<double>::infinity();
+  const ContactDynamics& dynamics = *flow_->dynamics_;
+  if (!flow_->modal_) return {{.rate = flow_->fastest_rate_, .until = kForever}};
+  std::vector<FadingRate> terms;
+  for (Eigen::Index k = 0; k < amplitude_.size(); ++k) {
+    double share = 0.0;
+    for (int j = 0; j < dynamics.contact_count(); ++j) {
+      const int place = flow_->place(j);
+      share = std::max(share, place < 0 ? std::abs(contribution_(j, k)) / dynamics.scales().displacement
+                                        : std::abs(contribution_(dynamics.contact_count() + place, k)) /
+                                              dynamics.force_scale(j));
+    }
+    const Complex mu = flow_->mu_[k];
+    share *= std::pow(std::max(1.0, std::abs(mu) * step), order);
+    const bool fades = mu.real() < 0.0;
+    if (fades && share <= floor) continue;
+    terms.push_back(
+        {.rate = std::abs(mu), .until = fades ? begin_ + std::log(share / floor) / -mu.real() : kForever});
+  }
+  terms.push_back({.rate = std::max(flow_->rates_.back(), dynamics.frequency()), .until = kForever});
+  std::sort(terms.begin(), terms.end(),
+            [](const FadingRate& a, const FadingRate& b) { return a.rate > b.rate; });
+  return terms;
 }
 
 void LinearArc::move_to(double time) const {
@@ -368,8 +437,8 @@ void LinearArc::state(double time, State& state) const {
   const int n = flow_->size();
   if (!flow_->modal_) {
     const Eigen::Index r = flow_->basis_.cols();
-    state.u = flow_->offset_ + flow_->basis_ * augmented_.head(r);
-    state.v = flow_->basis_ * augmented_.segment(r, r) / flow_->time_unit_;
+    state.u = flow_->offset_ + flow_->u_of_e_ * augmented_.head(r);
+    state.v = flow_->v_of_z_ * augmented_.segment(r, r);
     return;
   }
   state.u.setZero(n);
@@ -396,7 +465,7 @@ void LinearArc::acceleration(double time, Eigen::VectorXd& a) const {
   if (!flow_->modal_) {
     const Eigen::Index r = flow_->basis_.cols();
     const Eigen::VectorXd rate = flow_->generator_ * augmented_;
-    a = flow_->basis_ * rate.segment(r, r) / flow_->time_unit_;
+    a = flow_->v_of_z_ * rate.segment(r, r);
     return;
   }
   a.setZero(n);

@@ -29,7 +29,9 @@ enum class FlowForm {
 /// Im mu_k >= 0, w_k = 2 for a pair and 1 for a real mu_k. The modes are computed in the coordinates of the
 /// energy, where B is nearly skew, with long double for small structures. Where they are ill-conditioned
 /// (critical damping, a rigid-body motion) or the load resonates with an undamped mode, the exponential of
-/// the structure augmented by the harmonic generators of the load takes over.
+/// the structure augmented by the harmonic generators of the load takes over, in the same coordinates: there
+/// no motion grows on its way, however stiff the structure, and squaring the exponential loses no digits to
+/// it.
 class LinearFlow {
  public:
   /// \throws std::runtime_error if the structure has more coordinates than a dense flow can take (300)
@@ -43,6 +45,8 @@ class LinearFlow {
   [[nodiscard]] double fastest_rate() const { return fastest_rate_; }
   /// d(u, v)(t0 + duration) / d(u, v)(t0), 2 Nd x 2 Nd; deviations normal to the constraint are dropped.
   [[nodiscard]] Eigen::MatrixXd transition(double duration) const;
+  /// What impulses at the contacts, each `time` before now, have made of a structure at rest without load.
+  [[nodiscard]] State response(const std::vector<Impulse>& impulses) const;
   /// d lambda_j / d(u, v) at a closed contact, 1 x 2 Nd.
   [[nodiscard]] Eigen::RowVectorXd multiplier_gradient(int contact) const;
   /// d x_j / d(u, v), 1 x 2 Nd.
@@ -78,10 +82,21 @@ class LinearFlow {
   Eigen::MatrixXcd row_of_mode_;      // outputs x_0..x_Nc-1, lambda_A: rows x Nm, w_k included
   Eigen::MatrixXcd row_of_harmonic_;  // rows x Nh
 
-  double time_unit_ = 1.0;     // 1 / rate of the exponential's velocity coordinates
-  Eigen::MatrixXd generator_;  // of (q, q' unit, cos and sin of each harmonic)
-  Eigen::MatrixXd output_;     // rows x generator size
+  // Exponential form: the coordinates of the energy, e of the position and z' of the velocity, Nr each.
+  Eigen::MatrixXd u_of_e_, v_of_z_;  // Nd x Nr
+  Eigen::MatrixXd e_of_u_, z_of_v_;  // Nr x Nd
+  Eigen::MatrixXd generator_;        // of (e, z', cos and sin of each harmonic)
+  Eigen::MatrixXd output_;           // rows x generator size
 };
+
+/// A term of a motion that oscillates or decays, and how long it matters.
+struct FadingRate {
+  double rate = 0.0;   ///< |mu_k| or h omega [rad/s]
+  double until = 0.0;  ///< [s]
+};
+
+/// Largest rate that still matters at a time; `terms` as `LinearArc::fading_rates` gives them [rad/s].
+double fastest_left(const std::vector<FadingRate>& terms, double time);
 
 /// One motion of a flow. Evaluations allocate nothing in the modal form; they share a cache of the last
 /// instant, so that one arc belongs to one thread.
@@ -92,6 +107,11 @@ class LinearArc {
 
   [[nodiscard]] const LinearFlow& flow() const { return *flow_; }
   [[nodiscard]] double begin() const { return begin_; }
+  /// The terms of the motion, fastest first, the load's harmonics as the last one. A mode matters until its
+  /// share in every guard (gap of an open contact over X, force of a closed one over its scale) has fallen
+  /// below `floor`; with `step` and `order`, so has its share in step^k times the k-th derivatives, k <=
+  /// order.
+  [[nodiscard]] std::vector<FadingRate> fading_rates(double floor, double step = 0.0, int order = 0) const;
   /// u, v (and u'') at a time, Nd each.
   void state(double time, State& state) const;
   void acceleration(double time, Eigen::VectorXd& a) const;

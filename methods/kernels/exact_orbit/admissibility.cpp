@@ -62,10 +62,8 @@ Sample steepest(const Limited& f, double low, double high) {
   return sample(f, 0.5 * (low + high));
 }
 
-Peak largest(const Limited& f, double begin, double end) {
-  constexpr double kSteps = 16.0;  // per fastest period
-  const double step = 2.0 * std::numbers::pi / (kSteps * f.arc.flow().fastest_rate());
-  const auto steps = std::max(2L, static_cast<long>(std::ceil((end - begin) / step)));
+Peak largest(const Limited& f, double begin, double end, const std::vector<FadingRate>& terms) {
+  constexpr double kAngle = 2.0 * std::numbers::pi / 16.0;  // a step, in terms of the fastest rate left
   Sample before = sample(f, begin);
   Peak peak{before.value, begin};
   const auto rise = [&](const Sample& a, const Sample& b) {
@@ -73,9 +71,8 @@ Peak largest(const Limited& f, double begin, double end) {
     const double top = polished_peak(f, a.time, b.time);
     if (const double there = f.value(top, 0); there > peak.value) peak = {there, top};
   };
-  for (long i = 1; i <= steps; ++i) {
-    const double t =
-        i == steps ? end : begin + (end - begin) * static_cast<double>(i) / static_cast<double>(steps);
+  for (double t = begin; t < end;) {
+    t = std::min({end, t + kAngle / fastest_left(terms, t), t + 0.5 * (end - begin)});
     const Sample here = sample(f, t);
     if (here.value > peak.value) peak = {here.value, t};
     if (before.rate > 0.0 && here.rate < 0.0) {
@@ -118,12 +115,15 @@ class Check {
   }
 
  private:
+  static constexpr double kUnseen = 0.01;  // of the tolerance: modes below do not move a contact
+
   void fail(const std::string& reason) {
     if (result_.ok) result_.reason = reason;
     result_.ok = false;
   }
 
   void arc(const LinearArc& arc, double begin, double end) {
+    const std::vector<FadingRate> terms = arc.fading_rates(kUnseen * tolerance_);
     for (int j = 0; j < dynamics_.contact_count(); ++j) {
       const bool closed = arc.flow().mode().closed(j);
       const Limited f{.arc = arc,
@@ -131,7 +131,7 @@ class Check {
                       .of_force = closed,
                       .offset = closed ? 0.0 : dynamics_.gaps()[j],
                       .unit = closed ? dynamics_.force_scale(j) : dynamics_.scales().displacement};
-      const Peak peak = largest(f, begin, end);
+      const Peak peak = largest(f, begin, end, terms);
       double& worst = closed ? result_.tension : result_.penetration;
       worst = std::max(worst, peak.value);
       if (peak.value <= tolerance_) continue;

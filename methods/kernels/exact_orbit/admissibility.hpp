@@ -19,11 +19,11 @@ struct Admissibility {
 };
 
 /// Checks an orbit as last evaluated: between events no open contact beyond its stop and no closed one
-/// pulling (sampled at a sixteenth of the fastest period of the mode, local maxima polished by Newton's
-/// method, those between two samples found by where the rate turns), approach speeds positive, impulses
-/// compressive, each impact by the scene's law. `tolerance` is relative to the scales of the motion. A
-/// contact that stops with e > 0 is accepted as the limit of a chatter if the rest of the geometric sequence
-/// displaces less than `chatter` X.
+/// pulling (sampled at a sixteenth of the fastest period still alive in the guards, local maxima polished by
+/// Newton's method, those between two samples found by where the rate turns), approach speeds positive,
+/// impulses compressive, each impact by the scene's law. `tolerance` is relative to the scales of the motion.
+/// A contact that stops with e > 0 is accepted as the limit of a chatter if the rest of the geometric
+/// sequence displaces less than `chatter` X.
 Admissibility check_admissible(const OrbitModel& model, const OrbitGuess& orbit,
                                const OrbitEquations& equations, double tolerance, double chatter);
 

@@ -121,11 +121,10 @@ std::optional<State> periodic_state(OrbitModel& model, double time, const ForceH
   State end;
   arc.start(flow, time, {.u = Eigen::VectorXd::Zero(n), .v = Eigen::VectorXd::Zero(n)});
   arc.state(time + model.period, end);
-  Eigen::VectorXd sum(2 * n);
-  sum << end.u, end.v;
+  std::vector<Impulse> before;  // times before the end of the period
   const auto add = [&](int contact, double at, double value) {
-    const double left = model.period - wrapped_time(at - time, model.period);
-    sum.noalias() += flow.transition(left).rightCols(n) * (value * dynamics.impulse_response().col(contact));
+    before.push_back(
+        {.contact = contact, .time = model.period - wrapped_time(at - time, model.period), .value = value});
   };
   for (int c = 0; c < dynamics.contact_count(); ++c) {
     for (Eigen::Index k = 0; k < history.force.rows(); ++k) {
@@ -134,6 +133,9 @@ std::optional<State> periodic_state(OrbitModel& model, double time, const ForceH
     }
   }
   for (const Impulse& impulse : impulses) add(impulse.contact, impulse.time, impulse.value);
+  const State struck = flow.response(before);
+  Eigen::VectorXd sum(2 * n);
+  sum << end.u + struck.u, end.v + struck.v;
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(Eigen::MatrixXd::Identity(2 * n, 2 * n) -
                                                 flow.transition(model.period));
   const Eigen::VectorXd y = lu.solve(sum);
