@@ -5,8 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
+
+#include "methods/kernels/matrix_exponential.hpp"
 
 namespace signorini {
 
@@ -156,8 +157,7 @@ void EventFlow::keep(double time, const Eigen::VectorXd& y, FlowRecord& record) 
 // Both forms agree on deviations that the constraint admits; those normal to it the saltation removes.
 Eigen::MatrixXd EventFlow::transition(const std::vector<bool>& closed, double duration) {
   if (!session_) return flows_.of(closed).transition(duration);
-  const Eigen::MatrixXd exponent = dynamics_.flow_matrix(mode_) * duration;
-  return exponent.exp();
+  return matrix_exponential(dynamics_.flow_matrix(mode_) * duration);
 }
 
 // Ends a stretch in one mode that began at `since`.

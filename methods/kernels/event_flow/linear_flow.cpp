@@ -7,51 +7,20 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
+
+#include "methods/kernels/event_flow/complex_modes.hpp"
+#include "methods/kernels/event_flow/energy_form.hpp"
+#include "methods/kernels/matrix_exponential.hpp"
 
 namespace signorini {
 
 namespace {
 
 using Complex = std::complex<double>;
-constexpr int kLongDouble = 12;  // coordinates up to which the modes are found in extended precision
-constexpr int kLargest = 300;    // coordinates of a dense flow
-// Digits that cancel between ill-conditioned modes, or between a resonance and its free motion.
-constexpr double kIllConditioned = 1e3;
+constexpr int kLargest = 300;  // coordinates of a dense flow
+// Digits that cancel between a resonance and its free motion.
 constexpr double kResonance = 1e-4;
-
-// B = [0, E^T; -K~ E^-T, -D~] for the state (e, z'): e = E^T z, z = L^T q, M = L L^T, (K~, D~) = L^-1 (K, D)
-// L^-T. With E E^T = K~ + s^2 the lower left block is s^2 E^-T - E and B nearly skew; where that is not
-// definite, E = s.
-template <class Real>
-struct EnergyForm {
-  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-
-  EnergyForm(const Eigen::MatrixXd& M, const Eigen::MatrixXd& D, const Eigen::MatrixXd& K, Real s) {
-    const Eigen::Index n = M.rows();
-    const Matrix identity = Matrix::Identity(n, n);
-    const Eigen::LLT<Matrix> mass(M.cast<Real>());
-    L = mass.matrixL();
-    const auto symmetric = [&](const Eigen::MatrixXd& A) {
-      const Matrix half = mass.matrixL().solve(A.cast<Real>());
-      return Matrix(mass.matrixL().solve(Matrix(half.transpose())).transpose());
-    };
-    const Matrix stiffness = symmetric(K);
-    const Eigen::LLT<Matrix> energy(stiffness + s * s * identity);
-    definite = mass.info() == Eigen::Success && energy.info() == Eigen::Success;
-    E = definite ? Matrix(energy.matrixL()) : Matrix(s * identity);
-    z_of_e = E.transpose().template triangularView<Eigen::Upper>().solve(identity);
-    q_of_z = mass.matrixU().solve(identity);
-    B = Matrix::Zero(2 * n, 2 * n);
-    B.topRightCorner(n, n) = E.transpose();
-    B.bottomLeftCorner(n, n) = definite ? Matrix(s * s * z_of_e - E) : Matrix(-stiffness * z_of_e);
-    B.bottomRightCorner(n, n) = -symmetric(D);
-  }
-
-  bool definite = false;
-  Matrix L, E, z_of_e, q_of_z, B;
-};
 
 }  // namespace
 
@@ -86,48 +55,27 @@ LinearFlow::LinearFlow(const ContactDynamics& dynamics, ContactMode mode, FlowFo
   D_ = basis_.transpose() * dynamics.damping() * basis_;
   K_ = basis_.transpose() * stiffness * basis_;
   fastest_rate_ = rates_.back();
-  modal_ = form == FlowForm::automatic &&
-           (n <= kLongDouble ? find_modes<long double>() : find_modes<double>()) && find_forced_response();
+  modal_ = form == FlowForm::automatic && find_modes() && find_forced_response();
   if (!modal_) prepare_exponential();
   prepare_outputs();
 }
 
-// Modes of the energy form.
-template <class Real>
 bool LinearFlow::find_modes() {
-  using Matrix = typename EnergyForm<Real>::Matrix;
-  using ComplexMatrix = Eigen::Matrix<std::complex<Real>, Eigen::Dynamic, Eigen::Dynamic>;
   const Eigen::Index n = basis_.cols();
-  shapes_ = Eigen::MatrixXcd::Zero(size(), 0);
-  left_ = Eigen::MatrixXcd::Zero(0, 2 * size());
-  if (n == 0) return true;  // nothing moves
-  const EnergyForm<Real> form(M_, D_, K_, static_cast<Real>(dynamics_->frequency()));
-  if (!form.definite) return false;
-  const Eigen::EigenSolver<Matrix> solver(form.B);
-  if (solver.info() != Eigen::Success) return false;
-  const ComplexMatrix V = solver.eigenvectors();
-  const ComplexMatrix inverse = V.partialPivLu().inverse();
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index k = 0; k < 2 * n; ++k) {
-    const Real condition = V.col(k).norm() * inverse.row(k).norm();
-    if (!(condition < static_cast<Real>(kIllConditioned))) return false;
-    if (solver.eigenvalues()[k].imag() >= Real(0)) kept.push_back(k);
+  ComplexModes modes{.mu = Eigen::VectorXcd(0),
+                     .shapes = Eigen::MatrixXcd(n, 0),
+                     .left = Eigen::MatrixXcd(0, 2 * n),
+                     .weight = Eigen::VectorXd(0)};
+  if (n > 0) {  // else nothing moves
+    std::optional<ComplexModes> found = complex_modes(M_, D_, K_, dynamics_->frequency());
+    if (!found) return false;
+    modes = std::move(*found);
   }
-  const ComplexMatrix to_q = Matrix(form.q_of_z * form.z_of_e).template cast<std::complex<Real>>();
-  ComplexMatrix from_state = ComplexMatrix::Zero(2 * n, 2 * n);
-  from_state.topLeftCorner(n, n) =
-      (form.E.transpose() * form.L.transpose()).template cast<std::complex<Real>>();
-  from_state.bottomRightCorner(n, n) = form.L.transpose().template cast<std::complex<Real>>();
-  const ComplexMatrix left = inverse(kept, Eigen::all) * from_state;
-  const ComplexMatrix shapes = to_q * V.topRows(n)(Eigen::all, kept);
-  mu_ = solver.eigenvalues()(kept).template cast<Complex>();
-  shapes_ = basis_ * shapes.template cast<Complex>();
-  left_.resize(static_cast<Eigen::Index>(kept.size()), 2 * size());
-  left_.leftCols(size()) = left.leftCols(n).template cast<Complex>() * basis_.transpose();
-  left_.rightCols(size()) = left.rightCols(n).template cast<Complex>() * basis_.transpose();
-  weight_ =
-      (mu_.imag().array() > 0.0)
-          .select(Eigen::VectorXd::Constant(mu_.size(), 2.0), Eigen::VectorXd::Constant(mu_.size(), 1.0));
+  mu_ = std::move(modes.mu);
+  weight_ = std::move(modes.weight);
+  shapes_ = basis_ * modes.shapes;
+  left_.resize(mu_.size(), 2 * size());
+  left_ << modes.left.leftCols(n) * basis_.transpose(), modes.left.rightCols(n) * basis_.transpose();
   if (mu_.size() > 0) fastest_rate_ = std::max(fastest_rate_, mu_.cwiseAbs().maxCoeff());
   return true;
 }
@@ -284,8 +232,7 @@ Eigen::MatrixXd LinearFlow::transition(double duration) const {
     return result;
   }
   const Eigen::Index r = basis_.cols();
-  const Eigen::MatrixXd exponent = generator_.topLeftCorner(2 * r, 2 * r) * duration;
-  const Eigen::MatrixXd reduced = exponent.exp();
+  const Eigen::MatrixXd reduced = matrix_exponential(generator_.topLeftCorner(2 * r, 2 * r) * duration);
   result.topLeftCorner(n, n) = u_of_e_ * reduced.topLeftCorner(r, r) * e_of_u_;
   result.topRightCorner(n, n) = u_of_e_ * reduced.topRightCorner(r, r) * z_of_v_;
   result.bottomLeftCorner(n, n) = v_of_z_ * reduced.bottomLeftCorner(r, r) * e_of_u_;
@@ -388,8 +335,7 @@ void LinearArc::move_to(double time) const {
   now_ = time;
   const double s = time - begin_;
   if (!flow_->modal_) {
-    const Eigen::MatrixXd exponent = flow_->generator_ * s;
-    augmented_ = exponent.exp() * first_;
+    augmented_ = matrix_exponential(flow_->generator_ * s) * first_;
     return;
   }
   for (Eigen::Index k = 0; k < growth_.size(); ++k) {

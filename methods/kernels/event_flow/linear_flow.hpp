@@ -26,12 +26,10 @@ enum class FlowForm {
 ///
 ///     u(t) = Re sum_k w_k U_k a_k e^{mu_k (t - t0)} + Re sum_h P_h e^{i h omega t},
 ///
-/// Im mu_k >= 0, w_k = 2 for a pair and 1 for a real mu_k. The modes are computed in the coordinates of the
-/// energy, where B is nearly skew, with long double for small structures. Where they are ill-conditioned
+/// Im mu_k >= 0, w_k = 2 for a pair and 1 for a real mu_k (ComplexModes). Where they are ill-conditioned
 /// (critical damping, a rigid-body motion) or the load resonates with an undamped mode, the exponential of
-/// the structure augmented by the harmonic generators of the load takes over, in the same coordinates: there
-/// no motion grows on its way, however stiff the structure, and squaring the exponential loses no digits to
-/// it.
+/// the structure augmented by the harmonic generators of the load takes over, in the coordinates of the
+/// energy (EnergyForm): there no motion grows on its way, and squaring the exponential loses no digits to it.
 class LinearFlow {
  public:
   /// \throws std::runtime_error if the structure has more coordinates than a dense flow can take (300)
@@ -54,7 +52,6 @@ class LinearFlow {
 
  private:
   friend class LinearArc;
-  template <class Real>
   bool find_modes();
   bool find_forced_response();
   void prepare_exponential();

@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "methods/event_driven/event_driven.hpp"
 #include "methods/kernels/event_flow/flow.hpp"
@@ -118,6 +119,88 @@ TEST(LinearFlow, ResonanceGrowsLinearly) {
   LinearArc arc;
   arc.start(flows.of({false}), 0.0, {.u = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Zero(1)});
   for (const double t : {0.5, 3.0, 20.0}) EXPECT_NEAR(arc.displacement(0, t), 0.5 * t * std::sin(t), 1e-12);
+}
+
+// u of an impulse J on m x'' + d x' + k x = 0 at rest, a time s ago.
+double struck(const test::ImpactOscillator& one, double impulse, double s) {
+  const double decay = 0.5 * one.damping / one.mass;
+  const double rate = std::sqrt(one.stiffness / one.mass - decay * decay);
+  return impulse / (one.mass * rate) * std::exp(-decay * s) * std::sin(rate * s);
+}
+
+TEST(LinearFlow, AddsTheResponsesToImpulses) {
+  const test::ImpactOscillator one{.mass = 2.0, .damping = 0.1, .stiffness = 3.0, .frequency = 2.2};
+  const ContactDynamics dynamics(test::to_problem(one));
+  const std::vector<Impulse> impulses{{.contact = 0, .time = 0.7, .value = -1.5},
+                                      {.contact = 0, .time = 9.0, .value = 4.0}};
+  const double expected = struck(one, -1.5, 0.7) + struck(one, 4.0, 9.0);
+  for (const FlowForm form : {FlowForm::automatic, FlowForm::exponential}) {
+    const State state = LinearFlow(dynamics, dynamics.mode({false}), form).response(impulses);
+    EXPECT_NEAR(state.u[0], expected, 1e-13);
+    const double h = 1e-5;
+    const double difference = (struck(one, -1.5, 0.7 + h) + struck(one, 4.0, 9.0 + h) -
+                               struck(one, -1.5, 0.7 - h) - struck(one, 4.0, 9.0 - h)) /
+                              (2.0 * h);
+    EXPECT_NEAR(state.v[0], difference, 1e-9);
+  }
+}
+
+// Squaring the exponential of a stiff structure in its own coordinates would lose digits to motions that grow
+// on their way.
+TEST(LinearFlow, TheExponentialOfAStiffStructureIsThatOfItsModes) {
+  const Problem problem = test::stopped_chain(8, 0.5, 1);
+  for (const double stiffer : {1.0, 1e4, 1e8}) {
+    Problem stiff = problem;
+    stiff.stiffness.coeffRef(0, 0) += stiffer;
+    const ContactDynamics dynamics(stiff);
+    const LinearFlow modal(dynamics, dynamics.mode({false})),
+        exponential(dynamics, dynamics.mode({false}), FlowForm::exponential);
+    ASSERT_TRUE(modal.modal());
+    ASSERT_FALSE(exponential.modal());
+    const Eigen::MatrixXd expected = modal.transition(5.0);
+    // The phase of the fastest motion, sqrt(stiffer) t, is known to its rounding only.
+    const double rounding = 1e-13 * (1.0 + 5.0 * std::sqrt(stiffer));
+    EXPECT_LT((exponential.transition(5.0) - expected).norm(), rounding * expected.norm()) << stiffer;
+  }
+}
+
+TEST(LinearArc, ModesBoundTheStepsUntilTheyFade) {
+  const test::ImpactOscillator one{.damping = 0.2, .stiffness = 400.0, .frequency = 1.5};
+  const ContactDynamics dynamics(test::to_problem(one));
+  LinearFlows flows(dynamics);
+  const LinearFlow& flow = flows.of({false});
+  const auto forced = [&](double t) {
+    LinearArc arc;
+    State steady;
+    arc.start(flow, -1e4, {.u = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Zero(1)});
+    arc.state(t, steady);
+    return steady;
+  };
+  State start = forced(0.0);
+  const double share = 1e-3;  // of X, by which the free motion starts away from the steady one
+  start.u[0] += share * dynamics.scales().displacement;
+  LinearArc arc;
+  arc.start(flow, 0.0, start);
+  const double floor = 1e-9;
+  const std::vector<FadingRate> terms = arc.fading_rates(floor);
+  ASSERT_EQ(terms.size(), 2U);
+  EXPECT_NEAR(terms[0].rate, 20.0, 1e-12);
+  // share e^{-0.1 t} = floor, but for the phase of the amplitude: cos of the angle of damping, 0.005^2 / 2.
+  EXPECT_NEAR(terms[0].until, std::log(share / floor) / 0.1, 1e-3);
+  EXPECT_EQ(fastest_left(terms, 0.99 * terms[0].until), terms[0].rate);
+  EXPECT_EQ(fastest_left(terms, 1.01 * terms[0].until), one.frequency);
+  // The fourth derivative, per radian of a step of 0.5 s, is 10^4 times as large: it is seen for longer.
+  EXPECT_NEAR(arc.fading_rates(floor, 0.5, 4).front().until, std::log(1e4 * share / floor) / 0.1, 1e-3);
+  // Already faded: it bounds no step at all.
+  EXPECT_EQ(arc.fading_rates(1e-2).size(), 1U);
+}
+
+TEST(LinearArc, UndampedModesNeverFade) {
+  const ContactDynamics dynamics(test::to_problem({.damping = 0.0, .stiffness = 400.0, .frequency = 1.5}));
+  LinearFlows flows(dynamics);
+  LinearArc arc;
+  arc.start(flows.of({false}), 0.0, {.u = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)});
+  EXPECT_EQ(fastest_left(arc.fading_rates(1e-9), 1e9), 20.0);
 }
 
 // One period of both flows through impacts, sticking and springs.
