@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
+#include "methods/kernels/event_flow/impact.hpp"
 #include "methods/kernels/exact_quadrature.hpp"
 #include "methods/kernels/real_fft.hpp"
 
@@ -27,6 +29,22 @@ Eigen::MatrixXcd extended(const Eigen::MatrixXcd& lambda, int harmonics) {
   return longer;
 }
 
+// The contacts that the mean of the load alone closes, in rising order.
+std::vector<int> closed_under_mean_load(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                                        const ProjectedLaw& law) {
+  Eigen::MatrixXd compliance = receptance.receptance[0].real();
+  compliance.diagonal().array() += (1.0 - law.relief.array()) / law.constant.array();
+  const Eigen::VectorXd open = gap - receptance.free_response.row(0).real().transpose();
+  const std::vector<bool> none(static_cast<std::size_t>(gap.size()), false);
+  std::vector<int> closed;
+  if (const auto pressure = solve_small_lcp(compliance, open, none)) {
+    for (int c = 0; c < gap.size(); ++c) {
+      if ((*pressure)[c] > 0.0) closed.push_back(c);
+    }
+  }
+  return closed;
+}
+
 }  // namespace
 
 ContactReceptance truncated(const ContactReceptance& receptance, int harmonics) {
@@ -42,23 +60,33 @@ ProjectedLaw softened(const ProjectedLaw& law, double softness) {
 
 ExactProjection permanent_contact(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                   const ProjectedLaw& law, double tolerance) {
-  // y = -lambda throughout: c (x_f - g) + (c C + 1 - relief) lambda = 0.
+  const std::vector<int> closed = closed_under_mean_load(receptance, gap, law);
+  if (closed.empty()) return {};
+  // Where closed y = -lambda throughout: c (x_f - g) + (c C + 1 - relief) lambda = 0.
   const int harmonics = receptance.harmonics();
-  Eigen::MatrixXcd lambda(harmonics + 1, receptance.contacts());
+  Eigen::MatrixXcd lambda = Eigen::MatrixXcd::Zero(harmonics + 1, receptance.contacts());
+  Eigen::MatrixXcd penetration = lambda;  // x - g
   for (int n = 0; n <= harmonics; ++n) {
-    Eigen::MatrixXcd block = law.constant.asDiagonal() * receptance.receptance[static_cast<std::size_t>(n)];
+    const Eigen::MatrixXcd& C = receptance.receptance[static_cast<std::size_t>(n)];
+    Eigen::VectorXcd free = receptance.free_response.row(n).transpose();
+    if (n == 0) free -= gap;
+    Eigen::MatrixXcd block = law.constant.asDiagonal() * C;
     block.diagonal() += (1.0 - law.relief.array()).matrix();
-    Eigen::VectorXcd load = receptance.free_response.row(n).transpose();
-    if (n == 0) load -= gap;
-    lambda.row(n) = -block.partialPivLu().solve(law.constant.asDiagonal() * load).transpose();
+    const Eigen::MatrixXcd held = block(closed, closed);
+    const Eigen::VectorXcd load = law.constant.cwiseProduct(free)(closed);
+    Eigen::VectorXcd force = Eigen::VectorXcd::Zero(receptance.contacts());
+    force(closed) = -held.partialPivLu().solve(load);
+    lambda.row(n) = force.transpose();
+    penetration.row(n) = (free + C * force).transpose();
   }
   if (!lambda.allFinite()) return {};
   const int samples = kSamplesPerHarmonic * std::max(1, harmonics);
   RealFft fft(samples);
-  Eigen::VectorXd force(samples);
-  for (Eigen::Index c = 0; c < lambda.cols(); ++c) {
-    fft.inverse(lambda.col(c), force);
-    if (force.maxCoeff() >= 0.0) return {};
+  Eigen::VectorXd signal(samples);
+  for (int c = 0; c < receptance.contacts(); ++c) {
+    const bool presses = std::binary_search(closed.begin(), closed.end(), c);
+    fft.inverse(presses ? lambda.col(c) : penetration.col(c), signal);
+    if (signal.maxCoeff() >= 0.0) return {};
   }
   return project_exactly(receptance, gap, law, lambda, samples, tolerance);
 }

@@ -21,8 +21,9 @@ ContactReceptance truncated(const ContactReceptance& receptance, int harmonics);
 /// lambda. After projection the contact is s^{-1/2} times as long, and fewer samples resolve it.
 ProjectedLaw softened(const ProjectedLaw& law, double softness);
 
-/// The solution whose contacts all press at all times, by one small solve per harmonic; `converged` if it
-/// presses throughout.
+/// The solution in which each contact presses at all times or never: which ones press, the mean of the load
+/// says (one small complementarity problem); their forces come from one small solve per harmonic. `converged`
+/// if they press throughout and the others stay open.
 ExactProjection permanent_contact(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                   const ProjectedLaw& law, double tolerance);
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "methods/kernels/reduced_receptance.hpp"
+#include "problems/definiteness.hpp"
 
 namespace signorini {
 
@@ -25,7 +26,9 @@ HarmonicWeights exact_weights(double w) { return {{-w * w, 0.0}, {0.0, w}, {1.0,
 struct DynamicStiffness::Factors {
   using SparseComplex = Eigen::SparseMatrix<std::complex<double>>;
 
-  Factors(const Problem& problem, bool as_dense) : dense(as_dense) {
+  // A sparse factorisation goes on over pivots of rounding size: whether K is singular is asked beforehand.
+  Factors(const Problem& problem, bool as_dense)
+      : dense(as_dense), held(as_dense || is_definite(problem.stiffness)) {
     if (dense) {
       dense_mass = problem.mass;
       dense_damping = problem.damping;
@@ -44,6 +47,7 @@ struct DynamicStiffness::Factors {
   }
 
   void factorise(const HarmonicWeights& weights) {
+    if (weights.mass == 0.0 && weights.damping == 0.0 && !held) throw SingularStiffness();
     if (dense) {
       matrix =
           weights.mass * dense_mass + weights.damping * dense_damping + weights.stiffness * dense_stiffness;
@@ -68,6 +72,7 @@ struct DynamicStiffness::Factors {
   }
 
   bool dense;
+  bool held;
   bool analysed = false;
   Eigen::MatrixXd dense_mass, dense_damping, dense_stiffness;
   Eigen::MatrixXcd matrix;
