@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "methods/kernels/event_flow/complex_modes.hpp"
-#include "methods/kernels/event_flow/energy_form.hpp"
 #include "methods/kernels/matrix_exponential.hpp"
 
 namespace signorini {
@@ -51,75 +50,69 @@ LinearFlow::LinearFlow(const ContactDynamics& dynamics, ContactMode mode, FlowFo
     offset_ =
         W.transpose().completeOrthogonalDecomposition().solve(Eigen::VectorXd(dynamics.gaps()(mode_.active)));
   }
-  M_ = basis_.transpose() * dynamics.mass() * basis_;
-  D_ = basis_.transpose() * dynamics.damping() * basis_;
-  K_ = basis_.transpose() * stiffness * basis_;
+  const ExtendedMatrix Q = basis_.cast<long double>();
+  const auto reduced = [&](const Eigen::MatrixXd& A) {
+    return ExtendedMatrix(Q.transpose() * (A.cast<long double>() * Q));
+  };
+  const EnergyForm energy(reduced(dynamics.mass()), reduced(dynamics.damping()), reduced(stiffness),
+                          dynamics.frequency());
   fastest_rate_ = rates_.back();
-  modal_ = form == FlowForm::automatic && find_modes() && find_forced_response();
-  if (!modal_) prepare_exponential();
+  modal_ = form == FlowForm::automatic && find_modes(energy);
+  if (!modal_) prepare_exponential(energy);
   prepare_outputs();
 }
 
-bool LinearFlow::find_modes() {
+// Q^T (f_h - K u_g).
+Eigen::VectorXcd LinearFlow::reduced_load(Eigen::Index h) const {
+  Eigen::VectorXcd load = load_.col(h);
+  if (h == 0) load -= (dynamics_->stiffness() * offset_).cast<Complex>();
+  return basis_.transpose() * load;
+}
+
+// False where they are ill-conditioned, or the load resonates with one of them.
+bool LinearFlow::find_modes(const EnergyForm& energy) {
   const Eigen::Index n = basis_.cols();
-  ComplexModes modes{.mu = Eigen::VectorXcd(0),
-                     .shapes = Eigen::MatrixXcd(n, 0),
-                     .left = Eigen::MatrixXcd(0, 2 * n),
-                     .weight = Eigen::VectorXd(0)};
+  const auto harmonics = static_cast<Eigen::Index>(rates_.size());
+  shapes_ = Eigen::MatrixXcd(size(), 0);
+  left_ = Eigen::MatrixXcd(0, 2 * size());
+  forced_ = Eigen::MatrixXcd::Zero(size(), harmonics);
   if (n > 0) {  // else nothing moves
-    std::optional<ComplexModes> found = complex_modes(M_, D_, K_, dynamics_->frequency());
-    if (!found) return false;
-    modes = std::move(*found);
-  }
-  mu_ = std::move(modes.mu);
-  weight_ = std::move(modes.weight);
-  shapes_ = basis_ * modes.shapes;
-  left_.resize(mu_.size(), 2 * size());
-  left_ << modes.left.leftCols(n) * basis_.transpose(), modes.left.rightCols(n) * basis_.transpose();
-  if (mu_.size() > 0) fastest_rate_ = std::max(fastest_rate_, mu_.cwiseAbs().maxCoeff());
-  return true;
-}
-
-// P_h of each harmonic; false at a resonance.
-bool LinearFlow::find_forced_response() {
-  forced_ = Eigen::MatrixXcd::Zero(size(), static_cast<Eigen::Index>(rates_.size()));
-  for (std::size_t h = 0; h < rates_.size(); ++h) {
-    const auto col = static_cast<Eigen::Index>(h);
-    const Complex rate(0.0, rates_[h]);
-    Eigen::VectorXcd load = load_.col(col);
-    if (h == 0) load -= (dynamics_->stiffness() * offset_).cast<Complex>();
-    const Eigen::VectorXcd right = basis_.transpose() * load;
-    if (!right.isZero(0.0)) {
-      if ((mu_.array() - rate).abs().minCoeff() < kResonance * std::max(rates_[h], dynamics_->frequency()))
+    const std::optional<ComplexModes> modes = complex_modes(energy);
+    if (!modes) return false;
+    mu_ = modes->mu;
+    weight_ = modes->weight;
+    shapes_ = basis_ * modes->shapes;
+    left_.resize(mu_.size(), 2 * size());
+    left_ << modes->left.leftCols(n) * basis_.transpose(), modes->left.rightCols(n) * basis_.transpose();
+    fastest_rate_ = std::max(fastest_rate_, mu_.cwiseAbs().maxCoeff());
+    for (Eigen::Index h = 0; h < harmonics; ++h) {
+      const Eigen::VectorXcd load = reduced_load(h);
+      if (load.isZero(0.0)) continue;
+      const double rate = rates_[static_cast<std::size_t>(h)];
+      if ((mu_.array() - Complex(0.0, rate)).abs().minCoeff() <
+          kResonance * std::max(rate, dynamics_->frequency()))
         return false;
-      const Eigen::MatrixXcd Z = K_.cast<Complex>() + rate * D_ - rates_[h] * rates_[h] * M_.cast<Complex>();
-      forced_.col(col) = basis_ * Z.partialPivLu().solve(right);
+      forced_.col(h) = basis_ * modes->forced(load, rate);
     }
-    if (h == 0) forced_.col(0) += offset_.cast<Complex>();
   }
+  forced_.col(0) += offset_.cast<Complex>();
   return true;
 }
 
-void LinearFlow::prepare_exponential() {
+void LinearFlow::prepare_exponential(const EnergyForm& energy) {
   const Eigen::Index n = basis_.cols();
   const auto harmonics = static_cast<Eigen::Index>(rates_.size());
   generator_ = Eigen::MatrixXd::Zero(2 * n + 2 * harmonics, 2 * n + 2 * harmonics);
-  u_of_e_ = v_of_z_ = Eigen::MatrixXd::Zero(size(), n);
-  e_of_u_ = z_of_v_ = Eigen::MatrixXd::Zero(n, size());
-  if (n > 0) {
-    const EnergyForm<double> form(M_, D_, K_, dynamics_->frequency());
-    generator_.topLeftCorner(2 * n, 2 * n) = form.B;
-    v_of_z_ = basis_ * form.q_of_z;
-    u_of_e_ = v_of_z_ * form.z_of_e;
-    z_of_v_ = form.L.transpose() * basis_.transpose();
-    e_of_u_ = form.E.transpose() * z_of_v_;
-  }
+  generator_.topLeftCorner(2 * n, 2 * n) = energy.B.cast<double>();
+  v_of_z_ = basis_ * energy.q_of_z.cast<double>();
+  u_of_e_ = basis_ * ExtendedMatrix(energy.q_of_z * energy.z_of_e).cast<double>();
+  z_of_v_ = energy.L.transpose().cast<double>() * basis_.transpose();
+  e_of_u_ = ExtendedMatrix(energy.E.transpose() * energy.L.transpose()).cast<double>() * basis_.transpose();
   for (Eigen::Index h = 0; h < harmonics; ++h) {
-    Eigen::VectorXcd load = load_.col(h);
-    if (h == 0) load -= (dynamics_->stiffness() * offset_).cast<Complex>();
     const Eigen::Index c = 2 * n + 2 * h;
-    generator_.block(n, c, n, 1) = v_of_z_.transpose() * load.real();
-    generator_.block(n, c + 1, n, 1) = -v_of_z_.transpose() * load.imag();
+    const Eigen::VectorXcd load = energy.q_of_z.transpose().cast<double>() * reduced_load(h);
+    generator_.block(n, c, n, 1) = load.real();
+    generator_.block(n, c + 1, n, 1) = -load.imag();
     generator_(c, c + 1) = -rates_[static_cast<std::size_t>(h)];
     generator_(c + 1, c) = rates_[static_cast<std::size_t>(h)];
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "methods/kernels/event_flow/contact_dynamics.hpp"
+#include "methods/kernels/event_flow/energy_form.hpp"
 
 namespace signorini {
 
@@ -52,10 +53,10 @@ class LinearFlow {
 
  private:
   friend class LinearArc;
-  bool find_modes();
-  bool find_forced_response();
-  void prepare_exponential();
+  bool find_modes(const EnergyForm& energy);
+  void prepare_exponential(const EnergyForm& energy);
   void prepare_outputs();
+  [[nodiscard]] Eigen::VectorXcd reduced_load(Eigen::Index h) const;
   [[nodiscard]] Eigen::MatrixXd multiplier_rows() const;
   [[nodiscard]] Eigen::MatrixXd displacement_rows() const;
   [[nodiscard]] Eigen::MatrixXcd outputs_of_load() const;
@@ -67,7 +68,6 @@ class LinearFlow {
   double fastest_rate_ = 0.0;
   Eigen::MatrixXd basis_;      // Q, Nd x Nr
   Eigen::VectorXd offset_;     // u_g, Nd
-  Eigen::MatrixXd M_, D_, K_;  // reduced, Nr x Nr
   std::vector<double> rates_;  // h omega of the load, the constant first
   Eigen::MatrixXcd load_;      // Nd x Nh, spring forces of closed penalty stops included
 
