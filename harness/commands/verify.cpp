@@ -52,11 +52,12 @@ bool searched_by_name_only(const SceneHeader& header) {
   return header.carries(kLarge) || header.carries(kLongSearch);
 }
 
-/// Scenes of the catalogue that the filter takes, and those that have a file in the folder.
+/// Scenes of the catalogue and those that have a file in the folder, if the filter takes them.
 std::vector<std::string> scenes_to_verify(const VerifyArguments& arguments, const fs::path& folder) {
-  std::vector<std::string> names;
+  std::vector<std::string> names, left_out;
   for (const fs::path& file : catalogue_scenes()) {
-    if (arguments.scenes || !searched_by_name_only(load_header(file))) names.push_back(file.stem().string());
+    const bool asked = arguments.scenes || !searched_by_name_only(load_header(file));
+    (asked ? names : left_out).push_back(file.stem().string());
   }
   if (!arguments.update) {
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -66,7 +67,10 @@ std::vector<std::string> scenes_to_verify(const VerifyArguments& arguments, cons
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   const std::string filter = arguments.scenes.value_or("*");
-  std::erase_if(names, [&](const std::string& name) { return !filter_matches(filter, name); });
+  std::erase_if(names, [&](const std::string& name) {
+    return !filter_matches(filter, name) ||
+           std::find(left_out.begin(), left_out.end(), name) != left_out.end();
+  });
   if (names.empty()) {
     throw NothingMatched(fmt::format("scenes = {} (matches no scene; see `signorini list scenes`)", filter));
   }
@@ -226,8 +230,7 @@ void add_verify_command(CLI::App& app, int& exit_code) {
                       "folder of references or of a run; results/references here or above if absent");
   command->add_option(
       "--scenes", arguments->scenes,
-      "scenes by glob, A*:B*-C*; if absent all but those of the catalogue tagged large or long-search that "
-      "have no file");
+      "scenes by glob, A*:B*-C*; if absent all but those of the catalogue tagged large or long-search");
   command->add_option("--cases", arguments->cases, "cases of a run by glob on SCENE/METHOD[OPTIONS]")
       ->capture_default_str();
   command->add_flag(

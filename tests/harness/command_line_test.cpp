@@ -293,6 +293,7 @@ TEST(Verify, AsksForScenesThatTakeLongOnlyByName) {
   }
   ASSERT_EQ(::setenv("SIGNORINI_PROBLEMS", problems.c_str(), 1), 0);
   const auto references = test::fresh_folder("verify-large-references");
+  std::ofstream(references / "hard.json") << "{}";  // kept orbits do not make the search any shorter
   const Outcome all = run("verify " + references.string());
   const Outcome named = run("verify --scenes huge " + references.string());
   ASSERT_EQ(::unsetenv("SIGNORINI_PROBLEMS"), 0);
