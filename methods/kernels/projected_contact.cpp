@@ -6,7 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "methods/kernels/contact_symbol.hpp"
 #include "methods/kernels/exact_quadrature.hpp"
+#include "methods/kernels/free_overlap.hpp"
 #include "methods/kernels/periodic_response.hpp"
 #include "methods/kernels/real_fft.hpp"
 
@@ -28,22 +30,15 @@ constexpr double kEnergyIdentity = 1e-3;
 
 Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
                   int samples) {
-  const int contacts = receptance.contacts();
-  const Eigen::VectorXd root = law.constant.cwiseSqrt();
+  const ContactSymbol rate(receptance, law);
   std::vector<Eigen::MatrixXcd> symbol;
   symbol.reserve(receptance.receptance.size());
-  for (const Eigen::MatrixXcd& c : receptance.receptance) {
-    symbol.emplace_back(root.asDiagonal() * c * root.asDiagonal());
-    symbol.back().diagonal() += (1.0 - law.relief.array()).matrix();
+  for (int n = 0; n <= rate.harmonics(); ++n) {
+    symbol.push_back(rate.block(n));
+    symbol.back().diagonal().array() += 1.0;
   }
-  Eigen::VectorXd offset(samples * contacts);
-  RealFft fft(samples);
-  for (int c = 0; c < contacts; ++c) {
-    auto part = offset.segment(c * samples, samples);
-    fft.inverse(receptance.free_response.col(c), part);
-    part = root[c] * (gap[c] - part.array());
-  }
-  return {BlockCirculant(samples, symbol, 1.0), std::move(offset)};
+  return {BlockCirculant(samples, symbol, 1.0),
+          -free_overlap(receptance.free_response, gap, rate.root(), samples)};
 }
 
 Eigen::MatrixXcd force_coefficients(const ProjectedLaw& law, const Eigen::VectorXd& z_scaled, int samples,

@@ -22,8 +22,8 @@ struct ProjectedOptions {
   SolverSettings solver = {};
 };
 
-/// w = q + A z with A = sqrt(c) C_n sqrt(c) + (1 - relief) for |n| <= H, 1 above, q = sqrt(c) (g - x_f):
-/// rows and columns scaled by sqrt(c) per contact, z_scaled = z / sqrt(c).
+/// w = q + A z with A = 1 + B_n (contact_symbol.hpp) for |n| <= H, 1 above, q = sqrt(c) (g - x_f): rows and
+/// columns scaled by sqrt(c) per contact, z_scaled = z / sqrt(c).
 Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
                   int samples);
 
