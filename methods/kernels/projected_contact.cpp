@@ -126,9 +126,9 @@ Solution exact_solution(const ContactReceptance& receptance, const Eigen::Vector
 std::optional<Solution> solve_by_climbing(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                           const LawAt& law_at, double tolerance, const Start& start,
                                           Work& work, const FootSolver& solve_foot) {
-  if (ExactProjection closed = permanent_contact(receptance, gap, law_at(receptance), tolerance);
-      closed.converged)
-    return exact_solution(receptance, gap, law_at(receptance), std::move(closed.lambda), closed.residual,
+  const ProjectedLaw law = law_at(receptance);
+  if (ExactProjection closed = permanent_contact(receptance, gap, law, tolerance); closed.converged)
+    return exact_solution(receptance, gap, law, std::move(closed.lambda), closed.residual,
                           "permanent contact");
   const ClimbFoot foot = climb_foot(receptance);
   if (foot.harmonics == 0) return std::nullopt;
@@ -140,7 +140,7 @@ std::optional<Solution> solve_by_climbing(const ContactReceptance& receptance, c
       climb_harmonics(receptance, gap, law_at, foot, base.trajectory->force_coefficients(), tolerance, start);
   work.iterations = *work.iterations + climb.iterations;
   if (!climb.converged) return std::nullopt;
-  return exact_solution(receptance, gap, law_at(receptance), std::move(climb.lambda), climb.residual,
+  return exact_solution(receptance, gap, law, std::move(climb.lambda), climb.residual,
                         fmt::format("{} harmonics first, Newton from there", foot.harmonics));
 }
 
