@@ -113,8 +113,8 @@ class ExactResidual {
     Eigen::MatrixXcd pressed(harmonics_ + 1, y.cols());
     indicators_.clear();
     for (Eigen::Index c = 0; c < y.cols(); ++c) {
-      indicators_.push_back(indicator_spectrum(positive_intervals(y.col(c), samples_), 2 * harmonics_));
-      pressed.col(c) = restrict_to(indicators_.back(), y.col(c));
+      indicators_.emplace_back(positive_intervals(y.col(c), samples_), harmonics_);
+      pressed.col(c) = indicators_.back().restrict(y.col(c));
     }
     return lambda + pack_harmonics(pressed);
   }
@@ -123,8 +123,7 @@ class ExactResidual {
   [[nodiscard]] Eigen::VectorXd solve_jacobian(const Eigen::VectorXd& r) const {
     if (r.size() <= kDense) return jacobian().partialPivLu().solve(r);
     Eigen::VectorXd duty(root().size());
-    for (Eigen::Index c = 0; c < duty.size(); ++c)
-      duty[c] = indicators_[static_cast<std::size_t>(c)][0].real();
+    for (Eigen::Index c = 0; c < duty.size(); ++c) duty[c] = indicators_[static_cast<std::size_t>(c)].duty();
     const LastingContactInverse lasting(symbol_, duty);
     return solve_by_gmres([this](const Eigen::VectorXd& v) { return product(v); },
                           [&lasting](const Eigen::VectorXd& v) { return lasting * v; }, r, kLinearTolerance);
@@ -150,7 +149,7 @@ class ExactResidual {
   [[nodiscard]] Eigen::VectorXd product(const Eigen::VectorXd& v) const {
     Eigen::MatrixXcd signal = symbol_.rate(v);
     for (Eigen::Index c = 0; c < signal.cols(); ++c) {
-      signal.col(c) = restrict_to(indicators_[static_cast<std::size_t>(c)], signal.col(c));
+      signal.col(c) = indicators_[static_cast<std::size_t>(c)].restrict(signal.col(c));
     }
     return v + pack_harmonics(signal);
   }
@@ -159,7 +158,7 @@ class ExactResidual {
   /// of harmonic_vector.hpp: a cosine of harmonic m drives s_m = B_m / sqrt 2, and (chi s)_n =
   /// chi_{n-m} s_m + chi_{n+m} conj(s_m) is packed with a factor sqrt 2.
   void fill_block(Eigen::Index row, Eigen::Index column, Eigen::Ref<Eigen::MatrixXd> block) const {
-    const Eigen::VectorXcd& chi = indicators_[static_cast<std::size_t>(row)];
+    const Eigen::VectorXcd& chi = indicators_[static_cast<std::size_t>(row)].spectrum();
     for (Eigen::Index m = 0; m <= harmonics_; ++m) {
       const Complex b = symbol_.block(m)(row, column);
       for (int part = 0; part < (m == 0 ? 1 : 2); ++part) {
@@ -185,7 +184,7 @@ class ExactResidual {
   ContactSymbol symbol_;
   Eigen::MatrixXcd free_;  // of sqrt(c) (x_f - g)
   double scale_ = 0.0;
-  std::vector<Eigen::VectorXcd> indicators_;
+  std::vector<ContactIndicator> indicators_;
 };
 
 }  // namespace
@@ -234,18 +233,20 @@ Eigen::VectorXcd indicator_spectrum(const std::vector<ContactInterval>& interval
   return spectrum;
 }
 
-Eigen::VectorXcd restrict_to(const Eigen::VectorXcd& indicator, const Eigen::VectorXcd& s) {
-  const auto harmonics = static_cast<int>(s.size()) - 1;
-  // chi s reaches harmonic 3 H: on more than 4 H samples none of it folds onto |n| <= H.
-  RealFft fft(4 * harmonics + 2);
-  Eigen::VectorXd chi(fft.samples());
+ContactIndicator::ContactIndicator(const std::vector<ContactInterval>& intervals, int harmonics)
+    // chi s reaches harmonic 3 H: on more than 4 H samples none of it folds onto |n| <= H.
+    : spectrum_(indicator_spectrum(intervals, 2 * harmonics)), values_(4 * harmonics + 2) {
+  RealFft(static_cast<int>(values_.size())).inverse(spectrum_, values_);
+}
+
+Eigen::VectorXcd ContactIndicator::restrict(const Eigen::VectorXcd& s) const {
+  RealFft fft(static_cast<int>(values_.size()));
   Eigen::VectorXd values(fft.samples());
-  fft.inverse(indicator.head(2 * harmonics + 1), chi);
   fft.inverse(s, values);
-  values.array() *= chi.array();
+  values.array() *= values_.array();
   Eigen::VectorXcd spectrum(fft.coefficients());
   fft.forward(values, spectrum);
-  return spectrum.head(harmonics + 1);
+  return spectrum.head(s.size());
 }
 
 ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen::VectorXd& gap,

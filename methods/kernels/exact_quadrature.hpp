@@ -24,9 +24,23 @@ std::vector<ContactInterval> positive_intervals(const Eigen::VectorXcd& y, int s
 /// Fourier coefficients n = 0..count of the intervals' indicator function.
 Eigen::VectorXcd indicator_spectrum(const std::vector<ContactInterval>& intervals, int count);
 
-/// Coefficients n = 0..H of P[chi s] for the polynomial s, chi given by its spectrum up to 2 H: the exact
-/// integral of s over the intervals, (chi s)_n = sum_{|m| <= H} chi_{n-m} s_m, in O(H log H).
-Eigen::VectorXcd restrict_to(const Eigen::VectorXcd& indicator, const Eigen::VectorXcd& s);
+/// The indicator function chi of intervals of contact, as polynomials of degree H meet it.
+class ContactIndicator {
+ public:
+  ContactIndicator(const std::vector<ContactInterval>& intervals, int harmonics);
+
+  /// chi_n, n = 0..2 H.
+  [[nodiscard]] const Eigen::VectorXcd& spectrum() const { return spectrum_; }
+  /// Share of the period that the intervals cover [-].
+  [[nodiscard]] double duty() const { return spectrum_[0].real(); }
+  /// Coefficients n = 0..H of P[chi s] for a polynomial s, n = 0..H: the exact integral of s over the
+  /// intervals, (chi s)_n = sum_{|m| <= H} chi_{n-m} s_m, in O(H log H).
+  [[nodiscard]] Eigen::VectorXcd restrict(const Eigen::VectorXcd& s) const;
+
+ private:
+  Eigen::VectorXcd spectrum_;
+  Eigen::VectorXd values_;  // of the spectrum, on a grid that tells products of degree 3 H from their mirrors
+};
 
 struct ExactProjection {
   bool converged = false;
