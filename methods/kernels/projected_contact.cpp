@@ -22,7 +22,8 @@ namespace {
 constexpr int kSampled = 32;
 constexpr int kCoarse = 8;
 constexpr int kFinest = 128;
-constexpr int kFewest = 8;  // harmonics for which the coarsest grid is made
+constexpr int kBracketed = 16;  // tells contacts apart that a climb would
+constexpr int kFewest = 8;      // harmonics for which the coarsest grid is made
 // A sampled answer is good enough when the contact's net work is this small a part of the work exchanged.
 constexpr double kEnergyIdentity = 1e-3;
 
@@ -94,13 +95,8 @@ bool SampleLadder::climb(bool converged, bool exact, double net_work) {
 
 FourierTrajectory::Data fourier_data(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                      const ProjectedLaw& law, Eigen::MatrixXcd lambda) {
-  FourierTrajectory::Data data{
-      receptance.period, receptance.free_response, std::move(lambda), gap, law.constant, law.relief};
-  for (int n = 0; n <= receptance.harmonics(); ++n) {
-    const auto& block = receptance.receptance[static_cast<std::size_t>(n)];
-    data.x.row(n) += (block * data.lambda.row(n).transpose()).transpose();
-  }
-  return data;
+  Eigen::MatrixXcd x = contact_motion(receptance, lambda);
+  return {receptance.period, std::move(x), std::move(lambda), gap, law.constant, law.relief};
 }
 
 std::optional<int> refine_quadrature(const ContactReceptance& receptance, const ProjectedLaw& law,
@@ -144,6 +140,61 @@ std::optional<Solution> solve_by_climbing(const ContactReceptance& receptance, c
                         fmt::format("{} harmonics first, Newton from there", foot.harmonics));
 }
 
+namespace {
+
+/// The answer behind compensated impacts, found as `how` says.
+Solution compensated_solution(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                              const ProjectedLaw& law, ImpactCompensation::Result result,
+                              const std::string& how) {
+  FourierTrajectory::Data data = fourier_data(receptance, gap, law, std::move(result.lambda));
+  data.shifts = std::move(result.shifts);
+  return {.verdict = Verdict::converged,
+          .message =
+              fmt::format("{}; {} impact{} compensated, stops moved by up to {:.1e}, net contact work {:.1e}",
+                          how, result.impacts, result.impacts == 1 ? "" : "s", result.largest,
+                          net_work_ratio(data.x, data.lambda)),
+          .trajectory = std::make_shared<FourierTrajectory>(std::move(data)),
+          .residual = result.residual};
+}
+
+int bracketing_samples(const ContactReceptance& receptance) {
+  return kBracketed * std::max(receptance.harmonics(), kFewest);
+}
+
+}  // namespace
+
+void compensate_impacts(const ImpactCompensation& compensation, const ContactReceptance& receptance,
+                        double tolerance, long limit, const Start& start, Solution& solution, Work& work) {
+  if (solution.verdict != Verdict::converged) return;
+  const auto& data = dynamic_cast<const FourierTrajectory&>(*solution.trajectory).data();
+  const ProjectedLaw law{data.stiffness, data.relief};
+  ImpactCompensation::Result result = compensation(receptance, data.gap, law, data.lambda, {},
+                                                   bracketing_samples(receptance), tolerance, start);
+  if (result.converged && result.impacts == 0) return;
+  const long spent = work.pivots.value_or(0) + work.iterations.value_or(0) + result.iterations;
+  if (!result.converged || (limit > 0 && spent > limit)) {
+    solution.message += "; impacts not compensated";
+    return;
+  }
+  work.iterations = work.iterations.value_or(0) + result.iterations;
+  solution = compensated_solution(receptance, data.gap, law, std::move(result), solution.message);
+}
+
+std::optional<Solution> compensated_from_guess(const ImpactCompensation& compensation,
+                                               const ContactReceptance& receptance,
+                                               const Eigen::VectorXd& gap, const ProjectedLaw& law,
+                                               double tolerance, const Start& start, Work& work) {
+  const auto* guess = dynamic_cast<const FourierTrajectory*>(start.guess.get());
+  if (guess == nullptr || guess->data().shifts.size() != static_cast<std::size_t>(receptance.contacts()))
+    return std::nullopt;
+  ImpactCompensation::Result result =
+      compensation(receptance, gap, law, force_spectrum(*guess, receptance.harmonics()), guess->data().shifts,
+                   bracketing_samples(receptance), tolerance, start);
+  work.iterations = work.iterations.value_or(0) + result.iterations;
+  if (!result.converged || result.impacts == 0) return std::nullopt;
+  return compensated_solution(receptance, gap, law, std::move(result), "Newton from the guess");
+}
+
 Solution contact_free_response(const ContactReceptance& receptance) {
   FourierTrajectory::Data data;
   data.period = receptance.period;
@@ -167,27 +218,43 @@ std::optional<Solution> ProjectedContact::solve_without_grid(const Start& start,
     const ExactProjection near =
         project_exactly(receptance_, gap_, law_, force_spectrum(*start.guess, harmonics),
                         kCoarse * std::max(harmonics, kFewest), tolerance);
-    work.iterations = near.iterations;
+    work.iterations = work.iterations.value_or(0) + near.iterations;
     if (near.converged)
       return exact_solution(receptance_, gap_, law_, near.lambda, near.residual, "Newton from the guess");
     return std::nullopt;
   }
   return solve_by_climbing(receptance_, gap_, law_at_, tolerance, start, work,
                            [this, &start](const ContactReceptance& few, double softness) {
-                             return ProjectedContact(gap_, few, law_at_, options_, softness).solve(start);
+                             ProjectedOptions options = options_;
+                             options.compensation = nullptr;
+                             return ProjectedContact(gap_, few, law_at_, options, softness).solve(start);
                            });
 }
 
 Solution ProjectedContact::solve(const Start& start) {
   if (receptance_.contacts() == 0) return contact_free_response(receptance_);
+  Work work{.unknowns = (2L * receptance_.harmonics() + 1) * receptance_.contacts()};
+  if (options_.compensation && options_.solver.max_iterations == 0) {
+    auto near = compensated_from_guess(*options_.compensation, receptance_, gap_, law_,
+                                       options_.solver.tolerance, start, work);
+    if (near) {
+      near->work = work;
+      return *std::move(near);
+    }
+  }
+  std::optional<Solution> solution = solve_without_grid(start, work);
+  if (!solution) solution = solve_on_grids(start, work);
+  if (options_.compensation)
+    compensate_impacts(*options_.compensation, receptance_, options_.solver.tolerance,
+                       options_.solver.max_iterations, start, *solution, work);
+  solution->work = work;
+  return *std::move(solution);
+}
+
+Solution ProjectedContact::solve_on_grids(const Start& start, Work& work) const {
   SolverSettings settings = options_.solver;
   settings.deadline = start.deadline;
   const bool newton = settings.solver == ComplementaritySolver::newton;
-  Work work{.unknowns = (2L * receptance_.harmonics() + 1) * receptance_.contacts()};
-  if (std::optional<Solution> direct = solve_without_grid(start, work)) {
-    direct->work = work;
-    return *std::move(direct);
-  }
   Solution solution;
   SampleLadder ladder(receptance_.harmonics(), options_.samples, options_.quadrature);
   while (true) {
@@ -229,7 +296,6 @@ Solution ProjectedContact::solve(const Start& start) {
     if ((newton && !solved) || result.status == LcpStatus::interrupted || !in_limit) break;
     if (!ladder.climb(solved, exact, ratio)) break;
   }
-  solution.work = work;
   return solution;
 }
 
