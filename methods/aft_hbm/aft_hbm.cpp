@@ -26,18 +26,31 @@ constexpr int kColdSteps = 5;
 class PreparedAft final : public PreparedMethod {
  public:
   PreparedAft(Eigen::VectorXd gap, const AftHbm::Options& options, ContactReceptance receptance, LawAt law_at,
-              double softness = 1.0)
+              std::shared_ptr<const ImpactCompensation> compensation, double softness = 1.0)
       : options_(options),
         gap_(std::move(gap)),
         receptance_(std::move(receptance)),
         law_at_(std::move(law_at)),
-        law_(softened(law_at_(receptance_), softness)) {}
+        law_(softened(law_at_(receptance_), softness)),
+        quadrature_(quadrature_of(options_)),
+        compensation_(std::move(compensation)) {}
 
   Solution solve(const Start& start) override {
     if (receptance_.contacts() == 0) return contact_free_response(receptance_);
     Work work{.unknowns = (2L * options_.harmonics + 1) * receptance_.contacts(), .iterations = 0};
-    std::optional<Solution> solution = climb(start, work);
+    std::optional<Solution> solution;
+    if (compensation_ && options_.max_iterations == 0)
+      solution =
+          compensated_from_guess(*compensation_, receptance_, gap_, law_, options_.tolerance, start, work);
+    if (solution) {
+      solution->work = work;
+      return *std::move(solution);
+    }
+    solution = climb(start, work);
     if (!solution) solution = solve_on_grids(start, work);
+    if (compensation_)
+      compensate_impacts(*compensation_, receptance_, options_.tolerance, options_.max_iterations, start,
+                         *solution, work);
     solution->work = work;
     return *std::move(solution);
   }
@@ -45,15 +58,16 @@ class PreparedAft final : public PreparedMethod {
  private:
   /// Permanent contact, or many harmonics from few; null where that is not asked for or does not serve.
   std::optional<Solution> climb(const Start& start, Work& work) const {
-    const bool free = options_.homotopy && options_.max_iterations == 0 &&
-                      options_.quadrature == Quadrature::exact && !options_.samples;
+    const bool free = homotopy() && options_.max_iterations == 0 && quadrature_ == Quadrature::exact &&
+                      !samples_of(options_);
     if (!free || start.guess) return std::nullopt;
-    return solve_by_climbing(receptance_, gap_, law_at_, options_.tolerance, start, work,
-                             [this, &start](const ContactReceptance& few, double softness) {
-                               AftHbm::Options options = options_;
-                               options.harmonics = few.harmonics();
-                               return PreparedAft(gap_, options, few, law_at_, softness).solve(start);
-                             });
+    return solve_by_climbing(
+        receptance_, gap_, law_at_, options_.tolerance, start, work,
+        [this, &start](const ContactReceptance& few, double softness) {
+          AftHbm::Options options = options_;
+          options.harmonics = few.harmonics();
+          return PreparedAft(gap_, options, few, law_at_, nullptr, softness).solve(start);
+        });
   }
 
   /// On the grids of SampleLadder.
@@ -61,7 +75,7 @@ class PreparedAft final : public PreparedMethod {
     Solution solution;
     Eigen::MatrixXcd guess =
         start.guess ? force_spectrum(*start.guess, options_.harmonics) : Eigen::MatrixXcd{};
-    SampleLadder ladder(options_.harmonics, options_.samples, options_.quadrature);
+    SampleLadder ladder(options_.harmonics, samples_of(options_), quadrature_);
     while (true) {
       AftResidual residual(receptance_, gap_, law_, ladder.samples());
       const Outcome outcome = solve_on_grid(residual, guess, start, work);
@@ -71,7 +85,7 @@ class PreparedAft final : public PreparedMethod {
       if (converged) guess = data.lambda;
       std::string quadrature = fmt::format("N = {}", ladder.samples());
       bool exact = converged && data.lambda.norm() == 0.0;
-      if (converged && !exact && options_.quadrature == Quadrature::exact) {
+      if (converged && !exact && quadrature_ == Quadrature::exact) {
         const auto steps = refine_quadrature(receptance_, law_, ladder.samples(), options_.tolerance, data);
         exact = steps.has_value();
         work.iterations = *work.iterations + steps.value_or(0);
@@ -86,9 +100,10 @@ class PreparedAft final : public PreparedMethod {
           fmt::format("{}; {}, net contact work {:.1e} of that exchanged",
                       in_limit ? outcome.message : "max_iterations used up", quadrature, ratio);
       if (data.lambda.allFinite()) solution.trajectory = std::make_shared<FourierTrajectory>(std::move(data));
-      if (options_.samples || !in_limit || start.expired() || !ladder.climb(converged, exact, ratio)) break;
+      if (samples_of(options_) || !in_limit || start.expired() || !ladder.climb(converged, exact, ratio))
+        break;
       // Newton alone that has lost its way is not helped by more samples.
-      if (!converged && !options_.homotopy) break;
+      if (!converged && !homotopy()) break;
     }
     return solution;
   }
@@ -108,10 +123,10 @@ class PreparedAft final : public PreparedMethod {
     Outcome outcome;
     outcome.newton = solve_newton_krylov(
         residual, cold ? Eigen::VectorXd::Zero(residual.unknowns()) : residual.unknowns_of(guess),
-        options_.tolerance, allowed(cold && options_.homotopy ? kColdSteps : kNewtonSteps), start);
+        options_.tolerance, allowed(cold && homotopy() ? kColdSteps : kNewtonSteps), start);
     work.iterations = work.iterations.value_or(0) + outcome.newton.iterations;
     outcome.message = outcome.newton.converged ? "Newton-Krylov" : "Newton-Krylov found no descent";
-    if (outcome.newton.converged || !options_.homotopy || spent_all(work)) return outcome;
+    if (outcome.newton.converged || !homotopy() || spent_all(work)) return outcome;
     SolverSettings settings{.tolerance = options_.tolerance, .deadline = start.deadline};
     if (options_.max_iterations > 0)
       settings.max_iterations = options_.max_iterations - static_cast<int>(spent(work));
@@ -135,11 +150,15 @@ class PreparedAft final : public PreparedMethod {
     return options_.max_iterations > 0 && spent(work) >= options_.max_iterations;
   }
 
+  [[nodiscard]] bool homotopy() const { return options_.homotopy.value_or(!options_.plain); }
+
   AftHbm::Options options_;
   Eigen::VectorXd gap_;
   ContactReceptance receptance_;
   LawAt law_at_;
   ProjectedLaw law_;
+  Quadrature quadrature_;
+  std::shared_ptr<const ImpactCompensation> compensation_;
 };
 
 }  // namespace
@@ -168,8 +187,11 @@ std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
     return options.law == ContactLaw::penalty ? penalty_law(problem, options.penalty, receptance)
                                               : lipschitz_law(problem, options.c, receptance);
   };
-  return std::make_unique<PreparedAft>(contact_gaps(problem), options_,
-                                       fourier_receptance(problem, options_.harmonics), law);
+  ContactReceptance receptance = fourier_receptance(problem, options_.harmonics);
+  std::shared_ptr<const ImpactCompensation> compensation;
+  if (compensates(options_)) compensation = impact_compensation(problem, receptance);
+  return std::make_unique<PreparedAft>(contact_gaps(problem), options_, std::move(receptance), law,
+                                       std::move(compensation));
 }
 
 }  // namespace signorini

@@ -18,7 +18,11 @@ namespace signorini {
 ///
 /// Globalisation: Newton with GMRES, a harmonic-wise preconditioner and a line search; where that fails, the
 /// gap homotopy of the same equations on the same samples is followed by pivoting
-/// (complementarity_solver.hpp), and Newton finishes.
+/// (complementarity_solver.hpp), and Newton finishes. On a rigid stop that carries mass, impacts are
+/// compensated as in fourier-lipschitz.
+///
+/// `plain`: alternating frequency/time on 32 H samples and Newton from the contact-free response, without
+/// homotopy or compensation. It sets what is left at `auto`.
 class AftHbm final : public Method {
  public:
   enum class ContactLaw { dlft, penalty };
@@ -34,10 +38,12 @@ class AftHbm final : public Method {
     ContactLaw law = ContactLaw::dlft;
     std::optional<double> c = {};        ///< of dlft: > 0, times contact_stiffness_scale [-]
     std::optional<Scaled> penalty = {};  ///< of penalty: eps > 0 [N/m], or times contact_stiffness_scale
-    Quadrature quadrature = Quadrature::exact;
-    bool homotopy = true;      ///< false: Newton alone
-    double tolerance = 1e-10;  ///< on |R|_2 / max(|P max(0, y)|_2, |load on the constraint|_2) [-]
-    int max_iterations = 0;    ///< Newton steps plus pivots; 0: 100 and 6000 + 10 N Nc [-]
+    std::optional<Quadrature> quadrature = {};
+    std::optional<bool> compensate = {};
+    std::optional<bool> homotopy = {};  ///< false: Newton alone
+    double tolerance = 1e-10;           ///< on |R|_2 / max(|P max(0, y)|_2, |load on the constraint|_2) [-]
+    int max_iterations = 0;             ///< Newton steps plus pivots; 0: 100 and 6000 + 10 N Nc [-]
+    bool plain = false;
 
     void visit(auto&& field) {
       field("harmonics", harmonics, "[-]", "highest harmonic H kept, 1..100000");
@@ -49,10 +55,15 @@ class AftHbm final : public Method {
       field("penalty", penalty, "[N/m]",
             "penalty: stiffness of the stop, 1e6 or 100x; auto: the scene's, else 8x the dynamic one near H");
       field("quadrature", quadrature, "[-]",
-            "exact: contact integral between its edges | sampled: on the N samples");
-      field("homotopy", homotopy, "[-]", "follow the gap homotopy where Newton fails: true | false");
+            "exact: contact integral between its edges | sampled: on the N samples; auto: exact, sampled if "
+            "plain");
+      field("compensate", compensate, "[-]",
+            "impacts right with all harmonics, the integral being exact: true | false; auto: unless plain");
+      field("homotopy", homotopy, "[-]",
+            "follow the gap homotopy where Newton fails: true | false; auto: unless plain");
       field("tolerance", tolerance, "[-]", "relative residual accepted, in (0, 1e-2]");
       field("max_iterations", max_iterations, "[-]", "limit on Newton steps and pivots; 0: the solver's own");
+      field("plain", plain, "[-]", "true: as the literature does it; sets what is left at auto");
     }
   };
 

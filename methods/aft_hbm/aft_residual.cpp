@@ -4,19 +4,17 @@
 #include <cmath>
 #include <cstddef>
 
+#include "methods/kernels/free_overlap.hpp"
 #include "methods/kernels/harmonic_vector.hpp"
 
 namespace signorini {
 
 AftResidual::AftResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                          const ProjectedLaw& law, int samples)
-    : symbol_(receptance, law), samples_(samples), free_(samples * receptance.contacts()), fft_(samples) {
-  const Eigen::VectorXd& root = symbol_.root();
-  for (int c = 0; c < contacts(); ++c) {
-    auto part = free_.segment(c * samples_, samples_);
-    fft_.inverse(receptance.free_response.col(c), part);
-    part = root[c] * (part.array() - gap[c]);
-  }
+    : symbol_(receptance, law),
+      samples_(samples),
+      free_(free_overlap(receptance.free_response, gap, symbol_.root(), samples)),
+      fft_(samples) {
   load_scale_ = std::sqrt(free_.cwiseMax(0.0).squaredNorm() / samples_);
 }
 

@@ -1,5 +1,7 @@
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 
+#include <utility>
+
 #include "methods/kernels/projected_contact.hpp"
 
 namespace signorini {
@@ -16,13 +18,13 @@ Support FourierLipschitz::supports(const Problem& problem) const {
 RepresentedLaw FourierLipschitz::law(const Problem& problem) const { return projected_method_law(problem); }
 
 std::unique_ptr<PreparedMethod> FourierLipschitz::prepare(const Problem& problem) const {
-  const SolverSettings solver{options_.solver, options_.tolerance, options_.max_iterations};
   const auto law = [&problem, c = options_.c](const ContactReceptance& receptance) {
     return lipschitz_law(problem, c, receptance);
   };
-  return std::make_unique<ProjectedContact>(contact_gaps(problem),
-                                            fourier_receptance(problem, options_.harmonics), law,
-                                            ProjectedOptions{options_.samples, options_.quadrature, solver});
+  ContactReceptance receptance = fourier_receptance(problem, options_.harmonics);
+  ProjectedOptions options = projected_options(problem, receptance, options_);
+  return std::make_unique<ProjectedContact>(contact_gaps(problem), std::move(receptance), law,
+                                            std::move(options));
 }
 
 }  // namespace signorini

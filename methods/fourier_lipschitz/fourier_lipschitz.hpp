@@ -14,6 +14,13 @@ namespace signorini {
 /// 29-36, corrected; the same equations as DLFT [nacivet2003]). Represents restitution 1: the projected
 /// contact force does no net work (docs/theory.md). A stop that is a spring k_p is represented exactly,
 /// the condition then being imposed on x + lambda / k_p.
+///
+/// On a rigid stop that carries mass, impacts are compensated (impact_compensation.hpp): the law holds for
+/// the motion with all harmonics, which the equations above miss by 1/H.
+///
+/// `plain`: the equations alone, the contact integral on 32 H samples, solved by the source paper's
+/// semi-smooth Newton iteration from the contact-free response. It sets what is left at `auto`: with
+/// `plain=true,solver=pivoting` the literature's equations are solved from a cold start too.
 class FourierLipschitz final : public Method {
  public:
   static constexpr std::string_view kName = "fourier-lipschitz";
@@ -26,10 +33,12 @@ class FourierLipschitz final : public Method {
     int harmonics = 20;               ///< H >= 1 [-]
     std::optional<int> samples = {};  ///< N >= 2 H + 1 [-]
     std::optional<double> c = {};     ///< > 0, times contact_stiffness_scale [-]
-    Quadrature quadrature = Quadrature::exact;
+    std::optional<Quadrature> quadrature = {};
+    std::optional<bool> compensate = {};
     ComplementaritySolver solver = ComplementaritySolver::automatic;
     double tolerance = 1e-10;  ///< on LcpResult::residual [-]
     int max_iterations = 0;    ///< pivots or Newton steps; 0: the solver's own limit [-]
+    bool plain = false;
 
     void visit(auto&& field) {
       field("harmonics", harmonics, "[-]", "highest harmonic H kept, 1..100000");
@@ -37,10 +46,14 @@ class FourierLipschitz final : public Method {
             "N per period, >= 2 H + 1; auto: no grid beyond 20 harmonics, else 8 H or finer (sampled: 32 H)");
       field("c", c, "[-]", "constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H");
       field("quadrature", quadrature, "[-]",
-            "exact: contact integral between its edges | sampled: on the N samples");
-      field("solver", solver, "[-]", "auto (pivoting with restarts) | pivoting | newton");
+            "exact: contact integral between its edges | sampled: on the N samples; auto: exact, sampled if "
+            "plain");
+      field("compensate", compensate, "[-]",
+            "impacts right with all harmonics, the integral being exact: true | false; auto: unless plain");
+      field("solver", solver, "[-]", "auto (pivoting with restarts; newton if plain) | pivoting | newton");
       field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
       field("max_iterations", max_iterations, "[-]", "limit on pivots or Newton steps; 0: the solver's own");
+      field("plain", plain, "[-]", "true: as the literature does it; sets what is left at auto");
     }
   };
 

@@ -17,6 +17,10 @@ HatLcp::HatLcp(const Options& options) : options_(options) {
                  "must be 0 or more");
 }
 
+HatLcp::ImpactLaw HatLcp::impact_law() const {
+  return options_.restitution.value_or(options_.plain ? ImpactLaw::none : ImpactLaw::scene);
+}
+
 Support HatLcp::supports(const Problem& problem) const {
   const int needed = highest_load_harmonic(problem) * problem.subharmonic;
   if (2 * needed < options_.samples) return {};
@@ -31,19 +35,20 @@ RepresentedLaw HatLcp::law(const Problem& problem) const {
     return std::visit([](const auto& law) -> RepresentedLaw { return law; }, problem.law);
   }
   if (options_.scheme == Scheme::backward) return Restitution{0.0};
-  if (options_.restitution == ImpactLaw::none) return Undetermined{};
+  if (impact_law() == ImpactLaw::none) return Undetermined{};
   return std::get<Restitution>(problem.law);
 }
 
 std::unique_ptr<PreparedMethod> HatLcp::prepare(const Problem& problem) const {
   std::optional<double> restitution;
   const auto* law = std::get_if<Restitution>(&problem.law);
-  const bool imposed = options_.restitution == ImpactLaw::scene && options_.scheme != Scheme::backward;
+  const bool imposed = impact_law() == ImpactLaw::scene && options_.scheme != Scheme::backward;
   if (law != nullptr && imposed) restitution = law->e;
+  const bool one_path = options_.plain && options_.solver == ComplementaritySolver::automatic;
   return hat_contact(problem,
                      {.samples = options_.samples,
                       .scheme = options_.scheme,
-                      .solver = options_.solver,
+                      .solver = one_path ? ComplementaritySolver::pivoting : options_.solver,
                       .tolerance = options_.tolerance,
                       .max_iterations = options_.max_iterations},
                      restitution);

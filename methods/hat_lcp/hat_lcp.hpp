@@ -2,6 +2,7 @@
 // Hat functions in time: one linear complementarity problem for the whole period.
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "methods/kernels/hat_contact.hpp"
@@ -18,6 +19,9 @@ namespace signorini {
 /// converges at first order. With restitution = none it is imposed on g - x_k at the nodes, the source
 /// paper's form (seed eq. 5-8, corrected), which determines no impact law: kept for comparison.
 /// A spring stop adds its compliance to w; massless contacts and springs need no restitution.
+///
+/// `plain`: the source paper's problem, complementarity on the nodal gaps, by one path of pivots (Lemke's
+/// method) without restarts or marching. It sets what is left at `auto`.
 class HatLcp final : public Method {
  public:
   using Scheme = HatScheme;
@@ -32,18 +36,21 @@ class HatLcp final : public Method {
   struct Options {
     int samples = 256;  ///< N >= 4 nodes per period [-]
     Scheme scheme = Scheme::galerkin;
-    ImpactLaw restitution = ImpactLaw::scene;
+    std::optional<ImpactLaw> restitution = {};
     ComplementaritySolver solver = ComplementaritySolver::automatic;
     double tolerance = 1e-10;  ///< on LcpResult::residual [-]
     int max_iterations = 0;    ///< pivots or Newton steps; 0: the solver's own limit [-]
+    bool plain = false;
 
     void visit(auto&& field) {
       field("samples", samples, "[-]", "nodes N per period, 4..10000000");
       field("scheme", scheme, "[-]", "galerkin | nodal | backward (represents restitution 0)");
-      field("restitution", restitution, "[-]", "scene: the scene's law; none: nodal gaps, no impact law");
-      field("solver", solver, "[-]", "auto (pivoting with restarts) | pivoting | newton");
+      field("restitution", restitution, "[-]",
+            "scene: the scene's law; none: nodal gaps, no impact law; auto: scene, none if plain");
+      field("solver", solver, "[-]", "auto (pivoting with restarts; pivoting if plain) | pivoting | newton");
       field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
       field("max_iterations", max_iterations, "[-]", "limit on pivots or Newton steps; 0: the solver's own");
+      field("plain", plain, "[-]", "true: as the source paper does it; sets what is left at auto");
     }
   };
 
@@ -55,6 +62,9 @@ class HatLcp final : public Method {
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
 
  private:
+  /// The impact law asked for.
+  [[nodiscard]] ImpactLaw impact_law() const;
+
   Options options_;
 };
 

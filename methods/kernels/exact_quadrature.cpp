@@ -12,6 +12,7 @@
 #include "methods/kernels/gmres.hpp"
 #include "methods/kernels/harmonic_vector.hpp"
 #include "methods/kernels/real_fft.hpp"
+#include "methods/kernels/trigonometric_jet.hpp"
 
 namespace signorini {
 
@@ -19,27 +20,6 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-
-/// A trigonometric polynomial and its derivatives at one instant.
-struct Jet {
-  double value = 0.0, slope = 0.0, curvature = 0.0;
-};
-
-/// At a fraction t of the period, by the powers of e^{2 pi i t}.
-Jet evaluate(const Eigen::VectorXcd& y, double t) {
-  const Complex unit = std::polar(1.0, kTwoPi * t);
-  Complex phase = 1.0;
-  Jet jet{y[0].real(), 0.0, 0.0};
-  for (Eigen::Index n = 1; n < y.size(); ++n) {
-    phase *= unit;
-    const Complex term = 2.0 * y[n] * phase;
-    const double rate = kTwoPi * static_cast<double>(n);
-    jet.value += term.real();
-    jet.slope -= rate * term.imag();
-    jet.curvature -= rate * rate * term.real();
-  }
-  return jet;
-}
 
 /// The zero of `function` (value and derivative at t) in [left, right], where it rises or falls through
 /// zero: Newton kept inside a shrinking bracket.
@@ -63,8 +43,24 @@ struct Sign {
   bool positive = false;
 };
 
+/// A polynomial raised by what a shifted stop adds to it.
+struct RaisedPolynomial {
+  const Eigen::VectorXcd& y;
+  const std::vector<StopShift>& shifts;
+  double scale = 1.0;
+
+  [[nodiscard]] Jet at(double t) const {
+    Jet jet = trigonometric_jet(y, t);
+    if (shifts.empty()) return jet;
+    const StopShift shift = shift_at(shifts, t);
+    jet.value += scale * shift.at(t);
+    jet.slope += scale * shift.speed;
+    return jet;
+  }
+};
+
 /// Signs at the samples, and at each extremum between samples of one sign that reaches over to the other.
-std::vector<Sign> signs_of(const Eigen::VectorXcd& y, const Eigen::VectorXd& values) {
+std::vector<Sign> signs_of(const RaisedPolynomial& y, const Eigen::VectorXd& values) {
   const auto samples = static_cast<int>(values.size());
   std::vector<Sign> signs;
   signs.reserve(static_cast<std::size_t>(samples) + 8);
@@ -80,11 +76,11 @@ std::vector<Sign> signs_of(const Eigen::VectorXcd& y, const Eigen::VectorXd& val
     const double left = (i - 1.0) / samples;
     const double right = (i + 1.0) / samples;
     const auto slope = [&](double t) {
-      const Jet jet = evaluate(y, t);
+      const Jet jet = y.at(t);
       return std::pair{jet.slope, jet.curvature};
     };
     const double extremum = polish_root(slope, left, right, side < 0.0);
-    if (side * evaluate(y, extremum).value > 0.0) {
+    if (side * y.at(extremum).value > 0.0) {
       signs.push_back({extremum - std::floor(extremum), side > 0.0});
     }
   }
@@ -96,8 +92,11 @@ std::vector<Sign> signs_of(const Eigen::VectorXcd& y, const Eigen::VectorXd& val
 class ExactResidual {
  public:
   ExactResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
-                int samples)
-      : harmonics_(receptance.harmonics()), samples_(samples), symbol_(receptance, law) {
+                int samples, const StopShifts& shifts)
+      : harmonics_(receptance.harmonics()),
+        samples_(samples),
+        symbol_(receptance, law),
+        shifts_(shifts.empty() ? StopShifts(static_cast<std::size_t>(receptance.contacts())) : shifts) {
     free_ = receptance.free_response;
     free_.row(0) -= gap.transpose();
     free_ = free_ * root().asDiagonal();
@@ -113,8 +112,14 @@ class ExactResidual {
     Eigen::MatrixXcd pressed(harmonics_ + 1, y.cols());
     indicators_.clear();
     for (Eigen::Index c = 0; c < y.cols(); ++c) {
-      indicators_.push_back(indicator_spectrum(positive_intervals(y.col(c), samples_), 2 * harmonics_));
-      pressed.col(c) = restrict_to(indicators_.back(), y.col(c));
+      const std::vector<StopShift>& shifts = shifts_[static_cast<std::size_t>(c)];
+      const auto intervals = positive_intervals(y.col(c), samples_, shifts, root()[c]);
+      indicators_.emplace_back(intervals, harmonics_);
+      pressed.col(c) = indicators_.back().restrict(y.col(c));
+      if (shifts.empty()) continue;
+      for (const ContactInterval& interval : intervals) {
+        pressed.col(c) += root()[c] * shift_spectrum(interval, shifts, harmonics_);
+      }
     }
     return lambda + pack_harmonics(pressed);
   }
@@ -123,8 +128,7 @@ class ExactResidual {
   [[nodiscard]] Eigen::VectorXd solve_jacobian(const Eigen::VectorXd& r) const {
     if (r.size() <= kDense) return jacobian().partialPivLu().solve(r);
     Eigen::VectorXd duty(root().size());
-    for (Eigen::Index c = 0; c < duty.size(); ++c)
-      duty[c] = indicators_[static_cast<std::size_t>(c)][0].real();
+    for (Eigen::Index c = 0; c < duty.size(); ++c) duty[c] = indicators_[static_cast<std::size_t>(c)].duty();
     const LastingContactInverse lasting(symbol_, duty);
     return solve_by_gmres([this](const Eigen::VectorXd& v) { return product(v); },
                           [&lasting](const Eigen::VectorXd& v) { return lasting * v; }, r, kLinearTolerance);
@@ -150,7 +154,7 @@ class ExactResidual {
   [[nodiscard]] Eigen::VectorXd product(const Eigen::VectorXd& v) const {
     Eigen::MatrixXcd signal = symbol_.rate(v);
     for (Eigen::Index c = 0; c < signal.cols(); ++c) {
-      signal.col(c) = restrict_to(indicators_[static_cast<std::size_t>(c)], signal.col(c));
+      signal.col(c) = indicators_[static_cast<std::size_t>(c)].restrict(signal.col(c));
     }
     return v + pack_harmonics(signal);
   }
@@ -159,7 +163,7 @@ class ExactResidual {
   /// of harmonic_vector.hpp: a cosine of harmonic m drives s_m = B_m / sqrt 2, and (chi s)_n =
   /// chi_{n-m} s_m + chi_{n+m} conj(s_m) is packed with a factor sqrt 2.
   void fill_block(Eigen::Index row, Eigen::Index column, Eigen::Ref<Eigen::MatrixXd> block) const {
-    const Eigen::VectorXcd& chi = indicators_[static_cast<std::size_t>(row)];
+    const Eigen::VectorXcd& chi = indicators_[static_cast<std::size_t>(row)].spectrum();
     for (Eigen::Index m = 0; m <= harmonics_; ++m) {
       const Complex b = symbol_.block(m)(row, column);
       for (int part = 0; part < (m == 0 ? 1 : 2); ++part) {
@@ -185,18 +189,25 @@ class ExactResidual {
   ContactSymbol symbol_;
   Eigen::MatrixXcd free_;  // of sqrt(c) (x_f - g)
   double scale_ = 0.0;
-  std::vector<Eigen::VectorXcd> indicators_;
+  StopShifts shifts_;
+  std::vector<ContactIndicator> indicators_;
 };
 
 }  // namespace
 
-std::vector<ContactInterval> positive_intervals(const Eigen::VectorXcd& y, int samples) {
+std::vector<ContactInterval> positive_intervals(const Eigen::VectorXcd& y, int samples,
+                                                const std::vector<StopShift>& shifts, double scale) {
   RealFft fft(samples);
   Eigen::VectorXd values(samples);
   fft.inverse(y, values);
-  const std::vector<Sign> signs = signs_of(y, values);
+  const RaisedPolynomial raised{y, shifts, scale};
+  for (int i = 0; i < samples && !shifts.empty(); ++i) {
+    const double t = static_cast<double>(i) / samples;
+    values[i] += scale * shift_at(shifts, t).at(t);
+  }
+  const std::vector<Sign> signs = signs_of(raised, values);
   const auto value = [&](double t) {
-    const Jet jet = evaluate(y, t);
+    const Jet jet = raised.at(t);
     return std::pair{jet.value, jet.slope};
   };
   std::vector<double> rises;
@@ -234,26 +245,43 @@ Eigen::VectorXcd indicator_spectrum(const std::vector<ContactInterval>& interval
   return spectrum;
 }
 
-Eigen::VectorXcd restrict_to(const Eigen::VectorXcd& indicator, const Eigen::VectorXcd& s) {
-  const auto harmonics = static_cast<int>(s.size()) - 1;
-  // chi s reaches harmonic 3 H: on more than 4 H samples none of it folds onto |n| <= H.
-  RealFft fft(4 * harmonics + 2);
-  Eigen::VectorXd chi(fft.samples());
+Eigen::VectorXcd shift_spectrum(const ContactInterval& interval, const std::vector<StopShift>& shifts,
+                                int count) {
+  const double middle = 0.5 * (interval.begin + interval.end);
+  const double half = 0.5 * (interval.end - interval.begin);
+  const StopShift shift = shift_at(shifts, middle);
+  Eigen::VectorXcd spectrum = shift.at(middle) * indicator_spectrum({interval}, count);
+  // The integral of s e^{-2 pi i n s} over |s| < half.
+  for (int n = 1; n <= count; ++n) {
+    const double angle = kTwoPi * n * half;
+    const double moment = 2.0 * (std::sin(angle) - angle * std::cos(angle)) / std::pow(kTwoPi * n, 2);
+    spectrum[n] += shift.speed * moment * Complex(0.0, -1.0) * std::polar(1.0, -kTwoPi * n * middle);
+  }
+  return spectrum;
+}
+
+ContactIndicator::ContactIndicator(const std::vector<ContactInterval>& intervals, int harmonics)
+    // chi s reaches harmonic 3 H: on more than 4 H samples none of it folds onto |n| <= H.
+    : spectrum_(indicator_spectrum(intervals, 2 * harmonics)), values_(4 * harmonics + 2) {
+  RealFft(static_cast<int>(values_.size())).inverse(spectrum_, values_);
+}
+
+Eigen::VectorXcd ContactIndicator::restrict(const Eigen::VectorXcd& s) const {
+  RealFft fft(static_cast<int>(values_.size()));
   Eigen::VectorXd values(fft.samples());
-  fft.inverse(indicator.head(2 * harmonics + 1), chi);
   fft.inverse(s, values);
-  values.array() *= chi.array();
+  values.array() *= values_.array();
   Eigen::VectorXcd spectrum(fft.coefficients());
   fft.forward(values, spectrum);
-  return spectrum.head(harmonics + 1);
+  return spectrum.head(s.size());
 }
 
 ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                 const ProjectedLaw& law, const Eigen::MatrixXcd& lambda, int samples,
-                                double tolerance) {
+                                double tolerance, const StopShifts& shifts) {
   constexpr int kSteps = 40;
   constexpr int kHalvings = 10;
-  ExactResidual residual(receptance, gap, law, samples);
+  ExactResidual residual(receptance, gap, law, samples, shifts);
   ExactProjection result;
   Eigen::VectorXd unknown = pack_harmonics(lambda * residual.root().cwiseInverse().asDiagonal());
   Eigen::VectorXd r = residual(unknown);

@@ -6,6 +6,7 @@
 
 #include "methods/kernels/projected_law.hpp"
 #include "methods/kernels/receptance.hpp"
+#include "methods/kernels/stop_shift.hpp"
 
 namespace signorini {
 
@@ -16,17 +17,39 @@ struct ContactInterval {
   double end = 0.0;
 };
 
-/// Where y(t) = sum_{|n| <= H} y_n e^{2 pi i n t} > 0. Sign changes are bracketed on `samples` equidistant
-/// instants and the extrema near zero between them, so that contacts shorter than a sample are seen too, and
-/// polished to rounding. \param y n = 0..H  \param samples at least 8 H to tell every extremum
-std::vector<ContactInterval> positive_intervals(const Eigen::VectorXcd& y, int samples);
+/// Where y(t) = scale * shift(t) + sum_{|n| <= H} y_n e^{2 pi i n t} > 0. Sign changes are bracketed on
+/// `samples` equidistant instants and the extrema near zero between them, so that contacts shorter than a
+/// sample are seen too, and polished to rounding. \param y n = 0..H  \param samples at least 8 H to tell
+/// every extremum  \param shifts  shift(t) of one contact, see stop_shift.hpp
+std::vector<ContactInterval> positive_intervals(const Eigen::VectorXcd& y, int samples,
+                                                const std::vector<StopShift>& shifts = {},
+                                                double scale = 1.0);
 
 /// Fourier coefficients n = 0..count of the intervals' indicator function.
 Eigen::VectorXcd indicator_spectrum(const std::vector<ContactInterval>& intervals, int count);
 
-/// Coefficients n = 0..H of P[chi s] for the polynomial s, chi given by its spectrum up to 2 H: the exact
-/// integral of s over the intervals, (chi s)_n = sum_{|m| <= H} chi_{n-m} s_m, in O(H log H).
-Eigen::VectorXcd restrict_to(const Eigen::VectorXcd& indicator, const Eigen::VectorXcd& s);
+/// Fourier coefficients n = 0..count of the shift of one contact's stop, restricted to an interval in which
+/// one instant of `shifts` counts [m].
+Eigen::VectorXcd shift_spectrum(const ContactInterval& interval, const std::vector<StopShift>& shifts,
+                                int count);
+
+/// The indicator function chi of intervals of contact, as polynomials of degree H meet it.
+class ContactIndicator {
+ public:
+  ContactIndicator(const std::vector<ContactInterval>& intervals, int harmonics);
+
+  /// chi_n, n = 0..2 H.
+  [[nodiscard]] const Eigen::VectorXcd& spectrum() const { return spectrum_; }
+  /// Share of the period that the intervals cover [-].
+  [[nodiscard]] double duty() const { return spectrum_[0].real(); }
+  /// Coefficients n = 0..H of P[chi s] for a polynomial s, n = 0..H: the exact integral of s over the
+  /// intervals, (chi s)_n = sum_{|m| <= H} chi_{n-m} s_m, in O(H log H).
+  [[nodiscard]] Eigen::VectorXcd restrict(const Eigen::VectorXcd& s) const;
+
+ private:
+  Eigen::VectorXcd spectrum_;
+  Eigen::VectorXd values_;  // of the spectrum, on a grid that tells products of degree 3 H from their mirrors
+};
 
 struct ExactProjection {
   bool converged = false;
@@ -42,9 +65,10 @@ struct ExactProjection {
 /// Newton converges quadratically where no contact is born or lost. Steps by a dense factorisation of the
 /// (2 H + 1) Nc unknowns up to a few hundred of them, beyond by GMRES with products of O(H log H Nc + H
 /// Nc^2), preconditioned by LastingContactInverse. \param samples instants on which sign changes are
-/// bracketed
+/// bracketed  \param shifts  the stops stand at g - shift(t); constant while a contact lasts, so that it
+/// still does no net work
 ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                 const ProjectedLaw& law, const Eigen::MatrixXcd& lambda, int samples,
-                                double tolerance);
+                                double tolerance, const StopShifts& shifts = {});
 
 }  // namespace signorini

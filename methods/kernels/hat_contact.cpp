@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "methods/kernels/free_overlap.hpp"
 #include "methods/kernels/newton.hpp"
 #include "methods/kernels/period_marching.hpp"
 #include "methods/kernels/real_fft.hpp"
@@ -91,10 +92,9 @@ class PreparedHat final : public PreparedMethod {
   }
 
   [[nodiscard]] Lcp assemble(const Eigen::VectorXd& scale) const {
-    const int contacts = receptance_.contacts();
     std::vector<Eigen::MatrixXcd> symbol;
     symbol.reserve(receptance_.receptance.size());
-    Eigen::MatrixXcd free(receptance_.free_response.rows(), contacts);
+    Eigen::MatrixXcd free(receptance_.free_response.rows(), receptance_.contacts());
     for (int n = 0; n <= receptance_.harmonics(); ++n) {
       const Complex shift = restitution_shift(restitution_, angle(n));
       symbol.emplace_back(shift * (scale.asDiagonal() * receptance_.receptance[static_cast<std::size_t>(n)] *
@@ -102,14 +102,7 @@ class PreparedHat final : public PreparedMethod {
       symbol.back().diagonal() += (compliance_.array() * scale.array().square()).matrix();
       free.row(n) = shift * receptance_.free_response.row(n);
     }
-    Eigen::VectorXd offset(samples() * contacts);
-    RealFft fft(samples());
-    for (int c = 0; c < contacts; ++c) {
-      auto part = offset.segment(c * samples(), samples());
-      fft.inverse(free.col(c), part);
-      part = scale[c] * (gap_[c] - part.array());
-    }
-    return {BlockCirculant(samples(), symbol), std::move(offset)};
+    return {BlockCirculant(samples(), symbol), -free_overlap(free, gap_, scale, samples())};
   }
 
   [[nodiscard]] Eigen::VectorXd guess_from(const Trajectory& trajectory, const Eigen::VectorXd& scale) const {

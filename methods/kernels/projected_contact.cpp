@@ -6,7 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "methods/kernels/contact_symbol.hpp"
 #include "methods/kernels/exact_quadrature.hpp"
+#include "methods/kernels/free_overlap.hpp"
 #include "methods/kernels/periodic_response.hpp"
 #include "methods/kernels/real_fft.hpp"
 
@@ -20,7 +22,8 @@ namespace {
 constexpr int kSampled = 32;
 constexpr int kCoarse = 8;
 constexpr int kFinest = 128;
-constexpr int kFewest = 8;  // harmonics for which the coarsest grid is made
+constexpr int kBracketed = 16;  // tells contacts apart that a climb would
+constexpr int kFewest = 8;      // harmonics for which the coarsest grid is made
 // A sampled answer is good enough when the contact's net work is this small a part of the work exchanged.
 constexpr double kEnergyIdentity = 1e-3;
 
@@ -28,22 +31,15 @@ constexpr double kEnergyIdentity = 1e-3;
 
 Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
                   int samples) {
-  const int contacts = receptance.contacts();
-  const Eigen::VectorXd root = law.constant.cwiseSqrt();
+  const ContactSymbol rate(receptance, law);
   std::vector<Eigen::MatrixXcd> symbol;
   symbol.reserve(receptance.receptance.size());
-  for (const Eigen::MatrixXcd& c : receptance.receptance) {
-    symbol.emplace_back(root.asDiagonal() * c * root.asDiagonal());
-    symbol.back().diagonal() += (1.0 - law.relief.array()).matrix();
+  for (int n = 0; n <= rate.harmonics(); ++n) {
+    symbol.push_back(rate.block(n));
+    symbol.back().diagonal().array() += 1.0;
   }
-  Eigen::VectorXd offset(samples * contacts);
-  RealFft fft(samples);
-  for (int c = 0; c < contacts; ++c) {
-    auto part = offset.segment(c * samples, samples);
-    fft.inverse(receptance.free_response.col(c), part);
-    part = root[c] * (gap[c] - part.array());
-  }
-  return {BlockCirculant(samples, symbol, 1.0), std::move(offset)};
+  return {BlockCirculant(samples, symbol, 1.0),
+          -free_overlap(receptance.free_response, gap, rate.root(), samples)};
 }
 
 Eigen::MatrixXcd force_coefficients(const ProjectedLaw& law, const Eigen::VectorXd& z_scaled, int samples,
@@ -99,13 +95,8 @@ bool SampleLadder::climb(bool converged, bool exact, double net_work) {
 
 FourierTrajectory::Data fourier_data(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                      const ProjectedLaw& law, Eigen::MatrixXcd lambda) {
-  FourierTrajectory::Data data{
-      receptance.period, receptance.free_response, std::move(lambda), gap, law.constant, law.relief};
-  for (int n = 0; n <= receptance.harmonics(); ++n) {
-    const auto& block = receptance.receptance[static_cast<std::size_t>(n)];
-    data.x.row(n) += (block * data.lambda.row(n).transpose()).transpose();
-  }
-  return data;
+  Eigen::MatrixXcd x = contact_motion(receptance, lambda);
+  return {receptance.period, std::move(x), std::move(lambda), gap, law.constant, law.relief};
 }
 
 std::optional<int> refine_quadrature(const ContactReceptance& receptance, const ProjectedLaw& law,
@@ -131,9 +122,9 @@ Solution exact_solution(const ContactReceptance& receptance, const Eigen::Vector
 std::optional<Solution> solve_by_climbing(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                           const LawAt& law_at, double tolerance, const Start& start,
                                           Work& work, const FootSolver& solve_foot) {
-  if (ExactProjection closed = permanent_contact(receptance, gap, law_at(receptance), tolerance);
-      closed.converged)
-    return exact_solution(receptance, gap, law_at(receptance), std::move(closed.lambda), closed.residual,
+  const ProjectedLaw law = law_at(receptance);
+  if (ExactProjection closed = permanent_contact(receptance, gap, law, tolerance); closed.converged)
+    return exact_solution(receptance, gap, law, std::move(closed.lambda), closed.residual,
                           "permanent contact");
   const ClimbFoot foot = climb_foot(receptance);
   if (foot.harmonics == 0) return std::nullopt;
@@ -145,8 +136,63 @@ std::optional<Solution> solve_by_climbing(const ContactReceptance& receptance, c
       climb_harmonics(receptance, gap, law_at, foot, base.trajectory->force_coefficients(), tolerance, start);
   work.iterations = *work.iterations + climb.iterations;
   if (!climb.converged) return std::nullopt;
-  return exact_solution(receptance, gap, law_at(receptance), std::move(climb.lambda), climb.residual,
+  return exact_solution(receptance, gap, law, std::move(climb.lambda), climb.residual,
                         fmt::format("{} harmonics first, Newton from there", foot.harmonics));
+}
+
+namespace {
+
+/// The answer behind compensated impacts, found as `how` says.
+Solution compensated_solution(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                              const ProjectedLaw& law, ImpactCompensation::Result result,
+                              const std::string& how) {
+  FourierTrajectory::Data data = fourier_data(receptance, gap, law, std::move(result.lambda));
+  data.shifts = std::move(result.shifts);
+  return {.verdict = Verdict::converged,
+          .message =
+              fmt::format("{}; {} impact{} compensated, stops moved by up to {:.1e}, net contact work {:.1e}",
+                          how, result.impacts, result.impacts == 1 ? "" : "s", result.largest,
+                          net_work_ratio(data.x, data.lambda)),
+          .trajectory = std::make_shared<FourierTrajectory>(std::move(data)),
+          .residual = result.residual};
+}
+
+int bracketing_samples(const ContactReceptance& receptance) {
+  return kBracketed * std::max(receptance.harmonics(), kFewest);
+}
+
+}  // namespace
+
+void compensate_impacts(const ImpactCompensation& compensation, const ContactReceptance& receptance,
+                        double tolerance, long limit, const Start& start, Solution& solution, Work& work) {
+  if (solution.verdict != Verdict::converged) return;
+  const auto& data = dynamic_cast<const FourierTrajectory&>(*solution.trajectory).data();
+  const ProjectedLaw law{data.stiffness, data.relief};
+  ImpactCompensation::Result result = compensation(receptance, data.gap, law, data.lambda, {},
+                                                   bracketing_samples(receptance), tolerance, start);
+  if (result.converged && result.impacts == 0) return;
+  const long spent = work.pivots.value_or(0) + work.iterations.value_or(0) + result.iterations;
+  if (!result.converged || (limit > 0 && spent > limit)) {
+    solution.message += "; impacts not compensated";
+    return;
+  }
+  work.iterations = work.iterations.value_or(0) + result.iterations;
+  solution = compensated_solution(receptance, data.gap, law, std::move(result), solution.message);
+}
+
+std::optional<Solution> compensated_from_guess(const ImpactCompensation& compensation,
+                                               const ContactReceptance& receptance,
+                                               const Eigen::VectorXd& gap, const ProjectedLaw& law,
+                                               double tolerance, const Start& start, Work& work) {
+  const auto* guess = dynamic_cast<const FourierTrajectory*>(start.guess.get());
+  if (guess == nullptr || guess->data().shifts.size() != static_cast<std::size_t>(receptance.contacts()))
+    return std::nullopt;
+  ImpactCompensation::Result result =
+      compensation(receptance, gap, law, force_spectrum(*guess, receptance.harmonics()), guess->data().shifts,
+                   bracketing_samples(receptance), tolerance, start);
+  work.iterations = work.iterations.value_or(0) + result.iterations;
+  if (!result.converged || result.impacts == 0) return std::nullopt;
+  return compensated_solution(receptance, gap, law, std::move(result), "Newton from the guess");
 }
 
 Solution contact_free_response(const ContactReceptance& receptance) {
@@ -172,27 +218,43 @@ std::optional<Solution> ProjectedContact::solve_without_grid(const Start& start,
     const ExactProjection near =
         project_exactly(receptance_, gap_, law_, force_spectrum(*start.guess, harmonics),
                         kCoarse * std::max(harmonics, kFewest), tolerance);
-    work.iterations = near.iterations;
+    work.iterations = work.iterations.value_or(0) + near.iterations;
     if (near.converged)
       return exact_solution(receptance_, gap_, law_, near.lambda, near.residual, "Newton from the guess");
     return std::nullopt;
   }
   return solve_by_climbing(receptance_, gap_, law_at_, tolerance, start, work,
                            [this, &start](const ContactReceptance& few, double softness) {
-                             return ProjectedContact(gap_, few, law_at_, options_, softness).solve(start);
+                             ProjectedOptions options = options_;
+                             options.compensation = nullptr;
+                             return ProjectedContact(gap_, few, law_at_, options, softness).solve(start);
                            });
 }
 
 Solution ProjectedContact::solve(const Start& start) {
   if (receptance_.contacts() == 0) return contact_free_response(receptance_);
+  Work work{.unknowns = (2L * receptance_.harmonics() + 1) * receptance_.contacts()};
+  if (options_.compensation && options_.solver.max_iterations == 0) {
+    auto near = compensated_from_guess(*options_.compensation, receptance_, gap_, law_,
+                                       options_.solver.tolerance, start, work);
+    if (near) {
+      near->work = work;
+      return *std::move(near);
+    }
+  }
+  std::optional<Solution> solution = solve_without_grid(start, work);
+  if (!solution) solution = solve_on_grids(start, work);
+  if (options_.compensation)
+    compensate_impacts(*options_.compensation, receptance_, options_.solver.tolerance,
+                       options_.solver.max_iterations, start, *solution, work);
+  solution->work = work;
+  return *std::move(solution);
+}
+
+Solution ProjectedContact::solve_on_grids(const Start& start, Work& work) const {
   SolverSettings settings = options_.solver;
   settings.deadline = start.deadline;
   const bool newton = settings.solver == ComplementaritySolver::newton;
-  Work work{.unknowns = (2L * receptance_.harmonics() + 1) * receptance_.contacts()};
-  if (std::optional<Solution> direct = solve_without_grid(start, work)) {
-    direct->work = work;
-    return *std::move(direct);
-  }
   Solution solution;
   SampleLadder ladder(receptance_.harmonics(), options_.samples, options_.quadrature);
   while (true) {
@@ -234,7 +296,6 @@ Solution ProjectedContact::solve(const Start& start) {
     if ((newton && !solved) || result.status == LcpStatus::interrupted || !in_limit) break;
     if (!ladder.climb(solved, exact, ratio)) break;
   }
-  solution.work = work;
   return solution;
 }
 

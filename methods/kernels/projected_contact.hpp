@@ -4,11 +4,13 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "methods/kernels/complementarity_solver.hpp"
 #include "methods/kernels/harmonic_climb.hpp"
+#include "methods/kernels/impact_compensation.hpp"
 #include "methods/kernels/projected_law.hpp"
 #include "methods/kernels/receptance.hpp"
 #include "methods/kernels/trajectories.hpp"
@@ -20,10 +22,11 @@ struct ProjectedOptions {
   std::optional<int> samples = {};  ///< N; empty: see SampleLadder
   Quadrature quadrature = Quadrature::exact;
   SolverSettings solver = {};
+  std::shared_ptr<const ImpactCompensation> compensation = {};  ///< null: none
 };
 
-/// w = q + A z with A = sqrt(c) C_n sqrt(c) + (1 - relief) for |n| <= H, 1 above, q = sqrt(c) (g - x_f):
-/// rows and columns scaled by sqrt(c) per contact, z_scaled = z / sqrt(c).
+/// w = q + A z with A = 1 + B_n (contact_symbol.hpp) for |n| <= H, 1 above, q = sqrt(c) (g - x_f): rows and
+/// columns scaled by sqrt(c) per contact, z_scaled = z / sqrt(c).
 Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
                   int samples);
 
@@ -81,15 +84,41 @@ std::optional<Solution> solve_by_climbing(const ContactReceptance& receptance, c
                                           const LawAt& law_at, double tolerance, const Start& start,
                                           Work& work, const FootSolver& solve_foot);
 
+/// Gives a converged answer (a FourierTrajectory under an unsoftened law) its compensated impacts, and adds
+/// the Newton steps to `work`. Where that fails, or takes more than `limit` pivots and steps in all (0: no
+/// limit), the answer stays what it is; its message says which.
+void compensate_impacts(const ImpactCompensation& compensation, const ContactReceptance& receptance,
+                        double tolerance, long limit, const Start& start, Solution& solution, Work& work);
+
+/// The compensated answer near a guess that is one itself, by Newton's method at once; nothing if there is
+/// none.
+std::optional<Solution> compensated_from_guess(const ImpactCompensation& compensation,
+                                               const ContactReceptance& receptance,
+                                               const Eigen::VectorXd& gap, const ProjectedLaw& law,
+                                               double tolerance, const Start& start, Work& work);
+
 /// The answer where the scene has no contact.
 Solution contact_free_response(const ContactReceptance& receptance);
+
+/// What a method with these options does beside its law. \param receptance  of the scene, n = 0..H
+template <class Options>
+ProjectedOptions projected_options(const Problem& problem, const ContactReceptance& receptance,
+                                   const Options& options) {
+  ProjectedOptions chosen{samples_of(options),
+                          quadrature_of(options),
+                          {options.solver, options.tolerance, options.max_iterations}};
+  if (options.plain && options.solver == ComplementaritySolver::automatic)
+    chosen.solver.solver = ComplementaritySolver::newton;
+  if (compensates(options)) chosen.compensation = impact_compensation(problem, receptance);
+  return chosen;
+}
 
 /// A scene prepared for one projected law.
 ///
 /// With solver = auto and the exact contact integral, a guess is taken up by Newton's method at once
 /// (project_exactly), permanent contact is recognised, and many harmonics are reached from few
 /// (solve_by_climbing); where none of these serves, as with the other settings, the complementarity problem
-/// is solved on the grids of SampleLadder and its integral refined.
+/// is solved on the grids of SampleLadder and its integral refined. Impacts are then compensated.
 class ProjectedContact final : public PreparedMethod {
  public:
   ProjectedContact(Eigen::VectorXd gap, ContactReceptance receptance, LawAt law_at, ProjectedOptions options,
@@ -99,6 +128,8 @@ class ProjectedContact final : public PreparedMethod {
  private:
   /// What needs no grid: Newton's method from the guess, permanent contact, the climb. Null if none serves.
   std::optional<Solution> solve_without_grid(const Start& start, Work& work) const;
+  /// On the grids of SampleLadder.
+  Solution solve_on_grids(const Start& start, Work& work) const;
   /// z on the grid from a trajectory: max(0, y) sampled.
   [[nodiscard]] Eigen::VectorXd guess_from(const Trajectory& trajectory, int samples) const;
 

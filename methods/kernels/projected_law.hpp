@@ -34,6 +34,9 @@ struct EnumNames<Quadrature> {
 /// C_n and free response of the undiscretised structure for |n| <= H.
 ContactReceptance fourier_receptance(const Problem& problem, int harmonics);
 
+/// x_n = x_f,n + C_n lambda_n, n = 0..H: the motion at the contacts under their forces, (H+1) x Nc [m].
+Eigen::MatrixXcd contact_motion(const ContactReceptance& receptance, const Eigen::MatrixXcd& lambda);
+
 /// Size of the dynamic stiffness at the highest harmonics kept, per contact: the harmonic mean of
 /// 1 / |C_n| over H/2 <= n <= H, Nc [N/m]. For one mass about m (3 H w / 4)^2.
 Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance);
@@ -55,6 +58,25 @@ RepresentedLaw projected_method_law(const Problem& problem, const std::optional<
 
 /// Refused where the load has harmonics beyond H.
 Support supports_harmonics(const Problem& problem, int harmonics);
+
+/// The contact integral asked for: exact, but sampled if `plain`.
+template <class Options>
+Quadrature quadrature_of(const Options& options) {
+  return options.quadrature.value_or(options.plain ? Quadrature::sampled : Quadrature::exact);
+}
+
+/// Whether impacts are compensated: unless `plain`, if not asked for; only with the exact contact integral.
+template <class Options>
+bool compensates(const Options& options) {
+  return options.compensate.value_or(!options.plain) && quadrature_of(options) == Quadrature::exact;
+}
+
+/// N asked for; else 32 H if `plain`, and empty (what the solve needs) otherwise.
+template <class Options>
+std::optional<int> samples_of(const Options& options) {
+  constexpr int kPlain = 32;
+  return options.plain ? options.samples.value_or(kPlain * options.harmonics) : options.samples;
+}
 
 /// Ranges of the options that all harmonic-balance methods share. \throws InvalidOption
 template <class Options>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "methods/kernels/real_fft.hpp"
@@ -43,9 +44,12 @@ Samples FourierTrajectory::sample(int count) const {
     sum_series(rate, fft, samples.velocity.col(c));
     if (data_.lambda.cols() == 0) continue;
     sum_series(data_.lambda.col(c), fft, lambda);
-    const auto y =
-        data_.stiffness[c] * (samples.x.col(c).array() - data_.gap[c]) - data_.relief[c] * lambda.array();
-    samples.force.col(c) = -y.max(0.0);
+    Eigen::ArrayXd overlap = samples.x.col(c).array() - data_.gap[c];
+    for (int i = 0; i < count && !data_.shifts.empty(); ++i) {
+      const double t = static_cast<double>(i) / count;
+      overlap[i] += shift_at(data_.shifts[static_cast<std::size_t>(c)], t).at(t);
+    }
+    samples.force.col(c) = -(data_.stiffness[c] * overlap - data_.relief[c] * lambda.array()).max(0.0);
   }
   return samples;
 }

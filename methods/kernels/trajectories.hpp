@@ -3,16 +3,17 @@
 
 #include <Eigen/Core>
 
+#include "methods/kernels/stop_shift.hpp"
 #include "methods/solution.hpp"
 
 namespace signorini {
 
 /// Truncated Fourier series of displacement and force, with the unprojected complementary force
 ///
-///     x(t) = sum_{|n|<=H} x_n e^{i n w t},   force(t) = -max(0, stiffness (x(t) - g) - relief lambda(t)),
+///     x(t) = sum_{|n|<=H} x_n e^{i n w t},   force(t) = -max(0, stiffness (x(t) - g(t)) - relief lambda(t)),
 ///
-/// w = 2 pi / period. The projection of `force` on |n| <= H is lambda(t) up to quadrature, and unlike
-/// lambda(t) it is never positive (no Gibbs ripple between contacts).
+/// w = 2 pi / period, g(t) = gap less the shift of the stop. The projection of `force` on |n| <= H is
+/// lambda(t) up to quadrature, and unlike lambda(t) it is never positive (no Gibbs ripple between contacts).
 class FourierTrajectory final : public Trajectory {
  public:
   /// Coefficients n = 0..H per contact; negative n by conjugation.
@@ -23,6 +24,7 @@ class FourierTrajectory final : public Trajectory {
     Eigen::VectorXd gap;        ///< Nc [m]
     Eigen::VectorXd stiffness;  ///< Nc, > 0 [N/m]: c, or the penalty
     Eigen::VectorXd relief;     ///< Nc [-]: 1 for a rigid stop, 1 - c / k_p for a stop of stiffness k_p
+    StopShifts shifts = {};     ///< of the stops that the series meets (impact_compensation.hpp)
   };
 
   explicit FourierTrajectory(Data data) : data_(std::move(data)) {}

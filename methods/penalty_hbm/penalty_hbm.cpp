@@ -1,5 +1,7 @@
 #include "methods/penalty_hbm/penalty_hbm.hpp"
 
+#include <utility>
+
 #include "methods/kernels/projected_contact.hpp"
 
 namespace signorini {
@@ -19,13 +21,13 @@ RepresentedLaw PenaltyHbm::law(const Problem& problem) const {
 }
 
 std::unique_ptr<PreparedMethod> PenaltyHbm::prepare(const Problem& problem) const {
-  const SolverSettings solver{options_.solver, options_.tolerance, options_.max_iterations};
   const auto law = [&problem, penalty = options_.penalty](const ContactReceptance& receptance) {
     return penalty_law(problem, penalty, receptance);
   };
-  return std::make_unique<ProjectedContact>(contact_gaps(problem),
-                                            fourier_receptance(problem, options_.harmonics), law,
-                                            ProjectedOptions{options_.samples, options_.quadrature, solver});
+  ContactReceptance receptance = fourier_receptance(problem, options_.harmonics);
+  ProjectedOptions options = projected_options(problem, receptance, options_);
+  return std::make_unique<ProjectedContact>(contact_gaps(problem), std::move(receptance), law,
+                                            std::move(options));
 }
 
 }  // namespace signorini

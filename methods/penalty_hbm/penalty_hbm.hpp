@@ -12,7 +12,11 @@ namespace signorini {
 
 /// lambda = -P eps max(0, x - g) with x = x_f + C lambda, |n| <= H (seed eq. 46-55, corrected). A scene
 /// whose stop is a spring is represented exactly; on a rigid one eps is a regularisation whose error
-/// falls like eps^{-1/2}, and the law represented is restitution 1.
+/// falls like eps^{-1/2}, and the law represented is restitution 1. There impacts are compensated
+/// (impact_compensation.hpp), which takes back both the truncation and the penetration of the spring.
+///
+/// `plain`: the equations alone, the contact integral on 32 H samples, solved by Newton's method from the
+/// contact-free response. It sets what is left at `auto`.
 class PenaltyHbm final : public Method {
  public:
   static constexpr std::string_view kName = "penalty-hbm";
@@ -24,10 +28,12 @@ class PenaltyHbm final : public Method {
     int harmonics = 20;                  ///< H >= 1 [-]
     std::optional<int> samples = {};     ///< N >= 2 H + 1 [-]
     std::optional<Scaled> penalty = {};  ///< eps > 0 [N/m], or times contact_stiffness_scale
-    Quadrature quadrature = Quadrature::exact;
+    std::optional<Quadrature> quadrature = {};
+    std::optional<bool> compensate = {};
     ComplementaritySolver solver = ComplementaritySolver::automatic;
     double tolerance = 1e-10;  ///< on LcpResult::residual [-]
     int max_iterations = 0;    ///< pivots or Newton steps; 0: the solver's own limit [-]
+    bool plain = false;
 
     void visit(auto&& field) {
       field("harmonics", harmonics, "[-]", "highest harmonic H kept, 1..100000");
@@ -37,10 +43,14 @@ class PenaltyHbm final : public Method {
             "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x the dynamic one "
             "near H");
       field("quadrature", quadrature, "[-]",
-            "exact: contact integral between its edges | sampled: on the N samples");
-      field("solver", solver, "[-]", "auto (pivoting with restarts) | pivoting | newton");
+            "exact: contact integral between its edges | sampled: on the N samples; auto: exact, sampled if "
+            "plain");
+      field("compensate", compensate, "[-]",
+            "impacts right with all harmonics, the integral being exact: true | false; auto: unless plain");
+      field("solver", solver, "[-]", "auto (pivoting with restarts; newton if plain) | pivoting | newton");
       field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
       field("max_iterations", max_iterations, "[-]", "limit on pivots or Newton steps; 0: the solver's own");
+      field("plain", plain, "[-]", "true: as the literature does it; sets what is left at auto");
     }
   };
 

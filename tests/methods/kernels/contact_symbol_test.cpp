@@ -39,8 +39,8 @@ Eigen::VectorXd jacobian_product(const ContactSymbol& symbol, const Eigen::Vecto
                                  const Eigen::Vector2d& length, const Eigen::VectorXd& v) {
   Eigen::MatrixXcd rate = symbol.rate(v);
   for (int c = 0; c < 2; ++c) {
-    const auto chi = indicator_spectrum({{begin[c], begin[c] + length[c]}}, 2 * symbol.harmonics());
-    rate.col(c) = restrict_to(chi, rate.col(c));
+    const ContactIndicator chi({{begin[c], begin[c] + length[c]}}, symbol.harmonics());
+    rate.col(c) = chi.restrict(rate.col(c));
   }
   return v + pack_harmonics(rate);
 }

@@ -79,10 +79,10 @@ TEST(IndicatorSpectrum, MatchesAFineSum) {
   }
 }
 
-TEST(RestrictTo, IsTheProductOfIndicatorAndPolynomial) {
+TEST(ContactIndicator, RestrictsAPolynomialToItsIntervals) {
   const Eigen::VectorXcd y = some_polynomial();
   const auto intervals = positive_intervals(y, 64);
-  const Eigen::VectorXcd restricted = restrict_to(indicator_spectrum(intervals, 6), y);
+  const Eigen::VectorXcd restricted = ContactIndicator(intervals, 3).restrict(y);
   constexpr int kSamples = 100000;
   for (int n = 0; n <= 3; ++n) {
     Complex sum = 0.0;

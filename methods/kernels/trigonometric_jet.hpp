@@ -1,0 +1,31 @@
+#pragma once
+// A trigonometric polynomial at one instant.
+
+#include <Eigen/Core>
+#include <complex>
+#include <numbers>
+
+namespace signorini {
+
+/// Value and derivatives with respect to time, counted in periods.
+struct Jet {
+  double value = 0.0, slope = 0.0, curvature = 0.0;
+};
+
+/// Of y(t) = sum_{|n| <= H} y_n e^{2 pi i n t}, by the powers of e^{2 pi i t}. \param y  n = 0..H
+inline Jet trigonometric_jet(const Eigen::Ref<const Eigen::VectorXcd>& y, double t) {
+  const std::complex<double> unit = std::polar(1.0, 2.0 * std::numbers::pi * t);
+  std::complex<double> phase = 1.0;
+  Jet jet{y[0].real(), 0.0, 0.0};
+  for (Eigen::Index n = 1; n < y.size(); ++n) {
+    phase *= unit;
+    const std::complex<double> term = 2.0 * y[n] * phase;
+    const double rate = 2.0 * std::numbers::pi * static_cast<double>(n);
+    jet.value += term.real();
+    jet.slope -= rate * term.imag();
+    jet.curvature -= rate * rate * term.real();
+  }
+  return jet;
+}
+
+}  // namespace signorini
