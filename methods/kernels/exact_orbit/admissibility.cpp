@@ -72,7 +72,8 @@ Peak largest(const Limited& f, double begin, double end, const std::vector<Fadin
     if (const double there = f.value(top, 0); there > peak.value) peak = {there, top};
   };
   for (double t = begin; t < end;) {
-    t = std::min({end, t + kAngle / fastest_left(terms, t), t + 0.5 * (end - begin)});
+    const double next = t + std::min(kAngle / fastest_left(terms, t), 0.5 * (end - begin));
+    t = next > t ? std::min(end, next) : end;  // an arc as short as rounding has no middle
     const Sample here = sample(f, t);
     if (here.value > peak.value) peak = {here.value, t};
     if (before.rate > 0.0 && here.rate < 0.0) {
