@@ -24,6 +24,7 @@ constexpr double kLongestShare = 0.25;
 // Contacts nearer than one ripple of the series are one.
 constexpr double kRipple = 1.0;
 constexpr int kRounds = 30;
+constexpr int kStalled = 4;  // rounds that do not halve the defect, after which it is given up
 constexpr int kHalvings = 6;
 // A defect that no longer falls is rounding if it is this small already.
 constexpr double kSettled = 1e-7;
@@ -312,6 +313,7 @@ ImpactCompensation::Result ImpactCompensation::operator()(const ContactReceptanc
   // Where the exact equations have no solution near by, the sampled one still says where the impacts are.
   if (!series.converged) series.lambda = lambda;
   double least = std::numeric_limits<double>::infinity();
+  int stalled = 0;
   for (int round = 0; round < kRounds && !start.expired(); ++round) {
     const Parts parts(response_, receptance, gap, law, series.lambda, result.shifts, samples);
     result.impacts = parts.impacts();
@@ -326,6 +328,7 @@ ImpactCompensation::Result ImpactCompensation::operator()(const ContactReceptanc
       if (!result.shifts.empty()) result.largest = parts.largest(result.shifts);
       break;
     }
+    if (defect > 0.5 * least && ++stalled == kStalled) break;
     least = std::min(least, defect);
     const std::optional<Impulses> target = parts.settled(goal);
     if (!target) break;
