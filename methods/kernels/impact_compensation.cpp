@@ -24,6 +24,7 @@ constexpr double kLongestShare = 0.25;
 // Contacts nearer than one ripple of the series are one.
 constexpr double kRipple = 1.0;
 constexpr int kRounds = 30;
+constexpr int kStalled = 4;  // whole steps that do not halve the defect, after which it is given up
 constexpr int kHalvings = 6;
 // A defect that no longer falls is rounding if it is this small already.
 constexpr double kSettled = 1e-7;
@@ -103,8 +104,9 @@ class Parts {
  public:
   Parts(const ImpulseResponse& response, const ContactReceptance& receptance, const Eigen::VectorXd& gap,
         const ProjectedLaw& law, const Eigen::MatrixXcd& lambda, const StopShifts& shifts, int samples)
-      : response_(response), receptance_(receptance), gap_(gap), law_(law), rest_(lambda) {
+      : response_(response), receptance_(receptance), gap_(gap), law_(law) {
     x_ = contact_motion(receptance, lambda);
+    rest_ = Eigen::MatrixXcd::Zero(lambda.rows(), lambda.cols());
     const std::vector<StopShift> none;
     for (int c = 0; c < receptance.contacts(); ++c) {
       const auto& stop = shifts.empty() ? none : shifts[static_cast<std::size_t>(c)];
@@ -112,7 +114,7 @@ class Parts {
       for (Episode& episode :
            episodes_of(positive_intervals(y, samples, stop, law.constant[c]), c, harmonics())) {
         measure(episode, y, stop);
-        if (episode.impact) rest_.col(c) -= episode.lambda;
+        if (!episode.impact) rest_.col(c) += episode.lambda;
         const StopShift shift = shift_at(stop, episode.middle());
         if (!episode.impact && (shift.distance != 0.0 || shift.speed != 0.0)) stale_ = true;
         (episode.impact ? impacts_ : others_).push_back(std::move(episode));
@@ -241,6 +243,12 @@ class Parts {
   void measure(Episode& episode, const Eigen::VectorXcd& y, const std::vector<StopShift>& stop) const {
     const double longest = std::min(kLongestImpact / harmonics(), kLongestShare);
     const int c = episode.contact;
+    // All of lambda comes from y: where lambda only nearly solves the equations, what is left over is
+    // dropped.
+    episode.lambda = -ContactIndicator(episode.intervals, harmonics()).restrict(y);
+    for (const ContactInterval& interval : episode.intervals) {
+      if (!stop.empty()) episode.lambda -= law_.constant[c] * shift_spectrum(interval, stop, harmonics());
+    }
     if (episode.width() > longest || !response_.is_mass_beyond(c, harmonics())) return;
     episode.impact = true;
     const double middle = episode.middle();
@@ -248,12 +256,10 @@ class Parts {
       return trigonometric_jet(y, t).value + law_.constant[c] * shift_at(stop, t).at(t);
     };
     double moment = 0.0;
-    episode.lambda = -ContactIndicator(episode.intervals, harmonics()).restrict(y);
     for (const ContactInterval& interval : episode.intervals) {
       const auto [sum, first] = moments(pressure, interval, middle, harmonics());
       episode.force += sum;
       moment += first;
-      if (!stop.empty()) episode.lambda -= law_.constant[c] * shift_spectrum(interval, stop, harmonics());
     }
     episode.centre = middle + moment / episode.force;
     const StopShift shift = shift_at(stop, episode.centre);
@@ -312,6 +318,8 @@ ImpactCompensation::Result ImpactCompensation::operator()(const ContactReceptanc
   // Where the exact equations have no solution near by, the sampled one still says where the impacts are.
   if (!series.converged) series.lambda = lambda;
   double least = std::numeric_limits<double>::infinity();
+  int stalled = 0;
+  bool whole = false;  // the last step went all the way
   for (int round = 0; round < kRounds && !start.expired(); ++round) {
     const Parts parts(response_, receptance, gap, law, series.lambda, result.shifts, samples);
     result.impacts = parts.impacts();
@@ -326,6 +334,7 @@ ImpactCompensation::Result ImpactCompensation::operator()(const ContactReceptanc
       if (!result.shifts.empty()) result.largest = parts.largest(result.shifts);
       break;
     }
+    if (whole && defect > 0.5 * least && ++stalled == kStalled) break;
     least = std::min(least, defect);
     const std::optional<Impulses> target = parts.settled(goal);
     if (!target) break;
@@ -335,6 +344,7 @@ ImpactCompensation::Result ImpactCompensation::operator()(const ContactReceptanc
       auto [guess, moved] = parts.moved(*target, share);
       next = project_exactly(receptance, gap, law, guess, samples, tolerance, moved);
       result.iterations += next.iterations;
+      whole = k == 0;
       if (next.converged) result.shifts = std::move(moved);
     }
     if (!next.converged) break;

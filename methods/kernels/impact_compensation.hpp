@@ -21,17 +21,17 @@ namespace signorini {
 /// |C_n|, and stopping the series at the gap is what limits harmonic balance to an error of 1/H
 /// (docs/theory.md). So the impact law is asked of the motion with all harmonics instead,
 ///
-///     X(t) = x_f(t) + C lambda_rest - sum_l J_l G(t - t_l),   X(t_k) = g,   X'(t_k) = 0 (mean of both
-///     sides),
+///     X(t) = x_f(t) + C lambda_rest - sum_l J_l G(t - t_l),   X(t_k) = g,   X'(t_k) = 0,
 ///
+/// X' being the mean of both sides,
 /// lambda_rest the force outside impacts, and the stop that the series meets at impact k is moved, x <= g -
 /// distance - speed (t - t_k), until it is so. With a yielding stop for a rigid one the same takes back the
 /// penetration of the spring. The answer remains a series of H harmonics: its error is that of the best one
 /// of so many, but for terms of second order in the duration of the force. In X the contact does no net work;
 /// in the series it does what the harmonics beyond H dissipate, of order 1/H and of the damping.
 ///
-/// An impact is contact of at most 2.5 / H periods (and a quarter) on a coordinate that answers like a mass
-/// beyond H. Contact that lasts longer, yields, or has modes beyond H behind it is left alone.
+/// An impact is contact of at most 2.5 / H of the period, and a quarter of it, on a coordinate that answers
+/// like a mass beyond H. Contact that lasts longer, yields, or has modes beyond H behind it is left alone.
 class ImpactCompensation {
  public:
   /// \param extended  C_n for n = 0..L, L > H; L = 2 H will do
