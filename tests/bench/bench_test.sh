@@ -52,10 +52,11 @@ cat "$packages.id"
 END
 stand_in cmake <<'END'
 [ "$1" != -S ] || {
-  mkdir -p "$2/build/release/harness"
-  touch "$2/build/release/build.ninja"
-  echo "CMAKE_HOME_DIRECTORY:INTERNAL=$2" >"$2/build/release/CMakeCache.txt"
-  cat >"$2/build/release/compile_commands.json" <<JSON
+  build=$2/build/$4
+  mkdir -p "$build/harness"
+  touch "$build/build.ninja"
+  echo "CMAKE_HOME_DIRECTORY:INTERNAL=$2" >"$build/CMakeCache.txt"
+  cat >"$build/compile_commands.json" <<JSON
 [
 {
   "command": "c++ -c one.cpp",
@@ -192,7 +193,7 @@ expect_calls '^ctest' 0 'build fails'
 fresh 1000 all
 bench lint
 expect_code 0 'lint'
-expect_calls '^clang-tidy <--quiet>' 2 'first lint'
+expect_calls '^clang-tidy <--quiet> <-p> <[^>]*/build/lint>' 2 'first lint'
 expect_calls '^clang-format <--dry-run> <-Werror> <./part/' 1 'lint checks format'
 expect_calls '<-i>' 0 'lint changes nothing'
 bench lint
