@@ -1,12 +1,15 @@
-// What reading a large structure may take: never a dense array over its coordinates.
+// What a large structure may take, read and reduced to its contacts: never a dense array over its
+// coordinates.
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <string>
 
+#include "methods/kernels/receptance.hpp"
 #include "problems/scene_file.hpp"
 #include "tests/support/child.hpp"
+#include "tests/support/elastic_block.hpp"
 
 namespace signorini {
 namespace {
@@ -52,6 +55,26 @@ TEST_P(SceneAtScale, IsReadInMemoryProportionalToItsCoordinates) {
     if (parse_scene(scene_of_bricks(along), "long-block.toml").size() != size) std::abort();
   };
   EXPECT_TRUE(test::run_in_child(read, allowed).finished) << "within " << allowed << " MB";
+}
+
+// Proportional damping takes the projection, damping of one coordinate more than the projection stands for
+// the direct factorisations.
+TEST(ReceptanceAtScale, NeedsNoDenseArrayOverTheCoordinates) {
+  constexpr int kHarmonics = 10;
+  Problem proportional = test::to_problem(test::ElasticBlock{
+      .nx = 80, .ny = 8, .nz = 8, .side = 3, .alpha = 1e-3, .beta = 1e-3, .frequency = 0.1});
+  Problem general = proportional;
+  general.damping.coeffRef(0, 0) *= 2.0;
+  for (const Problem& problem : {proportional, general}) {
+    const auto reduce = [&] {
+      const ContactReceptance receptance = contact_receptance(
+          problem, kHarmonics, [&](int n) { return exact_weights(n * problem.frequency); });
+      if (receptance.harmonics() != kHarmonics) std::abort();
+    };
+    const test::ChildCost cost = test::run_in_child(reduce);
+    EXPECT_TRUE(cost.finished);
+    EXPECT_LT(cost.megabytes, 0.25 * dense_megabytes(problem.size())) << problem.size() << " coordinates";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Lengths, SceneAtScale, testing::Values(170, 700));
