@@ -37,22 +37,12 @@ class PreparedAft final : public PreparedMethod {
 
   Solution solve(const Start& start) override {
     if (receptance_.contacts() == 0) return contact_free_response(receptance_);
-    Work work{.unknowns = (2L * options_.harmonics + 1) * receptance_.contacts(), .iterations = 0};
-    std::optional<Solution> solution;
-    if (compensation_ && options_.max_iterations == 0)
-      solution =
-          compensated_from_guess(*compensation_, receptance_, gap_, law_, options_.tolerance, start, work);
-    if (solution) {
-      solution->work = work;
-      return *std::move(solution);
-    }
-    solution = climb(start, work);
-    if (!solution) solution = solve_on_grids(start, work);
-    if (compensation_)
-      compensate_impacts(*compensation_, receptance_, options_.tolerance, options_.max_iterations, start,
-                         *solution, work);
-    solution->work = work;
-    return *std::move(solution);
+    const Work work{.unknowns = (2L * options_.harmonics + 1) * receptance_.contacts(), .iterations = 0};
+    return solve_compensated(compensation_.get(), receptance_, gap_, law_, options_.tolerance,
+                             options_.max_iterations, start, work, [this, &start](Work& spent) {
+                               std::optional<Solution> solution = climb(start, spent);
+                               return solution ? *std::move(solution) : solve_on_grids(start, spent);
+                             });
   }
 
  private:

@@ -65,21 +65,19 @@ ExactProjection permanent_contact(const ContactReceptance& receptance, const Eig
   // Where closed y = -lambda throughout: c (x_f - g) + (c C + 1 - relief) lambda = 0.
   const int harmonics = receptance.harmonics();
   Eigen::MatrixXcd lambda = Eigen::MatrixXcd::Zero(harmonics + 1, receptance.contacts());
-  Eigen::MatrixXcd penetration = lambda;  // x - g
   for (int n = 0; n <= harmonics; ++n) {
-    const Eigen::MatrixXcd& C = receptance.receptance[static_cast<std::size_t>(n)];
     Eigen::VectorXcd free = receptance.free_response.row(n).transpose();
     if (n == 0) free -= gap;
-    Eigen::MatrixXcd block = law.constant.asDiagonal() * C;
+    Eigen::MatrixXcd block = law.constant.asDiagonal() * receptance.receptance[static_cast<std::size_t>(n)];
     block.diagonal() += (1.0 - law.relief.array()).matrix();
     const Eigen::MatrixXcd held = block(closed, closed);
     const Eigen::VectorXcd load = law.constant.cwiseProduct(free)(closed);
-    Eigen::VectorXcd force = Eigen::VectorXcd::Zero(receptance.contacts());
-    force(closed) = -held.partialPivLu().solve(load);
-    lambda.row(n) = force.transpose();
-    penetration.row(n) = (free + C * force).transpose();
+    const Eigen::VectorXcd force = -held.partialPivLu().solve(load);
+    lambda(n, closed) = force.transpose();
   }
   if (!lambda.allFinite()) return {};
+  Eigen::MatrixXcd penetration = contact_motion(receptance, lambda);
+  penetration.row(0) -= gap.transpose();
   const int samples = kSamplesPerHarmonic * std::max(1, harmonics);
   RealFft fft(samples);
   Eigen::VectorXd signal(samples);

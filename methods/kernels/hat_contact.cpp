@@ -10,6 +10,7 @@
 #include "methods/kernels/free_overlap.hpp"
 #include "methods/kernels/newton.hpp"
 #include "methods/kernels/period_marching.hpp"
+#include "methods/kernels/projected_law.hpp"
 #include "methods/kernels/real_fft.hpp"
 #include "methods/kernels/receptance.hpp"
 #include "methods/kernels/trajectories.hpp"
@@ -161,11 +162,7 @@ class PreparedHat final : public PreparedMethod {
       fft.forward(force.col(c), spectrum.col(c));
     }
     Eigen::MatrixXd x(samples(), contacts);
-    for (int n = 0; n < fft.coefficients() && contacts > 0; ++n) {
-      spectrum.row(n) =
-          receptance_.free_response.row(n) +
-          (receptance_.receptance[static_cast<std::size_t>(n)] * spectrum.row(n).transpose()).transpose();
-    }
+    if (contacts > 0) spectrum = contact_motion(receptance_, spectrum);
     for (int c = 0; c < contacts; ++c) fft.inverse(spectrum.col(c), x.col(c));
     Solution solution;
     solution.verdict = result.status == LcpStatus::solved ? Verdict::converged : Verdict::not_converged;

@@ -161,8 +161,9 @@ int bracketing_samples(const ContactReceptance& receptance) {
   return kBracketed * std::max(receptance.harmonics(), kFewest);
 }
 
-}  // namespace
-
+/// Gives a converged answer (a FourierTrajectory under an unsoftened law) its compensated impacts, and adds
+/// the Newton steps to `work`. Where that fails, or takes more than `limit` pivots and steps in all (0: no
+/// limit), the answer stays what it is; its message says which.
 void compensate_impacts(const ImpactCompensation& compensation, const ContactReceptance& receptance,
                         double tolerance, long limit, const Start& start, Solution& solution, Work& work) {
   if (solution.verdict != Verdict::converged) return;
@@ -180,6 +181,8 @@ void compensate_impacts(const ImpactCompensation& compensation, const ContactRec
   solution = compensated_solution(receptance, data.gap, law, std::move(result), solution.message);
 }
 
+/// The compensated answer near a guess that is one itself, by Newton's method at once; nothing if there is
+/// none.
 std::optional<Solution> compensated_from_guess(const ImpactCompensation& compensation,
                                                const ContactReceptance& receptance,
                                                const Eigen::VectorXd& gap, const ProjectedLaw& law,
@@ -193,6 +196,25 @@ std::optional<Solution> compensated_from_guess(const ImpactCompensation& compens
   work.iterations = work.iterations.value_or(0) + result.iterations;
   if (!result.converged || result.impacts == 0) return std::nullopt;
   return compensated_solution(receptance, gap, law, std::move(result), "Newton from the guess");
+}
+
+}  // namespace
+
+Solution solve_compensated(const ImpactCompensation* compensation, const ContactReceptance& receptance,
+                           const Eigen::VectorXd& gap, const ProjectedLaw& law, double tolerance, long limit,
+                           const Start& start, Work work, const std::function<Solution(Work&)>& solve) {
+  if (compensation != nullptr && limit == 0) {
+    auto near = compensated_from_guess(*compensation, receptance, gap, law, tolerance, start, work);
+    if (near) {
+      near->work = work;
+      return *std::move(near);
+    }
+  }
+  Solution solution = solve(work);
+  if (compensation != nullptr)
+    compensate_impacts(*compensation, receptance, tolerance, limit, start, solution, work);
+  solution.work = work;
+  return solution;
 }
 
 Solution contact_free_response(const ContactReceptance& receptance) {
@@ -233,22 +255,12 @@ std::optional<Solution> ProjectedContact::solve_without_grid(const Start& start,
 
 Solution ProjectedContact::solve(const Start& start) {
   if (receptance_.contacts() == 0) return contact_free_response(receptance_);
-  Work work{.unknowns = (2L * receptance_.harmonics() + 1) * receptance_.contacts()};
-  if (options_.compensation && options_.solver.max_iterations == 0) {
-    auto near = compensated_from_guess(*options_.compensation, receptance_, gap_, law_,
-                                       options_.solver.tolerance, start, work);
-    if (near) {
-      near->work = work;
-      return *std::move(near);
-    }
-  }
-  std::optional<Solution> solution = solve_without_grid(start, work);
-  if (!solution) solution = solve_on_grids(start, work);
-  if (options_.compensation)
-    compensate_impacts(*options_.compensation, receptance_, options_.solver.tolerance,
-                       options_.solver.max_iterations, start, *solution, work);
-  solution->work = work;
-  return *std::move(solution);
+  const Work work{.unknowns = (2L * receptance_.harmonics() + 1) * receptance_.contacts()};
+  return solve_compensated(options_.compensation.get(), receptance_, gap_, law_, options_.solver.tolerance,
+                           options_.solver.max_iterations, start, work, [this, &start](Work& spent) {
+                             std::optional<Solution> solution = solve_without_grid(start, spent);
+                             return solution ? *std::move(solution) : solve_on_grids(start, spent);
+                           });
 }
 
 Solution ProjectedContact::solve_on_grids(const Start& start, Work& work) const {

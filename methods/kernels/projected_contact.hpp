@@ -84,18 +84,14 @@ std::optional<Solution> solve_by_climbing(const ContactReceptance& receptance, c
                                           const LawAt& law_at, double tolerance, const Start& start,
                                           Work& work, const FootSolver& solve_foot);
 
-/// Gives a converged answer (a FourierTrajectory under an unsoftened law) its compensated impacts, and adds
-/// the Newton steps to `work`. Where that fails, or takes more than `limit` pivots and steps in all (0: no
-/// limit), the answer stays what it is; its message says which.
-void compensate_impacts(const ImpactCompensation& compensation, const ContactReceptance& receptance,
-                        double tolerance, long limit, const Start& start, Solution& solution, Work& work);
-
-/// The compensated answer near a guess that is one itself, by Newton's method at once; nothing if there is
-/// none.
-std::optional<Solution> compensated_from_guess(const ImpactCompensation& compensation,
-                                               const ContactReceptance& receptance,
-                                               const Eigen::VectorXd& gap, const ProjectedLaw& law,
-                                               double tolerance, const Start& start, Work& work);
+/// The answer of `solve` with its impacts compensated, and the work of both. A guess with compensated impacts
+/// is taken up by Newton's method first. Where the compensation fails, or takes more than `limit` pivots and
+/// steps in all (0: no limit), the answer stays what it is; its message says which.
+/// \param compensation  null: none
+/// \param solve  gives a FourierTrajectory under `law` where it converges; adds to the work handed to it
+Solution solve_compensated(const ImpactCompensation* compensation, const ContactReceptance& receptance,
+                           const Eigen::VectorXd& gap, const ProjectedLaw& law, double tolerance, long limit,
+                           const Start& start, Work work, const std::function<Solution(Work&)>& solve);
 
 /// The answer where the scene has no contact.
 Solution contact_free_response(const ContactReceptance& receptance);

@@ -21,6 +21,7 @@
 #include "methods/event_driven/event_driven.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/massless_scenes.hpp"
+#include "tests/support/random_springs.hpp"
 
 namespace signorini {
 namespace {
@@ -105,13 +106,7 @@ Problem pressed_structure(unsigned seed, const Law& law, double ripple) {
   for (int i = 0; i < kMasses; ++i) {
     problem.mass.coeffRef(i, i) = 2.0 + draw(random);
     K(i, i) += 2.0 + draw(random);
-    for (int j = 0; j < i; ++j) {
-      const double k = 2.0 + draw(random);
-      K(i, i) += k;
-      K(j, j) += k;
-      K(i, j) -= k;
-      K(j, i) -= k;
-    }
+    test::tie_to_all_before(K, i, random);
   }
   problem.stiffness = K.sparseView();
   problem.damping = 0.2 * problem.mass;

@@ -7,6 +7,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "tests/support/random_springs.hpp"
+
 namespace signorini::test {
 
 namespace {
@@ -36,13 +38,7 @@ Problem coupled_massless_scene(unsigned seed) {
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(kAll, kAll);
   for (int i = 0; i < kAll; ++i) {
     K(i, i) += 1.0 + 0.5 * draw(random);
-    for (int j = 0; j < i; ++j) {
-      const double k = 2.0 + draw(random);
-      K(i, i) += k;
-      K(j, j) += k;
-      K(i, j) -= k;
-      K(j, i) -= k;
-    }
+    tie_to_all_before(K, i, random);
   }
   Eigen::VectorXd mass = Eigen::VectorXd::Zero(kAll);
   for (int i = 0; i < kMasses; ++i) mass[i] = 2.0 + draw(random);

@@ -51,8 +51,9 @@ LinearFlow::LinearFlow(const ContactDynamics& dynamics, ContactMode mode, FlowFo
         W.transpose().completeOrthogonalDecomposition().solve(Eigen::VectorXd(dynamics.gaps()(mode_.active)));
   }
   const ExtendedMatrix Q = basis_.cast<long double>();
-  const auto reduced = [&](const Eigen::MatrixXd& A) {
-    return ExtendedMatrix(Q.transpose() * (A.cast<long double>() * Q));
+  const auto reduced = [&](const Eigen::MatrixXd& A) -> ExtendedMatrix {
+    if (Q.cols() == n) return A.cast<long double>();  // nothing is held: Q is the identity
+    return Q.transpose() * (A.cast<long double>() * Q);
   };
   const EnergyForm energy(reduced(dynamics.mass()), reduced(dynamics.damping()), reduced(stiffness),
                           dynamics.frequency());
