@@ -99,8 +99,12 @@ Judgement certify(const Problem& problem, std::shared_ptr<const Trajectory> answ
 
   Problem same_order = problem;
   same_order.subharmonic = motion.order;
-  if (tools.polish &&
-      take(problem, motion, tools.polish(same_order, *answer, deadline), reference, known, judgement)) {
+  if (tools.polish && take(problem, motion,
+                           tools.polish({.problem = same_order,
+                                         .answer = *answer,
+                                         .confirmed = reference.confirmed,
+                                         .deadline = deadline}),
+                           reference, known, judgement)) {
     return judgement;
   }
   const CheckedOrbit shot = find_orbit(

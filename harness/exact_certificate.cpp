@@ -66,32 +66,60 @@ std::optional<bool> stability(const ExactOrbit& orbit) {
   return largest < 1.0;
 }
 
-CheckedOrbit polish(const Problem& problem, const Trajectory& answer,
-                    std::chrono::steady_clock::time_point deadline) {
-  const auto expired = [deadline] { return Start{.guess = {}, .deadline = deadline}.expired(); };
-  OrbitFinder finder(problem);
+/// Whether two orbits have the same events, each within the error bars of both: times in periods, impulses
+/// against the largest. The instants of weak events are known some hundred times less well than the motion.
+bool same_events(const CheckedOrbit& orbit, const Certificate& other, double period) {
+  constexpr double kErrorBars = 100.0;
+  const double allowed = kErrorBars * (orbit.error_bar + other.error_bar.value_or(0.0));
+  double largest = 0.0;
+  for (const OrbitEvent& event : orbit.events)
+    largest = std::max(largest, std::abs(event.value.value_or(0.0)));
+  const auto same = [&](const OrbitEvent& a, const OrbitEvent& b) {
+    return a.contact == b.contact && a.kind == b.kind &&
+           std::abs(std::remainder(a.time - b.time, period)) <= allowed * period &&
+           std::abs(a.value.value_or(0.0) - b.value.value_or(0.0)) <= allowed * largest;
+  };
+  return std::equal(orbit.events.begin(), orbit.events.end(), other.events.begin(), other.events.end(), same);
+}
+
+/// How far away CVODE returned on an orbit confirmed before. Between its events a motion is linear, so that
+/// two orbits with the same events are one; without events, nothing names it.
+std::optional<double> known_return(const CheckedOrbit& orbit, const PolishRequest& request) {
+  if (orbit.events.empty()) return std::nullopt;
+  for (const Certificate& other : request.confirmed) {
+    if (same_events(orbit, other, request.problem.period())) return other.return_distance;
+  }
+  return std::nullopt;
+}
+
+CheckedOrbit polish(const PolishRequest& request) {
+  const auto expired = [&request] { return Start{.guess = {}, .deadline = request.deadline}.expired(); };
+  OrbitFinder finder(request.problem);
   SearchOptions options;
   options.polish.second_evaluation = true;
   options.expired = expired;
-  const OrbitSearch search = finder.find(answer, options);
+  const OrbitSearch search = finder.find(request.answer, options);
   const ExactOrbit& found = search.orbit;
   if (!found.certified()) {
     return {.reason = found.reason.empty() ? describe(found.outcome)
                                            : describe(found.outcome) + ": " + found.reason};
   }
   const ContactDynamics& dynamics = finder.model()->dynamics;
-  const ReturnCheck check = cvode_return(dynamics, *found.trajectory, expired);
-  if (!check.returned) {
-    return {.reason =
-                fmt::format("an exact orbit, but CVODE returns {:.1e} away from it where {:.1e} is allowed",
-                            check.distance, check.allowed)};
-  }
   CheckedOrbit orbit{.orbit = found.trajectory, .residual = found.residual};
   orbit.error_bar = relative_error_bar(found, *found.trajectory, dynamics.scales().displacement);
   orbit.source =
       found.outcome == OrbitOutcome::chatter ? "exact orbit with a complete chatter" : "exact orbit";
   orbit.events = events_of(*found.trajectory);
-  orbit.return_distance = check.distance;
+  orbit.return_distance = known_return(orbit, request);
+  if (!orbit.return_distance) {
+    const ReturnCheck check = cvode_return(dynamics, *found.trajectory, expired);
+    if (!check.returned) {
+      return {.reason =
+                  fmt::format("an exact orbit, but CVODE returns {:.1e} away from it where {:.1e} is allowed",
+                              check.distance, check.allowed)};
+    }
+    orbit.return_distance = check.distance;
+  }
   orbit.floquet.emplace();
   for (const std::complex<double>& multiplier : found.multipliers)
     orbit.floquet->emplace_back(multiplier.real(), multiplier.imag());
@@ -102,10 +130,9 @@ CheckedOrbit polish(const Problem& problem, const Trajectory& answer,
 }  // namespace
 
 OrbitPolisher exact_orbits() {
-  return [](const Problem& problem, const Trajectory& answer,
-            std::chrono::steady_clock::time_point deadline) -> CheckedOrbit {
+  return [](const PolishRequest& request) -> CheckedOrbit {
     try {
-      return polish(problem, answer, deadline);
+      return polish(request);
     } catch (const std::bad_alloc&) {
       throw;                                 // the child's memory limit is told apart
     } catch (const std::exception& error) {  // a singular structure, a flow that fails

@@ -120,7 +120,10 @@ class Census {
       least = solve(first_period(search.orbit.trajectory->orbit(), period), order);
     }
     CheckedOrbit checked{.reason = "the orbit does not close after its least period"};
-    if (least.orbit.certified()) checked = polish_(at(order), *least.orbit.trajectory, deadline_);
+    if (least.orbit.certified()) {
+      const Problem at_order = at(order);
+      checked = polish_({.problem = at_order, .answer = *least.orbit.trajectory, .deadline = deadline_});
+    }
     if (!checked.orbit) {
       ++result.failures[checked.reason];
       refused_.emplace_back(motion, checked.reason);
@@ -231,9 +234,8 @@ std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit
   Problem at_order = problem;
   at_order.subharmonic = kept.order;
   const OrbitPolisher certify = polish ? polish : exact_orbits();
-  CheckedOrbit checked =
-      certify(at_order, ImpulseTrain(problem.contact_count(), at_order.period(), std::move(impulses)),
-              SteadyTime::max());
+  const ImpulseTrain train(problem.contact_count(), at_order.period(), std::move(impulses));
+  CheckedOrbit checked = certify({.problem = at_order, .answer = train});
   if (!checked.orbit) return std::nullopt;
   FoundOrbit found = describe_orbit(problem, kept.order, std::move(checked));
   found.from_rest = kept.from_rest;  // not asked here

@@ -106,7 +106,7 @@ Reference compute_reference(const Problem& problem, const OrbitTools& tools,
   if (tools.polish) {
     Problem same_order = problem;
     same_order.subharmonic = sample_motion(problem, *marched.trajectory).order;
-    checked = tools.polish(same_order, *marched.trajectory, deadline);
+    checked = tools.polish({.problem = same_order, .answer = *marched.trajectory, .deadline = deadline});
     if (checked.orbit && !stays(problem, *marched.trajectory, *checked.orbit)) {
       return {.reason =
                   "marching from rest has not settled: the exact orbit nearest to where it ended is farther "
@@ -117,11 +117,17 @@ Reference compute_reference(const Problem& problem, const OrbitTools& tools,
     checked = confirm_orbit(problem, tools.solver, request, marched, kReferenceErrorBar);
   if (!checked.orbit) return {.reason = checked.reason};
   const Motion motion = sample_motion(problem, *checked.orbit);
-  return {.orbit = std::make_shared<SampledTrajectory>(*checked.orbit, motion.count()),
-          .reason = {},
-          .error_bar = checked.error_bar,
-          .residual = checked.residual,
-          .fingerprint = fingerprint(motion)};
+  Reference reference{.orbit = std::make_shared<SampledTrajectory>(*checked.orbit, motion.count()),
+                      .reason = {},
+                      .error_bar = checked.error_bar,
+                      .residual = checked.residual,
+                      .fingerprint = fingerprint(motion)};
+  if (checked.return_distance) {
+    reference.confirmed.push_back({.error_bar = checked.error_bar,
+                                   .events = std::move(checked.events),
+                                   .return_distance = checked.return_distance});
+  }
+  return reference;
 }
 
 nlohmann::ordered_json to_json(const Reference& reference) {
@@ -135,6 +141,7 @@ nlohmann::ordered_json to_json(const Reference& reference) {
   carrier.period = reference.orbit->period();
   carrier.trajectory =
       samples_of(*reference.orbit, static_cast<int>(reference.orbit->data().samples.x.rows()));
+  if (!reference.confirmed.empty()) carrier.certificate = reference.confirmed.front();
   json["carrier"] = to_json(carrier);
   json["error_bar"] = reference.error_bar;
   if (reference.residual) json["residual"] = *reference.residual;
@@ -154,6 +161,7 @@ Reference reference_from_json(const nlohmann::ordered_json& json) {
     reference.error_bar = json.at("error_bar");
     if (json.contains("residual")) reference.residual = json["residual"].get<double>();
     reference.fingerprint = json.at("fingerprint");
+    if (carrier.certificate.return_distance) reference.confirmed.push_back(carrier.certificate);
     return reference;
   } catch (const nlohmann::json::exception& error) {
     throw BadRecord(error.what());

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,9 +49,18 @@ struct CheckedOrbit {
   std::optional<bool> stable = {};
 };
 
+/// What is polished. `confirmed` are certificates of orbits of this problem that CVODE has followed for a
+/// period already: an orbit with the events of one of them need not be followed again, which on a stiff
+/// structure costs more than all else.
+struct PolishRequest {
+  const Problem& problem;
+  const Trajectory& answer;
+  std::span<const Certificate> confirmed = {};
+  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+};
+
 /// Polishes an answer to the exact orbit behind it, if there is one.
-using OrbitPolisher = std::function<CheckedOrbit(const Problem& problem, const Trajectory& answer,
-                                                 std::chrono::steady_clock::time_point deadline)>;
+using OrbitPolisher = std::function<CheckedOrbit(const PolishRequest& request)>;
 
 /// The harness's ways to orbits. Without a polisher, all is left to the solver at two tolerances.
 struct OrbitTools {
@@ -66,13 +76,15 @@ struct OrbitTools {
 CheckedOrbit find_orbit(const Problem& problem, const OrbitSolver& solver, OrbitRequest request,
                         double largest_error_bar);
 
-/// The motion of a scene reached from rest under one law: what "the same orbit" in tables means.
+/// What is known of a scene under one law before an answer is judged: the motion reached from rest, which is
+/// what "the same orbit" in tables means, and the orbits confirmed so far.
 struct Reference {
   std::shared_ptr<const SampledTrajectory> orbit = {};  ///< null: none
   std::string reason = {};                              ///< why there is none
   double error_bar = 0.0;                               ///< <= 1e-9
   std::optional<double> residual = {};
   std::string fingerprint = {};
+  std::vector<Certificate> confirmed = {};  ///< of exact orbits, by CVODE; see PolishRequest
 };
 
 /// Marches at kOrbitTolerance and polishes what it comes to, if the polish stays with it; else by find_orbit.

@@ -164,6 +164,17 @@ const Reference& Runner::reference_for(const Problem& problem, const Represented
   return found == references_.end() ? none : found->second;
 }
 
+void Runner::keep_confirmed(const Problem& problem, const Record& record) {
+  const auto found = references_.find(law_key(problem, *record.law));
+  if (found == references_.end()) return;
+  std::vector<Certificate>& confirmed = found->second.confirmed;
+  // An orbit that was recognised carries the very distance of the one known.
+  const auto recognised = [&](const Certificate& known) {
+    return known.return_distance == record.certificate.return_distance;
+  };
+  if (std::none_of(confirmed.begin(), confirmed.end(), recognised)) confirmed.push_back(record.certificate);
+}
+
 IsolationLimits Runner::trial_limits() const {
   // One per stage: first solve, timing, measures, certificate; then the end of the process. On a large
   // structure the measures cost what the set-up did: both find receptances.
@@ -189,7 +200,7 @@ Record Runner::blank(const Scene& scene, const Case& run, const Survey& survey) 
 }
 
 std::optional<Record> Runner::run(const Scene& scene, const Case& run, const Survey& survey,
-                                  const SolveExtras& extras) const {
+                                  const SolveExtras& extras) {
   Record record = blank(scene, run, survey);
   if (survey.failure) {
     if (survey.failure->kind == ChildEnd::Kind::interrupted) return std::nullopt;
@@ -224,6 +235,7 @@ std::optional<Record> Runner::run(const Scene& scene, const Case& run, const Sur
   record = record_from_json(Json::parse(end.lines.back()));
   take_late_end(end, record);
   apply_verdict(record);
+  if (record.certificate.return_distance) keep_confirmed(scene.problem, record);
   return record;
 }
 

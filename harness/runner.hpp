@@ -48,9 +48,10 @@ class Runner {
   void compute_references(const Scene& scene, std::span<const Survey> surveys);
   void forget_references() { references_.clear(); }
 
-  /// Runs one surveyed case. Empty if the parent was interrupted: then there is no record.
+  /// Runs one surveyed case, and keeps a new orbit behind its answer as confirmed. Empty if the parent was
+  /// interrupted: then there is no record.
   [[nodiscard]] std::optional<Record> run(const Scene& scene, const Case& run, const Survey& survey,
-                                          const SolveExtras& extras = {}) const;
+                                          const SolveExtras& extras = {});
 
   [[nodiscard]] const Limits& limits() const { return limits_; }
   [[nodiscard]] std::string key_of(const Scene& scene, const Case& run) const;
@@ -58,6 +59,7 @@ class Runner {
  private:
   [[nodiscard]] Record blank(const Scene& scene, const Case& run, const Survey& survey) const;
   [[nodiscard]] const Reference& reference_for(const Problem& problem, const RepresentedLaw& law) const;
+  void keep_confirmed(const Problem& problem, const Record& record);
   [[nodiscard]] IsolationLimits trial_limits() const;
 
   Limits limits_;

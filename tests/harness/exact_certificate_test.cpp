@@ -29,7 +29,7 @@ std::shared_ptr<const Trajectory> scaled(double factor) {
 }
 
 OrbitPolisher polishes_to(double factor, double error_bar) {
-  return [=](const Problem&, const Trajectory&, std::chrono::steady_clock::time_point) {
+  return [=](const PolishRequest&) {
     CheckedOrbit orbit{.orbit = scaled(factor)};
     orbit.error_bar = error_bar;
     orbit.source = "exact orbit";
@@ -44,7 +44,7 @@ OrbitSolver fails() {
 TEST(ExactOrbits, PolishACoarseAnswerToTheClosedFormOrbitWithItsMultipliers) {
   const Problem problem = test::to_problem(kStop);
   const auto closed = test::single_impact_orbits(kStop).front();
-  const CheckedOrbit orbit = exact_orbits()(problem, *coarse_answer(problem), kNoDeadline);
+  const CheckedOrbit orbit = exact_orbits()({.problem = problem, .answer = *coarse_answer(problem)});
   ASSERT_NE(orbit.orbit, nullptr) << orbit.reason;
   EXPECT_LE(orbit.error_bar, 1e-11);
   EXPECT_LE(test::relative_error(*orbit.orbit, [&](double t) { return closed.x(t); }), 1e-11);
@@ -64,12 +64,26 @@ TEST(ExactOrbits, PolishACoarseAnswerToTheClosedFormOrbitWithItsMultipliers) {
   EXPECT_LE(orbit.return_distance.value(), 1e-9);
 }
 
+TEST(ExactOrbits, AreNotFollowedAgainWhereOneWithTheirEventsIsConfirmed) {
+  const Problem problem = test::to_problem(kStop);
+  const std::shared_ptr<const Trajectory> answer = coarse_answer(problem);
+  const CheckedOrbit orbit = exact_orbits()({.problem = problem, .answer = *answer});
+  ASSERT_NE(orbit.orbit, nullptr) << orbit.reason;
+  constexpr double kKnown = 0.125;  // no distance that CVODE would return at
+  std::vector<Certificate> confirmed{
+      {.error_bar = orbit.error_bar, .events = orbit.events, .return_distance = kKnown}};
+  const PolishRequest again{.problem = problem, .answer = *answer, .confirmed = confirmed};
+  EXPECT_EQ(exact_orbits()(again).return_distance, kKnown);
+  confirmed.front().events.front().time += 1e-6;  // another orbit, however near
+  EXPECT_LE(exact_orbits()(again).return_distance.value(), 1e-9);
+}
+
 TEST(ExactOrbits, LeaveTheStabilityOpenOnTheUnitCircle) {
   test::ImpactOscillator undamped = kStop;
   undamped.damping = 0.0;
   undamped.restitution = 1.0;
   const Problem problem = test::to_problem(undamped);
-  const CheckedOrbit orbit = exact_orbits()(problem, *coarse_answer(problem), kNoDeadline);
+  const CheckedOrbit orbit = exact_orbits()({.problem = problem, .answer = *coarse_answer(problem)});
   ASSERT_NE(orbit.orbit, nullptr) << orbit.reason;
   for (const auto& [re, im] : orbit.floquet.value()) EXPECT_NEAR(std::hypot(re, im), 1.0, 1e-9);
   EXPECT_FALSE(orbit.stable.has_value());
@@ -82,7 +96,7 @@ TEST(ExactOrbits, SayWhyAStructureHasNone) {
   const auto answer = coarse_answer(loose);
   loose.stiffness.coeffRef(0, 0) = 0.0;
   loose.damping.coeffRef(0, 0) = 0.0;
-  const CheckedOrbit orbit = exact_orbits()(loose, *answer, kNoDeadline);
+  const CheckedOrbit orbit = exact_orbits()({.problem = loose, .answer = *answer});
   EXPECT_EQ(orbit.orbit, nullptr);
   EXPECT_FALSE(orbit.reason.empty());
 }

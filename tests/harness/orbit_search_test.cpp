@@ -152,8 +152,7 @@ TEST(CertifyAgain, LeavesContactPhasesToTheSearch) {
 
 TEST(FindAllOrbits, LeavesOutWhatIsNotCertified) {
   const Problem problem = coexisting();
-  const OrbitPolisher refuse = [](const Problem&, const Trajectory&,
-                                  std::chrono::steady_clock::time_point) -> CheckedOrbit {
+  const OrbitPolisher refuse = [](const PolishRequest&) -> CheckedOrbit {
     return {.reason = "no second integrator"};
   };
   const OrbitCensus census = find_all_orbits(problem, {.starts = 0, .subharmonics = 1}, refuse);
