@@ -30,13 +30,13 @@ bool belongs(const Suite& suite, const SceneHeader& scene) {
 }
 
 std::vector<Scene> choose_scenes(const Suite& suite, const Narrowing& narrowing,
-                                 std::span<const std::filesystem::path> files) {
+                                 std::span<const SceneSource> sources) {
   std::vector<Scene> scenes;
-  for (const std::filesystem::path& file : files) {
-    const SceneHeader header = load_header(file);  // first: a large scene takes time to assemble
+  for (const SceneSource& source : sources) {
+    const SceneHeader header = load_header(source);  // first: a large scene takes time to assemble
     if (!belongs(suite, header)) continue;
     if (narrowing.scenes && !filter_matches(*narrowing.scenes, header.name)) continue;
-    scenes.push_back(read_scene(file.string()));
+    scenes.push_back(read_scene(source));
   }
   if (scenes.empty()) {
     throw NothingMatched(
@@ -65,11 +65,13 @@ DefaultSettings suite_settings(const Suite& suite, std::span<const MethodEntry> 
 
 std::string print_option(const OptionValue& value) { return std::visit(OptionPrinter{}, value); }
 
-Scene read_scene(const std::string& name_or_path) {
-  const std::filesystem::path path = find_scene(name_or_path);
-  const std::string text = read_file(path);
+Scene read_scene(const SceneSource& source) {
+  const std::string name = source.file.string();
+  const std::string text = read_file(source.file);
   // Read once, so that the hash is of what was parsed.
-  return {parse_scene(text, path.string()), sha256(text)};
+  return {.problem = parse_scene(text, name, source.level),
+          .sha256 = sha256(source.level.empty() ? text : text + "@" + source.level),
+          .family = parse_header(text, name, source.level).family};
 }
 
 Case make_case(const Scene& scene, std::size_t index, MethodChoice choice) {
@@ -80,10 +82,10 @@ Case make_case(const Scene& scene, std::size_t index, MethodChoice choice) {
 }
 
 Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const MethodEntry> catalogue,
-               std::span<const std::filesystem::path> scene_files) {
+               std::span<const SceneSource> sources) {
   const std::vector<MethodChoice> choices =
       select_methods(narrowing.methods.value_or("*"), catalogue, suite_settings(suite, catalogue));
-  Plan plan{choose_scenes(suite, narrowing, scene_files), {}};
+  Plan plan{choose_scenes(suite, narrowing, sources), {}};
   for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
     for (const MethodChoice& choice : choices) plan.cases.push_back(make_case(plan.scenes[i], i, choice));
   }

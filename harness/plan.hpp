@@ -13,17 +13,19 @@
 #include "harness/suite.hpp"
 #include "methods/catalogue.hpp"
 #include "problems/problem.hpp"
+#include "problems/scene_file.hpp"
 
 namespace signorini {
 
 /// A scene ready to run.
 struct Scene {
   Problem problem;
-  std::string sha256 = {};  ///< of the scene file's bytes
+  std::string sha256 = {};  ///< of the scene file's bytes; of one of a family, of them and its level
+  std::optional<FamilyLevel> family = {};
 };
 
-/// Reads a scene by catalogue name or path. \throws SceneError
-Scene read_scene(const std::string& name_or_path);
+/// Reads a scene. \throws SceneError
+Scene read_scene(const SceneSource& source);
 
 /// One run of one method on one scene.
 struct Case {
@@ -50,7 +52,7 @@ struct Narrowing {
 /// The cases of a suite, scenes in catalogue order, methods in catalogue order.
 /// \throws NothingMatched, UsageError, SceneError, InvalidOption
 Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const MethodEntry> catalogue,
-               std::span<const std::filesystem::path> scene_files);
+               std::span<const SceneSource> sources);
 
 /// What makes two runs the same: SHA-256 of scene file, method, complete options, limits and code version.
 std::string case_key(const Scene& scene, const Case& run, const Limits& limits,

@@ -121,6 +121,22 @@ Seconds read_seconds(const Json& json) {
           .solve = json.at("solve")};
 }
 
+Json write_family(const FamilyLevel& family) {
+  return {{"name", family.family},
+          {"parameter", family.parameter},
+          {"level", family.level},
+          {"severity", family.severity},
+          {"levels", family.levels}};
+}
+
+FamilyLevel read_family(const Json& json) {
+  return {.family = json.at("name"),
+          .parameter = json.at("parameter"),
+          .level = json.at("level"),
+          .severity = json.at("severity"),
+          .levels = json.at("levels")};
+}
+
 Json write_certificate(const Certificate& certificate) {
   Json json;
   json["status"] = certificate_name(certificate.status);
@@ -224,6 +240,7 @@ void read_body(const Json& json, Record& record) {
   for (const auto& [name, value] : json.at("options").items())
     record.options.emplace_back(name, read_option(value));
   record.status = static_cast<Status>(name_index(kStatusNames, json.at("status")));
+  if (json.contains("family")) record.family = read_family(json["family"]);
   get(json, "message", record.message);
   get(json, "signal", record.signal);
   if (json.contains("law")) record.law = law_from_json(json["law"]);
@@ -280,6 +297,7 @@ Json to_json(const Record& record) {
   put(json, "key", record.key);
   json["scene"] = record.scene;
   json["scene_sha256"] = record.scene_sha256;
+  if (record.family) json["family"] = write_family(*record.family);
   json["method"] = record.method;
   json["options"] = Json::object();
   for (const auto& [name, value] : record.options) json["options"][name] = write_option(value);

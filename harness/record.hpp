@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "methods/method.hpp"
+#include "problems/scene_family.hpp"
 
 namespace signorini {
 
@@ -104,6 +105,7 @@ struct Record {
   std::string case_id = {};  ///< "scene/method[settings]"
   std::string key = {};      ///< identifies the run for --resume
   std::string scene = {}, scene_sha256 = {}, method = {};
+  std::optional<FamilyLevel> family = {};  ///< of a scene that is one of a family
   std::vector<std::pair<std::string, OptionValue>> options = {};
   Status status = Status::not_converged;
   std::string message = {};

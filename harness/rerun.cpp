@@ -41,7 +41,7 @@ class SceneRerun {
 
   void run(const std::vector<const Record*>& kept, const Limits& limits,
            std::span<const MethodEntry> catalogue) {
-    const Scene scene = read_scene(kept.front()->scene);
+    const Scene scene = read_scene(find_scene(kept.front()->scene));
     if (scene.sha256 != kept.front()->scene_sha256) {
       result_.differences.push_back(
           fmt::format("{}: the scene file has changed since the run: {} cases not compared",

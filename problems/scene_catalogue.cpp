@@ -16,6 +16,22 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostSuggestions = 3;
 
+std::vector<fs::path> scene_files(const char* folder) {
+  std::vector<fs::path> files;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(problems_folder() / folder, none)) {
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end(),
+            [](const fs::path& a, const fs::path& b) { return a.stem().string() < b.stem().string(); });
+  return files;
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) && !fs::is_directory(path, ignored);
+}
+
 // Levenshtein's distance: the fewest insertions, deletions and replacements.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -35,7 +51,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::vector<std::string> close_names(const std::string& name) {
   const std::size_t farthest = std::max<std::size_t>(2, name.size() / 4);
   std::vector<std::pair<std::size_t, std::string>> close;
-  for (const fs::path& path : catalogue_scenes()) {
+  std::vector<fs::path> files = scene_files("catalogue");
+  for (fs::path& family : scene_files("families")) files.push_back(std::move(family));
+  for (const fs::path& path : files) {
     const std::string known = path.stem().string();
     const std::size_t distance = edit_distance(name, known);
     if (distance <= farthest) close.emplace_back(distance, known);
@@ -66,24 +84,37 @@ fs::path problems_folder() {
   return built;
 }
 
-std::vector<fs::path> catalogue_scenes() {
-  std::vector<fs::path> scenes;
-  std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(problems_folder() / "catalogue", none)) {
-    if (entry.path().extension() == ".toml") scenes.push_back(entry.path());
+std::vector<fs::path> catalogue_scenes() { return scene_files("catalogue"); }
+
+std::vector<SceneSource> family_scenes() {
+  std::vector<SceneSource> scenes;
+  for (const fs::path& file : scene_files("families")) {
+    for (std::string& level : load_levels(file)) scenes.emplace_back(file, std::move(level));
   }
-  std::sort(scenes.begin(), scenes.end(),
-            [](const fs::path& a, const fs::path& b) { return a.stem().string() < b.stem().string(); });
   return scenes;
 }
 
-fs::path find_scene(const std::string& name_or_path) {
-  const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
-  fs::path path =
-      is_path ? fs::path(name_or_path) : problems_folder() / "catalogue" / (name_or_path + ".toml");
-  std::error_code ignored;
-  if (!name_or_path.empty() && fs::exists(path, ignored) && !fs::is_directory(path, ignored)) return path;
-  const std::vector<std::string> close = close_names(fs::path(name_or_path).stem().string());
+std::vector<SceneSource> shipped_scenes() {
+  const std::vector<fs::path> single = catalogue_scenes();
+  std::vector<SceneSource> scenes(single.begin(), single.end());
+  for (SceneSource& scene : family_scenes()) scenes.push_back(std::move(scene));
+  return scenes;
+}
+
+SceneSource find_scene(const std::string& name_or_path) {
+  if (is_file(name_or_path)) return fs::path(name_or_path);
+  const std::size_t at = name_or_path.rfind('@');
+  const std::string base = name_or_path.substr(0, at);
+  const std::string level = at == std::string::npos ? "" : name_or_path.substr(at + 1);
+  if (base.find('/') != std::string::npos || base.ends_with(".toml")) {
+    if (is_file(base)) return {base, level};
+  } else {
+    for (const char* folder : {"catalogue", "families"}) {
+      fs::path path = problems_folder() / folder / (base + ".toml");
+      if (!base.empty() && is_file(path)) return {std::move(path), level};
+    }
+  }
+  const std::vector<std::string> close = close_names(fs::path(base).stem().string());
   const std::string hint = close.empty() ? "" : fmt::format("; did you mean {}?", fmt::join(close, ", "));
   throw SceneError(
       fmt::format("scene = {} (must be a catalogue scene or a TOML file{})", name_or_path, hint));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -32,17 +31,8 @@ SceneField SceneField::item(std::size_t index) const {
 SceneField SceneField::at(std::string_view path) const {
   SceneField field = *this;
   while (!path.empty()) {
-    if (path.front() == '[') {
-      std::size_t index = 0;
-      std::from_chars(path.data() + 1, path.data() + path.size(), index);
-      field = field.item(index);
-      path.remove_prefix(std::min(path.size(), path.find(']') + 1));
-    } else {
-      if (path.front() == '.') path.remove_prefix(1);
-      const std::string_view key = path.substr(0, path.find_first_of(".["));
-      field = field[key];
-      path.remove_prefix(key.size());
-    }
+    const PathStep step = take_step(path);
+    field = step.index ? field.item(*step.index) : field[step.key];
   }
   return field;
 }
@@ -50,6 +40,13 @@ SceneField SceneField::at(std::string_view path) const {
 bool SceneField::is_table() const { return given() && std::holds_alternative<TomlTable>(node_->value); }
 
 bool SceneField::is_array() const { return given() && std::holds_alternative<TomlArray>(node_->value); }
+
+std::vector<std::string> SceneField::keys() const {
+  std::vector<std::string> names;
+  if (!is_table()) return names;
+  for (const TomlEntry& entry : std::get<TomlTable>(node_->value)) names.push_back(entry.key);
+  return names;
+}
 
 void SceneField::allow_only(std::initializer_list<std::string_view> keys,
                             std::string_view requirement) const {

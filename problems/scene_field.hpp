@@ -26,6 +26,12 @@ class SceneField {
   [[nodiscard]] bool is_table() const;
   [[nodiscard]] bool is_array() const;
   [[nodiscard]] const std::string& path() const { return path_; }
+  /// The same under another path: of a part that was taken out of its document.
+  [[nodiscard]] SceneField named(std::string path) const { return {node_, std::move(path), line_, file_}; }
+  /// What stands here; only where something does.
+  [[nodiscard]] const TomlNode& node() const { return *node_; }
+  /// Keys of a table in the order of the file; none of anything else.
+  [[nodiscard]] std::vector<std::string> keys() const;
   /// Name of the scene file, as messages give it.
   [[nodiscard]] const std::string& file() const { return *file_; }
 

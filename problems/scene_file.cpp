@@ -59,15 +59,21 @@ std::vector<double> read_penalty(const SceneField& penalty, std::size_t contacts
   return values;
 }
 
-SceneHeader read_header(const SceneField& document) {
+SceneHeader read_header(const SceneField& document, std::optional<FamilyLevel> family) {
   static_cast<void>(
       document["schema"].whole("must be 1", kSchema, kSchema));  // first: others may have other keys
   document.allow_only({"schema", "name", "title", "reference", "tags", "system", "forcing", "contact", "law"},
                       "must be a table");
-  return {.name = read_name(document["name"]),
-          .title = read_optional_text(document["title"]),
-          .reference = read_optional_text(document["reference"]),
-          .tags = read_tags(document["tags"])};
+  SceneHeader header{.name = read_name(document["name"]),
+                     .title = read_optional_text(document["title"]),
+                     .reference = read_optional_text(document["reference"]),
+                     .tags = read_tags(document["tags"]),
+                     .family = std::move(family)};
+  if (header.family) {
+    header.family->family = header.name;
+    header.name += "@" + level_label(header.family->level);
+  }
+  return header;
 }
 
 Law read_law(const SceneField& law, const Problem& problem) {
@@ -135,8 +141,8 @@ void read_forcing(const SceneField& forcing, const SystemDescription& system, Re
 }
 
 // Fills `scene` as far as it comes.
-void read_scene(const SceneField& document, ReadScene& scene) {
-  SceneHeader header = read_header(document);
+void read_scene(const SceneField& document, const std::optional<FamilyLevel>& family, ReadScene& scene) {
+  SceneHeader header = read_header(document, family);
   Problem& problem = scene.problem;
   problem.name = std::move(header.name);
   problem.title = std::move(header.title);
@@ -184,24 +190,43 @@ TomlNode parse_document(std::string_view text, const std::string& name) {
   }
 }
 
+// A document that is one scene, and which of its family.
+struct LevelDocument {
+  TomlNode tree = {};
+  std::optional<FamilyLevel> family = {};
+};
+
+LevelDocument parse_level(std::string_view text, const std::string& name, std::string_view level) {
+  LevelDocument document{.tree = parse_document(text, name)};
+  document.family = choose_level(document.tree, name, level);
+  return document;
+}
+
 }  // namespace
 
 bool SceneHeader::carries(std::string_view tag) const {
   return std::find(tags.begin(), tags.end(), tag) != tags.end();
 }
 
-SceneHeader load_header(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  const TomlNode document = parse_document(read_text(path), name);
-  return read_header(SceneField(document, name));
+std::vector<std::string> load_levels(const std::filesystem::path& path) {
+  return family_labels(parse_document(read_text(path), path.string()), path.string());
 }
 
-Problem parse_scene(std::string_view text, const std::string& name) {
-  const TomlNode document = parse_document(text, name);
-  const SceneField root(document, name);
+SceneHeader parse_header(std::string_view text, const std::string& name, std::string_view level) {
+  const LevelDocument document = parse_level(text, name, level);
+  return read_header(SceneField(document.tree, name), document.family);
+}
+
+SceneHeader load_header(const SceneSource& source) {
+  return parse_header(read_text(source.file), source.file.string(), source.level);
+}
+
+Problem parse_scene(std::string_view text, const std::string& name, std::string_view level) {
+  const LevelDocument document = parse_level(text, name, level);
+  const SceneField root(document.tree, name);
   ReadScene scene;
   try {
-    read_scene(root, scene);
+    read_scene(root, document.family, scene);
     validate(scene.problem, scene.definiteness);
     return std::move(scene.problem);
   } catch (const InvalidProblem& error) {
@@ -209,6 +234,8 @@ Problem parse_scene(std::string_view text, const std::string& name) {
   }
 }
 
-Problem load_scene(const std::filesystem::path& path) { return parse_scene(read_text(path), path.string()); }
+Problem load_scene(const SceneSource& source) {
+  return parse_scene(read_text(source.file), source.file.string(), source.level);
+}
 
 }  // namespace signorini

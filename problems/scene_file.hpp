@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "problems/problem.hpp"
+#include "problems/scene_family.hpp"
 
 namespace signorini {
 
@@ -24,28 +25,42 @@ inline constexpr std::string_view kLarge = "large";
 /// The tag of scenes whose orbits take minutes to search.
 inline constexpr std::string_view kLongSearch = "long-search";
 
+/// Where a scene is read from: a file, and for one of a family its level.
+struct SceneSource {
+  SceneSource(std::filesystem::path scene_file, std::string level_label = {})  // NOLINT: a file is a source
+      : file(std::move(scene_file)), level(std::move(level_label)) {}
+  std::filesystem::path file;
+  std::string level;
+  bool operator==(const SceneSource&) const = default;
+};
+
 /// What a scene says of itself.
 struct SceneHeader {
-  std::string name = {};
+  std::string name = {};  ///< "sdof-stop"; of a family's scene "grazing@1e-4"
   std::string title = {};
   std::string reference = {};
   std::vector<std::string> tags = {};
+  std::optional<FamilyLevel> family = {};  ///< where the scene is one of a family
 
   [[nodiscard]] bool carries(std::string_view tag) const;
 };
 
 /// Reads no more than this of a scene file: nothing is assembled, however large the system.
 /// \throws SceneError as load_scene does for what it reads
-SceneHeader load_header(const std::filesystem::path& path);
+SceneHeader load_header(const SceneSource& source);
+
+/// Labels of the levels of a family's file, easiest first; empty for a scene by itself. \throws SceneError
+std::vector<std::string> load_levels(const std::filesystem::path& path);
 
 /// Reads and validates one scene file.
 /// \throws SceneError for a missing or unreadable file, bad TOML, an unknown or missing key, a value
 ///         out of range, or a Problem that `validate` refuses; the line points at the culprit.
-Problem load_scene(const std::filesystem::path& path);
+Problem load_scene(const SceneSource& source);
 
 /// The same from text already in memory; `name` stands for the file in messages; the files
-/// of matrices that the scene names are looked for in its folder.
-Problem parse_scene(std::string_view text, const std::string& name);
+/// of matrices that the scene names are looked for in its folder; `level` chooses the scene of a family.
+Problem parse_scene(std::string_view text, const std::string& name, std::string_view level = {});
+SceneHeader parse_header(std::string_view text, const std::string& name, std::string_view level = {});
 
 /// Folder that holds catalogue/ and suites/: $SIGNORINI_PROBLEMS if set, else the installed or source folder.
 /// \throws SceneError if it is gone
@@ -54,8 +69,16 @@ std::filesystem::path problems_folder();
 /// Every scene file of the catalogue, sorted by name.
 std::vector<std::filesystem::path> catalogue_scenes();
 
-/// Path of a scene given by catalogue name ("sdof-stop") or by path to a TOML file.
+/// The scenes of every family file, sorted by the family's name, each family from easy to hard.
+/// \throws SceneError for a file that cannot be used
+std::vector<SceneSource> family_scenes();
+
+/// All that ships: the catalogue, then the families.
+std::vector<SceneSource> shipped_scenes();
+
+/// A scene given by name ("sdof-stop", of a family "grazing@1e-4") or by path to a TOML file ("own.toml",
+/// "own.toml@1e-4").
 /// \throws SceneError naming close matches if there is no such scene.
-std::filesystem::path find_scene(const std::string& name_or_path);
+SceneSource find_scene(const std::string& name_or_path);
 
 }  // namespace signorini

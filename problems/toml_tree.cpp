@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <charconv>
 #include <sstream>
 
 namespace signorini {
@@ -121,6 +122,22 @@ TomlNode parse_toml(std::string_view text) {
   } catch (const toml::parse_error& error) {
     throw TomlSyntaxError(one_line(error.description(), kLongestReason), line_of(error.source()));
   }
+}
+
+PathStep take_step(std::string_view& path) {
+  PathStep step;
+  if (path.front() == '[') {
+    std::size_t index = 0;
+    std::from_chars(path.data() + 1, path.data() + path.size(), index);
+    step.index = index;
+    path.remove_prefix(std::min(path.size(), path.find(']')));
+    if (!path.empty()) path.remove_prefix(1);
+  } else {
+    if (path.front() == '.') path.remove_prefix(1);
+    step.key = path.substr(0, path.find_first_of(".["));
+    path.remove_prefix(step.key.size());
+  }
+  return step;
 }
 
 std::string print(const TomlNode& node) {

@@ -2,6 +2,7 @@
 // A TOML document as a plain tree that remembers lines: the only part that knows the TOML library.
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -45,6 +46,15 @@ class TomlSyntaxError : public std::runtime_error {
 
 /// The whole document, a table. \throws TomlSyntaxError
 TomlNode parse_toml(std::string_view text);
+
+/// A step of a dotted path with indices, "forcing.term[0].dof": a key, or an index.
+struct PathStep {
+  std::string_view key = {};
+  std::optional<std::size_t> index = {};
+};
+
+/// Takes the first step off a path that is not empty.
+PathStep take_step(std::string_view& path);
 
 /// The value on one line as a message shows it: strings quoted, control characters escaped, long ones cut.
 std::string print(const TomlNode& node);

@@ -21,8 +21,8 @@ void list_methods() {
 }
 
 void list_scenes() {
-  for (const auto& file : catalogue_scenes()) {
-    const SceneHeader scene = load_header(file);
+  for (const SceneSource& source : shipped_scenes()) {
+    const SceneHeader scene = load_header(source);
     fmt::print("{:<26} {} [{}]\n", scene.name, scene.title, fmt::join(scene.tags, ", "));
   }
 }

@@ -65,7 +65,7 @@ void print_remarks(const OrbitCensus& census, const OrbitQuest& quest) {
 }
 
 int list_orbits(const OrbitsArguments& arguments) {
-  const Scene scene = read_scene(arguments.scene);
+  const Scene scene = read_scene(find_scene(arguments.scene));
   OrbitQuest quest = arguments.quest;
   quest.subharmonics = arguments.subharmonics.value_or(default_subharmonics(scene.problem));
   watch_interrupts();

@@ -55,7 +55,7 @@ std::vector<Record> records_of(const Plan& plan, const Runner& runner, const Rec
 
 int run_suite(const RunArguments& arguments) {
   const Suite suite = load_suite(arguments.suite);
-  const Plan plan = make_plan(suite, arguments.narrowing, method_catalogue(), catalogue_scenes());
+  const Plan plan = make_plan(suite, arguments.narrowing, method_catalogue(), shipped_scenes());
   if (arguments.dry_run) {
     print_plan(plan);
     return kDone;

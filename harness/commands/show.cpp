@@ -89,7 +89,7 @@ void show(const std::string& name) {
     if (entry.name == name) return show_method(entry);
   }
   try {
-    show_scene(read_scene(name).problem);
+    show_scene(read_scene(find_scene(name)).problem);
   } catch (const SceneError& error) {
     const bool is_file = name.find('/') != std::string::npos || name.ends_with(".toml");
     if (is_file || std::string_view(error.what()).find(".toml:") != std::string_view::npos) throw;

@@ -81,7 +81,7 @@ void print_report(const Record& record) {
 }
 
 int solve(const SolveArguments& arguments) {
-  const Scene scene = read_scene(arguments.scene);
+  const Scene scene = read_scene(find_scene(arguments.scene));
   const Case run = make_case(scene, 0, {&find_method(arguments.method), parse_settings(arguments.settings)});
   SolveExtras extras{.samples = arguments.samples};
   if (!arguments.start.empty()) extras.start = start_from_file(arguments.start);

@@ -125,7 +125,7 @@ void verify_scene(const VerifyArguments& arguments, const fs::path& file, const 
     return;
   }
   const OrbitFile kept = parse_orbit_file(read_file(file), file.string());
-  const Scene scene = read_scene(name);
+  const Scene scene = read_scene(find_scene(name));
   OrbitDifferences result;
   std::vector<std::string> failures;
   if (kept.scene_sha256 != scene.sha256) {  // before the search: it would be in vain
@@ -159,7 +159,7 @@ int verify_references(const VerifyArguments& arguments, const fs::path& folder) 
     const std::size_t before = differences.size();
     const fs::path file = folder / (name + ".json");
     if (arguments.update) {
-      update_scene(arguments, file, read_scene(name), differences);
+      update_scene(arguments, file, read_scene(find_scene(name)), differences);
     } else {
       verify_scene(arguments, file, name, differences);
     }

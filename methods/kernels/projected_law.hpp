@@ -47,7 +47,8 @@ ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& 
                            const ContactReceptance& receptance);
 
 /// The penalty law: the stiffness asked for; else the scene's; else, for a rigid stop, 8 times the highest
-/// dynamic stiffness kept, where penalty error and truncation error are of one size.
+/// dynamic stiffness kept, on massless contacts growing as H^1.5 beyond ten harmonics, where penalty error
+/// and truncation error are of one size.
 ProjectedLaw penalty_law(const Problem& problem, const std::optional<Scaled>& penalty,
                          const ContactReceptance& receptance);
 

@@ -51,7 +51,7 @@ Suite suite_of(const std::string& body) {
 class MakePlan : public testing::Test {
  protected:
   std::filesystem::path folder_ = test::fresh_folder("plan");
-  std::vector<std::filesystem::path> files_{write_scene(folder_, "alpha", "blue"),
+  std::vector<SceneSource> files_{write_scene(folder_, "alpha", "blue"),
                                             write_scene(folder_, "beta", "red")};
 
   [[nodiscard]] std::vector<std::string> ids(const Suite& suite, const Narrowing& narrowing = {}) const {
@@ -85,7 +85,7 @@ TEST_F(MakePlan, LeavesOutScenesByTag) {
 // Of a scene that a suite does not take only the header is read: this one has no system.
 TEST_F(MakePlan, DoesNotAssembleWhatItLeavesOut) {
   std::ofstream(folder_ / "gamma.toml") << "schema = 1\nname = \"gamma\"\ntags = [\"large\"]\n";
-  files_.push_back(folder_ / "gamma.toml");
+  files_.emplace_back(folder_ / "gamma.toml");
   EXPECT_EQ(
       ids(suite_of("scenes = [\"*\"]\nwithout_tags = [\"large\", \"red\"]\nmethods = [\"fake*[level=1]\"]")),
       (Ids{"alpha/fake-method[level=1]"}));

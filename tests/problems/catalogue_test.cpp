@@ -81,7 +81,7 @@ TEST(Catalogue, EverySceneIsDescribed) {
 }
 
 TEST(LoadHeader, ReadsWhatTheSceneSaysOfItself) {
-  const std::filesystem::path path = find_scene("chain2-penalty");
+  const SceneSource path = find_scene("chain2-penalty");
   const SceneHeader header = load_header(path);
   const Problem scene = load_scene(path);
   EXPECT_EQ(header.name, scene.name);
@@ -255,7 +255,7 @@ std::vector<std::string> documented_scenes() {
 
 TEST(SceneFormatManual, ExamplesLoad) {
   const std::vector<std::string> scenes = documented_scenes();
-  ASSERT_EQ(scenes.size(), 2U);
+  ASSERT_EQ(scenes.size(), 3U);
 
   const Problem oscillator = parse_scene(scenes[0], "docs/scene-format.md");
   EXPECT_EQ(oscillator.name, "my-oscillator");
@@ -266,6 +266,10 @@ TEST(SceneFormatManual, ExamplesLoad) {
   EXPECT_EQ(chain.size(), 3);
   EXPECT_EQ(chain.contact_count(), 2);
   EXPECT_EQ(std::get<Penalty>(chain.law).stiffness.size(), 2U);
+
+  const Problem level = parse_scene(scenes[0] + scenes[2], "docs/scene-format.md", "1e-4");
+  EXPECT_EQ(level.name, "my-oscillator@1e-4");
+  EXPECT_DOUBLE_EQ(level.contacts.at(0).gap, 0.9999);
 }
 
 TEST(SceneFormatManual, ShowsTheErrorAsItIs) {

@@ -302,7 +302,7 @@ TEST(LoadScene, NamesTheFileInItsComplaint) {
 
 TEST(LoadScene, RefusesAFileThatCannotBeRead) {
   // Opens, but its first page is never mapped: the read fails even for root.
-  EXPECT_EQ(scene_error([] { load_scene("/proc/self/mem"); }),
+  EXPECT_EQ(scene_error([] { load_scene(fs::path("/proc/self/mem")); }),
             "/proc/self/mem: file = unreadable (must be a file that may be read)");
 }
 

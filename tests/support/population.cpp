@@ -116,7 +116,7 @@ std::vector<Problem> beam_population(int count, unsigned long seed) {
   return scenes;
 }
 
-std::vector<ImpactOscillator> contact_population(int count, unsigned long seed) {
+std::vector<ImpactOscillator> contact_population(int count, unsigned long seed, double least_damping) {
   std::mt19937_64 random(seed);
   const auto uniform = [&](double low, double high) {
     constexpr double kRange = 18446744073709551616.0;  // 2^64
@@ -124,7 +124,7 @@ std::vector<ImpactOscillator> contact_population(int count, unsigned long seed) 
   };
   std::vector<ImpactOscillator> population;
   while (static_cast<int>(population.size()) < count) {
-    const double damping = std::pow(10.0, uniform(-2.5, -0.5));
+    const double damping = std::pow(10.0, uniform(least_damping, -0.5));
     const double gap = uniform(-0.5, 1.0);
     const double frequency = uniform(0.4, 3.0);
     const double amplitude = 1.0 / std::hypot(1.0 - frequency * frequency, damping * frequency);
