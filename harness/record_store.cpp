@@ -2,13 +2,16 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
+#include <thread>
 #include <unordered_map>
 
 #include "harness/failure.hpp"
@@ -54,6 +57,27 @@ Contents read_contents(const fs::path& file) {
   return contents;
 }
 
+/// Tries the lock for a moment: children of a run that was killed may hold it for an instant longer.
+bool take_lock(int descriptor) {
+  constexpr int kTries = 100;
+  for (int i = 0; i < kTries; ++i) {
+    // File systems without locks cannot refuse a second run.
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+/// Descriptor that keeps other runs out of the folder as long as it is open.
+int lock_folder(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor >= 0 && !take_lock(descriptor)) {
+    close(descriptor);
+    throw UsageError(fmt::format("out = {} (must not be in use: another run writes there)", folder.string()));
+  }
+  return descriptor;
+}
+
 }  // namespace
 
 std::vector<Record> read_records(const fs::path& file) {
@@ -78,6 +102,7 @@ RecordStore::RecordStore(const fs::path& folder, bool resume) : file_(folder / "
     throw UsageError(fmt::format("out = {} (must be a folder that can be written: {})", folder.string(),
                                  failure.message()));
   }
+  lock_ = lock_folder(folder);
   if (fs::exists(file_)) {
     if (resume) {
       const Contents contents = read_contents(file_);
@@ -95,6 +120,7 @@ RecordStore::RecordStore(const fs::path& folder, bool resume) : file_(folder / "
 
 RecordStore::~RecordStore() {
   if (descriptor_ >= 0) close(descriptor_);
+  if (lock_ >= 0) close(lock_);
 }
 
 void RecordStore::append(const Record& record) {

@@ -16,9 +16,10 @@ std::vector<Record> read_records(const std::filesystem::path& file);
 
 class RecordStore {
  public:
-  /// Opens DIR/records.jsonl, making the folder. With `resume` what is there stays, and a torn last line is
-  /// cut off; otherwise a file that is there is kept as records.previous.jsonl.
-  /// \throws UsageError if folder or file cannot be written, or a whole line is no record
+  /// Opens DIR/records.jsonl, making the folder, and keeps other runs out of it. With `resume` what is there
+  /// stays, and a torn last line is cut off; otherwise a file that is there is kept as
+  /// records.previous.jsonl. \throws UsageError if folder or file cannot be written, another run writes
+  /// there, or a whole line is no record
   RecordStore(const std::filesystem::path& folder, bool resume);
   ~RecordStore();
   RecordStore(const RecordStore&) = delete;
@@ -35,6 +36,7 @@ class RecordStore {
   std::filesystem::path file_;
   std::unordered_set<std::string> keys_;
   int descriptor_ = -1;
+  int lock_ = -1;
 };
 
 }  // namespace signorini

@@ -93,6 +93,7 @@ void take_failure(const ChildEnd& end, Record& record) {
       record.status = Status::out_of_memory;
       break;
     case ChildEnd::Kind::timed_out:
+    case ChildEnd::Kind::out_of_processor_time:
       record.status = Status::timeout;
       break;
     case ChildEnd::Kind::signalled:

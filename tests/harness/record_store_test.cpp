@@ -89,6 +89,14 @@ TEST_F(RecordStores, ReadTheLastOfSeveralRecordsOfOneKey) {
   EXPECT_EQ(records[0].status, Status::crashed);
 }
 
+TEST_F(RecordStores, RefuseAFolderThatAnotherRunWritesTo) {
+  {
+    const RecordStore first(folder_, true);
+    EXPECT_THROW(RecordStore(folder_, true), UsageError);
+  }
+  EXPECT_NO_THROW(RecordStore(folder_, true));
+}
+
 TEST_F(RecordStores, RefuseAFolderThatCannotBeMade) {
   EXPECT_THROW(RecordStore("/proc/no-such-folder", false), UsageError);
 }
