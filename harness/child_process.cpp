@@ -224,6 +224,7 @@ void ChildProcess::collect() {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   read_pipe();
+  end_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   end_.last_words = last_line(log_);
   if (!told_end_) {
     if (stopped_) {

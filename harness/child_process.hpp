@@ -46,6 +46,7 @@ class ChildProcess {
   std::string partial_;
   bool told_end_ = false;  // the child said how its work ended
   std::optional<ChildEnd::Kind> stopped_;
+  Clock::time_point start_ = Clock::now();
   Clock::time_point deadline_;
   double allowed_seconds_ = 0.0;  // of all stages so far
   ChildEnd end_;

@@ -39,6 +39,7 @@ struct ChildEnd {
   std::string detail = {};              ///< what an exception said
   std::string last_words = {};          ///< last line on stdout or stderr, to explain a crash
   std::vector<std::string> lines = {};  ///< in order, whole ones only
+  double seconds = 0.0;                 ///< wall time from its start to its end [s]
 };
 
 /// Runs the work in a forked child with its own process group, which is killed as a whole at the end,

@@ -9,6 +9,7 @@
 
 #include "harness/statistics.hpp"
 #include "harness/table.hpp"
+#include "harness/yardstick.hpp"
 
 namespace signorini {
 
@@ -44,7 +45,10 @@ std::string energy_text(const Record& record) {
 // Only what converged in the harness's eyes has a time: a fast wrong answer is no answer.
 std::string time_cell(const Record& record, double Seconds::*which) {
   if (record.status != Status::converged) return in_place(record);
-  if (record.seconds) return time_text((*record.seconds).*which);
+  if (record.seconds) {
+    const bool shaky = which == &Seconds::median && record.seconds->unstable == true;
+    return time_text((*record.seconds).*which) + (shaky ? " (unstable)" : "");
+  }
   return record.not_timed.empty() ? "not timed" : "not timed: " + record.not_timed;
 }
 
@@ -137,9 +141,6 @@ Table main_table(const std::vector<Record>& records) {
   return table;
 }
 
-/// What times are set beside: time marching to six digits, as most would do it.
-constexpr std::string_view kYardstick = "event-driven[flow=cvode,tolerance=1e-6]";
-
 /// The figures of one method at one resolution over all scenes to which it applies; infinite where it failed.
 struct Speed {
   std::string method;
@@ -214,7 +215,9 @@ constexpr std::string_view kLegend =
     "error of x: relative L2 distance to the certified orbit of the law that the method represents; `<`: "
     "below ten\n"
     "error bars of that orbit. `≠ scene`: the method represents another impact law than the scene states.\n"
-    "time: set-up and solve of one cold run, least per round, over rounds. p: pivots, it: iterations "
+    "time: set-up and solve of one cold run, least per round, over rounds; unstable where rounds deviate by "
+    "more "
+    "than 5 % in the median. p: pivots, it: iterations "
     "(event-driven:\n"
     "periods marched or Newton steps). orbit: same as reached from rest under the represented law, or "
     "another one;\n"

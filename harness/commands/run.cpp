@@ -28,6 +28,7 @@ struct RunArguments {
   std::optional<double> timeout;
   std::optional<int> memory_mb;
   std::optional<int> repetitions;
+  Turns turns;
   std::vector<std::string> words;  // the command line
 };
 
@@ -64,10 +65,10 @@ int run_suite(const RunArguments& arguments) {
   Runner runner(limits_of(arguments, suite));
   RecordStore store(folder, arguments.resume);
   write_whole(folder / "manifest.json",
-              make_manifest(suite, runner.limits(), arguments.words).dump(2) + "\n");
+              make_manifest(suite, runner.limits(), arguments.turns, arguments.words).dump(2) + "\n");
   if (!build_may_be_timed()) fmt::print(stderr, "this is not a Release build: no times are recorded\n");
   watch_interrupts();
-  const CampaignResult result = run_campaign(plan, runner, store);
+  const CampaignResult result = run_campaign(plan, runner, store, arguments.turns);
   if (result.interrupted) {
     fmt::print(stderr,
                "interrupted after {} of {} cases; the same command with --resume --out {} does the rest\n",
@@ -105,6 +106,15 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
       ->check(CLI::Range(64, 1 << 24));
   command->add_option("--repetitions", arguments->repetitions, "rounds of timing")
       ->check(CLI::Range(1, 1000));
+  command->add_option("--seed", arguments->turns.seed, "of the order of cases, a Latin square for each scene")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--jobs", arguments->turns.parallel,
+          "cases run at the same time; with more than one, times disturb each other and are not comparable, "
+          "which manifest and records say")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
   command->add_flag("--dry-run", arguments->dry_run, "print the plan, one case per line, and run nothing");
   command->callback([arguments, &exit_code] { exit_code = run_suite(*arguments); });
 }
