@@ -119,6 +119,14 @@ std::vector<Record> read_records(const fs::path& file) {
   return records;
 }
 
+bool folder_in_use(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool used = flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  close(descriptor);
+  return used;
+}
+
 RecordStore::RecordStore(const fs::path& folder, bool resume)
     : file_(folder / "records.jsonl"), unfinished_file_(folder / "unfinished.jsonl") {
   std::error_code failure;

@@ -16,6 +16,9 @@ namespace signorini {
 /// \throws UsageError if the file cannot be read or another line is no record (file and line named)
 std::vector<Record> read_records(const std::filesystem::path& file);
 
+/// True while a run writes there.
+bool folder_in_use(const std::filesystem::path& folder);
+
 class RecordStore {
  public:
   /// Opens DIR/records.jsonl, making the folder, and keeps other runs out of it. With `resume` what is there

@@ -76,6 +76,7 @@ class SceneRounds {
   }
 
   void take_record(std::size_t index, Record record) {
+    if (record.seconds && turns_.together() > 1) record.seconds->jobs = turns_.together();
     records_[index] = std::move(record);
     const auto& tell = runner_.rounds_missing(*records_[index]) > 0 ? events_.unfinished : events_.complete;
     if (tell) tell(index, *records_[index]);

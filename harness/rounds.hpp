@@ -16,6 +16,10 @@ namespace signorini {
 struct Turns {
   std::uint64_t seed = 1;  ///< of the Latin squares, one for each scene
   int parallel = 1;        ///< cases at the same time
+  int beside = 1;          ///< such runs on this machine at the same time, this one included
+
+  /// Cases at the same time on this machine.
+  [[nodiscard]] int together() const { return parallel * beside; }
 };
 
 /// Told of what happens; `index` is that of the job.

@@ -121,9 +121,7 @@ void take_round(const ChildEnd& end, Record& record) {
   if (json.contains("setup")) {
     std::vector<TimedRound> rounds = record.seconds->rounds;
     rounds.push_back({.setup = json.at("setup"), .solve = json.at("solve")});
-    const std::optional<int> jobs = record.seconds->jobs;
     record.seconds = summarise(rounds);
-    record.seconds->jobs = jobs;
     return;
   }
   if (json.contains("message")) {
@@ -283,7 +281,6 @@ void Runner::run_first(const Scene& scene, std::span<const Job> jobs, int parall
       if (record.certificate.return_distance) keep_confirmed(scene.problem, record);
     }
     record.elapsed = end.seconds;
-    if (record.seconds && parallel > 1) record.seconds->jobs = parallel;
     take(places[k], std::move(record));
   });
 }

@@ -11,6 +11,8 @@
 #include "harness/interrupt.hpp"
 #include "harness/manifest.hpp"
 #include "harness/report.hpp"
+#include "harness/runs/run_folder.hpp"
+#include "harness/runs/shards.hpp"
 #include "harness/suite.hpp"
 #include "harness/timing.hpp"
 #include "problems/scene_file.hpp"
@@ -29,6 +31,8 @@ struct RunArguments {
   std::optional<int> memory_mb;
   std::optional<int> repetitions;
   Turns turns;
+  std::string shard;
+  std::string durations;
   std::vector<std::string> words;  // the command line
 };
 
@@ -54,9 +58,23 @@ std::vector<Record> records_of(const Plan& plan, const Runner& runner, const Rec
   return records;
 }
 
+Plan plan_of(const RunArguments& arguments, const Suite& suite) {
+  Plan plan = make_plan(suite, arguments.narrowing, method_catalogue(), shipped_scenes());
+  if (arguments.shard.empty()) return plan;
+  Durations durations;
+  if (!arguments.durations.empty()) durations = Durations(read_run(arguments.durations).records);
+  return take_shard(plan, parse_shard(arguments.shard), durations);
+}
+
+nlohmann::ordered_json manifest_of(const RunArguments& arguments, const Suite& suite, const Limits& limits) {
+  nlohmann::ordered_json manifest = make_manifest(suite, limits, arguments.turns, arguments.words);
+  if (!arguments.shard.empty()) manifest["shard"] = arguments.shard;
+  return manifest;
+}
+
 int run_suite(const RunArguments& arguments) {
   const Suite suite = load_suite(arguments.suite);
-  const Plan plan = make_plan(suite, arguments.narrowing, method_catalogue(), shipped_scenes());
+  const Plan plan = plan_of(arguments, suite);
   if (arguments.dry_run) {
     print_plan(plan);
     return kDone;
@@ -64,8 +82,8 @@ int run_suite(const RunArguments& arguments) {
   const std::filesystem::path folder = arguments.out.value_or("results/local-" + suite.name);
   Runner runner(limits_of(arguments, suite));
   RecordStore store(folder, arguments.resume);
-  write_whole(folder / "manifest.json",
-              make_manifest(suite, runner.limits(), arguments.turns, arguments.words).dump(2) + "\n");
+  write_whole(folder / "manifest.json", manifest_of(arguments, suite, runner.limits()).dump(2) + "\n");
+  write_plan(folder, planned_cases(plan, runner));
   if (!build_may_be_timed()) fmt::print(stderr, "this is not a Release build: no times are recorded\n");
   watch_interrupts();
   const CampaignResult result = run_campaign(plan, runner, store, arguments.turns);
@@ -115,6 +133,12 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
           "which manifest and records say")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  command
+      ->add_option("--shard", arguments->shard,
+                   "I/N: only part I of N, all methods of a scene in one part; merge joins them")
+      ->type_name("I/N");
+  command->add_option("--durations", arguments->durations,
+                      "folder of an earlier run whose times balance the shards; the same for all of them");
   command->add_flag("--dry-run", arguments->dry_run, "print the plan, one case per line, and run nothing");
   command->callback([arguments, &exit_code] { exit_code = run_suite(*arguments); });
 }
