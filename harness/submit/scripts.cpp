@@ -42,7 +42,7 @@ std::string slurm_array_script(const Submission& s) {
   std::string header = fmt::format(
       "#!/bin/sh\n#SBATCH --job-name=signorini\n#SBATCH --array=1-{}\n#SBATCH --requeue\n"
       "#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=1\n#SBATCH --exclusive\n#SBATCH --open-mode=append\n"
-      "#SBATCH --output=\"{}/shard-%a.log\"\n",
+      "#SBATCH --output=\"{}/log-%a.txt\"\n",
       s.shards, s.folder.string());
   for (const std::string& word : s.sbatch_words) header += "#SBATCH " + word + "\n";
   return fmt::format(
@@ -55,7 +55,7 @@ std::string slurm_array_script(const Submission& s) {
 std::string slurm_merge_script(const Submission& s) {
   std::string header = fmt::format(
       "#!/bin/sh\n#SBATCH --job-name=signorini-merge\n#SBATCH --ntasks=1\n#SBATCH "
-      "--output=\"{}/merge.log\"\n",
+      "--output=\"{}/log-merge.txt\"\n",
       s.folder.string());
   for (const std::string& word : s.sbatch_words) header += "#SBATCH " + word + "\n";
   return fmt::format("{}exec {}\n", header, merge_command(s));

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include "harness/record_store.hpp"
@@ -82,7 +83,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadUse{"run quick --jobs 0", 2, "--jobs"},
         BadUse{"merge /no/such/folder --out /tmp/out", 2, "dir = /no/such/folder"},
         BadUse{"merge /no/such/folder", 2, "--out"}, BadUse{"status /no/such/folder", 2, "dir = /no/such"},
-        BadUse{"compare /no/such /no/such", 2, "dir = /no/such"},
+        BadUse{"compare /no/such /no/such", 2, "dir = /no/such"}, BadUse{"submit slurm", 2, "dir"},
+        BadUse{"submit slurm out", 2, "--shards"},
+        BadUse{"submit slurm out --shards 2 --dry-run quick --scenes zzz*", 3, "scenes = zzz*"},
+        BadUse{"submit slurm out --shards 2 --dry-run quick --no-such", 2, "--no-such"},
+        BadUse{"submit teams out", 2, "teams"}, BadUse{"completion fish", 2, "fish"},
         BadUse{"report /no/such/folder", 2, "dir = /no/such/folder"},
         BadUse{"orbits no-such-scene", 2, "scene = no-such-scene"},
         BadUse{"orbits sdof-stop --subharmonics 0", 2, "--subharmonics"},
@@ -375,6 +380,86 @@ TEST(CommandLine, RunsShardsThatMergeToTheWholeRun) {
   const Outcome worse = run(fmt::format("compare {0}/all {0}/whole", out));
   EXPECT_EQ(worse.code, 4) << worse.out;
   EXPECT_NE(worse.out.find("broken: "), std::string::npos) << worse.out;
+}
+
+/// Long options that --help shows.
+std::set<std::string> options_in_help(const std::string& command) {
+  std::set<std::string> options;
+  const std::string help = run(command + " --help").out;
+  for (std::size_t at = help.find("--"); at != std::string::npos; at = help.find("--", at + 2)) {
+    const std::size_t end = help.find_first_not_of("abcdefghijklmnopqrstuvwxyz-", at);
+    if (at > 0 && (help[at - 1] == ' ' || help[at - 1] == ',') && help.rfind('\n', at) + 8 > at)
+      options.insert(help.substr(at, end - at));
+  }
+  return options;
+}
+
+TEST(CommandLine, DescribesEveryOptionToShellsAndToMan) {
+  const std::string bash = run("completion bash").out, zsh = run("completion zsh").out, man = run("man").out;
+  for (const char* command : {"run", "status", "merge", "compare", "submit slurm", "solve", "verify"}) {
+    EXPECT_NE(bash.find(fmt::format("'{} '*)", command)), std::string::npos) << command;
+    EXPECT_NE(zsh.find(fmt::format("'{} '*)", command)), std::string::npos) << command;
+    EXPECT_NE(man.find(fmt::format(".SS {}\n", command)), std::string::npos) << command;
+    const std::set<std::string> options = options_in_help(command);
+    EXPECT_GE(options.size(), 1U) << command;
+    for (const std::string& option : options) {
+      EXPECT_NE(bash.find(option), std::string::npos) << option;
+      EXPECT_NE(zsh.find("'" + option + ":"), std::string::npos) << option;
+      std::string escaped;
+      for (const char c : option) escaped += c == '-' ? "\\-" : std::string(1, c);
+      EXPECT_NE(man.find(escaped), std::string::npos) << option;
+    }
+  }
+}
+
+TEST(CommandLine, CompletesInBash) {
+  const auto folder = test::fresh_folder("completion");
+  std::ofstream(folder / "signorini.bash") << run("completion bash").out;
+  std::ofstream(folder / "try.bash") << "source " << (folder / "signorini.bash").string() << R"(
+try() { COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _signorini; echo "${COMPREPLY[@]}"; }
+try signorini comp
+try signorini run --sh
+try signorini submit slurm --sh
+)";
+  const auto answer = folder / "answer";
+  ASSERT_EQ(std::system(fmt::format("bash {0}/try.bash >{0}/answer 2>&1", folder.string()).c_str()), 0);
+  EXPECT_EQ(read_file(answer), "compare completion\n--shard\n--shards\n");
+}
+
+TEST(CommandLine, ExaminesTheMachine) {
+  const Outcome outcome = run("doctor --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const Json& finding : Json::parse(outcome.out)) {
+    EXPECT_TRUE(finding.contains("name") && finding.contains("value") && finding.contains("good")) << finding;
+    EXPECT_EQ(finding["good"].get<bool>(), !finding.contains("advice")) << finding;
+  }
+}
+
+TEST(CommandLine, PrintsTheScriptsOfASubmissionAndWritesNone) {
+  const auto folder = test::fresh_folder("submit");
+  const std::string out = (folder / "not-made").string();
+  const Outcome outcome = run("submit slurm " + out + " --shards 3 --dry-run quick --scenes 'sdof*'");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("--array=1-3"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("--scenes 'sdof*'"), std::string::npos) << outcome.out;
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(CommandLine, RunsShardsByGnuParallel) {
+  if (std::system("command -v parallel >/dev/null") != 0) GTEST_SKIP() << "GNU parallel is not installed";
+  const auto folder = test::fresh_folder("parallel");
+  const Outcome outcome = run("submit parallel " + folder.string() +
+                              " --shards 2 --at-once 2 quick --scenes sdof-stop:sdof-far-stop --methods "
+                              "'hat-lcp[samples=64]' --repetitions 1");
+  ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+  const auto records = read_records(folder / "merged" / "records.jsonl");
+  ASSERT_EQ(records.size(), 2U);
+  for (const Record& record : records) {
+    if (record.seconds) {
+      EXPECT_EQ(record.seconds->jobs, 2);
+    }
+  }
+  EXPECT_EQ(Json::parse(read_file(folder / "merged" / "manifest.json"))["times_comparable"], false);
 }
 
 TEST(CommandLine, StopsAtAnInterruptAndCompletesTheRunLater) {
