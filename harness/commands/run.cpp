@@ -134,6 +134,12 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command
+      ->add_option(
+          "--beside", arguments->turns.beside,
+          "such runs on this machine at the same time, this one included: their times are marked likewise")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command
       ->add_option("--shard", arguments->shard,
                    "I/N: only part I of N, all methods of a scene in one part; merge joins them")
       ->type_name("I/N");

@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadUse{"submit slurm out", 2, "--shards"},
         BadUse{"submit slurm out --shards 2 --dry-run quick --scenes zzz*", 3, "scenes = zzz*"},
         BadUse{"submit slurm out --shards 2 --dry-run quick --no-such", 2, "--no-such"},
-        BadUse{"submit teams out", 2, "teams"}, BadUse{"completion fish", 2, "fish"},
+        BadUse{"submit teams out", 2, "subcommand is required"}, BadUse{"completion fish", 2, "fish"},
         BadUse{"report /no/such/folder", 2, "dir = /no/such/folder"},
         BadUse{"orbits no-such-scene", 2, "scene = no-such-scene"},
         BadUse{"orbits sdof-stop --subharmonics 0", 2, "--subharmonics"},

@@ -70,7 +70,7 @@ up() {
 
 down() {
   for file in "$folder"/*.pid; do
-    [ -s "$file" ] && kill "$(cat "$file")" 2>/dev/null || true
+    if [ -s "$file" ]; then kill "$(cat "$file")" 2>/dev/null || true; fi
   done
 }
 
