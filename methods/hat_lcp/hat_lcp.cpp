@@ -8,9 +8,49 @@
 
 namespace signorini {
 
+namespace {
+
+constexpr int kCoarsest = 256;
+constexpr int kFinest = 4096;
+constexpr int kRefinement = 4;
+
+/// A scene on one grid after another until one has a solution.
+class RefinedHat final : public PreparedMethod {
+ public:
+  RefinedHat(const Problem& problem, const HatSettings& settings, std::optional<double> restitution)
+      : problem_(problem),
+        settings_(settings),
+        restitution_(restitution),
+        coarsest_(hat_contact(problem, settings, restitution)) {}
+
+  Solution solve(const Start& start) override {
+    Solution solution = coarsest_->solve(start);
+    HatSettings finer = settings_;
+    while (solution.verdict != Verdict::converged && kRefinement * finer.samples <= kFinest &&
+           !start.expired()) {
+      finer.samples *= kRefinement;
+      const Work spent = solution.work;
+      solution = hat_contact(problem_, finer, restitution_)->solve(start);
+      if (spent.pivots) solution.work.pivots = solution.work.pivots.value_or(0) + *spent.pivots;
+      if (spent.iterations)
+        solution.work.iterations = solution.work.iterations.value_or(0) + *spent.iterations;
+      solution.message += fmt::format("; N = {}", finer.samples);
+    }
+    return solution;
+  }
+
+ private:
+  const Problem& problem_;
+  HatSettings settings_;
+  std::optional<double> restitution_;
+  std::unique_ptr<PreparedMethod> coarsest_;
+};
+
+}  // namespace
+
 HatLcp::HatLcp(const Options& options) : options_(options) {
-  require_option(options_.samples >= 4 && options_.samples <= 10000000, "samples", options_.samples,
-                 "must be from 4 to 10000000");
+  require_option(!options_.samples || (*options_.samples >= 4 && *options_.samples <= 10000000), "samples",
+                 options_.samples, "must be from 4 to 10000000, or auto");
   require_option(options_.tolerance > 0.0 && options_.tolerance <= 1e-2, "tolerance", options_.tolerance,
                  "must be in (0, 1e-2]");
   require_option(options_.max_iterations >= 0, "max_iterations", options_.max_iterations,
@@ -21,13 +61,22 @@ HatLcp::ImpactLaw HatLcp::impact_law() const {
   return options_.restitution.value_or(options_.plain ? ImpactLaw::none : ImpactLaw::scene);
 }
 
+int HatLcp::first_samples(const Problem& problem) const {
+  if (options_.samples) return *options_.samples;
+  constexpr int kPerOscillation = 16;
+  const int needed = kPerOscillation * highest_load_harmonic(problem) * problem.subharmonic;
+  int samples = kCoarsest;
+  while (samples < needed) samples *= 2;
+  return samples;
+}
+
 Support HatLcp::supports(const Problem& problem) const {
   const int needed = highest_load_harmonic(problem) * problem.subharmonic;
-  if (2 * needed < options_.samples) return {};
+  if (2 * needed < first_samples(problem)) return {};
   return {false,
           fmt::format(
               "the load reaches harmonic {} of the motion's base frequency: samples = {} cannot resolve it",
-              needed, options_.samples)};
+              needed, first_samples(problem))};
 }
 
 RepresentedLaw HatLcp::law(const Problem& problem) const {
@@ -45,13 +94,15 @@ std::unique_ptr<PreparedMethod> HatLcp::prepare(const Problem& problem) const {
   const bool imposed = impact_law() == ImpactLaw::scene && options_.scheme != Scheme::backward;
   if (law != nullptr && imposed) restitution = law->e;
   const bool one_path = options_.plain && options_.solver == ComplementaritySolver::automatic;
-  return hat_contact(problem,
-                     {.samples = options_.samples,
-                      .scheme = options_.scheme,
-                      .solver = one_path ? ComplementaritySolver::pivoting : options_.solver,
-                      .tolerance = options_.tolerance,
-                      .max_iterations = options_.max_iterations},
-                     restitution);
+  const HatSettings settings{.samples = first_samples(problem),
+                             .scheme = options_.scheme,
+                             .solver = one_path ? ComplementaritySolver::pivoting : options_.solver,
+                             .tolerance = options_.tolerance,
+                             .max_iterations = options_.max_iterations};
+  const bool refines = !options_.samples && !options_.plain && options_.max_iterations == 0 &&
+                       options_.solver == ComplementaritySolver::automatic;
+  if (refines) return std::make_unique<RefinedHat>(problem, settings, restitution);
+  return hat_contact(problem, settings, restitution);
 }
 
 }  // namespace signorini

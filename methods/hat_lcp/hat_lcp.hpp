@@ -20,6 +20,10 @@ namespace signorini {
 /// paper's form (seed eq. 5-8, corrected), which determines no impact law: kept for comparison.
 /// A spring stop adds its compliance to w; massless contacts and springs need no restitution.
 ///
+/// A grid dissipates or feeds the motion at impacts, at a rate that falls with N; without damping enough to
+/// outweigh it no periodic motion need exist on the grid, and the path of pivots ends on a ray. So with
+/// samples = auto a path that fails is followed by one on four times as many nodes.
+///
 /// `plain`: the source paper's problem, complementarity on the nodal gaps, by one path of pivots (Lemke's
 /// method) without restarts or marching. It sets what is left at `auto`.
 class HatLcp final : public Method {
@@ -34,7 +38,7 @@ class HatLcp final : public Method {
   static constexpr std::string_view kLadder = "samples=64|256|1024";
 
   struct Options {
-    int samples = 256;  ///< N >= 4 nodes per period [-]
+    std::optional<int> samples = {};  ///< N >= 4 nodes per period [-]
     Scheme scheme = Scheme::galerkin;
     std::optional<ImpactLaw> restitution = {};
     ComplementaritySolver solver = ComplementaritySolver::automatic;
@@ -43,7 +47,8 @@ class HatLcp final : public Method {
     bool plain = false;
 
     void visit(auto&& field) {
-      field("samples", samples, "[-]", "nodes N per period, 4..10000000");
+      field("samples", samples, "[-]",
+            "nodes N per period, 4..10000000; auto: 256, up to 4096 where the path of pivots fails");
       field("scheme", scheme, "[-]", "galerkin | nodal | backward (represents restitution 0)");
       field("restitution", restitution, "[-]",
             "scene: the scene's law; none: nodal gaps, no impact law; auto: scene, none if plain");
@@ -64,6 +69,8 @@ class HatLcp final : public Method {
  private:
   /// The impact law asked for.
   [[nodiscard]] ImpactLaw impact_law() const;
+  /// Nodes of the first grid: enough for the load if left to the method.
+  [[nodiscard]] int first_samples(const Problem& problem) const;
 
   Options options_;
 };
