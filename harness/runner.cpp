@@ -222,7 +222,8 @@ std::optional<Record> Runner::run(const Scene& scene, const Case& run, const Sur
                     .orbits = orbits_,
                     .start = extras.start,
                     .samples = extras.samples,
-                    .timed = extras.timed};
+                    .timed = extras.timed,
+                    .waveforms = waveforms_};
   const ChildEnd end = run_isolated(
       [&](const Send& send) {
         run_trial(trial, record, [&](const Record& so_far) { send(one_line(to_json(so_far))); });

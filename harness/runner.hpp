@@ -53,6 +53,9 @@ class Runner {
   [[nodiscard]] std::optional<Record> run(const Scene& scene, const Case& run, const Survey& survey,
                                           const SolveExtras& extras = {});
 
+  /// Records shall hold the motions as they are drawn.
+  void keep_waveforms() { waveforms_ = true; }
+
   [[nodiscard]] const Limits& limits() const { return limits_; }
   [[nodiscard]] std::string key_of(const Scene& scene, const Case& run) const;
 
@@ -65,6 +68,7 @@ class Runner {
   Limits limits_;
   OrbitTools orbits_;
   CodeVersion code_version_;
+  bool waveforms_ = false;
   std::map<std::string, Reference> references_;  // by law
 };
 

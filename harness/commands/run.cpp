@@ -25,6 +25,7 @@ struct RunArguments {
   std::optional<std::string> out;
   bool resume = false;
   bool dry_run = false;
+  bool waveforms = false;
   std::optional<double> timeout;
   std::optional<int> memory_mb;
   std::optional<int> repetitions;
@@ -62,6 +63,7 @@ int run_suite(const RunArguments& arguments) {
   }
   const std::filesystem::path folder = arguments.out.value_or("results/local-" + suite.name);
   Runner runner(limits_of(arguments, suite));
+  if (arguments.waveforms) runner.keep_waveforms();
   RecordStore store(folder, arguments.resume);
   write_whole(folder / "manifest.json",
               make_manifest(suite, runner.limits(), arguments.words).dump(2) + "\n");
@@ -105,6 +107,8 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
       ->check(CLI::Range(64, 1 << 24));
   command->add_option("--repetitions", arguments->repetitions, "rounds of timing")
       ->check(CLI::Range(1, 1000));
+  command->add_flag("--waveforms", arguments->waveforms,
+                    "keep the motions in the records, for the figures of report; doubles their size");
   command->add_flag("--dry-run", arguments->dry_run, "print the plan, one case per line, and run nothing");
   command->callback([arguments, &exit_code] { exit_code = run_suite(*arguments); });
 }
