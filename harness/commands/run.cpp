@@ -10,7 +10,8 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/manifest.hpp"
-#include "harness/report.hpp"
+#include "harness/report/markdown.hpp"
+#include "harness/report/report.hpp"
 #include "harness/suite.hpp"
 #include "harness/timing.hpp"
 #include "problems/scene_file.hpp"
@@ -77,8 +78,9 @@ int run_suite(const RunArguments& arguments) {
     return kInterrupted;
   }
   const std::vector<Record> records = records_of(plan, runner, store);
-  write_reports(folder, records, {"md", "csv"});
-  fmt::print("{}", markdown_report(records));
+  const Evaluation evaluation(records, runner.limits());
+  write_report(folder, evaluation, {"md", "csv"});
+  fmt::print("{}", markdown_report(sections_of(evaluation)));
   fmt::print(
       "\n{} cases run, {} already there; records, manifest and tables (table.md, table.csv) are in {}\n",
       result.ran, result.present, folder.string());
