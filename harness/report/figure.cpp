@@ -22,4 +22,26 @@ LineStyle line_style(std::size_t contestant) {
           .hollow = fmt::format("{} pt {}", colour, mark)};
 }
 
+std::string key_panel(const std::vector<KeyEntry>& entries, double height, int columns) {
+  std::string script = fmt::format(R"(unset logscale
+unset border
+unset tics
+unset grid
+unset xlabel
+unset ylabel
+unset title
+set lmargin at screen 0.02
+set rmargin at screen 0.98
+set bmargin at screen 0.00
+set tmargin at screen {:.2f}
+set xrange [0:1]
+set yrange [0:1]  # what must be plotted beside a key lies outside
+set key center center horizontal maxcols {} Left reverse samplen 3 font ',9' noenhanced
+plot 2 notitle)",
+                                   height, columns);
+  for (const KeyEntry& entry : entries)
+    script += fmt::format(", \\\n  keyentry with linespoints {} title '{}'", entry.style, entry.title);
+  return script + "\n";
+}
+
 }  // namespace signorini

@@ -31,6 +31,16 @@ struct LineStyle {
 };
 LineStyle line_style(std::size_t contestant);
 
+/// A line of a key: how it is drawn, and what it stands for.
+struct KeyEntry {
+  std::string style = {};
+  std::string title = {};
+};
+
+/// The part of a multiplot's script that fills its lowest `height` (a share of the whole) with a key for all
+/// panels, in so many columns if they fit.
+std::string key_panel(const std::vector<KeyEntry>& entries, double height, int columns);
+
 /// Error against time on one scene, one curve per contestant; hollow: below ten error bars. A second panel
 /// shows methods of another law, each against its own. None if nobody has both error and time.
 std::vector<Figure> work_precision_figures(const Evaluation& evaluation, const std::string& scene);

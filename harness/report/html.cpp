@@ -23,6 +23,17 @@ std::string linked(const std::string& target, const std::string& text) {
   return fmt::format("<a href=\"#{}\">{}</a>", html_escaped(target), text);
 }
 
+/// A title may be broken where a method's settings begin and where one ends.
+std::string breakable(const std::string& title) {
+  std::string text;
+  for (const char c : html_escaped(title)) {
+    if (c == '[') text += "<wbr>";
+    text += c;
+    if (c == ',') text += "<wbr>";
+  }
+  return text;
+}
+
 std::string cell_text(const std::string& column, const Cell& cell) {
   const std::string text = html_escaped(cell.text);
   if (cell.record) return linked(record_anchor(*cell.record), text);
@@ -77,7 +88,7 @@ std::string html_table(const Table& table) {
   std::vector<std::string> classes;
   for (std::size_t c = 0; c < table.header.size(); ++c) {
     classes.emplace_back(table.is_numeric(c) ? " class=\"n\"" : "");
-    text += fmt::format("<th scope=\"col\"{}>{}</th>", classes.back(), html_escaped(table.header[c]));
+    text += fmt::format("<th scope=\"col\"{}>{}</th>", classes.back(), breakable(table.header[c]));
   }
   text += "</tr></thead><tbody>\n";
   for (const auto& row : table.rows) {

@@ -62,10 +62,12 @@ std::size_t place_of_contact(const Waveforms& waveforms, int contact) {
   return found == waveforms.contacts.end() ? 0 : static_cast<std::size_t>(found - waveforms.contacts.begin());
 }
 
+constexpr std::string_view kOrbitStyle = "lc rgb '#bbbbbb' lw 5";
+
 std::string curves(const Evaluation& evaluation, const std::vector<Drawn>& drawn, int abscissa, int ordinate,
                    bool titled) {
-  std::string plots = fmt::format("data index 0 using {}:{} with lines lc rgb '#bbbbbb' lw 5 {}", abscissa,
-                                  ordinate, titled ? "title 'certified orbit'" : "notitle");
+  std::string plots = fmt::format("data index 0 using {}:{} with lines {} {}", abscissa, ordinate,
+                                  kOrbitStyle, titled ? "title 'certified orbit'" : "notitle");
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const LineStyle style = line_style(evaluation.place_of(drawn[i].ladder->contestant));
     plots += fmt::format(", \\\n  data index {} using {}:{} with lines {} {}", i + 1, abscissa, ordinate,
@@ -81,23 +83,24 @@ constexpr std::string_view kFrame =
 
 Figure waveform_figure(const Evaluation& evaluation, const std::vector<Drawn>& drawn,
                        const std::string& scene, double end) {
-  Figure figure{.name = scene + "-waveforms", .width = 17.0, .height = 17.0};
+  Figure figure{.name = scene + "-waveforms", .width = 17.0, .height = 18.0};
   figure.script = fmt::format(
-      "{}set multiplot layout 4,1 margins 0.10,0.98,0.16,0.98 spacing 0,0.03\nset xrange [0:{:.6g}]\nset "
+      "{}set multiplot layout 4,1 margins 0.11,0.98,0.25,0.98 spacing 0,0.03\nset xrange [0:{:.6g}]\nset "
       "format x "
       "''\nunset key\n",
       kFrame, end);
   constexpr std::array kLabels{"x [m]", "velocity [m/s]", "force [N]", "impulse so far [N s]"};
   for (std::size_t panel = 0; panel < kLabels.size(); ++panel) {
-    const bool last = panel + 1 == kLabels.size();
-    if (last)
-      figure.script +=
-          "set format x '%g'\nset xlabel 't [s]'\nset key at screen 0.5,0.005 bottom center "
-          "horizontal\n";
+    if (panel + 1 == kLabels.size()) figure.script += "set format x '%g'\nset xlabel 't [s]'\n";
     figure.script += fmt::format("set ylabel '{}'\n", kLabels[panel]) +
-                     curves(evaluation, drawn, 1, static_cast<int>(panel) + 2, last);
+                     curves(evaluation, drawn, 1, static_cast<int>(panel) + 2, false);
   }
-  figure.script += "unset multiplot\n";
+  std::vector<KeyEntry> keys{{std::string(kOrbitStyle) + " pt -1", "certified orbit"}};
+  for (const Drawn& one : drawn) {
+    const LineStyle style = line_style(evaluation.place_of(one.ladder->contestant));
+    keys.push_back({style.line + " pt -1", resolution_of(*one.record)});
+  }
+  figure.script += key_panel(keys, 0.18, 2) + "unset multiplot\n";
   return figure;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array kProfileErrors{1e-2, 1e-3, 1e-6};
 
-constexpr std::string_view kPanels = R"(set multiplot layout 1,{} margins 0.06,0.99,0.36,0.92 spacing 0.03,0
+constexpr std::string_view kPanels = R"(set multiplot layout 1,{} margins 0.06,0.99,0.36,0.90 spacing 0.03,0
 set logscale x
 set xrange [1:{:.6e}]
 set yrange [-0.02:1.02]
@@ -24,22 +24,6 @@ set tics nomirror
 set format x '10^{{%T}}'
 set xlabel 'time / fastest'
 unset key
-)";
-
-/// An empty panel over the whole width for the key of all three.
-constexpr std::string_view kKeyPanel = R"(unset logscale
-unset border
-unset tics
-unset grid
-unset xlabel
-unset title
-set lmargin at screen 0.02
-set rmargin at screen 0.98
-set bmargin at screen 0.00
-set tmargin at screen 0.20
-set xrange [0:1]
-set yrange [0:1]  # what must be plotted beside a key lies outside
-set key center center horizontal maxcols 4 Left reverse samplen 3 noenhanced
 )";
 
 /// The steps of one curve up to the right end of the panel.
@@ -68,7 +52,7 @@ std::vector<Figure> profile_figures(const Evaluation& evaluation, std::size_t nu
   for (const double error : kProfileErrors)
     profiles.push_back(performance_profile(costs_to_error(contest, time_axis(), error)));
   const double end = 1.5 * largest_ratio(profiles);
-  Figure figure{.name = fmt::format("profile-{}", number + 1), .width = 18.0, .height = 8.5};
+  Figure figure{.name = fmt::format("profile-{}", number + 1), .width = 18.0, .height = 9.0};
   figure.caption = fmt::format(
       "Performance profiles on {} scenes: the share of all of them that a method solves to the error above "
       "the "
@@ -91,13 +75,12 @@ std::vector<Figure> profile_figures(const Evaluation& evaluation, std::size_t nu
     figure.script +=
         fmt::format("set title 'error {:.0e}'\nplot {}\nset format y ''\n", kProfileErrors[p], plots);
   }
-  std::string keys;
+  std::vector<KeyEntry> keys;
   for (const std::string& contestant : contest.contestants) {
     const LineStyle style = line_style(evaluation.place_of(contestant));
-    keys += fmt::format("{}keyentry with linespoints {} {} title '{}'", keys.empty() ? "" : ", \\\n  ",
-                        style.line, style.mark, contestant);
+    keys.push_back({style.line + " " + style.mark, contestant});
   }
-  figure.script += std::string(kKeyPanel) + "plot 2 notitle, \\\n  " + keys + "\n";
+  figure.script += key_panel(keys, 0.20, 4);
   figure.script += "unset multiplot\n";
   return {figure};
 }
