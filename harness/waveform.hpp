@@ -10,7 +10,7 @@ namespace signorini {
 inline constexpr int kDrawnContacts = 4;
 
 /// The instants of a polyline that stays within `tolerance` of every signal's range: row i of `signals` is
-/// instant i. First and last row are kept. By the algorithm of Ramer, Douglas and Peucker.
+/// instant i. First and last row are kept. By the algorithm of Douglas and Peucker [douglas1973].
 /// \param signals  instants x signals, at least two instants
 std::vector<int> polyline(const Eigen::MatrixXd& signals, double tolerance);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Performance profiles [DolanMore2002].
+// Performance profiles [dolan2002].
 
 #include <cstddef>
 #include <vector>
@@ -22,7 +22,7 @@ struct PerformanceProfile {
 PerformanceProfile performance_profile(const Costs& costs);
 
 /// Profile of two contestants alone. With more than two, a joint profile ranks nobody but the first: who is
-/// second changes with who else takes part [GouldScott2016].
+/// second changes with who else takes part [gould2016].
 PerformanceProfile pairwise_profile(const Costs& costs, std::size_t first, std::size_t second);
 
 }  // namespace signorini

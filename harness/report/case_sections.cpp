@@ -38,18 +38,14 @@ std::vector<Cell> case_row(const Evaluation& evaluation, const Record& record) {
 }
 
 constexpr std::string_view kLegend =
-    "error of x: relative L2 distance to the certified orbit of the law that the method represents; `<`: "
-    "below "
-    "ten error bars of that orbit. `≠ scene`: the method represents another impact law than the scene "
-    "states. "
-    "time: set-up and solve of one cold run, least per round, over rounds. p: pivots, it: iterations "
-    "(event-driven: periods marched or Newton steps). orbit: same as reached from rest under the represented "
-    "law, or another one; unstable where a Floquet multiplier lies outside the unit circle. The orbits are "
-    "exact "
-    "ones, polished from each answer and followed by CVODE for a period; where there is none, they come from "
-    "the "
-    "event-driven method by shooting at tolerance 1e-12. Both methods are so judged by their own kin: "
-    "exact-orbit by a second evaluation of its orbit, and by CVODE to about 1e-10.";
+    R"(error of x: relative L2 distance to the certified orbit of the law that
+the method represents; `<`: below ten error bars of that orbit. `≠ scene`: the method represents another impact
+law than the scene states. time: set-up and solve of one cold run, least per round, over rounds. p: pivots, it:
+iterations (event-driven: periods marched or Newton steps). orbit: same as reached from rest under the represented
+law, or another one; unstable where a Floquet multiplier lies outside the unit circle. The orbits are exact ones,
+polished from each answer and followed by CVODE for a period; where there is none, they come from the event-driven
+method by shooting at tolerance 1e-12. Both methods are so judged by their own kin: exact-orbit by a second
+evaluation of its orbit, and by CVODE to about 1e-10.)";
 
 /// What a run that did not go as hoped has to say; empty for the others.
 std::string remark(const Record& record) {

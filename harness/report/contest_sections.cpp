@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -28,6 +29,19 @@ std::string field_of(const Evaluation& evaluation, const Contest& contest) {
       fmt::format("{} scene{}", contest.scenes.size(), contest.scenes.size() == 1 ? "" : "s");
   if (contest.contestants == evaluation.contestants()) return scenes + " whose law every method represents";
   return fmt::format("{} whose law {} represent", scenes, fmt::join(contest.contestants, ", "));
+}
+
+/// Whether any run of a contest has a time: a build that may not be timed gives none, and then nobody is
+/// slow.
+bool is_timed(const Contest& contest) {
+  for (const auto& ladders : contest.ladders) {
+    for (const Ladder* ladder : ladders) {
+      for (const Rung& rung : ladder->rungs) {
+        if (rung.record->seconds) return true;
+      }
+    }
+  }
+  return false;
 }
 
 /// One section per contest; `fill` does the rest.
@@ -132,90 +146,103 @@ Cell work_cell(const std::vector<const Ladder*>& ladders, const CostAxis& axis, 
   return {std::isfinite(middle) ? fmt::format("{:.0f}", middle) : "half or more do not get there", middle};
 }
 
+constexpr std::string_view kTimeToErrorText = R"(On how many scenes a method gets its error down to that of
+the column at any of its resolutions, and the median over all scenes of the time of the cheapest that does.
+Nothing is interpolated; a scene that is not solved counts as infinite. Another orbit than the one reached from
+rest earns no time.)";
+
+constexpr std::string_view kMeansText =
+    R"(Times to error over all scenes. A failure counts as the time limit of
+{} in the shifted geometric means, as twice that in PAR2. Right: on how many of all scenes the method is the
+fastest, or within 2 or 10 times of it; a failure is infinitely slow.)";
+
+constexpr std::string_view kPairsText =
+    R"(Share of all scenes that the method of the row solves at least as fast
+as that of the column, the two alone: a joint profile of more than two methods tells only who is first.)";
+
+constexpr std::string_view kWorkText =
+    R"(What the cheapest resolution by each count needs, the median over all
+scenes: counts that no noise touches. What an iteration or a pivot costs differs between methods; they compare
+runs of one kind.)";
+
+void fill_time_to_error(const Contest& contest, Section& section) {
+  if (!is_timed(contest)) return;
+  section.text = kTimeToErrorText;
+  section.table.header = {"method"};
+  for (const double error : kErrorLevels) section.table.header.push_back(error_title(error));
+  section.table.header.emplace_back("runs on another orbit");
+  for (std::size_t c = 0; c < contest.contestants.size(); ++c) {
+    std::vector<Cell> row{contest.contestants[c]};
+    for (const double error : kErrorLevels)
+      row.push_back(reached_cell(costs_to_error(contest, time_axis(), error)[c]));
+    const int others = runs_on_another_orbit(contest.ladders[c]);
+    row.emplace_back(std::to_string(others), others);
+    section.table.rows.push_back(std::move(row));
+  }
+}
+
+void fill_means(const Contest& contest, double limit, Section& section) {
+  if (!is_timed(contest)) return;
+  section.text = fmt::format(kMeansText, time_text(limit));
+  section.table.header = {"error", "method", "solved"};
+  for (const double shift : kMeanShifts)
+    section.table.header.push_back(fmt::format("mean, shift {}", time_text(shift)));
+  section.table.header.insert(section.table.header.end(), {"PAR2", "fastest", "within 2 x", "within 10 x"});
+  for (const double error : kErrorLevels) add_mean_rows(contest, error, limit, section.table);
+  section.note = shift_remark(contest, limit);
+}
+
+void fill_pairs(const Contest& contest, Section& section) {
+  if (!is_timed(contest) || contest.contestants.size() < 3) return;  // of two the joint profile says it all
+  section.text = kPairsText;
+  section.table.header = {"error", "method"};
+  section.table.header.insert(section.table.header.end(), contest.contestants.begin(),
+                              contest.contestants.end());
+  for (const double error : kHeadlineErrors) {
+    const Costs costs = costs_to_error(contest, time_axis(), error);
+    for (std::size_t a = 0; a < costs.size(); ++a) {
+      std::vector<Cell> row{Cell(error_title(error), -error), contest.contestants[a]};
+      for (std::size_t b = 0; b < costs.size(); ++b)
+        row.push_back(a == b ? Cell("·") : share_cell(pairwise_profile(costs, a, b).share(0, 1.0)));
+      section.table.rows.push_back(std::move(row));
+    }
+  }
+}
+
+void fill_work(const Contest& contest, Section& section) {
+  section.text = kWorkText;
+  section.table.header = {"error", "method"};
+  for (const CostAxis& axis : work_axes()) section.table.header.emplace_back(axis.name);
+  for (const double error : kHeadlineErrors) {
+    for (std::size_t c = 0; c < contest.contestants.size(); ++c) {
+      std::vector<Cell> row{Cell(error_title(error), -error), contest.contestants[c]};
+      for (const CostAxis& axis : work_axes()) row.push_back(work_cell(contest.ladders[c], axis, error));
+      section.table.rows.push_back(std::move(row));
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Section> time_to_error_sections(const Evaluation& evaluation) {
-  return per_contest(
-      evaluation, "time-to-error", "Time to error", [](const Contest& contest, Section& section) {
-        section.text =
-            "On how many scenes a method gets its error down to that of the column at any of its "
-            "resolutions, and "
-            "the median over all scenes of the time of the cheapest that does. Nothing is interpolated; a "
-            "scene that "
-            "is not solved counts as infinite. Another orbit than the one reached from rest earns no time.";
-        section.table.header = {"method"};
-        for (const double error : kErrorLevels) section.table.header.push_back(error_title(error));
-        section.table.header.emplace_back("runs on another orbit");
-        for (std::size_t c = 0; c < contest.contestants.size(); ++c) {
-          std::vector<Cell> row{contest.contestants[c]};
-          for (const double error : kErrorLevels)
-            row.push_back(reached_cell(costs_to_error(contest, time_axis(), error)[c]));
-          const int others = runs_on_another_orbit(contest.ladders[c]);
-          row.emplace_back(std::to_string(others), others);
-          section.table.rows.push_back(std::move(row));
-        }
-      });
+  return per_contest(evaluation, "time-to-error", "Time to error", fill_time_to_error);
 }
 
 std::vector<Section> mean_sections(const Evaluation& evaluation) {
-  const double limit = evaluation.time_limit();
   std::vector<Section> sections =
       per_contest(evaluation, "means", "Means and profiles", [&](const Contest& contest, Section& section) {
-        section.text = fmt::format(
-            "Times to error over all scenes. A failure counts as the time limit of {} in the shifted "
-            "geometric "
-            "means, as twice that in PAR2. Right: on how many of all scenes the method is the fastest, or "
-            "within 2 or 10 times of it; a failure is infinitely slow.",
-            time_text(limit));
-        section.table.header = {"error", "method", "solved"};
-        for (const double shift : kMeanShifts)
-          section.table.header.push_back(fmt::format("mean, shift {}", time_text(shift)));
-        section.table.header.insert(section.table.header.end(),
-                                    {"PAR2", "fastest", "within 2 x", "within 10 x"});
-        for (const double error : kErrorLevels) add_mean_rows(contest, error, limit, section.table);
-        section.note = shift_remark(contest, limit);
+        fill_means(contest, evaluation.time_limit(), section);
       });
   for (std::size_t k = 0; k < sections.size(); ++k) sections[k].figures = profile_figures(evaluation, k);
   return sections;
 }
 
 std::vector<Section> pairwise_sections(const Evaluation& evaluation) {
-  return per_contest(evaluation, "pairs", "Pair by pair", [](const Contest& contest, Section& section) {
-    if (contest.contestants.size() < 3) return;  // the joint profile says it all
-    section.text =
-        "Share of all scenes that the method of the row solves at least as fast as that of the column, the "
-        "two "
-        "alone: a joint profile of more than two methods tells only who is first.";
-    section.table.header = {"error", "method"};
-    section.table.header.insert(section.table.header.end(), contest.contestants.begin(),
-                                contest.contestants.end());
-    for (const double error : kHeadlineErrors) {
-      const Costs costs = costs_to_error(contest, time_axis(), error);
-      for (std::size_t a = 0; a < costs.size(); ++a) {
-        std::vector<Cell> row{Cell(error_title(error), -error), contest.contestants[a]};
-        for (std::size_t b = 0; b < costs.size(); ++b)
-          row.push_back(a == b ? Cell("·") : share_cell(pairwise_profile(costs, a, b).share(0, 1.0)));
-        section.table.rows.push_back(std::move(row));
-      }
-    }
-  });
+  return per_contest(evaluation, "pairs", "Pair by pair", fill_pairs);
 }
 
 std::vector<Section> work_sections(const Evaluation& evaluation) {
-  return per_contest(evaluation, "work", "Work to error", [](const Contest& contest, Section& section) {
-    section.text =
-        "What the cheapest resolution by each count needs, the median over all scenes: counts that no noise "
-        "touches. What an iteration or a pivot costs differs between methods; they compare runs of one kind.";
-    section.table.header = {"error", "method"};
-    for (const CostAxis& axis : work_axes()) section.table.header.emplace_back(axis.name);
-    for (const double error : kHeadlineErrors) {
-      for (std::size_t c = 0; c < contest.contestants.size(); ++c) {
-        std::vector<Cell> row{Cell(error_title(error), -error), contest.contestants[c]};
-        for (const CostAxis& axis : work_axes()) row.push_back(work_cell(contest.ladders[c], axis, error));
-        section.table.rows.push_back(std::move(row));
-      }
-    }
-  });
+  return per_contest(evaluation, "work", "Work to error", fill_work);
 }
 
 }  // namespace signorini

@@ -49,22 +49,19 @@ int run_gnuplot(const fs::path& folder, const std::vector<std::string>& scripts)
 }  // namespace
 
 std::string whole_script(const Figure& figure) {
-  return fmt::format(
-      "# gnuplot {0}.gp makes {0}.svg and {0}.pdf of {0}.dat\n"
-      "data = '{0}.dat'\n"
-      "do for [format in 'svg pdf'] {{\n"
-      "reset\n"
-      "if (format eq 'svg') {{ set terminal svg size {1:.0f},{2:.0f} font 'sans-serif,11' background "
-      "'#ffffff' dashlength 0.7 "
-      "rounded }}\n"
-      "if (format eq 'pdf') {{ set terminal pdfcairo size {3:.1f}cm,{4:.1f}cm font 'sans,9' dashlength 0.7 "
-      "rounded }}\n"
-      "set output '{0}.'.format\n"
-      "{5}"
-      "unset output\n"
-      "}}\n",
-      figure.name, figure.width * kPixelsPerCentimetre, figure.height * kPixelsPerCentimetre, figure.width,
-      figure.height, figure.script);
+  constexpr std::string_view kScript = R"(# gnuplot {0}.gp makes {0}.svg and {0}.pdf of {0}.dat
+data = '{0}.dat'
+svg = "svg size {1:.0f},{2:.0f} font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size {3:.1f}cm,{4:.1f}cm font 'sans,9' dashlength 0.7 rounded"
+do for [format in 'svg pdf'] {{
+reset
+eval 'set terminal '.(format eq 'svg' ? svg : pdf)
+set output '{0}.'.format
+{5}unset output
+}}
+)";
+  return fmt::format(kScript, figure.name, figure.width * kPixelsPerCentimetre,
+                     figure.height * kPixelsPerCentimetre, figure.width, figure.height, figure.script);
 }
 
 std::string without_date(std::string pdf) {

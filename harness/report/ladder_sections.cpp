@@ -17,18 +17,21 @@ Cell credited_cell(const Ladder& ladder) {
   return {fmt::format("{} of {}", credited, ladder.rungs.size()), static_cast<double>(credited)};
 }
 
+/// Time of the cheapest run that reaches an error, and that run.
+Cell reached_cell(const Evaluation& evaluation, const Ladder& ladder, double error) {
+  const CurvePoint point = cost_to_error(ladder, time_axis(), error);
+  if (point.rung != nullptr)
+    return {time_text(point.cost), point.cost, evaluation.place_of(*point.rung->record)};
+  const bool reached = std::any_of(ladder.rungs.begin(), ladder.rungs.end(),
+                                   [&](const Rung& rung) { return rung.error && *rung.error <= error; });
+  return {reached ? "not timed" : "not reached", kNeverReached};
+}
+
 std::vector<Cell> ladder_row(const Evaluation& evaluation, const Ladder& ladder) {
   const Record& first = *ladder.rungs.front().record;
   const std::string law = first.law ? law_text(*first.law) : in_place(first);
   std::vector<Cell> row{ladder.scene, ladder.contestant, law, credited_cell(ladder)};
-  for (const double error : kErrorLevels) {
-    const CurvePoint point = cost_to_error(ladder, time_axis(), error);
-    if (point.rung == nullptr) {
-      row.emplace_back("not reached", kNeverReached);
-    } else {
-      row.emplace_back(time_text(point.cost), point.cost, evaluation.place_of(*point.rung->record));
-    }
-  }
+  for (const double error : kErrorLevels) row.push_back(reached_cell(evaluation, ladder, error));
   return row;
 }
 

@@ -77,18 +77,28 @@ std::string curves(const Evaluation& evaluation, const std::vector<Drawn>& drawn
   return "plot " + plots + "\n";
 }
 
-constexpr std::string_view kFrame =
-    "set grid back lc rgb '#cccccc' lw 0.5\nset border 3\nset tics nomirror\nset key noenhanced Left reverse "
-    "samplen 3\n";
+constexpr std::string_view kFrame = R"(set grid back lc rgb '#cccccc' lw 0.5
+set border 3
+set tics nomirror
+set key noenhanced Left reverse samplen 3
+)";
+
+constexpr std::string_view kPanels = R"(set multiplot layout 4,1 margins 0.11,0.98,0.25,0.98 spacing 0,0.03
+set xrange [0:{:.6g}]
+set format x ''
+unset key
+)";
+
+constexpr std::string_view kPhaseAxes = R"(set xlabel 'x [m]'
+set ylabel 'velocity [m/s]'
+set key outside bottom center horizontal
+set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
+)";
 
 Figure waveform_figure(const Evaluation& evaluation, const std::vector<Drawn>& drawn,
                        const std::string& scene, double end) {
   Figure figure{.name = scene + "-waveforms", .width = 17.0, .height = 18.0};
-  figure.script = fmt::format(
-      "{}set multiplot layout 4,1 margins 0.11,0.98,0.25,0.98 spacing 0,0.03\nset xrange [0:{:.6g}]\nset "
-      "format x "
-      "''\nunset key\n",
-      kFrame, end);
+  figure.script = std::string(kFrame) + fmt::format(kPanels, end);
   constexpr std::array kLabels{"x [m]", "velocity [m/s]", "force [N]", "impulse so far [N s]"};
   for (std::size_t panel = 0; panel < kLabels.size(); ++panel) {
     if (panel + 1 == kLabels.size()) figure.script += "set format x '%g'\nset xlabel 't [s]'\n";
@@ -106,11 +116,7 @@ Figure waveform_figure(const Evaluation& evaluation, const std::vector<Drawn>& d
 
 Figure phase_figure(const Evaluation& evaluation, const std::vector<Drawn>& drawn, const std::string& scene) {
   Figure figure{.name = scene + "-phase", .width = 13.0, .height = 13.0};
-  figure.script = fmt::format(
-      "{}set xlabel 'x [m]'\nset ylabel 'velocity [m/s]'\nset key outside bottom center horizontal\nset "
-      "offsets "
-      "graph 0.05, graph 0.05, graph 0.05, graph 0.05\n{}",
-      kFrame, curves(evaluation, drawn, 2, 3, true));
+  figure.script = std::string(kFrame) + std::string(kPhaseAxes) + curves(evaluation, drawn, 2, 3, true);
   return figure;
 }
 

@@ -1,9 +1,10 @@
 # gnuplot chain10-stop-waveforms.gp makes chain10-stop-waveforms.svg and chain10-stop-waveforms.pdf of chain10-stop-waveforms.dat
 data = 'chain10-stop-waveforms.dat'
+svg = "svg size 643,680 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 17.0cm,18.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
-if (format eq 'svg') { set terminal svg size 643,680 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded }
-if (format eq 'pdf') { set terminal pdfcairo size 17.0cm,18.0cm font 'sans,9' dashlength 0.7 rounded }
+eval 'set terminal '.(format eq 'svg' ? svg : pdf)
 set output 'chain10-stop-waveforms.'.format
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

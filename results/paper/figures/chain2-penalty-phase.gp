@@ -1,9 +1,10 @@
 # gnuplot chain2-penalty-phase.gp makes chain2-penalty-phase.svg and chain2-penalty-phase.pdf of chain2-penalty-phase.dat
 data = 'chain2-penalty-phase.dat'
+svg = "svg size 491,491 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 13.0cm,13.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
-if (format eq 'svg') { set terminal svg size 491,491 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded }
-if (format eq 'pdf') { set terminal pdfcairo size 13.0cm,13.0cm font 'sans,9' dashlength 0.7 rounded }
+eval 'set terminal '.(format eq 'svg' ? svg : pdf)
 set output 'chain2-penalty-phase.'.format
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -1,9 +1,10 @@
 # gnuplot chain2-penalty-waveforms.gp makes chain2-penalty-waveforms.svg and chain2-penalty-waveforms.pdf of chain2-penalty-waveforms.dat
 data = 'chain2-penalty-waveforms.dat'
+svg = "svg size 643,680 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 17.0cm,18.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
-if (format eq 'svg') { set terminal svg size 643,680 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded }
-if (format eq 'pdf') { set terminal pdfcairo size 17.0cm,18.0cm font 'sans,9' dashlength 0.7 rounded }
+eval 'set terminal '.(format eq 'svg' ? svg : pdf)
 set output 'chain2-penalty-waveforms.'.format
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

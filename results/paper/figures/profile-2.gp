@@ -1,9 +1,10 @@
 # gnuplot profile-2.gp makes profile-2.svg and profile-2.pdf of profile-2.dat
 data = 'profile-2.dat'
+svg = "svg size 680,340 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 18.0cm,9.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
-if (format eq 'svg') { set terminal svg size 680,340 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded }
-if (format eq 'pdf') { set terminal pdfcairo size 18.0cm,9.0cm font 'sans,9' dashlength 0.7 rounded }
+eval 'set terminal '.(format eq 'svg' ? svg : pdf)
 set output 'profile-2.'.format
 set multiplot layout 1,3 margins 0.06,0.99,0.36,0.90 spacing 0.03,0
 set logscale x

@@ -1,9 +1,10 @@
 # gnuplot sdof-chatter-phase.gp makes sdof-chatter-phase.svg and sdof-chatter-phase.pdf of sdof-chatter-phase.dat
 data = 'sdof-chatter-phase.dat'
+svg = "svg size 491,491 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 13.0cm,13.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
-if (format eq 'svg') { set terminal svg size 491,491 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded }
-if (format eq 'pdf') { set terminal pdfcairo size 13.0cm,13.0cm font 'sans,9' dashlength 0.7 rounded }
+eval 'set terminal '.(format eq 'svg' ? svg : pdf)
 set output 'sdof-chatter-phase.'.format
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

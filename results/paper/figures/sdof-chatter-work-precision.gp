@@ -1,9 +1,10 @@
 # gnuplot sdof-chatter-work-precision.gp makes sdof-chatter-work-precision.svg and sdof-chatter-work-precision.pdf of sdof-chatter-work-precision.dat
 data = 'sdof-chatter-work-precision.dat'
+svg = "svg size 643,378 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 17.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
-if (format eq 'svg') { set terminal svg size 643,378 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded }
-if (format eq 'pdf') { set terminal pdfcairo size 17.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded }
+eval 'set terminal '.(format eq 'svg' ? svg : pdf)
 set output 'sdof-chatter-work-precision.'.format
 set logscale xy
 set format '10^{%T}'

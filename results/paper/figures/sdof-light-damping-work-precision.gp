@@ -1,9 +1,10 @@
 # gnuplot sdof-light-damping-work-precision.gp makes sdof-light-damping-work-precision.svg and sdof-light-damping-work-precision.pdf of sdof-light-damping-work-precision.dat
 data = 'sdof-light-damping-work-precision.dat'
+svg = "svg size 643,378 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 17.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
-if (format eq 'svg') { set terminal svg size 643,378 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded }
-if (format eq 'pdf') { set terminal pdfcairo size 17.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded }
+eval 'set terminal '.(format eq 'svg' ? svg : pdf)
 set output 'sdof-light-damping-work-precision.'.format
 set logscale xy
 set format '10^{%T}'

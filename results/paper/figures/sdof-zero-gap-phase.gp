@@ -1,9 +1,10 @@
 # gnuplot sdof-zero-gap-phase.gp makes sdof-zero-gap-phase.svg and sdof-zero-gap-phase.pdf of sdof-zero-gap-phase.dat
 data = 'sdof-zero-gap-phase.dat'
+svg = "svg size 491,491 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 13.0cm,13.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
-if (format eq 'svg') { set terminal svg size 491,491 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded }
-if (format eq 'pdf') { set terminal pdfcairo size 13.0cm,13.0cm font 'sans,9' dashlength 0.7 rounded }
+eval 'set terminal '.(format eq 'svg' ? svg : pdf)
 set output 'sdof-zero-gap-phase.'.format
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

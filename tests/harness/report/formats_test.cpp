@@ -219,6 +219,20 @@ TEST(ContestSections, SaySuccessBeforeAnyTime) {
   EXPECT_EQ(means[9], "38 %");
 }
 
+TEST(ContestSections, CallNobodySlowWhoWasNotTimed) {
+  Record record = test::good_record("s", "m", "n=1", 0.005, 1.0);
+  record.seconds.reset();
+  record.not_timed = "not a Release build";
+  const std::vector<Section> sections = sections_of(Evaluation({record}));
+  EXPECT_TRUE(row_of(sections, "time-to-error-1", {"m"}).empty());
+  EXPECT_TRUE(row_of(sections, "means-1", {"1e-02"}).empty());
+  EXPECT_EQ(row_of(sections, "work-1", {"1e-02", "m"})[2], "12");
+  const std::vector<std::string> ladder = row_of(sections, "scenes", {"s"});
+  ASSERT_EQ(ladder.size(), 9U);
+  EXPECT_EQ(ladder[5], "not timed");
+  EXPECT_EQ(ladder[6], "not reached");
+}
+
 TEST(ContestSections, SayWhereTheShiftDecidesTheOrder) {
   std::vector<Record> records;
   for (int i = 0; i < 4; ++i) {
