@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [2.64e-05:9.20e-02]
+set xrange [3.34e-05:2.00e-01]
 set yrange [4.24e-13:5.56e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
