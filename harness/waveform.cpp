@@ -44,7 +44,8 @@ Eigen::MatrixXd signals_of(const Motion& motion, int contact, int periods, Eigen
   const Eigen::Index rows = static_cast<Eigen::Index>(periods) * rows_per_period(motion);
   const Eigen::VectorXd total = accumulated(motion, contact);
   const auto given = [&](Eigen::Index row) {
-    return total[row % count] + static_cast<double>(row / count) * total[count];
+    const Eigen::Index rounds = row / count;
+    return total[row % count] + static_cast<double>(rounds) * total[count];
   };
   Eigen::MatrixXd signals(rows + 1, static_cast<Eigen::Index>(kSignals));
   for (Eigen::Index i = 0; i <= rows; ++i) {
