@@ -31,8 +31,8 @@ function(hash_sources result without)
   set(${result} ${hash} PARENT_SCOPE)
 endfunction()
 
-# Reports and commands do not change a record; the reference solver (event_driven) changes all of them.
-hash_sources(common "^harness/(commands/|report|table|progress)" ${ROOT}/problems/* ${ROOT}/harness/*
+# Reports, commands and what reads runs do not change a record; the reference solver (event_driven) changes all of them.
+hash_sources(common "^harness/(commands/|compare/|machine/|runs/|submit/|report|table|progress)" ${ROOT}/problems/* ${ROOT}/harness/*
              ${ROOT}/methods/kernels/* ${ROOT}/methods/event_driven/* ${ROOT}/methods/method.*
              ${ROOT}/methods/options.* ${ROOT}/methods/solution.hpp)
 set(SOURCE_ITEMS "{\"\", \"${common}\"}")

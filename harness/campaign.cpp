@@ -11,21 +11,36 @@ namespace signorini {
 namespace {
 
 /// Runs cases of one scene; false if interrupted.
-bool run_scene(const Scene& scene, const std::vector<const Case*>& cases, Runner& runner, RecordStore& store,
-               Progress& progress, CampaignResult& result) {
+bool run_scene(const Scene& scene, const std::vector<const Case*>& cases, const Turns& turns, Runner& runner,
+               RecordStore& store, Progress& progress, CampaignResult& result) {
   progress.begin(scene.problem.name + ": references");
   const std::vector<Survey> surveys = runner.survey(scene, cases);
   if (interrupted()) return false;
   runner.compute_references(scene, surveys);
+  if (interrupted()) return false;
+  std::vector<Job> jobs;
+  std::vector<std::optional<Record>> begun;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (interrupted()) return false;
-    progress.begin(cases[i]->id);
-    const std::optional<Record> record = runner.run(scene, *cases[i], surveys[i]);
-    if (!record) return false;
-    store.append(*record);
-    progress.step();
-    ++result.ran;
+    jobs.push_back({.run = cases[i], .survey = &surveys[i]});
+    begun.push_back(store.unfinished(runner.key_of(scene, *cases[i])));
   }
+  const double round = 1.0 / runner.limits().repetitions;
+  std::vector<double> rest(cases.size(), 1.0);  // of each case, for the progress
+  const RoundEvents events{.begin = [&](const std::string& what) { progress.begin(what); },
+                           .unfinished =
+                               [&](std::size_t index, const Record& record) {
+                                 store.keep_unfinished(record);
+                                 progress.advance(round);
+                                 rest[index] -= round;
+                               },
+                           .complete =
+                               [&](std::size_t index, const Record& record) {
+                                 store.append(record);
+                                 progress.advance(rest[index]);
+                                 ++result.ran;
+                               }};
+  if (!run_rounds(runner, scene, jobs, std::move(begun), turns, events)) return false;
+  store.clear_unfinished();
   return true;
 }
 
@@ -42,7 +57,7 @@ std::vector<const Case*> missing_cases(const Plan& plan, const Runner& runner, c
   return missing;
 }
 
-CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store) {
+CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store, const Turns& turns) {
   const std::vector<const Case*> missing = missing_cases(plan, runner, store);
   CampaignResult result;
   result.present = plan.cases.size() - missing.size();
@@ -53,7 +68,7 @@ CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store
                  [&](const Case* run) { return run->scene == s; });
     if (cases.empty()) continue;
     runner.forget_references();
-    if (!run_scene(plan.scenes[s], cases, runner, store, progress, result)) {
+    if (!run_scene(plan.scenes[s], cases, turns, runner, store, progress, result)) {
       result.interrupted = true;
       break;
     }

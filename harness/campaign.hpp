@@ -7,7 +7,7 @@
 
 #include "harness/plan.hpp"
 #include "harness/record_store.hpp"
-#include "harness/runner.hpp"
+#include "harness/rounds.hpp"
 
 namespace signorini {
 
@@ -17,8 +17,9 @@ struct CampaignResult {
   bool interrupted = false;
 };
 
-/// Runs what the store does not hold yet, scene by scene, each record stored at once.
-CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store);
+/// Runs what the store does not hold yet, scene by scene, each record stored as soon as its rounds are
+/// complete; what is known before is kept aside, so that a kill loses only the round under way.
+CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store, const Turns& turns = {});
 
 /// Cases of the plan that the store does not hold, in order.
 std::vector<const Case*> missing_cases(const Plan& plan, const Runner& runner, const RecordStore& store);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -56,18 +57,30 @@ void limit_soft(int resource, rlim_t value) {
   setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
 }
 
-void prepare_child(pid_t parent, int log, const IsolationLimits& limits) {
+/// Whole seconds that a soft limit of processor time can be set to, above what wall time allows one thread.
+rlim_t processor_seconds(double wall_seconds) { return static_cast<rlim_t>(std::ceil(wall_seconds)) + 1; }
+
+/// The parent's files are none of the child's business, and locks on them would outlive the parent.
+void close_all_but(int descriptor) {
+  const auto kept = static_cast<unsigned>(descriptor);
+  if (kept > STDERR_FILENO + 1) close_range(STDERR_FILENO + 1, kept - 1, 0);
+  close_range(kept + 1, ~0U, 0);
+}
+
+void prepare_child(pid_t parent, int pipe, int log, const IsolationLimits& limits) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(EXIT_FAILURE);  // the parent died before the line above
-  for (const int signal : {SIGINT, SIGTERM, SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL, SIGXCPU}) {
     std::signal(signal, SIG_DFL);
   }
   std::signal(SIGXFSZ, SIG_IGN);  // too much talk is cut off, not punished
   dup2(log, STDOUT_FILENO);
   dup2(log, STDERR_FILENO);
+  close_all_but(pipe);
   limit_soft(RLIMIT_FSIZE, kLogBytes);
   limit_soft(RLIMIT_CORE, 0);
+  limit_soft(RLIMIT_CPU, processor_seconds(limits.stage_seconds.front()));
 #ifndef __SANITIZE_ADDRESS__
   if (limits.memory_mb) limit_soft(RLIMIT_AS, static_cast<rlim_t>(*limits.memory_mb) << 20U);
 #endif
@@ -116,15 +129,14 @@ ChildProcess::ChildProcess(const IsolatedWork& work, const IsolationLimits& limi
     throw std::system_error(reason, std::generic_category(), "fork");
   }
   if (child_ == 0) {
-    close(ends[0]);
-    prepare_child(parent, log_, limits_);
+    prepare_child(parent, ends[1], log_, limits_);
     run_child(work, ends[1]);
   }
   setpgid(child_, child_);  // in both processes: whoever comes first
   close(ends[1]);
   pipe_ = ends[0];
   fcntl(pipe_, F_SETFL, O_NONBLOCK);
-  set_deadline();
+  begin_stage();
 }
 
 ChildProcess::~ChildProcess() {
@@ -136,17 +148,22 @@ ChildProcess::~ChildProcess() {
   if (log_ >= 0) close(log_);
 }
 
-void ChildProcess::set_deadline() {
-  const std::size_t stage = std::min(end_.lines.size(), limits_.stage_seconds.size() - 1);
-  deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                 std::chrono::duration<double>(limits_.stage_seconds[stage]));
+void ChildProcess::begin_stage() {
+  const double seconds = limits_.stage_seconds[std::min(end_.lines.size(), limits_.stage_seconds.size() - 1)];
+  deadline_ =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  allowed_seconds_ += seconds;
+  rlimit limit{};
+  if (prlimit(child_, RLIMIT_CPU, nullptr, &limit) != 0) return;  // it is dead already
+  limit.rlim_cur = std::min(processor_seconds(allowed_seconds_), limit.rlim_max);
+  prlimit(child_, RLIMIT_CPU, &limit, nullptr);
 }
 
 void ChildProcess::take_line(std::string line) {
   const char tag = line.empty() ? '\0' : line.front();
   if (tag == kData) {
     end_.lines.push_back(line.substr(1));
-    if (!stopped_) set_deadline();
+    if (!stopped_) begin_stage();
     return;
   }
   if (told_end_) return;
@@ -207,13 +224,14 @@ void ChildProcess::collect() {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   read_pipe();
+  end_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   end_.last_words = last_line(log_);
   if (!told_end_) {
     if (stopped_) {
       end_.kind = *stopped_;
     } else if (WIFSIGNALED(status)) {
-      end_.kind = ChildEnd::Kind::signalled;
       end_.code = WTERMSIG(status);
+      end_.kind = end_.code == SIGXCPU ? ChildEnd::Kind::out_of_processor_time : ChildEnd::Kind::signalled;
     } else {
       end_.kind = ChildEnd::Kind::exited;
       end_.code = WEXITSTATUS(status);

@@ -18,6 +18,7 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
+  [[nodiscard]] pid_t id() const { return child_; }
   /// Descriptor to poll for input, -1 once the child has closed its end.
   [[nodiscard]] int descriptor() const { return pipe_; }
   /// Reads what there is, enforces the limits, collects a dead child. True once all is over.
@@ -35,7 +36,8 @@ class ChildProcess {
   void enforce_deadline();
   void stop(ChildEnd::Kind reason);
   void collect();
-  void set_deadline();
+  /// Wall and processor time for what comes until the next line.
+  void begin_stage();
 
   IsolationLimits limits_;
   pid_t child_ = -1;
@@ -44,7 +46,9 @@ class ChildProcess {
   std::string partial_;
   bool told_end_ = false;  // the child said how its work ended
   std::optional<ChildEnd::Kind> stopped_;
+  Clock::time_point start_ = Clock::now();
   Clock::time_point deadline_;
+  double allowed_seconds_ = 0.0;  // of all stages so far
   ChildEnd end_;
 };
 

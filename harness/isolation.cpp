@@ -3,8 +3,13 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <csignal>
 #include <cstring>
+#include <fstream>
 #include <memory>
 
 #include "harness/child_process.hpp"
@@ -36,10 +41,23 @@ void wait_for_any(const std::vector<Running>& running) {
   poll(descriptors.data(), descriptors.size(), timeout);
 }
 
+/// Descendants that left their process group are this process's children once their parents are dead.
+void end_orphans(const std::vector<Running>& running) {
+  const pid_t self = getpid();
+  std::ifstream children(fmt::format("/proc/{0}/task/{0}/children", self));
+  for (pid_t child = 0; children >> child;) {
+    const auto is_ours = [child](const Running& one) { return one.child->id() == child; };
+    if (std::any_of(running.begin(), running.end(), is_ours)) continue;
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+  }
+}
+
 }  // namespace
 
 std::vector<ChildEnd> run_isolated_together(const std::vector<IsolatedWork>& work,
-                                            const IsolationLimits& limits, int parallel) {
+                                            const IsolationLimits& limits, int parallel,
+                                            const OnEnd& on_end) {
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   std::vector<ChildEnd> ends(work.size());
   std::vector<Running> running;
@@ -55,11 +73,17 @@ std::vector<ChildEnd> run_isolated_together(const std::vector<IsolatedWork>& wor
     }
     if (running.empty()) break;
     wait_for_any(running);
+    std::vector<std::size_t> ended;
     std::erase_if(running, [&](Running& one) {
       if (!one.child->advance()) return false;
       ends[one.index] = one.child->take_end();
+      ended.push_back(one.index);
       return true;
     });
+    if (!ended.empty()) end_orphans(running);
+    for (const std::size_t index : ended) {
+      if (on_end) on_end(index, ends[index]);
+    }
   }
   return ends;
 }
@@ -85,6 +109,8 @@ std::string describe(const ChildEnd& end) {
       return with_words(fmt::format("signal {} ({})", end.code, strsignal(end.code)));
     case ChildEnd::Kind::timed_out:
       return "stopped at the time limit";
+    case ChildEnd::Kind::out_of_processor_time:
+      return "stopped at the limit of processor time: more than one thread is at work";
     case ChildEnd::Kind::interrupted:
       return "interrupted";
   }

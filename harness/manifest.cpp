@@ -72,14 +72,16 @@ Json build() {
 
 }  // namespace
 
-Json make_manifest(const Suite& suite, const Limits& limits, const std::vector<std::string>& command_line) {
+Json make_manifest(const Suite& suite, const Limits& limits, const Turns& turns,
+                   const std::vector<std::string>& command_line) {
   return {{"schema", 1},
           {"suite", suite.name},
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
           {"command_line", command_line},
-          // Nothing is random so far: cases run in the order of the plan.
-          {"order", "plan"},
-          {"seed", 0},
+          {"order", "scene by scene, rounds in Latin squares"},
+          {"seed", turns.seed},
+          {"jobs", turns.together()},
+          {"times_comparable", build_may_be_timed() && turns.together() == 1},
           {"limits",
            {{"timeout_s", limits.timeout},
             {"memory_mb", limits.memory_mb},

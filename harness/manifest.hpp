@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "harness/rounds.hpp"
 #include "harness/suite.hpp"
 
 namespace signorini {
 
 /// Build, machine, date, limits and command line. What cannot be found out is absent.
-nlohmann::ordered_json make_manifest(const Suite& suite, const Limits& limits,
+nlohmann::ordered_json make_manifest(const Suite& suite, const Limits& limits, const Turns& turns,
                                      const std::vector<std::string>& command_line);
 
 /// Writes text to a file in one piece: a reader sees the old contents or the new.

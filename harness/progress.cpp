@@ -3,20 +3,23 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 namespace signorini {
 
-std::string progress_line(std::size_t done, std::size_t total, double elapsed_seconds,
-                          const std::string& what) {
+std::string progress_line(double done, std::size_t total, double elapsed_seconds, const std::string& what) {
+  constexpr double kRounding = 1e-6;  // of shares of cases that add up
+  const auto all = static_cast<double>(total);
   std::string eta;
-  if (done > 0) {
-    const auto left =
-        std::lround(elapsed_seconds / static_cast<double>(done) * static_cast<double>(total - done));
+  if (done > kRounding) {
+    const auto left = std::lround(elapsed_seconds / done * std::max(0.0, all - done));
     eta = fmt::format(" ETA {}:{:02}", left / 60, left % 60);
   }
-  return fmt::format("[{}/{}] {} %{} {}", done, total, total == 0 ? 100 : 100 * done / total, eta, what);
+  const double percent = total == 0 ? 100.0 : 100.0 * done / all;
+  return fmt::format("[{:.0f}/{}] {:.0f} %{} {}", std::floor(done + kRounding), total,
+                     std::floor(percent + kRounding), eta, what);
 }
 
 Progress::Progress(std::size_t total) : total_(total), visible_(isatty(STDERR_FILENO) == 1) {}

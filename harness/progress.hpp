@@ -17,19 +17,18 @@ class Progress {
 
   /// What is under way.
   void begin(const std::string& what);
-  /// One more case is done.
-  void step() { ++done_; }
+  /// This many cases more are done, or a share of one.
+  void advance(double cases = 1.0) { done_ += cases; }
 
  private:
   std::size_t total_;
-  std::size_t done_ = 0;
+  double done_ = 0.0;
   bool visible_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 /// "[12/240] 5 % ETA 1:23 what", the rest assumed to take as long per case as what is done; no ETA before
-/// the first case is done.
-std::string progress_line(std::size_t done, std::size_t total, double elapsed_seconds,
-                          const std::string& what);
+/// anything is done.
+std::string progress_line(double done, std::size_t total, double elapsed_seconds, const std::string& what);
 
 }  // namespace signorini

@@ -108,17 +108,25 @@ WorkDone read_work(const Json& json) {
 }
 
 Json write_seconds(const Seconds& seconds) {
-  return {{"median", seconds.median},           {"min", seconds.min},     {"mad", seconds.mad},
-          {"repetitions", seconds.repetitions}, {"setup", seconds.setup}, {"solve", seconds.solve}};
+  Json json{{"median", seconds.median},           {"min", seconds.min},     {"mad", seconds.mad},
+            {"repetitions", seconds.repetitions}, {"setup", seconds.setup}, {"solve", seconds.solve}};
+  put(json, "unstable", seconds.unstable);
+  for (const TimedRound& round : seconds.rounds) json["rounds"].push_back({round.setup, round.solve});
+  put(json, "jobs", seconds.jobs);
+  return json;
 }
 
 Seconds read_seconds(const Json& json) {
-  return {.median = json.at("median"),
-          .min = json.at("min"),
-          .mad = json.at("mad"),
-          .repetitions = json.at("repetitions"),
-          .setup = json.at("setup"),
-          .solve = json.at("solve")};
+  Seconds seconds{.median = json.at("median"),
+                  .min = json.at("min"),
+                  .mad = json.at("mad"),
+                  .repetitions = json.at("repetitions"),
+                  .setup = json.at("setup"),
+                  .solve = json.at("solve")};
+  get(json, "unstable", seconds.unstable);
+  for (const Json& round : object(json, "rounds")) seconds.rounds.push_back({round.at(0), round.at(1)});
+  get(json, "jobs", seconds.jobs);
+  return seconds;
 }
 
 Json write_family(const FamilyLevel& family) {
@@ -281,6 +289,7 @@ void read_body(const Json& json, Record& record) {
   record.work = read_work(object(json, "work"));
   if (json.contains("seconds")) record.seconds = read_seconds(json["seconds"]);
   get(json, "not_timed", record.not_timed);
+  get(json, "elapsed", record.elapsed);
   record.certificate = read_certificate(object(json, "certificate"));
   for (std::size_t i = 0; i < kErrors.size(); ++i)
     get(object(json, "errors"), kErrorKeys[i], record.errors.*kErrors[i]);
@@ -343,6 +352,7 @@ Json to_json(const Record& record) {
   put_object(json, "work", write_work(record.work));
   if (record.seconds) json["seconds"] = write_seconds(*record.seconds);
   put(json, "not_timed", record.not_timed);
+  put(json, "elapsed", record.elapsed);
   json["certificate"] = write_certificate(record.certificate);
   Json errors = Json::object();
   for (std::size_t i = 0; i < kErrors.size(); ++i) put(errors, kErrorKeys[i], record.errors.*kErrors[i]);

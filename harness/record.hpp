@@ -37,15 +37,27 @@ struct WorkDone {
   std::optional<long> peak_memory_bytes = {};  ///< growth of the peak resident set by set-up and first solve
 };
 
+/// Least time of one call in one round [s].
+struct TimedRound {
+  double setup = 0.0;
+  double solve = 0.0;
+};
+
 /// Times of one cold run, set-up plus solve, over rounds; least per round [s].
 struct Seconds {
   double median = 0.0;
   double min = 0.0;
   double mad = 0.0;  ///< median absolute deviation from the median
   int repetitions = 0;
-  double setup = 0.0;  ///< median of the set-up's part
-  double solve = 0.0;  ///< median of the solve's part
+  double setup = 0.0;                   ///< median of the set-up's part
+  double solve = 0.0;                   ///< median of the solve's part
+  std::optional<bool> unstable = {};    ///< mad above kUnstable of the median; empty for a single round
+  std::vector<TimedRound> rounds = {};  ///< in the order taken
+  std::optional<int> jobs = {};         ///< cases run at the same time, if several: not comparable then
 };
+
+/// Times whose deviation exceeds this share of their median are called unstable.
+inline constexpr double kUnstable = 0.05;
 
 enum class CertificateStatus { none, uncertified, certified };
 
@@ -130,6 +142,7 @@ struct Record {
   WorkDone work = {};
   std::optional<Seconds> seconds = {};
   std::string not_timed = {};  ///< why `seconds` is absent
+  Measure elapsed = {};        ///< wall time of all processes of the case [s]
   Certificate certificate = {};
   Errors errors = {};
   Physics physics = {};

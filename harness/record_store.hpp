@@ -1,8 +1,10 @@
 #pragma once
-// DIR/records.jsonl: one record per line, each written whole and flushed.
+// DIR/records.jsonl: one record per line, each written whole and flushed. Beside it, while a run is under
+// way, DIR/unfinished.jsonl: records that lack rounds of timing, the last of a key counts.
 
 #include <filesystem>
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -14,11 +16,15 @@ namespace signorini {
 /// \throws UsageError if the file cannot be read or another line is no record (file and line named)
 std::vector<Record> read_records(const std::filesystem::path& file);
 
+/// True while a run writes there.
+bool folder_in_use(const std::filesystem::path& folder);
+
 class RecordStore {
  public:
-  /// Opens DIR/records.jsonl, making the folder. With `resume` what is there stays, and a torn last line is
-  /// cut off; otherwise a file that is there is kept as records.previous.jsonl.
-  /// \throws UsageError if folder or file cannot be written, or a whole line is no record
+  /// Opens DIR/records.jsonl, making the folder, and keeps other runs out of it. With `resume` what is there
+  /// stays, and a torn last line is cut off; otherwise a file that is there is kept as
+  /// records.previous.jsonl. \throws UsageError if folder or file cannot be written, another run writes
+  /// there, or a whole line is no record
   RecordStore(const std::filesystem::path& folder, bool resume);
   ~RecordStore();
   RecordStore(const RecordStore&) = delete;
@@ -29,12 +35,23 @@ class RecordStore {
   /// \throws std::system_error if the disk refuses
   void append(const Record& record);
 
+  /// Keeps what is known of a case whose rounds are not complete, for a run that resumes this one.
+  /// \throws std::system_error if the disk refuses
+  void keep_unfinished(const Record& record);
+  /// What was kept of a case and is not complete; empty if nothing was.
+  [[nodiscard]] std::optional<Record> unfinished(const std::string& key) const;
+  /// Forgets all that was kept: the records of those cases are complete.
+  void clear_unfinished();
+
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
  private:
-  std::filesystem::path file_;
+  std::filesystem::path file_, unfinished_file_;
   std::unordered_set<std::string> keys_;
-  int descriptor_ = -1;
+  std::unordered_map<std::string, Record> unfinished_;
+  int lock_ = -1;
+  int records_ = -1;
+  int kept_ = -1;
 };
 
 }  // namespace signorini

@@ -3,14 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/runner.hpp"
+#include "harness/rounds.hpp"
 #include "harness/selection.hpp"
 #include "harness/sha256.hpp"
+#include "harness/yardstick.hpp"
 
 namespace signorini {
 
@@ -22,10 +24,15 @@ bool decided_by_time(const Record& kept, const Record& now) {
   return kept.status != now.status && (kept.status == Status::timeout || now.status == Status::timeout);
 }
 
+/// The method with its settings, the part of a case after the scene.
+std::string method_label(const Record& record) {
+  const std::size_t slash = record.case_id.find('/');
+  return slash == std::string::npos ? record.method : record.case_id.substr(slash + 1);
+}
+
 /// The case that a record came from.
 Case case_of(const Record& record, const Scene& scene, std::span<const MethodEntry> catalogue) {
-  const std::size_t slash = record.case_id.find('/');
-  const std::string label = slash == std::string::npos ? record.method : record.case_id.substr(slash + 1);
+  const std::string label = method_label(record);
   const std::vector<MethodChoice> choices =
       select_methods(label, catalogue, [](const MethodEntry&) { return std::vector<Settings>(1); });
   if (choices.size() != 1)
@@ -57,11 +64,18 @@ class SceneRerun {
     const std::vector<Survey> surveys = runner.survey(scene, pointers);
     if (interrupted()) return;
     runner.compute_references(scene, surveys);
-    for (std::size_t i = 0; i < cases.size() && !interrupted(); ++i) {
-      if (news_) news_(cases[i].id);
-      const std::optional<Record> now = runner.run(scene, cases[i], surveys[i]);
-      if (now) take(*kept[i], *now);
+    std::vector<Job> jobs;
+    for (std::size_t i = 0; i < cases.size(); ++i) jobs.push_back({.run = &cases[i], .survey = &surveys[i]});
+    std::vector<std::optional<Record>> now(cases.size());
+    run_rounds(runner, scene, jobs, now, {},
+               {.begin = news_, .unfinished = {}, .complete = [&](std::size_t i, const Record& record) {
+                  now[i] = record;
+                }});
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (now[i]) take(*kept[i], *now[i]);
     }
+    const std::vector<RelativeTime> times = relative_times(kept, now);
+    result_.relative_times.insert(result_.relative_times.end(), times.begin(), times.end());
   }
 
  private:
@@ -81,6 +95,28 @@ class SceneRerun {
 };
 
 }  // namespace
+
+std::vector<RelativeTime> relative_times(const std::vector<const Record*>& kept,
+                                         const std::vector<std::optional<Record>>& now) {
+  const auto timed = [&](std::size_t i) {
+    return kept[i]->seconds && now[i] && now[i]->seconds && kept[i]->seconds->median > 0.0 &&
+           now[i]->seconds->median > 0.0;
+  };
+  std::map<std::string, std::size_t> yardsticks;  // by scene
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (method_label(*kept[i]) == kYardstick && timed(i)) yardsticks[kept[i]->scene] = i;
+  }
+  std::vector<RelativeTime> times;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const auto yardstick = yardsticks.find(kept[i]->scene);
+    if (yardstick == yardsticks.end() || !timed(i)) continue;
+    const std::size_t y = yardstick->second;
+    times.push_back({.method = method_label(*kept[i]),
+                     .kept = kept[i]->seconds->median / kept[y]->seconds->median,
+                     .now = now[i]->seconds->median / now[y]->seconds->median});
+  }
+  return times;
+}
 
 std::vector<std::string> compare_records(const Record& kept, const Record& now) {
   if (decided_by_time(kept, now)) return {};

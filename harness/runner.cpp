@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "harness/certificate.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/trial.hpp"
+#include "harness/timing.hpp"
 
 namespace signorini {
 
@@ -65,6 +66,13 @@ Reference take_reference(const ChildEnd& end) {
   }
 }
 
+constexpr const char* kRepeated = "in a repeated solve: ";
+
+std::string repeat_line(const RepeatedSolve& repeat) {
+  if (!repeat.times) return one_line({{"message", repeat.message}});
+  return one_line({{"setup", repeat.times->setup}, {"solve", repeat.times->solve}});
+}
+
 /// A child that died after the answer was in: while it was timed or cleaned up that is the method's doing,
 /// between the two the harness's.
 void take_late_end(const ChildEnd& end, Record& record) {
@@ -72,8 +80,7 @@ void take_late_end(const ChildEnd& end, Record& record) {
   const auto last = static_cast<TrialStage>(end.lines.size() - 1);
   if (last == TrialStage::solved || last == TrialStage::certified) {
     take_failure(end, record);
-    record.message =
-        (last == TrialStage::solved ? "in a repeated solve: " : "in its clean-up: ") + record.message;
+    record.message = (last == TrialStage::solved ? kRepeated : "in its clean-up: ") + record.message;
     return;
   }
   record.certificate.status = CertificateStatus::uncertified;
@@ -93,6 +100,7 @@ void take_failure(const ChildEnd& end, Record& record) {
       record.status = Status::out_of_memory;
       break;
     case ChildEnd::Kind::timed_out:
+    case ChildEnd::Kind::out_of_processor_time:
       record.status = Status::timeout;
       break;
     case ChildEnd::Kind::signalled:
@@ -105,6 +113,25 @@ void take_failure(const ChildEnd& end, Record& record) {
       record.status = Status::crashed;
       break;
   }
+}
+
+void take_round(const ChildEnd& end, Record& record) {
+  record.elapsed = record.elapsed.value_or(0.0) + end.seconds;
+  const Json json = end.lines.empty() ? Json::object() : Json::parse(end.lines.back());
+  if (json.contains("setup")) {
+    std::vector<TimedRound> rounds = record.seconds->rounds;
+    rounds.push_back({.setup = json.at("setup"), .solve = json.at("solve")});
+    record.seconds = summarise(rounds);
+    return;
+  }
+  if (json.contains("message")) {
+    record.status = Status::not_converged;
+    record.message = json.at("message");
+  } else {
+    take_failure(end, record);
+  }
+  record.message = kRepeated + record.message;
+  record.seconds.reset();
 }
 
 Runner::Runner(Limits limits, OrbitTools orbits, CodeVersion version)
@@ -176,9 +203,9 @@ void Runner::keep_confirmed(const Problem& problem, const Record& record) {
 }
 
 IsolationLimits Runner::trial_limits() const {
-  // One per stage: first solve, timing, measures, certificate; then the end of the process. On a large
-  // structure the measures cost what the set-up did: both find receptances.
-  return {.stage_seconds = {late(limits_.timeout), late(limits_.timeout * (limits_.repetitions + 1)),
+  // One per stage: first solve, a round of timing, measures, certificate; then the end of the process. On a
+  // large structure the measures cost what the set-up did: both find receptances.
+  return {.stage_seconds = {late(limits_.timeout), late(limits_.timeout) + kQuickSeconds,
                             late(limits_.timeout) + kQuickSeconds,
                             late(limits_.certificate_timeout) + kQuickSeconds, kQuickSeconds},
           .memory_mb = limits_.memory_mb};
@@ -200,45 +227,100 @@ Record Runner::blank(const Scene& scene, const Case& run, const Survey& survey) 
   return record;
 }
 
-std::optional<Record> Runner::run(const Scene& scene, const Case& run, const Survey& survey,
-                                  const SolveExtras& extras) {
-  Record record = blank(scene, run, survey);
-  if (survey.failure) {
-    if (survey.failure->kind == ChildEnd::Kind::interrupted) return std::nullopt;
-    take_failure(*survey.failure, record);
-    return record;
-  }
-  if (!survey.ok) {
+std::optional<Record> Runner::without_run(const Scene& scene, const Job& job) const {
+  if (!job.survey->failure && job.survey->ok) return std::nullopt;
+  Record record = blank(scene, *job.run, *job.survey);
+  if (job.survey->failure) {
+    take_failure(*job.survey->failure, record);
+  } else {
     record.status = Status::not_applicable;
-    record.message = survey.reason;
-    return record;
+    record.message = job.survey->reason;
   }
-  const Trial trial{.scene = scene,
-                    .run = run,
-                    .limits = limits_,
-                    .law = *survey.law,
-                    .reference = reference_for(scene.problem, *survey.law),
-                    .scene_reference = reference_for(scene.problem, Undetermined{}),
-                    .orbits = orbits_,
-                    .start = extras.start,
-                    .samples = extras.samples,
-                    .timed = extras.timed,
-                    .waveforms = waveforms_};
-  const ChildEnd end = run_isolated(
-      [&](const Send& send) {
-        run_trial(trial, record, [&](const Record& so_far) { send(one_line(to_json(so_far))); });
-      },
-      trial_limits());
-  if (end.kind == ChildEnd::Kind::interrupted) return std::nullopt;
-  if (end.lines.empty()) {
-    take_failure(end, record);
-    return record;
-  }
-  record = record_from_json(Json::parse(end.lines.back()));
-  take_late_end(end, record);
-  apply_verdict(record);
-  if (record.certificate.return_distance) keep_confirmed(scene.problem, record);
   return record;
+}
+
+Trial Runner::trial_of(const Scene& scene, const Job& job, const SolveExtras& extras) const {
+  return {.scene = scene,
+          .run = *job.run,
+          .limits = limits_,
+          .law = *job.survey->law,
+          .reference = reference_for(scene.problem, *job.survey->law),
+          .scene_reference = reference_for(scene.problem, Undetermined{}),
+          .orbits = orbits_,
+          .start = extras.start,
+          .samples = extras.samples,
+          .timed = extras.timed,
+          .waveforms = waveforms_};
+}
+
+void Runner::run_first(const Scene& scene, std::span<const Job> jobs, int parallel, const TakeRecord& take,
+                       const SolveExtras& extras) {
+  std::vector<std::size_t> places;
+  std::vector<IsolatedWork> work;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (jobs[i].survey->failure && jobs[i].survey->failure->kind == ChildEnd::Kind::interrupted) continue;
+    if (const std::optional<Record> record = without_run(scene, jobs[i])) {
+      take(i, *record);
+      continue;
+    }
+    places.push_back(i);
+    work.push_back([this, &scene, &job = jobs[i], &extras](const Send& send) {
+      run_trial(trial_of(scene, job, extras), blank(scene, *job.run, *job.survey),
+                [&](const Record& so_far) { send(one_line(to_json(so_far))); });
+    });
+  }
+  run_isolated_together(work, trial_limits(), parallel, [&](std::size_t k, const ChildEnd& end) {
+    if (end.kind == ChildEnd::Kind::interrupted) return;
+    const Job& job = jobs[places[k]];
+    Record record = blank(scene, *job.run, *job.survey);
+    if (end.lines.empty()) {
+      take_failure(end, record);
+    } else {
+      record = record_from_json(Json::parse(end.lines.back()));
+      take_late_end(end, record);
+      apply_verdict(record);
+      if (record.certificate.return_distance) keep_confirmed(scene.problem, record);
+    }
+    record.elapsed = end.seconds;
+    take(places[k], std::move(record));
+  });
+}
+
+void Runner::run_later(const Scene& scene, std::span<const Job> jobs, std::span<const Record> records,
+                       int parallel, const TakeRecord& take, const SolveExtras& extras) const {
+  std::vector<IsolatedWork> work;
+  for (const Job& job : jobs) {
+    work.push_back([this, &scene, &job, &extras](const Send& send) {
+      send(repeat_line(repeat_solve(scene, *job.run, limits_, extras.start)));
+    });
+  }
+  const IsolationLimits limits{.stage_seconds = {2.0 * late(limits_.timeout) + kQuickSeconds, kQuickSeconds},
+                               .memory_mb = limits_.memory_mb};
+  run_isolated_together(work, limits, parallel, [&](std::size_t i, const ChildEnd& end) {
+    if (end.kind == ChildEnd::Kind::interrupted) return;
+    Record record = records[i];
+    take_round(end, record);
+    take(i, std::move(record));
+  });
+}
+
+int Runner::rounds_missing(const Record& record) const {
+  if (!record.seconds || record.seconds->rounds.empty()) return 0;
+  const TimedRound& first = record.seconds->rounds.front();
+  return rounds_for(first.setup + first.solve, {.rounds = limits_.repetitions}) -
+         static_cast<int>(record.seconds->rounds.size());
+}
+
+std::optional<Record> Runner::run(const Scene& scene, const Job& job, const SolveExtras& extras) {
+  std::optional<Record> record;
+  const std::array jobs{job};
+  const TakeRecord take = [&](std::size_t, Record taken) { record = std::move(taken); };
+  run_first(scene, jobs, 1, take, extras);
+  while (record && rounds_missing(*record) > 0 && !interrupted()) {
+    const std::array begun{*record};
+    run_later(scene, jobs, begun, 1, take, extras);
+  }
+  return interrupted() ? std::nullopt : record;
 }
 
 }  // namespace signorini

@@ -15,6 +15,7 @@
 #include "harness/plan.hpp"
 #include "harness/record.hpp"
 #include "harness/reference.hpp"
+#include "harness/trial.hpp"
 
 namespace signorini {
 
@@ -33,6 +34,15 @@ struct SolveExtras {
   bool timed = true;
 };
 
+/// A surveyed case, ready to run. What it points to must outlive it.
+struct Job {
+  const Case* run = nullptr;
+  const Survey* survey = nullptr;
+};
+
+/// Told of the record of job `index`, first round and each later one.
+using TakeRecord = std::function<void(std::size_t index, Record record)>;
+
 /// Identifies the code behind a method's records.
 using CodeVersion = std::function<std::string(std::string_view method)>;
 
@@ -48,10 +58,23 @@ class Runner {
   void compute_references(const Scene& scene, std::span<const Survey> surveys);
   void forget_references() { references_.clear(); }
 
-  /// Runs one surveyed case, and keeps a new orbit behind its answer as confirmed. Empty if the parent was
-  /// interrupted: then there is no record.
-  [[nodiscard]] std::optional<Record> run(const Scene& scene, const Case& run, const Survey& survey,
-                                          const SolveExtras& extras = {});
+  /// The first round of surveyed cases, each in a process of its own, at most `parallel` at the same time:
+  /// solves, times one round, measures and certifies. Keeps new orbits behind answers as confirmed. Silent
+  /// about those that an interrupt prevented.
+  void run_first(const Scene& scene, std::span<const Job> jobs, int parallel, const TakeRecord& take,
+                 const SolveExtras& extras = {});
+
+  /// One more round of timing of each job, added to its record. A method that fails this time fails its case.
+  /// Silent about those that an interrupt prevented.
+  void run_later(const Scene& scene, std::span<const Job> jobs, std::span<const Record> records, int parallel,
+                 const TakeRecord& take, const SolveExtras& extras = {}) const;
+
+  /// Rounds of timing that a record still lacks.
+  [[nodiscard]] int rounds_missing(const Record& record) const;
+
+  /// Runs one case with all its rounds one after the other. Empty if the parent was interrupted: then there
+  /// is no record.
+  [[nodiscard]] std::optional<Record> run(const Scene& scene, const Job& job, const SolveExtras& extras = {});
 
   /// Records shall hold the motions as they are drawn.
   void keep_waveforms() { waveforms_ = true; }
@@ -60,6 +83,8 @@ class Runner {
   [[nodiscard]] std::string key_of(const Scene& scene, const Case& run) const;
 
  private:
+  [[nodiscard]] std::optional<Record> without_run(const Scene& scene, const Job& job) const;
+  [[nodiscard]] Trial trial_of(const Scene& scene, const Job& job, const SolveExtras& extras) const;
   [[nodiscard]] Record blank(const Scene& scene, const Case& run, const Survey& survey) const;
   [[nodiscard]] const Reference& reference_for(const Problem& problem, const RepresentedLaw& law) const;
   void keep_confirmed(const Problem& problem, const Record& record);
@@ -74,5 +99,8 @@ class Runner {
 
 /// Status, signal and message of a run whose child ended this way before there was an answer.
 void take_failure(const ChildEnd& end, Record& record);
+
+/// Adds what a later round came to: its times, or its failure, which is the case's.
+void take_round(const ChildEnd& end, Record& record);
 
 }  // namespace signorini

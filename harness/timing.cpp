@@ -13,19 +13,19 @@ namespace {
 
 constexpr const char* kLeast = "least";
 
-/// Keeps the least time of each round and prints nothing.
-class RoundCollector final : public benchmark::BenchmarkReporter {
+/// Keeps the least time of a round and prints nothing.
+class LeastTime final : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration) continue;
       const auto least = run.counters.find(kLeast);
-      if (least != run.counters.end()) rounds.push_back(least->second.value);
+      if (least != run.counters.end()) seconds = least->second.value;
     }
   }
 
-  std::vector<double> rounds;
+  double seconds = 0.0;
 };
 
 }  // namespace
@@ -38,14 +38,14 @@ bool build_may_be_timed() {
 #endif
 }
 
-std::vector<double> time_rounds(const std::string& name, const std::function<double()>& timed, double first,
-                                const TimingBudget& budget) {
-  const bool slow = first >= budget.round_seconds;
-  int rounds = budget.rounds;
-  if (slow) rounds = std::clamp(static_cast<int>(budget.total_seconds / first), 1, rounds) - 1;
-  RoundCollector collector;
-  if (slow) collector.rounds.push_back(first);
-  if (rounds == 0) return collector.rounds;
+int rounds_for(double first, const TimingBudget& budget) {
+  if (first < budget.round_seconds) return budget.rounds;
+  return static_cast<int>(std::clamp(budget.total_seconds / first, 1.0, static_cast<double>(budget.rounds)));
+}
+
+double time_round(const std::string& name, const std::function<double()>& timed, double first,
+                  const TimingBudget& budget) {
+  if (first >= budget.round_seconds) return first;
   benchmark::ClearRegisteredBenchmarks();
   auto* registered = benchmark::RegisterBenchmark(name.c_str(), [&timed](benchmark::State& state) {
     double least = std::numeric_limits<double>::infinity();
@@ -56,26 +56,29 @@ std::vector<double> time_rounds(const std::string& name, const std::function<dou
     }
     state.counters[kLeast] = least;
   });
-  registered->UseManualTime()->Repetitions(rounds);
-  if (slow) {
-    registered->Iterations(1);
-  } else {
-    registered->MinTime(budget.round_seconds);
-  }
-  benchmark::RunSpecifiedBenchmarks(&collector);
+  registered->UseManualTime()->MinTime(budget.round_seconds);
+  LeastTime least;
+  benchmark::RunSpecifiedBenchmarks(&least);
   benchmark::ClearRegisteredBenchmarks();
-  return collector.rounds;
+  return least.seconds;
 }
 
-Seconds summarise(const std::vector<double>& setup, const std::vector<double>& solve) {
-  std::vector<double> total;
-  for (std::size_t i = 0; i < std::min(setup.size(), solve.size()); ++i) total.push_back(setup[i] + solve[i]);
-  return {.median = median(total),
-          .min = *std::min_element(total.begin(), total.end()),
-          .mad = median_deviation(total),
-          .repetitions = static_cast<int>(total.size()),
-          .setup = median(setup),
-          .solve = median(solve)};
+Seconds summarise(const std::vector<TimedRound>& rounds) {
+  std::vector<double> setup, solve, total;
+  for (const TimedRound& round : rounds) {
+    setup.push_back(round.setup);
+    solve.push_back(round.solve);
+    total.push_back(round.setup + round.solve);
+  }
+  Seconds seconds{.median = median(total),
+                  .min = *std::min_element(total.begin(), total.end()),
+                  .mad = median_deviation(total),
+                  .repetitions = static_cast<int>(total.size()),
+                  .setup = median(setup),
+                  .solve = median(solve)};
+  seconds.rounds = rounds;
+  if (rounds.size() > 1) seconds.unstable = seconds.mad > kUnstable * seconds.median;
+  return seconds;
 }
 
 }  // namespace signorini

@@ -19,14 +19,16 @@ struct TimingBudget {
   double total_seconds = 5.0;   ///< slower work gets fewer rounds, never less than one
 };
 
-/// Least time of one call per round [s], at least one round. Google Benchmark chooses how many calls a round
-/// has and repeats the rounds; a call's time is read within `timed`, which returns it, so that clean-up stays
-/// outside. A first call that alone fills a round counts as one.
-/// \param first  time of the first call, already made
-std::vector<double> time_rounds(const std::string& name, const std::function<double()>& timed, double first,
-                                const TimingBudget& budget);
+/// Rounds that work gets whose first call took this long [s], that call included.
+int rounds_for(double first, const TimingBudget& budget);
 
-/// Statistics over rounds of set-up + solve, as many as both have, at least one.
-Seconds summarise(const std::vector<double>& setup, const std::vector<double>& solve);
+/// Least time of one call in one round [s]. Google Benchmark chooses how many calls the round has; a call's
+/// time is read within `timed`, which returns it, so that clean-up stays outside. A first call that alone
+/// fills a round is the round. \param first  time of the first call, already made
+double time_round(const std::string& name, const std::function<double()>& timed, double first,
+                  const TimingBudget& budget);
+
+/// Statistics of set-up + solve over the rounds, at least one.
+Seconds summarise(const std::vector<TimedRound>& rounds);
 
 }  // namespace signorini

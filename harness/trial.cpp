@@ -71,28 +71,37 @@ bool take_solution(const Trial& trial, const Solution& solution, bool expired, R
   return true;
 }
 
-void take_times(const Trial& trial, const Method& method, PreparedMethod& prepared, double first_setup,
-                double first_solve, Record& record) {
-  if (!trial.timed) {
-    record.not_timed = "not asked for";
-    return;
-  }
-  if (!build_may_be_timed()) {
-    record.not_timed = "not a Release build";
-    return;
-  }
-  const Start start{.guess = trial.start, .deadline = after(trial.limits.timeout * trial.limits.repetitions)};
+/// What was set up and solved for the first time in this process.
+struct FirstCall {
+  const Method& method;
+  PreparedMethod& prepared;
+  std::shared_ptr<const Trajectory> start = {};
+  double setup = 0.0, solve = 0.0;  // [s]
+};
+
+TimedRound round_from(const FirstCall& first, const std::string& name, const Problem& problem,
+                      const Limits& limits) {
   const auto set_up = [&] {
     std::unique_ptr<PreparedMethod> fresh;
-    return seconds_of([&] { fresh = method.prepare(trial.scene.problem); });
+    return seconds_of([&] { fresh = first.method.prepare(problem); });
   };
   const auto solve = [&] {
+    const Start start{.guess = first.start, .deadline = after(limits.timeout)};
     Solution solution;
-    return seconds_of([&] { solution = prepared.solve(start); });
+    return seconds_of([&] { solution = first.prepared.solve(start); });
   };
-  const TimingBudget budget{.rounds = trial.limits.repetitions};
-  record.seconds = summarise(time_rounds(record.case_id + "/setup", set_up, first_setup, budget),
-                             time_rounds(record.case_id + "/solve", solve, first_solve, budget));
+  return {.setup = time_round(name + "/setup", set_up, first.setup, {}),
+          .solve = time_round(name + "/solve", solve, first.solve, {})};
+}
+
+void take_times(const Trial& trial, const FirstCall& first, Record& record) {
+  if (!trial.timed) {
+    record.not_timed = "not asked for";
+  } else if (!build_may_be_timed()) {
+    record.not_timed = "not a Release build";
+  } else {
+    record.seconds = summarise({round_from(first, record.case_id, trial.scene.problem, trial.limits)});
+  }
 }
 
 void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory>& answer, Record& record) {
@@ -133,12 +142,25 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   const bool answered = take_solution(trial, solution, start.expired(), record);
   stage_done(record);
   if (!answered) return;
-  take_times(trial, *method, *prepared, setup, solve, record);
+  take_times(trial, {*method, *prepared, trial.start, setup, solve}, record);
   stage_done(record);
   record.physics = measure_physics(trial.scene.problem, trial.law, *solution.trajectory);
   stage_done(record);
   take_certificate(trial, solution.trajectory, record);
   stage_done(record);
+}
+
+RepeatedSolve repeat_solve(const Scene& scene, const Case& run, const Limits& limits,
+                           const std::shared_ptr<const Trajectory>& start) {
+  const std::unique_ptr<Method> method = run.choice.entry->make(run.choice.settings);
+  std::unique_ptr<PreparedMethod> prepared;
+  Solution solution;
+  const double setup = seconds_of([&] { prepared = method->prepare(scene.problem); });
+  const Start begin{.guess = start, .deadline = after(limits.timeout)};
+  const double solve = seconds_of([&] { solution = prepared->solve(begin); });
+  if (solution.verdict != Verdict::converged) return {.times = {}, .message = solution.message};
+  return {.times = round_from({*method, *prepared, start, setup, solve}, run.id, scene.problem, limits),
+          .message = {}};
 }
 
 }  // namespace signorini

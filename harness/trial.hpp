@@ -25,11 +25,22 @@ struct Trial {
   bool waveforms = false;  ///< keep the answer and its orbit as they are drawn
 };
 
-/// Stages of a trial; after each the record known so far is handed over whole.
+/// Stages of a trial, its first round of timing among them; after each the record known so far is handed over
+/// whole.
 enum class TrialStage { solved, timed, measured, certified };
 
 /// Runs a trial into `record`, which already names scene, method and law. Stops after the stage `solved`
 /// where there is no answer. Exceptions of the method leave it.
 void run_trial(const Trial& trial, Record record, const std::function<void(const Record&)>& stage_done);
+
+/// One more round of timing: its times, or why there are none.
+struct RepeatedSolve {
+  std::optional<TimedRound> times = {};
+  std::string message = {};  ///< of a method that does not converge this time
+};
+
+/// Sets up and solves anew from the same start, only for the times. Exceptions of the method leave it.
+RepeatedSolve repeat_solve(const Scene& scene, const Case& run, const Limits& limits,
+                           const std::shared_ptr<const Trajectory>& start);
 
 }  // namespace signorini

@@ -73,9 +73,16 @@ int run_command_line(int argc, char** argv) {
   add_show_command(app, exit_code);
   add_solve_command(app, exit_code);
   add_run_command(app, exit_code, words);
+  add_status_command(app, exit_code);
+  add_merge_command(app, exit_code);
+  add_compare_command(app, exit_code);
+  add_submit_command(app, exit_code);
+  add_doctor_command(app, exit_code);
   add_report_command(app, exit_code);
   add_orbits_command(app, exit_code);
   add_verify_command(app, exit_code);
+  add_completion_command(app, exit_code);
+  add_man_command(app, exit_code);
   try {
     require_known_command(app, argc, argv);
     app.parse(argc, argv);

@@ -19,6 +19,7 @@ enum ExitCode : int {
   kUnexpectedFailure = 1,
   kBadUsage = 2,
   kNothingMatched = 3,
+  kRegression = 4,
   kInternalError = 5,
   kInterrupted = 130
 };
@@ -32,6 +33,13 @@ void add_show_command(CLI::App& app, int& exit_code);
 void add_solve_command(CLI::App& app, int& exit_code);
 /// \param words  the command line, for the manifest
 void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::string>& words);
+void add_status_command(CLI::App& app, int& exit_code);
+void add_merge_command(CLI::App& app, int& exit_code);
+void add_compare_command(CLI::App& app, int& exit_code);
+void add_submit_command(CLI::App& app, int& exit_code);
+void add_doctor_command(CLI::App& app, int& exit_code);
+void add_completion_command(CLI::App& app, int& exit_code);
+void add_man_command(CLI::App& app, int& exit_code);
 void add_report_command(CLI::App& app, int& exit_code);
 void add_orbits_command(CLI::App& app, int& exit_code);
 void add_verify_command(CLI::App& app, int& exit_code);

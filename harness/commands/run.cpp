@@ -12,6 +12,8 @@
 #include "harness/manifest.hpp"
 #include "harness/report/markdown.hpp"
 #include "harness/report/report.hpp"
+#include "harness/runs/run_folder.hpp"
+#include "harness/runs/shards.hpp"
 #include "harness/suite.hpp"
 #include "harness/timing.hpp"
 #include "problems/scene_file.hpp"
@@ -30,6 +32,9 @@ struct RunArguments {
   std::optional<double> timeout;
   std::optional<int> memory_mb;
   std::optional<int> repetitions;
+  Turns turns;
+  std::string shard;
+  std::string durations;
   std::vector<std::string> words;  // the command line
 };
 
@@ -55,9 +60,23 @@ std::vector<Record> records_of(const Plan& plan, const Runner& runner, const Rec
   return records;
 }
 
+Plan plan_of(const RunArguments& arguments, const Suite& suite) {
+  Plan plan = make_plan(suite, arguments.narrowing, method_catalogue(), shipped_scenes());
+  if (arguments.shard.empty()) return plan;
+  Durations durations;
+  if (!arguments.durations.empty()) durations = Durations(read_run(arguments.durations).records);
+  return take_shard(plan, parse_shard(arguments.shard), durations);
+}
+
+nlohmann::ordered_json manifest_of(const RunArguments& arguments, const Suite& suite, const Limits& limits) {
+  nlohmann::ordered_json manifest = make_manifest(suite, limits, arguments.turns, arguments.words);
+  if (!arguments.shard.empty()) manifest["shard"] = arguments.shard;
+  return manifest;
+}
+
 int run_suite(const RunArguments& arguments) {
   const Suite suite = load_suite(arguments.suite);
-  const Plan plan = make_plan(suite, arguments.narrowing, method_catalogue(), shipped_scenes());
+  const Plan plan = plan_of(arguments, suite);
   if (arguments.dry_run) {
     print_plan(plan);
     return kDone;
@@ -66,11 +85,11 @@ int run_suite(const RunArguments& arguments) {
   Runner runner(limits_of(arguments, suite));
   if (arguments.waveforms) runner.keep_waveforms();
   RecordStore store(folder, arguments.resume);
-  write_whole(folder / "manifest.json",
-              make_manifest(suite, runner.limits(), arguments.words).dump(2) + "\n");
+  write_whole(folder / "manifest.json", manifest_of(arguments, suite, runner.limits()).dump(2) + "\n");
+  write_plan(folder, planned_cases(plan, runner));
   if (!build_may_be_timed()) fmt::print(stderr, "this is not a Release build: no times are recorded\n");
   watch_interrupts();
-  const CampaignResult result = run_campaign(plan, runner, store);
+  const CampaignResult result = run_campaign(plan, runner, store, arguments.turns);
   if (result.interrupted) {
     fmt::print(stderr,
                "interrupted after {} of {} cases; the same command with --resume --out {} does the rest\n",
@@ -111,6 +130,27 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
       ->check(CLI::Range(1, 1000));
   command->add_flag("--waveforms", arguments->waveforms,
                     "keep the motions in the records, for the figures of report; doubles their size");
+  command->add_option("--seed", arguments->turns.seed, "of the order of cases, a Latin square for each scene")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--jobs", arguments->turns.parallel,
+          "cases run at the same time; with more than one, times disturb each other and are not comparable, "
+          "which manifest and records say")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--beside", arguments->turns.beside,
+          "such runs on this machine at the same time, this one included: their times are marked likewise")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command
+      ->add_option("--shard", arguments->shard,
+                   "I/N: only part I of N, all methods of a scene in one part; merge joins them")
+      ->type_name("I/N");
+  command->add_option("--durations", arguments->durations,
+                      "folder of an earlier run whose times balance the shards; the same for all of them");
   command->add_flag("--dry-run", arguments->dry_run, "print the plan, one case per line, and run nothing");
   command->callback([arguments, &exit_code] { exit_code = run_suite(*arguments); });
 }

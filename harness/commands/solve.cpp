@@ -96,7 +96,7 @@ int solve(const SolveArguments& arguments) {
   const std::vector<Survey> surveys = runner.survey(scene, cases);
   if (interrupted()) return kInterrupted;
   runner.compute_references(scene, surveys);
-  const std::optional<Record> record = runner.run(scene, run, surveys.front(), extras);
+  const std::optional<Record> record = runner.run(scene, {.run = &run, .survey = &surveys.front()}, extras);
   if (!record) return kInterrupted;
   if (arguments.json) {
     fmt::print("{}\n",

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -17,6 +18,8 @@
 #include "harness/rerun.hpp"
 #include "harness/sha256.hpp"
 #include "harness/statistics.hpp"
+#include "harness/table.hpp"
+#include "harness/yardstick.hpp"
 #include "problems/scene_file.hpp"
 
 namespace signorini {
@@ -165,7 +168,7 @@ int verify_references(const VerifyArguments& arguments, const fs::path& folder) 
     }
     if (arguments.update || !fs::exists(file))
       print_lines({differences.begin() + static_cast<std::ptrdiff_t>(before), differences.end()});
-    progress.step();
+    progress.advance();
   }
   if (interrupted()) {
     fmt::print(stderr, "interrupted\n");
@@ -173,6 +176,26 @@ int verify_references(const VerifyArguments& arguments, const fs::path& folder) 
   }
   if (!arguments.update) fmt::print("{} scenes, {} differences\n", names.size(), differences.size());
   return differences.empty() ? kDone : kUnexpectedFailure;
+}
+
+/// Ratios of times say something on another machine too, where seconds do not.
+void print_relative_times(const std::vector<RelativeTime>& times) {
+  if (times.empty()) {
+    fmt::print("times relative to {}: none, it was not timed in both runs\n", kYardstick);
+    return;
+  }
+  std::map<std::string, std::pair<std::vector<double>, std::vector<double>>> methods;
+  for (const RelativeTime& time : times) {
+    methods[time.method].first.push_back(time.kept);
+    methods[time.method].second.push_back(time.now);
+  }
+  Table table{{"method", "scenes", fmt::format("time / {}, kept", kYardstick), "now", "now / kept"}, {}};
+  for (const auto& [method, ratios] : methods) {
+    const double kept = median(ratios.first), now = median(ratios.second);
+    table.rows.push_back({method, std::to_string(ratios.first.size()), fmt::format("{:.3g}", kept),
+                          fmt::format("{:.3g}", now), fmt::format("{:.2f}", now / kept)});
+  }
+  fmt::print("\n{}\nTimes are medians over the scenes, reported and not judged.\n", to_markdown(table));
 }
 
 int verify_records(const VerifyArguments& arguments, const fs::path& folder) {
@@ -193,6 +216,7 @@ int verify_records(const VerifyArguments& arguments, const fs::path& folder) {
   if (!result.time_ratios.empty()) {
     fmt::print("time, new over kept: {:.3g} in the median of {} cases\n", median(result.time_ratios),
                result.time_ratios.size());
+    print_relative_times(result.relative_times);
   }
   if (result.interrupted) return kInterrupted;
   return result.differences.empty() ? kDone : kUnexpectedFailure;

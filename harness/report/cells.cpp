@@ -36,7 +36,10 @@ std::string energy_text(const Record& record) {
 
 std::string time_cell(const Record& record, double Seconds::*which) {
   if (record.status != Status::converged) return in_place(record);
-  if (record.seconds) return time_text((*record.seconds).*which);
+  if (record.seconds) {
+    const bool shaky = which == &Seconds::median && record.seconds->unstable == true;
+    return time_text((*record.seconds).*which) + (shaky ? " (unstable)" : "");
+  }
   return record.not_timed.empty() ? "not timed" : "not timed: " + record.not_timed;
 }
 

@@ -8,6 +8,7 @@
 #include "harness/report/cells.hpp"
 #include "harness/report/section.hpp"
 #include "harness/statistics.hpp"
+#include "harness/yardstick.hpp"
 
 namespace signorini {
 
@@ -67,9 +68,6 @@ Table summary_table(const std::vector<Record>& records) {
   }
   return table;
 }
-
-/// What times are set beside: time marching to six digits, as most would do it.
-constexpr std::string_view kYardstick = "event-driven[flow=cvode,tolerance=1e-6]";
 
 /// The figures of one method at one resolution over all scenes to which it applies; infinite where it failed.
 struct Speed {

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include "harness/record_store.hpp"
@@ -59,8 +60,7 @@ TEST_P(BadUses, GetOneLineOnStderrAndTheirExitCode) {
 INSTANTIATE_TEST_SUITE_P(
     Each, BadUses,
     testing::Values(
-        BadUse{"frobnicate", 2,
-               "command = frobnicate (must be one of list, show, solve, run, report, orbits, verify)"},
+        BadUse{"frobnicate", 2, "command = frobnicate (must be one of list, show, solve, run, "},
         BadUse{"", 2, "subcommand is required"}, BadUse{"list animals", 2, "animals"},
         BadUse{"show nothing-of-that-name", 2, "name = nothing-of-that-name"},
         BadUse{"solve no-such-scene --method hat-lcp", 2, "scene = no-such-scene"},
@@ -78,6 +78,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadUse{"run quick --timeout -1", 2, "timeout = -1"},
         BadUse{"run quick --repetitions 0", 2, "--repetitions"},
         BadUse{"run quick --no-such-flag", 2, "--no-such-flag"},
+        BadUse{"run quick --shard 3/2 --dry-run", 2, "shard = 3/2 (must be I/N"},
+        BadUse{"run quick --shard 1/2 --durations /no/such --dry-run", 2, "dir = /no/such"},
+        BadUse{"run quick --jobs 0", 2, "--jobs"},
+        BadUse{"merge /no/such/folder --out /tmp/out", 2, "dir = /no/such/folder"},
+        BadUse{"merge /no/such/folder", 2, "--out"}, BadUse{"status /no/such/folder", 2, "dir = /no/such"},
+        BadUse{"compare /no/such /no/such", 2, "dir = /no/such"}, BadUse{"submit slurm", 2, "dir"},
+        BadUse{"submit slurm out", 2, "--shards"},
+        BadUse{"submit slurm out --shards 2 --dry-run quick --scenes zzz*", 3, "scenes = zzz*"},
+        BadUse{"submit slurm out --shards 2 --dry-run quick --no-such", 2, "--no-such"},
+        BadUse{"submit teams out", 2, "subcommand is required"}, BadUse{"completion fish", 2, "fish"},
         BadUse{"report /no/such/folder", 2, "dir = /no/such/folder"},
         BadUse{"orbits no-such-scene", 2, "scene = no-such-scene"},
         BadUse{"orbits sdof-stop --subharmonics 0", 2, "--subharmonics"},
@@ -87,7 +97,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadUse{"verify . --scenes zzz*", 3, "scenes = zzz*"}, BadUse{"report . --format pdf", 2, "pdf"}));
 
 TEST(CommandLine, HelpsWithEveryCommand) {
-  for (const char* command : {"", "list", "show", "solve", "run", "report", "orbits", "verify"}) {
+  for (const char* command :
+       {"", "list", "show", "solve", "run", "status", "merge", "compare", "doctor", "submit slurm",
+        "submit parallel", "completion", "man", "report", "orbits", "verify"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.code, 0) << command;
     EXPECT_NE(outcome.out.find("Usage: signorini"), std::string::npos) << command;
@@ -319,6 +331,135 @@ TEST(Verify, RerunsTheRecordsOfARun) {
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.out.find("error of x"), std::string::npos) << outcome.out;
   EXPECT_EQ(run("verify " + folder.string() + " --cases 'zzz*'").code, 3);
+}
+
+TEST(CommandLine, RunsShardsThatMergeToTheWholeRun) {
+  const auto folder = test::fresh_folder("shards");
+  const std::string out = folder.string();
+  const std::string command =
+      "run quick --scenes sdof-stop:sdof-far-stop --methods 'hat-lcp[samples=64]' --repetitions 1 ";
+  ASSERT_EQ(run(command + "--out " + out + "/whole").code, 0);
+  for (const char* shard : {"1/3", "2/3", "3/3"}) {
+    const Outcome part =
+        run(command + fmt::format("--shard {} --out {}/shards/shard-{}", shard, out, shard[0]));
+    EXPECT_EQ(part.code, 0) << part.err;
+  }
+  const std::string merge =
+      fmt::format("merge {0}/shards/shard-1 {0}/shards/shard-2 {0}/shards/shard-3 --out {0}/all", out);
+  const Outcome merged = run(merge);
+  ASSERT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(run(merge).code, 0) << "a merge may be repeated";
+  const auto whole = read_records(folder / "whole" / "records.jsonl");
+  const auto all = read_records(folder / "all" / "records.jsonl");
+  ASSERT_EQ(all.size(), 2U);
+  for (const Record& record : whole) {
+    const auto same =
+        std::find_if(all.begin(), all.end(), [&](const Record& r) { return r.key == record.key; });
+    ASSERT_NE(same, all.end()) << record.case_id;
+    EXPECT_EQ(same->errors.x_l2, record.errors.x_l2);
+  }
+  EXPECT_EQ(run(merge.substr(0, merge.rfind(' ')) + " " + out + "/whole").code, 2)
+      << "a run is not written over";
+
+  const Outcome status = run("status --json " + out + "/shards");
+  ASSERT_EQ(status.code, 0) << status.err;
+  const Json list = Json::parse(status.out);
+  ASSERT_EQ(list.size(), 4U);
+  EXPECT_EQ(list[3]["name"], "all");
+  EXPECT_EQ(list[3]["converged"], 2);
+  EXPECT_EQ(list[3]["pending"], 0);
+  EXPECT_NE(run("status " + out + "/all").out.find("done"), std::string::npos);
+
+  const Outcome compared = run(fmt::format("compare {0}/all {0}/all", out));
+  EXPECT_EQ(compared.code, 0) << compared.out;
+  EXPECT_NE(compared.out.find("2 cases compared, "), std::string::npos) << compared.out;
+  Json record = Json::parse(read_file(folder / "whole" / "records.jsonl")
+                                .substr(0, read_file(folder / "whole" / "records.jsonl").find('\n')));
+  record["status"] = "crashed";
+  std::ofstream(folder / "whole" / "records.jsonl") << record.dump() << "\n";
+  const Outcome worse = run(fmt::format("compare {0}/all {0}/whole", out));
+  EXPECT_EQ(worse.code, 4) << worse.out;
+  EXPECT_NE(worse.out.find("broken: "), std::string::npos) << worse.out;
+}
+
+/// Long options that --help shows.
+std::set<std::string> options_in_help(const std::string& command) {
+  std::set<std::string> options;
+  const std::string help = run(command + " --help").out;
+  for (std::size_t at = help.find("--"); at != std::string::npos; at = help.find("--", at + 2)) {
+    const std::size_t end = help.find_first_not_of("abcdefghijklmnopqrstuvwxyz-", at);
+    if (at > 0 && (help[at - 1] == ' ' || help[at - 1] == ',') && help.rfind('\n', at) + 8 > at)
+      options.insert(help.substr(at, end - at));
+  }
+  return options;
+}
+
+TEST(CommandLine, DescribesEveryOptionToShellsAndToMan) {
+  const std::string bash = run("completion bash").out, zsh = run("completion zsh").out, man = run("man").out;
+  for (const char* command : {"run", "status", "merge", "compare", "submit slurm", "solve", "verify"}) {
+    EXPECT_NE(bash.find(fmt::format("'{} '*)", command)), std::string::npos) << command;
+    EXPECT_NE(zsh.find(fmt::format("'{} '*)", command)), std::string::npos) << command;
+    EXPECT_NE(man.find(fmt::format(".SS {}\n", command)), std::string::npos) << command;
+    const std::set<std::string> options = options_in_help(command);
+    EXPECT_GE(options.size(), 1U) << command;
+    for (const std::string& option : options) {
+      EXPECT_NE(bash.find(option), std::string::npos) << option;
+      EXPECT_NE(zsh.find("'" + option + ":"), std::string::npos) << option;
+      std::string escaped;
+      for (const char c : option) escaped += c == '-' ? "\\-" : std::string(1, c);
+      EXPECT_NE(man.find(escaped), std::string::npos) << option;
+    }
+  }
+}
+
+TEST(CommandLine, CompletesInBash) {
+  const auto folder = test::fresh_folder("completion");
+  std::ofstream(folder / "signorini.bash") << run("completion bash").out;
+  std::ofstream(folder / "try.bash") << "source " << (folder / "signorini.bash").string() << R"(
+try() { COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _signorini; echo "${COMPREPLY[@]}"; }
+try signorini comp
+try signorini run --sh
+try signorini submit slurm --sh
+)";
+  const auto answer = folder / "answer";
+  ASSERT_EQ(std::system(fmt::format("bash {0}/try.bash >{0}/answer 2>&1", folder.string()).c_str()), 0);
+  EXPECT_EQ(read_file(answer), "compare completion\n--shard\n--shards\n");
+}
+
+TEST(CommandLine, ExaminesTheMachine) {
+  const Outcome outcome = run("doctor --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const Json& finding : Json::parse(outcome.out)) {
+    EXPECT_TRUE(finding.contains("name") && finding.contains("value") && finding.contains("good")) << finding;
+    EXPECT_EQ(finding["good"].get<bool>(), !finding.contains("advice")) << finding;
+  }
+}
+
+TEST(CommandLine, PrintsTheScriptsOfASubmissionAndWritesNone) {
+  const auto folder = test::fresh_folder("submit");
+  const std::string out = (folder / "not-made").string();
+  const Outcome outcome = run("submit slurm " + out + " --shards 3 --dry-run quick --scenes 'sdof*'");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("--array=1-3"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("--scenes 'sdof*'"), std::string::npos) << outcome.out;
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(CommandLine, RunsShardsByGnuParallel) {
+  if (std::system("command -v parallel >/dev/null") != 0) GTEST_SKIP() << "GNU parallel is not installed";
+  const auto folder = test::fresh_folder("parallel");
+  const Outcome outcome = run("submit parallel " + folder.string() +
+                              " --shards 2 --at-once 2 quick --scenes sdof-stop:sdof-far-stop --methods "
+                              "'hat-lcp[samples=64]' --repetitions 1");
+  ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+  const auto records = read_records(folder / "merged" / "records.jsonl");
+  ASSERT_EQ(records.size(), 2U);
+  for (const Record& record : records) {
+    if (record.seconds) {
+      EXPECT_EQ(record.seconds->jobs, 2);
+    }
+  }
+  EXPECT_EQ(Json::parse(read_file(folder / "merged" / "manifest.json"))["times_comparable"], false);
 }
 
 TEST(CommandLine, StopsAtAnInterruptAndCompletesTheRunLater) {

@@ -1,9 +1,12 @@
 #include "harness/isolation.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -88,6 +91,60 @@ TEST(RunIsolated, LeavesNoProcessBehind) {
   EXPECT_EQ(errno, ECHILD);
 }
 
+TEST(RunIsolated, EndsAGrandchildThatLeftTheProcessGroup) {
+  const ChildEnd end = run_isolated(
+      [](const Send& send) {
+        std::array<int, 2> ready{};
+        if (pipe(ready.data()) != 0) std::abort();
+        const pid_t grandchild = fork();
+        if (grandchild == 0) {
+          std::signal(SIGTERM, SIG_IGN);
+          setsid();
+          close(ready[1]);
+          for (;;) pause();
+        }
+        close(ready[1]);
+        char nothing = 0;
+        if (read(ready[0], &nothing, 1) == 0) send(std::to_string(grandchild));
+      },
+      quick());
+  ASSERT_EQ(end.lines.size(), 1U);
+  EXPECT_EQ(kill(std::stoi(end.lines[0]), 0), -1);
+  EXPECT_EQ(errno, ESRCH);
+}
+
+TEST(RunIsolated, AllowsEachStageTheProcessorTimeOfOneThread) {
+  const auto limit = [] {
+    rlimit processor{};
+    getrlimit(RLIMIT_CPU, &processor);
+    return processor.rlim_cur;
+  };
+  const ChildEnd end = run_isolated(
+      [&](const Send& send) {
+        send(std::to_string(limit()));
+        while (limit() <= 4) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        send(std::to_string(limit()));
+      },
+      {.stage_seconds = {2.5, 5.0}, .grace = 0.1});
+  EXPECT_EQ(end.lines, (std::vector<std::string>{"4", "9"}));
+}
+
+TEST(RunIsolated, TellsWhoUsedUpTheProcessorTime) {
+  const ChildEnd end = run_isolated([](const Send&) { std::raise(SIGXCPU); }, quick());
+  EXPECT_EQ(end.kind, Kind::out_of_processor_time);
+  EXPECT_NE(describe(end).find("processor time"), std::string::npos);
+}
+
+TEST(RunIsolated, ClosesTheFilesOfTheParent) {
+  const int file = dup(STDERR_FILENO);
+  ASSERT_GE(file, 0);
+  const ChildEnd end = run_isolated(
+      [file](const Send& send) { send(write(file, "x", 1) < 0 && errno == EBADF ? "closed" : "open"); },
+      quick());
+  close(file);
+  EXPECT_EQ(end.lines, (std::vector<std::string>{"closed"}));
+}
+
 TEST(RunIsolated, DoesNotWaitForAGrandchildThatHoldsThePipe) {
   const ChildEnd end = run_isolated(
       [](const Send& send) {
@@ -123,8 +180,12 @@ TEST(RunIsolatedTogether, KeepsTheOrderOfTheWork) {
       send(std::to_string(i));
     });
   }
-  const std::vector<ChildEnd> ends = run_isolated_together(work, quick(), 3);
+  std::vector<std::size_t> told;
+  const std::vector<ChildEnd> ends = run_isolated_together(
+      work, quick(), 3, [&](std::size_t index, const ChildEnd&) { told.push_back(index); });
   ASSERT_EQ(ends.size(), 7U);
+  std::sort(told.begin(), told.end());
+  EXPECT_EQ(told, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6}));
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (i == 3) {
       EXPECT_EQ(ends[i].kind, Kind::signalled);

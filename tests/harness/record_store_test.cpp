@@ -89,6 +89,39 @@ TEST_F(RecordStores, ReadTheLastOfSeveralRecordsOfOneKey) {
   EXPECT_EQ(records[0].status, Status::crashed);
 }
 
+TEST_F(RecordStores, KeepTheLastOfWhatIsUnfinishedForTheNextRun) {
+  Record record = test::good_record("s", "m", "n=1", 0.1, 0.1);
+  {
+    RecordStore store(folder_, false);
+    store.keep_unfinished(record);
+    record.message = "later";
+    store.keep_unfinished(record);
+  }
+  std::ofstream(folder_ / "unfinished.jsonl", std::ios::app) << "{\"torn";
+  {
+    RecordStore store(folder_, true);
+    EXPECT_EQ(store.unfinished(record.key).value().message, "later");
+    EXPECT_FALSE(store.contains(record.key));
+    EXPECT_FALSE(store.unfinished("another").has_value());
+    store.clear_unfinished();
+  }
+  EXPECT_FALSE(RecordStore(folder_, true).unfinished(record.key).has_value());
+}
+
+TEST_F(RecordStores, ForgetWhatIsUnfinishedWhenStartingAnew) {
+  const Record record = test::good_record("s", "m", "n=1", 0.1, 0.1);
+  RecordStore(folder_, false).keep_unfinished(record);
+  EXPECT_FALSE(RecordStore(folder_, false).unfinished(record.key).has_value());
+}
+
+TEST_F(RecordStores, RefuseAFolderThatAnotherRunWritesTo) {
+  {
+    const RecordStore first(folder_, true);
+    EXPECT_THROW(RecordStore(folder_, true), UsageError);
+  }
+  EXPECT_NO_THROW(RecordStore(folder_, true));
+}
+
 TEST_F(RecordStores, RefuseAFolderThatCannotBeMade) {
   EXPECT_THROW(RecordStore("/proc/no-such-folder", false), UsageError);
 }

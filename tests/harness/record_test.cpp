@@ -40,6 +40,7 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
                               "work",
                               "seconds",
                               "not_timed",
+                              "elapsed",
                               "certificate",
                               "errors",
                               "physics",
@@ -47,7 +48,8 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
                               "waveforms"}));
   EXPECT_EQ(keys(json["work"]), (Keys{"unknowns", "iterations", "pivots", "rhs_evaluations", "factorisations",
                                       "peak_memory_bytes"}));
-  EXPECT_EQ(keys(json["seconds"]), (Keys{"median", "min", "mad", "repetitions", "setup", "solve"}));
+  EXPECT_EQ(keys(json["seconds"]),
+            (Keys{"median", "min", "mad", "repetitions", "setup", "solve", "unstable", "rounds", "jobs"}));
   EXPECT_EQ(keys(json["certificate"]),
             (Keys{"status", "reason", "source", "orbit", "order", "error_bar", "residual", "distance",
                   "reference", "reference_reason", "same_orbit", "events", "floquet", "stable"}));

@@ -20,7 +20,7 @@ Record run_fake(const std::string& behaviour, const Scene& scene = test::one_mas
   const Case* const cases[] = {&run};
   const std::vector<Survey> surveys = runner.survey(scene, cases);
   runner.compute_references(scene, surveys);
-  return runner.run(scene, run, surveys.front()).value();
+  return runner.run(scene, {.run = &run, .survey = &surveys.front()}).value();
 }
 
 struct Misdeed {

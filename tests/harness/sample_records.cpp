@@ -12,6 +12,10 @@ Record full_record() {
   record.work.counts = {
       .unknowns = 1, .iterations = 2, .pivots = 3, .rhs_evaluations = 4, .factorisations = 5};
   record.work.peak_memory_bytes = 6;
+  record.elapsed = 1.5;
+  record.seconds->unstable = false;
+  record.seconds->rounds = {{0.1, 0.4}, {0.125, 0.375}};
+  record.seconds->jobs = 2;
   record.certificate.reason = "because";
   record.certificate.reference_reason = "none";
   record.certificate.residual = 1e-13;

@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "harness/commands/command_line.hpp"
+#include "harness/compare/comparison.hpp"
+#include "harness/failure.hpp"
+#include "harness/table.hpp"
+
+namespace signorini {
+
+namespace {
+
+std::string verdict_text(TimeChange verdict) {
+  switch (verdict) {
+    case TimeChange::slower:
+      return "slower";
+    case TimeChange::faster:
+      return "faster";
+    case TimeChange::none:
+      break;
+  }
+  return "no difference";
+}
+
+void print_methods(const std::vector<MethodTimes>& methods) {
+  if (methods.empty()) return;
+  Table table{{"method", "cases timed", "new / old, median", "probability of chance", "verdict"}, {}};
+  for (const MethodTimes& one : methods) {
+    table.rows.push_back({one.method, std::to_string(one.cases), fmt::format("{:.3f}", one.ratio),
+                          fmt::format("{:.2g}", one.probability), verdict_text(one.verdict)});
+  }
+  fmt::print("{}\n", to_markdown(table));
+}
+
+void print_changes(const Comparison& comparison) {
+  for (const CaseChange& change : comparison.changes)
+    fmt::print("{}: {}: {}\n", change_name(change.kind), change.case_id, change.detail);
+  for (const std::string& remark : comparison.remarks) fmt::print("note: {}\n", remark);
+  fmt::print("{} cases compared, {} of them timed, {} differences\n", comparison.cases, comparison.timed,
+             comparison.changes.size());
+}
+
+int compare(const std::string& before, const std::string& after) {
+  const Comparison comparison = compare_runs(read_run(before), read_run(after));
+  if (comparison.cases == 0)
+    throw NothingMatched(fmt::format("dirs = {} {} (have no case in common)", before, after));
+  print_methods(comparison.methods);
+  print_changes(comparison);
+  return has_regression(comparison) ? kRegression : kDone;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, int& exit_code) {
+  struct Arguments {
+    std::string before, after;
+  };
+  auto* command = app.add_subcommand(
+      "compare", fmt::format("What got slower, less accurate or broken from one run to another, beyond the "
+                             "noise of both. A case is "
+                             "slower if minimum and median of its time grew by {:.0f} % ({:.0f} % with fewer "
+                             "than {} rounds) and by more "
+                             "than the error bars of both runs explain; a method if its cases as a whole "
+                             "did, by {:.0f} %. Exit code 4 "
+                             "for a regression.",
+                             100.0 * (kCaseFactor - 1.0), 100.0 * (kCaseFactorFewRounds - 1.0), kManyRounds,
+                             100.0 * (kMethodFactor - 1.0)));
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("before", arguments->before, "folder of the run of before")->required();
+  command->add_option("after", arguments->after, "folder of the new run")->required();
+  command->callback([arguments, &exit_code] { exit_code = compare(arguments->before, arguments->after); });
+}
+
+}  // namespace signorini

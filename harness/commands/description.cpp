@@ -1,0 +1,138 @@
+#include "harness/commands/description.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <vector>
+
+namespace signorini {
+
+namespace {
+
+/// A command by its whole name, "submit slurm".
+struct Page {
+  std::string path;
+  const CLI::App* command;
+};
+
+/// Deepest first, so that "submit slurm" is met before "submit".
+std::vector<Page> pages(const CLI::App& app, const std::string& path = "") {
+  std::vector<Page> found;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    const std::string name = path.empty() ? command->get_name() : path + " " + command->get_name();
+    const std::vector<Page> inner = pages(*command, name);
+    found.insert(found.end(), inner.begin(), inner.end());
+    found.push_back({name, command});
+  }
+  return found;
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+/// What may follow: commands and long options.
+std::vector<std::string> words_after(const CLI::App& app) {
+  std::vector<std::string> words = command_names(app);
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
+  }
+  return words;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+  return text;
+}
+
+/// An entry 'word:description' for zsh's _describe.
+std::string zsh_entry(const std::string& word, const std::string& description) {
+  return fmt::format("'{}:{}'", word, replaced(replaced(description, "'", "'\\''"), ":", "\\:"));
+}
+
+std::string zsh_entries(const CLI::App& app) {
+  std::string entries;
+  for (const CLI::App* command : app.get_subcommands({}))
+    entries += "      " + zsh_entry(command->get_name(), command->get_description()) + "\n";
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames())
+      entries += "      " + zsh_entry("--" + name, option->get_description()) + "\n";
+  }
+  return entries;
+}
+
+/// Text that troff takes as it is.
+std::string roff(const std::string& text) {
+  std::string safe = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
+  if (!safe.empty() && (safe.front() == '.' || safe.front() == '\'')) safe.insert(0, "\\&");
+  return safe;
+}
+
+std::string roff_option(const CLI::Option& option) {
+  const bool positional = option.get_positional() && option.get_lnames().empty();
+  std::string name = positional ? option.get_name(true) : option.get_name(false, true);
+  if (option.get_items_expected_max() > 0 && !positional) name += " " + option.get_type_name();
+  std::string text = option.get_description();
+  if (!option.get_default_str().empty()) text += fmt::format(" [{}]", option.get_default_str());
+  return fmt::format(".TP\n.B {}\n{}\n", roff(name), roff(text));
+}
+
+std::string roff_command(const Page& page) {
+  std::string text = fmt::format(".SS {}\n{}\n", roff(page.path), roff(page.command->get_description()));
+  for (const CLI::Option* option : page.command->get_options()) text += roff_option(*option);
+  return text;
+}
+
+}  // namespace
+
+std::string bash_completion(const CLI::App& app) {
+  std::string text =
+      "# Completion of signorini for bash, written by `signorini completion bash`.\n"
+      "_signorini() {\n"
+      "  local words\n"
+      "  case \"${COMP_WORDS[*]:1:COMP_CWORD-1} \" in\n";
+  for (const Page& page : pages(app))
+    text += fmt::format("    '{} '*) words='{}' ;;\n", page.path, fmt::join(words_after(*page.command), " "));
+  text += fmt::format("    *) words='{}' ;;\n", fmt::join(words_after(app), " "));
+  return text +
+         "  esac\n"
+         "  mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"${COMP_WORDS[COMP_CWORD]}\")\n"
+         "}\n"
+         "complete -o default -F _signorini signorini\n";
+}
+
+std::string zsh_completion(const CLI::App& app) {
+  std::string text =
+      "#compdef signorini\n"
+      "# Completion of signorini for zsh, written by `signorini completion zsh`.\n"
+      "local -a entries\n"
+      "case \"${words[2,CURRENT-1]} \" in\n";
+  for (const Page& page : pages(app))
+    text += fmt::format("  '{} '*)\n    entries=(\n{}    ) ;;\n", page.path, zsh_entries(*page.command));
+  return text + fmt::format("  *)\n    entries=(\n{}    ) ;;\n", zsh_entries(app)) +
+         "esac\n"
+         "_describe 'command or option' entries || _files\n";
+}
+
+std::string man_page(const CLI::App& app, const std::string& version) {
+  std::string text = fmt::format(
+      ".TH SIGNORINI 1 \"\" \"signorini {}\"\n.SH NAME\nsignorini \\- {}\n"
+      ".SH SYNOPSIS\n.B signorini\n.I COMMAND\n[\\fIARGUMENTS\\fR]\n"
+      ".SH DESCRIPTION\n{}\nResults go to standard output, remarks to standard error.\n.SH COMMANDS\n",
+      version, roff("compares methods for periodic vibrations with unilateral contact"),
+      roff(app.get_description()));
+  for (const Page& page : pages(app)) text += roff_command(page);
+  text +=
+      ".SH EXIT STATUS\n.TP\n.B 0\ndone\n.TP\n.B 1\nsomething did not converge that was not expected to "
+      "fail, or "
+      "verify found a difference\n.TP\n.B 2\nbad input or usage\n.TP\n.B 3\nthe filter matched "
+      "nothing\n.TP\n.B 4\n"
+      "compare found a regression\n.TP\n.B 5\ninternal error\n.TP\n.B 130\ninterrupted, resumable\n";
+  return text;
+}
+
+}  // namespace signorini

@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "harness/commands/command_line.hpp"
+#include "harness/machine/machine.hpp"
+#include "harness/table.hpp"
+
+namespace signorini {
+
+namespace {
+
+void print_table(const std::vector<Finding>& findings) {
+  Table table{{"what", "found", "times", "why, and what to do"}, {}};
+  for (const Finding& one : findings) {
+    const std::string verdict = one.value == "unknown" ? "not told" : one.good ? "good" : "unreliable";
+    table.rows.push_back({one.name, one.value, verdict, one.advice.empty() ? "nothing" : one.advice});
+  }
+  const auto bad = std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return !f.good; });
+  fmt::print("{}\n{} of {} things make times unreliable here\n", to_markdown(table), bad, findings.size());
+}
+
+void print_json(const std::vector<Finding>& findings) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Finding& one : findings) {
+    nlohmann::ordered_json item{{"name", one.name}, {"value", one.value}, {"good", one.good}};
+    if (!one.advice.empty()) item["advice"] = one.advice;
+    list.push_back(std::move(item));
+  }
+  fmt::print("{}\n", list.dump());
+}
+
+}  // namespace
+
+void add_doctor_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand(
+      "doctor",
+      "What makes times unreliable on this machine: governor, turbo, load, clock, other processes.");
+  const auto json = std::make_shared<bool>(false);
+  command->add_flag("--json", *json, "print a JSON array");
+  command->callback([json, &exit_code] {
+    std::vector<Finding> findings = examine_system();
+    const std::vector<Finding> running = examine_running();
+    findings.insert(findings.end(), running.begin(), running.end());
+    *json ? print_json(findings) : print_table(findings);
+    exit_code = kDone;
+  });
+}
+
+}  // namespace signorini

@@ -1,0 +1,76 @@
+#include "harness/runs/merge.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "harness/commands/command_line.hpp"
+#include "harness/failure.hpp"
+#include "harness/manifest.hpp"
+#include "harness/report/report.hpp"
+#include "harness/rerun.hpp"
+#include "harness/runs/status.hpp"
+#include "harness/sha256.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A merge may be repeated; a run must not be written over.
+void require_no_run(const fs::path& out) {
+  const fs::path manifest = out / "manifest.json";
+  if (!fs::exists(manifest)) return;
+  const auto json = nlohmann::ordered_json::parse(read_file(manifest), nullptr, false);
+  if (json.is_object() && json.contains("shards")) return;
+  throw UsageError(
+      fmt::format("out = {} (must be a new folder or an earlier merge, not a run)", out.string()));
+}
+
+void write_run(const RunFolder& run, const fs::path& out) {
+  std::error_code failure;
+  fs::create_directories(out, failure);
+  std::string lines;
+  for (const Record& record : run.records) lines += to_json(record).dump() + "\n";
+  write_whole(out / "records.jsonl", lines);
+  write_whole(out / "manifest.json", run.manifest.dump(2) + "\n");
+  write_plan(out, run.plan);
+  write_report(out, Evaluation(run.records, limits_of_run(out)), {"md", "csv"});
+}
+
+int merge(const std::vector<std::string>& folders, const std::string& out) {
+  require_no_run(out);
+  std::vector<RunFolder> parts;
+  for (const std::string& folder : folders) parts.push_back(read_run(folder));
+  RunFolder merged = merge_runs(parts);
+  write_run(merged, out);
+  merged.path = out;
+  fmt::print("{} records of {} runs are in {}\n", merged.records.size(), parts.size(), out);
+  if (const RunStatus status = status_of(merged); status.pending > 0)
+    fmt::print(stderr, "{} cases of the plan have no record yet; see `signorini status`\n", status.pending);
+  return kDone;
+}
+
+}  // namespace
+
+void add_merge_command(CLI::App& app, int& exit_code) {
+  struct Arguments {
+    std::vector<std::string> folders;
+    std::string out;
+  };
+  auto* command = app.add_subcommand(
+      "merge",
+      "Joins the records of several runs, such as shards, each case once. Refuses runs of different machines "
+      "(processor, number of processors, governor), limits, builds, suites or cases at a time: their times "
+      "would not "
+      "be comparable.");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("dirs", arguments->folders, "folders of runs")->required();
+  command->add_option("--out", arguments->out, "folder of the whole: new, or an earlier merge")->required();
+  command->callback([arguments, &exit_code] { exit_code = merge(arguments->folders, arguments->out); });
+}
+
+}  // namespace signorini

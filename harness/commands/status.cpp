@@ -1,0 +1,111 @@
+#include "harness/runs/status.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "harness/commands/command_line.hpp"
+#include "harness/table.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct NamedStatus {
+  std::string name;
+  RunStatus status;
+};
+
+/// The folder itself if a run or a merge wrote it, else the shards below.
+std::vector<NamedStatus> read_statuses(const fs::path& folder) {
+  std::vector<NamedStatus> statuses;
+  if (!fs::exists(folder / "manifest.json") && fs::is_directory(folder)) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (fs::exists(entry.path() / "manifest.json") && fs::exists(entry.path() / "records.jsonl"))
+        statuses.push_back({entry.path().filename().string(), status_of(read_run(entry.path()))});
+    }
+  }
+  if (statuses.empty()) return {{folder.string(), status_of(read_run(folder))}};
+  std::sort(statuses.begin(), statuses.end(),
+            [](const NamedStatus& a, const NamedStatus& b) { return natural_less(a.name, b.name); });
+  std::vector<RunStatus> parts;
+  for (const NamedStatus& one : statuses) parts.push_back(one.status);
+  statuses.push_back({"all", together(parts)});
+  return statuses;
+}
+
+std::string rest_text(const RunStatus& status) {
+  if (status.pending == 0) return "done";
+  const std::string state = status.running ? "running" : "stopped";
+  if (!status.remaining_seconds) return state;
+  const auto left = std::lround(*status.remaining_seconds);
+  return fmt::format("{}, {}:{:02} of work left", state, left / 60, left % 60);
+}
+
+Json to_json(const NamedStatus& one) {
+  const RunStatus& s = one.status;
+  Json json{{"name", one.name},
+            {"planned", s.planned},
+            {"converged", s.converged},
+            {"inaccurate", s.inaccurate},
+            {"not_applicable", s.not_applicable},
+            {"failed", s.failed},
+            {"pending", s.pending},
+            {"stale", s.stale},
+            {"running", s.running}};
+  if (s.remaining_seconds) json["remaining_s"] = *s.remaining_seconds;
+  json["failures"] = s.failures;
+  return json;
+}
+
+void print_table(const std::vector<NamedStatus>& statuses) {
+  Table table{
+      {"run", "planned", "converged", "inaccurate", "not applicable", "failed", "pending", "stale", "state"},
+      {}};
+  for (const auto& [name, s] : statuses) {
+    table.rows.push_back({name, std::to_string(s.planned), std::to_string(s.converged),
+                          std::to_string(s.inaccurate), std::to_string(s.not_applicable),
+                          std::to_string(s.failed), std::to_string(s.pending), std::to_string(s.stale),
+                          rest_text(s)});
+  }
+  fmt::print("{}", to_markdown(table));
+  for (const std::string& failure : statuses.back().status.failures) fmt::print("failed: {}\n", failure);
+}
+
+int status(const std::string& folder, bool json) {
+  const std::vector<NamedStatus> statuses = read_statuses(folder);
+  if (!json) {
+    print_table(statuses);
+    return kDone;
+  }
+  Json list = Json::array();
+  for (const NamedStatus& one : statuses) list.push_back(to_json(one));
+  fmt::print("{}\n", list.dump());
+  return kDone;
+}
+
+}  // namespace
+
+void add_status_command(CLI::App& app, int& exit_code) {
+  struct Arguments {
+    std::string folder;
+    bool json = false;
+  };
+  auto* command =
+      app.add_subcommand("status",
+                         "How far a run has come: cases done, failed and pending, and the time that the "
+                         "rest will take. Of a folder of shards: each of them, and all.");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("dir", arguments->folder, "folder of a run, or of shards")->required();
+  command->add_flag("--json", arguments->json, "print a JSON array, the sum last");
+  command->callback([arguments, &exit_code] { exit_code = status(arguments->folder, arguments->json); });
+}
+
+}  // namespace signorini

@@ -1,0 +1,172 @@
+#include "harness/compare/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "harness/report/cells.hpp"
+#include "harness/rerun.hpp"
+#include "harness/runs/merge.hpp"
+
+namespace signorini {
+
+namespace {
+
+std::optional<CaseChange> change(const Record& record, ChangeKind kind, std::string detail) {
+  return CaseChange{.case_id = record.case_id, .kind = kind, .detail = std::move(detail)};
+}
+
+std::string said(const Record& record) {
+  return record.message.empty() ? std::string(status_name(record.status))
+                                : fmt::format("{}: {}", status_name(record.status), record.message);
+}
+
+/// 2: converged; 1: answered, but the harness disagrees; 0: no answer.
+int standing(const Record& record) {
+  if (record.status == Status::converged) return 2;
+  return record.status == Status::inaccurate ? 1 : 0;
+}
+
+std::optional<CaseChange> status_change(const Record& before, const Record& after) {
+  const int was = standing(before), is = standing(after);
+  if (was == is) return std::nullopt;
+  const std::string detail = fmt::format("{} became {}", status_name(before.status), said(after));
+  if (is < was) return change(before, is == 0 ? ChangeKind::broken : ChangeKind::less_accurate, detail);
+  return change(before, was == 0 ? ChangeKind::repaired : ChangeKind::more_accurate, detail);
+}
+
+std::optional<CaseChange> accuracy_change(const Record& before, const Record& after) {
+  const bool was = before.certificate.status == CertificateStatus::certified;
+  const bool is = after.certificate.status == CertificateStatus::certified;
+  if (was != is) {
+    const std::string detail =
+        is ? "its orbit is certified now" : "no certificate: " + after.certificate.reason;
+    return change(before, is ? ChangeKind::more_accurate : ChangeKind::less_accurate, detail);
+  }
+  if (!before.errors.x_l2 || !after.errors.x_l2) return std::nullopt;
+  // An error below ten error bars is known to be no larger than they are.
+  const double old_error = std::max(*before.errors.x_l2, measurable_error(before));
+  const double new_error = std::max(*after.errors.x_l2, measurable_error(after));
+  const std::string detail = fmt::format("error of x {} became {}", error_text(before), error_text(after));
+  if (new_error > kErrorFactor * old_error) return change(before, ChangeKind::less_accurate, detail);
+  if (old_error > kErrorFactor * new_error) return change(before, ChangeKind::more_accurate, detail);
+  return std::nullopt;
+}
+
+/// Counts do not depend on the machine's mood: they tell where a change of time comes from.
+std::string work_remark(const Record& before, const Record& after) {
+  constexpr std::array kCounts{std::pair{"iterations", &Work::iterations}, std::pair{"pivots", &Work::pivots},
+                               std::pair{"right-hand sides", &Work::rhs_evaluations},
+                               std::pair{"factorisations", &Work::factorisations}};
+  std::string text;
+  for (const auto& [name, count] : kCounts) {
+    const auto &was = before.work.counts.*count, &is = after.work.counts.*count;
+    if (!was || !is || *was == *is) continue;
+    text += fmt::format("{}{} {} became {}", text.empty() ? "" : ", ", name, *was, *is);
+  }
+  return text;
+}
+
+bool comparable_times(const RunFolder& run) { return run.manifest.value("times_comparable", true); }
+
+std::string why_no_times(const RunFolder& before, const RunFolder& after) {
+  for (const RunFolder* run : {&before, &after}) {
+    if (!comparable_times(*run))
+      return fmt::format("times are not compared: those of {} are not comparable, says its manifest",
+                         run->path.string());
+  }
+  return same_machine(before, after) ? "" : "times are not compared: the runs are of different machines";
+}
+
+class Comparer {
+ public:
+  explicit Comparer(std::string no_times) : timed_(no_times.empty()) {
+    if (!timed_) result_.remarks.push_back(std::move(no_times));
+  }
+
+  void take(const Record& before, const Record& after) {
+    ++result_.cases;
+    if (before.status == Status::not_applicable && after.status == Status::not_applicable) return;
+    auto found = status_change(before, after);
+    if (!found && standing(before) > 0) found = accuracy_change(before, after);
+    if (found) result_.changes.push_back(*found);
+    if (const std::string work = work_remark(before, after); !work.empty())
+      result_.remarks.push_back(fmt::format("{}: {}", before.case_id, work));
+    if (timed_ && standing(before) == 2 && standing(after) == 2 && before.seconds && after.seconds &&
+        !before.seconds->jobs && !after.seconds->jobs) {
+      pairs_.push_back({before.case_id, before.method, *before.seconds, *after.seconds});
+    }
+  }
+
+  void lost(const Record& before) {
+    if (standing(before) == 2)
+      result_.changes.push_back({before.case_id, ChangeKind::broken, "has no record any more"});
+  }
+
+  void fresh(const Record& after) {
+    result_.remarks.push_back(fmt::format("{}: only in the second run", after.case_id));
+  }
+
+  Comparison finish() {
+    result_.timed = pairs_.size();
+    const std::vector<TimeChange> verdicts = judge_cases(pairs_);
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      if (verdicts[i] == TimeChange::none) continue;
+      const TimePair& pair = pairs_[i];
+      result_.changes.push_back(
+          {pair.case_id, verdicts[i] == TimeChange::slower ? ChangeKind::slower : ChangeKind::faster,
+           fmt::format("{} became {}, {:.2f} times", time_text(pair.before.median),
+                       time_text(pair.after.median), pair.after.median / pair.before.median)});
+    }
+    result_.methods = judge_methods(pairs_);
+    std::stable_sort(result_.changes.begin(), result_.changes.end(),
+                     [](const CaseChange& a, const CaseChange& b) { return a.kind < b.kind; });
+    return std::move(result_);
+  }
+
+ private:
+  bool timed_;
+  Comparison result_;
+  std::vector<TimePair> pairs_;
+};
+
+}  // namespace
+
+std::string_view change_name(ChangeKind kind) {
+  constexpr std::array<std::string_view, 6> kNames{"broken",   "less accurate", "slower",
+                                                   "repaired", "more accurate", "faster"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+Comparison compare_runs(const RunFolder& before, const RunFolder& after) {
+  Comparer comparer(why_no_times(before, after));
+  std::map<std::string, const Record*> present;
+  for (const Record& record : after.records) present[record.case_id] = &record;
+  std::set<std::string> met;
+  for (const Record& record : before.records) {
+    met.insert(record.case_id);
+    const auto found = present.find(record.case_id);
+    if (found == present.end()) {
+      comparer.lost(record);
+    } else {
+      comparer.take(record, *found->second);
+    }
+  }
+  for (const Record& record : after.records) {
+    if (!met.contains(record.case_id)) comparer.fresh(record);
+  }
+  return comparer.finish();
+}
+
+bool has_regression(const Comparison& comparison) {
+  const auto bad = [](const CaseChange& change) { return change.kind <= ChangeKind::slower; };
+  const auto slow = [](const MethodTimes& method) { return method.verdict == TimeChange::slower; };
+  return std::any_of(comparison.changes.begin(), comparison.changes.end(), bad) ||
+         std::any_of(comparison.methods.begin(), comparison.methods.end(), slow);
+}
+
+}  // namespace signorini

@@ -1,0 +1,126 @@
+#include "harness/compare/noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "harness/statistics.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Standard deviation of a normal variable over its median absolute deviation.
+constexpr double kNormalMad = 1.4826;
+/// Standard error of a median of n over that of a mean, large n: sqrt(pi / 2).
+constexpr double kMedianError = 1.2533;
+
+/// Relative standard error of the median of rounds; 0 where one round tells nothing.
+double relative_error(const Seconds& seconds) {
+  return kNormalMad * kMedianError * seconds.mad / seconds.median / std::sqrt(seconds.repetitions);
+}
+
+/// Changes of the logarithm of a time.
+struct Change {
+  double median = 0.0, min = 0.0;
+
+  /// The one nearer to none; none if they disagree on the direction.
+  [[nodiscard]] double sure() const {
+    if (median * min <= 0.0) return 0.0;
+    return std::abs(median) < std::abs(min) ? median : min;
+  }
+};
+
+Change change_of(const TimePair& pair) {
+  return {.median = std::log(pair.after.median / pair.before.median),
+          .min = std::log(pair.after.min / pair.before.min)};
+}
+
+/// All rounds of one are slower than the middle one of the other.
+bool apart(const TimePair& pair) {
+  return pair.after.min > pair.before.median || pair.before.min > pair.after.median;
+}
+
+double least_factor(const TimePair& pair) {
+  const bool many = std::min(pair.before.repetitions, pair.after.repetitions) >= kManyRounds;
+  return many ? kCaseFactor : kCaseFactorFewRounds;
+}
+
+/// Errors that no single case may fall below, since three rounds may agree by chance.
+double usual_error(std::span<const TimePair> pairs, const std::vector<Change>& changes) {
+  std::vector<double> errors, medians;
+  for (const TimePair& pair : pairs)
+    errors.push_back(std::hypot(relative_error(pair.before), relative_error(pair.after)));
+  for (const Change& change : changes) medians.push_back(change.median);
+  return std::max(median(errors), kNormalMad * median_deviation(medians));
+}
+
+TimeChange direction(double change) { return change > 0.0 ? TimeChange::slower : TimeChange::faster; }
+
+struct Signs {
+  std::vector<double> changes;
+  std::size_t slower = 0, faster = 0;
+};
+
+}  // namespace
+
+double binomial_tail(std::size_t n, std::size_t k) {
+  double sum = 0.0;
+  const double log_half = std::log(0.5);
+  const auto log_factorial = [](std::size_t m) { return std::lgamma(static_cast<double>(m) + 1.0); };
+  for (std::size_t i = k; i <= n; ++i) {
+    sum += std::exp(log_factorial(n) - log_factorial(i) - log_factorial(n - i) +
+                    static_cast<double>(n) * log_half);
+  }
+  return std::min(1.0, sum);
+}
+
+double normal_quantile(double p) {
+  double low = 0.0, high = 40.0;
+  constexpr int kHalvings = 80;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (std::erfc(middle / std::sqrt(2.0)) > p ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+std::vector<TimeChange> judge_cases(std::span<const TimePair> pairs) {
+  std::vector<TimeChange> verdicts(pairs.size(), TimeChange::none);
+  if (pairs.empty()) return verdicts;
+  std::vector<Change> changes;
+  for (const TimePair& pair : pairs) changes.push_back(change_of(pair));
+  const double usual = usual_error(pairs, changes);
+  const double errors = normal_quantile(kFalseAlarm / static_cast<double>(pairs.size()));
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const double own = std::hypot(relative_error(pairs[i].before), relative_error(pairs[i].after));
+    const double sure = changes[i].sure();
+    if (std::abs(sure) < std::log(least_factor(pairs[i])) || !apart(pairs[i])) continue;
+    if (std::abs(changes[i].median) > errors * std::max(own, usual)) verdicts[i] = direction(sure);
+  }
+  return verdicts;
+}
+
+std::vector<MethodTimes> judge_methods(std::span<const TimePair> pairs) {
+  std::map<std::string, Signs> methods;
+  for (const TimePair& pair : pairs) {
+    Signs& signs = methods[pair.method];
+    const Change change = change_of(pair);
+    signs.changes.push_back(change.median);
+    if (change.sure() > std::log(kMethodFactor)) ++signs.slower;
+    if (change.sure() < -std::log(kMethodFactor)) ++signs.faster;
+  }
+  std::vector<MethodTimes> judged;
+  for (const auto& [method, signs] : methods) {
+    const std::size_t n = signs.changes.size(), most = std::max(signs.slower, signs.faster);
+    MethodTimes times{.method = method, .cases = n, .ratio = std::exp(median(signs.changes))};
+    times.probability = std::min(1.0, 2.0 * binomial_tail(n, most));
+    if (times.probability < kFalseAlarm / static_cast<double>(methods.size()))
+      times.verdict = signs.slower > signs.faster ? TimeChange::slower : TimeChange::faster;
+    judged.push_back(times);
+  }
+  return judged;
+}
+
+}  // namespace signorini

@@ -1,0 +1,110 @@
+#include "harness/runs/merge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "harness/failure.hpp"
+#include "harness/table.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Pointer = Json::json_pointer;
+
+constexpr std::array kMachine{"/machine/cpu", "/machine/processors", "/machine/governor"};
+constexpr std::array kRest{"/limits", "/build", "/suite", "/jobs"};
+
+Json at(const RunFolder& run, const char* place) {
+  const Pointer pointer(place);
+  return run.manifest.contains(pointer) ? run.manifest.at(pointer) : Json();
+}
+
+/// The innermost entry that differs, for a message of one line.
+std::optional<std::string> difference(const RunFolder& a, const RunFolder& b, const std::string& place) {
+  const Json left = at(a, place.c_str()), right = at(b, place.c_str());
+  if (left == right) return std::nullopt;
+  if (left.is_object() && right.is_object()) {
+    for (const auto& [key, value] : left.items()) {
+      if (auto inner = difference(a, b, place + "/" + key)) return inner;
+    }
+  }
+  std::string field = place.substr(1);
+  std::replace(field.begin(), field.end(), '/', '.');
+  return fmt::format("{}: {} = {} (must be {} as in {})", b.path.string(), field, right.dump(), left.dump(),
+                     a.path.string());
+}
+
+template <class Places>
+std::optional<std::string> first_difference(const RunFolder& a, const RunFolder& b, const Places& places) {
+  for (const char* place : places) {
+    if (auto found = difference(a, b, place)) return found;
+  }
+  return std::nullopt;
+}
+
+Json merged_manifest(std::span<const RunFolder> parts) {
+  Json manifest = parts.front().manifest;
+  Json shards = Json::array();
+  for (const RunFolder& part : parts) {
+    Json shard = Json::object();
+    for (const char* key : {"date", "command_line", "shard"}) {
+      if (part.manifest.contains(key)) shard[key] = part.manifest[key];
+    }
+    shard["load"] = at(part, "/machine/load");
+    shards.push_back(std::move(shard));
+  }
+  for (const char* key : {"date", "command_line", "shard"}) manifest.erase(key);
+  if (manifest.contains("machine")) manifest["machine"].erase("load");
+  manifest["shards"] = std::move(shards);
+  return manifest;
+}
+
+/// Adds records that are not there yet. \throws UsageError where one case has two different records
+void add_records(const RunFolder& part, std::map<std::string, std::string>& keys,
+                 std::vector<Record>& records) {
+  for (const Record& record : part.records) {
+    const auto [known, fresh] = keys.try_emplace(record.case_id, record.key);
+    if (fresh) records.push_back(record);
+    if (known->second != record.key) {
+      throw UsageError(fmt::format("{}: case = {} (must be of one scene file and one version of the code)",
+                                   part.path.string(), record.case_id));
+    }
+  }
+}
+
+}  // namespace
+
+bool same_machine(const RunFolder& a, const RunFolder& b) { return !first_difference(a, b, kMachine); }
+
+std::optional<std::string> mixture(const RunFolder& a, const RunFolder& b) {
+  if (auto found = first_difference(a, b, kMachine)) return found;
+  return first_difference(a, b, kRest);
+}
+
+RunFolder merge_runs(std::span<const RunFolder> parts) {
+  for (const RunFolder& part : parts) {
+    if (const auto found = mixture(parts.front(), part)) throw UsageError(*found);
+  }
+  RunFolder merged;
+  merged.manifest = merged_manifest(parts);
+  std::map<std::string, std::string> keys;
+  std::set<std::string> planned;
+  for (const RunFolder& part : parts) {
+    add_records(part, keys, merged.records);
+    for (const PlannedCase& one : part.plan) {
+      if (planned.insert(one.key).second) merged.plan.push_back(one);
+    }
+  }
+  const auto before = [](const auto& a, const auto& b) { return natural_less(a.case_id, b.case_id); };
+  std::stable_sort(merged.records.begin(), merged.records.end(), before);
+  std::stable_sort(merged.plan.begin(), merged.plan.end(), before);
+  return merged;
+}
+
+}  // namespace signorini

@@ -1,0 +1,66 @@
+#include "harness/runs/run_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+#include <unordered_set>
+
+#include "harness/failure.hpp"
+#include "harness/manifest.hpp"
+#include "harness/record_store.hpp"
+#include "harness/sha256.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<PlannedCase> read_plan(const fs::path& file) {
+  std::vector<PlannedCase> plan;
+  std::istringstream lines(read_file(file));
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t space = line.find(' ');
+    if (space == std::string::npos)
+      throw UsageError(fmt::format("{}: case = {} (must be a key and a name)", file.string(), line));
+    plan.push_back({.key = line.substr(0, space), .case_id = line.substr(space + 1)});
+  }
+  return plan;
+}
+
+}  // namespace
+
+RunFolder read_run(const fs::path& folder) {
+  if (!fs::exists(folder / "manifest.json") || !fs::exists(folder / "records.jsonl")) {
+    throw UsageError(
+        fmt::format("dir = {} (must be a folder with manifest.json and records.jsonl, as run writes it)",
+                    folder.string()));
+  }
+  RunFolder run{.path = folder};
+  run.manifest = nlohmann::ordered_json::parse(read_file(folder / "manifest.json"), nullptr, false);
+  if (!run.manifest.is_object()) {
+    throw UsageError(fmt::format("{}: manifest = unreadable (must be one JSON object)",
+                                 (folder / "manifest.json").string()));
+  }
+  if (fs::exists(folder / "plan.txt")) run.plan = read_plan(folder / "plan.txt");
+  run.records = read_records(folder / "records.jsonl");
+  return run;
+}
+
+std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner) {
+  std::vector<PlannedCase> cases;
+  std::unordered_set<std::string> keys;
+  for (const Case& run : plan.cases) {
+    const std::string key = runner.key_of(plan.scenes[run.scene], run);
+    if (keys.insert(key).second) cases.push_back({.key = key, .case_id = run.id});
+  }
+  return cases;
+}
+
+void write_plan(const fs::path& folder, const std::vector<PlannedCase>& plan) {
+  std::string text;
+  for (const PlannedCase& one : plan) text += fmt::format("{} {}\n", one.key, one.case_id);
+  write_whole(folder / "plan.txt", text);
+}
+
+}  // namespace signorini

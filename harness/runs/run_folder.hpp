@@ -1,0 +1,37 @@
+#pragma once
+// What a run left in its folder, read again: manifest.json, plan.txt and records.jsonl.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "harness/plan.hpp"
+#include "harness/record.hpp"
+#include "harness/runner.hpp"
+
+namespace signorini {
+
+/// A case that a run is to have a record of.
+struct PlannedCase {
+  std::string key = {};
+  std::string case_id = {};
+};
+
+struct RunFolder {
+  std::filesystem::path path = {};
+  nlohmann::ordered_json manifest = {};
+  std::vector<PlannedCase> plan = {};  ///< empty for runs of before there was a plan.txt
+  std::vector<Record> records = {};
+};
+
+/// \throws UsageError if it is no folder that a run wrote, or a file of it is unreadable
+RunFolder read_run(const std::filesystem::path& folder);
+
+/// Cases of a plan with their keys, each key once.
+std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner);
+
+/// DIR/plan.txt: one case per line, key and name. \throws UsageError if the folder cannot be written
+void write_plan(const std::filesystem::path& folder, const std::vector<PlannedCase>& plan);
+
+}  // namespace signorini

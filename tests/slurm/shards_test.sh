@@ -1,0 +1,74 @@
+#!/bin/sh
+# shards_test.sh SIGNORINI FOLDER: two shards as a Slurm job array, one of whose nodes is lost on the way, give the same
+# accuracy as a local run. Exit code 77 where no Slurm can be had.
+set -eu
+
+program=$1
+folder=$2
+here=$(dirname -- "$0")
+scenes='sdof-stop:sdof-far-stop:chain2-stop:chain3-stop'
+methods='hat-lcp[samples=64|256]:penalty-hbm[harmonics=10]'
+
+rm -rf "$folder"
+mkdir -p "$folder"
+trap 'sh "$here/cluster.sh" down "$folder/cluster"' EXIT
+trap 'exit 1' HUP INT TERM
+sh "$here/cluster.sh" up "$folder/cluster" || exit $?
+export SLURM_CONF="$folder/cluster/slurm.conf"
+
+fail() {
+  echo "failed: $*" >&2
+  squeue -a >&2 || true
+  cat "$folder"/run/log-*.txt >&2 || true
+  exit 1
+}
+
+# wait_until TRIES COMMAND...: half a second between tries.
+wait_until() {
+  tries=$1
+  shift
+  until "$@"; do
+    tries=$((tries - 1))
+    [ "$tries" -gt 0 ] || fail "waited in vain for: $*"
+    sleep 0.5
+  done
+}
+
+first_record() { [ -s "$folder/run/shard-1/records.jsonl" ] || [ -s "$folder/run/shard-1/unfinished.jsonl" ]; }
+node_of_shard_1() { squeue -h -r -t R -o '%K %N' | sed -n 's/^1 //p'; }
+lost() { grep -q 'NODE FAILURE' "$folder/run/log-1.txt"; }
+all_over() { [ -z "$(squeue -h)" ]; }
+
+"$program" run quick --scenes "$scenes" --methods "$methods" --out "$folder/local" >/dev/null
+
+"$program" submit slurm "$folder/run" --shards 2 quick --scenes "$scenes" --methods "$methods"
+wait_until 240 first_record
+
+# The node of shard 1 is lost; its task goes back to the queue and resumes when the node returns.
+node=$(node_of_shard_1)
+if [ -n "$node" ]; then
+  scontrol update nodename="$node" state=down reason=test
+  wait_until 120 lost
+  scontrol update nodename="$node" state=resume 2>/dev/null || true # it may be back by itself
+  # A task that is requeued waits for two minutes unless it is told otherwise.
+  for job in $(squeue -h -r -t PD -o '%A %j' | sed -n 's/ signorini$//p'); do
+    scontrol update jobid="$job" starttime=now || true
+  done
+  echo "node $node was lost and came back"
+else
+  echo 'shard 1 was over before its node could be lost'
+fi
+wait_until 600 all_over
+[ -f "$folder/run/merged/table.csv" ] || fail 'nothing was merged'
+
+# Columns: case, status, errors, physics; the local table's rows are in the same order.
+accuracy() { cut -d, -f1,8-20 "$1"; }
+columns=$(head -n 1 "$folder/local/table.csv" | cut -d, -f8-20)
+[ "$columns" = "status,period,x_l2,x_max,u_l2,velocity_l2,impulse,x_l2_scene,error_bar,penetration,complementarity,energy_defect,contact_ratio" ] ||
+  fail "other columns than expected: $columns"
+accuracy "$folder/local/table.csv" >"$folder/local.csv"
+accuracy "$folder/run/merged/table.csv" >"$folder/merged.csv"
+cmp "$folder/local.csv" "$folder/merged.csv" || fail 'accuracy differs from the local run'
+[ "$(wc -l <"$folder/merged.csv")" -eq 13 ] || fail 'not every case has its row'
+"$program" status "$folder/run/merged" | grep -q 'done' || fail 'the merged run is not complete'
+echo 'accuracy equals that of the local run'
