@@ -4,9 +4,7 @@
 
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/manifest.hpp"
 #include "harness/progress.hpp"
-#include "harness/report.hpp"
 
 namespace signorini {
 
@@ -87,14 +85,6 @@ std::vector<std::string> unexpected_failures(const std::vector<Record>& records,
     failures.push_back(record.case_id);
   }
   return failures;
-}
-
-void write_reports(const std::filesystem::path& folder, const std::vector<Record>& records,
-                   const std::vector<std::string>& formats) {
-  for (const std::string& format : formats) {
-    write_whole(folder / ("table." + format),
-                format == "md" ? markdown_report(records) : csv_report(records));
-  }
 }
 
 }  // namespace signorini

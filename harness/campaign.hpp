@@ -27,8 +27,4 @@ std::vector<const Case*> missing_cases(const Plan& plan, const Runner& runner, c
 /// Records that spoil the exit code: neither converged nor not applicable, nor expected to fail by the suite.
 std::vector<std::string> unexpected_failures(const std::vector<Record>& records, const Suite& suite);
 
-/// Writes DIR/table.md and DIR/table.csv of these formats ("md", "csv"). \throws UsageError
-void write_reports(const std::filesystem::path& folder, const std::vector<Record>& records,
-                   const std::vector<std::string>& formats);
-
 }  // namespace signorini

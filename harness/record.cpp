@@ -238,6 +238,36 @@ TrajectorySamples read_trajectory(const Json& json) {
   return trajectory;
 }
 
+Json write_waveform(const Waveform& waveform) {
+  return {{"t", waveform.t},
+          {"x", waveform.x},
+          {"velocity", waveform.velocity},
+          {"force", waveform.force},
+          {"impulse", waveform.impulse}};
+}
+
+Waveform read_waveform(const Json& json) {
+  using Lists = std::vector<std::vector<double>>;
+  return {.t = json.at("t").get<std::vector<double>>(),
+          .x = json.at("x").get<Lists>(),
+          .velocity = json.at("velocity").get<Lists>(),
+          .force = json.at("force").get<Lists>(),
+          .impulse = json.at("impulse").get<Lists>()};
+}
+
+Json write_waveforms(const Waveforms& waveforms) {
+  Json json{{"contacts", waveforms.contacts}, {"answer", write_waveform(waveforms.answer)}};
+  if (waveforms.orbit) json["orbit"] = write_waveform(*waveforms.orbit);
+  return json;
+}
+
+Waveforms read_waveforms(const Json& json) {
+  Waveforms waveforms{.contacts = json.at("contacts").get<std::vector<int>>(),
+                      .answer = read_waveform(json.at("answer"))};
+  if (json.contains("orbit")) waveforms.orbit = read_waveform(json["orbit"]);
+  return waveforms;
+}
+
 void read_body(const Json& json, Record& record) {
   if (json.at("schema").get<int>() != kSchema) throw BadRecord("schema = unknown (must be 1)");
   get(json, "case", record.case_id);
@@ -269,6 +299,7 @@ void read_body(const Json& json, Record& record) {
   get(physics, "energy_reason", record.physics.energy_reason);
   get(physics, "effective_restitution", record.physics.effective_restitution);
   if (json.contains("trajectory")) record.trajectory = read_trajectory(json["trajectory"]);
+  if (json.contains("waveforms")) record.waveforms = read_waveforms(json["waveforms"]);
 }
 
 }  // namespace
@@ -328,6 +359,7 @@ Json to_json(const Record& record) {
   put_object(json, "errors", std::move(errors));
   put_object(json, "physics", write_physics(record.physics));
   if (record.trajectory) json["trajectory"] = write_trajectory(*record.trajectory);
+  if (record.waveforms) json["waveforms"] = write_waveforms(*record.waveforms);
   return json;
 }
 

@@ -113,6 +113,20 @@ struct TrajectorySamples {
   std::optional<int> bandwidth = {};
 };
 
+/// A motion as it is drawn: polylines through common instants, as dense as the motion's bends ask for.
+struct Waveform {
+  std::vector<double> t = {};  ///< [s]
+  /// Per contact kept [m] [m/s] [N] [N s]; `impulse` is that given since t = 0, impulses of impacts included.
+  std::vector<std::vector<double>> x = {}, velocity = {}, force = {}, impulse = {};
+};
+
+/// An answer and the certified orbit behind it, over a period common to both.
+struct Waveforms {
+  std::vector<int> contacts = {};  ///< those kept, by index in the scene
+  Waveform answer = {};
+  std::optional<Waveform> orbit = {};  ///< absent unless certified
+};
+
 struct Record {
   std::string case_id = {};  ///< "scene/method[settings]"
   std::string key = {};      ///< identifies the run for --resume
@@ -133,6 +147,7 @@ struct Record {
   Errors errors = {};
   Physics physics = {};
   std::optional<TrajectorySamples> trajectory = {};
+  std::optional<Waveforms> waveforms = {};
 };
 
 /// Ten error bars of the certified orbit: an error below this is not measured but bounded.

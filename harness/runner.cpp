@@ -249,7 +249,8 @@ Trial Runner::trial_of(const Scene& scene, const Job& job, const SolveExtras& ex
           .orbits = orbits_,
           .start = extras.start,
           .samples = extras.samples,
-          .timed = extras.timed};
+          .timed = extras.timed,
+          .waveforms = waveforms_};
 }
 
 void Runner::run_first(const Scene& scene, std::span<const Job> jobs, int parallel, const TakeRecord& take,

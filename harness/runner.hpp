@@ -76,6 +76,9 @@ class Runner {
   /// is no record.
   [[nodiscard]] std::optional<Record> run(const Scene& scene, const Job& job, const SolveExtras& extras = {});
 
+  /// Records shall hold the motions as they are drawn.
+  void keep_waveforms() { waveforms_ = true; }
+
   [[nodiscard]] const Limits& limits() const { return limits_; }
   [[nodiscard]] std::string key_of(const Scene& scene, const Case& run) const;
 
@@ -90,6 +93,7 @@ class Runner {
   Limits limits_;
   OrbitTools orbits_;
   CodeVersion code_version_;
+  bool waveforms_ = false;
   std::map<std::string, Reference> references_;  // by law
 };
 

@@ -43,39 +43,66 @@ std::string_view take_digits(std::string_view& text) {
   return digits;
 }
 
-}  // namespace
+/// Header and rows as they are printed.
+using Words = std::vector<std::vector<std::string>>;
 
-std::string to_markdown(const Table& table) {
-  std::vector<std::vector<std::string>> rows{table.header};
-  rows.insert(rows.end(), table.rows.begin(), table.rows.end());
-  std::vector<std::size_t> widths(table.header.size(), 3);
-  for (auto& row : rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      row[c] = escaped(row[c]);
-      widths[c] = std::max(widths[c], width(row[c]));
-    }
+Words escaped_words(const Table& table) {
+  Words words(1);
+  for (const std::string& title : table.header) words.front().push_back(escaped(title));
+  for (const auto& row : table.rows) {
+    words.emplace_back();
+    for (const Cell& cell : row) words.back().push_back(escaped(cell.text));
   }
+  return words;
+}
+
+/// Cells padded to the widths; a rule of three dashes at least below the header.
+std::string pipe_table(const Words& words, const std::vector<std::size_t>& widths) {
   std::string text;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
+  for (std::size_t r = 0; r < words.size(); ++r) {
     for (std::size_t c = 0; c < widths.size(); ++c) {
-      text += "| " + rows[r][c] + std::string(widths[c] - width(rows[r][c]) + 1, ' ');
+      const std::string& word = words[r][c];
+      text += "| " + word + std::string(std::max(widths[c], width(word)) - width(word) + 1, ' ');
     }
     text += "|\n";
     if (r > 0) continue;
-    for (const std::size_t w : widths) text += "|" + std::string(w + 2, '-');
+    for (const std::size_t w : widths) text += "|" + std::string(w == 0 ? 3 : w + 2, '-');
     text += "|\n";
   }
   return text;
 }
 
+}  // namespace
+
+bool Table::is_numeric(std::size_t column) const {
+  return std::any_of(rows.begin(), rows.end(),
+                     [&](const auto& row) { return row[column].value.has_value(); });
+}
+
+std::string to_markdown(const Table& table) {
+  const Words words = escaped_words(table);
+  std::vector<std::size_t> widths(table.header.size(), 3);
+  for (const auto& row : words) {
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
+  }
+  return pipe_table(words, widths);
+}
+
+std::string to_narrow_markdown(const Table& table) {
+  return pipe_table(escaped_words(table), std::vector<std::size_t>(table.header.size(), 0));
+}
+
 std::string to_csv(const Table& table) {
   std::string text;
-  const auto line = [&](const std::vector<std::string>& row) {
-    for (std::size_t c = 0; c < row.size(); ++c) text += (c == 0 ? "" : ",") + quoted(row[c]);
-    text += '\n';
+  const auto add = [&](std::size_t column, const std::string& cell) {
+    text += (column == 0 ? "" : ",") + quoted(cell);
   };
-  line(table.header);
-  for (const auto& row : table.rows) line(row);
+  for (std::size_t c = 0; c < table.header.size(); ++c) add(c, table.header[c]);
+  text += '\n';
+  for (const auto& row : table.rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) add(c, row[c].text);
+    text += '\n';
+  }
   return text;
 }
 

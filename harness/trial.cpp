@@ -11,6 +11,7 @@
 #include "harness/measures.hpp"
 #include "harness/timing.hpp"
 #include "harness/trajectory_json.hpp"
+#include "harness/waveform.hpp"
 
 namespace signorini {
 
@@ -109,6 +110,8 @@ void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory
       certify(problem, answer, trial.reference, trial.orbits, after(trial.limits.certificate_timeout));
   record.certificate = judgement.certificate;
   if (judgement.orbit) record.errors = measure_errors(problem, *answer, *judgement.orbit, judgement.shift);
+  if (trial.waveforms)
+    record.waveforms = draw_waveforms(problem, *answer, judgement.orbit.get(), judgement.shift);
   if (record.law_matches_scene == false && trial.scene_reference.orbit) {
     const Motion scene_orbit = sample_motion(problem, *trial.scene_reference.orbit);
     const Motion motion = sample_motion(problem, *answer);

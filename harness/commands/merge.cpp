@@ -6,10 +6,11 @@
 #include <filesystem>
 #include <memory>
 
-#include "harness/campaign.hpp"
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/manifest.hpp"
+#include "harness/report/report.hpp"
+#include "harness/rerun.hpp"
 #include "harness/runs/status.hpp"
 #include "harness/sha256.hpp"
 
@@ -37,7 +38,7 @@ void write_run(const RunFolder& run, const fs::path& out) {
   write_whole(out / "records.jsonl", lines);
   write_whole(out / "manifest.json", run.manifest.dump(2) + "\n");
   write_plan(out, run.plan);
-  write_reports(out, run.records, {"md", "csv"});
+  write_report(out, Evaluation(run.records, limits_of_run(out)), {"md", "csv"});
 }
 
 int merge(const std::vector<std::string>& folders, const std::string& out) {

@@ -1,39 +1,64 @@
-#include "harness/report.hpp"
+#include "harness/report/report.hpp"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
-#include "harness/campaign.hpp"
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/record_store.hpp"
+#include "harness/rerun.hpp"
 
 namespace signorini {
 
+namespace {
+
+struct ReportArguments {
+  std::string folder;
+  std::vector<std::string> formats{"md", "csv"};
+  std::optional<std::string> document;
+};
+
+void report(const ReportArguments& arguments) {
+  const std::filesystem::path folder = arguments.folder;
+  if (!std::filesystem::exists(folder / "records.jsonl")) {
+    throw UsageError(
+        fmt::format("dir = {} (must be a folder with records.jsonl, as run writes it)", folder.string()));
+  }
+  const Evaluation evaluation(read_records(folder / "records.jsonl"), limits_of_run(folder));
+  if (arguments.document) {
+    write_tables_into(*arguments.document, folder, evaluation);
+    fmt::print("{}\n", *arguments.document);
+    return;
+  }
+  for (const std::filesystem::path& file : write_report(folder, evaluation, arguments.formats))
+    fmt::print("{}\n", file.string());
+}
+
+}  // namespace
+
 void add_report_command(CLI::App& app, int& exit_code) {
-  struct Arguments {
-    std::string folder;
-    std::vector<std::string> formats{"md", "csv"};
-  };
-  auto* command = app.add_subcommand("report", "Tables from the records of a run, written to its folder.");
-  const auto arguments = std::make_shared<Arguments>();
+  auto* command = app.add_subcommand(
+      "report", "Tables, figures and a page from the records of a run, written to its folder.");
+  const auto arguments = std::make_shared<ReportArguments>();
   command->add_option("dir", arguments->folder, "folder with records.jsonl")->required();
-  command->add_option("--format", arguments->formats, "md, csv or both, separated by a comma")
+  command
+      ->add_option(
+          "--format", arguments->formats,
+          "md (table.md), csv (table.csv, measures.csv), tex (tables/*.tex), html (report.html), separated "
+          "by commas; tex and html also draw figures/*.svg and *.pdf, which needs gnuplot")
       ->delimiter(',')
-      ->check(CLI::IsMember({"md", "csv"}));
+      ->check(CLI::IsMember(report_formats()))
+      ->capture_default_str();
+  command->add_option(
+      "--into", arguments->document,
+      "instead bring the tables in this Markdown file up to date, each between the lines <!-- "
+      "table RUN/SECTION [WORD] --> and <!-- /table -->; RUN is the folder's name");
   command->callback([arguments, &exit_code] {
-    const std::filesystem::path folder = arguments->folder;
-    if (!std::filesystem::exists(folder / "records.jsonl")) {
-      throw UsageError(
-          fmt::format("dir = {} (must be a folder with records.jsonl, as run writes it)", folder.string()));
-    }
-    write_reports(folder, read_records(folder / "records.jsonl"), arguments->formats);
-    for (const std::string& format : arguments->formats) {
-      fmt::print("{}\n", (folder / ("table." + format)).string());
-    }
+    report(*arguments);
     exit_code = kDone;
   });
 }

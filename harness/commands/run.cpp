@@ -10,7 +10,8 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/manifest.hpp"
-#include "harness/report.hpp"
+#include "harness/report/markdown.hpp"
+#include "harness/report/report.hpp"
 #include "harness/runs/run_folder.hpp"
 #include "harness/runs/shards.hpp"
 #include "harness/suite.hpp"
@@ -27,6 +28,7 @@ struct RunArguments {
   std::optional<std::string> out;
   bool resume = false;
   bool dry_run = false;
+  bool waveforms = false;
   std::optional<double> timeout;
   std::optional<int> memory_mb;
   std::optional<int> repetitions;
@@ -81,6 +83,7 @@ int run_suite(const RunArguments& arguments) {
   }
   const std::filesystem::path folder = arguments.out.value_or("results/local-" + suite.name);
   Runner runner(limits_of(arguments, suite));
+  if (arguments.waveforms) runner.keep_waveforms();
   RecordStore store(folder, arguments.resume);
   write_whole(folder / "manifest.json", manifest_of(arguments, suite, runner.limits()).dump(2) + "\n");
   write_plan(folder, planned_cases(plan, runner));
@@ -94,8 +97,9 @@ int run_suite(const RunArguments& arguments) {
     return kInterrupted;
   }
   const std::vector<Record> records = records_of(plan, runner, store);
-  write_reports(folder, records, {"md", "csv"});
-  fmt::print("{}", markdown_report(records));
+  const Evaluation evaluation(records, runner.limits());
+  write_report(folder, evaluation, {"md", "csv"});
+  fmt::print("{}", markdown_report(sections_of(evaluation)));
   fmt::print(
       "\n{} cases run, {} already there; records, manifest and tables (table.md, table.csv) are in {}\n",
       result.ran, result.present, folder.string());
@@ -124,6 +128,8 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
       ->check(CLI::Range(64, 1 << 24));
   command->add_option("--repetitions", arguments->repetitions, "rounds of timing")
       ->check(CLI::Range(1, 1000));
+  command->add_flag("--waveforms", arguments->waveforms,
+                    "keep the motions in the records, for the figures of report; doubles their size");
   command->add_option("--seed", arguments->turns.seed, "of the order of cases, a Latin square for each scene")
       ->capture_default_str();
   command

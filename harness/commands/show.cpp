@@ -11,7 +11,7 @@
 #include "harness/failure.hpp"
 #include "harness/plan.hpp"
 #include "harness/record.hpp"
-#include "harness/report.hpp"
+#include "harness/report/cells.hpp"
 #include "methods/catalogue.hpp"
 #include "problems/scene_file.hpp"
 

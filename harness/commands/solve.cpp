@@ -7,7 +7,7 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/report.hpp"
+#include "harness/report/cells.hpp"
 #include "harness/runner.hpp"
 #include "harness/trajectory_json.hpp"
 

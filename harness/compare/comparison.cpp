@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-#include "harness/report.hpp"
+#include "harness/report/cells.hpp"
 #include "harness/rerun.hpp"
 #include "harness/runs/merge.hpp"
 

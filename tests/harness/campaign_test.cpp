@@ -145,17 +145,6 @@ TEST(UnexpectedFailures, LeaveOutWhatIsExpectedAndWhatDoesNotApply) {
   EXPECT_EQ(std::count(rest.begin(), rest.end(), "scene-a/method-a[timeout]"), 0);
 }
 
-TEST(WriteReports, IsByteIdenticalWhenRepeated) {
-  const auto folder = test::fresh_folder("reports");
-  write_reports(folder, test::records_of_every_status(), {"md", "csv"});
-  const std::string markdown = read_file(folder / "table.md");
-  const std::string csv = read_file(folder / "table.csv");
-  write_reports(folder, test::records_of_every_status(), {"md", "csv"});
-  EXPECT_EQ(read_file(folder / "table.md"), markdown);
-  EXPECT_EQ(read_file(folder / "table.csv"), csv);
-  EXPECT_FALSE(markdown.empty());
-}
-
 TEST(ProgressLine, EstimatesTheRestFromWhatIsDone) {
   EXPECT_EQ(progress_line(0.0, 4, 0.0, "x"), "[0/4] 0 % x");
   EXPECT_EQ(progress_line(1.0, 4, 30.0, "x"), "[1/4] 25 % ETA 1:30 x");

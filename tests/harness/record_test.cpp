@@ -44,7 +44,8 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
                               "certificate",
                               "errors",
                               "physics",
-                              "trajectory"}));
+                              "trajectory",
+                              "waveforms"}));
   EXPECT_EQ(keys(json["work"]), (Keys{"unknowns", "iterations", "pivots", "rhs_evaluations", "factorisations",
                                       "peak_memory_bytes"}));
   EXPECT_EQ(keys(json["seconds"]),
@@ -57,6 +58,9 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
   EXPECT_EQ(keys(json["physics"]), (Keys{"penetration", "complementarity", "energy_defect", "energy_reason",
                                          "effective_restitution", "contact_ratio"}));
   EXPECT_EQ(keys(json["trajectory"]), (Keys{"t", "x", "velocity", "force", "impulses", "bandwidth"}));
+  EXPECT_EQ(keys(json["waveforms"]), (Keys{"contacts", "answer", "orbit"}));
+  EXPECT_EQ(keys(json["waveforms"]["answer"]), (Keys{"t", "x", "velocity", "force", "impulse"}));
+  EXPECT_EQ(keys(json["waveforms"]["orbit"]), (Keys{"t", "x", "velocity", "force", "impulse"}));
   EXPECT_EQ(keys(json["trajectory"]["impulses"][0]), (Keys{"contact", "time", "value"}));
 }
 

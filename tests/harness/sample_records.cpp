@@ -36,6 +36,12 @@ Record full_record() {
                                         .force = {{-1.0, 0.0}},
                                         .impulses = {{.contact = 0, .time = 0.25, .value = -2.0}},
                                         .bandwidth = 10};
+  const Waveform waveform{.t = {0.0, 2.0},
+                          .x = {{0.5, 0.5}},
+                          .velocity = {{0.0, 0.0}},
+                          .force = {{-1.0, -1.0}},
+                          .impulse = {{0.0, -2.0}}};
+  record.waveforms = Waveforms{.contacts = {0}, .answer = waveform, .orbit = waveform};
   return record;
 }
 

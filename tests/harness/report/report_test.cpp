@@ -1,16 +1,21 @@
-#include "harness/report.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 #include <sstream>
 
+#include "harness/report/cells.hpp"
+#include "harness/report/markdown.hpp"
+#include "harness/report/record_csv.hpp"
 #include "harness/table.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini {
 namespace {
+
+std::string markdown_of(const std::vector<Record>& records) {
+  return markdown_report(sections_of(Evaluation(records)));
+}
 
 std::vector<std::string> cells(const std::string& line) {
   std::vector<std::string> found;
@@ -49,19 +54,19 @@ TEST(MarkdownReport, IsTheSameWhateverTheOrderOfTheRecords) {
   std::vector<Record> records = test::records_of_every_status();
   records.push_back(test::good_record("scene-b", "method-b", "n=10", 0.1, 1.0));
   records.push_back(test::good_record("scene-b", "method-b", "n=9", 0.1, 1.0));
-  const std::string markdown = markdown_report(records);
-  const std::string csv = csv_report(records);
+  const std::string markdown = markdown_of(records);
+  const std::string csv = csv_report(Evaluation(records));
   std::mt19937 random(7);
   for (int i = 0; i < 10; ++i) {
     std::shuffle(records.begin(), records.end(), random);
-    EXPECT_EQ(markdown_report(records), markdown);
-    EXPECT_EQ(csv_report(records), csv);
+    EXPECT_EQ(markdown_of(records), markdown);
+    EXPECT_EQ(csv_report(Evaluation(records)), csv);
   }
   EXPECT_LT(markdown.find("n=9]"), markdown.find("n=10]"));
 }
 
 TEST(MarkdownReport, HasNoEmptyCell) {
-  std::istringstream stream(markdown_report(test::records_of_every_status()));
+  std::istringstream stream(markdown_of(test::records_of_every_status()));
   int rows = 0;
   for (std::string line; std::getline(stream, line);) {
     if (line.rfind("|", 0) != 0) continue;
@@ -73,7 +78,7 @@ TEST(MarkdownReport, HasNoEmptyCell) {
 }
 
 TEST(MarkdownReport, GivesNoErrorAndNoTimeToAnAnswerThatIsWrong) {
-  const std::string report = markdown_report(test::records_of_every_status());
+  const std::string report = markdown_of(test::records_of_every_status());
   for (const char* status : {"not-converged", "not-applicable", "timeout", "out-of-memory", "crashed",
                              "exception", "invalid-output"}) {
     const std::vector<std::string> row = row_of(report, status);
@@ -91,7 +96,7 @@ TEST(MarkdownReport, GivesNoErrorAndNoTimeToAnAnswerThatIsWrong) {
 }
 
 TEST(MarkdownReport, SaysWhyAnAnswerIsUncertified) {
-  const std::string report = markdown_report(test::records_of_every_status());
+  const std::string report = markdown_of(test::records_of_every_status());
   EXPECT_EQ(row_of(report, "n=2")[kOrbit], "uncertified: Newton's method failed");
   EXPECT_EQ(row_of(report, "n=2")[kError], "uncertified");
   EXPECT_EQ(row_of(report, "n=1")[kOrbit], "same");
@@ -103,7 +108,7 @@ TEST(MarkdownReport, MarksAnotherLawAndAnotherOrbit) {
   record.scene_law = Restitution{0.5};
   record.law_matches_scene = false;
   record.certificate.same_orbit = false;
-  const std::vector<std::string> row = row_of(markdown_report({record}), "n=1");
+  const std::vector<std::string> row = row_of(markdown_of({record}), "n=1");
   EXPECT_EQ(row[1], "e = 0.5");
   EXPECT_EQ(row[3], "e = 1 ≠ scene");
   EXPECT_EQ(row[kOrbit], "other (0a1b2c3d)");
@@ -112,7 +117,7 @@ TEST(MarkdownReport, MarksAnotherLawAndAnotherOrbit) {
 TEST(MarkdownReport, SaysWhichOrbitsAreUnstable) {
   Record record = test::good_record("s", "m", "n=1", 0.1, 1.0);
   record.certificate.stable = false;
-  EXPECT_EQ(row_of(markdown_report({record}), "n=1")[kOrbit], "same, unstable");
+  EXPECT_EQ(row_of(markdown_of({record}), "n=1")[kOrbit], "same, unstable");
 }
 
 TEST(MarkdownReport, SetsTimesBesideMarchingSceneByScene) {
@@ -123,19 +128,19 @@ TEST(MarkdownReport, SetsTimesBesideMarchingSceneByScene) {
     records.push_back(test::good_record(scene, "m", "n=1", 0.1 * seconds, 0.25));
   }
   // Three ratios: 0.25, 0.125, 0.0625.
-  EXPECT_EQ(row_of(markdown_report(records), "n=1", 5),
+  EXPECT_EQ(row_of(markdown_of(records), "n=1", 5),
             (std::vector<std::string>{"m[n=1]", "3 of 3", "2.0e-01", "250 ms", "0.12"}));
   // A failure counts as infinite; two of three make the median so.
   records[1].status = Status::timeout;
-  EXPECT_EQ(row_of(markdown_report(records), "n=1", 5)[4], "0.12");
+  EXPECT_EQ(row_of(markdown_of(records), "n=1", 5)[4], "0.12");
   records[3].status = Status::timeout;
-  EXPECT_EQ(row_of(markdown_report(records), "n=1", 5),
+  EXPECT_EQ(row_of(markdown_of(records), "n=1", 5),
             (std::vector<std::string>{"m[n=1]", "1 of 3", "half or more failed", "half or more failed",
                                       "half or more failed"}));
 }
 
 std::vector<std::string> summary_of(const std::vector<Record>& records, const std::string& method) {
-  std::istringstream stream(markdown_report(records));
+  std::istringstream stream(markdown_of(records));
   for (std::string line; std::getline(stream, line);) {
     if (line.rfind("| " + method + " ", 0) != 0) continue;
     std::vector<std::string> row = cells(line);
@@ -196,7 +201,7 @@ TEST(LawText, NamesEveryLaw) {
 }
 
 TEST(CsvReport, HasAReasonInEveryRowWithEmptyCells) {
-  std::istringstream stream(csv_report(test::records_of_every_status()));
+  std::istringstream stream(csv_report(Evaluation(test::records_of_every_status())));
   std::string header;
   std::getline(stream, header);
   EXPECT_EQ(header.rfind("case,scene,", 0), 0U);

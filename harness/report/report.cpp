@@ -1,0 +1,98 @@
+#include "harness/report/report.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "harness/manifest.hpp"
+#include "harness/report/gnuplot.hpp"
+#include "harness/report/latex.hpp"
+#include "harness/report/markdown.hpp"
+#include "harness/report/page.hpp"
+#include "harness/report/record_csv.hpp"
+#include "harness/report/section.hpp"
+#include "harness/sha256.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<SceneFigures> figures_by_scene(const Evaluation& evaluation) {
+  std::vector<SceneFigures> scenes;
+  for (const std::string& scene : evaluation.scenes()) {
+    SceneFigures& figures =
+        scenes.emplace_back(SceneFigures{scene, work_precision_figures(evaluation, scene)});
+    for (Figure& figure : motion_figures(evaluation, scene)) figures.figures.push_back(std::move(figure));
+  }
+  return scenes;
+}
+
+/// Draws every figure and reads it back, by name.
+std::map<std::string, std::string> draw_all(const fs::path& folder, const std::vector<Section>& sections,
+                                            const std::vector<SceneFigures>& scenes) {
+  std::vector<Figure> figures;
+  for (const Section& section : sections)
+    figures.insert(figures.end(), section.figures.begin(), section.figures.end());
+  for (const SceneFigures& scene : scenes)
+    figures.insert(figures.end(), scene.figures.begin(), scene.figures.end());
+  draw_figures(folder, figures);
+  std::map<std::string, std::string> svgs;
+  for (const Figure& figure : figures) svgs[figure.name] = read_file(folder / (figure.name + ".svg"));
+  return svgs;
+}
+
+/// The run's name: that of its folder.
+std::string name_of(const fs::path& folder) {
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+std::string manifest_text(const fs::path& folder) {
+  const fs::path file = folder / "manifest.json";
+  return fs::exists(file) ? read_file(file) : std::string();
+}
+
+}  // namespace
+
+const std::vector<std::string>& report_formats() {
+  static const std::vector<std::string> formats{"md", "csv", "tex", "html"};
+  return formats;
+}
+
+std::vector<fs::path> write_report(const fs::path& folder, const Evaluation& evaluation,
+                                   const std::vector<std::string>& formats) {
+  const auto wants = [&](const char* format) {
+    return std::find(formats.begin(), formats.end(), format) != formats.end();
+  };
+  const std::vector<Section> sections = sections_of(evaluation);
+  std::vector<fs::path> files;
+  const auto write = [&](const fs::path& file, const std::string& text) {
+    write_whole(file, text);
+    files.push_back(file);
+  };
+  if (wants("md")) write(folder / "table.md", markdown_report(sections));
+  if (wants("csv")) {
+    write(folder / "table.csv", csv_report(evaluation));
+    write(folder / "measures.csv", measures_csv(evaluation));
+  }
+  if (!wants("tex") && !wants("html")) return files;
+  const std::vector<SceneFigures> scenes = figures_by_scene(evaluation);
+  const std::map<std::string, std::string> svgs = draw_all(folder / "figures", sections, scenes);
+  if (wants("tex")) {
+    fs::create_directories(folder / "tables");
+    for (const Section& section : sections)
+      write(folder / "tables" / (section.id + ".tex"), to_latex(section));
+  }
+  if (wants("html")) {
+    write(folder / "report.html", html_page(name_of(folder), facts_of_manifest(manifest_text(folder)),
+                                            evaluation, sections, scenes, svgs));
+  }
+  return files;
+}
+
+void write_tables_into(const fs::path& document, const fs::path& folder, const Evaluation& evaluation) {
+  write_whole(document, with_tables(read_file(document), name_of(folder), sections_of(evaluation)));
+}
+
+}  // namespace signorini

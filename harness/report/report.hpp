@@ -1,0 +1,36 @@
+#pragma once
+// What is written into the folder of a run: pure functions of what is in it.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "harness/report/evaluation.hpp"
+#include "harness/suite.hpp"
+
+namespace signorini {
+
+/// Formats of reports: "md", "csv", "tex", "html".
+const std::vector<std::string>& report_formats();
+
+/// Writes the report of a run in these formats, the same bytes whatever the order of the records:
+///
+/// - md: table.md
+/// - csv: table.csv, one row per record; measures.csv, one row per scene and method
+/// - tex: tables/SECTION.tex, and the figures
+/// - html: report.html, and the figures
+/// - figures: figures/NAME.{gp,dat,svg,pdf}
+///
+/// Returns the files that a reader opens. \throws UsageError if the folder cannot be written, or gnuplot,
+/// which draws figures, is missing
+std::vector<std::filesystem::path> write_report(const std::filesystem::path& folder,
+                                                const Evaluation& evaluation,
+                                                const std::vector<std::string>& formats);
+
+/// Brings the tables of a run that a document shows up to date; see `with_tables`. The run goes by the name
+/// of its folder. \throws UsageError
+void write_tables_into(const std::filesystem::path& document, const std::filesystem::path& folder,
+                       const Evaluation& evaluation);
+
+}  // namespace signorini

@@ -1,0 +1,20 @@
+#include <array>
+
+#include "harness/report/section.hpp"
+
+namespace signorini {
+
+std::vector<Section> sections_of(const Evaluation& evaluation) {
+  constexpr std::array<SectionMaker, 10> kMakers{
+      summary_sections, speed_sections, time_to_error_sections, mean_sections, pairwise_sections,
+      work_sections,    scene_sections, other_law_sections,     case_sections, remark_sections};
+  std::vector<Section> sections;
+  for (const SectionMaker make : kMakers) {
+    for (Section& section : make(evaluation)) {
+      if (!section.table.rows.empty()) sections.push_back(std::move(section));
+    }
+  }
+  return sections;
+}
+
+}  // namespace signorini

@@ -1,0 +1,31 @@
+# gnuplot sdof-stop-e08-other-laws.gp makes sdof-stop-e08-other-laws.svg and sdof-stop-e08-other-laws.pdf of sdof-stop-e08-other-laws.dat
+data = 'sdof-stop-e08-other-laws.dat'
+svg = "svg size 643,378 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 17.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded"
+do for [format in 'svg pdf'] {
+reset
+eval 'set terminal '.(format eq 'svg' ? svg : pdf)
+set output 'sdof-stop-e08-other-laws.'.format
+set logscale xy
+set format '10^{%T}'
+set xlabel 'time, set-up and solve [s]'
+set ylabel 'error of x, own law [-]'
+set xrange [5.08e-05:5.02e-01]
+set yrange [3.20e-13:2.84e-02]
+set grid back lc rgb '#cccccc' lw 0.5
+set border 3
+set tics nomirror
+set key outside right top vertical Left reverse samplen 3 spacing 1.2 noenhanced
+floor = 9.610478e-13  # ten error bars of the least certain orbit
+plot floor with lines lc rgb '#888888' dt 3 lw 1 title 'error bar x 10', \
+  data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
+  data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
+  keyentry with linespoints lc rgb '#0072B2' dt 1 lw 1.6 pt 5 title 'aft-hbm (e = 1)', \
+  data index 2 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
+  data index 3 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
+  keyentry with linespoints lc rgb '#E69F00' dt '..-' lw 1.6 pt 13 title 'fourier-lipschitz (e = 1)', \
+  data index 4 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 5 with points lc rgb '#000000' pt 5 ps 1.1 notitle, \
+  keyentry with linespoints lc rgb '#000000' dt '-' lw 1.6 pt 5 title 'penalty-hbm (e = 1)'
+unset output
+}
