@@ -24,7 +24,8 @@ int rounds_for(double first, const TimingBudget& budget);
 
 /// Least time of one call in one round [s]. Google Benchmark chooses how many calls the round has; a call's
 /// time is read within `timed`, which returns it, so that clean-up stays outside. A first call that alone
-/// fills a round is the round. \param first  time of the first call, already made
+/// fills a round is the round; where it barely does, a second call must do so too, for the first may only
+/// have been interrupted. \param first  time of the first call, already made
 double time_round(const std::string& name, const std::function<double()>& timed, double first,
                   const TimingBudget& budget);
 

@@ -24,7 +24,7 @@ void planning_ten_thousand_cases(benchmark::State& state) {
   const Runner runner(suite.limits);
   std::size_t cases = 0;
   for (auto _ : state) {
-    const Plan plan = make_plan(suite, narrowing, method_catalogue(), catalogue_scenes());
+    const Plan plan = make_plan(suite, narrowing, method_catalogue(), shipped_scenes());
     cases = planned_cases(plan, runner).size();
     benchmark::DoNotOptimize(take_shard(plan, {1, 8}, {}));
   }

@@ -43,6 +43,11 @@ TEST(TimeRound, CountsAFirstCallThatFillsTheRound) {
   EXPECT_EQ(calls, 0);
 }
 
+TEST(TimeRound, IsNotMisledByAFirstCallThatWasInterrupted) {
+  EXPECT_NEAR(time_round("test", [] { return 1e-3; }, 0.015, {.round_seconds = 0.01}), 1e-3, 1e-12);
+  EXPECT_EQ(time_round("test", [] { return 0.02; }, 0.03, {.round_seconds = 0.01}), 0.02);
+}
+
 TEST(RoundsFor, GivesSlowWorkFewerRoundsButNeverNone) {
   const TimingBudget budget{.rounds = 5, .round_seconds = 0.01, .total_seconds = 5.0};
   EXPECT_EQ(rounds_for(1e-6, budget), 5);
