@@ -32,6 +32,10 @@ std::vector<Section> sections_of(const Evaluation& evaluation);
 std::vector<Section> summary_sections(const Evaluation& evaluation);  ///< statuses per method
 std::vector<Section> speed_sections(const Evaluation& evaluation);    ///< medians per resolution
 
+// breakdown_sections.cpp: of runs with families
+std::vector<Section> breakdown_sections(
+    const Evaluation& evaluation);  ///< severest levels, false convergence
+
 // contest_sections.cpp: one section per contest
 std::vector<Section> time_to_error_sections(const Evaluation& evaluation);
 std::vector<Section> mean_sections(const Evaluation& evaluation);  ///< with the joint performance profile

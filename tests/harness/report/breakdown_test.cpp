@@ -1,0 +1,84 @@
+// Families in reports: the severest level solved, and claims of convergence.
+
+#include <gtest/gtest.h>
+
+#include "harness/report/section.hpp"
+#include "tests/harness/sample_records.hpp"
+
+namespace signorini {
+namespace {
+
+constexpr double kLevels[] = {0.1, 1e-2, 1e-4, 1e-6};
+
+Record at_level(int severity, const std::string& method, double error) {
+  const FamilyLevel family{.family = "grazing",
+                           .parameter = "excess [-]",
+                           .level = kLevels[severity - 1],
+                           .severity = severity,
+                           .levels = 4};
+  Record record = test::good_record("grazing@" + level_label(family.level), method, "n=10", error, 1.0);
+  record.family = family;
+  return record;
+}
+
+/// The cell of a method in the section of this id.
+std::string cell_of(const std::vector<Record>& records, const std::string& id, const std::string& method) {
+  const Evaluation evaluation(records);
+  for (const Section& section : breakdown_sections(evaluation)) {
+    if (section.id != id) continue;
+    for (std::size_t i = 0; i < section.table.header.size(); ++i) {
+      if (section.table.header[i] == method) return section.table.rows.at(0).at(i).text;
+    }
+  }
+  return "no such cell";
+}
+
+TEST(Breakdown, NamesTheSeverestLevelSolvedWithAllEasierOnes) {
+  const std::vector<Record> records{at_level(1, "m", 1e-4), at_level(2, "m", 1e-4), at_level(3, "m", 1e-2),
+                                    at_level(4, "m", 1e-4)};
+  EXPECT_EQ(cell_of(records, "breakdown-1e-01", "m"), "all");
+  EXPECT_EQ(cell_of(records, "breakdown-1e-03", "m"), "0.01 (3 of 4)");
+}
+
+TEST(Breakdown, DoesNotCountWhatIsNotCertified) {
+  std::vector<Record> records{at_level(1, "m", 1e-4), at_level(2, "m", 1e-4)};
+  records[0].certificate.status = CertificateStatus::uncertified;
+  EXPECT_EQ(cell_of(records, "breakdown-1e-01", "m"), "none (1 of 4)");
+  records[0] = at_level(1, "m", 1e-4);
+  records[0].status = Status::inaccurate;
+  EXPECT_EQ(cell_of(records, "breakdown-1e-01", "m"), "none (1 of 4)");
+}
+
+TEST(Breakdown, CountsALevelThatAnyResolutionSolves) {
+  std::vector<Record> records{at_level(1, "m", 0.5), at_level(1, "m", 1e-4)};
+  records[1].case_id += "finer";
+  EXPECT_EQ(cell_of(records, "breakdown-1e-03", "m"), "0.1");
+}
+
+TEST(Breakdown, MarksAMethodOfAnotherLaw) {
+  std::vector<Record> records{at_level(1, "m", 1e-4)};
+  records[0].law_matches_scene = false;
+  EXPECT_EQ(cell_of(records, "breakdown-1e-03", "m"), "0.1 ≠");
+}
+
+TEST(Breakdown, CountsClaimsThatTheHarnessRefutes) {
+  std::vector<Record> records{at_level(1, "m", 1e-4), at_level(2, "m", 1e-4), at_level(3, "m", 1e-4),
+                              at_level(4, "m", 1e-4)};
+  records[1].status = Status::inaccurate;
+  records[1].certificate.status = CertificateStatus::uncertified;
+  records[2].status = Status::not_converged;
+  const Evaluation evaluation(records);
+  const std::vector<Section> sections = breakdown_sections(evaluation);
+  ASSERT_EQ(sections.back().id, "false-convergence");
+  std::vector<std::string> row;
+  for (const Cell& cell : sections.back().table.rows.at(0)) row.push_back(cell.text);
+  EXPECT_EQ(row, (std::vector<std::string>{"m", "4", "3", "2", "1", "33.3 %"}));
+}
+
+TEST(Breakdown, IsLeftOutWhereThereAreNoFamilies) {
+  const Evaluation evaluation(test::records_of_every_status());
+  EXPECT_TRUE(breakdown_sections(evaluation).empty());
+}
+
+}  // namespace
+}  // namespace signorini
