@@ -74,8 +74,7 @@ ProjectedLaw penalty_law(const Problem& problem, const std::optional<Scaled>& pe
   } else if (stop != nullptr) {
     law.constant = Eigen::Map<const Eigen::VectorXd>(stop->stiffness.data(), problem.contact_count());
   } else {
-    law.constant =
-        penalty_multiple(problem, receptance.harmonics()) * highest_dynamic_stiffness(receptance);
+    law.constant = penalty_multiple(problem, receptance.harmonics()) * highest_dynamic_stiffness(receptance);
   }
   law.relief = Eigen::VectorXd::Zero(problem.contact_count());
   return law;
