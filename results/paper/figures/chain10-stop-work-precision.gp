@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [2.39e-05:1.24e+00]
+set xrange [2.93e-05:8.78e-01]
 set yrange [5.04e-13:4.88e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [3.69e-05:1.01e+00]
+set xrange [2.64e-05:7.07e-01]
 set yrange [1.57e-13:7.47e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

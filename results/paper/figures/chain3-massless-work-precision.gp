@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [3.42e-05:2.34e+01]
+set xrange [3.34e-05:1.00e+01]
 set yrange [1.76e-13:2.86e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

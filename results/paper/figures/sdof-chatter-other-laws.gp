@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x, own law [-]'
-set xrange [3.37e-04:3.04e+01]
+set xrange [2.79e-04:1.63e+01]
 set yrange [7.50e-13:1.96e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

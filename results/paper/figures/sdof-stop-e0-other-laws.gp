@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x, own law [-]'
-set xrange [5.27e-05:6.16e-01]
+set xrange [5.17e-05:4.76e-01]
 set yrange [3.20e-13:2.84e-02]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [7.85e-06:1.27e-01]
+set xrange [1.13e-05:4.58e-02]
 set yrange [1.02e-13:2.38e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x, own law [-]'
-set xrange [5.08e-05:5.02e-01]
+set xrange [7.11e-05:4.15e-01]
 set yrange [3.20e-13:2.84e-02]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [8.18e-06:3.62e-01]
+set xrange [9.13e-06:4.44e-01]
 set yrange [1.11e-13:5.54e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x, own law [-]'
-set xrange [5.88e-05:1.50e+00]
+set xrange [5.90e-05:9.16e-01]
 set yrange [8.50e-13:4.25e-02]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
