@@ -51,8 +51,7 @@ Suite suite_of(const std::string& body) {
 class MakePlan : public testing::Test {
  protected:
   std::filesystem::path folder_ = test::fresh_folder("plan");
-  std::vector<SceneSource> files_{write_scene(folder_, "alpha", "blue"),
-                                            write_scene(folder_, "beta", "red")};
+  std::vector<SceneSource> files_{write_scene(folder_, "alpha", "blue"), write_scene(folder_, "beta", "red")};
 
   [[nodiscard]] std::vector<std::string> ids(const Suite& suite, const Narrowing& narrowing = {}) const {
     std::vector<std::string> result;
