@@ -9,8 +9,8 @@
 
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
-#include "harness/record_store.hpp"
 #include "harness/rerun.hpp"
+#include "harness/runs/run_folder.hpp"
 
 namespace signorini {
 
@@ -28,7 +28,7 @@ void report(const ReportArguments& arguments) {
     throw UsageError(
         fmt::format("dir = {} (must be a folder with records.jsonl, as run writes it)", folder.string()));
   }
-  const Evaluation evaluation(read_records(folder / "records.jsonl"), limits_of_run(folder));
+  const Evaluation evaluation(read_current_records(folder), limits_of_run(folder));
   if (arguments.document) {
     write_tables_into(*arguments.document, folder, evaluation);
     fmt::print("{}\n", *arguments.document);

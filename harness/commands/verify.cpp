@@ -14,8 +14,8 @@
 #include "harness/manifest.hpp"
 #include "harness/orbit_comparison.hpp"
 #include "harness/progress.hpp"
-#include "harness/record_store.hpp"
 #include "harness/rerun.hpp"
+#include "harness/runs/run_folder.hpp"
 #include "harness/sha256.hpp"
 #include "harness/statistics.hpp"
 #include "harness/table.hpp"
@@ -203,7 +203,7 @@ int verify_records(const VerifyArguments& arguments, const fs::path& folder) {
     throw UsageError(fmt::format(
         "dir = {} (must be a folder of references to be updated; `signorini run` makes records anew)",
         folder.string()));
-  std::vector<Record> kept = read_records(folder / "records.jsonl");
+  std::vector<Record> kept = read_current_records(folder);
   const std::string filter = arguments.scenes.value_or("*");
   std::erase_if(kept, [&](const Record& record) { return !filter_matches(filter, record.scene); });
   Progress progress(kept.size());

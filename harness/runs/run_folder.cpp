@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <sstream>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "harness/failure.hpp"
@@ -28,7 +31,31 @@ std::vector<PlannedCase> read_plan(const fs::path& file) {
   return plan;
 }
 
+void read_plan_and_records(RunFolder& run) {
+  if (fs::exists(run.path / "plan.txt")) run.plan = read_plan(run.path / "plan.txt");
+  run.records = read_records(run.path / "records.jsonl");
+  set_stale_aside(run);
+}
+
+std::unordered_set<std::string> keys_that_count(const RunFolder& run) {
+  std::unordered_set<std::string> keys;
+  for (const PlannedCase& one : run.plan) keys.insert(one.key);
+  if (!keys.empty()) return keys;
+  std::unordered_map<std::string, std::string> last;  // by case
+  for (const Record& record : run.records) last[record.case_id] = record.key;
+  for (const auto& [case_id, key] : last) keys.insert(key);
+  return keys;
+}
+
 }  // namespace
+
+void set_stale_aside(RunFolder& run) {
+  const std::unordered_set<std::string> keys = keys_that_count(run);
+  const auto counts = [&](const Record& record) { return keys.contains(record.key); };
+  const auto stale = std::stable_partition(run.records.begin(), run.records.end(), counts);
+  run.stale.insert(run.stale.end(), std::move_iterator(stale), std::move_iterator(run.records.end()));
+  run.records.erase(stale, run.records.end());
+}
 
 RunFolder read_run(const fs::path& folder) {
   if (!fs::exists(folder / "manifest.json") || !fs::exists(folder / "records.jsonl")) {
@@ -42,9 +69,14 @@ RunFolder read_run(const fs::path& folder) {
     throw UsageError(fmt::format("{}: manifest = unreadable (must be one JSON object)",
                                  (folder / "manifest.json").string()));
   }
-  if (fs::exists(folder / "plan.txt")) run.plan = read_plan(folder / "plan.txt");
-  run.records = read_records(folder / "records.jsonl");
+  read_plan_and_records(run);
   return run;
+}
+
+std::vector<Record> read_current_records(const fs::path& folder) {
+  RunFolder run{.path = folder};
+  read_plan_and_records(run);
+  return std::move(run.records);
 }
 
 std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner) {

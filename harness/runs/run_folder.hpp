@@ -22,11 +22,19 @@ struct RunFolder {
   std::filesystem::path path = {};
   nlohmann::ordered_json manifest = {};
   std::vector<PlannedCase> plan = {};  ///< empty for runs of before there was a plan.txt
-  std::vector<Record> records = {};
+  std::vector<Record> records = {};    ///< those that count
+  std::vector<Record> stale = {};      ///< left over from other code, limits, options or scenes
 };
+
+/// Moves to `stale` what does not count: records of no case of the plan; where there is no plan, all but the
+/// last of each case.
+void set_stale_aside(RunFolder& run);
 
 /// \throws UsageError if it is no folder that a run wrote, or a file of it is unreadable
 RunFolder read_run(const std::filesystem::path& folder);
+
+/// Records of a folder that count; a manifest is not asked for. \throws UsageError if a file is unreadable
+std::vector<Record> read_current_records(const std::filesystem::path& folder);
 
 /// Cases of a plan with their keys, each key once.
 std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner);

@@ -31,21 +31,19 @@ void count(const Record& record, RunStatus& status) {
 
 RunStatus status_of(const RunFolder& run) {
   RunStatus status;
-  std::unordered_set<std::string> planned, present;
-  for (const PlannedCase& one : run.plan) planned.insert(one.key);
+  std::unordered_set<std::string> present;
   for (const Record& record : run.records) {
-    if (!planned.empty() && !planned.contains(record.key)) {
-      ++status.stale;
-      continue;
-    }
     present.insert(record.key);
     count(record, status);
   }
-  status.planned = planned.empty() ? present.size() : planned.size();
+  status.stale = run.stale.size();
+  status.planned = run.plan.empty() ? present.size() : run.plan.size();
   status.pending = status.planned - present.size();
   status.running = folder_in_use(run.path);
-  if (status.pending == 0 || run.records.empty()) return status;
-  const Durations durations(run.records);
+  std::vector<Record> known = run.stale;
+  known.insert(known.end(), run.records.begin(), run.records.end());  // the later one of a case counts
+  if (status.pending == 0 || known.empty()) return status;
+  const Durations durations(known);
   const double jobs = run.manifest.value("jobs", 1.0);
   double seconds = 0.0;
   for (const PlannedCase& one : run.plan) {

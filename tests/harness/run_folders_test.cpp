@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
 #include "harness/record_store.hpp"
@@ -86,6 +87,7 @@ TEST(StatusOf, CountsWhatIsDoneFailedPendingAndStale) {
   run.records[1].status = Status::crashed;
   run.records.pop_back();
   run.records[2].key = "of older code";
+  set_stale_aside(run);
   const RunStatus status = status_of(run);
   EXPECT_EQ(status.planned, 4U);
   EXPECT_EQ(status.converged, 1U);
@@ -126,6 +128,38 @@ TEST(ReadRun, RefusesWhatNoRunWrote) {
   EXPECT_NO_THROW(read_run(folder));
   std::ofstream(folder / "plan.txt") << "nonsense\n";
   EXPECT_THROW(read_run(folder), UsageError);
+}
+
+/// A folder with a record of older code and one of newer of n=1, and one of n=2.
+std::filesystem::path resumed_folder() {
+  const auto folder = test::fresh_folder("resumed");
+  std::ofstream(folder / "manifest.json") << "{}";
+  std::ofstream records(folder / "records.jsonl");
+  for (const auto& [resolution, key] : {std::pair{"n=1", "old"}, {"n=2", "other"}, {"n=1", "new"}}) {
+    Record record = test::good_record("s", "m", resolution, 0.1, 0.1);
+    record.key = key;
+    records << to_json(record).dump() << "\n";
+  }
+  return folder;
+}
+
+TEST(ReadRun, CountsTheLastRecordOfACaseWhereThereIsNoPlan) {
+  const RunFolder run = read_run(resumed_folder());
+  ASSERT_EQ(run.records.size(), 2U);
+  EXPECT_EQ(run.records[0].key, "other");
+  EXPECT_EQ(run.records[1].key, "new");
+  ASSERT_EQ(run.stale.size(), 1U);
+  EXPECT_EQ(run.stale[0].key, "old");
+  EXPECT_NO_THROW(merge_runs(std::vector{run}));
+}
+
+TEST(ReadRun, CountsOnlyRecordsOfThePlan) {
+  const auto folder = resumed_folder();
+  write_plan(folder, {{.key = "new", .case_id = "s/m[n=1]"}});
+  EXPECT_EQ(read_run(folder).stale.size(), 2U);
+  const std::vector<Record> records = read_current_records(folder);
+  ASSERT_EQ(records.size(), 1U);
+  EXPECT_EQ(records[0].key, "new");
 }
 
 TEST(WritePlan, IsReadAgain) {
