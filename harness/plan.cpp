@@ -8,6 +8,7 @@
 #include "harness/glob.hpp"
 #include "harness/sha256.hpp"
 #include "problems/scene_file.hpp"
+#include "problems/scene_matrices.hpp"
 
 namespace signorini {
 
@@ -69,9 +70,14 @@ Scene read_scene(const SceneSource& source) {
   const std::string name = source.file.string();
   const std::string text = read_file(source.file);
   // Read once, so that the hash is of what was parsed.
-  return {.problem = parse_scene(text, name, source.level),
-          .sha256 = sha256(source.level.empty() ? text : text + "@" + source.level),
-          .family = parse_header(text, name, source.level).family};
+  Scene scene{.problem = parse_scene(text, name, source.level),
+              .family = parse_header(text, name, source.level).family};
+  std::string identity = text;
+  if (scene.family) identity += "@" + level_label(scene.family->level);  // however the level was spelt
+  for (const std::filesystem::path& matrix : matrix_files(text, name, source.level))
+    identity += "\n" + sha256_of_file(matrix);
+  scene.sha256 = sha256(identity);
+  return scene;
 }
 
 Case make_case(const Scene& scene, std::size_t index, MethodChoice choice) {

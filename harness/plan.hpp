@@ -20,7 +20,7 @@ namespace signorini {
 /// A scene ready to run.
 struct Scene {
   Problem problem;
-  std::string sha256 = {};  ///< of the scene file's bytes; of one of a family, of them and its level
+  std::string sha256 = {};  ///< of the scene file, the level of one of a family, and its Matrix Market files
   std::optional<FamilyLevel> family = {};
 };
 

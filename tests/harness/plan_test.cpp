@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "harness/failure.hpp"
+#include "harness/sha256.hpp"
 #include "harness/suite.hpp"
 #include "problems/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
@@ -120,6 +121,27 @@ TEST(CaseKey, IsTheSameForADefaultThatIsSpeltOut) {
   const Case spelt = test::fake_case(scene, "good");
   const Case silent = make_case(scene, 0, {&test::fake_catalogue().front(), {}});
   EXPECT_EQ(case_key(scene, spelt, {}, "v"), case_key(scene, silent, {}, "v"));
+}
+
+TEST(ReadScene, HashesTheMatrixFilesThatTheSceneNames) {
+  const auto folder = test::fresh_folder("matrices");
+  const auto catalogue = problems_folder() / "catalogue";
+  for (const char* name : {"matrices-cantilever", "matrices-cantilever.toml"})
+    std::filesystem::copy(catalogue / name, folder / name, std::filesystem::copy_options::recursive);
+  const SceneSource source(folder / "matrices-cantilever.toml");
+  const std::string before = read_scene(source).sha256;
+  EXPECT_EQ(before, read_scene(catalogue / "matrices-cantilever.toml").sha256);
+  const auto stiffness = folder / "matrices-cantilever" / "K.mtx";
+  std::string text = read_file(stiffness);
+  text.replace(text.find("1 1 67199.99"), 12, "1 1 67198.99");
+  std::ofstream(stiffness) << text;
+  EXPECT_NE(before, read_scene(source).sha256);
+}
+
+TEST(ReadScene, HashesALevelTheSameHoweverItIsSpelt) {
+  const std::string label = load_levels(find_scene("grazing@1e-4").file).front();
+  EXPECT_EQ(read_scene(find_scene("grazing@1e-4")).sha256, read_scene(find_scene("grazing@0.0001")).sha256);
+  EXPECT_NE(read_scene(find_scene("grazing@1e-4")).sha256, read_scene(find_scene("grazing@" + label)).sha256);
 }
 
 struct BadSuite {
