@@ -42,9 +42,10 @@ bool apart(const TimePair& pair) {
   return pair.after.min > pair.before.median || pair.before.min > pair.after.median;
 }
 
+int rounds_of(const TimePair& pair) { return std::min(pair.before.repetitions, pair.after.repetitions); }
+
 double least_factor(const TimePair& pair) {
-  const bool many = std::min(pair.before.repetitions, pair.after.repetitions) >= kManyRounds;
-  return many ? kCaseFactor : kCaseFactorFewRounds;
+  return rounds_of(pair) >= kManyRounds ? kCaseFactor : kCaseFactorFewRounds;
 }
 
 /// Errors that no single case may fall below, since three rounds may agree by chance.
@@ -95,9 +96,11 @@ std::vector<TimeChange> judge_cases(std::span<const TimePair> pairs) {
   const double errors = normal_quantile(kFalseAlarm / static_cast<double>(pairs.size()));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const double own = std::hypot(relative_error(pairs[i].before), relative_error(pairs[i].after));
+    const double error = std::max(own, usual);
+    if (rounds_of(pairs[i]) < kFewestRounds || error == 0.0) continue;
     const double sure = changes[i].sure();
     if (std::abs(sure) < std::log(least_factor(pairs[i])) || !apart(pairs[i])) continue;
-    if (std::abs(changes[i].median) > errors * std::max(own, usual)) verdicts[i] = direction(sure);
+    if (std::abs(changes[i].median) > errors * error) verdicts[i] = direction(sure);
   }
   return verdicts;
 }

@@ -15,6 +15,9 @@ namespace signorini {
 inline constexpr double kCaseFactor = 1.10;
 inline constexpr double kCaseFactorFewRounds = 1.50;
 inline constexpr int kManyRounds = 5;
+/// Fewer rounds in a run, or rounds without any spread, say nothing of noise: no single case is judged by
+/// them.
+inline constexpr int kFewestRounds = 3;
 /// The same for a method as a whole.
 inline constexpr double kMethodFactor = 1.05;
 /// Probability that a comparison of a program with itself tells of a difference, all cases and methods taken
