@@ -369,7 +369,9 @@ Record record_from_json(const Json& json) {
     read_body(json, record);
     return record;
   } catch (const nlohmann::json::exception& error) {
-    throw BadRecord(error.what());
+    const std::string what = error.what();  // "[json.exception...] key 'case' not found"
+    throw BadRecord(fmt::format("record = unreadable (must be one as run writes it: {})",
+                                what.substr(what.find("] ") + 2)));
   }
 }
 
