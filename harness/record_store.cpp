@@ -139,7 +139,9 @@ RecordStore::RecordStore(const fs::path& folder, bool resume)
   if (fs::exists(file_) && !resume) fs::rename(file_, folder / "records.previous.jsonl", failure);
   if (!resume) fs::remove(unfinished_file_, failure);
   for (const Record& record : whole_records(file_)) keys_.insert(record.key);
-  for (Record& record : whole_records(unfinished_file_)) unfinished_.insert_or_assign(record.key, record);
+  for (Record& record : whole_records(unfinished_file_)) {
+    if (!contains(record.key)) unfinished_.insert_or_assign(record.key, record);
+  }
   records_ = open_to_append(file_);
   kept_ = open_to_append(unfinished_file_);
 }
@@ -156,6 +158,7 @@ void RecordStore::append(const Record& record) {
   if (!keys_.insert(record.key).second) return;
   write_line(records_, record, file_);
   if (fsync(records_) != 0) throw std::system_error(errno, std::generic_category(), file_.string());
+  std::erase_if(unfinished_, [&](const auto& kept) { return kept.second.case_id == record.case_id; });
 }
 
 void RecordStore::keep_unfinished(const Record& record) { write_line(kept_, record, unfinished_file_); }
@@ -168,6 +171,7 @@ std::optional<Record> RecordStore::unfinished(const std::string& key) const {
 void RecordStore::clear_unfinished() {
   if (ftruncate(kept_, 0) != 0)
     throw std::system_error(errno, std::generic_category(), unfinished_file_.string());
+  for (const auto& [key, record] : unfinished_) write_line(kept_, record, unfinished_file_);
 }
 
 }  // namespace signorini

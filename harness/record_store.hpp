@@ -40,7 +40,8 @@ class RecordStore {
   void keep_unfinished(const Record& record);
   /// What was kept of a case and is not complete; empty if nothing was.
   [[nodiscard]] std::optional<Record> unfinished(const std::string& key) const;
-  /// Forgets all that was kept: the records of those cases are complete.
+  /// Forgets what was kept of this run's cases, whose records are complete; of cases that it does not run the
+  /// rounds stay for a run that does. \throws std::system_error if the disk refuses
   void clear_unfinished();
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }

@@ -12,6 +12,7 @@
 #include "harness/manifest.hpp"
 #include "harness/report/markdown.hpp"
 #include "harness/report/report.hpp"
+#include "harness/runs/resume.hpp"
 #include "harness/runs/run_folder.hpp"
 #include "harness/runs/shards.hpp"
 #include "harness/suite.hpp"
@@ -51,15 +52,6 @@ void print_plan(const Plan& plan) {
   fmt::print(stderr, "{} cases on {} scenes\n", plan.cases.size(), plan.scenes.size());
 }
 
-/// Records of this plan, in its order.
-std::vector<Record> records_of(const Plan& plan, const Runner& runner, const RecordStore& store) {
-  std::unordered_set<std::string> keys;
-  for (const Case& run : plan.cases) keys.insert(runner.key_of(plan.scenes[run.scene], run));
-  std::vector<Record> records = read_records(store.file());
-  std::erase_if(records, [&](const Record& record) { return !keys.contains(record.key); });
-  return records;
-}
-
 Plan plan_of(const RunArguments& arguments, const Suite& suite) {
   Plan plan = make_plan(suite, arguments.narrowing, method_catalogue(), shipped_scenes());
   if (arguments.shard.empty()) return plan;
@@ -74,6 +66,18 @@ nlohmann::ordered_json manifest_of(const RunArguments& arguments, const Suite& s
   return manifest;
 }
 
+/// Manifest and plan, joined to those of a run that this one resumes. \throws UsageError if it cannot be
+/// resumed
+void describe_run(RunFolder run, bool resume) {
+  if (resume && std::filesystem::exists(run.path / "manifest.json")) {
+    const RunFolder before = read_run(run.path);
+    require_same_machine(before, run);
+    run.plan = joined_plan(before, run);
+  }
+  write_whole(run.path / "manifest.json", run.manifest.dump(2) + "\n");
+  write_plan(run.path, run.plan);
+}
+
 int run_suite(const RunArguments& arguments) {
   const Suite suite = load_suite(arguments.suite);
   const Plan plan = plan_of(arguments, suite);
@@ -85,8 +89,10 @@ int run_suite(const RunArguments& arguments) {
   Runner runner(limits_of(arguments, suite));
   if (arguments.waveforms) runner.keep_waveforms();
   RecordStore store(folder, arguments.resume);
-  write_whole(folder / "manifest.json", manifest_of(arguments, suite, runner.limits()).dump(2) + "\n");
-  write_plan(folder, planned_cases(plan, runner));
+  describe_run({.path = folder,
+                .manifest = manifest_of(arguments, suite, runner.limits()),
+                .plan = planned_cases(plan, runner)},
+               arguments.resume);
   if (!build_may_be_timed()) fmt::print(stderr, "this is not a Release build: no times are recorded\n");
   watch_interrupts();
   const CampaignResult result = run_campaign(plan, runner, store, arguments.turns);
@@ -96,7 +102,7 @@ int run_suite(const RunArguments& arguments) {
                result.ran + result.present, plan.cases.size(), folder.string());
     return kInterrupted;
   }
-  const std::vector<Record> records = records_of(plan, runner, store);
+  const std::vector<Record> records = read_current_records(folder);
   const Evaluation evaluation(records, runner.limits());
   write_report(folder, evaluation, {"md", "csv"});
   fmt::print("{}", markdown_report(sections_of(evaluation)));

@@ -28,8 +28,11 @@ std::vector<NamedStatus> read_statuses(const fs::path& folder) {
   std::vector<NamedStatus> statuses;
   if (!fs::exists(folder / "manifest.json") && fs::is_directory(folder)) {
     for (const auto& entry : fs::directory_iterator(folder)) {
-      if (fs::exists(entry.path() / "manifest.json") && fs::exists(entry.path() / "records.jsonl"))
-        statuses.push_back({entry.path().filename().string(), status_of(read_run(entry.path()))});
+      if (!fs::exists(entry.path() / "manifest.json") || !fs::exists(entry.path() / "records.jsonl"))
+        continue;
+      const RunFolder run = read_run(entry.path());
+      const bool merged = run.manifest.contains("shards");  // holds what the shards beside it hold
+      if (!merged) statuses.push_back({entry.path().filename().string(), status_of(run)});
     }
   }
   if (statuses.empty()) return {{folder.string(), status_of(read_run(folder))}};

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "harness/failure.hpp"
+#include "harness/runs/shards.hpp"
 #include "harness/table.hpp"
 
 namespace signorini {
@@ -78,12 +79,50 @@ void add_records(const RunFolder& part, std::map<std::string, std::string>& keys
   }
 }
 
+/// The shard that a manifest tells of, or of a merge those of its parts.
+std::vector<Shard> shards_of(const RunFolder& part) {
+  std::vector<Shard> shards;
+  const auto add = [&](const Json& manifest) {
+    if (manifest.contains("shard") && manifest["shard"].is_string())
+      shards.push_back(parse_shard(manifest["shard"].get<std::string>()));
+  };
+  add(part.manifest);
+  for (const Json& merged : at(part, "/shards")) add(merged);
+  return shards;
+}
+
+/// \throws UsageError unless the shards among the parts make up a whole
+void require_all_shards(std::span<const RunFolder> parts) {
+  std::set<int> present;
+  int count = 0;
+  for (const RunFolder& part : parts) {
+    for (const Shard& shard : shards_of(part)) {
+      if (count == 0) count = shard.count;
+      if (shard.count != count) {
+        throw UsageError(fmt::format("{}: shard = {}/{} (must be one of {}, as in {})", part.path.string(),
+                                     shard.index, shard.count, count, parts.front().path.string()));
+      }
+      present.insert(shard.index);
+    }
+  }
+  std::string missing;
+  for (int i = 1; i <= count; ++i) {
+    if (!present.contains(i)) missing += fmt::format("{}{}/{}", missing.empty() ? "" : ", ", i, count);
+  }
+  if (!missing.empty())
+    throw UsageError(fmt::format("dirs = without shard {} (must be all shards of a run)", missing));
+}
+
 }  // namespace
 
-bool same_machine(const RunFolder& a, const RunFolder& b) { return !first_difference(a, b, kMachine); }
+std::optional<std::string> machine_difference(const RunFolder& a, const RunFolder& b) {
+  return first_difference(a, b, kMachine);
+}
+
+bool same_machine(const RunFolder& a, const RunFolder& b) { return !machine_difference(a, b); }
 
 std::optional<std::string> mixture(const RunFolder& a, const RunFolder& b) {
-  if (auto found = first_difference(a, b, kMachine)) return found;
+  if (auto found = machine_difference(a, b)) return found;
   return first_difference(a, b, kRest);
 }
 
@@ -91,6 +130,7 @@ RunFolder merge_runs(std::span<const RunFolder> parts) {
   for (const RunFolder& part : parts) {
     if (const auto found = mixture(parts.front(), part)) throw UsageError(*found);
   }
+  require_all_shards(parts);
   RunFolder merged;
   merged.manifest = merged_manifest(parts);
   std::map<std::string, std::string> keys;

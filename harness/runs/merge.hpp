@@ -15,8 +15,12 @@ std::optional<std::string> mixture(const RunFolder& a, const RunFolder& b);
 /// Same processor, number of processors and governor.
 bool same_machine(const RunFolder& a, const RunFolder& b);
 
+/// How the machines differ, in the same words.
+std::optional<std::string> machine_difference(const RunFolder& a, const RunFolder& b);
+
 /// All records once, in natural order of their names; the plans joined; the first manifest with the date,
-/// command line and load of each part. \throws UsageError if two of them do not mix
+/// command line and load of each part. \throws UsageError if two of them do
+/// not mix, or a shard is missing
 RunFolder merge_runs(std::span<const RunFolder> parts);
 
 }  // namespace signorini

@@ -195,6 +195,15 @@ TEST(CommandLine, RunsASuiteReportsAndResumesIt) {
   EXPECT_EQ(read_file(folder / "records.jsonl"), records);
   EXPECT_NE(again.out.find("0 cases run, 2 already there"), std::string::npos);
 
+  const Outcome narrower = run(command + " --resume --scenes sdof-stop --methods 'hat-lcp[samples=64]'");
+  EXPECT_EQ(narrower.code, 2) << "an option given twice";
+  EXPECT_EQ(
+      run("run smoke --scenes sdof-stop --methods 'hat-lcp[samples=64]' --resume --out " + folder.string())
+          .code,
+      0);
+  EXPECT_EQ(Json::parse(run("status --json " + folder.string()).out)[0]["planned"], 2);
+  EXPECT_EQ(read_file(folder / "table.md"), table);
+
   EXPECT_EQ(run("report " + folder.string()).code, 0);
   EXPECT_EQ(read_file(folder / "table.md"), table);
   EXPECT_EQ(read_file(folder / "table.csv"), csv);
@@ -358,6 +367,9 @@ TEST(CommandLine, RunsShardsThatMergeToTheWholeRun) {
     ASSERT_NE(same, all.end()) << record.case_id;
     EXPECT_EQ(same->errors.x_l2, record.errors.x_l2);
   }
+  EXPECT_EQ(run(fmt::format("merge {0}/shards/shard-1 {0}/shards/shard-2 --out {0}/part", out)).code, 2);
+  EXPECT_EQ(run(merge.substr(0, merge.rfind(' ')) + " " + out + "/shards/merged").code, 0)
+      << "beside the shards, as submit does";
   EXPECT_EQ(run(merge.substr(0, merge.rfind(' ')) + " " + out + "/whole").code, 2)
       << "a run is not written over";
 

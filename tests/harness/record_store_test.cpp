@@ -103,8 +103,16 @@ TEST_F(RecordStores, KeepTheLastOfWhatIsUnfinishedForTheNextRun) {
     EXPECT_EQ(store.unfinished(record.key).value().message, "later");
     EXPECT_FALSE(store.contains(record.key));
     EXPECT_FALSE(store.unfinished("another").has_value());
+    store.append(test::good_record("s", "m", "n=2", 0.1, 0.1));
     store.clear_unfinished();
   }
+  EXPECT_EQ(RecordStore(folder_, true).unfinished(record.key).value().message, "later") << "not run yet";
+  {
+    RecordStore store(folder_, true);
+    store.append(record);
+    store.clear_unfinished();
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "unfinished.jsonl"));
   EXPECT_FALSE(RecordStore(folder_, true).unfinished(record.key).has_value());
 }
 

@@ -6,6 +6,7 @@
 #include "harness/failure.hpp"
 #include "harness/record_store.hpp"
 #include "harness/runs/merge.hpp"
+#include "harness/runs/resume.hpp"
 #include "harness/runs/status.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
@@ -78,6 +79,46 @@ TEST(MergeRuns, RefusesOneCaseOfTwoVersions) {
   second.records[0].key = "another";
   const std::vector<RunFolder> parts{part("a", {"n=1"}), second};
   EXPECT_THROW(merge_runs(parts), UsageError);
+}
+
+TEST(MergeRuns, RefusesAnIncompleteOrMixedSetOfShards) {
+  std::vector<RunFolder> parts{part("a", {"n=1"}), part("b", {"n=2"})};
+  parts[0].manifest["shard"] = "1/3";
+  parts[1].manifest["shard"] = "2/3";
+  try {
+    merge_runs(parts);
+    ADD_FAILURE() << "must be refused";
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("without shard 3/3 (must"), std::string::npos) << error.what();
+  }
+  parts.push_back(part("c", {}));
+  parts[2].manifest["shard"] = "3/4";
+  EXPECT_THROW(merge_runs(parts), UsageError);
+  parts[2].manifest["shard"] = "3/3";
+  const RunFolder merged = merge_runs(parts);
+  EXPECT_EQ(merged.records.size(), 2U);
+  EXPECT_NO_THROW(merge_runs(std::vector{merged}));
+}
+
+TEST(JoinedPlan, KeepsTheCasesThatANarrowerRunLeavesOut) {
+  const RunFolder before = part("a", {"n=1", "n=2"});
+  RunFolder now = part("a", {"n=2"});
+  ASSERT_EQ(joined_plan(before, now).size(), 2U);
+  EXPECT_EQ(joined_plan(before, now)[1].case_id, "s/m[n=1]");
+  now.plan[0].key = "of a changed scene";
+  ASSERT_EQ(joined_plan(before, now).size(), 2U);
+  EXPECT_EQ(joined_plan(before, now)[0].key, "of a changed scene");
+  now.manifest["limits"]["timeout_s"] = 2.0;
+  EXPECT_EQ(joined_plan(before, now).size(), 1U);
+}
+
+TEST(RequireSameMachine, RefusesAnotherOne) {
+  const RunFolder before = part("a", {"n=1"});
+  RunFolder now = before;
+  now.manifest["limits"]["timeout_s"] = 2.0;
+  EXPECT_NO_THROW(require_same_machine(before, now));
+  now.manifest["machine"]["cpu"] = "y";
+  EXPECT_THROW(require_same_machine(before, now), UsageError);
 }
 
 TEST(StatusOf, CountsWhatIsDoneFailedPendingAndStale) {
