@@ -29,9 +29,9 @@ struct Contents {
   std::size_t whole_bytes = 0;  // up to the end of the last whole line
 };
 
-std::optional<Record> parse_line(const std::string& line, const fs::path& file, std::size_t number) {
+Record parse_line(const std::string& line, const fs::path& file, std::size_t number) {
   const Json json = Json::parse(line, nullptr, false);
-  if (json.is_discarded()) {
+  if (!json.is_object()) {
     throw UsageError(
         fmt::format("{}:{}: record = unreadable (must be one JSON object)", file.string(), number));
   }
@@ -50,7 +50,7 @@ Contents read_contents(const fs::path& file) {
   for (std::size_t number = 1; true; ++number) {
     const std::size_t end = text.find('\n', begin);
     if (end == std::string::npos) break;
-    if (end > begin) contents.records.push_back(*parse_line(text.substr(begin, end - begin), file, number));
+    if (end > begin) contents.records.push_back(parse_line(text.substr(begin, end - begin), file, number));
     begin = end + 1;
   }
   contents.whole_bytes = begin;

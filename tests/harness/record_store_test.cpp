@@ -68,12 +68,17 @@ TEST_F(RecordStores, KeepTheOldRecordsOfARunThatStartsAnew) {
 
 TEST_F(RecordStores, NameTheLineThatIsNoRecord) {
   write(false, {"n=1"});
-  std::ofstream(file_, std::ios::app) << "{\"schema\": 1}\n";
-  try {
-    read_records(file_);
-    FAIL() << "must be refused";
-  } catch (const UsageError& error) {
-    EXPECT_NE(std::string(error.what()).find("records.jsonl:2:"), std::string::npos) << error.what();
+  const std::string good = read_file(file_);
+  for (const char* line : {"{\"schema\": 1}", "3", "null", "{ torn"}) {
+    std::ofstream(file_) << good << line << "\n";
+    try {
+      read_records(file_);
+      ADD_FAILURE() << line << " must be refused";
+    } catch (const UsageError& error) {
+      const std::string what = error.what();
+      EXPECT_NE(what.find("records.jsonl:2: record = unreadable (must be"), std::string::npos) << what;
+      EXPECT_EQ(what.find("json.exception"), std::string::npos) << what;
+    }
   }
   EXPECT_THROW(RecordStore(folder_, true), UsageError);
 }
