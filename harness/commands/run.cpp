@@ -34,10 +34,20 @@ struct RunArguments {
   std::optional<int> memory_mb;
   std::optional<int> repetitions;
   Turns turns;
-  std::string shard;
+  std::optional<std::string> shard;
   std::string durations;
   std::vector<std::string> words;  // the command line
 };
+
+/// CLI11 would wrap a negative number around.
+std::string not_negative(const std::string& text) {
+  return text.starts_with('-') ? fmt::format("seed = {} (must be 0 or more)", text) : std::string();
+}
+
+/// CLI11 would take an empty word for an option left out.
+std::string not_empty(const std::string& text) {
+  return text.empty() ? "shard = '' (must be I/N with 1 <= I <= N)" : std::string();
+}
 
 Limits limits_of(const RunArguments& arguments, const Suite& suite) {
   Limits limits = suite.limits;
@@ -54,15 +64,15 @@ void print_plan(const Plan& plan) {
 
 Plan plan_of(const RunArguments& arguments, const Suite& suite) {
   Plan plan = make_plan(suite, arguments.narrowing, method_catalogue(), shipped_scenes());
-  if (arguments.shard.empty()) return plan;
+  if (!arguments.shard) return plan;
   Durations durations;
   if (!arguments.durations.empty()) durations = Durations(read_run(arguments.durations).records);
-  return take_shard(plan, parse_shard(arguments.shard), durations);
+  return take_shard(plan, parse_shard(*arguments.shard), durations);
 }
 
 nlohmann::ordered_json manifest_of(const RunArguments& arguments, const Suite& suite, const Limits& limits) {
   nlohmann::ordered_json manifest = make_manifest(suite, limits, arguments.turns, arguments.words);
-  if (!arguments.shard.empty()) manifest["shard"] = arguments.shard;
+  if (arguments.shard) manifest["shard"] = *arguments.shard;
   return manifest;
 }
 
@@ -137,6 +147,7 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
   command->add_flag("--waveforms", arguments->waveforms,
                     "keep the motions in the records, for the figures of report; doubles their size");
   command->add_option("--seed", arguments->turns.seed, "of the order of cases, a Latin square for each scene")
+      ->check(not_negative)
       ->capture_default_str();
   command
       ->add_option(
@@ -151,12 +162,16 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
           "such runs on this machine at the same time, this one included: their times are marked likewise")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  auto* shard =
+      command
+          ->add_option("--shard", arguments->shard,
+                       "I/N: only part I of N, all methods of a scene in one part; merge joins them")
+          ->check(not_empty)
+          ->type_name("I/N");
   command
-      ->add_option("--shard", arguments->shard,
-                   "I/N: only part I of N, all methods of a scene in one part; merge joins them")
-      ->type_name("I/N");
-  command->add_option("--durations", arguments->durations,
-                      "folder of an earlier run whose times balance the shards; the same for all of them");
+      ->add_option("--durations", arguments->durations,
+                   "folder of an earlier run whose times balance the shards; the same for all of them")
+      ->needs(shard);
   command->add_flag("--dry-run", arguments->dry_run, "print the plan, one case per line, and run nothing");
   command->callback([arguments, &exit_code] { exit_code = run_suite(*arguments); });
 }

@@ -64,7 +64,8 @@ Json to_json(const NamedStatus& one) {
             {"stale", s.stale},
             {"running", s.running}};
   if (s.remaining_seconds) json["remaining_s"] = *s.remaining_seconds;
-  json["failures"] = s.failures;
+  json["failures"] = Json::array();
+  for (const Failure& failure : s.failures) json["failures"].push_back(failure.case_id);
   return json;
 }
 
@@ -79,7 +80,8 @@ void print_table(const std::vector<NamedStatus>& statuses) {
                           rest_text(s)});
   }
   fmt::print("{}", to_markdown(table));
-  for (const std::string& failure : statuses.back().status.failures) fmt::print("failed: {}\n", failure);
+  for (const Failure& failure : statuses.back().status.failures)
+    fmt::print("{}: {}\n", status_name(failure.status), failure.case_id);
 }
 
 int status(const std::string& folder, bool json) {

@@ -29,10 +29,8 @@ int shell(const std::string& command) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : kInternalError;
 }
 
-/// Lets `run` itself judge the words that are for it: what it refuses must not come to light on a cluster.
-int check_run_words(const Submission& submission) {
-  std::string command = shell_word(submission.program.string()) + " run";
-  for (const std::string& word : submission.run_words) command += " " + shell_word(word);
+/// Lets `run` itself judge the command of a shard: what it refuses must not come to light on a cluster.
+int check_run_command(const std::string& command) {
   return shell(command + " --dry-run 2>&1 >/dev/null | grep -v ' cases on ' >&2; " + command +
                " --dry-run >/dev/null 2>&1");
 }
@@ -42,21 +40,28 @@ struct Script {
   std::string text;
 };
 
-int submit(SubmitArguments& arguments, const std::vector<std::string>& run_words, const std::string& launcher,
-           std::vector<Script> (*scripts_of)(const Submission&)) {
+/// What starts the shards, and how.
+struct Launcher {
+  std::string program;
+  std::string (*run_command)(const Submission&, const std::string& index);
+  std::vector<Script> (*scripts)(const Submission&);
+};
+
+int submit(SubmitArguments& arguments, const std::vector<std::string>& run_words, const Launcher& launcher) {
   Submission& submission = arguments.submission;
   submission.program = fs::read_symlink("/proc/self/exe");
   submission.folder = fs::absolute(arguments.folder).lexically_normal();
   submission.run_words = run_words;
-  if (const int refused = check_run_words(submission); refused != kDone) return refused;
-  const std::vector<Script> scripts = scripts_of(submission);
+  if (const int refused = check_run_command(launcher.run_command(submission, "1")); refused != kDone)
+    return refused;
+  const std::vector<Script> scripts = launcher.scripts(submission);
   if (arguments.dry_run) {
     for (const Script& script : scripts)
       fmt::print("# {}/{}\n{}\n", arguments.folder, script.name, script.text);
     return kDone;
   }
-  if (shell("command -v " + launcher + " >/dev/null") != 0)
-    throw UsageError(fmt::format("launcher = {} (must be installed)", launcher));
+  if (shell("command -v " + launcher.program + " >/dev/null") != 0)
+    throw UsageError(fmt::format("launcher = {} (must be installed)", launcher.program));
   std::error_code failure;
   fs::create_directories(submission.folder, failure);
   for (const Script& script : scripts) write_whole(submission.folder / script.name, script.text);
@@ -103,7 +108,7 @@ void add_submit_command(CLI::App& app, int& exit_code) {
                    "an option of sbatch, as --sbatch=--time=60; repeatable")
       ->allow_extra_args(false);
   slurm->callback([slurm, array, &exit_code] {
-    exit_code = submit(*array, slurm->remaining(), "sbatch", slurm_scripts);
+    exit_code = submit(*array, slurm->remaining(), {"sbatch", slurm_run_command, slurm_scripts});
   });
   auto* parallel =
       command->add_subcommand("parallel", "Shards by GNU parallel on this machine, then the merge.");
@@ -114,7 +119,7 @@ void add_submit_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   parallel->callback([parallel, tasks, &exit_code] {
-    exit_code = submit(*tasks, parallel->remaining(), "parallel", parallel_scripts);
+    exit_code = submit(*tasks, parallel->remaining(), {"parallel", parallel_run_command, parallel_scripts});
   });
 }
 

@@ -24,7 +24,7 @@ void count(const Record& record, RunStatus& status) {
     default:
       ++status.failed;
   }
-  status.failures.push_back(record.case_id);
+  status.failures.push_back({.case_id = record.case_id, .status = record.status});
 }
 
 }  // namespace

@@ -14,12 +14,6 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-/// The command of one shard; `index` is what the shell replaces by its number.
-std::string run_command(const Submission& s, const std::string& index) {
-  return fmt::format("{} run{} --resume --shard {}/{} --out {}/shard-{}", shell_word(s.program.string()),
-                     joined(s.run_words), index, s.shards, shell_word(s.folder.string()), index);
-}
-
 std::string merge_command(const Submission& s) {
   return fmt::format("{} merge {}/shard-* --out {}/merged", shell_word(s.program.string()),
                      shell_word(s.folder.string()), shell_word(s.folder.string()));
@@ -38,6 +32,15 @@ std::string shell_word(const std::string& text) {
   return quoted + "'";
 }
 
+std::string slurm_run_command(const Submission& s, const std::string& index) {
+  return fmt::format("{} run{} --resume --shard {}/{} --out {}/shard-{}", shell_word(s.program.string()),
+                     joined(s.run_words), index, s.shards, shell_word(s.folder.string()), index);
+}
+
+std::string parallel_run_command(const Submission& s, const std::string& index) {
+  return fmt::format("{} --beside {}", slurm_run_command(s, index), s.at_once);
+}
+
 std::string slurm_array_script(const Submission& s) {
   std::string header = fmt::format(
       "#!/bin/sh\n#SBATCH --job-name=signorini\n#SBATCH --array=1-{}\n#SBATCH --requeue\n"
@@ -49,7 +52,7 @@ std::string slurm_array_script(const Submission& s) {
       "{}# Requeued after the loss of a node, a task resumes; cases that fail are records, not failures of "
       "the task.\n"
       "{}\nstatus=$?\n[ \"$status\" -le 1 ] && exit 0\nexit \"$status\"\n",
-      header, run_command(s, "\"$SLURM_ARRAY_TASK_ID\""));
+      header, slurm_run_command(s, "\"$SLURM_ARRAY_TASK_ID\""));
 }
 
 std::string slurm_merge_script(const Submission& s) {
@@ -74,7 +77,7 @@ std::string parallel_script(const Submission& s) {
   std::vector<std::string> numbers;
   for (int i = 1; i <= s.shards; ++i) numbers.push_back(std::to_string(i));
   // Cases that fail are records: exit code 1 is no reason to stop.
-  const std::string run = fmt::format("{} --beside {} || [ $? -eq 1 ]", run_command(s, "{}"), s.at_once);
+  const std::string run = parallel_run_command(s, "{}") + " || [ $? -eq 1 ]";
   return fmt::format("#!/bin/sh\nset -eu\nparallel --jobs {} --joblog {}/parallel.log {} ::: {}\nexec {}\n",
                      s.at_once, shell_word(s.folder.string()), shell_word(run), fmt::join(numbers, " "),
                      merge_command(s));

@@ -17,6 +17,12 @@ struct Submission {
   std::vector<std::string> sbatch_words = {};  ///< further options of sbatch, as "--time=60"
 };
 
+/// The command of one shard in the job array; `index` is its number, or what the shell replaces by it.
+std::string slurm_run_command(const Submission& submission, const std::string& index);
+
+/// The same of a shard that GNU parallel starts.
+std::string parallel_run_command(const Submission& submission, const std::string& index);
+
 /// A job array with one task for each shard; a task that is requeued resumes. Tasks take whole nodes unless
 /// `sbatch_words` say otherwise, so that nothing else disturbs their times.
 std::string slurm_array_script(const Submission& submission);

@@ -195,8 +195,6 @@ TEST(CommandLine, RunsASuiteReportsAndResumesIt) {
   EXPECT_EQ(read_file(folder / "records.jsonl"), records);
   EXPECT_NE(again.out.find("0 cases run, 2 already there"), std::string::npos);
 
-  const Outcome narrower = run(command + " --resume --scenes sdof-stop --methods 'hat-lcp[samples=64]'");
-  EXPECT_EQ(narrower.code, 2) << "an option given twice";
   EXPECT_EQ(
       run("run smoke --scenes sdof-stop --methods 'hat-lcp[samples=64]' --resume --out " + folder.string())
           .code,
@@ -455,6 +453,24 @@ TEST(CommandLine, PrintsTheScriptsOfASubmissionAndWritesNone) {
   EXPECT_NE(outcome.out.find("--array=1-3"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("--scenes 'sdof*'"), std::string::npos) << outcome.out;
   EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(CommandLine, RefusesASubmissionWhoseShardsCouldNotStart) {
+  const std::string out = (test::fresh_folder("refused") / "not-made").string();
+  for (const char* words : {"--out elsewhere", "--shard 1/2", "--timeout never"}) {
+    const Outcome outcome = run("submit slurm " + out + " --shards 2 --dry-run smoke " + words);
+    EXPECT_EQ(outcome.code, 2) << words;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+  EXPECT_EQ(run("submit parallel " + out + " --shards 2 --dry-run smoke --beside 2").code, 2);
+}
+
+TEST(CommandLine, RefusesASeedAShardAndDurationsThatMeanNothing) {
+  for (const char* words : {"--seed -1", "--shard ''", "--durations nope"}) {
+    const Outcome outcome = run(std::string("run smoke --dry-run ") + words);
+    EXPECT_EQ(outcome.code, 2) << words;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
 }
 
 TEST(CommandLine, RunsShardsByGnuParallel) {

@@ -133,7 +133,9 @@ TEST(StatusOf, CountsWhatIsDoneFailedPendingAndStale) {
   EXPECT_EQ(status.planned, 4U);
   EXPECT_EQ(status.converged, 1U);
   EXPECT_EQ(status.failed, 1U);
-  EXPECT_EQ(status.failures, (std::vector<std::string>{"s/m[n=2]"}));
+  ASSERT_EQ(status.failures.size(), 1U);
+  EXPECT_EQ(status.failures[0].case_id, "s/m[n=2]");
+  EXPECT_EQ(status.failures[0].status, Status::crashed);
   EXPECT_EQ(status.pending, 2U);
   EXPECT_EQ(status.stale, 1U);
   EXPECT_FALSE(status.running);
