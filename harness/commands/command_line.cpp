@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include "harness/build_info.hpp"
 #include "harness/failure.hpp"
@@ -31,6 +32,12 @@ std::string version_text() {
 int complain(const std::exception& error, int code) {
   fmt::print(stderr, "{}\n", error.what());
   return code;
+}
+
+/// A file or folder that is there in another kind than needed, or that must not be read or written.
+int complain_of_file(const std::filesystem::filesystem_error& error) {
+  fmt::print(stderr, "path = {} (must be usable: {})\n", error.path1().string(), error.code().message());
+  return kBadUsage;
 }
 
 /// The command line cannot be read: one line that says why.
@@ -99,6 +106,8 @@ int run_command_line(int argc, char** argv) {
     return complain(error, kBadUsage);
   } catch (const InvalidOption& error) {
     return complain(error, kBadUsage);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return complain_of_file(error);
   } catch (const std::exception& error) {
     fmt::print(stderr, "internal error: {}\n", error.what());
     return kInternalError;
