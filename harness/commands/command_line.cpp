@@ -40,12 +40,18 @@ int complain_of_file(const std::filesystem::filesystem_error& error) {
   return kBadUsage;
 }
 
+/// "signorini submit slurm": the program with the commands that were read.
+std::string command_path(const CLI::App& app) {
+  const std::vector<CLI::App*> read = app.get_subcommands();
+  return app.get_name() + (read.empty() ? "" : " " + command_path(*read.front()));
+}
+
 /// The command line cannot be read: one line that says why.
 int complain_usage(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
   std::string line = error.what();
   line = line.substr(0, line.find('\n'));
-  fmt::print(stderr, "{} (see `signorini --help`)\n", line);
+  fmt::print(stderr, "{} (see `{} --help`)\n", line, command_path(app));
   return kBadUsage;
 }
 

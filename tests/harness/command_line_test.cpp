@@ -463,6 +463,17 @@ TEST(CommandLine, DescribesEveryOptionToShellsAndToMan) {
   }
 }
 
+TEST(CommandLine, PointsToTheHelpOfTheCommandThatWasMisused) {
+  EXPECT_TRUE(run("run quick --no-such").err.ends_with("(see `signorini run --help`)\n"));
+  EXPECT_TRUE(run("submit slurm out").err.ends_with("(see `signorini submit slurm --help`)\n"));
+}
+
+TEST(CommandLine, OrdersTheManualAsOneReadsIt) {
+  const std::string man = run("man").out;
+  EXPECT_LT(man.find(".SS submit\n"), man.find(".SS submit slurm\n"));
+  EXPECT_NE(man.find("\nAll other words are those of `signorini run`"), std::string::npos);
+}
+
 TEST(CommandLine, CompletesInBash) {
   const auto folder = test::fresh_folder("completion");
   std::ofstream(folder / "signorini.bash") << run("completion bash").out;
