@@ -29,13 +29,14 @@ std::vector<double> read_levels(const SceneField& family) {
 TomlNode* follow(TomlNode& document, std::string_view path) {
   TomlNode* node = &document;
   while (node != nullptr && !path.empty()) {
-    const PathStep step = take_step(path);
-    if (!step.index) {
-      node = const_cast<TomlNode*>(std::as_const(*node).find(step.key));
+    const std::optional<PathStep> step = take_step(path);
+    if (!step) return nullptr;
+    if (!step->index) {
+      node = const_cast<TomlNode*>(std::as_const(*node).find(step->key));
       continue;
     }
     auto* array = std::get_if<TomlArray>(&node->value);
-    node = array != nullptr && *step.index < array->size() ? &(*array)[*step.index] : nullptr;
+    node = array != nullptr && *step->index < array->size() ? &(*array)[*step->index] : nullptr;
   }
   return node;
 }

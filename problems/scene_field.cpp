@@ -31,8 +31,9 @@ SceneField SceneField::item(std::size_t index) const {
 SceneField SceneField::at(std::string_view path) const {
   SceneField field = *this;
   while (!path.empty()) {
-    const PathStep step = take_step(path);
-    field = step.index ? field.item(*step.index) : field[step.key];
+    const std::optional<PathStep> step = take_step(path);
+    if (!step) return field[path];
+    field = step->index ? field.item(*step->index) : field[step->key];
   }
   return field;
 }

@@ -124,20 +124,21 @@ TomlNode parse_toml(std::string_view text) {
   }
 }
 
-PathStep take_step(std::string_view& path) {
-  PathStep step;
-  if (path.front() == '[') {
-    std::size_t index = 0;
-    std::from_chars(path.data() + 1, path.data() + path.size(), index);
-    step.index = index;
-    path.remove_prefix(std::min(path.size(), path.find(']')));
-    if (!path.empty()) path.remove_prefix(1);
-  } else {
+std::optional<PathStep> take_step(std::string_view& path) {
+  if (path.front() != '[') {
     if (path.front() == '.') path.remove_prefix(1);
-    step.key = path.substr(0, path.find_first_of(".["));
-    path.remove_prefix(step.key.size());
+    const std::string_view key = path.substr(0, path.find_first_of(".["));
+    path.remove_prefix(key.size());
+    return PathStep{.key = key};
   }
-  return step;
+  std::size_t index = 0;
+  const char* end = path.data() + path.size();
+  const auto [rest, failure] = std::from_chars(path.data() + 1, end, index);
+  if (failure != std::errc{} || rest == end || *rest != ']') return std::nullopt;
+  const std::string_view after(rest + 1, end);
+  if (!after.empty() && after.front() != '.' && after.front() != '[') return std::nullopt;
+  path = after;
+  return PathStep{.index = index};
 }
 
 std::string print(const TomlNode& node) {

@@ -53,8 +53,9 @@ struct PathStep {
   std::optional<std::size_t> index = {};
 };
 
-/// Takes the first step off a path that is not empty.
-PathStep take_step(std::string_view& path);
+/// Takes the first step off a path that is not empty; none, the path as it was, where it begins with a
+/// malformed index: "[x]", "[0", "[0]gap".
+std::optional<PathStep> take_step(std::string_view& path);
 
 /// The value on one line as a message shows it: strings quoted, control characters escaped, long ones cut.
 std::string print(const TomlNode& node);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include "harness/build_info.hpp"
 #include "harness/failure.hpp"
@@ -33,12 +34,24 @@ int complain(const std::exception& error, int code) {
   return code;
 }
 
+/// A file or folder that is there in another kind than needed, or that must not be read or written.
+int complain_of_file(const std::filesystem::filesystem_error& error) {
+  fmt::print(stderr, "path = {} (must be usable: {})\n", error.path1().string(), error.code().message());
+  return kBadUsage;
+}
+
+/// "signorini submit slurm": the program with the commands that were read.
+std::string command_path(const CLI::App& app) {
+  const std::vector<CLI::App*> read = app.get_subcommands();
+  return app.get_name() + (read.empty() ? "" : " " + command_path(*read.front()));
+}
+
 /// The command line cannot be read: one line that says why.
 int complain_usage(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
   std::string line = error.what();
   line = line.substr(0, line.find('\n'));
-  fmt::print(stderr, "{} (see `signorini --help`)\n", line);
+  fmt::print(stderr, "{} (see `{} --help`)\n", line, command_path(app));
   return kBadUsage;
 }
 
@@ -99,6 +112,8 @@ int run_command_line(int argc, char** argv) {
     return complain(error, kBadUsage);
   } catch (const InvalidOption& error) {
     return complain(error, kBadUsage);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return complain_of_file(error);
   } catch (const std::exception& error) {
     fmt::print(stderr, "internal error: {}\n", error.what());
     return kInternalError;

@@ -16,15 +16,22 @@ struct Page {
   const CLI::App* command;
 };
 
-/// Deepest first, so that "submit slurm" is met before "submit".
+/// As people read them, "submit" before "submit slurm".
 std::vector<Page> pages(const CLI::App& app, const std::string& path = "") {
   std::vector<Page> found;
   for (const CLI::App* command : app.get_subcommands({})) {
     const std::string name = path.empty() ? command->get_name() : path + " " + command->get_name();
+    found.push_back({name, command});
     const std::vector<Page> inner = pages(*command, name);
     found.insert(found.end(), inner.begin(), inner.end());
-    found.push_back({name, command});
   }
+  return found;
+}
+
+/// As a shell must try them, "submit slurm" before "submit".
+std::vector<Page> deepest_first(const CLI::App& app) {
+  std::vector<Page> found = pages(app);
+  std::reverse(found.begin(), found.end());
   return found;
 }
 
@@ -84,7 +91,8 @@ std::string roff_option(const CLI::Option& option) {
 std::string roff_command(const Page& page) {
   std::string text = fmt::format(".SS {}\n{}\n", roff(page.path), roff(page.command->get_description()));
   for (const CLI::Option* option : page.command->get_options()) text += roff_option(*option);
-  return text;
+  const std::string footer = page.command->get_footer();
+  return footer.empty() ? text : text + fmt::format(".PP\n{}\n", roff(footer));
 }
 
 }  // namespace
@@ -95,7 +103,7 @@ std::string bash_completion(const CLI::App& app) {
       "_signorini() {\n"
       "  local words\n"
       "  case \"${COMP_WORDS[*]:1:COMP_CWORD-1} \" in\n";
-  for (const Page& page : pages(app))
+  for (const Page& page : deepest_first(app))
     text += fmt::format("    '{} '*) words='{}' ;;\n", page.path, fmt::join(words_after(*page.command), " "));
   text += fmt::format("    *) words='{}' ;;\n", fmt::join(words_after(app), " "));
   return text +
@@ -111,7 +119,7 @@ std::string zsh_completion(const CLI::App& app) {
       "# Completion of signorini for zsh, written by `signorini completion zsh`.\n"
       "local -a entries\n"
       "case \"${words[2,CURRENT-1]} \" in\n";
-  for (const Page& page : pages(app))
+  for (const Page& page : deepest_first(app))
     text += fmt::format("  '{} '*)\n    entries=(\n{}    ) ;;\n", page.path, zsh_entries(*page.command));
   return text + fmt::format("  *)\n    entries=(\n{}    ) ;;\n", zsh_entries(app)) +
          "esac\n"

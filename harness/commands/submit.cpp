@@ -67,7 +67,11 @@ int submit(SubmitArguments& arguments, const std::vector<std::string>& run_words
   for (const Script& script : scripts) write_whole(submission.folder / script.name, script.text);
   // The last one starts the others.
   const int code = shell("sh " + shell_word((submission.folder / scripts.back().name).string()));
-  return code == 0 ? kDone : kUnexpectedFailure;
+  if (code != 0) {
+    throw UsageError(fmt::format("launcher = {} (must take {}, which ended with exit code {})", launcher,
+                                 (submission.folder / scripts.back().name).string(), code));
+  }
+  return kDone;
 }
 
 std::vector<Script> slurm_scripts(const Submission& s) {

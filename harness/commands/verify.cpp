@@ -46,26 +46,53 @@ fs::path default_folder() {
   }
 }
 
+[[noreturn]] void refuse_folder(const fs::path& folder) {
+  throw UsageError(
+      fmt::format("dir = {} (must be a folder of references, as verify --update makes it, or of records, as "
+                  "run makes it)",
+                  folder.string()));
+}
+
 void print_lines(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) fmt::print("{}\n", line);
 }
 
+std::string name_of(const SceneSource& source) {
+  const std::string stem = source.file.stem().string();
+  return source.level.empty() ? stem : stem + "@" + source.level;
+}
+
 /// True of scenes whose orbits take too long to search unless they are asked for.
-bool searched_by_name_only(const SceneHeader& header) {
+bool searched_by_name_only(const SceneSource& source) {
+  if (!source.level.empty()) return true;
+  const SceneHeader header = load_header(source);
   return header.carries(kLarge) || header.carries(kLongSearch);
 }
 
-/// Scenes of the catalogue and those that have a file in the folder, if the filter takes them.
+/// A family has many levels: only a filter that speaks of levels, as in grazing@*, asks for them.
+bool is_asked_for(const SceneSource& source, const std::optional<std::string>& filter) {
+  if (!filter) return !searched_by_name_only(source);
+  return source.level.empty() || filter->find('@') != std::string::npos;
+}
+
+/// Names of the scenes that have a file in the folder.
+std::vector<std::string> kept_scenes(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  }
+  return names;
+}
+
+/// Scenes that ship and those that have a file in the folder, if the filter takes them.
 std::vector<std::string> scenes_to_verify(const VerifyArguments& arguments, const fs::path& folder) {
   std::vector<std::string> names, left_out;
-  for (const fs::path& file : catalogue_scenes()) {
-    const bool asked = arguments.scenes || !searched_by_name_only(load_header(file));
-    (asked ? names : left_out).push_back(file.stem().string());
-  }
+  for (const SceneSource& source : shipped_scenes())
+    (is_asked_for(source, arguments.scenes) ? names : left_out).push_back(name_of(source));
   if (!arguments.update) {
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-    }
+    const std::vector<std::string> kept = kept_scenes(folder);
+    if (kept.empty() && !arguments.scenes) refuse_folder(folder);
+    names.insert(names.end(), kept.begin(), kept.end());
   }
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -224,12 +251,7 @@ int verify_records(const VerifyArguments& arguments, const fs::path& folder) {
 
 int verify(const VerifyArguments& arguments) {
   const fs::path folder = arguments.folder ? fs::path(*arguments.folder) : default_folder();
-  if (!arguments.update && !fs::is_directory(folder)) {
-    throw UsageError(
-        fmt::format("dir = {} (must be a folder of references, as verify --update makes it, or of records, "
-                    "as run makes it)",
-                    folder.string()));
-  }
+  if (!arguments.update && !fs::is_directory(folder)) refuse_folder(folder);
   watch_interrupts();
   return fs::exists(folder / "records.jsonl") ? verify_records(arguments, folder)
                                               : verify_references(arguments, folder);
@@ -252,9 +274,10 @@ void add_verify_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<VerifyArguments>();
   command->add_option("dir", arguments->folder,
                       "folder of references or of a run; results/references here or above if absent");
-  command->add_option(
-      "--scenes", arguments->scenes,
-      "scenes by glob, A*:B*-C*; if absent all but those of the catalogue tagged large or long-search");
+  command->add_option("--scenes", arguments->scenes,
+                      "scenes by glob, A*:B*-C*; levels of families only where it speaks of them, as "
+                      "grazing@*; if absent the "
+                      "catalogue but for the scenes tagged large or long-search");
   command->add_option("--cases", arguments->cases, "cases of a run by glob on SCENE/METHOD[OPTIONS]")
       ->capture_default_str();
   command->add_flag(

@@ -40,7 +40,7 @@ std::vector<Cell> case_row(const Evaluation& evaluation, const Record& record) {
 constexpr std::string_view kLegend =
     R"(error of x: relative L2 distance to the certified orbit of the law that
 the method represents; `<`: below ten error bars of that orbit. `≠ scene`: the method represents another impact
-law than the scene states. time: set-up and solve of one cold run, least per round, over rounds;
+law than the scene states. time: set-up and solve, the fastest repetition within a round, over rounds;
 unstable where rounds deviate by more than 5 % in the median. p: pivots, it:
 iterations (event-driven: periods marched or Newton steps). orbit: same as reached from rest under the represented
 law, or another one; unstable where a Floquet multiplier lies outside the unit circle. The orbits are exact ones,

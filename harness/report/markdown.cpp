@@ -40,8 +40,11 @@ std::string table_for(const std::string& words, std::span<const Section> section
     throw UsageError(fmt::format("table = {} (must be one of {})", id, fmt::join(known, ", ")));
   }
   Table table = found->table;
-  if (!first_cell.empty())
+  if (!first_cell.empty()) {
     std::erase_if(table.rows, [&](const auto& row) { return row.front().text != first_cell; });
+    if (table.rows.empty())
+      throw NothingMatched(fmt::format("table = {} {} (must name the first cell of a row)", id, first_cell));
+  }
   return to_narrow_markdown(table);
 }
 
@@ -62,6 +65,8 @@ std::string with_tables(const std::string& document, const std::string& run,
                         std::span<const Section> sections) {
   constexpr std::string_view kEnd = "<!-- /table -->";
   const std::string begin = "<!-- table " + run + "/";
+  if (document.find(begin) == std::string::npos)
+    throw NothingMatched(fmt::format("table = none (must be asked for by a line {}SECTION -->)", begin));
   std::string text;
   std::size_t done = 0;
   for (std::size_t at = document.find(begin); at != std::string::npos; at = document.find(begin, done)) {
@@ -69,7 +74,8 @@ std::string with_tables(const std::string& document, const std::string& run,
     const std::size_t closed = document.find(" -->\n", words);
     const std::size_t end = document.find(kEnd, words);
     if (closed == std::string::npos || end == std::string::npos || end < closed)
-      throw UsageError(fmt::format("{} (must be closed by {})", document.substr(at, 60), kEnd));
+      throw UsageError(fmt::format("{} (must be closed by a line {})",
+                                   document.substr(at, document.find('\n', at) - at), kEnd));
     text += document.substr(done, closed + 5 - done) + "\n" +
             table_for(document.substr(words, closed - words), sections) + "\n";
     done = end;

@@ -47,6 +47,22 @@ std::unordered_set<std::string> keys_that_count(const RunFolder& run) {
   return keys;
 }
 
+/// What commands compute with must be of its type, so that they need not look again.
+void check_types(const nlohmann::ordered_json& manifest, const fs::path& file) {
+  const auto check = [&](const char* field, bool (*is_right)(const nlohmann::ordered_json&),
+                         const char* requirement) {
+    if (!manifest.contains(field) || is_right(manifest[field])) return;
+    throw UsageError(
+        fmt::format("{}: {} = {} (must be {})", file.string(), field, manifest[field].dump(), requirement));
+  };
+  check(
+      "jobs", [](const auto& value) { return value.is_number(); }, "a number");
+  check(
+      "times_comparable", [](const auto& value) { return value.is_boolean(); }, "true or false");
+  check(
+      "machine", [](const auto& value) { return value.is_object(); }, "an object");
+}
+
 }  // namespace
 
 void set_stale_aside(RunFolder& run) {
@@ -69,6 +85,7 @@ RunFolder read_run(const fs::path& folder) {
     throw UsageError(fmt::format("{}: manifest = unreadable (must be one JSON object)",
                                  (folder / "manifest.json").string()));
   }
+  check_types(run.manifest, folder / "manifest.json");
   read_plan_and_records(run);
   return run;
 }

@@ -207,6 +207,39 @@ TEST(CommandLine, RunsASuiteReportsAndResumesIt) {
   EXPECT_EQ(read_file(folder / "table.csv"), csv);
 }
 
+/// A run's folder whose manifest the user wrote.
+std::filesystem::path run_with_manifest(const char* name, const std::string& manifest) {
+  const auto folder = test::fresh_folder(name);
+  std::ofstream(folder / "manifest.json") << manifest;
+  std::ofstream(folder / "records.jsonl");
+  return folder;
+}
+
+TEST(CommandLine, RefusesAManifestWhoseMembersHaveTheWrongType) {
+  const std::string jobs = run_with_manifest("manifest-jobs", R"({"jobs": "many"})").string();
+  const std::string times = run_with_manifest("manifest-times", R"({"times_comparable": 3})").string();
+  const std::string machine = run_with_manifest("manifest-machine", R"({"machine": "mine"})").string();
+  for (const auto& [command, complaint] :
+       {std::pair{"status " + jobs, "manifest.json: jobs = \"many\" (must be a number)\n"},
+        std::pair{fmt::format("compare {0} {0}", times),
+                  "manifest.json: times_comparable = 3 (must be true or false)\n"},
+        std::pair{fmt::format("merge {0} --out {0}/merged", machine),
+                  "manifest.json: machine = \"mine\" (must be an object)\n"}}) {
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.code, 2) << command;
+    EXPECT_TRUE(outcome.err.ends_with(complaint)) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+TEST(CommandLine, RefusesAFileWhereAFolderIsToBe) {
+  const auto file = test::fresh_folder("file-for-folder") / "file";
+  std::ofstream(file) << "mine";
+  const Outcome outcome = run("verify --update --scenes sdof-stop " + file.string());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.err, fmt::format("path = {} (must be usable: Not a directory)\n", file.string()));
+}
+
 TEST(CommandLine, ExitsWithOneWhereSomethingFailedThatWasNotExpectedTo) {
   const auto folder = test::fresh_folder("failing");
   const std::string case_line =
@@ -285,6 +318,16 @@ TEST(Verify, FindsTamperedOrbits) {
   EXPECT_NE(outcome.out.find(": new, amplitude"), std::string::npos) << outcome.out;
 }
 
+TEST(Verify, RefusesAFolderThatKeepsNothing) {
+  const auto folder = test::fresh_folder("verify-empty");
+  const Outcome outcome = run("verify " + folder.string());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.rfind("dir = " + folder.string() + " (must be a folder of references", 0), 0U)
+      << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
 TEST(Verify, FindsAMissingFileAndAChangedScene) {
   const auto folder = test::fresh_folder("verify-missing");
   Outcome outcome = verify(folder);
@@ -322,6 +365,14 @@ TEST(Verify, AsksForScenesThatTakeLongOnlyByName) {
   EXPECT_EQ(all.out.find("huge"), std::string::npos) << all.out;
   EXPECT_EQ(all.out.find("hard"), std::string::npos) << all.out;
   EXPECT_NE(named.out.find("huge: no orbits are kept"), std::string::npos) << named.out;
+}
+
+TEST(Verify, TakesALevelOfAFamilyByName) {
+  const auto folder = test::fresh_folder("verify-family");
+  const Outcome outcome = run("verify --scenes 'grazing@0.1' " + folder.string());
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_NE(outcome.out.find("grazing@0.1: no orbits are kept"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("1 scenes, 1 differences"), std::string::npos) << outcome.out;
 }
 
 TEST(Verify, RerunsTheRecordsOfARun) {
@@ -422,6 +473,17 @@ TEST(CommandLine, DescribesEveryOptionToShellsAndToMan) {
   }
 }
 
+TEST(CommandLine, PointsToTheHelpOfTheCommandThatWasMisused) {
+  EXPECT_TRUE(run("run quick --no-such").err.ends_with("(see `signorini run --help`)\n"));
+  EXPECT_TRUE(run("submit slurm out").err.ends_with("(see `signorini submit slurm --help`)\n"));
+}
+
+TEST(CommandLine, OrdersTheManualAsOneReadsIt) {
+  const std::string man = run("man").out;
+  EXPECT_LT(man.find(".SS submit\n"), man.find(".SS submit slurm\n"));
+  EXPECT_NE(man.find("\nAll other words are those of `signorini run`"), std::string::npos);
+}
+
 TEST(CommandLine, CompletesInBash) {
   const auto folder = test::fresh_folder("completion");
   std::ofstream(folder / "signorini.bash") << run("completion bash").out;
@@ -471,6 +533,21 @@ TEST(CommandLine, RefusesASeedAShardAndDurationsThatMeanNothing) {
     EXPECT_EQ(outcome.code, 2) << words;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }
+}
+
+TEST(CommandLine, CallsASubmissionThatTheLauncherRefusesBadUsage) {
+  const auto folder = test::fresh_folder("submit-refused");
+  std::ofstream(folder / "sbatch") << "#!/bin/sh\nexit 1\n";
+  std::filesystem::permissions(folder / "sbatch", std::filesystem::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  ASSERT_EQ(::setenv("PATH", (folder.string() + ":" + path).c_str(), 1), 0);
+  const Outcome outcome = run(fmt::format(
+      "submit slurm {}/out --shards 2 quick --scenes sdof-stop --methods hat-lcp", folder.string()));
+  ASSERT_EQ(::setenv("PATH", path.c_str(), 1), 0);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.err,
+            fmt::format("launcher = sbatch (must take {}/out/submit.sh, which ended with exit code 1)\n",
+                        folder.string()));
 }
 
 TEST(CommandLine, RunsShardsByGnuParallel) {

@@ -105,6 +105,16 @@ TEST(SceneFamily, SaysWhatIsWrongAndWhere) {
             "values)");
 }
 
+TEST(SceneFamily, RefusesAMalformedIndexInsteadOfDrivingAnotherContact) {
+  for (const std::string path : {"contact[x].gap", "contact[].gap", "contact[0x].gap", "contact[-1].gap",
+                                 "contact[0]gap", "contact[0", "contact[99999999999999999999].gap"}) {
+    EXPECT_EQ(complaint(replaced("contact[0].gap", path), "1"),
+              "family.toml:9: family.values." + path +
+                  " = [0.2, 0.3, 0.4] (must be a list of 3 values, one per level, for something that stands "
+                  "in this file)");
+  }
+}
+
 TEST(SceneFamily, HasNoLevelWhereThereIsNone) {
   std::string plain(kFamily);
   const std::size_t begin = plain.find("[family]");

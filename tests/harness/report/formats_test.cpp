@@ -175,6 +175,21 @@ TEST(WithTables, RefusesWhatItCannotFillIn) {
   const std::vector<Section> none;
   EXPECT_THROW(with_tables("<!-- table run/one -->\n<!-- /table -->", "run", none), UsageError);
   EXPECT_THROW(with_tables("<!-- table run/one -->\n", "run", none), UsageError);
+  try {
+    with_tables("<!-- table run/one -->\ntext\n", "run", none);
+  } catch (const UsageError& error) {
+    EXPECT_STREQ(error.what(), "<!-- table run/one --> (must be closed by a line <!-- /table -->)");
+  }
+}
+
+TEST(WithTables, FindsNothingToDoWhereNoMarkerOrNoRowIsMeant) {
+  Section section;
+  section.id = "one";
+  section.table = {{"a", "b"}, {{"x", "1"}}};
+  const std::vector<Section> sections{section};
+  const std::string document = "<!-- table run/one y -->\n<!-- /table -->\n";
+  EXPECT_THROW(with_tables(document, "run", sections), NothingMatched);
+  EXPECT_THROW(with_tables(document, "other", sections), NothingMatched);
 }
 
 TEST(MeasuresCsv, HasOneRowPerSceneAndContestant) {
