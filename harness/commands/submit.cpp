@@ -68,8 +68,8 @@ int submit(SubmitArguments& arguments, const std::vector<std::string>& run_words
   // The last one starts the others.
   const int code = shell("sh " + shell_word((submission.folder / scripts.back().name).string()));
   if (code != 0) {
-    throw UsageError(fmt::format("launcher = {} (must take {}, which ended with exit code {})", launcher,
-                                 (submission.folder / scripts.back().name).string(), code));
+    throw UsageError(fmt::format("launcher = {} (must take {}, which ended with exit code {})",
+                                 launcher.program, (submission.folder / scripts.back().name).string(), code));
   }
   return kDone;
 }
