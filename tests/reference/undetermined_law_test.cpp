@@ -114,10 +114,11 @@ std::shared_ptr<const Trajectory> impulse_at(int node, int samples) {
 // Every one-impact solution met from the admissible nodes and from a cold start.
 std::vector<NodalImpact> solutions_met(const HatLcp::Options& options) {
   const Problem problem = test::to_problem(kOscillator);
+  const int samples = options.samples.value();
   std::vector<std::shared_ptr<const Trajectory>> starts{nullptr};
-  for (int node = 0; node < options.samples; ++node) {
-    if (FamilyMember(node * FamilyMember::period() / options.samples).admissible()) {
-      starts.push_back(impulse_at(node, options.samples));
+  for (int node = 0; node < samples; ++node) {
+    if (FamilyMember(node * FamilyMember::period() / samples).admissible()) {
+      starts.push_back(impulse_at(node, samples));
     }
   }
   std::vector<NodalImpact> met;
@@ -125,7 +126,7 @@ std::vector<NodalImpact> solutions_met(const HatLcp::Options& options) {
     const Solution solution = test::solve<HatLcp>(problem, options, start);
     EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
     NodalImpact impact;
-    if (describe_single_impact(*solution.trajectory, options.samples, impact)) met.push_back(impact);
+    if (describe_single_impact(*solution.trajectory, samples, impact)) met.push_back(impact);
   }
   return met;
 }
