@@ -8,7 +8,6 @@
 #include "harness/glob.hpp"
 #include "harness/sha256.hpp"
 #include "problems/scene_file.hpp"
-#include "problems/scene_matrices.hpp"
 
 namespace signorini {
 
@@ -70,14 +69,11 @@ Scene read_scene(const SceneSource& source) {
   const std::string name = source.file.string();
   const std::string text = read_file(source.file);
   // Read once, so that the hash is of what was parsed.
-  Scene scene{.problem = parse_scene(text, name, source.level),
-              .family = parse_header(text, name, source.level).family};
+  SceneWithSources scene = parse_scene_with_sources(text, name, source.level);
   std::string identity = text;
   if (scene.family) identity += "@" + level_label(scene.family->level);  // however the level was spelt
-  for (const std::filesystem::path& matrix : matrix_files(text, name, source.level))
-    identity += "\n" + sha256_of_file(matrix);
-  scene.sha256 = sha256(identity);
-  return scene;
+  for (const std::filesystem::path& matrix : scene.matrix_files) identity += "\n" + sha256_of_file(matrix);
+  return {.problem = std::move(scene.problem), .sha256 = sha256(identity), .family = std::move(scene.family)};
 }
 
 Case make_case(const Scene& scene, std::size_t index, MethodChoice choice) {

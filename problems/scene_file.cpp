@@ -94,8 +94,7 @@ Law read_law(const SceneField& law, const Problem& problem) {
 }
 
 // A scene, and the tables that its load and its contacts were made from.
-struct ReadScene {
-  Problem problem = {};
+struct ReadScene : SceneWithSources {
   std::vector<int> term_tables = {};
   std::vector<int> contact_tables = {};
   Definiteness definiteness = Definiteness::to_be_checked;
@@ -141,8 +140,9 @@ void read_forcing(const SceneField& forcing, const SystemDescription& system, Re
 }
 
 // Fills `scene` as far as it comes.
-void read_scene(const SceneField& document, const std::optional<FamilyLevel>& family, ReadScene& scene) {
-  SceneHeader header = read_header(document, family);
+void read_scene(const SceneField& document, std::optional<FamilyLevel> family, ReadScene& scene) {
+  SceneHeader header = read_header(document, std::move(family));
+  scene.family = std::move(header.family);
   Problem& problem = scene.problem;
   problem.name = std::move(header.name);
   problem.title = std::move(header.title);
@@ -151,6 +151,7 @@ void read_scene(const SceneField& document, const std::optional<FamilyLevel>& fa
   const SystemDescription system = read_system(document["system"]);
   problem.kind = system.kind;
   scene.definiteness = system.definiteness;
+  scene.matrix_files = system.files;
   read_forcing(document["forcing"], system, scene);
   FromTables<Contact> contacts = read_contacts(document["contact"], system);
   problem.contacts = std::move(contacts.things);
@@ -212,26 +213,28 @@ std::vector<std::string> load_levels(const std::filesystem::path& path) {
   return family_labels(parse_document(read_text(path), path.string()), path.string());
 }
 
-SceneHeader parse_header(std::string_view text, const std::string& name, std::string_view level) {
-  const LevelDocument document = parse_level(text, name, level);
+SceneHeader load_header(const SceneSource& source) {
+  const std::string name = source.file.string();
+  const LevelDocument document = parse_level(read_text(source.file), name, source.level);
   return read_header(SceneField(document.tree, name), document.family);
 }
 
-SceneHeader load_header(const SceneSource& source) {
-  return parse_header(read_text(source.file), source.file.string(), source.level);
-}
-
-Problem parse_scene(std::string_view text, const std::string& name, std::string_view level) {
+SceneWithSources parse_scene_with_sources(std::string_view text, const std::string& name,
+                                          std::string_view level) {
   const LevelDocument document = parse_level(text, name, level);
   const SceneField root(document.tree, name);
   ReadScene scene;
   try {
     read_scene(root, document.family, scene);
     validate(scene.problem, scene.definiteness);
-    return std::move(scene.problem);
+    return std::move(scene);
   } catch (const InvalidProblem& error) {
     as_written(root, scene, error.field).refuse(error.found, error.requirement);
   }
+}
+
+Problem parse_scene(std::string_view text, const std::string& name, std::string_view level) {
+  return parse_scene_with_sources(text, name, level).problem;
 }
 
 Problem load_scene(const SceneSource& source) {

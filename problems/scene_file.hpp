@@ -60,7 +60,17 @@ Problem load_scene(const SceneSource& source);
 /// The same from text already in memory; `name` stands for the file in messages; the files
 /// of matrices that the scene names are looked for in its folder; `level` chooses the scene of a family.
 Problem parse_scene(std::string_view text, const std::string& name, std::string_view level = {});
-SceneHeader parse_header(std::string_view text, const std::string& name, std::string_view level = {});
+
+/// A scene, and what else makes it that scene.
+struct SceneWithSources {
+  Problem problem = {};
+  std::optional<FamilyLevel> family = {};                ///< where it is one of a family
+  std::vector<std::filesystem::path> matrix_files = {};  ///< that its system is read from
+};
+
+/// The same, with what it was made from.
+SceneWithSources parse_scene_with_sources(std::string_view text, const std::string& name,
+                                          std::string_view level = {});
 
 /// Folder that holds catalogue/ and suites/: $SIGNORINI_PROBLEMS if set, else the installed or source folder.
 /// \throws SceneError if it is gone

@@ -92,11 +92,15 @@ SystemDescription read_chain(const SceneField& system) {
   return independent_of_contacts(assemble(chain));
 }
 
+std::filesystem::path matrix_file(const SceneField& field, const std::string& name) {
+  return std::filesystem::path(field.file()).parent_path() / name;
+}
+
 SparseMatrix read_matrix(const SceneField& field) {
   constexpr std::string_view kRequirement =
       "must be the name of a Matrix Market file, relative to the scene's folder";
   const std::string name = field.text(kRequirement);
-  const std::filesystem::path path = std::filesystem::path(field.file()).parent_path() / name;
+  const std::filesystem::path path = matrix_file(field, name);
   std::error_code ignored;
   if (name.empty() || std::filesystem::is_directory(path, ignored)) field.refuse(kRequirement);
   std::ifstream stream(path, std::ios::binary);
@@ -152,7 +156,11 @@ SystemDescription read_matrices(const SceneField& system) {
   Structure structure{.mass = read_matrix(system["mass"]), .damping = {}, .stiffness = {}};
   structure.stiffness = read_matrix(system["stiffness"], structure.mass.rows());
   structure.damping = read_matrix_damping(system, structure);
-  return independent_of_contacts(std::move(structure));
+  SystemDescription description = independent_of_contacts(std::move(structure));
+  for (const SceneField& matrix : {system["mass"], system["damping"], system["stiffness"]}) {
+    if (matrix.given()) description.files.push_back(matrix_file(matrix, matrix.text("must be a file")));
+  }
+  return description;
 }
 
 }  // namespace

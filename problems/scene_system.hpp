@@ -1,6 +1,7 @@
 #pragma once
 // The [system] table of a scene file: which kind of structure, and its matrices.
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ struct SystemDescription {
   int size = 0;                        ///< Nd
   std::optional<BlockMesh> mesh = {};  ///< whose faces contacts and loads may name
   Definiteness definiteness = Definiteness::to_be_checked;
+  std::vector<std::filesystem::path> files = {};  ///< Matrix Market files it was read from
   /// The matrices, given the coordinates that contacts touch.
   /// \throws InvalidProblem if contacts there and the system do not go together
   std::function<Structure(const std::vector<int>& contact_coordinates)> assemble = {};

@@ -65,8 +65,8 @@ TEST(SceneFamily, GivesEachLevelItsValuesAndItsName) {
                              .level = 1e-4,
                              .severity = 2,
                              .levels = 3};
-  EXPECT_EQ(parse_header(kFamily, "family.toml", "1e-4").family, expected);
-  EXPECT_EQ(parse_header(kFamily, "family.toml", "0.0001").family, expected);
+  EXPECT_EQ(parse_scene_with_sources(kFamily, "family.toml", "1e-4").family, expected);
+  EXPECT_EQ(parse_scene_with_sources(kFamily, "family.toml", "0.0001").family, expected);
 }
 
 TEST(SceneFamily, LabelsALevelByTheShortestTextThatReadsBack) {
@@ -120,7 +120,7 @@ TEST(SceneFamily, HasNoLevelWhereThereIsNone) {
   const std::size_t begin = plain.find("[family]");
   plain.erase(begin, plain.find("[system]") - begin);
   EXPECT_EQ(parse_scene(plain, "plain.toml").name, "softer");
-  EXPECT_FALSE(parse_header(plain, "plain.toml").family.has_value());
+  EXPECT_FALSE(parse_scene_with_sources(plain, "plain.toml").family.has_value());
   EXPECT_EQ(complaint(plain, "1"),
             "family.toml:1: family = missing (must be there for the scene to have a level 1)");
 }
