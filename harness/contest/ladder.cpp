@@ -83,6 +83,11 @@ Rung rung_of(const Record& record) {
   return rung;
 }
 
+std::size_t credited_rungs(const Ladder& ladder) {
+  return static_cast<std::size_t>(std::count_if(ladder.rungs.begin(), ladder.rungs.end(),
+                                                [](const Rung& rung) { return rung.error.has_value(); }));
+}
+
 std::vector<Ladder> ladders_of(const std::vector<Record>& records) {
   std::vector<Ladder> ladders;
   std::map<std::pair<std::string, std::string>, std::size_t> places;

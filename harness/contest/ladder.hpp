@@ -59,6 +59,9 @@ struct Ladder {
 /// `records`.
 std::vector<Ladder> ladders_of(const std::vector<Record>& records);
 
+/// How many of its runs are credited with an error.
+std::size_t credited_rungs(const Ladder& ladder);
+
 /// What a run of this record is credited with, see Rung::error.
 Rung rung_of(const Record& record);
 

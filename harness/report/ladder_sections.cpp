@@ -12,8 +12,7 @@ namespace {
 
 /// How many of a ladder's runs are credited with an error.
 Cell credited_cell(const Ladder& ladder) {
-  const auto credited = std::count_if(ladder.rungs.begin(), ladder.rungs.end(),
-                                      [](const Rung& rung) { return rung.error.has_value(); });
+  const std::size_t credited = credited_rungs(ladder);
   return {fmt::format("{} of {}", credited, ladder.rungs.size()), static_cast<double>(credited)};
 }
 

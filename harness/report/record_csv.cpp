@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "harness/contest/work_precision.hpp"
@@ -141,14 +140,12 @@ std::string measures_csv(const Evaluation& evaluation) {
   for (const double error : kErrorLevels) table.header.push_back(fmt::format("seconds_to_{:.0e}", error));
   for (const Ladder& ladder : evaluation.ladders()) {
     const Record& first = *ladder.rungs.front().record;
-    const auto solved = std::count_if(ladder.rungs.begin(), ladder.rungs.end(),
-                                      [](const Rung& rung) { return rung.error.has_value(); });
     std::vector<Cell> row{ladder.scene,
                           ladder.contestant,
                           first.law ? law_text(*first.law) : "not recorded",
                           std::string(standing_name(ladder.standing)),
                           std::to_string(ladder.rungs.size()),
-                          std::to_string(solved)};
+                          std::to_string(credited_rungs(ladder))};
     for (const double error : kErrorLevels) {
       const double seconds = cost_to_error(ladder, time_axis(), error).cost;
       row.emplace_back(std::isfinite(seconds) ? fmt::format("{:.9e}", seconds) : "inf");
