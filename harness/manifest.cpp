@@ -2,6 +2,7 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sys/utsname.h>
 
 #include <cstdlib>
 #include <ctime>
@@ -11,6 +12,7 @@
 
 #include "harness/build_info.hpp"
 #include "harness/failure.hpp"
+#include "harness/machine/machine.hpp"
 #include "harness/timing.hpp"
 
 namespace signorini {
@@ -23,11 +25,9 @@ void put(Json& json, const char* key, const std::string& text) {
   if (!text.empty()) json[key] = text;
 }
 
-std::string first_line(const char* file) {
-  std::ifstream stream(file);
-  std::string line;
-  std::getline(stream, line);
-  return line;
+std::string kernel_release() {
+  utsname names{};
+  return uname(&names) == 0 ? names.release : "";
 }
 
 std::string cpu_model() {
@@ -43,8 +43,8 @@ Json machine() {
   Json json = Json::object();
   put(json, "cpu", cpu_model());
   json["processors"] = std::thread::hardware_concurrency();
-  put(json, "governor", first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor"));
-  put(json, "kernel", first_line("/proc/sys/kernel/osrelease"));
+  put(json, "governor", clock_governor());
+  put(json, "kernel", kernel_release());
   std::array<double, 3> load{};
   if (getloadavg(load.data(), 3) == 3) json["load"] = load;
   return json;

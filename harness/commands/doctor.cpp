@@ -16,7 +16,7 @@ namespace {
 void print_table(const std::vector<Finding>& findings) {
   Table table{{"what", "found", "times", "why, and what to do"}, {}};
   for (const Finding& one : findings) {
-    const std::string verdict = one.value == "unknown" ? "not told" : one.good ? "good" : "unreliable";
+    const std::string verdict = !one.known ? "not told" : one.good ? "good" : "unreliable";
     table.rows.push_back({one.name, one.value, verdict, one.advice.empty() ? "nothing" : one.advice});
   }
   const auto bad = std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return !f.good; });

@@ -23,8 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kUnknown = "unknown";
-
 std::string first_line(const fs::path& file) {
   std::ifstream stream(file);
   std::string line;
@@ -39,9 +37,11 @@ Finding finding(std::string name, std::string value, bool good, std::string advi
           .advice = good ? "" : std::move(advice)};
 }
 
+Finding untold(std::string name) { return {.name = std::move(name), .value = "unknown", .known = false}; }
+
 Finding governor(const fs::path& root) {
-  const std::string value = first_line(root / "sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
-  if (value.empty()) return finding("governor", kUnknown, true, "");
+  const std::string value = clock_governor(root);
+  if (value.empty()) return untold("governor");
   return finding("governor", value, value == "performance",
                  "the clock frequency follows the load; set the governor to performance");
 }
@@ -49,7 +49,7 @@ Finding governor(const fs::path& root) {
 Finding turbo(const fs::path& root) {
   const std::string intel = first_line(root / "sys/devices/system/cpu/intel_pstate/no_turbo");
   const std::string boost = first_line(root / "sys/devices/system/cpu/cpufreq/boost");
-  if (intel.empty() && boost.empty()) return finding("turbo", kUnknown, true, "");
+  if (intel.empty() && boost.empty()) return untold("turbo");
   const bool on = intel.empty() ? boost == "1" : intel == "0";
   return finding("turbo", on ? "on" : "off", !on,
                  "the clock frequency depends on temperature and on the other cores; switch turbo off");
@@ -57,7 +57,7 @@ Finding turbo(const fs::path& root) {
 
 Finding simultaneous_threads(const fs::path& root) {
   const std::string active = first_line(root / "sys/devices/system/cpu/smt/active");
-  if (active.empty()) return finding("simultaneous threads", kUnknown, true, "");
+  if (active.empty()) return untold("simultaneous threads");
   return finding("simultaneous threads", active == "1" ? "on" : "off", active != "1",
                  "two threads share a core and its caches; leave every second one idle");
 }
@@ -65,9 +65,9 @@ Finding simultaneous_threads(const fs::path& root) {
 Finding clock_source(const fs::path& root) {
   const std::string value =
       first_line(root / "sys/devices/system/clocksource/clocksource0/current_clocksource");
-  const bool good = value.empty() || value == "tsc" || value == "kvm-clock" || value == "arch_sys_counter";
-  return finding("clock source", value.empty() ? kUnknown : value, good,
-                 "reading the clock is slow with this one");
+  if (value.empty()) return untold("clock source");
+  const bool good = value == "tsc" || value == "kvm-clock" || value == "arch_sys_counter";
+  return finding("clock source", value, good, "reading the clock is slow with this one");
 }
 
 Finding hypervisor(const fs::path& root) {
@@ -88,7 +88,7 @@ Finding stolen_time(const fs::path& root) {
   std::vector<double> ticks;
   for (double value = 0.0; line >> value;) ticks.push_back(value);
   constexpr std::size_t kSteal = 7;
-  if (ticks.size() <= kSteal) return finding("stolen time", kUnknown, true, "");
+  if (ticks.size() <= kSteal) return untold("stolen time");
   double all = 0.0;
   for (std::size_t i = 0; i <= kSteal; ++i) all += ticks[i];
   const double percent = all > 0.0 ? 100.0 * ticks[kSteal] / all : 0.0;
@@ -98,7 +98,7 @@ Finding stolen_time(const fs::path& root) {
 
 Finding load(const fs::path& root) {
   const std::string line = first_line(root / "proc/loadavg");
-  if (line.empty()) return finding("load", kUnknown, true, "");
+  if (line.empty()) return untold("load");
   const double value = std::strtod(line.c_str(), nullptr);
   constexpr double kIdle = 0.3;
   return finding("load", fmt::format("{:.2f} over the last minute", value), value < kIdle,
@@ -199,6 +199,10 @@ Finding other_work() {
 }
 
 }  // namespace
+
+std::string clock_governor(const fs::path& root) {
+  return first_line(root / "sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+}
 
 std::vector<Finding> examine_system(const fs::path& root) {
   return {governor(root),    turbo(root), simultaneous_threads(root), clock_source(root), hypervisor(root),

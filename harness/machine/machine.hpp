@@ -11,9 +11,13 @@ namespace signorini {
 struct Finding {
   std::string name = {};    ///< "governor"
   std::string value = {};   ///< what was found; "unknown" where the system does not tell
-  bool good = true;         ///< nothing here disturbs times
+  bool known = true;        ///< the system tells
+  bool good = true;         ///< nothing here disturbs times, as far as is known
   std::string advice = {};  ///< what it does to times and what to do about it; empty if good
 };
+
+/// Governor of the first processor's clock; empty where the system does not tell.
+std::string clock_governor(const std::filesystem::path& root = "/");
 
 /// What the files of the system below `root` say (/proc, /sys): governor, turbo, simultaneous threads, clock,
 /// hypervisor, stolen time, load.
