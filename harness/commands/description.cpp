@@ -79,6 +79,15 @@ std::string roff(const std::string& text) {
   return safe;
 }
 
+/// The branches of a shell's `case` on the words so far: one per command, the longest path first, and one for
+/// no command yet.
+template <class Branch>
+std::string branches(const CLI::App& app, const Branch& branch) {
+  std::string text;
+  for (const Page& page : deepest_first(app)) text += branch(fmt::format("'{} '*", page.path), *page.command);
+  return text + branch("*", app);
+}
+
 std::string roff_option(const CLI::Option& option) {
   const bool positional = option.get_positional() && option.get_lnames().empty();
   std::string name = positional ? option.get_name(true) : option.get_name(false, true);
@@ -103,9 +112,9 @@ std::string bash_completion(const CLI::App& app) {
       "_signorini() {\n"
       "  local words\n"
       "  case \"${COMP_WORDS[*]:1:COMP_CWORD-1} \" in\n";
-  for (const Page& page : deepest_first(app))
-    text += fmt::format("    '{} '*) words='{}' ;;\n", page.path, fmt::join(words_after(*page.command), " "));
-  text += fmt::format("    *) words='{}' ;;\n", fmt::join(words_after(app), " "));
+  text += branches(app, [](const std::string& pattern, const CLI::App& command) {
+    return fmt::format("    {}) words='{}' ;;\n", pattern, fmt::join(words_after(command), " "));
+  });
   return text +
          "  esac\n"
          "  mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"${COMP_WORDS[COMP_CWORD]}\")\n"
@@ -119,9 +128,10 @@ std::string zsh_completion(const CLI::App& app) {
       "# Completion of signorini for zsh, written by `signorini completion zsh`.\n"
       "local -a entries\n"
       "case \"${words[2,CURRENT-1]} \" in\n";
-  for (const Page& page : deepest_first(app))
-    text += fmt::format("  '{} '*)\n    entries=(\n{}    ) ;;\n", page.path, zsh_entries(*page.command));
-  return text + fmt::format("  *)\n    entries=(\n{}    ) ;;\n", zsh_entries(app)) +
+  text += branches(app, [](const std::string& pattern, const CLI::App& command) {
+    return fmt::format("  {})\n    entries=(\n{}    ) ;;\n", pattern, zsh_entries(command));
+  });
+  return text +
          "esac\n"
          "_describe 'command or option' entries || _files\n";
 }
