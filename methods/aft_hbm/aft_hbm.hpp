@@ -53,7 +53,8 @@ class AftHbm final : public Method {
       field("c", c, "[-]",
             "dlft: constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H");
       field("penalty", penalty, "[N/m]",
-            "penalty: stiffness of the stop, 1e6 or 100x; auto: the scene's, else 8x the dynamic one near H");
+            "penalty: stiffness of the stop, 1e6 or 100x; auto: the scene's, else 8x the dynamic one near H, "
+            "stiffer if massless");
       field("quadrature", quadrature, "[-]",
             "exact: contact integral between its edges | sampled: on the N samples; auto: exact, sampled if "
             "plain");

@@ -66,7 +66,7 @@ int HatLcp::first_samples(const Problem& problem) const {
   constexpr int kPerOscillation = 16;
   const int needed = kPerOscillation * highest_load_harmonic(problem) * problem.subharmonic;
   int samples = kCoarsest;
-  while (samples < needed) samples *= 2;
+  while (samples < needed && samples < kFinest) samples *= 2;
   return samples;
 }
 

@@ -48,7 +48,8 @@ class HatLcp final : public Method {
 
     void visit(auto&& field) {
       field("samples", samples, "[-]",
-            "nodes N per period, 4..10000000; auto: 256, up to 4096 where the path of pivots fails");
+            "nodes N per period, 4..10000000; auto: 256 or what the load needs, up to 4096 where the path of "
+            "pivots fails");
       field("scheme", scheme, "[-]", "galerkin | nodal | backward (represents restitution 0)");
       field("restitution", restitution, "[-]",
             "scene: the scene's law; none: nodal gaps, no impact law; auto: scene, none if plain");
@@ -69,7 +70,7 @@ class HatLcp final : public Method {
  private:
   /// The impact law asked for.
   [[nodiscard]] ImpactLaw impact_law() const;
-  /// Nodes of the first grid: enough for the load if left to the method.
+  /// Nodes of the first grid; left to the method, sixteen per oscillation of the load, from 256 to 4096.
   [[nodiscard]] int first_samples(const Problem& problem) const;
 
   Options options_;

@@ -205,5 +205,37 @@ TEST(HatLcp, SaysWhyItCannotResolveTheLoad) {
   EXPECT_NE(support.reason.find("harmonic 40"), std::string::npos);
 }
 
+// So lightly damped that 256 nodes have no periodic motion: the path of pivots ends on a ray.
+TEST(HatLcp, RefinesItsGridWhereThePathOfPivotsFails) {
+  const Problem problem =
+      test::to_problem({.damping = 0.00158618, .frequency = 1.44982, .gap = 0.0972731, .restitution = 1.0});
+  EXPECT_EQ(solve<HatLcp>(problem, {.samples = 256}).verdict, Verdict::not_converged);
+  const Solution refined = solve<HatLcp>(problem, {});
+  ASSERT_EQ(refined.verdict, Verdict::converged) << refined.message;
+  const Solution fine = solve<HatLcp>(problem, {.samples = 1024});
+  ASSERT_EQ(fine.verdict, Verdict::converged) << fine.message;
+  EXPECT_LE(test::relative_distance(*refined.trajectory, *fine.trajectory), 1e-9);
+  EXPECT_GT(refined.work.pivots.value(), fine.work.pivots.value());  // those of the first grid count
+}
+
+TEST(HatLcp, LeavesItsGridAloneWhereItIsAskedForOrPlain) {
+  const Problem problem =
+      test::to_problem({.damping = 0.00158618, .frequency = 1.44982, .gap = 0.0972731, .restitution = 1.0});
+  EXPECT_EQ(solve<HatLcp>(problem, {.max_iterations = 100000}).verdict, Verdict::not_converged);
+  const Solution plain = solve<HatLcp>(problem, {.plain = true});
+  EXPECT_EQ(plain.message.find("N = "), std::string::npos) << plain.message;
+}
+
+TEST(HatLcp, TakesTheNodesThatItsLoadNeedsWithinReason) {
+  Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.0, .gap = 10.0, .restitution = 1.0});
+  problem.force.push_back({.dof = 0, .harmonic = 1000, .cos = 0.1, .sin = 0.0});
+  EXPECT_TRUE(HatLcp({}).supports(problem).ok);
+  EXPECT_FALSE(HatLcp({.samples = 256}).supports(problem).ok);
+  problem.force.back().harmonic = 10000;
+  EXPECT_EQ(
+      HatLcp({}).supports(problem).reason,
+      "the load reaches harmonic 10000 of the motion's base frequency: samples = 4096 cannot resolve it");
+}
+
 }  // namespace
 }  // namespace signorini

@@ -5,7 +5,9 @@
 #include <complex>
 #include <numbers>
 
+#include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "methods/kernels/trajectories.hpp"
+#include "problems/scene_file.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
@@ -81,6 +83,22 @@ TEST(PenaltyHbm, ContactDoesNoNetWork) {
       EXPECT_LE(std::abs(contact), 1e-7 * std::abs(load)) << "H = " << harmonics << ", eps = " << stiffness;
     }
   }
+}
+
+// The dynamic stiffness of a massless contact does not grow with H; a stop as many times stiffer would leave
+// an error that more harmonics cannot mend.
+TEST(PenaltyHbm, OnAMasslessContactGainsFromMoreHarmonics) {
+  const Problem problem = load_scene(find_scene("bar20-massless"));
+  const Solution exact = test::solve<ExactOrbitMethod>(problem, {});
+  ASSERT_EQ(exact.verdict, Verdict::converged) << exact.message;
+  const auto error = [&](int harmonics) {
+    const Solution solution = test::solve<PenaltyHbm>(problem, {.harmonics = harmonics});
+    EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
+    return test::relative_distance(*solution.trajectory, *exact.trajectory);
+  };
+  const double at_40 = error(40);
+  EXPECT_LE(at_40, 2e-3);
+  EXPECT_LE(error(160), at_40 / 4.0);
 }
 
 TEST(PenaltyHbm, RefusesOptionsOutOfRange) {
