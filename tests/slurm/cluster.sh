@@ -68,9 +68,17 @@ up() {
   done
 }
 
-down() {
+down() { # and gone: the next cluster needs their ports
   for file in "$folder"/*.pid; do
-    if [ -s "$file" ]; then kill "$(cat "$file")" 2>/dev/null || true; fi
+    [ -s "$file" ] || continue
+    pid=$(cat "$file")
+    kill "$pid" 2>/dev/null || continue
+    i=0
+    while kill -0 "$pid" 2>/dev/null && [ "$i" -lt 20 ]; do
+      i=$((i + 1))
+      sleep 0.5
+    done
+    kill -9 "$pid" 2>/dev/null || true
   done
 }
 

@@ -36,7 +36,21 @@ wait_until() {
 
 first_record() { [ -s "$folder/run/shard-1/records.jsonl" ] || [ -s "$folder/run/shard-1/unfinished.jsonl" ]; }
 node_of_shard_1() { squeue -h -r -t R -o '%K %N' | sed -n 's/^1 //p'; }
-lost() { grep -q 'NODE FAILURE' "$folder/run/log-1.txt"; }
+# lose NODE: nothing on it says another word, neither its daemons nor the run of shard 1.
+lose() {
+  kill -9 "$(cat "$folder/cluster/slurmd-$1.pid")"
+  rm "$folder/cluster/slurmd-$1.pid"
+  job=$(squeue -h -r -t R -o '%A %K' | sed -n 's/ 1$//p')
+  for pattern in "slurmstepd: \\[$job\\." "$folder/cluster/spool-$1/" "--out $folder/run/shard-1"; do
+    pkill -9 -f -- "$pattern" || true # gone already
+  done
+  scontrol update nodename="$1" state=down reason=lost
+}
+# A task that is requeued waits for two minutes unless it is told otherwise.
+requeued() {
+  task=$(squeue -h -r -t PD -o '%A %K %j' | sed -n 's/^\([0-9]*\) 1 signorini$/\1/p')
+  [ -n "$task" ] && scontrol update jobid="$task" starttime=now
+}
 all_over() { [ -z "$(squeue -h)" ]; }
 
 "$program" run quick --scenes "$scenes" --methods "$methods" --out "$folder/local" >/dev/null
@@ -44,17 +58,12 @@ all_over() { [ -z "$(squeue -h)" ]; }
 "$program" submit slurm "$folder/run" --shards 2 quick --scenes "$scenes" --methods "$methods"
 wait_until 240 first_record
 
-# The node of shard 1 is lost; its task goes back to the queue and resumes when the node returns.
+# The node of shard 1 is lost; its task goes back to the queue and resumes on the other one.
 node=$(node_of_shard_1)
 if [ -n "$node" ]; then
-  scontrol update nodename="$node" state=down reason=test
-  wait_until 120 lost
-  scontrol update nodename="$node" state=resume 2>/dev/null || true # it may be back by itself
-  # A task that is requeued waits for two minutes unless it is told otherwise.
-  for job in $(squeue -h -r -t PD -o '%A %j' | sed -n 's/ signorini$//p'); do
-    scontrol update jobid="$job" starttime=now || true
-  done
-  echo "node $node was lost and came back"
+  lose "$node"
+  wait_until 60 requeued
+  echo "node $node was lost"
 else
   echo 'shard 1 was over before its node could be lost'
 fi
