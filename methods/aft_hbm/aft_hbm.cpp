@@ -8,7 +8,9 @@
 
 #include "methods/aft_hbm/aft_residual.hpp"
 #include "methods/aft_hbm/newton_krylov.hpp"
+#include "methods/kernels/compensated_solve.hpp"
 #include "methods/kernels/complementarity_solver.hpp"
+#include "methods/kernels/harmonics_option.hpp"
 #include "methods/kernels/periodic_response.hpp"
 #include "methods/kernels/projected_contact.hpp"
 #include "methods/kernels/projected_law.hpp"
@@ -26,19 +28,19 @@ constexpr int kColdSteps = 5;
 class PreparedAft final : public PreparedMethod {
  public:
   PreparedAft(Eigen::VectorXd gap, const AftHbm::Options& options, ContactReceptance receptance, LawAt law_at,
-              std::shared_ptr<const ImpactCompensation> compensation, double softness = 1.0)
+              std::shared_ptr<CompensatedSolve> compensated, double softness = 1.0)
       : options_(options),
         gap_(std::move(gap)),
         receptance_(std::move(receptance)),
         law_at_(std::move(law_at)),
         law_(softened(law_at_(receptance_), softness)),
         quadrature_(quadrature_of(options_)),
-        compensation_(std::move(compensation)) {}
+        compensated_(std::move(compensated)) {}
 
   Solution solve(const Start& start) override {
     if (receptance_.contacts() == 0) return contact_free_response(receptance_);
-    const Work work{.unknowns = (2L * options_.harmonics + 1) * receptance_.contacts(), .iterations = 0};
-    return solve_compensated(compensation_.get(), receptance_, gap_, law_, options_.tolerance,
+    const Work work{.unknowns = (2L * receptance_.harmonics() + 1) * receptance_.contacts(), .iterations = 0};
+    return solve_compensated(compensated_.get(), {receptance_, gap_, law_, options_.tolerance},
                              options_.max_iterations, start, work, [this, &start](Work& spent) {
                                std::optional<Solution> solution = climb(start, spent);
                                return solution ? *std::move(solution) : solve_on_grids(start, spent);
@@ -48,15 +50,13 @@ class PreparedAft final : public PreparedMethod {
  private:
   /// Permanent contact, or many harmonics from few; null where that is not asked for or does not serve.
   std::optional<Solution> climb(const Start& start, Work& work) const {
-    const bool free = homotopy() && options_.max_iterations == 0 && quadrature_ == Quadrature::exact &&
-                      !samples_of(options_);
+    const bool free =
+        homotopy() && options_.max_iterations == 0 && quadrature_ == Quadrature::exact && !fixed_samples();
     if (!free || start.guess) return std::nullopt;
     return solve_by_climbing(
         receptance_, gap_, law_at_, options_.tolerance, start, work,
         [this, &start](const ContactReceptance& few, double softness) {
-          AftHbm::Options options = options_;
-          options.harmonics = few.harmonics();
-          return PreparedAft(gap_, options, few, law_at_, nullptr, softness).solve(start);
+          return PreparedAft(gap_, options_, few, law_at_, nullptr, softness).solve(start);
         });
   }
 
@@ -64,8 +64,8 @@ class PreparedAft final : public PreparedMethod {
   Solution solve_on_grids(const Start& start, Work& work) const {
     Solution solution;
     Eigen::MatrixXcd guess =
-        start.guess ? force_spectrum(*start.guess, options_.harmonics) : Eigen::MatrixXcd{};
-    SampleLadder ladder(options_.harmonics, samples_of(options_), quadrature_);
+        start.guess ? force_spectrum(*start.guess, receptance_.harmonics()) : Eigen::MatrixXcd{};
+    SampleLadder ladder(receptance_.harmonics(), fixed_samples(), quadrature_);
     while (true) {
       AftResidual residual(receptance_, gap_, law_, ladder.samples());
       const Outcome outcome = solve_on_grid(residual, guess, start, work);
@@ -90,8 +90,7 @@ class PreparedAft final : public PreparedMethod {
           fmt::format("{}; {}, net contact work {:.1e} of that exchanged",
                       in_limit ? outcome.message : "max_iterations used up", quadrature, ratio);
       if (data.lambda.allFinite()) solution.trajectory = std::make_shared<FourierTrajectory>(std::move(data));
-      if (samples_of(options_) || !in_limit || start.expired() || !ladder.climb(converged, exact, ratio))
-        break;
+      if (fixed_samples() || !in_limit || start.expired() || !ladder.climb(converged, exact, ratio)) break;
       // Newton alone that has lost its way is not helped by more samples.
       if (!converged && !homotopy()) break;
     }
@@ -134,6 +133,10 @@ class PreparedAft final : public PreparedMethod {
     return outcome;
   }
 
+  [[nodiscard]] std::optional<int> fixed_samples() const {
+    return samples_of(options_, receptance_.harmonics());
+  }
+
   static long spent(const Work& work) { return work.iterations.value_or(0) + work.pivots.value_or(0); }
 
   [[nodiscard]] bool spent_all(const Work& work) const {
@@ -148,7 +151,7 @@ class PreparedAft final : public PreparedMethod {
   LawAt law_at_;
   ProjectedLaw law_;
   Quadrature quadrature_;
-  std::shared_ptr<const ImpactCompensation> compensation_;
+  std::shared_ptr<CompensatedSolve> compensated_;
 };
 
 }  // namespace
@@ -165,7 +168,7 @@ AftHbm::AftHbm(const Options& options) : options_(options) {
 }
 
 Support AftHbm::supports(const Problem& problem) const {
-  return supports_harmonics(problem, options_.harmonics);
+  return supports_harmonics(problem, first_harmonics(options_.harmonics, problem));
 }
 
 RepresentedLaw AftHbm::law(const Problem& problem) const {
@@ -177,11 +180,14 @@ std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
     return options.law == ContactLaw::penalty ? penalty_law(problem, options.penalty, receptance)
                                               : lipschitz_law(problem, options.c, receptance);
   };
-  ContactReceptance receptance = fourier_receptance(problem, options_.harmonics);
-  std::shared_ptr<const ImpactCompensation> compensation;
-  if (compensates(options_)) compensation = impact_compensation(problem, receptance);
-  return std::make_unique<PreparedAft>(contact_gaps(problem), options_, std::move(receptance), law,
-                                       std::move(compensation));
+  return prepare_harmonics(options_, problem, [&problem, law, options = options_](int harmonics) {
+    ContactReceptance receptance = fourier_receptance(problem, harmonics);
+    std::shared_ptr<CompensatedSolve> compensated;
+    if (compensates(options))
+      compensated = compensated_solve(problem, receptance, options.homotopy.value_or(true));
+    return std::make_unique<PreparedAft>(contact_gaps(problem), options, std::move(receptance), law,
+                                         std::move(compensated));
+  });
 }
 
 }  // namespace signorini

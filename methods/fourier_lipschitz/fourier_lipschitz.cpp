@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "methods/kernels/harmonics_option.hpp"
 #include "methods/kernels/projected_contact.hpp"
 
 namespace signorini {
@@ -12,7 +13,7 @@ FourierLipschitz::FourierLipschitz(const Options& options) : options_(options) {
 }
 
 Support FourierLipschitz::supports(const Problem& problem) const {
-  return supports_harmonics(problem, options_.harmonics);
+  return supports_harmonics(problem, first_harmonics(options_.harmonics, problem));
 }
 
 RepresentedLaw FourierLipschitz::law(const Problem& problem) const { return projected_method_law(problem); }
@@ -21,10 +22,9 @@ std::unique_ptr<PreparedMethod> FourierLipschitz::prepare(const Problem& problem
   const auto law = [&problem, c = options_.c](const ContactReceptance& receptance) {
     return lipschitz_law(problem, c, receptance);
   };
-  ContactReceptance receptance = fourier_receptance(problem, options_.harmonics);
-  ProjectedOptions options = projected_options(problem, receptance, options_);
-  return std::make_unique<ProjectedContact>(contact_gaps(problem), std::move(receptance), law,
-                                            std::move(options));
+  return prepare_harmonics(options_, problem, [&problem, law, options = options_](int harmonics) {
+    return projected_contact(problem, harmonics, law, options);
+  });
 }
 
 }  // namespace signorini

@@ -3,48 +3,24 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <utility>
 
-#include "methods/kernels/hat_contact.hpp"
+#include "methods/kernels/hat_grids.hpp"
+#include "methods/kernels/trajectories.hpp"
 
 namespace signorini {
 
 namespace {
 
-constexpr int kCoarsest = 256;
-constexpr int kFinest = 4096;
-constexpr int kRefinement = 4;
-
-/// A scene on one grid after another until one has a solution.
-class RefinedHat final : public PreparedMethod {
- public:
-  RefinedHat(const Problem& problem, const HatSettings& settings, std::optional<double> restitution)
-      : problem_(problem),
-        settings_(settings),
-        restitution_(restitution),
-        coarsest_(hat_contact(problem, settings, restitution)) {}
-
-  Solution solve(const Start& start) override {
-    Solution solution = coarsest_->solve(start);
-    HatSettings finer = settings_;
-    while (solution.verdict != Verdict::converged && kRefinement * finer.samples <= kFinest &&
-           !start.expired()) {
-      finer.samples *= kRefinement;
-      const Work spent = solution.work;
-      solution = hat_contact(problem_, finer, restitution_)->solve(start);
-      if (spent.pivots) solution.work.pivots = solution.work.pivots.value_or(0) + *spent.pivots;
-      if (spent.iterations)
-        solution.work.iterations = solution.work.iterations.value_or(0) + *spent.iterations;
-      solution.message += fmt::format("; N = {}", finer.samples);
-    }
-    return solution;
-  }
-
- private:
-  const Problem& problem_;
-  HatSettings settings_;
-  std::optional<double> restitution_;
-  std::unique_ptr<PreparedMethod> coarsest_;
-};
+/// A pivot costs the square of the nodes in contact, and the next grid has four times as many of both.
+/// Contacts that press for long are dear, and not the ones that grids disagree on.
+bool cheap_on_the_next_grid(const Solution& solution) {
+  constexpr double kGrowth = 64.0;
+  constexpr double kOperations = 1e9;  // about a second
+  const auto& motion = dynamic_cast<const NodalTrajectory&>(*solution.trajectory);
+  const auto pressed = static_cast<double>((motion.nodal_force().array() < 0.0).count());
+  return kGrowth * static_cast<double>(solution.work.pivots.value_or(0)) * pressed * pressed <= kOperations;
+}
 
 }  // namespace
 
@@ -62,12 +38,7 @@ HatLcp::ImpactLaw HatLcp::impact_law() const {
 }
 
 int HatLcp::first_samples(const Problem& problem) const {
-  if (options_.samples) return *options_.samples;
-  constexpr int kPerOscillation = 16;
-  const int needed = kPerOscillation * highest_load_harmonic(problem) * problem.subharmonic;
-  int samples = kCoarsest;
-  while (samples < needed && samples < kFinest) samples *= 2;
-  return samples;
+  return options_.samples ? *options_.samples : coarsest_hat_grid(problem);
 }
 
 Support HatLcp::supports(const Problem& problem) const {
@@ -101,8 +72,8 @@ std::unique_ptr<PreparedMethod> HatLcp::prepare(const Problem& problem) const {
                              .max_iterations = options_.max_iterations};
   const bool refines = !options_.samples && !options_.plain && options_.max_iterations == 0 &&
                        options_.solver == ComplementaritySolver::automatic;
-  if (refines) return std::make_unique<RefinedHat>(problem, settings, restitution);
-  return hat_contact(problem, settings, restitution);
+  if (!refines) return hat_contact(problem, settings, restitution);
+  return refined_until_agreed(hat_grids(problem, settings, restitution), "N", cheap_on_the_next_grid);
 }
 
 }  // namespace signorini

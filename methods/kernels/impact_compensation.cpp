@@ -314,7 +314,7 @@ ImpactCompensation::Result ImpactCompensation::operator()(const ContactReceptanc
                                                           const StopShifts& shifts, int samples,
                                                           double tolerance, const Start& start) const {
   ExactProjection series = project_exactly(receptance, gap, law, lambda, samples, tolerance, shifts);
-  Result result{.iterations = series.iterations, .shifts = shifts};
+  Result result{.exact = series.converged, .iterations = series.iterations, .shifts = shifts};
   // Where the exact equations have no solution near by, the sampled one still says where the impacts are.
   if (!series.converged) series.lambda = lambda;
   double least = std::numeric_limits<double>::infinity();
@@ -353,9 +353,9 @@ ImpactCompensation::Result ImpactCompensation::operator()(const ContactReceptanc
   return result;
 }
 
-std::shared_ptr<const ImpactCompensation> impact_compensation(const Problem& problem,
-                                                              const ContactReceptance& receptance) {
-  if (!std::holds_alternative<Restitution>(problem.law)) return nullptr;
+std::optional<ImpactCompensation> impact_compensation(const Problem& problem,
+                                                      const ContactReceptance& receptance) {
+  if (!std::holds_alternative<Restitution>(problem.law)) return std::nullopt;
   const int harmonics = receptance.harmonics();
   const ImpulseResponse kept(receptance);
   const auto has_mass = [](const ImpulseResponse& response, int contacts, int beyond) {
@@ -365,13 +365,13 @@ std::shared_ptr<const ImpactCompensation> impact_compensation(const Problem& pro
     return false;
   };
   // A look at the harmonics at hand spares most structures with higher modes the search for more.
-  if (!has_mass(kept, receptance.contacts(), harmonics - std::max(1, harmonics / 8))) return nullptr;
+  if (!has_mass(kept, receptance.contacts(), harmonics - std::max(1, harmonics / 8))) return std::nullopt;
   try {
     ContactReceptance extended = fourier_receptance(problem, 2 * harmonics);
-    if (!has_mass(ImpulseResponse(extended), receptance.contacts(), harmonics)) return nullptr;
-    return std::make_shared<const ImpactCompensation>(std::move(extended));
+    if (!has_mass(ImpulseResponse(extended), receptance.contacts(), harmonics)) return std::nullopt;
+    return ImpactCompensation(std::move(extended));
   } catch (const SingularStiffness&) {
-    return nullptr;  // an undamped mode answers to a harmonic beyond H
+    return std::nullopt;  // an undamped mode answers to a harmonic beyond H
   }
 }
 

@@ -2,7 +2,7 @@
 // Impacts of a truncated series made to satisfy the law of impact with all harmonics.
 
 #include <Eigen/Core>
-#include <memory>
+#include <optional>
 
 #include "methods/kernels/exact_quadrature.hpp"
 #include "methods/kernels/impulse_response.hpp"
@@ -39,6 +39,7 @@ class ImpactCompensation {
 
   struct Result {
     bool converged = false;        ///< the stops stand right; true where there is no impact
+    bool exact = false;            ///< the projected equations have a solution near the one handed in
     int impacts = 0;               ///< per period
     int iterations = 0;            ///< Newton steps on the projected equations
     double residual = 0.0;         ///< as of project_exactly [-]
@@ -61,10 +62,10 @@ class ImpactCompensation {
   ImpulseResponse response_;
 };
 
-/// The compensation for a scene, or null where it has none to offer: the stops yield or no contact has mass
+/// The compensation for a scene; nothing where there is none to offer: the stops yield or no contact has mass
 /// (the force is then a function of time), or none answers like a mass from H to 2 H.
 /// \param receptance  of the scene, n = 0..H
-std::shared_ptr<const ImpactCompensation> impact_compensation(const Problem& problem,
-                                                              const ContactReceptance& receptance);
+std::optional<ImpactCompensation> impact_compensation(const Problem& problem,
+                                                      const ContactReceptance& receptance);
 
 }  // namespace signorini

@@ -11,6 +11,7 @@
 #include "methods/kernels/free_overlap.hpp"
 #include "methods/kernels/periodic_response.hpp"
 #include "methods/kernels/real_fft.hpp"
+#include "methods/kernels/resolutions.hpp"
 
 namespace signorini {
 
@@ -22,8 +23,7 @@ namespace {
 constexpr int kSampled = 32;
 constexpr int kCoarse = 8;
 constexpr int kFinest = 128;
-constexpr int kBracketed = 16;  // tells contacts apart that a climb would
-constexpr int kFewest = 8;      // harmonics for which the coarsest grid is made
+constexpr int kFewest = 8;  // harmonics for which the coarsest grid is made
 // A sampled answer is good enough when the contact's net work is this small a part of the work exchanged.
 constexpr double kEnergyIdentity = 1e-3;
 
@@ -129,92 +129,14 @@ std::optional<Solution> solve_by_climbing(const ContactReceptance& receptance, c
   const ClimbFoot foot = climb_foot(receptance);
   if (foot.harmonics == 0) return std::nullopt;
   const Solution base = solve_foot(truncated(receptance, foot.harmonics), foot.softness);
-  if (base.work.pivots) work.pivots = work.pivots.value_or(0) + *base.work.pivots;
-  work.iterations = work.iterations.value_or(0) + base.work.iterations.value_or(0);
+  add_effort(base.work, work);
   if (base.verdict != Verdict::converged) return std::nullopt;
   HarmonicClimb climb =
       climb_harmonics(receptance, gap, law_at, foot, base.trajectory->force_coefficients(), tolerance, start);
-  work.iterations = *work.iterations + climb.iterations;
+  work.iterations = work.iterations.value_or(0) + climb.iterations;
   if (!climb.converged) return std::nullopt;
   return exact_solution(receptance, gap, law, std::move(climb.lambda), climb.residual,
                         fmt::format("{} harmonics first, Newton from there", foot.harmonics));
-}
-
-namespace {
-
-/// The answer behind compensated impacts, found as `how` says.
-Solution compensated_solution(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
-                              const ProjectedLaw& law, ImpactCompensation::Result result,
-                              const std::string& how) {
-  FourierTrajectory::Data data = fourier_data(receptance, gap, law, std::move(result.lambda));
-  data.shifts = std::move(result.shifts);
-  return {.verdict = Verdict::converged,
-          .message =
-              fmt::format("{}; {} impact{} compensated, stops moved by up to {:.1e}, net contact work {:.1e}",
-                          how, result.impacts, result.impacts == 1 ? "" : "s", result.largest,
-                          net_work_ratio(data.x, data.lambda)),
-          .trajectory = std::make_shared<FourierTrajectory>(std::move(data)),
-          .residual = result.residual};
-}
-
-int bracketing_samples(const ContactReceptance& receptance) {
-  return kBracketed * std::max(receptance.harmonics(), kFewest);
-}
-
-/// Gives a converged answer (a FourierTrajectory under an unsoftened law) its compensated impacts, and adds
-/// the Newton steps to `work`. Where that fails, or takes more than `limit` pivots and steps in all (0: no
-/// limit), the answer stays what it is; its message says which.
-void compensate_impacts(const ImpactCompensation& compensation, const ContactReceptance& receptance,
-                        double tolerance, long limit, const Start& start, Solution& solution, Work& work) {
-  if (solution.verdict != Verdict::converged) return;
-  const auto& data = dynamic_cast<const FourierTrajectory&>(*solution.trajectory).data();
-  const ProjectedLaw law{data.stiffness, data.relief};
-  ImpactCompensation::Result result = compensation(receptance, data.gap, law, data.lambda, {},
-                                                   bracketing_samples(receptance), tolerance, start);
-  if (result.converged && result.impacts == 0) return;
-  const long spent = work.pivots.value_or(0) + work.iterations.value_or(0) + result.iterations;
-  if (!result.converged || (limit > 0 && spent > limit)) {
-    solution.message += "; impacts not compensated";
-    return;
-  }
-  work.iterations = work.iterations.value_or(0) + result.iterations;
-  solution = compensated_solution(receptance, data.gap, law, std::move(result), solution.message);
-}
-
-/// The compensated answer near a guess that is one itself, by Newton's method at once; nothing if there is
-/// none.
-std::optional<Solution> compensated_from_guess(const ImpactCompensation& compensation,
-                                               const ContactReceptance& receptance,
-                                               const Eigen::VectorXd& gap, const ProjectedLaw& law,
-                                               double tolerance, const Start& start, Work& work) {
-  const auto* guess = dynamic_cast<const FourierTrajectory*>(start.guess.get());
-  if (guess == nullptr || guess->data().shifts.size() != static_cast<std::size_t>(receptance.contacts()))
-    return std::nullopt;
-  ImpactCompensation::Result result =
-      compensation(receptance, gap, law, force_spectrum(*guess, receptance.harmonics()), guess->data().shifts,
-                   bracketing_samples(receptance), tolerance, start);
-  work.iterations = work.iterations.value_or(0) + result.iterations;
-  if (!result.converged || result.impacts == 0) return std::nullopt;
-  return compensated_solution(receptance, gap, law, std::move(result), "Newton from the guess");
-}
-
-}  // namespace
-
-Solution solve_compensated(const ImpactCompensation* compensation, const ContactReceptance& receptance,
-                           const Eigen::VectorXd& gap, const ProjectedLaw& law, double tolerance, long limit,
-                           const Start& start, Work work, const std::function<Solution(Work&)>& solve) {
-  if (compensation != nullptr && limit == 0) {
-    auto near = compensated_from_guess(*compensation, receptance, gap, law, tolerance, start, work);
-    if (near) {
-      near->work = work;
-      return *std::move(near);
-    }
-  }
-  Solution solution = solve(work);
-  if (compensation != nullptr)
-    compensate_impacts(*compensation, receptance, tolerance, limit, start, solution, work);
-  solution.work = work;
-  return solution;
 }
 
 Solution contact_free_response(const ContactReceptance& receptance) {
@@ -248,7 +170,7 @@ std::optional<Solution> ProjectedContact::solve_without_grid(const Start& start,
   return solve_by_climbing(receptance_, gap_, law_at_, tolerance, start, work,
                            [this, &start](const ContactReceptance& few, double softness) {
                              ProjectedOptions options = options_;
-                             options.compensation = nullptr;
+                             options.compensated = nullptr;
                              return ProjectedContact(gap_, few, law_at_, options, softness).solve(start);
                            });
 }
@@ -256,7 +178,7 @@ std::optional<Solution> ProjectedContact::solve_without_grid(const Start& start,
 Solution ProjectedContact::solve(const Start& start) {
   if (receptance_.contacts() == 0) return contact_free_response(receptance_);
   const Work work{.unknowns = (2L * receptance_.harmonics() + 1) * receptance_.contacts()};
-  return solve_compensated(options_.compensation.get(), receptance_, gap_, law_, options_.solver.tolerance,
+  return solve_compensated(options_.compensated.get(), {receptance_, gap_, law_, options_.solver.tolerance},
                            options_.solver.max_iterations, start, work, [this, &start](Work& spent) {
                              std::optional<Solution> solution = solve_without_grid(start, spent);
                              return solution ? *std::move(solution) : solve_on_grids(start, spent);

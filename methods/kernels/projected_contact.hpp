@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
+#include "methods/kernels/compensated_solve.hpp"
 #include "methods/kernels/complementarity_solver.hpp"
 #include "methods/kernels/harmonic_climb.hpp"
-#include "methods/kernels/impact_compensation.hpp"
 #include "methods/kernels/projected_law.hpp"
 #include "methods/kernels/receptance.hpp"
 #include "methods/kernels/trajectories.hpp"
@@ -22,7 +22,7 @@ struct ProjectedOptions {
   std::optional<int> samples = {};  ///< N; empty: see SampleLadder
   Quadrature quadrature = Quadrature::exact;
   SolverSettings solver = {};
-  std::shared_ptr<const ImpactCompensation> compensation = {};  ///< null: none
+  std::shared_ptr<CompensatedSolve> compensated = {};  ///< null: impacts stay as the series has them
 };
 
 /// w = q + A z with A = 1 + B_n (contact_symbol.hpp) for |n| <= H, 1 above, q = sqrt(c) (g - x_f): rows and
@@ -84,15 +84,6 @@ std::optional<Solution> solve_by_climbing(const ContactReceptance& receptance, c
                                           const LawAt& law_at, double tolerance, const Start& start,
                                           Work& work, const FootSolver& solve_foot);
 
-/// The answer of `solve` with its impacts compensated, and the work of both. A guess with compensated impacts
-/// is taken up by Newton's method first. Where the compensation fails, or takes more than `limit` pivots and
-/// steps in all (0: no limit), the answer stays what it is; its message says which.
-/// \param compensation  null: none
-/// \param solve  gives a FourierTrajectory under `law` where it converges; adds to the work handed to it
-Solution solve_compensated(const ImpactCompensation* compensation, const ContactReceptance& receptance,
-                           const Eigen::VectorXd& gap, const ProjectedLaw& law, double tolerance, long limit,
-                           const Start& start, Work work, const std::function<Solution(Work&)>& solve);
-
 /// The answer where the scene has no contact.
 Solution contact_free_response(const ContactReceptance& receptance);
 
@@ -100,12 +91,13 @@ Solution contact_free_response(const ContactReceptance& receptance);
 template <class Options>
 ProjectedOptions projected_options(const Problem& problem, const ContactReceptance& receptance,
                                    const Options& options) {
-  ProjectedOptions chosen{samples_of(options),
+  ProjectedOptions chosen{samples_of(options, receptance.harmonics()),
                           quadrature_of(options),
                           {options.solver, options.tolerance, options.max_iterations}};
   if (options.plain && options.solver == ComplementaritySolver::automatic)
     chosen.solver.solver = ComplementaritySolver::newton;
-  if (compensates(options)) chosen.compensation = impact_compensation(problem, receptance);
+  const bool left_to_us = options.solver == ComplementaritySolver::automatic;
+  if (compensates(options)) chosen.compensated = compensated_solve(problem, receptance, left_to_us);
   return chosen;
 }
 
@@ -135,5 +127,16 @@ class ProjectedContact final : public PreparedMethod {
   ProjectedLaw law_;
   ProjectedOptions options_;
 };
+
+/// A scene prepared with H harmonics of a projected method. \throws std::runtime_error if the structure
+/// cannot be factorised
+template <class Options>
+std::unique_ptr<PreparedMethod> projected_contact(const Problem& problem, int harmonics, LawAt law_at,
+                                                  const Options& options) {
+  ContactReceptance receptance = fourier_receptance(problem, harmonics);
+  ProjectedOptions chosen = projected_options(problem, receptance, options);
+  return std::make_unique<ProjectedContact>(contact_gaps(problem), std::move(receptance), std::move(law_at),
+                                            std::move(chosen));
+}
 
 }  // namespace signorini

@@ -31,6 +31,9 @@ struct EnumNames<Quadrature> {
   static constexpr std::array<std::string_view, 2> values{"exact", "sampled"};
 };
 
+/// H where it is left to the method and nothing asks for more.
+constexpr int kDefaultHarmonics = 20;
+
 /// C_n and free response of the undiscretised structure for |n| <= H.
 ContactReceptance fourier_receptance(const Problem& problem, int harmonics);
 
@@ -74,18 +77,19 @@ bool compensates(const Options& options) {
 
 /// N asked for; else 32 H if `plain`, and empty (what the solve needs) otherwise.
 template <class Options>
-std::optional<int> samples_of(const Options& options) {
+std::optional<int> samples_of(const Options& options, int harmonics) {
   constexpr int kPlain = 32;
-  return options.plain ? options.samples.value_or(kPlain * options.harmonics) : options.samples;
+  return options.plain ? options.samples.value_or(kPlain * harmonics) : options.samples;
 }
 
 /// Ranges of the options that all harmonic-balance methods share. \throws InvalidOption
 template <class Options>
 void validate_harmonic_options(const Options& options) {
-  require_option(options.harmonics >= 1 && options.harmonics <= 100000, "harmonics", options.harmonics,
-                 "must be from 1 to 100000");
-  require_option(!options.samples || *options.samples >= 2 * options.harmonics + 1, "samples",
-                 options.samples, "must be at least 2 * harmonics + 1, or auto");
+  const int harmonics = options.harmonics.value_or(kDefaultHarmonics);
+  require_option(harmonics >= 1 && harmonics <= 100000, "harmonics", options.harmonics,
+                 "must be from 1 to 100000, or auto");
+  require_option(!options.samples || *options.samples >= 2 * harmonics + 1, "samples", options.samples,
+                 "must be at least 2 * harmonics + 1, or auto");
   require_option(!options.samples || *options.samples <= 10000000, "samples", options.samples,
                  "must be at most 10000000");
   require_option(options.tolerance > 0.0 && options.tolerance <= 1e-2, "tolerance", options.tolerance,

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "methods/kernels/harmonics_option.hpp"
 #include "methods/kernels/projected_contact.hpp"
 
 namespace signorini {
@@ -13,7 +14,7 @@ PenaltyHbm::PenaltyHbm(const Options& options) : options_(options) {
 }
 
 Support PenaltyHbm::supports(const Problem& problem) const {
-  return supports_harmonics(problem, options_.harmonics);
+  return supports_harmonics(problem, first_harmonics(options_.harmonics, problem));
 }
 
 RepresentedLaw PenaltyHbm::law(const Problem& problem) const {
@@ -24,10 +25,9 @@ std::unique_ptr<PreparedMethod> PenaltyHbm::prepare(const Problem& problem) cons
   const auto law = [&problem, penalty = options_.penalty](const ContactReceptance& receptance) {
     return penalty_law(problem, penalty, receptance);
   };
-  ContactReceptance receptance = fourier_receptance(problem, options_.harmonics);
-  ProjectedOptions options = projected_options(problem, receptance, options_);
-  return std::make_unique<ProjectedContact>(contact_gaps(problem), std::move(receptance), law,
-                                            std::move(options));
+  return prepare_harmonics(options_, problem, [&problem, law, options = options_](int harmonics) {
+    return projected_contact(problem, harmonics, law, options);
+  });
 }
 
 }  // namespace signorini

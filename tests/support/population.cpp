@@ -44,6 +44,14 @@ Eigen::VectorXd free_amplitudes(const Problem& problem) {
 
 }  // namespace
 
+std::vector<ImpactOscillator> hard_population(int count) {
+  const double least = std::log10(2e-4);  // damping is twice the ratio where m = k = 1
+  std::vector<ImpactOscillator> oscillators = contact_population(count, 20260105, least);
+  for (std::size_t i = 0; i < oscillators.size(); ++i)
+    oscillators[i].restitution = kRestitutions[i % std::size(kRestitutions)];
+  return oscillators;
+}
+
 std::vector<Problem> restitution_population(int count, unsigned long seed) {
   std::vector<Problem> scenes;
   for (ImpactOscillator& oscillator : contact_population(count, seed)) {

@@ -13,6 +13,10 @@ namespace signorini::test {
 std::vector<ImpactOscillator> contact_population(int count, unsigned long seed = 20151228,
                                                  double least_damping = -2.5);
 
+/// Oscillators damped down to a ratio of 1e-4 (log10 d uniform from -3.7), with restitutions 0, 0.3, 0.5, 0.8
+/// and 1 in turn: the population of docs/decisions/0014.
+std::vector<ImpactOscillator> hard_population(int count);
+
 /// The oscillators of `contact_population` with restitutions 0, 0.3, 0.5, 0.8 and 1 in turn, as scenes.
 std::vector<Problem> restitution_population(int count, unsigned long seed = 20260101);
 

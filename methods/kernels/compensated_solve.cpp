@@ -1,0 +1,207 @@
+#include "methods/kernels/compensated_solve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "methods/kernels/hat_grids.hpp"
+#include "methods/kernels/periodic_response.hpp"
+#include "methods/kernels/projected_contact.hpp"
+#include "methods/kernels/trajectories.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr int kBracketed = 16;               // samples per harmonic: tells contacts apart that a climb would
+constexpr int kFewest = 8;                   // harmonics for which the coarsest grid is made
+constexpr int kNodesInAll = kFinestHatGrid;  // nodes times contacts that a second start may take
+constexpr int kNodesPerHarmonic = 4;         // fewer do not carry the harmonics asked for
+
+/// One solve, its impacts, and what it spends.
+class Compensating {
+ public:
+  Compensating(const ImpactCompensation& compensation, const ProjectedEquations& equations,
+               const Start& start, Work& work)
+      : compensation_(compensation), equations_(equations), start_(start), work_(work) {}
+
+  /// The compensated answer near a guess that is one itself, by Newton's method at once; nothing if there is
+  /// none.
+  [[nodiscard]] std::optional<Solution> from_guess() const {
+    const auto* guess = dynamic_cast<const FourierTrajectory*>(start_.guess.get());
+    if (guess == nullptr || static_cast<int>(guess->data().shifts.size()) != equations_.receptance.contacts())
+      return std::nullopt;
+    const ImpactCompensation::Result result = compensate(force_of(*guess), guess->data().shifts);
+    count(result);
+    if (!result.converged || result.impacts == 0) return std::nullopt;
+    return answer(result, "Newton from the guess");
+  }
+
+  enum class Outcome {
+    settled,  ///< compensated, or without impacts
+    open,     ///< a solution of the projected equations whose impacts cannot be compensated
+    loose,    ///< not even that: one of the sampled equations alone
+  };
+
+  /// Gives a converged answer its compensated impacts, within `limit` pivots and steps in all.
+  Outcome settle(Solution& solution, long limit) const {
+    const ImpactCompensation::Result result = compensate(force_of(*solution.trajectory), {});
+    if (result.converged && result.impacts == 0) return Outcome::settled;
+    if (!result.converged || (limit > 0 && spent(work_) + result.iterations > limit))
+      return result.exact ? Outcome::open : Outcome::loose;
+    count(result);
+    solution = answer(result, solution.message);
+    return Outcome::settled;
+  }
+
+  /// The compensated answer that a motion on hat functions leads to; nothing if there is none.
+  [[nodiscard]] std::optional<Solution> from_hat(const Trajectory& motion, int samples) const {
+    const ImpactCompensation::Result result = compensate(force_of(motion), {});
+    count(result);
+    if (!result.converged) return std::nullopt;
+    const std::string how = fmt::format("{} hat functions first, Newton from there", samples);
+    if (result.impacts > 0) return answer(result, how);
+    return exact_solution(equations_.receptance, equations_.gap, equations_.law, result.lambda,
+                          result.residual, how);
+  }
+
+ private:
+  static long spent(const Work& work) { return work.pivots.value_or(0) + work.iterations.value_or(0); }
+
+  void count(const ImpactCompensation::Result& result) const {
+    work_.iterations = work_.iterations.value_or(0) + result.iterations;
+  }
+
+  [[nodiscard]] Eigen::MatrixXcd force_of(const Trajectory& motion) const {
+    return force_spectrum(motion, equations_.receptance.harmonics());
+  }
+
+  [[nodiscard]] ImpactCompensation::Result compensate(const Eigen::MatrixXcd& lambda,
+                                                      const StopShifts& shifts) const {
+    const int samples = kBracketed * std::max(equations_.receptance.harmonics(), kFewest);
+    return compensation_(equations_.receptance, equations_.gap, equations_.law, lambda, shifts, samples,
+                         equations_.tolerance, start_);
+  }
+
+  /// The answer behind compensated impacts, found as `how` says.
+  [[nodiscard]] Solution answer(const ImpactCompensation::Result& result, const std::string& how) const {
+    FourierTrajectory::Data data =
+        fourier_data(equations_.receptance, equations_.gap, equations_.law, result.lambda);
+    data.shifts = result.shifts;
+    return {.verdict = Verdict::converged,
+            .message = fmt::format(
+                "{}; {} impact{} compensated, stops moved by up to {:.1e}, net contact work {:.1e}", how,
+                result.impacts, result.impacts == 1 ? "" : "s", result.largest,
+                net_work_ratio(data.x, data.lambda)),
+            .trajectory = std::make_shared<FourierTrajectory>(std::move(data)),
+            .residual = result.residual};
+  }
+
+  const ImpactCompensation& compensation_;
+  const ProjectedEquations& equations_;
+  const Start& start_;
+  Work& work_;
+};
+
+/// The scene on one of the grids; a grid on which the structure cannot be factorised has no motion.
+Solution motion_on(Resolutions& grids, std::size_t grid, const Start& start) {
+  try {
+    return grids.at(grid).solve({.deadline = start.deadline});
+  } catch (const SingularStiffness&) {
+    return {};
+  }
+}
+
+/// How far hat functions bear out an answer, or what they lead to instead.
+struct SecondStart {
+  std::optional<Solution> answer = {};  ///< with compensated impacts
+  std::optional<double> distance = {};  ///< of the first answer from the nearest motion on hat functions [-]
+};
+
+SecondStart second_start(const Compensating& compensating, Resolutions& grids,
+                         const ProjectedEquations& equations, const Start& start, const Solution& first,
+                         Work& work) {
+  SecondStart second;
+  for (std::size_t grid = 0; grid < grids.count() && !start.expired(); ++grid) {
+    const int samples = grids.value(grid);
+    if (samples < kNodesPerHarmonic * equations.receptance.harmonics()) continue;
+    if (samples * equations.receptance.contacts() > kNodesInAll) break;
+    const Solution hat = motion_on(grids, grid, start);
+    add_effort(hat.work, work);
+    if (hat.verdict != Verdict::converged) continue;
+    second.answer = compensating.from_hat(*hat.trajectory, samples);
+    if (second.answer) break;
+    if (first.verdict != Verdict::converged) continue;
+    const double away = relative_distance(*first.trajectory, *hat.trajectory, samples);
+    second.distance = std::min(away, second.distance.value_or(away));
+  }
+  return second;
+}
+
+/// What becomes of an answer whose impacts are not compensated, given what hat functions say of it.
+Solution uncompensated(Solution solution, Compensating::Outcome outcome, const SecondStart& second) {
+  if (second.answer) return *second.answer;
+  if (solution.verdict != Verdict::converged) return solution;
+  solution.message += "; impacts not compensated";
+  const bool borne_out = second.distance && near_by(*second.distance);
+  if (borne_out && outcome == Compensating::Outcome::open) return solution;
+  solution.verdict = Verdict::not_converged;
+  if (borne_out) {
+    solution.message += ", nor the contact integral exact";
+  } else {
+    solution.message +=
+        second.distance ? fmt::format(" and {:.2g} away from the motion on hat functions", *second.distance)
+                        : ", nor borne out by hat functions";
+  }
+  return solution;
+}
+
+}  // namespace
+
+CompensatedSolve::CompensatedSolve(const Problem& problem, ImpactCompensation compensation,
+                                   bool second_starts)
+    : compensation_(std::move(compensation)) {
+  // Restitution 1 is what the projected force represents, whatever the scene's.
+  constexpr double kConservative = 1.0;
+  if (second_starts && coarsest_hat_grid(problem) * problem.contact_count() <= kNodesInAll)
+    grids_ = hat_grids(problem, HatSettings{}, kConservative);
+}
+
+std::shared_ptr<CompensatedSolve> compensated_solve(const Problem& problem,
+                                                    const ContactReceptance& receptance, bool second_starts) {
+  std::optional<ImpactCompensation> compensation = impact_compensation(problem, receptance);
+  if (!compensation) return nullptr;
+  return std::make_shared<CompensatedSolve>(problem, *std::move(compensation), second_starts);
+}
+
+Solution solve_compensated(CompensatedSolve* compensated, const ProjectedEquations& equations, long limit,
+                           const Start& start, Work work, const std::function<Solution(Work&)>& solve) {
+  if (compensated == nullptr) {
+    Solution solution = solve(work);
+    solution.work = work;
+    return solution;
+  }
+  const Compensating compensating(compensated->compensation(), equations, start, work);
+  std::optional<Solution> near;
+  if (limit == 0) near = compensating.from_guess();
+  Solution solution = near ? *std::move(near) : solve(work);
+  if (near) {
+    solution.work = work;
+    return solution;
+  }
+  auto outcome = Compensating::Outcome::loose;
+  if (solution.verdict == Verdict::converged) outcome = compensating.settle(solution, limit);
+  Resolutions* grids = limit == 0 ? compensated->second_starts() : nullptr;
+  if (outcome != Compensating::Outcome::settled && grids != nullptr) {
+    const SecondStart second = second_start(compensating, *grids, equations, start, solution, work);
+    solution = uncompensated(std::move(solution), outcome, second);
+  } else if (outcome != Compensating::Outcome::settled && solution.verdict == Verdict::converged) {
+    solution.message += "; impacts not compensated";
+  }
+  solution.work = work;
+  return solution;
+}
+
+}  // namespace signorini

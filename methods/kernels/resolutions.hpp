@@ -1,0 +1,63 @@
+#pragma once
+// One scene at several resolutions, from coarse to fine.
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "methods/method.hpp"
+
+namespace signorini {
+
+/// A scene prepared at a resolution (nodes, harmonics).
+using AtResolution = std::function<std::unique_ptr<PreparedMethod>(int resolution)>;
+
+/// `first`, and on by `factor` while not above `finest`.
+std::vector<int> rising_resolutions(int first, int factor, int finest);
+
+/// A scene at resolutions in rising order, each prepared when it is first asked for.
+class Resolutions {
+ public:
+  Resolutions(std::vector<int> values, AtResolution prepare);
+
+  [[nodiscard]] std::size_t count() const { return values_.size(); }
+  [[nodiscard]] int value(std::size_t k) const { return values_[k]; }
+  /// \throws std::runtime_error if the structure cannot be factorised
+  PreparedMethod& at(std::size_t k);
+
+ private:
+  std::vector<int> values_;
+  AtResolution prepare_;
+  std::vector<std::unique_ptr<PreparedMethod>> prepared_;
+};
+
+/// Solves at one resolution after another until one converges. The message says where it is not the first;
+/// the work is that of all. The first is prepared at once. \param symbol  of the resolution, for the message:
+/// "N", "H"
+std::unique_ptr<PreparedMethod> refined_until_converged(Resolutions resolutions, std::string symbol);
+
+/// Whether an answer is worth the next resolution.
+using WorthChecking = std::function<bool(const Solution&)>;
+
+/// Solves at one resolution after another until two that converge agree: their motions are within 5 % of
+/// their size of each other. Where none do, the finest answer is claimed unless it is nowhere near the one
+/// before
+/// (`near_by`); an answer that is not worth the next resolution is taken as it is. The answer is the finest
+/// found; the message names its resolution, the work is that of all. The first is prepared at once. \param
+/// symbol  as above
+std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, std::string symbol,
+                                                     WorthChecking worth_checking);
+
+/// |x_a - x_b|_2 / |x_b|_2 of two motions of one period at so many instants [-].
+double relative_distance(const Trajectory& a, const Trajectory& b, int instants);
+
+/// Whether motions at this relative distance may be the same one, found with different errors. Coarse answers
+/// may be off by 0.3 and are near the same orbit all the same.
+bool near_by(double distance);
+
+/// Pivots and iterations of a part, added to those of the whole.
+void add_effort(const Work& part, Work& whole);
+
+}  // namespace signorini
