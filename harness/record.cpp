@@ -289,6 +289,11 @@ void read_body(const Json& json, Record& record) {
   record.work = read_work(object(json, "work"));
   if (json.contains("seconds")) record.seconds = read_seconds(json["seconds"]);
   get(json, "not_timed", record.not_timed);
+  get(json, "answer", record.answer);
+  if (json.contains("repeats")) {
+    const Json& repeats = json["repeats"];
+    record.repeats = Repeats{.solves = repeats.at("solves"), .identical = repeats.at("identical")};
+  }
   get(json, "elapsed", record.elapsed);
   record.certificate = read_certificate(object(json, "certificate"));
   for (std::size_t i = 0; i < kErrors.size(); ++i)
@@ -306,6 +311,13 @@ void read_body(const Json& json, Record& record) {
 
 std::string_view certificate_name(CertificateStatus status) {
   return kCertificateNames[static_cast<std::size_t>(status)];
+}
+
+void count_repeat(const std::string& answer, Record& record) {
+  Repeats repeats = record.repeats.value_or(Repeats{});
+  ++repeats.solves;
+  repeats.identical += answer == record.answer ? 1 : 0;
+  record.repeats = repeats;
 }
 
 double measurable_error(const Record& record) {
@@ -352,6 +364,9 @@ Json to_json(const Record& record) {
   put_object(json, "work", write_work(record.work));
   if (record.seconds) json["seconds"] = write_seconds(*record.seconds);
   put(json, "not_timed", record.not_timed);
+  put(json, "answer", record.answer);
+  if (record.repeats)
+    json["repeats"] = {{"solves", record.repeats->solves}, {"identical", record.repeats->identical}};
   put(json, "elapsed", record.elapsed);
   json["certificate"] = write_certificate(record.certificate);
   Json errors = Json::object();

@@ -43,7 +43,7 @@ struct TimedRound {
   double solve = 0.0;
 };
 
-/// Times of one cold run, set-up plus solve, over rounds; least per round [s].
+/// Times of set-up plus solve over rounds, the least of each [s].
 struct Seconds {
   double median = 0.0;
   double min = 0.0;
@@ -127,6 +127,13 @@ struct Waveforms {
   std::optional<Waveform> orbit = {};  ///< absent unless certified
 };
 
+/// Solves of one case after the first, in the same process and in others, and whether they gave the same
+/// bits.
+struct Repeats {
+  int solves = 0;
+  int identical = 0;
+};
+
 struct Record {
   std::string case_id = {};  ///< "scene/method[settings]"
   std::string key = {};      ///< identifies the run for --resume
@@ -142,13 +149,18 @@ struct Record {
   WorkDone work = {};
   std::optional<Seconds> seconds = {};
   std::string not_timed = {};  ///< why `seconds` is absent
-  Measure elapsed = {};        ///< wall time of all processes of the case [s]
+  std::string answer = {};     ///< digest of the first answer (answer_digest)
+  std::optional<Repeats> repeats = {};
+  Measure elapsed = {};  ///< wall time of all processes of the case [s]
   Certificate certificate = {};
   Errors errors = {};
   Physics physics = {};
   std::optional<TrajectorySamples> trajectory = {};
   std::optional<Waveforms> waveforms = {};
 };
+
+/// Counts one more solve of the case, whose answer has this digest.
+void count_repeat(const std::string& answer, Record& record);
 
 /// Ten error bars of the certified orbit: an error below this is not measured but bounded.
 double measurable_error(const Record& record);

@@ -70,7 +70,8 @@ constexpr const char* kRepeated = "in a repeated solve: ";
 
 std::string repeat_line(const RepeatedSolve& repeat) {
   if (!repeat.times) return one_line({{"message", repeat.message}});
-  return one_line({{"setup", repeat.times->setup}, {"solve", repeat.times->solve}});
+  return one_line(
+      {{"setup", repeat.times->setup}, {"solve", repeat.times->solve}, {"answer", repeat.answer}});
 }
 
 /// A child that died after the answer was in: while it was timed or cleaned up that is the method's doing,
@@ -122,6 +123,7 @@ void take_round(const ChildEnd& end, Record& record) {
     std::vector<TimedRound> rounds = record.seconds->rounds;
     rounds.push_back({.setup = json.at("setup"), .solve = json.at("solve")});
     record.seconds = summarise(rounds);
+    count_repeat(json.at("answer"), record);
     return;
   }
   if (json.contains("message")) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "harness/answer_digest.hpp"
 #include "harness/certificate.hpp"
 #include "harness/measures.hpp"
 #include "harness/timing.hpp"
@@ -67,6 +68,7 @@ bool take_solution(const Trial& trial, const Solution& solution, bool expired, R
   }
   record.status = Status::converged;
   record.period = solution.trajectory->period();
+  record.answer = answer_digest(*solution.trajectory);
   if (trial.samples > 0) record.trajectory = samples_of(*solution.trajectory, trial.samples);
   return true;
 }
@@ -79,8 +81,16 @@ struct FirstCall {
   double setup = 0.0, solve = 0.0;  // [s]
 };
 
-TimedRound round_from(const FirstCall& first, const std::string& name, const Problem& problem,
-                      const Limits& limits) {
+/// The times of a round, and the last answer it gave after the first call's; null where that was the only
+/// one.
+struct Round {
+  TimedRound times;
+  std::shared_ptr<const Trajectory> latest;
+};
+
+Round round_from(const FirstCall& first, const std::string& name, const Problem& problem,
+                 const Limits& limits) {
+  Round round;
   const auto set_up = [&] {
     std::unique_ptr<PreparedMethod> fresh;
     return seconds_of([&] { fresh = first.method.prepare(problem); });
@@ -88,10 +98,13 @@ TimedRound round_from(const FirstCall& first, const std::string& name, const Pro
   const auto solve = [&] {
     const Start start{.guess = first.start, .deadline = after(limits.timeout)};
     Solution solution;
-    return seconds_of([&] { solution = first.prepared.solve(start); });
+    const double seconds = seconds_of([&] { solution = first.prepared.solve(start); });
+    round.latest = std::move(solution.trajectory);
+    return seconds;
   };
-  return {.setup = time_round(name + "/setup", set_up, first.setup, {}),
-          .solve = time_round(name + "/solve", solve, first.solve, {})};
+  round.times = {.setup = time_round(name + "/setup", set_up, first.setup, {}),
+                 .solve = time_round(name + "/solve", solve, first.solve, {})};
+  return round;
 }
 
 void take_times(const Trial& trial, const FirstCall& first, Record& record) {
@@ -100,7 +113,9 @@ void take_times(const Trial& trial, const FirstCall& first, Record& record) {
   } else if (!build_may_be_timed()) {
     record.not_timed = "not a Release build";
   } else {
-    record.seconds = summarise({round_from(first, record.case_id, trial.scene.problem, trial.limits)});
+    const Round round = round_from(first, record.case_id, trial.scene.problem, trial.limits);
+    record.seconds = summarise({round.times});
+    if (round.latest) count_repeat(answer_digest(*round.latest), record);
   }
 }
 
@@ -159,8 +174,9 @@ RepeatedSolve repeat_solve(const Scene& scene, const Case& run, const Limits& li
   const Start begin{.guess = start, .deadline = after(limits.timeout)};
   const double solve = seconds_of([&] { solution = prepared->solve(begin); });
   if (solution.verdict != Verdict::converged) return {.times = {}, .message = solution.message};
-  return {.times = round_from({*method, *prepared, start, setup, solve}, run.id, scene.problem, limits),
-          .message = {}};
+  const std::string answer = answer_digest(*solution.trajectory);
+  return {.times = round_from({*method, *prepared, start, setup, solve}, run.id, scene.problem, limits).times,
+          .answer = answer};
 }
 
 }  // namespace signorini

@@ -36,10 +36,12 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
 /// One more round of timing: its times, or why there are none.
 struct RepeatedSolve {
   std::optional<TimedRound> times = {};
+  std::string answer = {};   ///< answer_digest of its first solve
   std::string message = {};  ///< of a method that does not converge this time
 };
 
-/// Sets up and solves anew from the same start, only for the times. Exceptions of the method leave it.
+/// Sets up and solves anew from the same start, for the times and to see whether the answer is the same.
+/// Exceptions of the method leave it.
 RepeatedSolve repeat_solve(const Scene& scene, const Case& run, const Limits& limits,
                            const std::shared_ptr<const Trajectory>& start);
 

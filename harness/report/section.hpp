@@ -36,6 +36,10 @@ std::vector<Section> speed_sections(const Evaluation& evaluation);    ///< media
 std::vector<Section> breakdown_sections(
     const Evaluation& evaluation);  ///< severest levels, false convergence
 
+// sensitivity_sections.cpp
+std::vector<Section> sensitivity_sections(const Evaluation& evaluation);  ///< to one option at a time
+std::vector<Section> repeat_sections(const Evaluation& evaluation);       ///< the same bits again?
+
 // contest_sections.cpp: one section per contest
 std::vector<Section> time_to_error_sections(const Evaluation& evaluation);
 std::vector<Section> mean_sections(const Evaluation& evaluation);  ///< with the joint performance profile

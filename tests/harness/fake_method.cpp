@@ -95,7 +95,8 @@ class PreparedFake final : public PreparedMethod {
 
   Solution solve(const Start& start) override {
     misbehave(behaviour_);
-    if (behaviour_ == Behaviour::crash_when_repeated && ++solves_ > 1) std::abort();
+    ++solves_;
+    if (behaviour_ == Behaviour::crash_when_repeated && solves_ > 1) std::abort();
     if (behaviour_ == Behaviour::obey_deadline) {
       while (!start.expired()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -120,6 +121,8 @@ class PreparedFake final : public PreparedMethod {
         return scaled_motion(problem_, 1.0, 1.0, 2);
       case Behaviour::wrong_period:
         return scaled_motion(problem_, 1.0, 1.5);
+      case Behaviour::waver:
+        return scaled_motion(problem_, 1.0 + 1e-12 * solves_);
       default:
         return scaled_motion(problem_, 1.0);
     }

@@ -35,7 +35,8 @@ enum class Behaviour {
   unsupported,
   crash_when_asked,
   crash_when_repeated,
-  singular
+  singular,
+  waver
 };
 
 /// Motion of one contact given by formulas of time; any number of contacts repeats it.
@@ -116,14 +117,28 @@ std::filesystem::path fresh_folder(const std::string& name);
 namespace signorini {
 template <>
 struct EnumNames<test::Behaviour> {
-  static constexpr std::array<std::string_view, 22> values{
-      "good",           "segfault",         "abort_now",
-      "exit_three",     "throw_error",      "throw_number",
-      "spin",           "allocate",         "not_a_number",
-      "ignore_sigterm", "overflow_stack",   "lie",
-      "no_trajectory",  "wrong_size",       "wrong_period",
-      "give_up",        "obey_deadline",    "orphan",
-      "unsupported",    "crash_when_asked", "crash_when_repeated",
-      "singular"};
+  static constexpr std::array<std::string_view, 23> values{"good",
+                                                           "segfault",
+                                                           "abort_now",
+                                                           "exit_three",
+                                                           "throw_error",
+                                                           "throw_number",
+                                                           "spin",
+                                                           "allocate",
+                                                           "not_a_number",
+                                                           "ignore_sigterm",
+                                                           "overflow_stack",
+                                                           "lie",
+                                                           "no_trajectory",
+                                                           "wrong_size",
+                                                           "wrong_period",
+                                                           "give_up",
+                                                           "obey_deadline",
+                                                           "orphan",
+                                                           "unsupported",
+                                                           "crash_when_asked",
+                                                           "crash_when_repeated",
+                                                           "singular",
+                                                           "waver"};
 };
 }  // namespace signorini

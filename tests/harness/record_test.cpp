@@ -40,6 +40,8 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
                               "work",
                               "seconds",
                               "not_timed",
+                              "answer",
+                              "repeats",
                               "elapsed",
                               "certificate",
                               "errors",

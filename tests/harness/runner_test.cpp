@@ -162,6 +162,18 @@ TEST(Runner, CountsACrashInARepetitionAgainstTheMethod) {
   EXPECT_EQ(record.message.rfind("in a repeated solve", 0), 0U) << record.message;
 }
 
+TEST(Runner, SeesWhetherARepetitionGivesTheSameBits) {
+  if (!build_may_be_timed()) GTEST_SKIP() << "nothing is repeated in this build";
+  const Record good = run_fake("good");
+  ASSERT_TRUE(good.repeats.has_value());
+  EXPECT_GE(good.repeats->solves, 2);  // in the first process, and in that of the second round
+  EXPECT_EQ(good.repeats->identical, good.repeats->solves);
+  const Record wavering = run_fake("waver");
+  EXPECT_EQ(wavering.status, Status::converged) << wavering.message;
+  ASSERT_TRUE(wavering.repeats.has_value());
+  EXPECT_LT(wavering.repeats->identical, wavering.repeats->solves);
+}
+
 TEST(Runner, EndsTheProcessesThatAMethodLeavesBehind) {
   EXPECT_EQ(run_fake("orphan").status, Status::converged);
 }

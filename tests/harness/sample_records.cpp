@@ -8,6 +8,8 @@ Record full_record() {
   record.signal = 11;
   record.residual = 1e-12;
   record.not_timed = "it was";
+  record.answer = "0123456789abcdef";
+  record.repeats = Repeats{.solves = 7, .identical = 6};
   record.options = {{"n", 1L}, {"tolerance", 1e-9}};
   record.work.counts = {
       .unknowns = 1, .iterations = 2, .pivots = 3, .rhs_evaluations = 4, .factorisations = 5};

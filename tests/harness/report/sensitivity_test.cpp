@@ -1,0 +1,69 @@
+// Tables of what should not matter: one option at a time, and solves repeated.
+
+#include <gtest/gtest.h>
+
+#include "harness/report/section.hpp"
+#include "tests/harness/sample_records.hpp"
+
+namespace signorini {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+Rows rows_of(const Section& section) {
+  Rows rows;
+  for (const auto& row : section.table.rows) {
+    rows.emplace_back();
+    for (const Cell& cell : row) rows.back().push_back(cell.text);
+  }
+  return rows;
+}
+
+Rows sensitivity(const std::vector<Record>& records) {
+  const Evaluation evaluation(records);
+  return rows_of(sensitivity_sections(evaluation).front());
+}
+
+TEST(Sensitivity, HasARowForEachValueOfWhatIsVaried) {
+  std::vector<Record> records;
+  for (const char* scene : {"a", "b", "c"}) {
+    records.push_back(test::good_record(scene, "m", "h=40,c=0.1", 1e-2, 1.0));
+    records.push_back(test::good_record(scene, "m", "h=40,c=1", 2e-3, 1.0));
+    records.push_back(test::good_record(scene, "m", "h=40,c=1e3", 1e-3, 1.0));
+  }
+  records[4].status = Status::inaccurate;
+  records[7].status = Status::not_applicable;
+  EXPECT_EQ(sensitivity(records), (Rows{{"m[h=40]", "c", "0.1", "3 of 3", "0", "1.0e-02", "1.0e-02"},
+                                        {"m[h=40]", "c", "1", "1 of 2", "1", "not solved", "not solved"},
+                                        {"m[h=40]", "c", "1e3", "3 of 3", "0", "1.0e-03", "1.0e-03"}}));
+}
+
+TEST(Sensitivity, TakesNeitherResolutionsNorPairsForVariations) {
+  std::vector<Record> records;
+  for (const char* resolution : {"h=10", "h=20", "h=40", "h=10,c=1", "h=10,c=2"})
+    records.push_back(test::good_record("a", "m", resolution, 1e-2, 1.0));
+  EXPECT_EQ(sensitivity(records), Rows{});
+}
+
+TEST(Repeats, CountCasesWhoseEveryAnswerHadTheSameBits) {
+  std::vector<Record> records;
+  for (const char* scene : {"a", "b", "c"})
+    records.push_back(test::good_record(scene, "m", "h=1", 1e-2, 1.0));
+  records[0].repeats = Repeats{.solves = 5, .identical = 5};
+  records[1].repeats = Repeats{.solves = 3, .identical = 2};
+  const Evaluation evaluation(records);
+  EXPECT_EQ(rows_of(repeat_sections(evaluation).front()), (Rows{{"m", "2", "8", "1 of 2"}}));
+}
+
+TEST(Repeats, CompareTheDigestsOfAnswers) {
+  Record record = test::good_record("a", "m", "h=1", 1e-2, 1.0);
+  record.answer = "0123";
+  EXPECT_FALSE(record.repeats.has_value());
+  count_repeat("0123", record);
+  count_repeat("0124", record);
+  EXPECT_EQ(record.repeats->solves, 2);
+  EXPECT_EQ(record.repeats->identical, 1);
+}
+
+}  // namespace
+}  // namespace signorini
