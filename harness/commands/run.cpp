@@ -70,8 +70,13 @@ Plan plan_of(const RunArguments& arguments, const Suite& suite) {
   return take_shard(plan, parse_shard(*arguments.shard), durations);
 }
 
-nlohmann::ordered_json manifest_of(const RunArguments& arguments, const Suite& suite, const Limits& limits) {
+nlohmann::ordered_json manifest_of(const RunArguments& arguments, const Suite& suite, const Limits& limits,
+                                   const Plan& plan) {
   nlohmann::ordered_json manifest = make_manifest(suite, limits, arguments.turns, arguments.words);
+  for (const Case& run : plan.cases) {
+    const MethodEntry& entry = *run.choice.entry;
+    if (!entry.plugin.empty()) manifest["plugins"][entry.name] = entry.plugin;
+  }
   if (arguments.shard) manifest["shard"] = *arguments.shard;
   return manifest;
 }
@@ -100,7 +105,7 @@ int run_suite(const RunArguments& arguments) {
   if (arguments.waveforms) runner.keep_waveforms();
   RecordStore store(folder, arguments.resume);
   describe_run({.path = folder,
-                .manifest = manifest_of(arguments, suite, runner.limits()),
+                .manifest = manifest_of(arguments, suite, runner.limits(), plan),
                 .plan = planned_cases(plan, runner)},
                arguments.resume);
   if (!build_may_be_timed()) fmt::print(stderr, "this is not a Release build: no times are recorded\n");

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 using Pointer = Json::json_pointer;
 
 constexpr std::array kMachine{"/machine/cpu", "/machine/processors", "/machine/governor"};
-constexpr std::array kRest{"/limits", "/build", "/suite", "/jobs"};
+constexpr std::array kRest{"/limits", "/build", "/plugins", "/suite", "/jobs"};
 
 Json at(const RunFolder& run, const char* place) {
   const Pointer pointer(place);
