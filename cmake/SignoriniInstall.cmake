@@ -7,6 +7,7 @@ set(headers ${CMAKE_INSTALL_INCLUDEDIR}/signorini)
 
 install(DIRECTORY problems/catalogue problems/families problems/suites
         DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini/problems)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
 install(DIRECTORY problems methods DESTINATION ${headers} FILES_MATCHING PATTERN "*.hpp"
         PATTERN catalogue EXCLUDE PATTERN families EXCLUDE PATTERN suites EXCLUDE)
 install(FILES ${interface_version} DESTINATION ${headers}/methods/plugin)

@@ -1,0 +1,21 @@
+// Compiled several times, once as it should be and else with flags that a plugin must not have.
+#include "tiny.hpp"
+
+#ifdef TINY_API
+#undef SIGNORINI_PLUGIN_API
+#define SIGNORINI_PLUGIN_API TINY_API
+#endif
+#ifndef TINY_NAME
+#define TINY_NAME "tiny"
+#endif
+
+namespace tiny {
+
+struct Plain final : Method<StandStill> {
+  static constexpr std::string_view kName = TINY_NAME;
+  using Method::Method;
+};
+
+}  // namespace tiny
+
+SIGNORINI_PLUGIN(tiny::Plain)
