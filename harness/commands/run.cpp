@@ -12,6 +12,7 @@
 #include "harness/manifest.hpp"
 #include "harness/report/markdown.hpp"
 #include "harness/report/report.hpp"
+#include "harness/runs/merge.hpp"
 #include "harness/runs/resume.hpp"
 #include "harness/runs/run_folder.hpp"
 #include "harness/runs/shards.hpp"
@@ -88,6 +89,7 @@ void describe_run(RunFolder run, bool resume) {
     const RunFolder before = read_run(run.path);
     require_same_machine(before, run);
     run.plan = joined_plan(before, run);
+    join_plugins(run.manifest, before.manifest);
   }
   write_whole(run.path / "manifest.json", run.manifest.dump(2) + "\n");
   write_plan(run.path, run.plan);

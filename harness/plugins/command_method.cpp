@@ -11,6 +11,7 @@
 #include "harness/plugins/command_exchange.hpp"
 #include "harness/plugins/command_process.hpp"
 #include "harness/selection.hpp"
+#include "problems/toml_tree.hpp"
 
 namespace signorini {
 
@@ -50,7 +51,7 @@ class PreparedCommand final : public PreparedMethod {
     const CommandEnd end = run_command(words_, command_input(request_, start), start.deadline);
     if (end.expired) return {.message = "the command was stopped at the time limit"};
     if (!end.failure.empty()) {
-      const std::string words = end.last_words.empty() ? "" : ": " + end.last_words;
+      const std::string words = end.last_words.empty() ? "" : ": " + one_line(end.last_words, 400);
       throw MethodFailure(Status::crashed, end.failure + words, end.signal);
     }
     return read_command_answer(end.output, period_);

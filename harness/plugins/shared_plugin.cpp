@@ -3,6 +3,9 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cfenv>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -45,6 +48,13 @@ std::string abi_difference(std::string_view there, std::string_view here) {
   return {};
 }
 
+/// Rounding to nearest, and numbers below the smallest normal one kept: what every result here is computed
+/// with.
+bool floating_point_is_usual() {
+  const volatile double smallest = std::numeric_limits<double>::min();
+  return std::fegetround() == FE_TONEAREST && smallest / 2.0 > 0.0;
+}
+
 /// What the entry point returns, once all that must be equal is found to be. \throws UsageError
 const PluginDescription& open_plugin(const fs::path& file) {
   void* const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -53,6 +63,9 @@ const PluginDescription& open_plugin(const fs::path& file) {
     if (reason.starts_with(file.string() + ": ")) reason.erase(0, file.string().size() + 2);
     refuse(file, "must be a shared object that can be loaded: " + reason);
   }
+  if (!floating_point_is_usual())
+    refuse(file,
+           "must leave floating-point numbers as they are: -ffast-math changes them for all that is loaded");
   const auto entry_point = reinterpret_cast<PluginEntryPoint>(dlsym(handle, kPluginEntryPoint));
   if (entry_point == nullptr)
     refuse(file, fmt::format("must be a plugin: it has no function {}", kPluginEntryPoint));

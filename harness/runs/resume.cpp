@@ -22,16 +22,6 @@ bool same_keys(const RunFolder& before, const RunFolder& now) {
   });
 }
 
-/// A plugin that both runs used must be the same; one of a single run changes none of the other's keys.
-bool same_plugins(const RunFolder& before, const RunFolder& now) {
-  if (!before.manifest.contains("plugins") || !now.manifest.contains("plugins")) return true;
-  const auto& theirs = before.manifest["plugins"];
-  for (const auto& [method, hash] : now.manifest["plugins"].items()) {
-    if (theirs.contains(method) && theirs[method] != hash) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 void require_same_machine(const RunFolder& before, const RunFolder& now) {
@@ -40,7 +30,7 @@ void require_same_machine(const RunFolder& before, const RunFolder& now) {
 
 std::vector<PlannedCase> joined_plan(const RunFolder& before, const RunFolder& now) {
   std::vector<PlannedCase> plan = now.plan;
-  if (!same_keys(before, now) || !same_plugins(before, now)) return plan;
+  if (!same_keys(before, now) || plugin_difference(before, now)) return plan;
   std::unordered_set<std::string> cases;
   for (const PlannedCase& one : now.plan) cases.insert(one.case_id);
   std::copy_if(before.plan.begin(), before.plan.end(), std::back_inserter(plan),

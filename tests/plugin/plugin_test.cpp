@@ -45,6 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadPlugin{"checked.so",
                               {"checks of the standard library is assertions there, none here"}},
                     BadPlugin{"sanitised.so", {"plugin = "}},
+                    BadPlugin{"fast_math.so", {"must leave floating-point numbers as they are"}},
                     BadPlugin{"old_api.so", {"must be built for plugin API 1, not 0"}},
                     BadPlugin{"text.so", {"must be a shared object that can be loaded: "}},
                     BadPlugin{"no_entry.so", {"must be a plugin: it has no function signorini_plugin"}},
