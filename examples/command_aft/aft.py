@@ -106,7 +106,7 @@ class ContactLaw:
         self.offset = self.to_time @ (scale[:, 0] * to_real(free)) - np.tile(stiffness * gaps, samples)
 
     def widest(self, free_force):
-        """By how much y exceeds zero without contact: gaps wider by this share of c are never touched."""
+        """How far y exceeds zero without contact: where gaps are wider by this over c, or k, nothing touches."""
         return max(0.0, np.max(self.offset + self.slope @ free_force, initial=0.0))
 
     def residual(self, force, width):
@@ -200,7 +200,10 @@ def main():
     size = (2 * options["harmonics"] + 1) * len(problem["contacts"])
     force, error, steps, closed = close_gaps(law, size, options)
     converged = closed == 1.0
-    told = f"residual {error:.1e}" if converged else f"Newton stalls where the gaps are closed by {100 * closed:.0f} %"
+    told = f"residual {error:.1e}"
+    if not converged:
+        reason = "the steps are used up" if steps >= options["max_iterations"] else "Newton stalls"
+        told = f"{reason} where the gaps are closed by {100 * closed:.0f} %"
     json.dump(
         {
             "verdict": "converged" if converged else "not-converged",

@@ -65,7 +65,8 @@ const PluginDescription& open_plugin(const fs::path& file) {
   }
   if (!floating_point_is_usual())
     refuse(file,
-           "must leave floating-point numbers as they are: -ffast-math changes them for all that is loaded");
+           "must leave floating-point numbers as they are; linked with -ffast-math it changes them for all "
+           "methods");
   const auto entry_point = reinterpret_cast<PluginEntryPoint>(dlsym(handle, kPluginEntryPoint));
   if (entry_point == nullptr)
     refuse(file, fmt::format("must be a plugin: it has no function {}", kPluginEntryPoint));

@@ -1,5 +1,6 @@
 #include "tests/plugin/installed_program.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -16,14 +17,18 @@ std::filesystem::path installed_tree() { return SIGNORINI_INSTALLED_TREE; }
 
 std::string plugin_path(const std::string& name) { return (installed_tree() / "plugins" / name).string(); }
 
-Outcome run_installed(const TemporaryFolder& folder, const std::string& arguments,
-                      const std::string& before) {
+Outcome run_program(const TemporaryFolder& folder, const std::filesystem::path& program,
+                    const std::string& arguments, const std::string& before) {
   const std::string out = (folder.path() / "out").string(), err = (folder.path() / "err").string();
-  const std::string program = (installed_tree() / "prefix" / "bin" / "signorini").string();
-  const int status = std::system(("cd '" + folder.path().string() + "' && " + before + " " + program + " " +
-                                  arguments + " >" + out + " 2>" + err)
+  const int status = std::system(fmt::format("cd '{}' && {} {} {} >{} 2>{}", folder.path().string(), before,
+                                             program.string(), arguments, out, err)
                                      .c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
+}
+
+Outcome run_installed(const TemporaryFolder& folder, const std::string& arguments,
+                      const std::string& before) {
+  return run_program(folder, installed_tree() / "prefix" / "bin" / "signorini", arguments, before);
 }
 
 std::map<std::string, Record> records_in(const std::filesystem::path& run) {

@@ -17,7 +17,11 @@ struct Outcome {
   std::string err;
 };
 
-/// `signorini ARGUMENTS`, with VARIABLE=VALUE words before it if need be.
+/// `PROGRAM ARGUMENTS`, with VARIABLE=VALUE words before it if need be.
+Outcome run_program(const TemporaryFolder& folder, const std::filesystem::path& program,
+                    const std::string& arguments, const std::string& before = "");
+
+/// The same with the program of the installed tree.
 Outcome run_installed(const TemporaryFolder& folder, const std::string& arguments,
                       const std::string& before = "");
 

@@ -29,7 +29,7 @@ class BadPlugins : public testing::TestWithParam<BadPlugin> {};
 TEST_P(BadPlugins, AreRefusedInOneLineThatSaysWhy) {
   const TemporaryFolder folder;
   const auto& [file, complaint] = GetParam();
-  if (!fs::exists(plugin_path(file))) GTEST_SKIP() << "not built on this architecture";
+  if (!fs::exists(plugin_path(file))) GTEST_SKIP() << "not built by this compiler for this architecture";
 #ifdef __SANITIZE_ADDRESS__
   if (std::string(file) == "sanitised.so") GTEST_SKIP() << "built as the program is";
 #endif
@@ -45,7 +45,8 @@ INSTANTIATE_TEST_SUITE_P(
                     BadPlugin{"checked.so",
                               {"checks of the standard library is assertions there, none here"}},
                     BadPlugin{"sanitised.so", {"plugin = "}},
-                    BadPlugin{"fast_math.so", {"must leave floating-point numbers as they are"}},
+                    BadPlugin{"rounding.so", {"must leave floating-point numbers as they are"}},
+                    BadPlugin{"old_headers.so", {"headers is 0123 there, "}},
                     BadPlugin{"old_api.so", {"must be built for plugin API 1, not 0"}},
                     BadPlugin{"text.so", {"must be a shared object that can be loaded: "}},
                     BadPlugin{"no_entry.so", {"must be a plugin: it has no function signorini_plugin"}},
@@ -82,10 +83,16 @@ TEST(Plugins, OfTheSearchPathAreThereForEveryCommand) {
   fs::create_directories(folder.path() / "first");
   fs::create_directories(folder.path() / "second");
   fs::copy(plugin_path("tiny.so"), folder.path() / "second" / "tiny.so");
+  static_cast<void>(folder.write("first/notes.txt", "no plugin, and no reason to complain"));
+  static_cast<void>(folder.write("first/command.toml",
+                                 "schema = 1\nname = \"command\"\ntitle = \"A command\"\nladder = \"a=1\"\n"
+                                 "command = [\"true\"]\n[represents]\nrestitution = 1\n[[option]]\nname = "
+                                 "\"a\"\ndefault = 1\nunit = \"[-]\"\nmeaning = \"nothing\"\n"));
   const std::string path = "SIGNORINI_PLUGIN_PATH=first::second";
   const Outcome list = run_installed(folder, "list methods", path);
   EXPECT_EQ(list.code, 0) << list.err;
   EXPECT_NE(list.out.find("\ntiny "), std::string::npos) << list.out;
+  EXPECT_NE(list.out.find("\ncommand "), std::string::npos) << list.out;
   EXPECT_EQ(run_installed(folder, "list methods --plugin second/../second/tiny.so", path).out, list.out);
   // Another file of the same contents is another plugin, whose method has a name that is taken.
   expect_refusal(run_installed(folder, "list" + plugin("tiny.so"), path), {"method = tiny (must be new"});
@@ -169,15 +176,20 @@ TEST(Plugins, AreHandedOnToTheShardsOfASubmission) {
       << submit.out;
 }
 
+// A copy of the tree in another place, with a scene that is nowhere else.
 TEST(InstalledProgram, ReadsTheScenesThatWereInstalledWithIt) {
   const TemporaryFolder folder;
-  const fs::path catalogue = installed_tree() / "prefix" / "share" / "signorini" / "problems" / "catalogue";
-  const fs::path extra = catalogue / "installed-only.toml";
-  fs::copy(catalogue / "sdof-stop.toml", extra, fs::copy_options::overwrite_existing);
-  EXPECT_EQ(run_installed(folder, "show installed-only").code, 0);
-  fs::remove(extra);
-  expect_refusal(run_installed(folder, "show installed-only"), {"name = installed-only"});
-  EXPECT_NE(run_installed(folder, "list suites").out.find("quick"), std::string::npos);
+  const fs::path program = fs::path("bin") / "signorini",
+                 scenes = fs::path("share") / "signorini" / "problems";
+  for (const fs::path& part : {program, scenes}) {
+    fs::create_directories((folder.path() / part).parent_path());
+    fs::copy(installed_tree() / "prefix" / part, folder.path() / part, fs::copy_options::recursive);
+  }
+  const fs::path catalogue = folder.path() / scenes / "catalogue";
+  fs::copy(catalogue / "sdof-stop.toml", catalogue / "only-here.toml");
+  EXPECT_EQ(run_program(folder, folder.path() / program, "show only-here").code, 0);
+  EXPECT_NE(run_program(folder, folder.path() / program, "list suites").out.find("quick"), std::string::npos);
+  expect_refusal(run_installed(folder, "show only-here"), {"name = only-here"});
 }
 
 }  // namespace

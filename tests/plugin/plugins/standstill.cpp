@@ -1,4 +1,10 @@
 // Compiled several times, once as it should be and else with flags that a plugin must not have.
+#ifdef TINY_HEADERS
+#include "methods/plugin/interface.hpp"
+#undef SIGNORINI_HEADERS
+#define SIGNORINI_HEADERS TINY_HEADERS
+#endif
+
 #include "tiny.hpp"
 
 #ifdef TINY_API
