@@ -12,7 +12,7 @@ The force follows from the displacement in time, at N instants, and goes back to
 
 Newton's method with a line search. It starts where the gaps are so wide that nothing touches, and follows the
 motion while they close, in steps that shrink where Newton stalls: continuation in its plainest form, which cannot
-turn back where the path does. Cameron and Griffin 1989; Nacivet et al. 2003.
+turn back where the path does. Sources: [cameron1989], [nacivet2003].
 """
 
 import json

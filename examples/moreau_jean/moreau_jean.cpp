@@ -98,7 +98,7 @@ class Anderson {
 }  // namespace
 
 /// Starts from rest and follows the motion period by period until it repeats; a motion that would be reached
-/// anyway is reached sooner by Anderson's acceleration. Converges at first order in the step.
+/// anyway is reached sooner by Anderson's acceleration [anderson1965]. Converges at first order in the step.
 ///
 /// An impact takes place at the end of a step, so the state after a period jumps by an amount of order h
 /// where the instant of an impact passes from one step to the next. The periodic motion of a grid may fall

@@ -24,7 +24,7 @@ struct State {
 ///
 /// Newton's law of impact and, where the contact stays, Signorini's conditions on the velocity: p is the
 /// impulse over the step, be it of an impact or of a force. No impact is located in time, which costs an
-/// error of order h and makes chatter and many contacts harmless. Sources: Moreau 1988; Jean 1999.
+/// error of order h and makes chatter and many contacts harmless. Sources: [moreau1988], [jean1999].
 class TimeStepping {
  public:
   /// \param h  step [s]; \param theta  in [1/2, 1]; 1/2 keeps the energy of free motion
