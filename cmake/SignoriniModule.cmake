@@ -8,8 +8,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
 endif()
 
 add_library(signorini_build INTERFACE)
+set_target_properties(signorini_build PROPERTIES EXPORT_NAME build)
 target_compile_features(signorini_build INTERFACE cxx_std_20)
-target_include_directories(signorini_build INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(signorini_build INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
+  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/signorini>)
 # Fused multiply-adds would make results differ between machines.
 target_compile_options(signorini_build INTERFACE -ffp-contract=off)
 if(SIGNORINI_SANITIZE)
@@ -33,15 +36,25 @@ function(signorini_precompiled name)
   target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
 endfunction()
 
+# For libraries: a plugin may link them too. Hidden symbols keep the code as fast as without -fPIC, and the
+# libraries inside one plugin out of the others' way.
+function(signorini_position_independent target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
+                                             VISIBILITY_INLINES_HIDDEN ON)
+endfunction()
+
 signorini_precompiled(signorini_precompiled HEADERS ${common_headers} LINK Eigen3::Eigen)
+signorini_position_independent(signorini_precompiled)
 
 # signorini_module(NAME SOURCES ... LINK ...): a static library with the alias signorini::NAME.
 function(signorini_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;PRIVATE_LINK")
   add_library(signorini_${name} STATIC ${arg_SOURCES})
   add_library(signorini::${name} ALIAS signorini_${name})
-  target_link_libraries(signorini_${name} PUBLIC signorini_build ${arg_LINK} PRIVATE signorini_warnings
-                                                                                   ${arg_PRIVATE_LINK})
+  set_target_properties(signorini_${name} PROPERTIES EXPORT_NAME ${name})
+  target_link_libraries(signorini_${name} PUBLIC signorini_build ${arg_LINK}
+                                          PRIVATE $<BUILD_INTERFACE:signorini_warnings> ${arg_PRIVATE_LINK})
+  signorini_position_independent(signorini_${name})
   target_precompile_headers(signorini_${name} REUSE_FROM signorini_precompiled)
 endfunction()
 

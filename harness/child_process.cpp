@@ -20,6 +20,8 @@
 #include <system_error>
 #include <thread>
 
+#include "harness/exception_text.hpp"
+
 namespace signorini {
 
 namespace {
@@ -93,10 +95,8 @@ void prepare_child(pid_t parent, int pipe, int log, const IsolationLimits& limit
   } catch (const std::bad_alloc&) {
     limit_soft(RLIMIT_AS, RLIM_INFINITY);
     send_line(pipe, kOutOfMemory, "");
-  } catch (const std::exception& error) {
-    send_line(pipe, kThrew, error.what());
   } catch (...) {
-    send_line(pipe, kThrew, "an object that is no std::exception");
+    send_line(pipe, kThrew, current_exception_text());
   }
   _exit(EXIT_SUCCESS);
 }

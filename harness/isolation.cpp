@@ -41,15 +41,24 @@ void wait_for_any(const std::vector<Running>& running) {
   poll(descriptors.data(), descriptors.size(), timeout);
 }
 
-/// Descendants that left their process group are this process's children once their parents are dead.
-void end_orphans(const std::vector<Running>& running) {
+/// Ends the children that are none of those running; false if there were none.
+bool end_orphans_once(const std::vector<Running>& running) {
   const pid_t self = getpid();
   std::ifstream children(fmt::format("/proc/{0}/task/{0}/children", self));
+  bool found = false;
   for (pid_t child = 0; children >> child;) {
     const auto is_ours = [child](const Running& one) { return one.child->id() == child; };
     if (std::any_of(running.begin(), running.end(), is_ours)) continue;
     kill(child, SIGKILL);
-    waitpid(child, nullptr, 0);
+    found = waitpid(child, nullptr, 0) == child || found;
+  }
+  return found;
+}
+
+/// Descendants that left their process group are this process's children once their parents are dead, and
+/// theirs once they are.
+void end_orphans(const std::vector<Running>& running) {
+  while (end_orphans_once(running)) {
   }
 }
 

@@ -101,6 +101,7 @@ std::string case_key(const Scene& scene, const Case& run, const Limits& limits,
   text += fmt::format("timeout={}\nmemory={}\nrepetitions={}\ncertificate={}\nreference={}\ncode={}\n",
                       limits.timeout, limits.memory_mb, limits.repetitions, limits.certificate_timeout,
                       limits.reference_timeout, code_version);
+  if (!run.choice.entry->plugin.empty()) text += fmt::format("plugin={}\n", run.choice.entry->plugin);
   return sha256(text);
 }
 

@@ -54,7 +54,8 @@ struct Narrowing {
 Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const MethodEntry> catalogue,
                std::span<const SceneSource> sources);
 
-/// What makes two runs the same: SHA-256 of scene file, method, complete options, limits and code version.
+/// What makes two runs the same: SHA-256 of scene file, method, complete options, limits and code version,
+/// with the files of the plugin that the method comes from, if any.
 std::string case_key(const Scene& scene, const Case& run, const Limits& limits,
                      std::string_view code_version);
 

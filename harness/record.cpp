@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "harness/trajectory_json.hpp"
+
 namespace signorini {
 
 namespace {
@@ -64,19 +66,6 @@ struct LawWriter {
   Json operator()(Undetermined) const { return {{"undetermined", true}}; }
 };
 
-Json write_option(const OptionValue& value) {
-  if (std::holds_alternative<std::monostate>(value)) return "auto";
-  return std::visit(
-      [](const auto& held) -> Json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(held)>, std::monostate>) {
-          return "auto";
-        } else {
-          return held;
-        }
-      },
-      value);
-}
-
 OptionValue read_option(const Json& json) {
   if (json.is_boolean()) return json.get<bool>();
   if (json.is_number_integer()) return json.get<long>();
@@ -94,17 +83,6 @@ Json write_work(const WorkDone& work) {
   put(json, "factorisations", work.counts.factorisations);
   put(json, "peak_memory_bytes", work.peak_memory_bytes);
   return json;
-}
-
-WorkDone read_work(const Json& json) {
-  WorkDone work;
-  get(json, "unknowns", work.counts.unknowns);
-  get(json, "iterations", work.counts.iterations);
-  get(json, "pivots", work.counts.pivots);
-  get(json, "rhs_evaluations", work.counts.rhs_evaluations);
-  get(json, "factorisations", work.counts.factorisations);
-  get(json, "peak_memory_bytes", work.peak_memory_bytes);
-  return work;
 }
 
 Json write_seconds(const Seconds& seconds) {
@@ -211,33 +189,6 @@ Json write_physics(const Physics& physics) {
   return json;
 }
 
-Json write_trajectory(const TrajectorySamples& trajectory) {
-  Json json{{"t", trajectory.t},
-            {"x", trajectory.x},
-            {"velocity", trajectory.velocity},
-            {"force", trajectory.force}};
-  json["impulses"] = Json::array();
-  for (const Impulse& impulse : trajectory.impulses) {
-    json["impulses"].push_back(
-        {{"contact", impulse.contact}, {"time", impulse.time}, {"value", impulse.value}});
-  }
-  put(json, "bandwidth", trajectory.bandwidth);
-  return json;
-}
-
-TrajectorySamples read_trajectory(const Json& json) {
-  TrajectorySamples trajectory;
-  trajectory.t = json.at("t").get<std::vector<double>>();
-  trajectory.x = json.at("x").get<std::vector<std::vector<double>>>();
-  trajectory.velocity = json.at("velocity").get<std::vector<std::vector<double>>>();
-  trajectory.force = json.at("force").get<std::vector<std::vector<double>>>();
-  for (const Json& item : object(json, "impulses")) {
-    trajectory.impulses.push_back({item.at("contact"), item.at("time"), item.at("value")});
-  }
-  get(json, "bandwidth", trajectory.bandwidth);
-  return trajectory;
-}
-
 Json write_waveform(const Waveform& waveform) {
   return {{"t", waveform.t},
           {"x", waveform.x},
@@ -275,6 +226,7 @@ void read_body(const Json& json, Record& record) {
   record.scene = json.at("scene");
   record.scene_sha256 = json.at("scene_sha256");
   record.method = json.at("method");
+  get(json, "plugin", record.plugin);
   for (const auto& [name, value] : json.at("options").items())
     record.options.emplace_back(name, read_option(value));
   record.status = static_cast<Status>(name_index(kStatusNames, json.at("status")));
@@ -286,7 +238,7 @@ void read_body(const Json& json, Record& record) {
   get(json, "law_matches_scene", record.law_matches_scene);
   get(json, "period", record.period);
   get(json, "residual", record.residual);
-  record.work = read_work(object(json, "work"));
+  record.work = work_from_json(object(json, "work"));
   if (json.contains("seconds")) record.seconds = read_seconds(json["seconds"]);
   get(json, "not_timed", record.not_timed);
   get(json, "answer", record.answer);
@@ -303,7 +255,7 @@ void read_body(const Json& json, Record& record) {
     get(physics, kPhysicsKeys[i], record.physics.*kPhysics[i]);
   get(physics, "energy_reason", record.physics.energy_reason);
   get(physics, "effective_restitution", record.physics.effective_restitution);
-  if (json.contains("trajectory")) record.trajectory = read_trajectory(json["trajectory"]);
+  if (json.contains("trajectory")) record.trajectory = trajectory_samples_from_json(json["trajectory"]);
   if (json.contains("waveforms")) record.waveforms = read_waveforms(json["waveforms"]);
 }
 
@@ -342,6 +294,30 @@ RepresentedLaw as_represented(const Law& law) {
   return std::visit([](const auto& held) -> RepresentedLaw { return held; }, law);
 }
 
+Json option_to_json(const OptionValue& value) {
+  if (std::holds_alternative<std::monostate>(value)) return "auto";
+  return std::visit(
+      [](const auto& held) -> Json {
+        if constexpr (std::is_same_v<std::decay_t<decltype(held)>, std::monostate>) {
+          return "auto";
+        } else {
+          return held;
+        }
+      },
+      value);
+}
+
+WorkDone work_from_json(const Json& json) {
+  WorkDone work;
+  get(json, "unknowns", work.counts.unknowns);
+  get(json, "iterations", work.counts.iterations);
+  get(json, "pivots", work.counts.pivots);
+  get(json, "rhs_evaluations", work.counts.rhs_evaluations);
+  get(json, "factorisations", work.counts.factorisations);
+  get(json, "peak_memory_bytes", work.peak_memory_bytes);
+  return work;
+}
+
 Json to_json(const Record& record) {
   Json json;
   json["schema"] = kSchema;
@@ -351,8 +327,9 @@ Json to_json(const Record& record) {
   json["scene_sha256"] = record.scene_sha256;
   if (record.family) json["family"] = write_family(*record.family);
   json["method"] = record.method;
+  put(json, "plugin", record.plugin);
   json["options"] = Json::object();
-  for (const auto& [name, value] : record.options) json["options"][name] = write_option(value);
+  for (const auto& [name, value] : record.options) json["options"][name] = option_to_json(value);
   json["status"] = status_name(record.status);
   put(json, "message", record.message);
   put(json, "signal", record.signal);
@@ -373,7 +350,7 @@ Json to_json(const Record& record) {
   for (std::size_t i = 0; i < kErrors.size(); ++i) put(errors, kErrorKeys[i], record.errors.*kErrors[i]);
   put_object(json, "errors", std::move(errors));
   put_object(json, "physics", write_physics(record.physics));
-  if (record.trajectory) json["trajectory"] = write_trajectory(*record.trajectory);
+  if (record.trajectory) json["trajectory"] = to_json(*record.trajectory);
   if (record.waveforms) json["waveforms"] = write_waveforms(*record.waveforms);
   return json;
 }

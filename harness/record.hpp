@@ -138,6 +138,7 @@ struct Record {
   std::string case_id = {};  ///< "scene/method[settings]"
   std::string key = {};      ///< identifies the run for --resume
   std::string scene = {}, scene_sha256 = {}, method = {};
+  std::string plugin = {};                 ///< MethodEntry::plugin
   std::optional<FamilyLevel> family = {};  ///< of a scene that is one of a family
   std::vector<std::pair<std::string, OptionValue>> options = {};
   Status status = Status::not_converged;
@@ -179,6 +180,11 @@ Record record_from_json(const nlohmann::ordered_json& json);
 
 nlohmann::ordered_json law_to_json(const RepresentedLaw& law);
 RepresentedLaw law_from_json(const nlohmann::ordered_json& json);  ///< \throws BadRecord
+
+/// An option's value, "auto" where the method chooses.
+nlohmann::ordered_json option_to_json(const OptionValue& value);
+/// Counts of work, each of them optional. Throws nlohmann's exceptions on wrong types.
+WorkDone work_from_json(const nlohmann::ordered_json& json);
 
 /// The law of a scene as the law of a method that represents it.
 RepresentedLaw as_represented(const Law& law);

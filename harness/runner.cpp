@@ -221,6 +221,7 @@ Record Runner::blank(const Scene& scene, const Case& run, const Survey& survey) 
   record.scene_sha256 = scene.sha256;
   record.family = scene.family;
   record.method = run.choice.entry->name;
+  record.plugin = run.choice.entry->plugin;
   for (const OptionEcho& option : run.options) record.options.emplace_back(option.name, option.value);
   record.scene_law = as_represented(scene.problem.law);
   record.law = survey.law;

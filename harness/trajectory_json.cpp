@@ -11,6 +11,8 @@ namespace signorini {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 std::vector<std::vector<double>> columns(const Eigen::MatrixXd& values) {
   std::vector<std::vector<double>> lists;
   for (const auto& column : values.colwise()) lists.emplace_back(column.begin(), column.end());
@@ -31,6 +33,34 @@ Eigen::MatrixXd matrix(const std::vector<std::vector<double>>& lists, std::size_
 }
 
 }  // namespace
+
+Json to_json(const TrajectorySamples& trajectory) {
+  Json json{{"t", trajectory.t},
+            {"x", trajectory.x},
+            {"velocity", trajectory.velocity},
+            {"force", trajectory.force}};
+  json["impulses"] = Json::array();
+  for (const Impulse& impulse : trajectory.impulses) {
+    json["impulses"].push_back(
+        {{"contact", impulse.contact}, {"time", impulse.time}, {"value", impulse.value}});
+  }
+  if (trajectory.bandwidth) json["bandwidth"] = *trajectory.bandwidth;
+  return json;
+}
+
+TrajectorySamples trajectory_samples_from_json(const Json& json) {
+  using Lists = std::vector<std::vector<double>>;
+  TrajectorySamples trajectory{.t = json.at("t").get<std::vector<double>>(),
+                               .x = json.at("x").get<Lists>(),
+                               .velocity = json.at("velocity").get<Lists>(),
+                               .force = json.at("force").get<Lists>()};
+  if (json.contains("impulses")) {
+    for (const Json& item : json["impulses"])
+      trajectory.impulses.push_back({item.at("contact"), item.at("time"), item.at("value")});
+  }
+  if (json.contains("bandwidth")) trajectory.bandwidth = json["bandwidth"].get<int>();
+  return trajectory;
+}
 
 TrajectorySamples samples_of(const Trajectory& trajectory, int count) {
   const Samples samples = trajectory.sample(count);

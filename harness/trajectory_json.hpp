@@ -2,12 +2,17 @@
 // Trajectories as records keep them, and back.
 
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string_view>
 
 #include "harness/record.hpp"
 #include "harness/sampled_trajectory.hpp"
 
 namespace signorini {
+
+/// As records keep it. `from` throws nlohmann's exceptions on missing keys and wrong types.
+nlohmann::ordered_json to_json(const TrajectorySamples& trajectory);
+TrajectorySamples trajectory_samples_from_json(const nlohmann::ordered_json& json);
 
 /// One period at `count` instants.
 TrajectorySamples samples_of(const Trajectory& trajectory, int count);

@@ -10,6 +10,7 @@
 #include "harness/answer_digest.hpp"
 #include "harness/certificate.hpp"
 #include "harness/measures.hpp"
+#include "harness/method_failure.hpp"
 #include "harness/timing.hpp"
 #include "harness/trajectory_json.hpp"
 #include "harness/waveform.hpp"
@@ -108,8 +109,11 @@ Round round_from(const FirstCall& first, const std::string& name, const Problem&
 }
 
 void take_times(const Trial& trial, const FirstCall& first, Record& record) {
+  const std::string& untimed = trial.run.choice.entry->untimed;
   if (!trial.timed) {
     record.not_timed = "not asked for";
+  } else if (!untimed.empty()) {
+    record.not_timed = untimed;
   } else if (!build_may_be_timed()) {
     record.not_timed = "not a Release build";
   } else {
@@ -151,7 +155,16 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
     stage_done(record);
     return;
   }
-  const double solve = seconds_of([&] { solution = prepared->solve(start); });
+  double solve = 0.0;
+  try {
+    solve = seconds_of([&] { solution = prepared->solve(start); });
+  } catch (const MethodFailure& failure) {
+    record.status = failure.status;
+    record.message = failure.what();
+    record.signal = failure.signal;
+    stage_done(record);
+    return;
+  }
   if (const auto peak = status_bytes("VmHWM"); peak && before)
     record.work.peak_memory_bytes = *peak - *before;
   const bool answered = take_solution(trial, solution, start.expired(), record);

@@ -1,7 +1,9 @@
 #include "methods/catalogue.hpp"
 
-#include <array>
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "methods/aft_hbm/aft_hbm.hpp"
 #include "methods/event_driven/event_driven.hpp"
@@ -12,12 +14,41 @@
 
 namespace signorini {
 
-std::span<const MethodEntry> method_catalogue() {
-  static const std::array entries{
+namespace {
+
+std::vector<MethodEntry> methods_of_the_program() {
+  return {
       method_entry<HatLcp>(), method_entry<FourierLipschitz>(), method_entry<PenaltyHbm>(),
       method_entry<AftHbm>(), method_entry<EventDriven>(),      method_entry<ExactOrbitMethod>(),
   };
+}
+
+std::vector<MethodEntry>& all_methods() {
+  static std::vector<MethodEntry> entries = methods_of_the_program();
   return entries;
+}
+
+bool is_kebab_case(const std::string& name) {
+  return !name.empty() &&
+         name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+}
+
+}  // namespace
+
+std::span<const MethodEntry> method_catalogue() { return all_methods(); }
+
+void add_method(MethodEntry entry) {
+  if (!is_kebab_case(entry.name))
+    throw InvalidOption("method = " + entry.name + " (must be a name in lower-kebab-case)");
+  std::vector<MethodEntry>& entries = all_methods();
+  const auto same = [&](const MethodEntry& known) { return known.name == entry.name; };
+  if (std::any_of(entries.begin(), entries.end(), same))
+    throw InvalidOption("method = " + entry.name + " (must be new: there is a method of that name)");
+  // Whatever the order in which plugins are found, tables have one.
+  const auto place = std::find_if(entries.begin(), entries.end(), [&](const MethodEntry& known) {
+    return !known.plugin.empty() && known.name > entry.name;
+  });
+  entries.insert(place, std::move(entry));
 }
 
 const MethodEntry& find_method(std::string_view name) {

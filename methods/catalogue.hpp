@@ -2,8 +2,10 @@
 // The one list of methods.
 
 #include <concepts>
+#include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "methods/method.hpp"
@@ -12,12 +14,15 @@ namespace signorini {
 
 /// A method as the harness sees it before any scene: how to name it, describe it, make one.
 struct MethodEntry {
-  std::string_view name;    ///< lower-kebab-case
-  std::string_view title;   ///< one line for people
-  std::string_view laws;    ///< laws it can represent, for `list`
-  std::string_view ladder;  ///< resolutions a benchmark runs, "key=v1|v2|v3"
+  std::string name;    ///< lower-kebab-case
+  std::string title;   ///< one line for people
+  std::string laws;    ///< laws it can represent, for `list`
+  std::string ladder;  ///< resolutions a benchmark runs, "key=v1|v2|v3"
   /// \throws InvalidOption
-  std::unique_ptr<Method> (*make)(std::span<const OptionSetting> settings);
+  std::function<std::unique_ptr<Method>(std::span<const OptionSetting> settings)> make;
+  std::string plugin = {};  ///< SHA-256 of the files that a method of a plugin consists of; else empty
+  std::string untimed =
+      {};  ///< why its times would mean nothing, as of a plugin without optimiser; else empty
 };
 
 template <class M>
@@ -32,10 +37,10 @@ concept RegistrableMethod = std::derived_from<M, Method> && requires(typename M:
 /// The catalogue entry of a method class: its constructor validates the options it is given.
 template <RegistrableMethod M>
 MethodEntry method_entry() {
-  return {.name = M::kName,
-          .title = M::kTitle,
-          .laws = M::kLaws,
-          .ladder = M::kLadder,
+  return {.name = std::string(M::kName),
+          .title = std::string(M::kTitle),
+          .laws = std::string(M::kLaws),
+          .ladder = std::string(M::kLadder),
           .make = [](std::span<const OptionSetting> settings) -> std::unique_ptr<Method> {
             typename M::Options options;
             apply_settings(options, settings);
@@ -43,8 +48,12 @@ MethodEntry method_entry() {
           }};
 }
 
-/// All methods, in table order.
+/// All methods, in table order: those of the program, then those of plugins by name.
 std::span<const MethodEntry> method_catalogue();
+
+/// Adds a method of a plugin. To be called before anyone keeps a pointer to an entry: they move.
+/// \throws InvalidOption unless the name is new and in lower-kebab-case
+void add_method(MethodEntry entry);
 
 /// The entry of that name. \throws InvalidOption listing the names there are.
 const MethodEntry& find_method(std::string_view name);

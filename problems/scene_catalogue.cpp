@@ -76,10 +76,15 @@ fs::path problems_folder() {
     }
     return folder;
   }
+  std::error_code none;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  fs::path installed = (program.parent_path() / SIGNORINI_INSTALLED_PROBLEMS).lexically_normal();
+  if (fs::is_directory(installed, none)) return installed;
   fs::path built = SIGNORINI_PROBLEMS_FOLDER;
   if (!fs::is_directory(built)) {
     throw SceneError(fmt::format(
-        "SIGNORINI_PROBLEMS = missing (must name the folder of the scenes: {} is gone)", built.string()));
+        "SIGNORINI_PROBLEMS = missing (must name the folder of the scenes: neither {} nor {} is there)",
+        installed.string(), built.string()));
   }
   return built;
 }

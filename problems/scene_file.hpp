@@ -72,8 +72,8 @@ struct SceneWithSources {
 SceneWithSources parse_scene_with_sources(std::string_view text, const std::string& name,
                                           std::string_view level = {});
 
-/// Folder that holds catalogue/ and suites/: $SIGNORINI_PROBLEMS if set, else the installed or source folder.
-/// \throws SceneError if it is gone
+/// Folder that holds catalogue/, families/ and suites/: $SIGNORINI_PROBLEMS if set; else the one installed
+/// with the program that runs, in share/signorini; else that of the sources. \throws SceneError if it is gone
 std::filesystem::path problems_folder();
 
 /// Every scene file of the catalogue, sorted by name.

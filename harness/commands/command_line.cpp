@@ -9,7 +9,9 @@
 #include <filesystem>
 
 #include "harness/build_info.hpp"
+#include "harness/exception_text.hpp"
 #include "harness/failure.hpp"
+#include "harness/plugins/plugins.hpp"
 #include "methods/options.hpp"
 #include "problems/scene_file.hpp"
 
@@ -74,6 +76,21 @@ std::string positive_seconds(const std::string& text) {
   return ok ? std::string{} : fmt::format("timeout = {} (must be a positive number of seconds)", text);
 }
 
+void add_plugin_options(CLI::App& app, const std::shared_ptr<std::vector<std::string>>& plugins) {
+  for (CLI::App* command : app.get_subcommands({})) {
+    if (!command->get_subcommands({}).empty()) {
+      add_plugin_options(*command, plugins);
+      continue;
+    }
+    command
+        ->add_option("--plugin", *plugins,
+                     "load methods from a shared object or a command's description (*.toml), beside those in "
+                     "the folders of $SIGNORINI_PLUGIN_PATH; repeatable")
+        ->allow_extra_args(false)
+        ->type_name("FILE");
+  }
+}
+
 int run_command_line(int argc, char** argv) {
   CLI::App app{"Compares methods for periodic vibrations of structures with unilateral contact.",
                "signorini"};
@@ -96,6 +113,9 @@ int run_command_line(int argc, char** argv) {
   add_verify_command(app, exit_code);
   add_completion_command(app, exit_code);
   add_man_command(app, exit_code);
+  const auto plugins = std::make_shared<std::vector<std::string>>();
+  add_plugin_options(app, plugins);
+  app.parse_complete_callback([plugins] { load_plugins(*plugins); });  // before the command's own
   try {
     require_known_command(app, argc, argv);
     app.parse(argc, argv);
@@ -114,8 +134,8 @@ int run_command_line(int argc, char** argv) {
     return complain(error, kBadUsage);
   } catch (const std::filesystem::filesystem_error& error) {
     return complain_of_file(error);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "internal error: {}\n", error.what());
+  } catch (...) {
+    fmt::print(stderr, "internal error: {}\n", current_exception_text());
     return kInternalError;
   }
 }

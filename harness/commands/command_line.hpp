@@ -1,6 +1,7 @@
 #pragma once
 // The commands. CLI11 is known to the .cpp files of this folder only.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,9 @@ void add_man_command(CLI::App& app, int& exit_code);
 void add_report_command(CLI::App& app, int& exit_code);
 void add_orbits_command(CLI::App& app, int& exit_code);
 void add_verify_command(CLI::App& app, int& exit_code);
+
+/// --plugin, of every command that does something.
+void add_plugin_options(CLI::App& app, const std::shared_ptr<std::vector<std::string>>& plugins);
 
 /// --starts, --subharmonics, --seed, --timeout: of the commands that search for orbits.
 void add_search_options(CLI::App& command, OrbitQuest& quest, std::optional<int>& subharmonics);

@@ -12,6 +12,7 @@
 #include "harness/manifest.hpp"
 #include "harness/report/markdown.hpp"
 #include "harness/report/report.hpp"
+#include "harness/runs/merge.hpp"
 #include "harness/runs/resume.hpp"
 #include "harness/runs/run_folder.hpp"
 #include "harness/runs/shards.hpp"
@@ -70,8 +71,13 @@ Plan plan_of(const RunArguments& arguments, const Suite& suite) {
   return take_shard(plan, parse_shard(*arguments.shard), durations);
 }
 
-nlohmann::ordered_json manifest_of(const RunArguments& arguments, const Suite& suite, const Limits& limits) {
+nlohmann::ordered_json manifest_of(const RunArguments& arguments, const Suite& suite, const Limits& limits,
+                                   const Plan& plan) {
   nlohmann::ordered_json manifest = make_manifest(suite, limits, arguments.turns, arguments.words);
+  for (const Case& run : plan.cases) {
+    const MethodEntry& entry = *run.choice.entry;
+    if (!entry.plugin.empty()) manifest["plugins"][entry.name] = entry.plugin;
+  }
   if (arguments.shard) manifest["shard"] = *arguments.shard;
   return manifest;
 }
@@ -83,6 +89,7 @@ void describe_run(RunFolder run, bool resume) {
     const RunFolder before = read_run(run.path);
     require_same_machine(before, run);
     run.plan = joined_plan(before, run);
+    join_plugins(run.manifest, before.manifest);
   }
   write_whole(run.path / "manifest.json", run.manifest.dump(2) + "\n");
   write_plan(run.path, run.plan);
@@ -100,7 +107,7 @@ int run_suite(const RunArguments& arguments) {
   if (arguments.waveforms) runner.keep_waveforms();
   RecordStore store(folder, arguments.resume);
   describe_run({.path = folder,
-                .manifest = manifest_of(arguments, suite, runner.limits()),
+                .manifest = manifest_of(arguments, suite, runner.limits(), plan),
                 .plan = planned_cases(plan, runner)},
                arguments.resume);
   if (!build_may_be_timed()) fmt::print(stderr, "this is not a Release build: no times are recorded\n");

@@ -82,6 +82,16 @@ std::vector<Script> slurm_scripts(const Submission& s) {
 
 std::vector<Script> parallel_scripts(const Submission& s) { return {{"parallel.sh", parallel_script(s)}}; }
 
+/// Words of `run`, with the plugins, which this command read for itself, by paths that hold in any folder.
+std::vector<std::string> run_words(const CLI::App& command) {
+  std::vector<std::string> words = command.remaining();
+  for (const std::string& plugin : command.get_option("--plugin")->results()) {
+    words.emplace_back("--plugin");
+    words.push_back(fs::absolute(plugin).lexically_normal().string());
+  }
+  return words;
+}
+
 std::shared_ptr<SubmitArguments> add_common(CLI::App& command) {
   auto arguments = std::make_shared<SubmitArguments>();
   command
@@ -112,7 +122,7 @@ void add_submit_command(CLI::App& app, int& exit_code) {
                    "an option of sbatch, as --sbatch=--time=60; repeatable")
       ->allow_extra_args(false);
   slurm->callback([slurm, array, &exit_code] {
-    exit_code = submit(*array, slurm->remaining(), {"sbatch", slurm_run_command, slurm_scripts});
+    exit_code = submit(*array, run_words(*slurm), {"sbatch", slurm_run_command, slurm_scripts});
   });
   auto* parallel =
       command->add_subcommand("parallel", "Shards by GNU parallel on this machine, then the merge.");
@@ -123,7 +133,7 @@ void add_submit_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   parallel->callback([parallel, tasks, &exit_code] {
-    exit_code = submit(*tasks, parallel->remaining(), {"parallel", parallel_run_command, parallel_scripts});
+    exit_code = submit(*tasks, run_words(*parallel), {"parallel", parallel_run_command, parallel_scripts});
   });
 }
 

@@ -62,6 +62,7 @@ Json merged_manifest(std::span<const RunFolder> parts) {
   }
   for (const char* key : {"date", "command_line", "shard"}) manifest.erase(key);
   if (manifest.contains("machine")) manifest["machine"].erase("load");
+  for (const RunFolder& part : parts) join_plugins(manifest, part.manifest);
   manifest["shards"] = std::move(shards);
   return manifest;
 }
@@ -121,9 +122,29 @@ std::optional<std::string> machine_difference(const RunFolder& a, const RunFolde
 
 bool same_machine(const RunFolder& a, const RunFolder& b) { return !machine_difference(a, b); }
 
+std::optional<std::string> plugin_difference(const RunFolder& a, const RunFolder& b) {
+  const Json theirs = at(b, "/plugins");
+  for (const auto& [method, hash] : theirs.items()) {
+    const std::string place = "/plugins/" + method;
+    if (!at(a, place.c_str()).is_null()) {
+      if (auto found = difference(a, b, place)) return found;
+    }
+  }
+  return std::nullopt;
+}
+
+void join_plugins(Json& manifest, const Json& other) {
+  if (!other.contains("plugins")) return;
+  for (const auto& [method, hash] : other["plugins"].items()) {
+    Json& kept = manifest["plugins"][method];
+    if (kept.is_null()) kept = hash;
+  }
+}
+
 std::optional<std::string> mixture(const RunFolder& a, const RunFolder& b) {
   if (auto found = machine_difference(a, b)) return found;
-  return first_difference(a, b, kRest);
+  if (auto found = first_difference(a, b, kRest)) return found;
+  return plugin_difference(a, b);
 }
 
 RunFolder merge_runs(std::span<const RunFolder> parts) {

@@ -30,7 +30,7 @@ void require_same_machine(const RunFolder& before, const RunFolder& now) {
 
 std::vector<PlannedCase> joined_plan(const RunFolder& before, const RunFolder& now) {
   std::vector<PlannedCase> plan = now.plan;
-  if (!same_keys(before, now)) return plan;
+  if (!same_keys(before, now) || plugin_difference(before, now)) return plan;
   std::unordered_set<std::string> cases;
   for (const PlannedCase& one : now.plan) cases.insert(one.case_id);
   std::copy_if(before.plan.begin(), before.plan.end(), std::back_inserter(plan),

@@ -11,7 +11,7 @@ namespace signorini {
 void require_same_machine(const RunFolder& before, const RunFolder& now);
 
 /// The plan of `now`, and of `before` the cases that it leaves out, as a narrower resumption does; not those
-/// where limits or sources differ: their records are stale.
+/// where limits, sources or a plugin that both use differ: their records are stale.
 std::vector<PlannedCase> joined_plan(const RunFolder& before, const RunFolder& now);
 
 }  // namespace signorini

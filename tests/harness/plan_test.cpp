@@ -116,6 +116,17 @@ TEST(CaseKey, DependsOnSceneOptionsLimitsAndCode) {
   EXPECT_NE(key, case_key(scene, run, {.repetitions = 9}, "v1"));
 }
 
+TEST(CaseKey, DependsOnTheFilesOfAPlugin) {
+  const Scene scene = test::one_mass_scene();
+  MethodEntry plugin = test::fake_catalogue().front();
+  const std::string key = case_key(scene, make_case(scene, 0, {&plugin, {}}), {}, "v");
+  plugin.plugin = "0123";
+  const std::string first = case_key(scene, make_case(scene, 0, {&plugin, {}}), {}, "v");
+  plugin.plugin = "4567";
+  EXPECT_NE(first, key);
+  EXPECT_NE(case_key(scene, make_case(scene, 0, {&plugin, {}}), {}, "v"), first);
+}
+
 TEST(CaseKey, IsTheSameForADefaultThatIsSpeltOut) {
   const Scene scene = test::one_mass_scene();
   const Case spelt = test::fake_case(scene, "good");

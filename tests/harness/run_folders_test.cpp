@@ -74,6 +74,23 @@ TEST(MergeRuns, RefusesMixedMachinesLimitsAndBuilds) {
   EXPECT_NO_THROW(merge_runs(parts));
 }
 
+TEST(MergeRuns, RefusesTwoBuildsOfOnePluginAndJoinsTheOthers) {
+  std::vector<RunFolder> parts{part("a", {"n=1"}), part("b", {"n=2"}), part("c", {"n=3"})};
+  parts[1].manifest["plugins"] = {{"mine", "1"}};
+  parts[2].manifest["plugins"] = {{"mine", "1"}, {"yours", "2"}};
+  EXPECT_EQ(merge_runs(parts).manifest["plugins"].dump(), R"({"mine":"1","yours":"2"})");
+  EXPECT_FALSE(merge_runs(std::vector{parts[0]}).manifest.contains("plugins"));
+  parts[2].manifest["plugins"]["mine"] = "3";
+  try {
+    merge_runs(std::vector{parts[1], parts[2]});
+    ADD_FAILURE() << "must be refused";
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("plugins.mine = \"3\" (must be \"1\" as in b)"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(MergeRuns, RefusesOneCaseOfTwoVersions) {
   RunFolder second = part("b", {"n=1"});
   second.records[0].key = "another";
@@ -109,6 +126,17 @@ TEST(JoinedPlan, KeepsTheCasesThatANarrowerRunLeavesOut) {
   ASSERT_EQ(joined_plan(before, now).size(), 2U);
   EXPECT_EQ(joined_plan(before, now)[0].key, "of a changed scene");
   now.manifest["limits"]["timeout_s"] = 2.0;
+  EXPECT_EQ(joined_plan(before, now).size(), 1U);
+}
+
+TEST(JoinedPlan, ForgetsCasesOfAPluginThatWasBuiltAnew) {
+  RunFolder before = part("a", {"n=1", "n=2"});
+  RunFolder now = part("a", {"n=2"});
+  before.manifest["plugins"] = {{"mine", "1"}};
+  EXPECT_EQ(joined_plan(before, now).size(), 2U);
+  now.manifest["plugins"] = {{"yours", "2"}};
+  EXPECT_EQ(joined_plan(before, now).size(), 2U);
+  now.manifest["plugins"]["mine"] = "3";
   EXPECT_EQ(joined_plan(before, now).size(), 1U);
 }
 

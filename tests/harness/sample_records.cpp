@@ -5,6 +5,7 @@ namespace signorini::test {
 Record full_record() {
   Record record = good_record("scene-a", "method-a", "n=1", 0.125, 0.5);
   record.message = "fine";
+  record.plugin = "01ab";
   record.signal = 11;
   record.residual = 1e-12;
   record.not_timed = "it was";

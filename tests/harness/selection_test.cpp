@@ -12,7 +12,7 @@ namespace {
 
 std::unique_ptr<Method> make_none(std::span<const OptionSetting>) { return nullptr; }
 
-constexpr std::array<MethodEntry, 3> kEntries{{
+const std::array<MethodEntry, 3> kEntries{{
     {.name = "hat-lcp", .title = "", .laws = "", .ladder = "samples=64|256", .make = make_none},
     {.name = "penalty-hbm",
      .title = "",

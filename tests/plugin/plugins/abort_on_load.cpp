@@ -1,0 +1,10 @@
+#include <cstdio>
+#include <cstdlib>
+
+namespace {
+const bool kNever = [] {
+  std::fputs("this cannot go well\n", stderr);
+  std::abort();
+  return true;
+}();
+}  // namespace

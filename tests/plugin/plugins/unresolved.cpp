@@ -1,0 +1,2 @@
+int defined_nowhere();
+int some_function() { return defined_nowhere(); }
