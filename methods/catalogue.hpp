@@ -3,6 +3,7 @@
 
 #include <concepts>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -16,6 +17,9 @@ struct MethodEntry {
   std::string_view title;   ///< one line for people
   std::string_view laws;    ///< laws it can represent, for `list`
   std::string_view ladder;  ///< resolutions a benchmark runs, "key=v1|v2|v3"
+  /// p of error of x ~ h^p, h the step that the ladder refines, on motions with impacts; empty: none is
+  /// claimed [-]
+  std::optional<double> order = {};
   /// \throws InvalidOption
   std::unique_ptr<Method> (*make)(std::span<const OptionSetting> settings);
 };
@@ -29,6 +33,13 @@ concept RegistrableMethod = std::derived_from<M, Method> && requires(typename M:
   M(options);
 };
 
+/// The order that a method class claims by a member `kOrder`, if it has one.
+template <class M>
+constexpr std::optional<double> claimed_order() {
+  if constexpr (requires { M::kOrder; }) return M::kOrder;
+  return std::nullopt;
+}
+
 /// The catalogue entry of a method class: its constructor validates the options it is given.
 template <RegistrableMethod M>
 MethodEntry method_entry() {
@@ -36,6 +47,7 @@ MethodEntry method_entry() {
           .title = M::kTitle,
           .laws = M::kLaws,
           .ladder = M::kLadder,
+          .order = claimed_order<M>(),
           .make = [](std::span<const OptionSetting> settings) -> std::unique_ptr<Method> {
             typename M::Options options;
             apply_settings(options, settings);

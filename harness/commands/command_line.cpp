@@ -68,6 +68,18 @@ void require_known_command(const CLI::App& app, int argc, char** argv) {
 
 }  // namespace
 
+std::vector<OptionSetting> parse_settings(const std::vector<std::string>& texts) {
+  std::vector<OptionSetting> settings;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw UsageError(fmt::format("set = {} (must look like key=value)", text));
+    }
+    settings.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+  }
+  return settings;
+}
+
 std::string positive_seconds(const std::string& text) {
   double value = 0.0;
   const bool ok = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0.0;
@@ -90,6 +102,7 @@ int run_command_line(int argc, char** argv) {
   add_merge_command(app, exit_code);
   add_compare_command(app, exit_code);
   add_submit_command(app, exit_code);
+  add_check_command(app, exit_code);
   add_doctor_command(app, exit_code);
   add_report_command(app, exit_code);
   add_orbits_command(app, exit_code);

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CLI {
@@ -37,6 +38,7 @@ void add_status_command(CLI::App& app, int& exit_code);
 void add_merge_command(CLI::App& app, int& exit_code);
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_submit_command(CLI::App& app, int& exit_code);
+void add_check_command(CLI::App& app, int& exit_code);
 void add_doctor_command(CLI::App& app, int& exit_code);
 void add_completion_command(CLI::App& app, int& exit_code);
 void add_man_command(CLI::App& app, int& exit_code);
@@ -46,6 +48,9 @@ void add_verify_command(CLI::App& app, int& exit_code);
 
 /// --starts, --subharmonics, --seed, --timeout: of the commands that search for orbits.
 void add_search_options(CLI::App& command, OrbitQuest& quest, std::optional<int>& subharmonics);
+
+/// `key=value` as --set takes it, any number. \throws UsageError
+std::vector<std::pair<std::string, std::string>> parse_settings(const std::vector<std::string>& texts);
 
 /// Refuses what is no positive number of seconds; CLI::PositiveNumber says what is allowed by printing the
 /// largest double in full.

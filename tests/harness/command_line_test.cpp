@@ -18,26 +18,16 @@
 #include "harness/record_store.hpp"
 #include "harness/sha256.hpp"
 #include "tests/harness/fake_method.hpp"
+#include "tests/harness/program.hpp"
 
 namespace signorini {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
+using test::Outcome;
 
-Outcome run(const std::string& arguments) {
-  static const std::filesystem::path folder = test::fresh_folder("command-line");
-  const std::filesystem::path out = folder / "out", err = folder / "err";
-  const std::string command =
-      std::string(SIGNORINI_BINARY) + " " + arguments + " >" + out.string() + " 2>" + err.string();
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
-}
+Outcome run(const std::string& arguments) { return test::run_program(arguments); }
 
 struct BadUse {
   const char* arguments;
@@ -89,6 +79,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadUse{"submit slurm out --shards 2 --dry-run quick --no-such", 2, "--no-such"},
         BadUse{"submit teams out", 2, "subcommand is required"}, BadUse{"completion fish", 2, "fish"},
         BadUse{"report /no/such/folder", 2, "dir = /no/such/folder"},
+        BadUse{"check", 2, "method = missing (must be a method, or --all"},
+        BadUse{"check hat-lcp --all", 2, "method = hat-lcp"}, BadUse{"check no-such", 2, "method = no-such"},
+        BadUse{"check hat-lcp --scenes zzz*", 3, "scenes = zzz*"},
+        BadUse{"check hat-lcp --checks zzz*", 3, "checks = zzz*"},
+        BadUse{"check hat-lcp --suite no-such", 2, "suite = no-such"},
+        BadUse{"check hat-lcp --timeout 0", 2, "timeout = 0"},
         BadUse{"orbits no-such-scene", 2, "scene = no-such-scene"},
         BadUse{"orbits sdof-stop --subharmonics 0", 2, "--subharmonics"},
         BadUse{"orbits sdof-stop --starts -1", 2, "--starts"},
@@ -98,8 +94,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(CommandLine, HelpsWithEveryCommand) {
   for (const char* command :
-       {"", "list", "show", "solve", "run", "status", "merge", "compare", "doctor", "submit slurm",
-        "submit parallel", "completion", "man", "report", "orbits", "verify"}) {
+       {"",        "list",   "show",         "solve",           "run",        "status", "merge",
+        "compare", "doctor", "submit slurm", "submit parallel", "completion", "man",    "report",
+        "orbits",  "verify", "check",        "new method",      "new scene",  "sweep"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.code, 0) << command;
     EXPECT_NE(outcome.out.find("Usage: signorini"), std::string::npos) << command;
