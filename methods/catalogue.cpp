@@ -13,10 +13,17 @@
 namespace signorini {
 
 std::span<const MethodEntry> method_catalogue() {
+  // One method per line.
+  // clang-format off
   static const std::array entries{
-      method_entry<HatLcp>(), method_entry<FourierLipschitz>(), method_entry<PenaltyHbm>(),
-      method_entry<AftHbm>(), method_entry<EventDriven>(),      method_entry<ExactOrbitMethod>(),
+      method_entry<HatLcp>(),
+      method_entry<FourierLipschitz>(),
+      method_entry<PenaltyHbm>(),
+      method_entry<AftHbm>(),
+      method_entry<EventDriven>(),
+      method_entry<ExactOrbitMethod>(),
   };
+  // clang-format on
   return entries;
 }
 

@@ -103,6 +103,7 @@ int run_command_line(int argc, char** argv) {
   add_compare_command(app, exit_code);
   add_submit_command(app, exit_code);
   add_check_command(app, exit_code);
+  add_new_command(app, exit_code);
   add_doctor_command(app, exit_code);
   add_report_command(app, exit_code);
   add_orbits_command(app, exit_code);
