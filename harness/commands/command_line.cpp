@@ -97,6 +97,7 @@ int run_command_line(int argc, char** argv) {
   add_list_command(app, exit_code);
   add_show_command(app, exit_code);
   add_solve_command(app, exit_code);
+  add_sweep_command(app, exit_code);
   add_run_command(app, exit_code, words);
   add_status_command(app, exit_code);
   add_merge_command(app, exit_code);
