@@ -76,8 +76,10 @@ void show_scene(const Problem& problem) {
 }
 
 void show_method(const MethodEntry& entry) {
-  fmt::print("{}: {}\nlaws              {}\nladder            {}\noptions\n", entry.name, entry.title,
-             entry.laws, entry.ladder);
+  fmt::print("{}: {}\nlaws              {}\nladder            {}\n", entry.name, entry.title, entry.laws,
+             entry.ladder);
+  if (entry.order) fmt::print("order             {:g}, of the error of x along the ladder\n", *entry.order);
+  fmt::print("options\n");
   for (const OptionEcho& option : entry.make({})->options()) {
     fmt::print("  {:<16}{:<12} {:<6} {}\n", option.name, print_option(option.value), option.unit,
                option.meaning);
