@@ -97,18 +97,18 @@ int run_command_line(int argc, char** argv) {
   add_list_command(app, exit_code);
   add_show_command(app, exit_code);
   add_solve_command(app, exit_code);
-  add_sweep_command(app, exit_code);
   add_run_command(app, exit_code, words);
   add_status_command(app, exit_code);
   add_merge_command(app, exit_code);
   add_compare_command(app, exit_code);
   add_submit_command(app, exit_code);
-  add_check_command(app, exit_code);
-  add_new_command(app, exit_code);
   add_doctor_command(app, exit_code);
   add_report_command(app, exit_code);
   add_orbits_command(app, exit_code);
+  add_sweep_command(app, exit_code);
   add_verify_command(app, exit_code);
+  add_check_command(app, exit_code);
+  add_new_command(app, exit_code);
   add_completion_command(app, exit_code);
   add_man_command(app, exit_code);
   try {

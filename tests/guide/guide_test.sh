@@ -1,6 +1,6 @@
 #!/bin/sh
 # guide_test.sh TREE FOLDER: docs/adding-a-method.md, followed literally in a scratch copy of the tree, brings its method
-# into the quick table in under ten commands and touches nothing of the tree but two lines.
+# into the quick table in under ten commands and touches nothing of the tree but two lines; docs/adding-a-scene.md holds too.
 set -eu
 
 tree=$1
@@ -29,6 +29,17 @@ copy_tree() {
 # Every file outside builds and results with its hash.
 hashes() { (cd "$copy" && find . -type f ! -path './build/*' ! -path './results/*' -exec sha256sum {} + | LC_ALL=C sort -k 2); }
 
+# follow PAGE: its commands, one after the other; their number is in $count.
+follow() {
+  awk '/^```sh$/ { on = 1; next } /^```$/ { on = 0 } on' "$copy/docs/$1.md" >"$folder/commands"
+  count=$(wc -l <"$folder/commands")
+  [ "$count" -gt 0 ] || fail "$1 has no commands"
+  while IFS= read -r command; do
+    echo "\$ $command"
+    (cd "$copy" && sh -c "$command" </dev/null) >"$folder/log" 2>&1 || { tail -n 100 "$folder/log" && fail "$command"; }
+  done <"$folder/commands"
+}
+
 # Compilers that were asked the same before need not be asked again, wherever the copy stands.
 if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR="$copy" CCACHE_NOHASHDIR=1
@@ -37,15 +48,8 @@ fi
 
 copy_tree
 hashes >"$folder/before"
-awk '/^```sh$/ { on = 1; next } /^```$/ { on = 0 } on' "$copy/docs/adding-a-method.md" >"$folder/commands"
-count=$(wc -l <"$folder/commands")
-[ "$count" -gt 0 ] || fail 'the page has no commands'
+follow adding-a-method
 [ "$count" -lt 10 ] || fail "the page needs $count commands"
-
-while IFS= read -r command; do
-  echo "\$ $command"
-  (cd "$copy" && sh -c "$command" </dev/null) >"$folder/log" 2>&1 || { tail -n 100 "$folder/log" && fail "$command"; }
-done <"$folder/commands"
 
 table=$copy/results/local-my-method/table.md
 grep -q '^| sdof-far-stop .*| my-method\[harmonics=10\] .*| converged ' "$table" || fail 'the quick table lacks the method'
@@ -58,4 +62,8 @@ lines=$(diff "$tree/methods/catalogue.cpp" "$copy/methods/catalogue.cpp" | grep 
 if command -v clang-format >/dev/null; then
   (cd "$copy" && clang-format --dry-run -Werror methods/catalogue.cpp methods/my_method/*.?pp) || fail 'the format of what was written'
 fi
-echo "the page holds: $count commands"
+echo "a method takes $count commands"
+
+follow adding-a-scene
+[ -s "$copy/results/references/my-scene.json" ] || fail 'the scene of the catalogue has no orbits'
+echo 'both pages hold'

@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadUse{"check hat-lcp --suite no-such", 2, "suite = no-such"},
         BadUse{"check hat-lcp --timeout 0", 2, "timeout = 0"}, BadUse{"new", 2, "subcommand is required"},
         BadUse{"new method", 2, "name"},
-        BadUse{"new method My_Method", 2, "name = My_Method (must be lower-kebab"},
+        BadUse{"new method My_Method --out-of-tree", 2, "name = My_Method (must be lower-kebab"},
         BadUse{"new method my-method --tree /no/such", 2, "tree = /no/such"},
         BadUse{"new method my-method --tree . --out-of-tree", 2, "--tree"},
         BadUse{"sweep no-such-scene --method hat-lcp --from 1 --to 2", 2, "scene = no-such-scene"},
