@@ -58,6 +58,17 @@ function(signorini_module name)
   target_precompile_headers(signorini_${name} REUSE_FROM signorini_precompiled)
 endfunction()
 
+# signorini_method(NAME SOURCES ... TESTS ...): a method in the folder that calls this. Its tests become the target
+# test_method_NAME where tests are built.
+function(signorini_method name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;TESTS")
+  list(TRANSFORM arg_SOURCES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  list(TRANSFORM arg_TESTS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  target_sources(signorini_methods PRIVATE ${arg_SOURCES})
+  set_property(GLOBAL APPEND PROPERTY SIGNORINI_METHODS ${name})
+  set_property(GLOBAL PROPERTY SIGNORINI_TESTS_OF_${name} ${arg_TESTS})
+endfunction()
+
 # signorini_test(NAME SOURCES ... LINK ... [LABELS ...]): a GoogleTest binary whose cases ctest knows one by one.
 function(signorini_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;LABELS")

@@ -32,7 +32,7 @@ function(hash_sources result without)
 endfunction()
 
 # Reports, commands and what reads runs do not change a record; the reference solver (event_driven) changes all of them.
-hash_sources(common "^harness/(commands/|compare/|machine/|runs/|submit/|report|table|progress)" ${ROOT}/problems/* ${ROOT}/harness/*
+hash_sources(common "^harness/(commands/|compare/|conformance/|machine/|runs/|scaffold/|submit/|sweep/|report|table|progress)" ${ROOT}/problems/* ${ROOT}/harness/*
              ${ROOT}/methods/kernels/* ${ROOT}/methods/event_driven/* ${ROOT}/methods/method.*
              ${ROOT}/methods/options.* ${ROOT}/methods/solution.hpp)
 set(SOURCE_ITEMS "{\"\", \"${common}\"}")

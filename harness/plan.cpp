@@ -29,23 +29,6 @@ bool belongs(const Suite& suite, const SceneHeader& scene) {
          std::any_of(suite.tags.begin(), suite.tags.end(), carried);
 }
 
-std::vector<Scene> choose_scenes(const Suite& suite, const Narrowing& narrowing,
-                                 std::span<const SceneSource> sources) {
-  std::vector<Scene> scenes;
-  for (const SceneSource& source : sources) {
-    const SceneHeader header = load_header(source);  // first: a large scene takes time to assemble
-    if (!belongs(suite, header)) continue;
-    if (narrowing.scenes && !filter_matches(*narrowing.scenes, header.name)) continue;
-    scenes.push_back(read_scene(source));
-  }
-  if (scenes.empty()) {
-    throw NothingMatched(
-        fmt::format("scenes = {} (matches no scene of suite {}; see `signorini list scenes`)",
-                    narrowing.scenes.value_or("*"), suite.name));
-  }
-  return scenes;
-}
-
 /// The suite's settings for the methods it mentions, the method's own ladder for the others.
 DefaultSettings suite_settings(const Suite& suite, std::span<const MethodEntry> catalogue) {
   std::vector<MethodChoice> mentioned;
@@ -83,11 +66,28 @@ Case make_case(const Scene& scene, std::size_t index, MethodChoice choice) {
   return result;
 }
 
+std::vector<Scene> choose_scenes(const Suite& suite, const std::optional<std::string>& filter,
+                                 std::span<const SceneSource> sources) {
+  std::vector<Scene> scenes;
+  for (const SceneSource& source : sources) {
+    const SceneHeader header = load_header(source);  // first: a large scene takes time to assemble
+    if (!belongs(suite, header)) continue;
+    if (filter && !filter_matches(*filter, header.name)) continue;
+    scenes.push_back(read_scene(source));
+  }
+  if (scenes.empty()) {
+    throw NothingMatched(
+        fmt::format("scenes = {} (matches no scene of suite {}; see `signorini list scenes`)",
+                    filter.value_or("*"), suite.name));
+  }
+  return scenes;
+}
+
 Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const MethodEntry> catalogue,
                std::span<const SceneSource> sources) {
   const std::vector<MethodChoice> choices =
       select_methods(narrowing.methods.value_or("*"), catalogue, suite_settings(suite, catalogue));
-  Plan plan{choose_scenes(suite, narrowing, sources), {}};
+  Plan plan{choose_scenes(suite, narrowing.scenes, sources), {}};
   for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
     for (const MethodChoice& choice : choices) plan.cases.push_back(make_case(plan.scenes[i], i, choice));
   }

@@ -49,6 +49,10 @@ struct Narrowing {
   std::optional<std::string> scenes = {};   ///< filter on scene names
 };
 
+/// The scenes of a suite that the filter takes, in the order of `sources`. \throws NothingMatched, SceneError
+std::vector<Scene> choose_scenes(const Suite& suite, const std::optional<std::string>& filter,
+                                 std::span<const SceneSource> sources);
+
 /// The cases of a suite, scenes in catalogue order, methods in catalogue order.
 /// \throws NothingMatched, UsageError, SceneError, InvalidOption
 Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const MethodEntry> catalogue,

@@ -253,6 +253,7 @@ Trial Runner::trial_of(const Scene& scene, const Job& job, const SolveExtras& ex
           .start = extras.start,
           .samples = extras.samples,
           .timed = extras.timed,
+          .certified = extras.certified,
           .waveforms = waveforms_};
 }
 

@@ -32,6 +32,7 @@ struct SolveExtras {
   std::shared_ptr<const Trajectory> start = {};  ///< null: cold
   int samples = 0;
   bool timed = true;
+  bool certified = true;  ///< look for the orbit behind the answer
 };
 
 /// A surveyed case, ready to run. What it points to must outlive it.

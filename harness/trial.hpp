@@ -22,6 +22,7 @@ struct Trial {
   std::shared_ptr<const Trajectory> start = {};  ///< null: cold
   int samples = 0;                               ///< instants of the trajectory kept in the record; 0: none
   bool timed = true;
+  bool certified = true;   ///< look for the orbit behind the answer
   bool waveforms = false;  ///< keep the answer and its orbit as they are drawn
 };
 

@@ -17,10 +17,17 @@ namespace signorini {
 namespace {
 
 std::vector<MethodEntry> methods_of_the_program() {
+  // One method per line.
+  // clang-format off
   return {
-      method_entry<HatLcp>(), method_entry<FourierLipschitz>(), method_entry<PenaltyHbm>(),
-      method_entry<AftHbm>(), method_entry<EventDriven>(),      method_entry<ExactOrbitMethod>(),
+      method_entry<HatLcp>(),
+      method_entry<FourierLipschitz>(),
+      method_entry<PenaltyHbm>(),
+      method_entry<AftHbm>(),
+      method_entry<EventDriven>(),
+      method_entry<ExactOrbitMethod>(),
   };
+  // clang-format on
 }
 
 std::vector<MethodEntry>& all_methods() {

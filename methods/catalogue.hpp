@@ -4,6 +4,7 @@
 #include <concepts>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +19,9 @@ struct MethodEntry {
   std::string title;   ///< one line for people
   std::string laws;    ///< laws it can represent, for `list`
   std::string ladder;  ///< resolutions a benchmark runs, "key=v1|v2|v3"
+  /// p of error of x ~ h^p, h the step that the ladder refines, on motions with impacts; empty: none is
+  /// claimed [-]
+  std::optional<double> order = {};
   /// \throws InvalidOption
   std::function<std::unique_ptr<Method>(std::span<const OptionSetting> settings)> make;
   std::string plugin = {};  ///< SHA-256 of the files that a method of a plugin consists of; else empty
@@ -34,6 +38,13 @@ concept RegistrableMethod = std::derived_from<M, Method> && requires(typename M:
   M(options);
 };
 
+/// The order that a method class claims by a member `kOrder`, if it has one.
+template <class M>
+constexpr std::optional<double> claimed_order() {
+  if constexpr (requires { M::kOrder; }) return M::kOrder;
+  return std::nullopt;
+}
+
 /// The catalogue entry of a method class: its constructor validates the options it is given.
 template <RegistrableMethod M>
 MethodEntry method_entry() {
@@ -41,6 +52,7 @@ MethodEntry method_entry() {
           .title = std::string(M::kTitle),
           .laws = std::string(M::kLaws),
           .ladder = std::string(M::kLadder),
+          .order = claimed_order<M>(),
           .make = [](std::span<const OptionSetting> settings) -> std::unique_ptr<Method> {
             typename M::Options options;
             apply_settings(options, settings);

@@ -22,13 +22,14 @@ using RepresentedLaw = std::variant<std::monostate, Restitution, Penalty, Massle
 
 /// Whether a method applies to a scene; if not, `reason` is printed in the table's cell.
 struct Support {
-  bool ok = true;
-  std::string reason = {};
+  bool ok = true;           ///< it applies
+  std::string reason = {};  ///< empty exactly if so
 };
 
 /// Where a solve begins and when it must give up.
 struct Start {
   std::shared_ptr<const Trajectory> guess = {};  ///< null: cold start
+  /// The end of the time budget.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 
   /// True once the time budget is spent; methods ask between iterations and end `not_converged`.
@@ -52,6 +53,7 @@ class Method {
   virtual ~Method() = default;
   /// Complete options, defaults included.
   [[nodiscard]] virtual std::vector<OptionEcho> options() const = 0;
+  /// Whether it applies to this valid scene. Quick: asked of every scene of a run.
   [[nodiscard]] virtual Support supports(const Problem& problem) const = 0;
   /// The law represented on this scene; meaningful where `supports` says ok.
   [[nodiscard]] virtual RepresentedLaw law(const Problem& problem) const = 0;

@@ -25,11 +25,12 @@ class InvalidOption : public std::invalid_argument {
 
 /// A physical constant given in SI units ("1e6") or relative to a stated scale ("100x").
 struct Scaled {
-  double value = 1.0;
-  bool relative = true;
+  double value = 1.0;    ///< [SI unit] or multiple of the scale [-]
+  bool relative = true;  ///< a multiple
 
   /// The value in SI units, `scale` being the unit of a relative one.
   [[nodiscard]] double in_units_of(double scale) const { return relative ? value * scale : value; }
+  /// Member by member.
   friend bool operator==(const Scaled&, const Scaled&) = default;
 };
 
@@ -46,8 +47,8 @@ using OptionValue = std::variant<std::monostate, bool, long, double, std::string
 
 /// One option as shown to a user and echoed into records.
 struct OptionEcho {
-  std::string name;
-  OptionValue value;
+  std::string name;     ///< as --set takes it
+  OptionValue value;    ///< present or default
   std::string unit;     ///< "[-]", "[N/m]", ...
   std::string meaning;  ///< one line, with the range allowed
 };

@@ -18,7 +18,7 @@ struct Samples {
 
 /// A jump of momentum at a contact.
 struct Impulse {
-  int contact = 0;
+  int contact = 0;     ///< in [0, Nc)
   double time = 0.0;   ///< in [0, period) [s]; t = 0 is the time origin of the forcing terms
   double value = 0.0;  ///< on the structure along the contact coordinate, <= 0 [N s]
 };
@@ -49,19 +49,20 @@ enum class Verdict { converged, not_converged };
 
 /// Counts of work; an empty one means the method has no such notion.
 struct Work {
-  std::optional<long> unknowns = {};
-  std::optional<long> iterations = {};
-  std::optional<long> pivots = {};
-  std::optional<long> rhs_evaluations = {};
-  std::optional<long> factorisations = {};
+  std::optional<long> unknowns = {};         ///< of the equations that are solved
+  std::optional<long> iterations = {};       ///< what the method calls so
+  std::optional<long> pivots = {};           ///< of a complementarity problem
+  std::optional<long> rhs_evaluations = {};  ///< of an integrator
+  std::optional<long> factorisations = {};   ///< of matrices, from scratch
 };
 
+/// What a solve came to.
 struct Solution {
-  Verdict verdict = Verdict::not_converged;
+  Verdict verdict = Verdict::not_converged;           ///< the method's own word
   std::string message = {};                           ///< one sentence for a person
   std::shared_ptr<const Trajectory> trajectory = {};  ///< best iterate; null if there is none
-  Work work = {};
-  std::optional<double> residual = {};  ///< of the method's own equations, relative [-]
+  Work work = {};                                     ///< of this solve
+  std::optional<double> residual = {};                ///< of the method's own equations, relative [-]
 };
 
 }  // namespace signorini

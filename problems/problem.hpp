@@ -18,8 +18,8 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// f_dof(t) += cos * cos(harmonic * omega * t) + sin * sin(harmonic * omega * t).
 /// Harmonic 0 is a constant load of size `cos`.
 struct ForceTerm {
-  int dof = 0;
-  int harmonic = 1;
+  int dof = 0;       ///< coordinate that it acts on
+  int harmonic = 1;  ///< h >= 0, of omega [-]
   double cos = 0.0;  ///< [N]
   double sin = 0.0;  ///< [N]
 };
@@ -63,11 +63,11 @@ struct Problem {
   SparseMatrix damping;    ///< D, Nd x Nd [N s/m]
   SparseMatrix stiffness;  ///< K, Nd x Nd, symmetric positive semi-definite [N/m]
 
-  double frequency = 1.0;  ///< omega > 0 [rad/s]
-  int subharmonic = 1;     ///< order k >= 1 of the motion looked for [-]
-  std::vector<ForceTerm> force;
+  double frequency = 1.0;         ///< omega > 0 [rad/s]
+  int subharmonic = 1;            ///< order k >= 1 of the motion looked for [-]
+  std::vector<ForceTerm> force;   ///< f(t) is the sum of them
   std::vector<Contact> contacts;  ///< Nc of them, may be empty
-  Law law;
+  Law law;                        ///< monostate exactly where there is no contact
 
   /// Nd, the number of coordinates.
   [[nodiscard]] int size() const { return static_cast<int>(mass.rows()); }
@@ -83,6 +83,7 @@ struct Problem {
 /// `field` is the scene-file path of the culprit ("system.mass", "contact[1].gap").
 class InvalidProblem : public std::invalid_argument {
  public:
+  /// what() reads `field_path = value (required)`.
   InvalidProblem(std::string field_path, const std::string& value, const std::string& required)
       : std::invalid_argument(field_path + " = " + value + " (" + required + ")"),
         field(std::move(field_path)),

@@ -16,7 +16,8 @@ struct FamilyLevel {
   std::string parameter = {};  ///< what drives the family from easy to impossible, in words, with its unit
   double level = 0.0;          ///< value of the parameter
   int severity = 1;            ///< 1, the easiest, to `levels`
-  int levels = 1;
+  int levels = 1;              ///< in the family
+  /// Member by member.
   bool operator==(const FamilyLevel&) const = default;
 };
 

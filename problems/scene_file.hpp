@@ -27,21 +27,24 @@ inline constexpr std::string_view kLongSearch = "long-search";
 
 /// Where a scene is read from: a file, and for one of a family its level.
 struct SceneSource {
+  /// A file that is a scene by itself unless a level is given.
   SceneSource(std::filesystem::path scene_file, std::string level_label = {})  // NOLINT: a file is a source
       : file(std::move(scene_file)), level(std::move(level_label)) {}
-  std::filesystem::path file;
-  std::string level;
+  std::filesystem::path file;  ///< TOML
+  std::string level;           ///< label of its level; empty for a scene by itself
+  /// Member by member.
   bool operator==(const SceneSource&) const = default;
 };
 
 /// What a scene says of itself.
 struct SceneHeader {
-  std::string name = {};  ///< "sdof-stop"; of a family's scene "grazing@1e-4"
-  std::string title = {};
-  std::string reference = {};
-  std::vector<std::string> tags = {};
+  std::string name = {};                   ///< "sdof-stop"; of a family's scene "grazing@1e-4"
+  std::string title = {};                  ///< one line for people
+  std::string reference = {};              ///< where the scene comes from
+  std::vector<std::string> tags = {};      ///< free words
   std::optional<FamilyLevel> family = {};  ///< where the scene is one of a family
 
+  /// Whether the tag is among its own.
   [[nodiscard]] bool carries(std::string_view tag) const;
 };
 
@@ -63,7 +66,7 @@ Problem parse_scene(std::string_view text, const std::string& name, std::string_
 
 /// A scene, and what else makes it that scene.
 struct SceneWithSources {
-  Problem problem = {};
+  Problem problem = {};                                  ///< validated
   std::optional<FamilyLevel> family = {};                ///< where it is one of a family
   std::vector<std::filesystem::path> matrix_files = {};  ///< that its system is read from
 };

@@ -70,6 +70,18 @@ void require_known_command(const CLI::App& app, int argc, char** argv) {
 
 }  // namespace
 
+std::vector<OptionSetting> parse_settings(const std::vector<std::string>& texts) {
+  std::vector<OptionSetting> settings;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw UsageError(fmt::format("set = {} (must look like key=value)", text));
+    }
+    settings.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+  }
+  return settings;
+}
+
 std::string positive_seconds(const std::string& text) {
   double value = 0.0;
   const bool ok = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0.0;
@@ -110,7 +122,10 @@ int run_command_line(int argc, char** argv) {
   add_doctor_command(app, exit_code);
   add_report_command(app, exit_code);
   add_orbits_command(app, exit_code);
+  add_sweep_command(app, exit_code);
   add_verify_command(app, exit_code);
+  add_check_command(app, exit_code);
+  add_new_command(app, exit_code);
   add_completion_command(app, exit_code);
   add_man_command(app, exit_code);
   const auto plugins = std::make_shared<std::vector<std::string>>();

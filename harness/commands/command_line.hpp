@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CLI {
@@ -38,6 +39,9 @@ void add_status_command(CLI::App& app, int& exit_code);
 void add_merge_command(CLI::App& app, int& exit_code);
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_submit_command(CLI::App& app, int& exit_code);
+void add_check_command(CLI::App& app, int& exit_code);
+void add_new_command(CLI::App& app, int& exit_code);
+void add_sweep_command(CLI::App& app, int& exit_code);
 void add_doctor_command(CLI::App& app, int& exit_code);
 void add_completion_command(CLI::App& app, int& exit_code);
 void add_man_command(CLI::App& app, int& exit_code);
@@ -50,6 +54,9 @@ void add_plugin_options(CLI::App& app, const std::shared_ptr<std::vector<std::st
 
 /// --starts, --subharmonics, --seed, --timeout: of the commands that search for orbits.
 void add_search_options(CLI::App& command, OrbitQuest& quest, std::optional<int>& subharmonics);
+
+/// `key=value` as --set takes it, any number. \throws UsageError
+std::vector<std::pair<std::string, std::string>> parse_settings(const std::vector<std::string>& texts);
 
 /// Refuses what is no positive number of seconds; CLI::PositiveNumber says what is allowed by printing the
 /// largest double in full.

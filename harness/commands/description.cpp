@@ -147,7 +147,8 @@ std::string man_page(const CLI::App& app, const std::string& version) {
   text +=
       ".SH EXIT STATUS\n.TP\n.B 0\ndone\n.TP\n.B 1\nsomething did not converge that was not expected to "
       "fail, or "
-      "verify found a difference\n.TP\n.B 2\nbad input or usage\n.TP\n.B 3\nthe filter matched "
+      "verify found a difference, or a check failed\n.TP\n.B 2\nbad input or usage\n.TP\n.B 3\nthe filter "
+      "matched "
       "nothing\n.TP\n.B 4\n"
       "compare found a regression\n.TP\n.B 5\ninternal error\n.TP\n.B 130\ninterrupted, resumable\n";
   return text;

@@ -79,6 +79,7 @@ void show_method(const MethodEntry& entry) {
   fmt::print("{}: {}\nlaws              {}\nladder            {}\n", entry.name, entry.title, entry.laws,
              entry.ladder);
   if (!entry.plugin.empty()) fmt::print("plugin            {}\n", entry.plugin);
+  if (entry.order) fmt::print("order             {:g}, of the error of x along the ladder\n", *entry.order);
   fmt::print("options\n");
   for (const OptionEcho& option : entry.make({})->options()) {
     fmt::print("  {:<16}{:<12} {:<6} {}\n", option.name, print_option(option.value), option.unit,

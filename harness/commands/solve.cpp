@@ -24,18 +24,6 @@ struct SolveArguments {
   bool json = false;
 };
 
-Settings parse_settings(const std::vector<std::string>& texts) {
-  Settings settings;
-  for (const std::string& text : texts) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw UsageError(fmt::format("set = {} (must look like key=value)", text));
-    }
-    settings.emplace_back(text.substr(0, equals), text.substr(equals + 1));
-  }
-  return settings;
-}
-
 void print_measure(const char* name, const Measure& value) {
   if (value) fmt::print("{:<22}{:.3e}\n", name, *value);
 }

@@ -31,6 +31,7 @@ class AftHbm final : public Method {
   static constexpr std::string_view kTitle = "Alternating frequency/time harmonic balance, Newton-Krylov";
   static constexpr std::string_view kLaws = "restitution 1, penalty, massless";
   static constexpr std::string_view kLadder = "harmonics=10|40";
+  static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 
   struct Options {
     std::optional<int> harmonics = {};  ///< H >= 1 [-]

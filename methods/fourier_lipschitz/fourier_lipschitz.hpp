@@ -28,6 +28,7 @@ class FourierLipschitz final : public Method {
       "Harmonic balance on the Lipschitz form of Signorini's condition";
   static constexpr std::string_view kLaws = "restitution 1, penalty, massless";
   static constexpr std::string_view kLadder = "harmonics=10|40|160";
+  static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 
   struct Options {
     std::optional<int> harmonics = {};  ///< H >= 1 [-]

@@ -23,8 +23,11 @@ class BlockCirculant {
   ///        The identity part `tail` sits on the diagonal exactly, without a round trip through a transform.
   BlockCirculant(int samples, const std::vector<Eigen::MatrixXcd>& symbol, double tail = 0.0);
 
+  /// N.
   [[nodiscard]] int samples() const { return samples_; }
+  /// Nc.
   [[nodiscard]] int contacts() const { return contacts_; }
+  /// N Nc.
   [[nodiscard]] int size() const { return samples_ * contacts_; }
 
   /// A(row, col).

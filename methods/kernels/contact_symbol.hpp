@@ -15,9 +15,12 @@ namespace signorini {
 /// chi B, chi the indicator of contact.
 class ContactSymbol {
  public:
+  /// B_n of these C_n under this law.
   ContactSymbol(const ContactReceptance& receptance, const ProjectedLaw& law);
 
+  /// H.
   [[nodiscard]] int harmonics() const { return static_cast<int>(blocks_.size()) - 1; }
+  /// Nc.
   [[nodiscard]] int contacts() const { return static_cast<int>(root_.size()); }
   /// (2 H + 1) Nc, the size of a packed vector (harmonic_vector.hpp).
   [[nodiscard]] int unknowns() const { return (2 * harmonics() + 1) * contacts(); }
@@ -46,6 +49,7 @@ class LastingContactInverse {
   /// \param duty  share of the period that each contact is closed, Nc, in [0, 1] [-]
   LastingContactInverse(const ContactSymbol& symbol, const Eigen::VectorXd& duty);
 
+  /// The inverse times a packed vector.
   [[nodiscard]] Eigen::VectorXd operator*(const Eigen::VectorXd& packed) const;
 
  private:

@@ -13,8 +13,8 @@ namespace signorini {
 /// Intervals of one period on which a trigonometric polynomial is positive, as fractions of the period:
 /// from `begin` in [0, 1) to `end` in (begin, begin + 1].
 struct ContactInterval {
-  double begin = 0.0;
-  double end = 0.0;
+  double begin = 0.0;  ///< [-]
+  double end = 0.0;    ///< [-]
 };
 
 /// Where y(t) = scale * shift(t) + sum_{|n| <= H} y_n e^{2 pi i n t} > 0. Sign changes are bracketed on
@@ -36,6 +36,7 @@ Eigen::VectorXcd shift_spectrum(const ContactInterval& interval, const std::vect
 /// The indicator function chi of intervals of contact, as polynomials of degree H meet it.
 class ContactIndicator {
  public:
+  /// Of the union of the intervals, to meet polynomials of degree H = `harmonics`.
   ContactIndicator(const std::vector<ContactInterval>& intervals, int harmonics);
 
   /// chi_n, n = 0..2 H.
@@ -51,8 +52,9 @@ class ContactIndicator {
   Eigen::VectorXd values_;  // of the spectrum, on a grid that tells products of degree 3 H from their mirrors
 };
 
+/// What project_exactly came to.
 struct ExactProjection {
-  bool converged = false;
+  bool converged = false;   ///< the residual is below the tolerance
   int iterations = 0;       ///< Newton steps
   double residual = 0.0;    ///< |R|_2 / |lambda|_2, or of rounding where that is larger [-]
   Eigen::MatrixXcd lambda;  ///< (H+1) x Nc [N]

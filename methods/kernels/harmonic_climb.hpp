@@ -29,16 +29,17 @@ ExactProjection permanent_contact(const ContactReceptance& receptance, const Eig
 
 /// The place where a climb begins: few harmonics, enough for every load, and a soft constant.
 struct ClimbFoot {
-  int harmonics = 0;
-  double softness = 1.0;
+  int harmonics = 0;      ///< 0: nothing to climb [-]
+  double softness = 1.0;  ///< share of the constant of the law to begin with [-]
 };
 
 /// Twenty harmonics, fewer (down to five) where there are more than ten contacts, more where the load needs
 /// them. Nothing to climb (harmonics = 0) if that is all.
 ClimbFoot climb_foot(const ContactReceptance& receptance);
 
+/// What a climb came to.
 struct HarmonicClimb {
-  bool converged = false;
+  bool converged = false;   ///< with all harmonics and the law's own constant
   int iterations = 0;       ///< Newton steps, those of failed attempts included
   double residual = 0.0;    ///< as of project_exactly [-]
   Eigen::MatrixXcd lambda;  ///< (H+1) x Nc [N]

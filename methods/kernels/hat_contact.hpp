@@ -19,16 +19,19 @@ enum class HatScheme {
   backward,  ///< backward differences, s = (1 - e^{-i theta})/dt: s^2 M + s D + K; represents restitution 0
 };
 
+/// The values of the option `scheme`.
 template <>
 struct EnumNames<HatScheme> {
+  /// In the order of the enumerators.
   static constexpr std::array<std::string_view, 3> values{"galerkin", "nodal", "backward"};
 };
 
+/// How a scene is set on nodes, and how its problem is solved.
 struct HatSettings {
-  int samples = 256;  ///< N >= 4 nodes per period [-]
-  HatScheme scheme = HatScheme::galerkin;
-  ComplementaritySolver solver = ComplementaritySolver::automatic;
-  double tolerance = 1e-10;      ///< on LcpResult::residual [-]
+  int samples = 256;                                                ///< N >= 4 nodes per period [-]
+  HatScheme scheme = HatScheme::galerkin;                           ///< the symbol
+  ComplementaritySolver solver = ComplementaritySolver::automatic;  ///< of the complementarity problem
+  double tolerance = 1e-10;                                         ///< on LcpResult::residual [-]
   int max_iterations = 0;        ///< pivots or Newton steps; 0: the solver's own limit [-]
   double cover_amplitude = 0.0;  ///< of the covering vector's wave (smooth_cover), in [0, 1) [-]
   double cover_phase = 0.0;      ///< [rad]

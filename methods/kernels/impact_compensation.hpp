@@ -37,6 +37,7 @@ class ImpactCompensation {
   /// \param extended  C_n for n = 0..L, L > H; L = 2 H will do
   explicit ImpactCompensation(ContactReceptance extended);
 
+  /// What a compensation came to.
   struct Result {
     bool converged = false;        ///< the stops stand right; true where there is no impact
     bool exact = false;            ///< the projected equations have a solution near the one handed in

@@ -12,10 +12,11 @@ namespace signorini {
 /// Finds z >= 0 with w = q + A z >= 0 and z^T w = 0, A block-circulant. Entries of A are of order one
 /// on the diagonal (the assembly scales them), q may have any size.
 struct Lcp {
-  BlockCirculant matrix;
+  BlockCirculant matrix;   ///< A
   Eigen::VectorXd offset;  ///< q
 };
 
+/// How a solve ended.
 enum class LcpStatus {
   solved,       ///< residual below tolerance
   ray,          ///< the path of the pivoting solver ends in an unbounded direction
@@ -25,9 +26,10 @@ enum class LcpStatus {
   interrupted,  ///< the time budget ran out
 };
 
+/// The answer of a solver, or its best iterate.
 struct LcpResult {
-  LcpStatus status = LcpStatus::breakdown;
-  Eigen::VectorXd z = {};
+  LcpStatus status = LcpStatus::breakdown;  ///< how it ended
+  Eigen::VectorXd z = {};                   ///< of the size of q
   double residual = 0.0;    ///< max |min(z, w)| / max(max |q|, max |z|), NaN-safe (infinity) [-]
   long pivots = 0;          ///< pivoting solver
   long iterations = 0;      ///< Newton solver

@@ -7,10 +7,12 @@
 
 namespace signorini {
 
+/// Where Newton's method begins and when it must end.
 struct NewtonOptions {
-  int max_iterations = 100;
+  int max_iterations = 100;    ///< steps [-]
   double tolerance = 1e-10;    ///< on LcpResult::residual [-]
   Eigen::VectorXd guess = {};  ///< z of a nearby problem; empty: the contact-free response
+  /// The end of the time budget.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 };
 

@@ -9,11 +9,13 @@
 
 namespace signorini {
 
+/// Where the path begins and when it must end.
 struct PivotingOptions {
   long max_pivots = 0;         ///< 0: 6000 + 10 * size [-]
   double tolerance = 1e-10;    ///< on LcpResult::residual [-]
   Eigen::VectorXd cover = {};  ///< own covering vector d > 0, size of q; empty: nearly constant
   Eigen::VectorXd guess = {};  ///< warm start: z of a nearby problem; empty: cold start
+  /// The end of the time budget.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 };
 

@@ -18,10 +18,11 @@
 
 namespace signorini {
 
+/// How the projected equations are solved.
 struct ProjectedOptions {
-  std::optional<int> samples = {};  ///< N; empty: see SampleLadder
-  Quadrature quadrature = Quadrature::exact;
-  SolverSettings solver = {};
+  std::optional<int> samples = {};                     ///< N; empty: see SampleLadder
+  Quadrature quadrature = Quadrature::exact;           ///< of the contact integral
+  SolverSettings solver = {};                          ///< of the complementarity problem
   std::shared_ptr<CompensatedSolve> compensated = {};  ///< null: impacts stay as the series has them
 };
 
@@ -45,7 +46,9 @@ double net_work_ratio(const Eigen::MatrixXcd& x, const Eigen::MatrixXcd& lambda)
 /// to 1e-3.
 class SampleLadder {
  public:
+  /// \param fixed  what the user set
   SampleLadder(int harmonics, std::optional<int> fixed, Quadrature quadrature);
+  /// N of the present rung.
   [[nodiscard]] int samples() const { return samples_; }
   /// Whether an answer is one: its contact integral exact, or sampled because that was asked for, or so well
   /// that the energy identity holds to 1e-3.
@@ -109,6 +112,7 @@ ProjectedOptions projected_options(const Problem& problem, const ContactReceptan
 /// is solved on the grids of SampleLadder and its integral refined. Impacts are then compensated.
 class ProjectedContact final : public PreparedMethod {
  public:
+  /// \param softness  of the law where a climb begins [-]
   ProjectedContact(Eigen::VectorXd gap, ContactReceptance receptance, LawAt law_at, ProjectedOptions options,
                    double softness = 1.0);
   Solution solve(const Start& start) override;

@@ -26,8 +26,10 @@ struct ProjectedLaw {
 /// contact begins and ends, starting from the sampled solution.
 enum class Quadrature { exact, sampled };
 
+/// The values of the option `quadrature`.
 template <>
 struct EnumNames<Quadrature> {
+  /// In the order of the enumerators.
   static constexpr std::array<std::string_view, 2> values{"exact", "sampled"};
 };
 

@@ -19,8 +19,8 @@ class RealFft {
  public:
   explicit RealFft(int samples);  ///< samples >= 1
   ~RealFft();
-  RealFft(RealFft&&) noexcept;
-  RealFft& operator=(RealFft&&) noexcept;
+  RealFft(RealFft&&) noexcept;             ///< plan and memory change hands
+  RealFft& operator=(RealFft&&) noexcept;  ///< the same
   RealFft(const RealFft&) = delete;
   RealFft& operator=(const RealFft&) = delete;
 

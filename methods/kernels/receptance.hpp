@@ -37,7 +37,9 @@ class SingularStiffness : public std::runtime_error {
 /// Dense for a few coordinates, sparse LU beyond (UMFPACK [davis2004]); no matrix is ever inverted.
 class DynamicStiffness {
  public:
+  /// Dense or sparse by the number of coordinates.
   explicit DynamicStiffness(const Problem& problem);
+  /// As told.
   DynamicStiffness(const Problem& problem, bool dense);
   ~DynamicStiffness();
   DynamicStiffness(const DynamicStiffness&) = delete;
@@ -59,8 +61,8 @@ enum class ReceptanceMethod { automatic, dense, direct, reduced };
 
 /// What was done, and how well.
 struct ReceptanceReport {
-  ReceptanceMethod method = ReceptanceMethod::dense;
-  int basis = 0;                     ///< coordinates of the projection, 0 without one [-]
+  ReceptanceMethod method = ReceptanceMethod::dense;  ///< never automatic
+  int basis = 0;                                      ///< coordinates of the projection, 0 without one [-]
   std::optional<double> error = {};  ///< of C_n by projection, relative to |C_n|_F, the worst n [-]
   bool bound = false;                ///< true if `error` is a bound, false if it is an estimate
 };
@@ -71,7 +73,7 @@ struct ContactReceptance {
   double period = 1.0;                       ///< [s]
   std::vector<Eigen::MatrixXcd> receptance;  ///< C_n = W^T Z_n^{-1} W, Nc x Nc, n = 0..H [m/N]
   Eigen::MatrixXcd free_response;            ///< W^T Z_n^{-1} f_n, (H+1) x Nc [m]
-  ReceptanceReport report = {};
+  ReceptanceReport report = {};              ///< how they were found
 
   /// H, the highest harmonic kept.
   [[nodiscard]] int harmonics() const { return static_cast<int>(receptance.size()) - 1; }

@@ -21,6 +21,7 @@ struct StopShift {
     const double turn = t - time;
     return turn - std::round(turn);
   }
+  /// Shift at t [m].
   [[nodiscard]] double at(double t) const { return distance + speed * since(t); }
 };
 

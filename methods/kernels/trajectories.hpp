@@ -27,6 +27,7 @@ class FourierTrajectory final : public Trajectory {
     StopShifts shifts = {};     ///< of the stops that the series meets (impact_compensation.hpp)
   };
 
+  /// Sizes must agree.
   explicit FourierTrajectory(Data data) : data_(std::move(data)) {}
 
   [[nodiscard]] int contact_count() const override { return static_cast<int>(data_.x.cols()); }
@@ -35,6 +36,7 @@ class FourierTrajectory final : public Trajectory {
   [[nodiscard]] Samples sample(int count) const override;
   [[nodiscard]] std::optional<int> bandwidth() const override { return static_cast<int>(data_.x.rows()) - 1; }
   [[nodiscard]] Eigen::MatrixXcd force_coefficients() const override { return data_.lambda; }
+  /// The coefficients.
   [[nodiscard]] const Data& data() const { return data_; }
 
  private:

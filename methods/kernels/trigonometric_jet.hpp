@@ -9,7 +9,9 @@ namespace signorini {
 
 /// Value and derivatives with respect to time, counted in periods.
 struct Jet {
-  double value = 0.0, slope = 0.0, curvature = 0.0;
+  double value = 0.0;      ///< y
+  double slope = 0.0;      ///< y'
+  double curvature = 0.0;  ///< y''
 };
 
 /// Of y(t) = sum_{|n| <= H} y_n e^{2 pi i n t}, by the powers of e^{2 pi i t}. \param y  n = 0..H

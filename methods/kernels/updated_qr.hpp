@@ -16,13 +16,15 @@ class UpdatedQr {
   /// Starts over with the factors of a square matrix.
   void factorise(const Eigen::MatrixXd& matrix);
 
+  /// Of G.
   [[nodiscard]] int rows() const { return rows_; }
+  /// Of G.
   [[nodiscard]] int cols() const { return cols_; }
 
   void append_column(const Eigen::VectorXd& column);  ///< column: rows()
   void append_row(const Eigen::VectorXd& row);        ///< row: cols()
-  void remove_column(int index);
-  void remove_row(int index);
+  void remove_column(int index);                      ///< index: below cols()
+  void remove_row(int index);                         ///< index: below rows()
 
   /// Solves G x = b for square G, in place. A zero pivot gives infinities: check the result.
   void solve(Eigen::VectorXd& b) const;

@@ -23,6 +23,7 @@ class PenaltyHbm final : public Method {
   static constexpr std::string_view kTitle = "Harmonic balance with a penalty spring for the stop";
   static constexpr std::string_view kLaws = "penalty; restitution 1 and massless by regularisation";
   static constexpr std::string_view kLadder = "harmonics=10|40|160";
+  static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 
   struct Options {
     std::optional<int> harmonics = {};   ///< H >= 1 [-]

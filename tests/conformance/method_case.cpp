@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <chrono>
-#include <limits>
 #include <map>
 #include <ostream>
 
@@ -41,46 +39,41 @@ std::vector<MethodCase> all_cases() {
   return pairs;
 }
 
-MethodTraits traits_of(const std::string& method) {
+Terms terms_of(const std::string& method) {
+  // A hang becomes a failure; nothing here takes as long.
+  constexpr double kTimeout = 300.0, kPatience = 60.0;
+  const auto terms = [](std::vector<OptionSetting> settings, int grid) {
+    return Terms{.settings = std::move(settings), .grid = grid, .timeout = kTimeout, .patience = kPatience};
+  };
   const std::vector<OptionSetting> fourier{{"harmonics", "8"}, {"samples", "128"}};
-  if (method == "hat-lcp") return {.settings = {{"samples", "64"}}, .samples = 64};
-  if (method == "fourier-lipschitz" || method == "penalty-hbm") return {.settings = fourier, .samples = 128};
+  if (method == "hat-lcp") return terms({{"samples", "64"}}, 64);
+  if (method == "fourier-lipschitz" || method == "penalty-hbm") return terms(fourier, 128);
   if (method == "aft-hbm") {
     // A path of its homotopy that wanders costs a linear solve per switch: cut short.
-    return {.settings = {fourier[0], fourier[1], {"max_iterations", "1500"}}, .samples = 128};
+    return terms({fourier[0], fourier[1], {"max_iterations", "1500"}}, 128);
   }
+  if (method == "exact-orbit") return terms({}, 64);
   if (method == "event-driven") {
     // Equivalent problems are integrated with different steps: they agree to the tolerance of the
     // integration, amplified by the slowest decay of the scenes (1 / (1 - 0.96) periods).
-    return {.settings = {{"tolerance", "1e-7"}}, .samples = 64, .agreement = 2e-4, .identity = 1e-9};
+    Terms integrated = terms({{"tolerance", "1e-7"}}, 64);
+    integrated.agreement = 2e-4;
+    return integrated;
   }
-  return {.settings = {}};
+  Terms declared = signorini::terms_of(find_method(method));
+  declared.timeout = kTimeout;
+  declared.patience = kPatience;
+  return declared;
 }
 
-Problem scene_of(const MethodCase& pair) { return load_scene(find_scene(pair.scene)); }
-
-std::unique_ptr<Method> method_of(const MethodCase& pair) {
-  return find_method(pair.method).make(traits_of(pair.method).settings);
-}
-
-Solution solve(const Method& method, const Problem& problem, std::shared_ptr<const Trajectory> guess) {
-  Start start{.guess = std::move(guess)};
-  start.deadline = std::chrono::steady_clock::now() + std::chrono::minutes(5);
-  return method.prepare(problem)->solve(start);
-}
-
-const Solution& base_answer(const MethodCase& pair) {
-  static std::map<std::string, Solution> answers;
-  const auto found = answers.find(pair.name());
-  if (found != answers.end()) return found->second;
-  return answers.emplace(pair.name(), solve(*method_of(pair), scene_of(pair))).first->second;
-}
-
-double displacement_scale(const Problem& problem, const Samples& samples) {
-  double scale = std::numeric_limits<double>::min();
-  if (samples.x.size() > 0) scale = std::max(scale, samples.x.cwiseAbs().maxCoeff());
-  for (const Contact& contact : problem.contacts) scale = std::max(scale, std::abs(contact.gap));
-  return scale;
+const Subject& subject_of(const MethodCase& pair) {
+  static std::map<std::string, Subject> subjects;
+  const auto found = subjects.find(pair.name());
+  if (found != subjects.end()) return found->second;
+  return subjects
+      .try_emplace(pair.name(), find_method(pair.method), load_scene(find_scene(pair.scene)),
+                   terms_of(pair.method))
+      .first->second;
 }
 
 }  // namespace signorini::test

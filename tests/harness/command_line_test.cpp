@@ -18,26 +18,16 @@
 #include "harness/record_store.hpp"
 #include "harness/sha256.hpp"
 #include "tests/harness/fake_method.hpp"
+#include "tests/harness/program.hpp"
 
 namespace signorini {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
+using test::Outcome;
 
-Outcome run(const std::string& arguments) {
-  static const std::filesystem::path folder = test::fresh_folder("command-line");
-  const std::filesystem::path out = folder / "out", err = folder / "err";
-  const std::string command =
-      std::string(SIGNORINI_BINARY) + " " + arguments + " >" + out.string() + " 2>" + err.string();
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
-}
+Outcome run(const std::string& arguments) { return test::run_program(arguments); }
 
 struct BadUse {
   const char* arguments;
@@ -89,6 +79,25 @@ INSTANTIATE_TEST_SUITE_P(
         BadUse{"submit slurm out --shards 2 --dry-run quick --no-such", 2, "--no-such"},
         BadUse{"submit teams out", 2, "subcommand is required"}, BadUse{"completion fish", 2, "fish"},
         BadUse{"report /no/such/folder", 2, "dir = /no/such/folder"},
+        BadUse{"check", 2, "method = missing (must be a method, or --all"},
+        BadUse{"check hat-lcp --all", 2, "method = hat-lcp"}, BadUse{"check no-such", 2, "method = no-such"},
+        BadUse{"check hat-lcp --scenes zzz*", 3, "scenes = zzz*"},
+        BadUse{"check hat-lcp --checks zzz*", 3, "checks = zzz*"},
+        BadUse{"check hat-lcp --suite no-such", 2, "suite = no-such"},
+        BadUse{"check hat-lcp --timeout 0", 2, "timeout = 0"}, BadUse{"new", 2, "subcommand is required"},
+        BadUse{"new method", 2, "name"},
+        BadUse{"new method My_Method --out-of-tree", 2, "name = My_Method (must be lower-kebab"},
+        BadUse{"new method my-method --tree /no/such", 2, "tree = /no/such"},
+        BadUse{"new method my-method --tree . --out-of-tree", 2, "--tree"},
+        BadUse{"sweep no-such-scene --method hat-lcp --from 1 --to 2", 2, "scene = no-such-scene"},
+        BadUse{"sweep sdof-stop --method no-such --from 1 --to 2", 2, "method = no-such"},
+        BadUse{"sweep sdof-stop --method hat-lcp --from 1", 2, "--to"},
+        BadUse{"sweep sdof-stop --method hat-lcp --from 0 --to 2", 2, "from = 0 (must be a positive"},
+        BadUse{"sweep sdof-stop --method hat-lcp --from 1 --to nan", 2, "to = nan"},
+        BadUse{"sweep sdof-stop --method hat-lcp --from 1 --to 1", 2, "to = 1 (must differ"},
+        BadUse{"sweep sdof-stop --method hat-lcp --from 1 --to 2 --points 1", 2, "--points"},
+        BadUse{"sweep sdof-stop --method hat-lcp --from 1 --to 2 --set colour=red", 2, "colour = red"},
+        BadUse{"sweep sdof-stop --method hat-lcp --from 1 --to 2 --format pdf", 2, "pdf"},
         BadUse{"orbits no-such-scene", 2, "scene = no-such-scene"},
         BadUse{"orbits sdof-stop --subharmonics 0", 2, "--subharmonics"},
         BadUse{"orbits sdof-stop --starts -1", 2, "--starts"},
@@ -98,8 +107,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(CommandLine, HelpsWithEveryCommand) {
   for (const char* command :
-       {"", "list", "show", "solve", "run", "status", "merge", "compare", "doctor", "submit slurm",
-        "submit parallel", "completion", "man", "report", "orbits", "verify"}) {
+       {"",        "list",   "show",         "solve",           "run",        "status", "merge",
+        "compare", "doctor", "submit slurm", "submit parallel", "completion", "man",    "report",
+        "orbits",  "verify", "check",        "new method",      "new scene",  "sweep"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.code, 0) << command;
     EXPECT_NE(outcome.out.find("Usage: signorini"), std::string::npos) << command;
@@ -124,7 +134,9 @@ TEST(CommandLine, ListsMethodsScenesAndSuites) {
 
 TEST(CommandLine, ShowsScenesAndMethods) {
   EXPECT_NE(run("show sdof-stop").out.find("eigenfrequencies"), std::string::npos);
-  EXPECT_NE(run("show fourier-lipschitz").out.find("harmonics"), std::string::npos);
+  const std::string method = run("show fourier-lipschitz").out;
+  EXPECT_NE(method.find("harmonics"), std::string::npos);
+  EXPECT_NE(method.find("order             1, of the error of x"), std::string::npos) << method;
 }
 
 TEST(CommandLine, RefusesABadSceneFileWithFileLineAndField) {

@@ -1,10 +1,10 @@
-#include "tests/conformance/transformations.hpp"
+#include "harness/conformance/transformations.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <numeric>
 
-namespace signorini::test {
+namespace signorini {
 
 namespace {
 
@@ -29,9 +29,10 @@ SparseMatrix reversed(const SparseMatrix& matrix) {
   return result;
 }
 
-Eigen::MatrixXd rolled(const Eigen::MatrixXd& rows, Eigen::Index by) {
-  Eigen::MatrixXd result(rows.rows(), rows.cols());
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) result.row((i + by) % rows.rows()) = rows.row(i);
+/// Every k-th row, beginning with row `first` of a periodic whole.
+Eigen::MatrixXd every(const Eigen::MatrixXd& rows, Eigen::Index first, Eigen::Index k) {
+  Eigen::MatrixXd result(rows.rows() / k, rows.cols());
+  for (Eigen::Index i = 0; i < result.rows(); ++i) result.row(i) = rows.row((first + i * k) % rows.rows());
   return result;
 }
 
@@ -86,23 +87,42 @@ Problem with_coordinates_reversed(const Problem& problem) {
   return result;
 }
 
-Samples DelayedTrajectory::sample(int count) const {
-  if (count * steps_ % grid_ == 0) {
-    const int by = ((count * steps_ / grid_) % count + count) % count;
-    const Samples samples = motion_->sample(count);
-    return {rolled(samples.x, by), rolled(samples.velocity, by), rolled(samples.force, by)};
-  }
-  throw std::invalid_argument("count does not meet the grid of the delay");
+Problem with_stops_at(Problem problem, double gap) {
+  for (Contact& contact : problem.contacts) contact.gap = gap;
+  return problem;
 }
 
-std::vector<Impulse> DelayedTrajectory::impulses() const {
+MotionMap MotionMap::inverse() const {
+  return {.displacement = 1.0 / displacement,
+          .force = 1.0 / force,
+          .time = 1.0 / time,
+          .delay = -delay,
+          .grid = grid};
+}
+
+Samples MappedMotion::sample(int count) const {
+  // Instants of the delayed motion are instants of a finer grid: no interpolation.
+  const int fine = map_.delay == 0 ? 1 : map_.grid / std::gcd(map_.grid, count * map_.delay);
+  const int total = count * fine;
+  const auto turn = static_cast<long>(total) * map_.delay / map_.grid % total;
+  const auto first = static_cast<Eigen::Index>((total - turn) % total);
+  const Samples motion = motion_->sample(total);
+  return {every(motion.x, first, fine) * map_.displacement,
+          every(motion.velocity, first, fine) * (map_.displacement / map_.time),
+          every(motion.force, first, fine) * map_.force};
+}
+
+std::vector<Impulse> MappedMotion::impulses() const {
   std::vector<Impulse> impulses = motion_->impulses();
+  const double whole = period();
   for (Impulse& impulse : impulses) {
-    const double time = impulse.time + steps_ * period() / grid_;
-    impulse.time = time - period() * std::floor(time / period());
+    const double time = impulse.time * map_.time + whole * map_.delay / map_.grid;
+    impulse.time = time - whole * std::floor(time / whole);
+    if (impulse.time >= whole) impulse.time = 0.0;  // a rounded remainder
+    impulse.value *= map_.force * map_.time;
   }
   std::sort(impulses.begin(), impulses.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
   return impulses;
 }
 
-}  // namespace signorini::test
+}  // namespace signorini

@@ -6,7 +6,7 @@
 #include "methods/solution.hpp"
 #include "problems/problem.hpp"
 
-namespace signorini::test {
+namespace signorini {
 
 /// f and g times `factor`: x and lambda scale with them, whatever the law (the contact conditions are a
 /// cone).
@@ -24,23 +24,37 @@ Problem with_load_delayed(Problem problem, double shift);
 /// Coordinates numbered backwards: nothing changes at the contacts.
 Problem with_coordinates_reversed(const Problem& problem);
 
-/// A motion moved in time by a whole number of steps of the period's `grid` parts.
-class DelayedTrajectory final : public Trajectory {
+/// Stops at `gap`, where the motion does not come if it stays within less: the linear structure is left.
+Problem with_stops_at(Problem problem, double gap);
+
+/// What an equivalent problem does to a motion: factors on x, on forces and on the unit of time, and a delay
+/// by whole steps of the period's `grid` parts.
+struct MotionMap {
+  double displacement = 1.0;
+  double force = 1.0;
+  double time = 1.0;
+  int delay = 0;
+  int grid = 1;
+
+  /// The map that undoes this one.
+  [[nodiscard]] MotionMap inverse() const;
+};
+
+/// A motion seen through a map; exact at any number of samples.
+class MappedMotion final : public Trajectory {
  public:
-  DelayedTrajectory(std::shared_ptr<const Trajectory> motion, int steps, int grid)
-      : motion_(std::move(motion)), steps_(steps), grid_(grid) {}
+  MappedMotion(std::shared_ptr<const Trajectory> motion, const MotionMap& map)
+      : motion_(std::move(motion)), map_(map) {}
 
   [[nodiscard]] int contact_count() const override { return motion_->contact_count(); }
-  [[nodiscard]] double period() const override { return motion_->period(); }
-  /// `count` must be a multiple of the grid, or divide into it with the steps.
+  [[nodiscard]] double period() const override { return motion_->period() * map_.time; }
   [[nodiscard]] Samples sample(int count) const override;
   [[nodiscard]] std::vector<Impulse> impulses() const override;
   [[nodiscard]] std::optional<int> bandwidth() const override { return motion_->bandwidth(); }
 
  private:
   std::shared_ptr<const Trajectory> motion_;
-  int steps_;
-  int grid_;
+  MotionMap map_;
 };
 
-}  // namespace signorini::test
+}  // namespace signorini

@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "harness/commands/command_line.hpp"
+#include "harness/conformance/conformance.hpp"
+#include "harness/conformance/review.hpp"
+#include "harness/failure.hpp"
+#include "harness/interrupt.hpp"
+#include "harness/progress.hpp"
+#include "harness/suite.hpp"
+
+namespace signorini {
+
+namespace {
+
+struct CheckArguments {
+  std::optional<std::string> method;
+  bool all = false;
+  std::string suite = "easy";
+  std::optional<std::string> scenes;
+  std::string checks = "*";
+  double timeout = ConformanceQuest{}.timeout;
+  bool json = false;
+};
+
+std::vector<const MethodEntry*> methods_of(const CheckArguments& arguments) {
+  if (arguments.all == arguments.method.has_value())
+    throw UsageError(fmt::format("method = {} (must be a method, or --all without one)",
+                                 arguments.method.value_or("missing")));
+  if (arguments.method) return {&find_method(*arguments.method)};
+  std::vector<const MethodEntry*> entries;
+  for (const MethodEntry& entry : method_catalogue()) entries.push_back(&entry);
+  return entries;
+}
+
+/// The scenes of the suite, or those that a filter takes from all that ship, or one file.
+std::vector<Scene> scenes_of(const CheckArguments& arguments) {
+  if (arguments.scenes && arguments.scenes->ends_with(".toml")) {
+    Scene scene = read_scene(find_scene(*arguments.scenes));
+    scene.problem.name = *arguments.scenes;  // by which the commands that show a finding again will know it
+    return {std::move(scene)};
+  }
+  const Suite all{.name = "of all that ship", .scenes = {"*"}};
+  return choose_scenes(arguments.scenes ? all : load_suite(arguments.suite), arguments.scenes,
+                       shipped_scenes());
+}
+
+void add_json(const MethodEntry& entry, const std::vector<CheckFinding>& findings,
+              nlohmann::ordered_json& list) {
+  for (const CheckFinding& finding : findings) {
+    nlohmann::ordered_json json{{"method", entry.name}};
+    json.update(to_json(finding));
+    list.push_back(std::move(json));
+  }
+}
+
+int check(const CheckArguments& arguments) {
+  const std::vector<const MethodEntry*> methods = methods_of(arguments);
+  const ConformanceQuest quest{
+      .scenes = scenes_of(arguments), .checks = arguments.checks, .timeout = arguments.timeout};
+  watch_interrupts();
+  bool failed = false;
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  Progress progress(methods.size());
+  for (const MethodEntry* entry : methods) {
+    const std::vector<CheckFinding> findings =
+        check_method(*entry, quest, [&](const std::string& what) { progress.begin(what); });
+    if (interrupted()) break;
+    failed = failed || any_failed(findings);
+    progress.advance();
+    if (arguments.json) {
+      add_json(*entry, findings, list);
+    } else {
+      fmt::print("{}{}", entry == methods.front() ? "" : "\n", review_text(*entry, findings));
+      std::fflush(stdout);
+    }
+  }
+  if (interrupted()) {
+    fmt::print(stderr, "interrupted\n");
+    return kInterrupted;
+  }
+  if (arguments.json)
+    fmt::print("{}\n", list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  return failed ? kUnexpectedFailure : kDone;
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, int& exit_code) {
+  auto* command =
+      app.add_subcommand("check",
+                         "What every method must pass: declared options and laws, determinism, time budget, "
+                         "invariances, convergence, "
+                         "and no claim that the harness refutes. Exit code 1 if something failed.");
+  const auto arguments = std::make_shared<CheckArguments>();
+  command->add_option("method", arguments->method, "method name; see `signorini list methods`");
+  command->add_flag("--all", arguments->all, "every method there is");
+  command->add_option("--suite", arguments->suite, "whose scenes are asked about")->capture_default_str();
+  command->add_option("--scenes", arguments->scenes,
+                      "instead: scenes by glob, A*:B*-C*, of all that ship; or one scene file");
+  command
+      ->add_option("--checks", arguments->checks,
+                   fmt::format("by glob, of {}", fmt::join(check_names(), ", ")))
+      ->capture_default_str();
+  command->add_option("--timeout", arguments->timeout, "wall time of one solve [s]")
+      ->check(positive_seconds)
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json, "print the findings as a JSON array");
+  command->callback([arguments, &exit_code] { exit_code = check(*arguments); });
+}
+
+}  // namespace signorini

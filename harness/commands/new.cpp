@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "harness/commands/command_line.hpp"
+#include "harness/failure.hpp"
+#include "harness/scaffold/scaffold.hpp"
+#include "harness/scaffold/source_tree.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct NewArguments {
+  std::string name;
+  std::optional<std::string> tree;
+  bool out_of_tree = false;
+};
+
+/// The tree that is named, or the one around the current folder; empty where nothing is added to a tree.
+std::optional<fs::path> tree_of(const NewArguments& arguments) {
+  if (arguments.out_of_tree) return std::nullopt;
+  if (!arguments.tree) return find_tree(fs::current_path());
+  if (fs::is_regular_file(fs::path(*arguments.tree) / "methods" / "catalogue.cpp")) return *arguments.tree;
+  throw UsageError(fmt::format("tree = {} (must be a source tree of signorini, with methods/catalogue.cpp)",
+                               *arguments.tree));
+}
+
+Scaffold new_method(const NewArguments& arguments) {
+  if (arguments.out_of_tree) return method_out_of_tree(arguments.name, "");
+  if (const std::optional<fs::path> tree = tree_of(arguments)) return method_in_tree(arguments.name, *tree);
+  throw UsageError(
+      "tree = missing (must be the current folder, one above it or --tree; --out-of-tree makes a plugin "
+      "instead)");
+}
+
+Scaffold new_scene(const NewArguments& arguments) {
+  const std::optional<fs::path> tree = tree_of(arguments);
+  return tree ? scene_in_tree(arguments.name, *tree) : scene_out_of_tree(arguments.name, "");
+}
+
+/// As people type it: from the current folder where it lies below.
+std::string shown(const fs::path& path) {
+  const fs::path relative = path.lexically_relative(fs::current_path());
+  const bool below = path.is_absolute() && !relative.empty() && *relative.begin() != "..";
+  return (below ? relative : path).string();
+}
+
+void write_and_tell(const Scaffold& scaffold) {
+  write(scaffold);
+  for (const ScaffoldFile& file : scaffold.fresh) fmt::print("new      {}\n", shown(file.path));
+  for (const ScaffoldFile& file : scaffold.changed) fmt::print("changed  {}\n", shown(file.path));
+  fmt::print("next:\n");
+  for (const std::string& line : scaffold.next) fmt::print("  {}\n", line);
+}
+
+void add_kind(CLI::App& command, int& exit_code, const char* kind, const char* description,
+              Scaffold (*make)(const NewArguments&)) {
+  auto* sub = command.add_subcommand(kind, description);
+  const auto arguments = std::make_shared<NewArguments>();
+  sub->add_option("name", arguments->name, "lower-kebab-case, such as my-" + std::string(kind))->required();
+  auto* tree = sub->add_option("--tree", arguments->tree,
+                               "source tree; if absent the current folder or the nearest above that is one");
+  sub->add_flag("--out-of-tree", arguments->out_of_tree,
+                "in the current folder, to be used without a source tree")
+      ->excludes(tree);
+  sub->callback([arguments, make, &exit_code] {
+    write_and_tell(make(*arguments));
+    exit_code = kDone;
+  });
+}
+
+}  // namespace
+
+void add_new_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand(
+      "new", "A method or a scene to begin with, which builds and passes `check` at once.");
+  command->require_subcommand(1);
+  add_kind(*command, exit_code, "method",
+           "methods/NAME with header, source, test and page, and two lines in methods/catalogue.cpp; out of "
+           "tree a "
+           "folder NAME that builds a plugin.",
+           new_method);
+  add_kind(
+      *command, exit_code, "scene",
+      "problems/catalogue/NAME.toml, or NAME.toml in the current folder where that is in no source tree.",
+      new_scene);
+}
+
+}  // namespace signorini

@@ -1,0 +1,179 @@
+// What every answer must look like, and how solves end.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "harness/conformance/answers.hpp"
+#include "harness/conformance/checks.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr std::array kCounts{1, 2, 7, 64, 1000};
+/// Of the period against a whole number of periods of the load [-].
+constexpr double kPeriodTolerance = 1e-9;
+
+std::string size_defect(const Problem& problem, const Samples& samples, int count) {
+  for (const auto& [name, values] : {std::pair{"x", &samples.x}, std::pair{"velocity", &samples.velocity},
+                                     std::pair{"force", &samples.force}}) {
+    if (values->rows() != count || values->cols() != problem.contact_count())
+      return fmt::format("{} at {} instants is {} x {}, not {} x {}", name, count, values->rows(),
+                         values->cols(), count, problem.contact_count());
+    if (!values->allFinite()) return fmt::format("{} at {} instants is not finite", name, count);
+  }
+  if ((samples.force.array() > 0.0).any())
+    return fmt::format("at {} instants a force pulls (must be <= 0)", count);
+  return {};
+}
+
+std::string impulse_defect(const Problem& problem, const Trajectory& trajectory) {
+  double before = 0.0;
+  for (const Impulse& impulse : trajectory.impulses()) {
+    if (impulse.contact < 0 || impulse.contact >= problem.contact_count())
+      return fmt::format("an impulse acts at contact {}, which is none", impulse.contact);
+    if (!std::isfinite(impulse.value) || impulse.value > 0.0)
+      return fmt::format("an impulse is {} N s (must be finite and <= 0)", impulse.value);
+    if (!(impulse.time >= before) || !(impulse.time < trajectory.period()))
+      return fmt::format("an impulse comes at {} s, out of order or outside the period", impulse.time);
+    before = impulse.time;
+  }
+  return {};
+}
+
+std::string period_defect(const Problem& problem, const Trajectory& trajectory) {
+  const double periods = trajectory.period() * problem.frequency / (2.0 * std::numbers::pi);
+  const double whole = std::round(periods);
+  if (whole >= 1.0 && std::abs(periods - whole) <= kPeriodTolerance * periods) return {};
+  return fmt::format("its period of {} s is {} periods of the load, no whole number", trajectory.period(),
+                     periods);
+}
+
+double largest_deviation(const Eigen::MatrixXd& coarse, const Eigen::MatrixXd& fine) {
+  const Eigen::Index common = std::gcd(coarse.rows(), fine.rows());
+  double worst = 0.0;
+  for (Eigen::Index i = 0; i < common; ++i) {
+    const auto deviation = coarse.row(i * (coarse.rows() / common)) - fine.row(i * (fine.rows() / common));
+    worst = std::max(worst, deviation.cwiseAbs().maxCoeff());
+  }
+  return worst;
+}
+
+/// Values at the instants that two sampling rates share.
+std::string sampling_defect(const Trajectory& trajectory, int few, int many, double scale, double tolerance) {
+  const Samples coarse = trajectory.sample(few), fine = trajectory.sample(many);
+  const double velocity_scale = scale * 2.0 * std::numbers::pi / trajectory.period() * many;
+  const double force_scale = std::max(fine.force.cwiseAbs().maxCoeff(), coarse.force.cwiseAbs().maxCoeff());
+  for (const auto& [name, deviation, whole] :
+       {std::tuple{"x", largest_deviation(coarse.x, fine.x), scale},
+        std::tuple{"velocity", largest_deviation(coarse.velocity, fine.velocity), velocity_scale},
+        std::tuple{"force", largest_deviation(coarse.force, fine.force), force_scale}}) {
+    if (!(deviation <= tolerance * whole))
+      return fmt::format("{} at common instants differs by {:.1e} between {} and {} samples of a period",
+                         name, deviation, few, many);
+  }
+  return {};
+}
+
+std::string consistency_defect(const Problem& problem, const Trajectory& trajectory, double tolerance) {
+  if (problem.contact_count() == 0) return {};
+  const double scale = displacement_scale(problem, trajectory.sample(kCounts.back()));
+  for (const int few : kCounts) {
+    for (const int many : kCounts) {
+      if (few >= many) continue;
+      if (std::string defect = sampling_defect(trajectory, few, many, scale, tolerance); !defect.empty())
+        return defect;
+    }
+  }
+  return {};
+}
+
+/// What is wrong with a solution apart from its being right.
+std::string solution_defect(const Problem& problem, const Solution& solution) {
+  if (solution.message.empty()) return "its message is empty";
+  if (!solution.trajectory)
+    return solution.verdict == Verdict::converged ? "it says converged without a trajectory" : "";
+  const Trajectory& trajectory = *solution.trajectory;
+  if (trajectory.contact_count() != problem.contact_count())
+    return fmt::format("its trajectory has {} contacts, the scene {}", trajectory.contact_count(),
+                       problem.contact_count());
+  if (std::string defect = period_defect(problem, trajectory); !defect.empty()) return defect;
+  for (const int count : kCounts) {
+    if (std::string defect = size_defect(problem, trajectory.sample(count), count); !defect.empty())
+      return defect;
+  }
+  return impulse_defect(problem, trajectory);
+}
+
+struct LawDefect {
+  const Problem& problem;
+  std::string operator()(std::monostate) const {
+    return problem.contacts.empty() ? "" : "it represents no law, and the scene has contacts";
+  }
+  std::string operator()(const Restitution& law) const {
+    if (!std::holds_alternative<Restitution>(problem.law))
+      return "it represents a restitution, and the scene has none";
+    return law.e >= 0.0 && law.e <= 1.0 ? "" : fmt::format("it represents e = {} (must be in [0, 1])", law.e);
+  }
+  std::string operator()(const Penalty& law) const {
+    const auto contacts = static_cast<std::size_t>(problem.contact_count());
+    if (law.stiffness.size() != contacts)
+      return fmt::format("it represents {} springs at {} contacts", law.stiffness.size(), contacts);
+    for (const double stiffness : law.stiffness) {
+      if (!std::isfinite(stiffness) || !(stiffness > 0.0))
+        return fmt::format("it represents a spring of {} N/m (must be positive)", stiffness);
+    }
+    return {};
+  }
+  std::string operator()(const Massless&) const {
+    return std::holds_alternative<Massless>(problem.law)
+               ? ""
+               : "it represents massless contacts, and these have mass";
+  }
+  std::string operator()(const Undetermined&) const { return {}; }
+};
+
+}  // namespace
+
+CheckResult check_applicability(const Subject& subject) {
+  const Support& support = subject.support();
+  if (support.ok && !support.reason.empty())
+    return failed(fmt::format("it applies, and gives a reason why not: {}", support.reason));
+  if (!support.ok) return support.reason.empty() ? failed("it refuses the scene without a reason") : passed();
+  const RepresentedLaw law = subject.method().law(subject.problem());
+  if (std::string defect = std::visit(LawDefect{subject.problem()}, law); !defect.empty())
+    return failed(defect);
+  (void)subject.method().prepare(subject.problem());
+  return passed();
+}
+
+CheckResult check_trajectory(const Subject& subject) {
+  if (const auto refusal = why_not(subject)) return *refusal;
+  const Solution& solution = subject.answer();
+  if (std::string defect = solution_defect(subject.problem(), solution); !defect.empty())
+    return failed(defect);
+  if (!solution.trajectory) return not_applicable("there is no iterate: " + solution.message);
+  const std::string defect =
+      consistency_defect(subject.problem(), *solution.trajectory, subject.terms().identity);
+  return defect.empty() ? passed() : failed(defect);
+}
+
+CheckResult check_time_budget(const Subject& subject) {
+  if (const auto refusal = why_not(subject)) return *refusal;
+  using Clock = std::chrono::steady_clock;
+  const std::unique_ptr<PreparedMethod> prepared = subject.method().prepare(subject.problem());
+  const auto begin = Clock::now();
+  const Solution solution = prepared->solve({.guess = {}, .deadline = begin - std::chrono::hours(1)});
+  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  if (seconds > subject.terms().patience)
+    return failed(fmt::format("it went on for {:.1f} s after its time was up", seconds));
+  const std::string defect = solution_defect(subject.problem(), solution);
+  return defect.empty() ? passed() : failed("with its time up, " + defect);
+}
+
+}  // namespace signorini

@@ -1,0 +1,20 @@
+#pragma once
+// A new name in the three spellings that it needs.
+
+#include <string>
+#include <string_view>
+
+namespace signorini {
+
+/// "my-method", the name; "my_method", its folder and files; "MyMethod", its class.
+struct Spellings {
+  std::string name = {};
+  std::string folder = {};
+  std::string type = {};
+};
+
+/// \throws UsageError unless the name is in lower-kebab-case, begins with a letter and has at most 60
+/// characters
+Spellings spellings_of(std::string_view name);
+
+}  // namespace signorini

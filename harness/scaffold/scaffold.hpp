@@ -1,0 +1,42 @@
+#pragma once
+// What `signorini new` writes, known whole before anything is written.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace signorini {
+
+struct ScaffoldFile {
+  std::filesystem::path path = {};
+  std::string text = {};
+};
+
+/// Files that are new, and one that changes.
+struct Scaffold {
+  std::vector<ScaffoldFile> fresh = {};
+  std::vector<ScaffoldFile> changed = {};
+  std::vector<std::string> next = {};  ///< what to do now, a command or a sentence each
+};
+
+/// A method in a folder of its own, methods/NAME, with header, source, test, build and page;
+/// methods/catalogue.cpp gets two lines. \throws UsageError for a bad name, or one that a method, a folder or
+/// a class already has
+Scaffold method_in_tree(std::string_view name, const std::filesystem::path& tree);
+
+/// A method in the folder `parent`/NAME that is built as a plugin against an installed signorini.
+/// \throws UsageError for a bad name, or if something is there already
+Scaffold method_out_of_tree(std::string_view name, const std::filesystem::path& parent);
+
+/// A scene in the catalogue of a tree. \throws UsageError for a bad name, or one that is taken
+Scaffold scene_in_tree(std::string_view name, const std::filesystem::path& tree);
+
+/// A scene NAME.toml in `folder`. \throws UsageError for a bad name, or one that is taken
+Scaffold scene_out_of_tree(std::string_view name, const std::filesystem::path& folder);
+
+/// Writes it; what was written is taken back if something cannot be. \throws
+/// std::filesystem::filesystem_error
+void write(const Scaffold& scaffold);
+
+}  // namespace signorini

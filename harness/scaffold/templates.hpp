@@ -1,0 +1,27 @@
+#pragma once
+// The files of harness/templates as strings, and how their places are filled.
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace signorini {
+
+extern const std::string_view kMethodHeaderTemplate;
+extern const std::string_view kMethodSourceTemplate;
+extern const std::string_view kMethodTestTemplate;
+extern const std::string_view kMethodBuildTemplate;
+extern const std::string_view kMethodPageTemplate;
+extern const std::string_view kPluginBuildTemplate;
+extern const std::string_view kPluginPageTemplate;
+extern const std::string_view kSceneTemplate;
+
+/// What stands for each `{{place}}`.
+using Places = std::vector<std::pair<std::string, std::string>>;
+
+/// The template with every `{{place}}` filled; one newline at the end. A place without a value is our own
+/// mistake.
+std::string filled(std::string_view text, const Places& places);
+
+}  // namespace signorini

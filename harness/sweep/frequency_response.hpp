@@ -1,0 +1,52 @@
+#pragma once
+// A frequency response: one solve after another, each from the answer before it.
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "harness/plan.hpp"
+#include "harness/record.hpp"
+
+namespace signorini {
+
+/// What is swept. Frequencies are those of the forcing, omega [rad/s].
+struct SweepRange {
+  double from = 1.0;
+  double to = 2.0;  ///< above or below `from`
+  int points = 50;  ///< >= 2, both ends included
+  bool logarithmic = false;
+  bool back = false;  ///< and the same points in reverse: where the two differ, motions coexist
+};
+
+/// The frequencies in the order they are solved. \throws UsageError unless the ends are finite, positive and
+/// different
+std::vector<double> sweep_frequencies(const SweepRange& range);
+
+/// One point of a response; what there is none of is absent.
+struct SweepPoint {
+  double frequency = 0.0;  ///< [rad/s]
+  bool back = false;       ///< on the way back
+  Status status = Status::not_converged;
+  std::string message = {};
+  std::vector<double> x_max = {};      ///< largest x of each contact over the period [m]
+  std::vector<double> amplitude = {};  ///< half of largest less least x of each contact [m]
+  Measure contact_ratio = {};          ///< share of the period with contact [-]
+  std::optional<bool> stable = {};     ///< of the certified orbit, if it was certified
+};
+
+struct SweepLimits {
+  double timeout = 10.0;   ///< of one solve [s]
+  bool certified = false;  ///< look for the orbit behind each answer: its stability, and whether it is one
+};
+
+/// Told of each point as it comes.
+using TakePoint = std::function<void(const SweepPoint& point)>;
+
+/// Solves scene after scene in processes of their own. A solve starts from the last answer that was found,
+/// its time stretched to the new period; where none was found, cold. Ends early after an interrupt.
+std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoice& method,
+                                           const SweepRange& range, const SweepLimits& limits,
+                                           const TakePoint& take = {});
+
+}  // namespace signorini

@@ -1,0 +1,69 @@
+#!/bin/sh
+# guide_test.sh TREE FOLDER: docs/adding-a-method.md, followed literally in a scratch copy of the tree, brings its method
+# into the quick table in under ten commands and touches nothing of the tree but two lines; docs/adding-a-scene.md holds too.
+set -eu
+
+tree=$1
+folder=$2
+copy=$folder/tree
+
+fail() {
+  echo "failed: $*" >&2
+  exit 1
+}
+
+# What is tracked, or would be; all but builds and results where there is no git.
+copy_tree() {
+  rm -rf "$folder"
+  mkdir -p "$copy"
+  if git -C "$tree" rev-parse --is-inside-work-tree >/dev/null 2>&1; then
+    git -C "$tree" ls-files --cached --others --exclude-standard >"$folder/files"
+  else
+    (cd "$tree" && find . -type f ! -path './build/*' ! -path './.git' ! -path './.git/*' ! -path './results/local*') >"$folder/files"
+  fi
+  # A file that is tracked and deleted is no part of the tree.
+  (cd "$tree" && while IFS= read -r file; do [ ! -e "$file" ] || printf '%s\n' "$file"; done) <"$folder/files" >"$folder/present"
+  tar -C "$tree" -cf - -T "$folder/present" | tar -C "$copy" -xf -
+}
+
+# Every file outside builds and results with its hash.
+hashes() { (cd "$copy" && find . -type f ! -path './build/*' ! -path './results/*' -exec sha256sum {} + | LC_ALL=C sort -k 2); }
+
+# follow PAGE: its commands, one after the other; their number is in $count.
+follow() {
+  awk '/^```sh$/ { on = 1; next } /^```$/ { on = 0 } on' "$copy/docs/$1.md" >"$folder/commands"
+  count=$(wc -l <"$folder/commands")
+  [ "$count" -gt 0 ] || fail "$1 has no commands"
+  while IFS= read -r command; do
+    echo "\$ $command"
+    (cd "$copy" && sh -c "$command" </dev/null) >"$folder/log" 2>&1 || { tail -n 100 "$folder/log" && fail "$command"; }
+  done <"$folder/commands"
+}
+
+# Compilers that were asked the same before need not be asked again, wherever the copy stands.
+if command -v ccache >/dev/null; then
+  export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR="$copy" CCACHE_NOHASHDIR=1
+  export CCACHE_SLOPPINESS=pch_defines,time_macros
+fi
+
+copy_tree
+hashes >"$folder/before"
+follow adding-a-method
+[ "$count" -lt 10 ] || fail "the page needs $count commands"
+
+table=$copy/results/local-my-method/table.md
+grep -q '^| sdof-far-stop .*| my-method\[harmonics=10\] .*| converged ' "$table" || fail 'the quick table lacks the method'
+grep -q '^| my-method .*| *72 *|' "$table" || fail 'the summary lacks the method'
+hashes >"$folder/after"
+changed=$(diff "$folder/before" "$folder/after" | sed -n 's/^[<>] [0-9a-f]*  //p' | LC_ALL=C sort -u | grep -v '^\./methods/my_method/' || true)
+[ "$changed" = ./methods/catalogue.cpp ] || fail "other files changed: $changed"
+lines=$(diff "$tree/methods/catalogue.cpp" "$copy/methods/catalogue.cpp" | grep -c '^[<>]')
+[ "$lines" -eq 2 ] || fail "$lines lines of the catalogue changed"
+if command -v clang-format >/dev/null; then
+  (cd "$copy" && clang-format --dry-run -Werror methods/catalogue.cpp methods/my_method/*.?pp) || fail 'the format of what was written'
+fi
+echo "a method takes $count commands"
+
+follow adding-a-scene
+[ -s "$copy/results/references/my-scene.json" ] || fail 'the scene of the catalogue has no orbits'
+echo 'both pages hold'

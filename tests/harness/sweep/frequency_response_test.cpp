@@ -1,0 +1,105 @@
+// Frequency responses against the closed form of a linear oscillator, and up and down over a fold.
+
+#include "harness/sweep/frequency_response.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <nlohmann/json.hpp>
+
+#include "harness/failure.hpp"
+#include "harness/sweep/response_table.hpp"
+#include "tests/harness/fake_method.hpp"
+#include "tests/harness/program.hpp"
+
+namespace signorini {
+namespace {
+
+double receptance(double w) { return std::abs(1.0 / std::complex<double>(1.0 - w * w, 0.1 * w)); }
+
+TEST(SweepFrequencies, AreEquallySpacedOrInEqualRatiosAndMeetTheEnds) {
+  const std::vector<double> linear = sweep_frequencies({.from = 3.0, .to = 1.0, .points = 5});
+  EXPECT_EQ(linear, (std::vector<double>{3.0, 2.5, 2.0, 1.5, 1.0}));
+  const std::vector<double> ratios =
+      sweep_frequencies({.from = 0.1, .to = 10.0, .points = 3, .logarithmic = true});
+  ASSERT_EQ(ratios.size(), 3U);
+  EXPECT_NEAR(ratios[1], 1.0, 1e-15);
+  EXPECT_EQ(ratios[2], 10.0);
+}
+
+TEST(SweepFrequencies, RefuseARangeThatIsNone) {
+  const double nan = std::nan("");
+  for (const SweepRange& range : {SweepRange{.from = 0.0, .to = 1.0}, SweepRange{.from = 1.0, .to = nan},
+                                  SweepRange{.from = 1.0, .to = -2.0}, SweepRange{.from = 2.0, .to = 2.0},
+                                  SweepRange{.from = 1.0, .to = 2.0, .points = 1}})
+    EXPECT_THROW((void)sweep_frequencies(range), UsageError);
+}
+
+TEST(FrequencyResponse, OfALinearOscillatorIsItsReceptance) {
+  const Scene scene{.problem = test::one_mass(100.0)};
+  const MethodChoice method{&find_method("penalty-hbm"), {{"harmonics", "3"}}};
+  const auto points = frequency_response(scene, method, {.from = 0.5, .to = 1.5, .points = 11}, {});
+  ASSERT_EQ(points.size(), 11U);
+  for (const SweepPoint& point : points) {
+    ASSERT_EQ(point.status, Status::converged) << point.message;
+    EXPECT_NEAR(point.amplitude.at(0), receptance(point.frequency), 2e-6 * receptance(point.frequency));
+    EXPECT_NEAR(point.x_max.at(0), receptance(point.frequency), 2e-6 * receptance(point.frequency));
+    EXPECT_EQ(point.contact_ratio.value_or(0.0), 0.0);
+    EXPECT_FALSE(point.stable);  // not asked for
+  }
+}
+
+// A stop stiffens the oscillator: above its eigenfrequency the motion against the stop and the free one
+// coexist, and which is found depends on where the sweep comes from.
+TEST(FrequencyResponse, ThereAndBackDifferWhereMotionsCoexist) {
+  Problem problem = test::one_mass(1.0, 0.9);
+  const Scene scene{.problem = problem};
+  const MethodChoice method{&find_method("event-driven"), {{"flow", "modal"}}};
+  const auto points = frequency_response(scene, method, {.from = 0.9, .to = 2.2, .points = 14, .back = true},
+                                         {.timeout = 20.0, .certified = true});
+  ASSERT_EQ(points.size(), 28U);
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < 14; ++i) {
+    const SweepPoint &there = points[i], &back = points[27 - i];
+    EXPECT_EQ(there.frequency, back.frequency);
+    EXPECT_TRUE(back.back && !there.back);
+    ASSERT_EQ(there.status, Status::converged) << there.frequency << ": " << there.message;
+    ASSERT_EQ(back.status, Status::converged) << back.frequency << ": " << back.message;
+    EXPECT_EQ(there.stable, std::optional<bool>(true)) << there.frequency;
+    EXPECT_LE(there.x_max.at(0), 1.0 + 1e-9);
+    farthest = std::max(farthest, there.amplitude.at(0) - back.amplitude.at(0));
+  }
+  EXPECT_GT(farthest, 0.2);
+}
+
+TEST(ResponseTable, HasARowPerPointAndTheColumnOfStabilityIfAskedFor) {
+  const std::vector<SweepPoint> points{{.frequency = 1.5, .status = Status::converged, .x_max = {0.1, 0.2}},
+                                       {.frequency = 1.0, .back = true, .status = Status::timeout}};
+  const Table table = response_table(points, true);
+  EXPECT_EQ(table.header.size(), 7U);
+  EXPECT_EQ(response_table(points, false).header.size(), 6U);
+  EXPECT_EQ(to_csv(response_table(points, false)),
+            "omega [rad/s],way,status,x max [m],amplitude [m],contact ratio\n"
+            "1.5,there,converged,0.2,-,-\n1,back,timeout,-,-,-\n");
+  EXPECT_EQ(to_json(points[1]).dump(), R"({"frequency":1.0,"way":"back","status":"timeout"})");
+}
+
+TEST(CommandSweep, PrintsATableCsvOrJsonAndExitsOneWhereAPointFails) {
+  const std::string command =
+      "sweep sdof-stop --method hat-lcp --set samples=64 --from 2 --to 2.4 --points 3";
+  const test::Outcome csv = test::run_program(command + " --format csv");
+  EXPECT_EQ(csv.code, 0) << csv.err;
+  EXPECT_EQ(std::count(csv.out.begin(), csv.out.end(), '\n'), 4) << csv.out;
+  const test::Outcome json = test::run_program(command + " --down --format json");
+  const auto list = nlohmann::ordered_json::parse(json.out);
+  ASSERT_EQ(list.size(), 6U);
+  EXPECT_EQ(list[5]["way"], "back");
+  EXPECT_EQ(list[5]["frequency"], 2.0);
+  const test::Outcome failing = test::run_program(command + " --set solver=newton --set max_iterations=1");
+  EXPECT_EQ(failing.code, 1);
+  EXPECT_NE(failing.out.find("not-converged"), std::string::npos) << failing.out;
+}
+
+}  // namespace
+}  // namespace signorini
