@@ -66,9 +66,17 @@ Case make_case(const Scene& scene, std::size_t index, MethodChoice choice) {
   return result;
 }
 
+bool names_scene_file(const std::string& filter) {
+  return filter.ends_with(".toml") || filter.find(".toml@") != std::string::npos;
+}
+
 std::vector<Scene> choose_scenes(const Suite& suite, const std::optional<std::string>& filter,
                                  std::span<const SceneSource> sources) {
   std::vector<Scene> scenes;
+  if (filter && names_scene_file(*filter)) {
+    scenes.push_back(read_scene(find_scene(*filter)));
+    return scenes;
+  }
   for (const SceneSource& source : sources) {
     const SceneHeader header = load_header(source);  // first: a large scene takes time to assemble
     if (!belongs(suite, header)) continue;

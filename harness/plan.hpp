@@ -46,10 +46,14 @@ Case make_case(const Scene& scene, std::size_t index, MethodChoice choice);
 /// What a user narrows a suite to.
 struct Narrowing {
   std::optional<std::string> methods = {};  ///< filter with optional settings in brackets
-  std::optional<std::string> scenes = {};   ///< filter on scene names
+  std::optional<std::string> scenes = {};   ///< filter on scene names, or one scene file
 };
 
-/// The scenes of a suite that the filter takes, in the order of `sources`. \throws NothingMatched, SceneError
+/// Whether a filter is no filter but a scene file, "own.toml" or of a family "own.toml@1e-4".
+bool names_scene_file(const std::string& filter);
+
+/// The scenes of a suite that the filter takes, in the order of `sources`; or the scene file that it names,
+/// in their place. \throws NothingMatched, SceneError
 std::vector<Scene> choose_scenes(const Suite& suite, const std::optional<std::string>& filter,
                                  std::span<const SceneSource> sources);
 

@@ -28,26 +28,29 @@ struct CheckArguments {
   bool json = false;
 };
 
+/// The method named, all of them, or else those that --plugin and the search path brought.
 std::vector<const MethodEntry*> methods_of(const CheckArguments& arguments) {
-  if (arguments.all == arguments.method.has_value())
-    throw UsageError(fmt::format("method = {} (must be a method, or --all without one)",
-                                 arguments.method.value_or("missing")));
-  if (arguments.method) return {&find_method(*arguments.method)};
+  if (arguments.method && !arguments.all) return {&find_method(*arguments.method)};
   std::vector<const MethodEntry*> entries;
-  for (const MethodEntry& entry : method_catalogue()) entries.push_back(&entry);
+  for (const MethodEntry& entry : method_catalogue()) {
+    if (arguments.all || !entry.plugin.empty()) entries.push_back(&entry);
+  }
+  if (arguments.method || entries.empty())
+    throw UsageError(
+        fmt::format("method = {} (must be a method, or --all without one, or left out with --plugin)",
+                    arguments.method.value_or("missing")));
   return entries;
 }
 
 /// The scenes of the suite, or those that a filter takes from all that ship, or one file.
 std::vector<Scene> scenes_of(const CheckArguments& arguments) {
-  if (arguments.scenes && arguments.scenes->ends_with(".toml")) {
-    Scene scene = read_scene(find_scene(*arguments.scenes));
-    scene.problem.name = *arguments.scenes;  // by which the commands that show a finding again will know it
-    return {std::move(scene)};
-  }
   const Suite all{.name = "of all that ship", .scenes = {"*"}};
-  return choose_scenes(arguments.scenes ? all : load_suite(arguments.suite), arguments.scenes,
-                       shipped_scenes());
+  std::vector<Scene> scenes =
+      choose_scenes(arguments.scenes ? all : load_suite(arguments.suite), arguments.scenes, shipped_scenes());
+  // The name by which the commands that show a finding again will know it.
+  if (arguments.scenes && names_scene_file(*arguments.scenes))
+    scenes.front().problem.name = *arguments.scenes;
+  return scenes;
 }
 
 void add_json(const MethodEntry& entry, const std::vector<CheckFinding>& findings,

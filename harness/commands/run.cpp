@@ -142,7 +142,8 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
   command->add_option("suite", arguments->suite, "suite name or file")->capture_default_str();
   command->add_option("--methods", arguments->narrowing.methods,
                       "methods by glob, A*:B*-C*, options in brackets: name[key=v1|v2,key=v]");
-  command->add_option("--scenes", arguments->narrowing.scenes, "scenes by glob, A*:B*-C*");
+  command->add_option("--scenes", arguments->narrowing.scenes,
+                      "scenes by glob, A*:B*-C*, or a scene file of yours in their place");
   command->add_option("--out", arguments->out, "folder of the results; results/local-SUITE if absent");
   command->add_flag("--resume", arguments->resume,
                     "keep the records that are there, run what is missing or stale");

@@ -71,6 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadUse{"run quick --shard 3/2 --dry-run", 2, "shard = 3/2 (must be I/N"},
         BadUse{"run quick --shard 1/2 --durations /no/such --dry-run", 2, "dir = /no/such"},
         BadUse{"run quick --jobs 0", 2, "--jobs"},
+        BadUse{"run quick --scenes /no/such.toml --dry-run", 2, "/no/such.toml"},
         BadUse{"merge /no/such/folder --out /tmp/out", 2, "dir = /no/such/folder"},
         BadUse{"merge /no/such/folder", 2, "--out"}, BadUse{"status /no/such/folder", 2, "dir = /no/such"},
         BadUse{"compare /no/such /no/such", 2, "dir = /no/such"}, BadUse{"submit slurm", 2, "dir"},
@@ -181,6 +182,17 @@ TEST(CommandLine, PrintsThePlanWithoutRunningIt) {
   EXPECT_EQ(
       outcome.out,
       "sdof-stop/penalty-hbm[harmonics=31,penalty=1e4]\nsdof-stop/penalty-hbm[harmonics=31,penalty=1e6]\n");
+}
+
+TEST(CommandLine, RunsASceneFileInPlaceOfTheSuites) {
+  const std::filesystem::path folder = test::fresh_folder("own-scene");
+  std::string text = read_file(problems_folder() / "catalogue" / "sdof-stop.toml");
+  text.replace(text.find("\"sdof-stop\""), 11, "\"my-stop\"");
+  std::ofstream(folder / "own.toml") << text;
+  const Outcome outcome =
+      run("run quick --methods 'hat-lcp[samples=64]' --scenes " + (folder / "own.toml").string() + " --dry-run");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "my-stop/hat-lcp[samples=64]\n");
 }
 
 TEST(CommandLine, RunsASuiteReportsAndResumesIt) {
