@@ -93,6 +93,7 @@ std::vector<MethodEntry> entries_of(const PluginDescription& description) {
                        .title = text_of(method.title),
                        .laws = text_of(method.laws),
                        .ladder = text_of(method.ladder),
+                       .order = method.order > 0.0 ? std::optional(method.order) : std::nullopt,
                        .make =
                            [&method](std::span<const OptionSetting> settings) {
                              return std::unique_ptr<Method>(method.make(settings.data(), settings.size()));

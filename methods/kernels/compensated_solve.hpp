@@ -16,10 +16,10 @@ namespace signorini {
 
 /// The exactly projected equations of a scene.
 struct ProjectedEquations {
-  const ContactReceptance& receptance;
-  const Eigen::VectorXd& gap;  ///< Nc [m]
-  const ProjectedLaw& law;
-  double tolerance;  ///< as of project_exactly
+  const ContactReceptance& receptance;  ///< n = 0..H
+  const Eigen::VectorXd& gap;           ///< Nc [m]
+  const ProjectedLaw& law;              ///< of each contact
+  double tolerance;                     ///< as of project_exactly
 };
 
 /// What stands by a solve whose impacts are to be compensated.
@@ -33,6 +33,7 @@ class CompensatedSolve {
   /// `problem` must outlive it. \param second_starts  whether hat functions are asked
   CompensatedSolve(const Problem& problem, ImpactCompensation compensation, bool second_starts);
 
+  /// That of the scene.
   [[nodiscard]] const ImpactCompensation& compensation() const { return compensation_; }
   /// Null where none are wanted, or the scene has too many contacts for as many nodes.
   [[nodiscard]] Resolutions* second_starts() { return grids_ ? &*grids_ : nullptr; }

@@ -20,11 +20,14 @@ std::vector<int> rising_resolutions(int first, int factor, int finest);
 /// A scene at resolutions in rising order, each prepared when it is first asked for.
 class Resolutions {
  public:
+  /// \param values  in rising order, at least one
   Resolutions(std::vector<int> values, AtResolution prepare);
 
+  /// How many there are.
   [[nodiscard]] std::size_t count() const { return values_.size(); }
+  /// The k-th, from the coarsest.
   [[nodiscard]] int value(std::size_t k) const { return values_[k]; }
-  /// \throws std::runtime_error if the structure cannot be factorised
+  /// The scene prepared for it. \throws std::runtime_error if the structure cannot be factorised
   PreparedMethod& at(std::size_t k);
 
  private:

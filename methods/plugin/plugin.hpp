@@ -15,13 +15,17 @@ namespace signorini {
 
 /// Characters that need not end with a zero.
 struct PluginText {
-  const char* data;
-  std::size_t size;
+  const char* data;  ///< the first of them
+  std::size_t size;  ///< how many
 };
 
 /// One method of a plugin, as MethodEntry has it.
 struct PluginMethod {
-  PluginText name, title, laws, ladder;
+  PluginText name;    ///< lower-kebab-case
+  PluginText title;   ///< one line for people
+  PluginText laws;    ///< laws it can represent
+  PluginText ladder;  ///< resolutions a benchmark runs
+  double order;       ///< of the error of x along the ladder; 0: none is claimed [-]
   /// A new Method, owned by the caller. \throws InvalidOption
   Method* (*make)(const OptionSetting* settings, std::size_t count);
 };
@@ -32,8 +36,8 @@ struct PluginDescription {
   int api;          ///< SIGNORINI_PLUGIN_API of the plugin
   const char* abi;  ///< its kPluginAbi
   int optimised;  ///< 1 if it was compiled with optimisation and without assertions: its times mean something
-  std::size_t count;
-  const PluginMethod* methods;
+  std::size_t count;            ///< of its methods
+  const PluginMethod* methods;  ///< so many, for as long as the plugin is loaded
 };
 
 /// Name and type of the entry point.
@@ -52,7 +56,11 @@ constexpr PluginText text_of(std::string_view text) { return {text.data(), text.
 
 template <RegistrableMethod M>
 constexpr PluginMethod method_of() {
-  return {text_of(M::kName), text_of(M::kTitle), text_of(M::kLaws), text_of(M::kLadder),
+  return {text_of(M::kName),
+          text_of(M::kTitle),
+          text_of(M::kLaws),
+          text_of(M::kLadder),
+          claimed_order<M>().value_or(0.0),
           [](const OptionSetting* settings, std::size_t count) -> Method* {
             typename M::Options options;
             apply_settings(options, std::span(settings, count));

@@ -1,10 +1,11 @@
 #!/bin/sh
-# guide_test.sh TREE FOLDER: docs/adding-a-method.md, followed literally in a scratch copy of the tree, brings its method
+# guide_test.sh TREE FOLDER BUILD: docs/adding-a-method.md, followed literally in a scratch copy of the tree, brings its method
 # into the quick table in under ten commands and touches nothing of the tree but two lines; docs/adding-a-scene.md holds too.
 set -eu
 
 tree=$1
 folder=$2
+build=$3
 copy=$folder/tree
 
 fail() {
@@ -36,17 +37,30 @@ follow() {
   [ "$count" -gt 0 ] || fail "$1 has no commands"
   while IFS= read -r command; do
     echo "\$ $command"
-    (cd "$copy" && sh -c "$command" </dev/null) >"$folder/log" 2>&1 || { tail -n 100 "$folder/log" && fail "$command"; }
+    in_copy "$command" >"$folder/log" 2>&1 || { tail -n 100 "$folder/log" && fail "$command"; }
   done <"$folder/commands"
 }
 
-# Compilers that were asked the same before need not be asked again, wherever the copy stands.
-if command -v ccache >/dev/null; then
-  export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR="$copy" CCACHE_NOHASHDIR=1
-  export CCACHE_SLOPPINESS=pch_defines,time_macros
-fi
+# A build begins from what is built already where the copy can stand in the tree's own place, in a name space of its
+# own; elsewhere it begins anew, which takes its time.
+begin_build() {
+  [ "$build" = "$tree/build/release" ] && unshare --mount true 2>/dev/null || return 0
+  mkdir -p "$copy/build/release"
+  tar -C "$build" --exclude=./tests/guide/scratch --exclude=./Testing -cf - . | tar -C "$copy/build/release" -xf -
+  stands_in=yes
+}
 
+in_copy() {
+  if [ -n "$stands_in" ]; then
+    unshare --mount sh -c 'mount --bind "$1" "$2" && cd "$2" && sh -c "$3"' sh "$copy" "$tree" "$1" </dev/null
+  else
+    (cd "$copy" && sh -c "$1") </dev/null
+  fi
+}
+
+stands_in=
 copy_tree
+begin_build
 hashes >"$folder/before"
 follow adding-a-method
 [ "$count" -lt 10 ] || fail "the page needs $count commands"
