@@ -82,16 +82,23 @@ struct FirstCall {
   double setup = 0.0, solve = 0.0;  // [s]
 };
 
-/// The times of a round, and the last answer it gave after the first call's; null where that was the only
-/// one.
+/// The times of a round, and the digest of the last answer it gave after the first call's: empty of one that
+/// did not converge, nothing where the first call was the only one.
 struct Round {
   TimedRound times;
-  std::shared_ptr<const Trajectory> latest;
+  std::optional<std::string> latest;
 };
+
+/// Digest of an answer; empty where there is none.
+std::string digest_of(const Solution& solution) {
+  const bool answered = solution.verdict == Verdict::converged && solution.trajectory;
+  return answered ? answer_digest(*solution.trajectory) : std::string();
+}
 
 Round round_from(const FirstCall& first, const std::string& name, const Problem& problem,
                  const Limits& limits) {
   Round round;
+  std::optional<Solution> latest;
   const auto set_up = [&] {
     std::unique_ptr<PreparedMethod> fresh;
     return seconds_of([&] { fresh = first.method.prepare(problem); });
@@ -100,11 +107,12 @@ Round round_from(const FirstCall& first, const std::string& name, const Problem&
     const Start start{.guess = first.start, .deadline = after(limits.timeout)};
     Solution solution;
     const double seconds = seconds_of([&] { solution = first.prepared.solve(start); });
-    round.latest = std::move(solution.trajectory);
+    latest = std::move(solution);
     return seconds;
   };
   round.times = {.setup = time_round(name + "/setup", set_up, first.setup, {}),
                  .solve = time_round(name + "/solve", solve, first.solve, {})};
+  if (latest) round.latest = digest_of(*latest);
   return round;
 }
 
@@ -119,7 +127,7 @@ void take_times(const Trial& trial, const FirstCall& first, Record& record) {
   } else {
     const Round round = round_from(first, record.case_id, trial.scene.problem, trial.limits);
     record.seconds = summarise({round.times});
-    if (round.latest) count_repeat(answer_digest(*round.latest), record);
+    if (round.latest) count_repeat(*round.latest, record);
   }
 }
 
@@ -190,8 +198,8 @@ RepeatedSolve repeat_solve(const Scene& scene, const Case& run, const Limits& li
   const double setup = seconds_of([&] { prepared = method->prepare(scene.problem); });
   const Start begin{.guess = start, .deadline = after(limits.timeout)};
   const double solve = seconds_of([&] { solution = prepared->solve(begin); });
-  if (solution.verdict != Verdict::converged) return {.times = {}, .message = solution.message};
-  const std::string answer = answer_digest(*solution.trajectory);
+  const std::string answer = digest_of(solution);
+  if (answer.empty()) return {.times = {}, .message = solution.message};
   return {.times = round_from({*method, *prepared, start, setup, solve}, run.id, scene.problem, limits).times,
           .answer = answer};
 }

@@ -80,8 +80,12 @@ std::string refusal_defect(const InvalidOption& refusal, const std::string& key)
 std::string value_defect(const MethodEntry& entry, std::size_t options, const std::string& key,
                          const std::string& text) {
   try {
-    if (entry.make(Settings{{key, text}})->options().size() != options)
-      return fmt::format("{} = {} changes the number of options", key, text);
+    const std::vector<OptionEcho> echo = entry.make(Settings{{key, text}})->options();
+    if (echo.size() != options) return fmt::format("{} = {} changes the number of options", key, text);
+    const auto is_word = [&](const OptionEcho& option) {
+      return option.name == key && std::holds_alternative<std::string>(option.value);
+    };
+    if (std::any_of(echo.begin(), echo.end(), is_word)) return {};  // any word will do
   } catch (const InvalidOption& refusal) {
     return refusal_defect(refusal, key);
   }

@@ -89,7 +89,8 @@ void require_equidistant(const std::vector<double>& t, double period) {
 Solution read_solution(const Json& json, double period) {
   allow_only(json);
   Solution solution{.verdict = read_verdict(json)};
-  if (json.contains("message")) solution.message = one_line(json["message"].get<std::string>(), 400);
+  solution.message = json.contains("message") ? one_line(json["message"].get<std::string>(), 400)
+                                              : "the command gave no message";
   if (json.contains("residual")) solution.residual = json["residual"].get<double>();
   if (json.contains("work")) solution.work = work_from_json(json["work"]).counts;
   if (!json.contains("trajectory")) return solution;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -47,15 +48,20 @@ struct Variation {
 
 constexpr std::size_t kFewestValues = 3;
 
-/// Every way to single out one of at least two settings; a setting alone is the method's resolution.
+bool is_numeric(const std::string& setting) {
+  return std::isdigit(static_cast<unsigned char>(setting[setting.find('=') + 1])) != 0;
+}
+
+/// Every way to single out one setting while another number stands; a number alone is the method's
+/// resolution.
 std::map<Varied, Variation> variations_of(const Evaluation& evaluation) {
   std::map<Varied, Variation> variations;
   for (const Record& record : evaluation.records()) {
     const Settings settings = settings_of(record);
-    if (settings.size() < 2) continue;
     for (std::size_t varied = 0; varied < settings.size(); ++varied) {
       Settings others = settings;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(varied));
+      if (std::none_of(others.begin(), others.end(), is_numeric)) continue;
       const std::size_t equals = settings[varied].find('=');
       const std::string value = settings[varied].substr(equals + 1);
       Variation& variation = variations[{fmt::format("{}[{}]", record.method, fmt::join(others, ",")),
@@ -101,7 +107,7 @@ Cell count_cell(int count) { return {std::to_string(count), static_cast<double>(
 std::vector<Section> sensitivity_sections(const Evaluation& evaluation) {
   Section section{.id = "sensitivity", .title = "Sensitivity to one option at a time"};
   section.text =
-      "The same scenes at several values of an option that is no resolution, the others as stated. Solved: "
+      "The same scenes at several values of one option, the others as stated. Solved: "
       "certified answers. Errors of x against the certified orbit; a failure counts as infinite.";
   section.table.header = {"method", "option", "value", "solved", "refuted", "median error", "largest error"};
   for (const auto& [varied, variation] : variations_of(evaluation)) {

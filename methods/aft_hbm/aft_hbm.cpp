@@ -168,7 +168,7 @@ AftHbm::AftHbm(const Options& options) : options_(options) {
 }
 
 Support AftHbm::supports(const Problem& problem) const {
-  return supports_harmonics(problem, first_harmonics(options_.harmonics, problem));
+  return supports_harmonics(problem, first_harmonics(options_.harmonics, problem), options_.samples);
 }
 
 RepresentedLaw AftHbm::law(const Problem& problem) const {
@@ -184,7 +184,7 @@ std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
     ContactReceptance receptance = fourier_receptance(problem, harmonics);
     std::shared_ptr<CompensatedSolve> compensated;
     if (compensates(options))
-      compensated = compensated_solve(problem, receptance, options.homotopy.value_or(true));
+      compensated = compensated_solve(problem, receptance, options.homotopy.value_or(!options.plain));
     return std::make_unique<PreparedAft>(contact_gaps(problem), options, std::move(receptance), law,
                                          std::move(compensated));
   });

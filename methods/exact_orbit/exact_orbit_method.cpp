@@ -35,6 +35,8 @@ class PreparedExactOrbit final : public PreparedMethod {
   Solution solve(const Start& start) override {
     tried_.clear();
     best_.reset();
+    first_.reset();
+    name_.clear();
     work_ = {};
     try {
       finder_.emplace(problem_);  // anew: the flows that it keeps are part of every cold solve
@@ -150,7 +152,7 @@ class PreparedExactOrbit final : public PreparedMethod {
 
   Solution finish() {
     Solution solution;
-    work_.unknowns = 2L * finder_->model()->dynamics.size();
+    if (finder_) work_.unknowns = 2L * finder_->model()->dynamics.size();
     solution.work = work_;
     if (best_) {
       const ExactOrbit& orbit = best_->orbit;

@@ -13,7 +13,7 @@ FourierLipschitz::FourierLipschitz(const Options& options) : options_(options) {
 }
 
 Support FourierLipschitz::supports(const Problem& problem) const {
-  return supports_harmonics(problem, first_harmonics(options_.harmonics, problem));
+  return supports_harmonics(problem, first_harmonics(options_.harmonics, problem), options_.samples);
 }
 
 RepresentedLaw FourierLipschitz::law(const Problem& problem) const { return projected_method_law(problem); }

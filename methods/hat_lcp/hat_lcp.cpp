@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -20,6 +21,16 @@ bool cheap_on_the_next_grid(const Solution& solution) {
   const auto& motion = dynamic_cast<const NodalTrajectory&>(*solution.trajectory);
   const auto pressed = static_cast<double>((motion.nodal_force().array() < 0.0).count());
   return kGrowth * static_cast<double>(solution.work.pivots.value_or(0)) * pressed * pressed <= kOperations;
+}
+
+/// A motion this small a part of the static deflection is rounding.
+constexpr double kAtRest = 1e-6;
+
+/// What the load at its largest would do to the softest contact at rest [m].
+double static_deflection(const Problem& problem) {
+  double load = 0.0;
+  for (const ForceTerm& term : problem.force) load += std::hypot(term.cos, term.sin);
+  return load / contact_stiffness_scale(problem).minCoeff();
 }
 
 }  // namespace
@@ -70,10 +81,11 @@ std::unique_ptr<PreparedMethod> HatLcp::prepare(const Problem& problem) const {
                              .solver = one_path ? ComplementaritySolver::pivoting : options_.solver,
                              .tolerance = options_.tolerance,
                              .max_iterations = options_.max_iterations};
-  const bool refines = !options_.samples && !options_.plain && options_.max_iterations == 0 &&
-                       options_.solver == ComplementaritySolver::automatic;
+  const bool refines = problem.contact_count() > 0 && !options_.samples && !options_.plain &&
+                       options_.max_iterations == 0 && options_.solver == ComplementaritySolver::automatic;
   if (!refines) return hat_contact(problem, settings, restitution);
-  return refined_until_agreed(hat_grids(problem, settings, restitution), "N", cheap_on_the_next_grid);
+  return refined_until_agreed(hat_grids(problem, settings, restitution), "N", cheap_on_the_next_grid,
+                              kAtRest * static_deflection(problem));
 }
 
 }  // namespace signorini

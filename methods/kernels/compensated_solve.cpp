@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <optional>
 #include <utility>
 
@@ -48,10 +49,10 @@ class Compensating {
   /// Gives a converged answer its compensated impacts, within `limit` pivots and steps in all.
   Outcome settle(Solution& solution, long limit) const {
     const ImpactCompensation::Result result = compensate(force_of(*solution.trajectory), {});
+    const bool in_limit = limit == 0 || spent(work_) + result.iterations <= limit;
+    if (in_limit) count(result);
     if (result.converged && result.impacts == 0) return Outcome::settled;
-    if (!result.converged || (limit > 0 && spent(work_) + result.iterations > limit))
-      return result.exact ? Outcome::open : Outcome::loose;
-    count(result);
+    if (!result.converged || !in_limit) return result.exact ? Outcome::open : Outcome::loose;
     solution = answer(result, solution.message);
     return Outcome::settled;
   }
@@ -105,17 +106,24 @@ class Compensating {
   Work& work_;
 };
 
-/// The scene on one of the grids; a grid on which the structure cannot be factorised has no motion.
+/// The scene on one of the grids; one that cannot be prepared has no motion.
 Solution motion_on(Resolutions& grids, std::size_t grid, const Start& start) {
   try {
     return grids.at(grid).solve({.deadline = start.deadline});
-  } catch (const SingularStiffness&) {
-    return {};
+  } catch (const std::exception& error) {
+    return {.message = error.what()};
   }
+}
+
+/// Whether a grid carries so many harmonics and is not too large.
+bool serves(int samples, const ContactReceptance& receptance) {
+  return samples >= kNodesPerHarmonic * receptance.harmonics() &&
+         static_cast<long>(samples) * receptance.contacts() <= kNodesInAll;
 }
 
 /// How far hat functions bear out an answer, or what they lead to instead.
 struct SecondStart {
+  bool asked = false;                   ///< a grid of hat functions serves
   std::optional<Solution> answer = {};  ///< with compensated impacts
   std::optional<double> distance = {};  ///< of the first answer from the nearest motion on hat functions [-]
 };
@@ -124,10 +132,12 @@ SecondStart second_start(const Compensating& compensating, Resolutions& grids,
                          const ProjectedEquations& equations, const Start& start, const Solution& first,
                          Work& work) {
   SecondStart second;
-  for (std::size_t grid = 0; grid < grids.count() && !start.expired(); ++grid) {
+  grids.forget_from(0);  // they are part of this solve
+  for (std::size_t grid = 0; grid < grids.count(); ++grid) {
     const int samples = grids.value(grid);
-    if (samples < kNodesPerHarmonic * equations.receptance.harmonics()) continue;
-    if (samples * equations.receptance.contacts() > kNodesInAll) break;
+    if (!serves(samples, equations.receptance)) continue;
+    second.asked = true;
+    if (start.expired()) break;
     const Solution hat = motion_on(grids, grid, start);
     add_effort(hat.work, work);
     if (hat.verdict != Verdict::converged) continue;
@@ -145,6 +155,7 @@ Solution uncompensated(Solution solution, Compensating::Outcome outcome, const S
   if (second.answer) return *second.answer;
   if (solution.verdict != Verdict::converged) return solution;
   solution.message += "; impacts not compensated";
+  if (!second.asked) return solution;
   const bool borne_out = second.distance && near_by(*second.distance);
   if (borne_out && outcome == Compensating::Outcome::open) return solution;
   solution.verdict = Verdict::not_converged;

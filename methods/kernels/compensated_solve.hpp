@@ -50,11 +50,10 @@ std::shared_ptr<CompensatedSolve> compensated_solve(const Problem& problem,
 /// The answer of `solve` with its impacts compensated, and the work of both. A guess with compensated impacts
 /// is taken up by Newton's method first. Where the answer's impacts cannot be compensated, hat functions give
 /// a second start; where that does not serve either, the answer stays what it is, and is claimed only if the
-/// motion on hat functions is near it. With a limit on iterations only the answer itself is compensated,
-/// within the limit. The message says which. \param compensated  null: the answer of `solve` alone \param
-/// limit  on pivots and steps in all; 0: none \param solve  gives a FourierTrajectory under the law of
-/// `equations` where it converges; adds to the work
-///               handed to it
+/// motion on hat functions is near it. With a limit on pivots and steps in all (0: none) only the answer
+/// itself is compensated, within it. The message says which. `compensated` null: the answer of `solve` alone.
+/// `solve` gives a FourierTrajectory under the law of `equations` where it converges, and adds to the work
+/// handed to it.
 Solution solve_compensated(CompensatedSolve* compensated, const ProjectedEquations& equations, long limit,
                            const Start& start, Work work, const std::function<Solution(Work&)>& solve);
 

@@ -278,7 +278,7 @@ Eigen::VectorXcd ContactIndicator::restrict(const Eigen::VectorXcd& s) const {
 
 ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                 const ProjectedLaw& law, const Eigen::MatrixXcd& lambda, int samples,
-                                double tolerance, const StopShifts& shifts) {
+                                double tolerance, const StopShifts& shifts, const Start& start) {
   constexpr int kSteps = 40;
   constexpr int kHalvings = 10;
   ExactResidual residual(receptance, gap, law, samples, shifts);
@@ -292,7 +292,7 @@ ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen
     const double scale = std::max(unknown.norm(), rounding / tolerance);
     result.residual = scale > 0.0 ? r.norm() / scale : 0.0;
     result.converged = result.residual <= tolerance;
-    if (result.converged || result.iterations == kSteps) break;
+    if (result.converged || result.iterations == kSteps || start.expired()) break;
     const Eigen::VectorXd step = residual.solve_jacobian(r);
     if (step.size() == 0 || !step.allFinite()) break;
     ++result.iterations;

@@ -67,10 +67,11 @@ struct ExactProjection {
 /// Newton converges quadratically where no contact is born or lost. Steps by a dense factorisation of the
 /// (2 H + 1) Nc unknowns up to a few hundred of them, beyond by GMRES with products of O(H log H Nc + H
 /// Nc^2), preconditioned by LastingContactInverse. \param samples instants on which sign changes are
-/// bracketed  \param shifts  the stops stand at g - shift(t); while that is constant during each contact, the
-/// contact still does no net work, and with a speed it does speed J / T of it on the structure
+/// bracketed  \param start  whose deadline ends it between steps  \param shifts  the stops stand at g -
+/// shift(t); while that is constant during each contact, the contact still does no net work, and with a speed
+/// it does speed J / T of it on the structure
 ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                 const ProjectedLaw& law, const Eigen::MatrixXcd& lambda, int samples,
-                                double tolerance, const StopShifts& shifts = {});
+                                double tolerance, const StopShifts& shifts = {}, const Start& start = {});
 
 }  // namespace signorini

@@ -114,7 +114,7 @@ HarmonicClimb climb_harmonics(const ContactReceptance& receptance, const Eigen::
     const ContactReceptance level = truncated(receptance, next.harmonics);
     ExactProjection exact =
         project_exactly(level, gap, softened(law_at(level), next.softness), extended(lambda, next.harmonics),
-                        kSamplesPerHarmonic * next.harmonics, tolerance);
+                        kSamplesPerHarmonic * next.harmonics, tolerance, {}, start);
     climb.iterations += exact.iterations;
     if (exact.converged) {
       here = next;

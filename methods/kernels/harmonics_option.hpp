@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "methods/kernels/complementarity_solver.hpp"
 #include "methods/kernels/projected_law.hpp"
 #include "methods/kernels/resolutions.hpp"
 #include "methods/method.hpp"
@@ -23,11 +24,19 @@ inline int first_harmonics(const std::optional<int>& asked, const Problem& probl
   return harmonics;
 }
 
+/// Whether the way to the solution is left to the method.
+template <class Options>
+bool solver_is_left_open(const Options& options) {
+  if constexpr (requires { options.solver; }) return options.solver == ComplementaritySolver::automatic;
+  if constexpr (requires { options.homotopy; }) return options.homotopy.value_or(true);
+  return true;
+}
+
 /// Whether more harmonics may be tried: their number is left to the method, as is all that depends on it.
 template <class Options>
 bool refines_harmonics(const Options& options) {
-  return !options.harmonics && !options.samples && !options.plain && options.max_iterations == 0 &&
-         quadrature_of(options) == Quadrature::exact;
+  return solver_is_left_open(options) && !options.harmonics && !options.samples && !options.plain &&
+         options.max_iterations == 0 && quadrature_of(options) == Quadrature::exact;
 }
 
 /// The scene prepared by `with` for the harmonics that the options ask for, or for twice as many where so

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -42,6 +43,10 @@ Complex restitution_shift(const std::optional<double>& e, double theta) {
 constexpr int kShortPath = 4;
 constexpr int kLongPath = 100;
 constexpr int kMarchedPeriods = 300;
+
+int bounded_pivots(int per_unknown, long unknowns) {
+  return static_cast<int>(std::min<long>(per_unknown * unknowns, std::numeric_limits<int>::max()));
+}
 
 class PreparedHat final : public PreparedMethod {
  public:
@@ -128,7 +133,7 @@ class PreparedHat final : public PreparedMethod {
     settings.cover_amplitude = options_.cover_amplitude;
     settings.cover_phase = options_.cover_phase;
     if (options_.solver != ComplementaritySolver::automatic) return solve_lcp(lcp, settings, guess);
-    const int shortest = kShortPath * lcp.matrix.size();
+    const int shortest = bounded_pivots(kShortPath, lcp.matrix.size());
     if (options_.max_iterations == 0 || options_.max_iterations > shortest)
       settings.max_iterations = shortest;
     LcpResult result = solve_lcp(lcp, settings, guess);
@@ -143,8 +148,8 @@ class PreparedHat final : public PreparedMethod {
       result = solve_by_newton(lcp, newton);
     }
     if (result.status != LcpStatus::solved) {
-      settings.max_iterations =
-          options_.max_iterations > 0 ? options_.max_iterations : kLongPath * lcp.matrix.size();
+      settings.max_iterations = options_.max_iterations > 0 ? options_.max_iterations
+                                                            : bounded_pivots(kLongPath, lcp.matrix.size());
       result = solve_lcp(lcp, settings);
     }
     result.pivots += spent;
@@ -165,7 +170,9 @@ class PreparedHat final : public PreparedMethod {
     if (contacts > 0) spectrum = contact_motion(receptance_, spectrum);
     for (int c = 0; c < contacts; ++c) fft.inverse(spectrum.col(c), x.col(c));
     Solution solution;
-    solution.verdict = result.status == LcpStatus::solved ? Verdict::converged : Verdict::not_converged;
+    const bool finite = x.allFinite() && force.allFinite();
+    solution.verdict =
+        finite && result.status == LcpStatus::solved ? Verdict::converged : Verdict::not_converged;
     solution.message = contacts == 0 ? "no contact in the scene: linear response" : describe(result.status);
     solution.residual = result.residual;
     solution.work.unknowns = samples() * contacts;
@@ -175,7 +182,7 @@ class PreparedHat final : public PreparedMethod {
     } else {
       solution.work.pivots = result.pivots;
     }
-    if (x.allFinite() && force.allFinite()) {
+    if (finite) {
       solution.trajectory =
           std::make_shared<NodalTrajectory>(receptance_.period, std::move(x), std::move(force));
     }

@@ -313,7 +313,7 @@ ImpactCompensation::Result ImpactCompensation::operator()(const ContactReceptanc
                                                           const Eigen::MatrixXcd& lambda,
                                                           const StopShifts& shifts, int samples,
                                                           double tolerance, const Start& start) const {
-  ExactProjection series = project_exactly(receptance, gap, law, lambda, samples, tolerance, shifts);
+  ExactProjection series = project_exactly(receptance, gap, law, lambda, samples, tolerance, shifts, start);
   Result result{.exact = series.converged, .iterations = series.iterations, .shifts = shifts};
   // Where the exact equations have no solution near by, the sampled one still says where the impacts are.
   if (!series.converged) series.lambda = lambda;
@@ -342,7 +342,7 @@ ImpactCompensation::Result ImpactCompensation::operator()(const ContactReceptanc
     ExactProjection next;
     for (int k = 0; k < kHalvings && !next.converged; ++k, share *= 0.5) {
       auto [guess, moved] = parts.moved(*target, share);
-      next = project_exactly(receptance, gap, law, guess, samples, tolerance, moved);
+      next = project_exactly(receptance, gap, law, guess, samples, tolerance, moved, start);
       result.iterations += next.iterations;
       whole = k == 0;
       if (next.converged) result.shifts = std::move(moved);

@@ -99,7 +99,7 @@ ProjectedOptions projected_options(const Problem& problem, const ContactReceptan
                           {options.solver, options.tolerance, options.max_iterations}};
   if (options.plain && options.solver == ComplementaritySolver::automatic)
     chosen.solver.solver = ComplementaritySolver::newton;
-  const bool left_to_us = options.solver == ComplementaritySolver::automatic;
+  const bool left_to_us = !options.plain && options.solver == ComplementaritySolver::automatic;
   if (compensates(options)) chosen.compensated = compensated_solve(problem, receptance, left_to_us);
   return chosen;
 }

@@ -91,8 +91,14 @@ RepresentedLaw projected_method_law(const Problem& problem, const std::optional<
   return std::visit([](const auto& law) -> RepresentedLaw { return law; }, problem.law);
 }
 
-Support supports_harmonics(const Problem& problem, int harmonics) {
+Support supports_harmonics(const Problem& problem, int harmonics, const std::optional<int>& samples) {
   const int needed = highest_load_harmonic(problem) * problem.subharmonic;
+  if (samples && *samples < 2 * harmonics + 1) {
+    return {
+        false,
+        fmt::format("the load reaches harmonic {} of the motion's base frequency: samples = {} are too few",
+                    needed, *samples)};
+  }
   if (needed <= harmonics) return {};
   return {false,
           fmt::format("the load reaches harmonic {} of the motion's base frequency, beyond harmonics = {}",

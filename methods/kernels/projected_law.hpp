@@ -62,8 +62,8 @@ ProjectedLaw penalty_law(const Problem& problem, const std::optional<Scaled>& pe
 /// stop is a spring, a penalty asked for replaces the spring's stiffness.
 RepresentedLaw projected_method_law(const Problem& problem, const std::optional<Scaled>& penalty = {});
 
-/// Refused where the load has harmonics beyond H.
-Support supports_harmonics(const Problem& problem, int harmonics);
+/// Refused where the load has harmonics beyond H, or the samples asked for do not carry H.
+Support supports_harmonics(const Problem& problem, int harmonics, const std::optional<int>& samples);
 
 /// The contact integral asked for: exact, but sampled if `plain`.
 template <class Options>

@@ -2,20 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <exception>
 #include <optional>
 #include <utility>
-
-#include "methods/kernels/receptance.hpp"
 
 namespace signorini {
 
 namespace {
 
-/// One solve at a resolution; a structure that it cannot factorise has no motion.
+/// One solve at a finer resolution than the first. One that cannot be prepared, the structure being singular
+/// or memory short, gives no motion.
 Solution solve_at(Resolutions& resolutions, std::size_t k, const Start& start) {
   try {
     return resolutions.at(k).solve(start);
-  } catch (const SingularStiffness& error) {
+  } catch (const std::exception& error) {
     return {.message = error.what()};
   }
 }
@@ -28,6 +30,7 @@ class RefinedUntilConverged final : public PreparedMethod {
   }
 
   Solution solve(const Start& start) override {
+    resolutions_.forget_from(1);
     Solution solution = resolutions_.at(0).solve(start);
     for (std::size_t finer = 1; finer < resolutions_.count(); ++finer) {
       if (solution.verdict == Verdict::converged || start.expired()) break;
@@ -46,37 +49,45 @@ class RefinedUntilConverged final : public PreparedMethod {
 
 class RefinedUntilAgreed final : public PreparedMethod {
  public:
-  RefinedUntilAgreed(Resolutions resolutions, std::string symbol, WorthChecking worth_checking)
+  RefinedUntilAgreed(Resolutions resolutions, std::string symbol, WorthChecking worth_checking, double least)
       : resolutions_(std::move(resolutions)),
         symbol_(std::move(symbol)),
-        worth_checking_(std::move(worth_checking)) {
+        worth_checking_(std::move(worth_checking)),
+        least_(least) {
     resolutions_.at(0);
   }
 
   Solution solve(const Start& start) override {
+    resolutions_.forget_from(1);
     Work spent;
     std::optional<Solution> answer;
     Solution latest;
     double away = 0.0;
-    for (std::size_t k = 0; k < resolutions_.count() && (k == 0 || !start.expired()); ++k) {
+    bool cut_short = false;
+    for (std::size_t k = 0; k < resolutions_.count(); ++k) {
+      cut_short = k > 0 && start.expired();
+      if (cut_short) break;
       latest = k == 0 ? resolutions_.at(0).solve(start) : solve_at(resolutions_, k, start);
       add_effort(latest.work, spent);
       latest.message += fmt::format("; {} = {}", symbol_, resolutions_.value(k));
       if (latest.verdict != Verdict::converged) continue;
       const std::optional<Solution> before = std::exchange(answer, latest);
       if (before) {
-        away = relative_distance(*before->trajectory, *latest.trajectory, resolutions_.value(k));
+        away = relative_distance(*before->trajectory, *latest.trajectory, resolutions_.value(k), least_);
         if (away <= kAgreed) break;
       }
       if (!worth_checking_(latest)) break;
     }
     Solution solution = answer ? *std::move(answer) : std::move(latest);
-    if (!near_by(away)) {
+    if (!near_by(away) || cut_short) {
       solution.verdict = Verdict::not_converged;
-      solution.message += fmt::format("; the motion at the resolution before is {:.2g} away", away);
+      solution.message += cut_short
+                              ? std::string("; the time was up before a finer one could be asked")
+                              : fmt::format("; the motion at the resolution before is {:.2g} away", away);
     }
     solution.work.pivots = spent.pivots;
     solution.work.iterations = spent.iterations;
+    solution.work.factorisations = spent.factorisations;
     return solution;
   }
 
@@ -86,6 +97,7 @@ class RefinedUntilAgreed final : public PreparedMethod {
   Resolutions resolutions_;
   std::string symbol_;
   WorthChecking worth_checking_;
+  double least_;
 };
 
 }  // namespace
@@ -104,19 +116,26 @@ PreparedMethod& Resolutions::at(std::size_t k) {
   return *prepared_[k];
 }
 
+void Resolutions::forget_from(std::size_t k) {
+  for (; k < prepared_.size(); ++k) prepared_[k].reset();
+}
+
 std::unique_ptr<PreparedMethod> refined_until_converged(Resolutions resolutions, std::string symbol) {
   return std::make_unique<RefinedUntilConverged>(std::move(resolutions), std::move(symbol));
 }
 
 std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, std::string symbol,
-                                                     WorthChecking worth_checking) {
+                                                     WorthChecking worth_checking, double least) {
   return std::make_unique<RefinedUntilAgreed>(std::move(resolutions), std::move(symbol),
-                                              std::move(worth_checking));
+                                              std::move(worth_checking), least);
 }
 
-double relative_distance(const Trajectory& a, const Trajectory& b, int instants) {
-  const Eigen::MatrixXd x = b.sample(instants).x;
-  return (a.sample(instants).x - x).norm() / x.norm();
+double relative_distance(const Trajectory& a, const Trajectory& b, int instants, double least) {
+  const Eigen::MatrixXd x_a = a.sample(instants).x;
+  const Eigen::MatrixXd x_b = b.sample(instants).x;
+  const double difference = (x_a - x_b).norm();
+  if (difference == 0.0) return 0.0;
+  return difference / std::max({x_a.norm(), x_b.norm(), least * std::sqrt(static_cast<double>(instants))});
 }
 
 bool near_by(double distance) { return distance <= 0.5; }
@@ -124,6 +143,7 @@ bool near_by(double distance) { return distance <= 0.5; }
 void add_effort(const Work& part, Work& whole) {
   if (part.pivots) whole.pivots = whole.pivots.value_or(0) + *part.pivots;
   if (part.iterations) whole.iterations = whole.iterations.value_or(0) + *part.iterations;
+  if (part.factorisations) whole.factorisations = whole.factorisations.value_or(0) + *part.factorisations;
 }
 
 }  // namespace signorini

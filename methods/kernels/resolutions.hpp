@@ -29,6 +29,8 @@ class Resolutions {
   [[nodiscard]] int value(std::size_t k) const { return values_[k]; }
   /// The scene prepared for it. \throws std::runtime_error if the structure cannot be factorised
   PreparedMethod& at(std::size_t k);
+  /// Drops what was prepared from the k-th on, so that the next solve pays for it again.
+  void forget_from(std::size_t k);
 
  private:
   std::vector<int> values_;
@@ -36,9 +38,9 @@ class Resolutions {
   std::vector<std::unique_ptr<PreparedMethod>> prepared_;
 };
 
-/// Solves at one resolution after another until one converges. The message says where it is not the first;
-/// the work is that of all. The first is prepared at once. \param symbol  of the resolution, for the message:
-/// "N", "H"
+/// Solves at one resolution after another until one converges. The first is prepared at once, the others anew
+/// in every solve, whose part they are. The message says where it is not the first; the work is that of all.
+/// `symbol` is that of the resolution, for the message: "N", "H".
 std::unique_ptr<PreparedMethod> refined_until_converged(Resolutions resolutions, std::string symbol);
 
 /// Whether an answer is worth the next resolution.
@@ -46,21 +48,20 @@ using WorthChecking = std::function<bool(const Solution&)>;
 
 /// Solves at one resolution after another until two that converge agree: their motions are within 5 % of
 /// their size of each other. Where none do, the finest answer is claimed unless it is nowhere near the one
-/// before
-/// (`near_by`); an answer that is not worth the next resolution is taken as it is. The answer is the finest
-/// found; the message names its resolution, the work is that of all. The first is prepared at once. \param
-/// symbol  as above
+/// before (`near_by`); an answer that is not worth the next resolution is taken as it is; one that could not
+/// be checked because the time was up is not claimed. The answer is the finest found. Prepared, counted and
+/// named as by refined_until_converged. Motions smaller than `least` [m] are at rest.
 std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, std::string symbol,
-                                                     WorthChecking worth_checking);
+                                                     WorthChecking worth_checking, double least);
 
-/// |x_a - x_b|_2 / |x_b|_2 of two motions of one period at so many instants [-].
-double relative_distance(const Trajectory& a, const Trajectory& b, int instants);
+/// |x_a - x_b| over the largest of |x_a|, |x_b| and `least` [m], root mean squares at so many instants [-].
+double relative_distance(const Trajectory& a, const Trajectory& b, int instants, double least = 0.0);
 
 /// Whether motions at this relative distance may be the same one, found with different errors. Coarse answers
 /// may be off by 0.3 and are near the same orbit all the same.
 bool near_by(double distance);
 
-/// Pivots and iterations of a part, added to those of the whole.
+/// Pivots, iterations and factorisations of a part, added to those of the whole.
 void add_effort(const Work& part, Work& whole);
 
 }  // namespace signorini

@@ -14,7 +14,7 @@ PenaltyHbm::PenaltyHbm(const Options& options) : options_(options) {
 }
 
 Support PenaltyHbm::supports(const Problem& problem) const {
-  return supports_harmonics(problem, first_harmonics(options_.harmonics, problem));
+  return supports_harmonics(problem, first_harmonics(options_.harmonics, problem), options_.samples);
 }
 
 RepresentedLaw PenaltyHbm::law(const Problem& problem) const {

@@ -51,6 +51,7 @@ requeued() {
   task=$(squeue -h -r -t PD -o '%A %K %j' | sed -n 's/^\([0-9]*\) 1 signorini$/\1/p')
   [ -n "$task" ] && scontrol update jobid="$task" starttime=now
 }
+requeued_or_over() { requeued || all_over; } # the shard may have ended in that very moment
 all_over() { [ -z "$(squeue -h)" ]; }
 
 "$program" run quick --scenes "$scenes" --methods "$methods" --out "$folder/local" >/dev/null
@@ -62,7 +63,7 @@ wait_until 240 first_record
 node=$(node_of_shard_1)
 if [ -n "$node" ]; then
   lose "$node"
-  wait_until 60 requeued
+  wait_until 60 requeued_or_over
   echo "node $node was lost"
 else
   echo 'shard 1 was over before its node could be lost'

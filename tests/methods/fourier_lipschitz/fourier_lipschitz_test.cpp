@@ -217,5 +217,14 @@ TEST(NetWorkRatio, SeesAForceInPhaseWithTheVelocity) {
   EXPECT_DOUBLE_EQ(net_work_ratio(x, lambda), 0.0);
 }
 
+// The load asks for more harmonics than the samples carry.
+TEST(FourierLipschitz, RefusesSamplesThatDoNotCarryTheHarmonicsItChooses) {
+  Problem problem = test::to_problem(kStop);
+  problem.force.push_back({.dof = 0, .harmonic = 50, .cos = 0.1, .sin = 0.0});
+  EXPECT_TRUE(FourierLipschitz({}).supports(problem).ok);
+  EXPECT_EQ(FourierLipschitz({.samples = 64}).supports(problem).reason,
+            "the load reaches harmonic 50 of the motion's base frequency: samples = 64 are too few");
+}
+
 }  // namespace
 }  // namespace signorini

@@ -234,6 +234,17 @@ TEST(HatLcp, DoesNotClaimAMotionThatAFinerGridDoesNotShow) {
   EXPECT_LE(test::relative_distance(*refined.trajectory, *exact.trajectory), 0.05);
 }
 
+TEST(HatLcp, SolvesByDefaultWhatHasNoContactOrNoMotion) {
+  Problem free = test::to_problem({.damping = 0.1, .frequency = 2.0, .gap = 1.0, .restitution = 1.0});
+  free.contacts.clear();
+  EXPECT_EQ(solve<HatLcp>(free, {}).verdict, Verdict::converged);
+  // Pressed against a stop at the place of rest: x = 0 but for rounding, whatever the grid.
+  Problem pressed = test::to_problem({.damping = 0.1, .frequency = 2.0, .gap = 0.0, .restitution = 0.5});
+  pressed.force.push_back({.dof = 0, .harmonic = 0, .cos = 10.0, .sin = 0.0});
+  const Solution rest = solve<HatLcp>(pressed, {});
+  EXPECT_EQ(rest.verdict, Verdict::converged) << rest.message;
+}
+
 TEST(HatLcp, LeavesItsGridAloneWhereItIsAskedForOrPlain) {
   const Problem problem =
       test::to_problem({.damping = 0.00158618, .frequency = 1.44982, .gap = 0.0972731, .restitution = 1.0});
