@@ -47,6 +47,7 @@ Resolutions three(const Answers& answers, std::vector<int>& asked) {
 }
 
 bool always(const Solution& /*unused*/) { return true; }
+bool never(const Solution& /*unused*/) { return false; }
 
 double amplitude(const Solution& solution) { return solution.trajectory->sample(1).x(0, 0); }
 
@@ -116,9 +117,7 @@ TEST(RefinedUntilAgreed, PassesOverResolutionsWithoutAnAnswer) {
 TEST(RefinedUntilAgreed, TakesAnAnswerThatIsNotWorthTheNextResolution) {
   std::vector<int> asked;
   const Solution solution =
-      refined_until_agreed(three({{10, 0.0}, {20, 1.0}, {40, 3.0}}, asked), "N", [](const Solution&) {
-        return false;
-      })->solve({});
+      refined_until_agreed(three({{10, 0.0}, {20, 1.0}, {40, 3.0}}, asked), "N", never, 0.0)->solve({});
   EXPECT_EQ(solution.verdict, Verdict::converged);
   EXPECT_EQ(amplitude(solution), 1.0);
   EXPECT_EQ(asked, (std::vector<int>{10, 20}));
@@ -154,9 +153,9 @@ TEST(RelativeDistance, IsThatOfTheLargerMotion) {
   const test::GivenMotion one(1.0, [](double) { return 1.0; });
   const test::GivenMotion three(1.0, [](double) { return -3.0; });
   const test::GivenMotion rest(1.0, [](double) { return 0.0; });
-  EXPECT_DOUBLE_EQ(relative_distance(one, three, 16), 4.0 / 3.0);
-  EXPECT_EQ(relative_distance(rest, rest, 16), 0.0);
-  EXPECT_EQ(relative_distance(rest, one, 16), 1.0);
+  EXPECT_DOUBLE_EQ(signorini::relative_distance(one, three, 16), 4.0 / 3.0);
+  EXPECT_EQ(signorini::relative_distance(rest, rest, 16), 0.0);
+  EXPECT_EQ(signorini::relative_distance(rest, one, 16), 1.0);
 }
 
 TEST(RefinedUntilAgreed, ClaimsTheFinestOnlyIfItIsNearTheOneBefore) {
