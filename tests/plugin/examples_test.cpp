@@ -86,6 +86,17 @@ TEST(MoreauJean, DoesNotApplyToSpringsAndToContactsWithoutMass) {
   }
 }
 
+// As it was written by `new method begun-outside --out-of-tree`.
+TEST(BegunOutside, PassesItsReviewAtOnce) {
+  const TemporaryFolder folder;
+  const std::string plugin = " --plugin " + (installed_tree() / "begun" / "begun-outside.so").string();
+  const Outcome review = run_installed(folder, "check" + plugin);
+  EXPECT_EQ(review.code, 0) << review.out << review.err;
+  EXPECT_NE(review.out.find("begun-outside"), std::string::npos) << review.out;
+  const Outcome solved = run_installed(folder, "solve sdof-far-stop --method begun-outside" + plugin);
+  EXPECT_EQ(solved.code, 0) << solved.err;
+}
+
 TEST(CommandAft, IsJudgedAsTheMethodOfTheProgramThatSolvesTheSameEquations) {
   if (!python_has_numpy()) GTEST_SKIP() << "python3 with numpy is not installed";
   struct Pair {

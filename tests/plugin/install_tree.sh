@@ -1,6 +1,6 @@
 #!/bin/sh
 # install_tree.sh CMAKE BUILD SOURCE FOLDER [CMAKE OPTION...]: installs the build into FOLDER/prefix, and builds there
-# the examples that were installed, and the plugins of the tests, as a user would.
+# the examples that were installed, a method that the program begins, and the plugins of the tests, as a user would.
 set -eu
 
 cmake=$1
@@ -19,5 +19,7 @@ build_project() { # SOURCE BUILD [OPTION...]
   "$cmake" --build "$to" --parallel 2
 }
 build_project "$folder/prefix/share/signorini/examples/moreau_jean" "$folder/moreau_jean" "$@"
+(cd "$folder" && "$folder/prefix/bin/signorini" new method begun-outside --out-of-tree)
+build_project "$folder/begun-outside" "$folder/begun" "$@"
 build_project "$source/tests/plugin/plugins" "$folder/plugins" "$@"
 echo 'this is no shared object' >"$folder/plugins/text.so"
