@@ -169,6 +169,23 @@ Solution uncompensated(Solution solution, Compensating::Outcome outcome, const S
   return solution;
 }
 
+/// solve_compensated where there is a compensation.
+Solution compensate(CompensatedSolve& compensated, const ProjectedEquations& equations, long limit,
+                    const Start& start, Work& work, const std::function<Solution(Work&)>& solve) {
+  const Compensating compensating(compensated.compensation(), equations, start, work);
+  if (limit == 0) {
+    if (std::optional<Solution> near = compensating.from_guess()) return *std::move(near);
+  }
+  Solution solution = solve(work);
+  auto outcome = Compensating::Outcome::loose;
+  if (solution.verdict == Verdict::converged) outcome = compensating.settle(solution, limit);
+  if (outcome == Compensating::Outcome::settled) return solution;
+  Resolutions* grids = limit == 0 ? compensated.second_starts() : nullptr;
+  SecondStart second;
+  if (grids != nullptr) second = second_start(compensating, *grids, equations, start, solution, work);
+  return uncompensated(std::move(solution), outcome, second);
+}
+
 }  // namespace
 
 CompensatedSolve::CompensatedSolve(const Problem& problem, ImpactCompensation compensation,
@@ -189,28 +206,8 @@ std::shared_ptr<CompensatedSolve> compensated_solve(const Problem& problem,
 
 Solution solve_compensated(CompensatedSolve* compensated, const ProjectedEquations& equations, long limit,
                            const Start& start, Work work, const std::function<Solution(Work&)>& solve) {
-  if (compensated == nullptr) {
-    Solution solution = solve(work);
-    solution.work = work;
-    return solution;
-  }
-  const Compensating compensating(compensated->compensation(), equations, start, work);
-  std::optional<Solution> near;
-  if (limit == 0) near = compensating.from_guess();
-  Solution solution = near ? *std::move(near) : solve(work);
-  if (near) {
-    solution.work = work;
-    return solution;
-  }
-  auto outcome = Compensating::Outcome::loose;
-  if (solution.verdict == Verdict::converged) outcome = compensating.settle(solution, limit);
-  Resolutions* grids = limit == 0 ? compensated->second_starts() : nullptr;
-  if (outcome != Compensating::Outcome::settled && grids != nullptr) {
-    const SecondStart second = second_start(compensating, *grids, equations, start, solution, work);
-    solution = uncompensated(std::move(solution), outcome, second);
-  } else if (outcome != Compensating::Outcome::settled && solution.verdict == Verdict::converged) {
-    solution.message += "; impacts not compensated";
-  }
+  Solution solution =
+      compensated == nullptr ? solve(work) : compensate(*compensated, equations, limit, start, work, solve);
   solution.work = work;
   return solution;
 }
