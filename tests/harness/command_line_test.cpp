@@ -189,8 +189,8 @@ TEST(CommandLine, RunsASceneFileInPlaceOfTheSuites) {
   std::string text = read_file(problems_folder() / "catalogue" / "sdof-stop.toml");
   text.replace(text.find("\"sdof-stop\""), 11, "\"my-stop\"");
   std::ofstream(folder / "own.toml") << text;
-  const Outcome outcome =
-      run("run quick --methods 'hat-lcp[samples=64]' --scenes " + (folder / "own.toml").string() + " --dry-run");
+  const Outcome outcome = run("run quick --methods 'hat-lcp[samples=64]' --scenes " +
+                              (folder / "own.toml").string() + " --dry-run");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "my-stop/hat-lcp[samples=64]\n");
 }
