@@ -54,19 +54,29 @@ std::string resolution_of(const Record& record) {
   return slash == std::string::npos ? record.method : record.case_id.substr(slash + 1);
 }
 
-std::string contestant_of(const Record& record) {
+std::vector<std::string> settings_of(const Record& record) {
   const std::string resolution = resolution_of(record);
   const std::size_t open = resolution.find('[');
-  if (open == std::string::npos) return resolution;
-  std::string words;
+  std::vector<std::string> settings;
+  if (open == std::string::npos) return settings;
   const std::size_t close = resolution.rfind(']');
   for (std::size_t begin = open + 1; begin < close;) {
     const std::size_t end = std::min(resolution.find(',', begin), close);
-    const std::string setting = resolution.substr(begin, end - begin);
-    if (!is_number(setting.substr(setting.find('=') + 1))) words += (words.empty() ? "" : ",") + setting;
+    settings.push_back(resolution.substr(begin, end - begin));
     begin = end + 1;
   }
-  return resolution.substr(0, open) + (words.empty() ? "" : "[" + words + "]");
+  return settings;
+}
+
+bool is_numeric(const std::string& setting) { return is_number(setting.substr(setting.find('=') + 1)); }
+
+std::string contestant_of(const Record& record) {
+  const std::string resolution = resolution_of(record);
+  std::string words;
+  for (const std::string& setting : settings_of(record)) {
+    if (!is_numeric(setting)) words += (words.empty() ? "" : ",") + setting;
+  }
+  return resolution.substr(0, resolution.find('[')) + (words.empty() ? "" : "[" + words + "]");
 }
 
 Rung rung_of(const Record& record) {

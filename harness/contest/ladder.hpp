@@ -25,6 +25,12 @@ const CostAxis& time_axis();
 /// differs between methods: counts compare resolutions of one method, or methods of one kind.
 std::span<const CostAxis> work_axes();
 
+/// The settings in the brackets of a case, "key=value" each, in their order.
+std::vector<std::string> settings_of(const Record& record);
+
+/// Whether the value of a setting is a number.
+bool is_numeric(const std::string& setting);
+
 /// "event-driven[flow=cvode]": the method with those settings of its case that are words. Those that are
 /// numbers are its ladder.
 std::string contestant_of(const Record& record);

@@ -137,10 +137,9 @@ Section false_convergence_section(const Evaluation& evaluation) {
     const Tally& tally = tallies[place];
     if (tally.runs == 0) continue;
     const double rate = tally.claims > 0 ? 100.0 * tally.refuted / tally.claims : 0.0;
-    const auto count = [](int number) { return Cell(std::to_string(number), number); };
-    section.table.rows.push_back({evaluation.contestants()[place], count(tally.runs), count(tally.claims),
-                                  count(tally.certified), count(tally.refuted),
-                                  Cell(fmt::format("{:.1f} %", rate), rate)});
+    section.table.rows.push_back({evaluation.contestants()[place], count_cell(tally.runs),
+                                  count_cell(tally.claims), count_cell(tally.certified),
+                                  count_cell(tally.refuted), Cell(fmt::format("{:.1f} %", rate), rate)});
   }
   section.note =
       "Refuted: the orbit that the harness finds from the answer is farther away than half its norm, or the "

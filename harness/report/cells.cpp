@@ -18,6 +18,8 @@ std::string shortened(const std::string& text) {
 
 }  // namespace
 
+Cell count_cell(int count) { return {std::to_string(count), static_cast<double>(count)}; }
+
 bool answered(const Record& record) {
   return record.status == Status::converged || record.status == Status::inaccurate;
 }

@@ -4,8 +4,12 @@
 #include <string>
 
 #include "harness/record.hpp"
+#include "harness/table.hpp"
 
 namespace signorini {
+
+/// A number of things, which sorts as one.
+Cell count_cell(int count);
 
 /// Whether there is a motion to look at: converged, or inaccurate.
 bool answered(const Record& record);

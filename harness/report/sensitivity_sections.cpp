@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -20,23 +19,6 @@ namespace signorini {
 
 namespace {
 
-using Settings = std::vector<std::string>;  // "key=value", in their order
-
-/// The settings in the brackets of a case.
-Settings settings_of(const Record& record) {
-  const std::string resolution = resolution_of(record);
-  const std::size_t open = resolution.find('[');
-  Settings settings;
-  if (open == std::string::npos) return settings;
-  const std::size_t close = resolution.rfind(']');
-  for (std::size_t begin = open + 1; begin < close;) {
-    const std::size_t end = std::min(resolution.find(',', begin), close);
-    settings.push_back(resolution.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return settings;
-}
-
 /// A method with all its settings but one: "fourier-lipschitz[harmonics=40]", and the key of that one.
 using Varied = std::pair<std::string, std::string>;
 
@@ -48,18 +30,14 @@ struct Variation {
 
 constexpr std::size_t kFewestValues = 3;
 
-bool is_numeric(const std::string& setting) {
-  return std::isdigit(static_cast<unsigned char>(setting[setting.find('=') + 1])) != 0;
-}
-
 /// Every way to single out one setting while another number stands; a number alone is the method's
 /// resolution.
 std::map<Varied, Variation> variations_of(const Evaluation& evaluation) {
   std::map<Varied, Variation> variations;
   for (const Record& record : evaluation.records()) {
-    const Settings settings = settings_of(record);
+    const std::vector<std::string> settings = settings_of(record);
     for (std::size_t varied = 0; varied < settings.size(); ++varied) {
-      Settings others = settings;
+      std::vector<std::string> others = settings;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(varied));
       if (std::none_of(others.begin(), others.end(), is_numeric)) continue;
       const std::size_t equals = settings[varied].find('=');
@@ -99,8 +77,6 @@ Outcome outcome_of(const std::vector<const Record*>& records) {
 Cell error_cell(double error) {
   return {std::isfinite(error) ? fmt::format("{:.1e}", error) : "not solved", error};
 }
-
-Cell count_cell(int count) { return {std::to_string(count), static_cast<double>(count)}; }
 
 }  // namespace
 

@@ -37,8 +37,6 @@ void count(const Record& record, Tally& tally) {
   if (record.certificate.same_orbit) ++(*record.certificate.same_orbit ? tally.same : tally.other);
 }
 
-Cell count_cell(int count) { return {std::to_string(count), static_cast<double>(count)}; }
-
 double median_of(const Tally& tally) {
   return tally.times.empty() || !tally.timed ? std::numeric_limits<double>::infinity() : median(tally.times);
 }
