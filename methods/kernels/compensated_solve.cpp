@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <exception>
 #include <optional>
 #include <utility>
 
@@ -16,7 +15,7 @@ namespace signorini {
 
 namespace {
 
-constexpr int kBracketed = 16;               // samples per harmonic: tells contacts apart that a climb would
+constexpr int kBracketed = 16;               // samples per harmonic: contacts told apart as in a climb
 constexpr int kFewest = 8;                   // harmonics for which the coarsest grid is made
 constexpr int kNodesInAll = kFinestHatGrid;  // nodes times contacts that a second start may take
 constexpr int kNodesPerHarmonic = 4;         // fewer do not carry the harmonics asked for
@@ -106,15 +105,6 @@ class Compensating {
   Work& work_;
 };
 
-/// The scene on one of the grids; one that cannot be prepared has no motion.
-Solution motion_on(Resolutions& grids, std::size_t grid, const Start& start) {
-  try {
-    return grids.at(grid).solve({.deadline = start.deadline});
-  } catch (const std::exception& error) {
-    return {.message = error.what()};
-  }
-}
-
 /// Whether a grid carries so many harmonics and is not too large.
 bool serves(int samples, const ContactReceptance& receptance) {
   return samples >= kNodesPerHarmonic * receptance.harmonics() &&
@@ -138,7 +128,7 @@ SecondStart second_start(const Compensating& compensating, Resolutions& grids,
     if (!serves(samples, equations.receptance)) continue;
     second.asked = true;
     if (start.expired()) break;
-    const Solution hat = motion_on(grids, grid, start);
+    const Solution hat = grids.solve_at(grid, {.deadline = start.deadline});
     add_effort(hat.work, work);
     if (hat.verdict != Verdict::converged) continue;
     second.answer = compensating.from_hat(*hat.trajectory, samples);

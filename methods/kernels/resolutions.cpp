@@ -12,16 +12,6 @@ namespace signorini {
 
 namespace {
 
-/// One solve at a finer resolution than the first. One that cannot be prepared, the structure being singular
-/// or memory short, gives no motion.
-Solution solve_at(Resolutions& resolutions, std::size_t k, const Start& start) {
-  try {
-    return resolutions.at(k).solve(start);
-  } catch (const std::exception& error) {
-    return {.message = error.what()};
-  }
-}
-
 class RefinedUntilConverged final : public PreparedMethod {
  public:
   RefinedUntilConverged(Resolutions resolutions, std::string symbol)
@@ -35,7 +25,7 @@ class RefinedUntilConverged final : public PreparedMethod {
     for (std::size_t finer = 1; finer < resolutions_.count(); ++finer) {
       if (solution.verdict == Verdict::converged || start.expired()) break;
       const Work spent = solution.work;
-      solution = solve_at(resolutions_, finer, start);
+      solution = resolutions_.solve_at(finer, start);
       add_effort(spent, solution.work);
       solution.message += fmt::format("; {} = {}", symbol_, resolutions_.value(finer));
     }
@@ -67,7 +57,7 @@ class RefinedUntilAgreed final : public PreparedMethod {
     for (std::size_t k = 0; k < resolutions_.count(); ++k) {
       cut_short = k > 0 && start.expired();
       if (cut_short) break;
-      latest = k == 0 ? resolutions_.at(0).solve(start) : solve_at(resolutions_, k, start);
+      latest = k == 0 ? resolutions_.at(0).solve(start) : resolutions_.solve_at(k, start);
       add_effort(latest.work, spent);
       latest.message += fmt::format("; {} = {}", symbol_, resolutions_.value(k));
       if (latest.verdict != Verdict::converged) continue;
@@ -114,6 +104,14 @@ Resolutions::Resolutions(std::vector<int> values, AtResolution prepare)
 PreparedMethod& Resolutions::at(std::size_t k) {
   if (!prepared_[k]) prepared_[k] = prepare_(values_[k]);
   return *prepared_[k];
+}
+
+Solution Resolutions::solve_at(std::size_t k, const Start& start) {
+  try {
+    return at(k).solve(start);
+  } catch (const std::exception& error) {
+    return {.message = error.what()};
+  }
 }
 
 void Resolutions::forget_from(std::size_t k) {

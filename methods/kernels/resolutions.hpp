@@ -29,6 +29,9 @@ class Resolutions {
   [[nodiscard]] int value(std::size_t k) const { return values_[k]; }
   /// The scene prepared for it. \throws std::runtime_error if the structure cannot be factorised
   PreparedMethod& at(std::size_t k);
+  /// One solve at the k-th; where it cannot be prepared, the structure being singular or memory short, there
+  /// is no motion.
+  Solution solve_at(std::size_t k, const Start& start);
   /// Drops what was prepared from the k-th on, so that the next solve pays for it again.
   void forget_from(std::size_t k);
 
