@@ -7,7 +7,7 @@ function(signorini_add_plugin name)
   endif()
   add_library(${name} MODULE ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE signorini::methods ${arg_LINK})
-  target_compile_options(${name} PRIVATE $<$<CONFIG:>:-O3> $<$<CONFIG:>:-DNDEBUG>)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:>:-O2> $<$<CONFIG:>:-DNDEBUG>)
   # Hidden: nothing of one plugin is taken for that of another. No symbol may be left open until it is called.
   set_target_properties(${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_link_options(${name} PRIVATE -Wl,--no-undefined -Wl,--exclude-libs,ALL)

@@ -12,6 +12,7 @@
 
 #include "harness/build_info.hpp"
 #include "harness/failure.hpp"
+#include "harness/json_fields.hpp"
 #include "harness/machine/machine.hpp"
 #include "harness/timing.hpp"
 
@@ -20,10 +21,6 @@ namespace signorini {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-void put(Json& json, const char* key, const std::string& text) {
-  if (!text.empty()) json[key] = text;
-}
 
 std::string kernel_release() {
   utsname names{};

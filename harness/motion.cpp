@@ -9,10 +9,7 @@ namespace signorini {
 
 namespace {
 
-/// Two motions of one orbit agree to this, relative to their norm; distinct orbits do not.
-constexpr double kSameOrbit = 1e-6;
-
-struct Gap {
+struct Difference {
   double squares = 0.0;
   double own_squares = 0.0;
   double largest = 0.0;
@@ -28,8 +25,8 @@ struct Gap {
   }
 };
 
-Gap compare(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen::Index offset) {
-  Gap gap;
+Difference compare(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen::Index offset) {
+  Difference gap;
   if (a.cols() == 0) return gap;
   const Eigen::Index common = std::lcm(a.rows(), b.rows());
   Eigen::Index i = 0;
@@ -66,7 +63,7 @@ Motion sample_motion(const Problem& problem, const Trajectory& trajectory, int p
 
 Distance distance(const Motion& a, const Motion& b, int shift) {
   const Eigen::Index offset = shift * per_period(b);
-  const Gap x = compare(a.samples.x, b.samples.x, offset);
+  const Difference x = compare(a.samples.x, b.samples.x, offset);
   return {.x_l2 = x.l2(),
           .x_max = x.max(),
           .velocity_l2 = compare(a.samples.velocity, b.samples.velocity, offset).l2()};
@@ -76,7 +73,7 @@ int best_shift(const Motion& a, const Motion& b) {
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (int shift = 0; shift < b.order; ++shift) {
-    const Gap x = compare(a.samples.x, b.samples.x, shift * per_period(b));
+    const Difference x = compare(a.samples.x, b.samples.x, shift * per_period(b));
     if (x.squares < least) {
       least = x.squares;
       best = shift;
@@ -88,7 +85,7 @@ int best_shift(const Motion& a, const Motion& b) {
 int least_order(const Motion& motion) {
   for (int order = 1; order < motion.order; ++order) {
     if (motion.order % order != 0) continue;
-    const Gap x = compare(motion.samples.x, motion.samples.x, order * per_period(motion));
+    const Difference x = compare(motion.samples.x, motion.samples.x, order * per_period(motion));
     if (x.squares <= kSameOrbit * kSameOrbit * x.own_squares) return order;
   }
   return motion.order;

@@ -12,6 +12,9 @@ namespace signorini {
 /// Instants per forcing period on which every measure is taken.
 inline constexpr int kGrid = 8192;
 
+/// Two motions of one orbit agree to this, relative to their norm; distinct orbits do not.
+inline constexpr double kSameOrbit = 1e-6;
+
 /// One period of a motion at kGrid instants per forcing period.
 struct Motion {
   int order = 1;              ///< period in forcing periods

@@ -13,7 +13,6 @@ namespace signorini {
 
 namespace {
 
-constexpr double kSameOrbit = 1e-6;
 constexpr double kWeakImpact = 1e-3;
 
 /// Instant at which the force of a contact starts (direction 1) or ends (-1) beside sample i.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "harness/failure.hpp"
+#include "harness/json_fields.hpp"
 #include "harness/record.hpp"
 
 namespace signorini {
@@ -14,17 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kSchema = 1;
-
-template <class T>
-void put(Json& json, const char* key, const std::optional<T>& value) {
-  if (value) json[key] = *value;
-}
-
-template <class T>
-void get(const Json& json, const char* key, std::optional<T>& value) {
-  if (json.contains(key)) value = json[key].template get<T>();
-}
+constexpr int kOrbitSchema = 1;
 
 Json events_to_json(const std::vector<OrbitEvent>& events) {
   Json list = Json::array();
@@ -66,8 +57,8 @@ FoundOrbit orbit_from_json(const Json& json) {
 }
 
 OrbitFile file_from_json(const Json& json) {
-  if (json.at("schema") != kSchema)
-    throw BadRecord(fmt::format("schema = {} (must be {})", json.at("schema").dump(), kSchema));
+  if (json.at("schema") != kOrbitSchema)
+    throw BadRecord(fmt::format("schema = {} (must be {})", json.at("schema").dump(), kOrbitSchema));
   const Json& search = json.at("search");
   OrbitFile file{.scene = json.at("scene"),
                  .scene_sha256 = json.at("scene_sha256"),
@@ -118,7 +109,7 @@ std::string print_orbit_file(const OrbitFile& file) {
   std::string text = fmt::format(
       "{{\n\"schema\": {},\n\"scene\": {},\n\"scene_sha256\": {},\n\"law\": {},\n\"search\": "
       "{},\n\"orbits\": [",
-      kSchema, Json(file.scene).dump(), Json(file.scene_sha256).dump(), law_to_json(file.law).dump(),
+      kOrbitSchema, Json(file.scene).dump(), Json(file.scene_sha256).dump(), law_to_json(file.law).dump(),
       search.dump());
   for (std::size_t i = 0; i < file.orbits.size(); ++i)
     text += (i == 0 ? "\n" : ",\n") + to_json(file.orbits[i]).dump();

@@ -7,6 +7,7 @@
 
 #include "harness/failure.hpp"
 #include "harness/sha256.hpp"
+#include "problems/kebab_case.hpp"
 #include "problems/scene_field.hpp"
 #include "problems/scene_file.hpp"
 #include "problems/toml_tree.hpp"
@@ -72,10 +73,7 @@ Suite parse_suite(std::string_view text, const std::string& file) {
       "must be a table");
   Suite suite;
   suite.name = root["name"].text("must be a name in lower-kebab-case");
-  const auto kebab = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
-  if (suite.name.empty() || !std::all_of(suite.name.begin(), suite.name.end(), kebab)) {
-    root["name"].refuse("must be a name in lower-kebab-case");
-  }
+  if (!is_lower_kebab_case(suite.name)) root["name"].refuse("must be a name in lower-kebab-case");
   suite.title = root["title"].text("must be one line of text");
   suite.scenes = texts(root["scenes"], "must be a list of globs on scene names");
   suite.tags = texts(root["tags"], "must be a list of tags");

@@ -11,6 +11,7 @@
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
+#include "problems/kebab_case.hpp"
 
 namespace signorini {
 
@@ -35,17 +36,12 @@ std::vector<MethodEntry>& all_methods() {
   return entries;
 }
 
-bool is_kebab_case(const std::string& name) {
-  return !name.empty() &&
-         name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
-}
-
 }  // namespace
 
 std::span<const MethodEntry> method_catalogue() { return all_methods(); }
 
 void add_method(MethodEntry entry) {
-  if (!is_kebab_case(entry.name))
+  if (!is_lower_kebab_case(entry.name))
     throw InvalidOption("method = " + entry.name + " (must be a name in lower-kebab-case)");
   std::vector<MethodEntry>& entries = all_methods();
   const auto same = [&](const MethodEntry& known) { return known.name == entry.name; };

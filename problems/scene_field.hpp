@@ -2,6 +2,7 @@
 // A value of a scene file that knows its path and line, so that every complaint names both.
 
 #include <initializer_list>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "problems/toml_tree.hpp"
 
 namespace signorini {
+
+/// Least value of a number that must be positive.
+inline constexpr double kLeastPositive = std::numeric_limits<double>::min();
 
 /// A place in a scene file, "forcing.term[0].dof", whether or not something stands there.
 /// All readers throw SceneError, `FILE:LINE: path = value (requirement)`; what is missing prints as `missing`

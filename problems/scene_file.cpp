@@ -7,6 +7,7 @@
 #include <fstream>
 #include <set>
 
+#include "problems/kebab_case.hpp"
 #include "problems/scene_boundary.hpp"
 #include "problems/scene_field.hpp"
 #include "problems/scene_system.hpp"
@@ -18,13 +19,6 @@ namespace {
 
 constexpr int kSchema = 1;
 constexpr std::size_t kLargestFile = std::size_t{1} << 24;  // bytes; a scene is text written by hand
-constexpr std::size_t kLongestName = 64;
-
-bool is_lower_kebab_case(std::string_view name) {
-  const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
-  return !name.empty() && name.size() <= kLongestName && std::all_of(name.begin(), name.end(), fits) &&
-         name.front() != '-' && name.back() != '-' && name.find("--") == std::string_view::npos;
-}
 
 std::string read_name(const SceneField& field) {
   constexpr std::string_view kRequirement =
@@ -227,7 +221,7 @@ SceneWithSources parse_scene_with_sources(std::string_view text, const std::stri
   try {
     read_scene(root, document.family, scene);
     validate(scene.problem, scene.definiteness);
-    return std::move(scene);
+    return scene;
   } catch (const InvalidProblem& error) {
     as_written(root, scene, error.field).refuse(error.found, error.requirement);
   }

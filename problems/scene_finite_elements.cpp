@@ -16,13 +16,12 @@ namespace signorini {
 
 namespace {
 
-constexpr double kSmallest = std::numeric_limits<double>::min();
 constexpr int kMostElements = 100000;
 constexpr int kMostBeams = 100;
 constexpr int kMostCoordinates = 1000000;  // of a block: some 2 GB of matrices
 
 double read_positive(const SceneField& field, std::string_view unit) {
-  return field.number(fmt::format("must be a positive number {}", unit), kSmallest);
+  return field.number(fmt::format("must be a positive number {}", unit), kLeastPositive);
 }
 
 int read_element_count(const SceneField& field) {

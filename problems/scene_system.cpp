@@ -20,7 +20,6 @@ namespace signorini {
 
 namespace {
 
-constexpr double kSmallest = std::numeric_limits<double>::min();
 constexpr std::string_view kKinds =
     "\"sdof\", \"chain\", \"bar\", \"beam\", \"block\", \"rotor\", \"shaft\" or \"matrices\"";
 
@@ -44,7 +43,7 @@ SystemDescription independent_of_contacts(Structure structure) {
 SystemDescription read_sdof(const SceneField& system) {
   system.allow_only({"kind", "mass", "damping", "stiffness"}, "must be a table");
   return independent_of_contacts(
-      assemble(Chain{.masses = {system["mass"].number("must be a positive number [kg]", kSmallest)},
+      assemble(Chain{.masses = {system["mass"].number("must be a positive number [kg]", kLeastPositive)},
                      .dampers = {system["damping"].number("must be a number >= 0 [N s/m]", 0.0)},
                      .springs = {system["stiffness"].number("must be a number >= 0 [N/m]", 0.0)}}));
 }
@@ -52,7 +51,7 @@ SystemDescription read_sdof(const SceneField& system) {
 SystemDescription read_rotor(const SceneField& system) {
   system.allow_only({"kind", "mass", "damping", "stiffness"}, "must be a table");
   return independent_of_contacts(
-      assemble(Rotor{.mass = system["mass"].number("must be a positive number [kg]", kSmallest),
+      assemble(Rotor{.mass = system["mass"].number("must be a positive number [kg]", kLeastPositive),
                      .damping = system["damping"].number("must be a number >= 0 [N s/m]", 0.0),
                      .stiffness = system["stiffness"].number("must be a number >= 0 [N/m]", 0.0)}));
 }

@@ -105,7 +105,7 @@ Finding load(const fs::path& root) {
                  "other processes are at work; stop them or wait");
 }
 
-Finding build() {
+Finding build_type() {
   return finding("build", std::string(build_info().build_type), build_may_be_timed(),
                  "times are not recorded by it; build with the preset release");
 }
@@ -210,7 +210,7 @@ std::vector<Finding> examine_system(const fs::path& root) {
 }
 
 std::vector<Finding> examine_running() {
-  return {build(), usable_processors(), clock_resolution(), repeatability(), other_work()};
+  return {build_type(), usable_processors(), clock_resolution(), repeatability(), other_work()};
 }
 
 }  // namespace signorini

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::array kProfileErrors{1e-2, 1e-3, 1e-6};
 
-constexpr std::string_view kPanels = R"(set multiplot layout 1,{} margins 0.06,0.99,0.36,0.90 spacing 0.03,0
+constexpr std::string_view kProfilePanels =
+    R"(set multiplot layout 1,{} margins 0.06,0.99,0.36,0.90 spacing 0.03,0
 set logscale x
 set xrange [1:{:.6e}]
 set yrange [-0.02:1.02]
@@ -59,7 +60,7 @@ std::vector<Figure> profile_figures(const Evaluation& evaluation, std::size_t nu
       "panel within a factor of the time of the fastest. A failure is infinitely slow; a scene that nobody "
       "solves counts.",
       contest.scenes.size());
-  figure.script = fmt::format(kPanels, kProfileErrors.size(), end);
+  figure.script = fmt::format(kProfilePanels, kProfileErrors.size(), end);
   int block = 0;
   for (std::size_t p = 0; p < profiles.size(); ++p) {
     std::string plots;

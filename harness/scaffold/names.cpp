@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "harness/failure.hpp"
+#include "problems/kebab_case.hpp"
 
 namespace signorini {
 
@@ -13,19 +14,11 @@ namespace {
 constexpr std::size_t kLongest = 60;
 
 bool is_small(char letter) { return letter >= 'a' && letter <= 'z'; }
-bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
-
-bool is_kebab(std::string_view name) {
-  if (name.empty() || name.size() > kLongest || !is_small(name.front()) || name.back() == '-') return false;
-  if (name.find("--") != std::string_view::npos) return false;
-  return std::all_of(name.begin(), name.end(),
-                     [](char letter) { return is_small(letter) || is_digit(letter) || letter == '-'; });
-}
 
 }  // namespace
 
 Spellings spellings_of(std::string_view name) {
-  if (!is_kebab(name)) {
+  if (!is_lower_kebab_case(name) || name.size() > kLongest || !is_small(name.front())) {
     throw UsageError(
         fmt::format("name = {} (must be lower-kebab-case such as my-method, beginning with a letter, at most "
                     "{} characters)",

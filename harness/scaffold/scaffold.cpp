@@ -19,18 +19,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(std::string_view name, const std::string& requirement) {
+[[noreturn]] void refuse_name(std::string_view name, const std::string& requirement) {
   throw UsageError(fmt::format("name = {} ({})", name, requirement));
 }
 
 void require_no_such_method(std::string_view name) {
   for (const MethodEntry& entry : method_catalogue()) {
-    if (entry.name == name) refuse(name, "must be new: a method has this name");
+    if (entry.name == name) refuse_name(name, "must be new: a method has this name");
   }
 }
 
 void require_nothing_at(std::string_view name, const fs::path& path) {
-  if (fs::exists(path)) refuse(name, fmt::format("must be new: {} is there already", path.string()));
+  if (fs::exists(path)) refuse_name(name, fmt::format("must be new: {} is there already", path.string()));
 }
 
 Places places_of(const Spellings& spellings, const std::string& include) {
@@ -52,8 +52,8 @@ Scaffold method_in_tree(std::string_view name, const fs::path& tree) {
   const fs::path folder = tree / "methods" / spellings.folder, catalogue = tree / "methods" / "catalogue.cpp";
   require_nothing_at(name, folder);
   if (const auto header = header_declaring(tree, spellings.type))
-    refuse(name, fmt::format("must give a class name that is free: {} declares {}", header->string(),
-                             spellings.type));
+    refuse_name(name, fmt::format("must give a class name that is free: {} declares {}", header->string(),
+                                  spellings.type));
   const Places places = places_of(spellings, fmt::format("methods/{0}/{0}.hpp", spellings.folder));
   Scaffold scaffold;
   for (const auto& [file, text] : {std::pair{spellings.folder + ".hpp", kMethodHeaderTemplate},

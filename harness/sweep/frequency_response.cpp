@@ -16,7 +16,7 @@ namespace signorini {
 namespace {
 
 /// Instants of an answer from which the next solve starts, and at which its extremes are read.
-constexpr int kInstants = 4096;
+constexpr int kSweepInstants = 4096;
 
 void require_end(const char* name, double value) {
   if (!std::isfinite(value) || !(value > 0.0))
@@ -45,7 +45,7 @@ SweepPoint point_of(const Record& record, double frequency, bool back) {
   return point;
 }
 
-bool answered(const Record& record) {
+bool leads_on(const Record& record) {
   return record.status == Status::converged && record.trajectory && record.period;
 }
 
@@ -68,11 +68,11 @@ class Sweep {
     const std::vector<Survey> surveys = runner_.survey(scene_, cases);
     if (surveys.empty()) return std::nullopt;
     const SolveExtras extras{
-        .start = start, .samples = kInstants, .timed = false, .certified = limits_.certified};
+        .start = start, .samples = kSweepInstants, .timed = false, .certified = limits_.certified};
     const std::optional<Record> record =
         runner_.run(scene_, {.run = &run, .survey = &surveys.front()}, extras);
     if (!record) return std::nullopt;
-    if (answered(*record)) {
+    if (leads_on(*record)) {
       last_ = *record;
       last_frequency_ = frequency;
     }

@@ -4,6 +4,7 @@
 #include <complex>
 #include <numbers>
 
+#include "methods/kernels/constants.hpp"
 #include "methods/kernels/periodic_response.hpp"
 #include "methods/kernels/receptance.hpp"
 #include "methods/kernels/reduced_receptance.hpp"
@@ -13,10 +14,6 @@ namespace signorini {
 namespace {
 
 using Complex = std::complex<double>;
-
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
-// Relative error of projected receptances: far below any defect of energy that says something.
-constexpr double kReducedTolerance = 1e-10;
 
 // 2 pi n.
 Eigen::ArrayXd turns(Eigen::Index harmonics) {

@@ -9,14 +9,13 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "methods/kernels/constants.hpp"
 #include "methods/kernels/real_fft.hpp"
 #include "methods/kernels/receptance.hpp"
 
 namespace signorini {
 
 namespace {
-
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// Forcing periods in the trajectory's period.
 int forcing_periods(const Problem& problem, double period) {

@@ -14,8 +14,6 @@ namespace {
 
 // Below this many coordinates a dense factorisation is the faster one.
 constexpr int kDenseLimit = 32;
-// Error of a projected receptance, relative to its norm: far below what a truncated series leaves.
-constexpr double kReducedTolerance = 1e-10;
 // Right-hand sides solved for at a time: bounds what is kept beside the factors.
 constexpr int kColumns = 32;
 

@@ -8,6 +8,10 @@
 
 namespace signorini {
 
+/// Error of a projected receptance that may be left, relative to its norm: far below what a truncated series
+/// leaves, and below any defect of energy that says something [-].
+inline constexpr double kReducedTolerance = 1e-10;
+
 /// Coordinates up to which each Z_n is factorised without further ado; beyond, a projection is tried first.
 inline constexpr int kMostFactorised = 2000;
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "methods/kernels/constants.hpp"
+
 namespace signorini {
 
 namespace {
@@ -20,7 +22,6 @@ using Function = std::function<double(const Guard&)>;
 double zero_between(const std::function<Guard(double)>& guard, const Function& f, double low, double high) {
   double f_low = f(guard(low)), f_high = f(guard(high));
   constexpr int kIterations = 200;
-  constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
   int moved_before = 0;  // which end moved last: -1 low, +1 high
   for (int k = 0; k < kIterations && f_high != 0.0; ++k) {
     if (std::abs(high - low) <= 2.0 * kEpsilon * std::max(std::abs(low), std::abs(high))) break;

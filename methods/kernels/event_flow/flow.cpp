@@ -7,13 +7,13 @@
 #include <numbers>
 #include <utility>
 
+#include "methods/kernels/constants.hpp"
 #include "methods/kernels/matrix_exponential.hpp"
 
 namespace signorini {
 
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr int kNodeOrder = 5;           // highest derivative of x kept at an instant; of lambda one less
 constexpr int kTaylorOrder = 12;        // of a short flight
 constexpr double kTaylorAngle = 0.3;    // its length in radians of the fastest rate: 0.3^13/13! is round-off

@@ -5,15 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "methods/kernels/constants.hpp"
 #include "methods/kernels/event_flow/impact.hpp"
 
 namespace signorini {
-
-namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-}  // namespace
 
 // The left side of an event and what the impact law made of it.
 struct RigidEvents::Impact {

@@ -43,16 +43,16 @@ double polished_peak(const Limited& f, double low, double high) {
   return t;
 }
 
-struct Sample {
+struct LimitedSample {
   double time = 0.0, value = 0.0, rate = 0.0, curvature = 0.0;
 };
 
-Sample sample(const Limited& f, double t) {
+LimitedSample sample(const Limited& f, double t) {
   return {.time = t, .value = f.value(t, 0), .rate = f.value(t, 1), .curvature = f.value(t, 2)};
 }
 
 // Extremum of the rate between two samples on either side of it.
-Sample steepest(const Limited& f, double low, double high) {
+LimitedSample steepest(const Limited& f, double low, double high) {
   constexpr int kBisections = 40;
   const bool falls = f.value(low, 2) < 0.0;
   for (int k = 0; k < kBisections; ++k) {
@@ -64,9 +64,9 @@ Sample steepest(const Limited& f, double low, double high) {
 
 Peak largest(const Limited& f, double begin, double end, const std::vector<FadingRate>& terms) {
   constexpr double kAngle = 2.0 * std::numbers::pi / 16.0;  // a step, in terms of the fastest rate left
-  Sample before = sample(f, begin);
+  LimitedSample before = sample(f, begin);
   Peak peak{before.value, begin};
-  const auto rise = [&](const Sample& a, const Sample& b) {
+  const auto rise = [&](const LimitedSample& a, const LimitedSample& b) {
     if (!(a.rate > 0.0 && b.rate < 0.0)) return;
     const double top = polished_peak(f, a.time, b.time);
     if (const double there = f.value(top, 0); there > peak.value) peak = {there, top};
@@ -74,14 +74,14 @@ Peak largest(const Limited& f, double begin, double end, const std::vector<Fadin
   for (double t = begin; t < end;) {
     const double next = t + std::min(kAngle / fastest_left(terms, t), 0.5 * (end - begin));
     t = next > t ? std::min(end, next) : end;  // an arc as short as rounding has no middle
-    const Sample here = sample(f, t);
+    const LimitedSample here = sample(f, t);
     if (here.value > peak.value) peak = {here.value, t};
     if (before.rate > 0.0 && here.rate < 0.0) {
       rise(before, here);
     } else if (before.curvature * here.curvature < 0.0) {
       // The rate turns in between: a bump too short for its signs at the samples, as after an impact at e =
       // 0.
-      const Sample turn = steepest(f, before.time, t);
+      const LimitedSample turn = steepest(f, before.time, t);
       rise(before, turn);
       rise(turn, here);
     }
