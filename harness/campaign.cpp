@@ -1,6 +1,8 @@
 #include "harness/campaign.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
@@ -10,9 +12,9 @@ namespace signorini {
 
 namespace {
 
-/// Runs cases of one scene; false if interrupted.
+/// Runs cases of one scene and tells of their records; false if interrupted.
 bool run_scene(const Scene& scene, const std::vector<const Case*>& cases, const Turns& turns, Runner& runner,
-               RecordStore& store, Progress& progress, CampaignResult& result) {
+               RecordStore& store, Progress& progress, CampaignResult& result, const SceneDone& scene_done) {
   progress.begin(scene.problem.name + ": references");
   const std::vector<Survey> surveys = runner.survey(scene, cases);
   if (interrupted()) return false;
@@ -26,6 +28,7 @@ bool run_scene(const Scene& scene, const std::vector<const Case*>& cases, const 
   }
   const double round = 1.0 / runner.limits().repetitions;
   std::vector<double> rest(cases.size(), 1.0);  // of each case, for the progress
+  std::map<std::size_t, Record> done;
   const RoundEvents events{.begin = [&](const std::string& what) { progress.begin(what); },
                            .unfinished =
                                [&](std::size_t index, const Record& record) {
@@ -36,11 +39,17 @@ bool run_scene(const Scene& scene, const std::vector<const Case*>& cases, const 
                            .complete =
                                [&](std::size_t index, const Record& record) {
                                  store.append(record);
+                                 done[index] = record;
                                  progress.advance(rest[index]);
                                  ++result.ran;
                                }};
   if (!run_rounds(runner, scene, jobs, std::move(begun), turns, events)) return false;
   store.clear_unfinished();
+  if (!scene_done || done.empty()) return true;
+  std::vector<Record> records;
+  for (auto& [index, record] : done) records.push_back(std::move(record));
+  progress.clear();
+  scene_done(records);
   return true;
 }
 
@@ -57,7 +66,8 @@ std::vector<const Case*> missing_cases(const Plan& plan, const Runner& runner, c
   return missing;
 }
 
-CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store, const Turns& turns) {
+CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store, const Turns& turns,
+                            const SceneDone& scene_done) {
   const std::vector<const Case*> missing = missing_cases(plan, runner, store);
   CampaignResult result;
   result.present = plan.cases.size() - missing.size();
@@ -68,7 +78,7 @@ CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store
                  [&](const Case* run) { return run->scene == s; });
     if (cases.empty()) continue;
     runner.forget_references();
-    if (!run_scene(plan.scenes[s], cases, turns, runner, store, progress, result)) {
+    if (!run_scene(plan.scenes[s], cases, turns, runner, store, progress, result, scene_done)) {
       result.interrupted = true;
       break;
     }

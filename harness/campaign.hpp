@@ -2,6 +2,7 @@
 // A whole run of a suite: every case of the plan gets its record.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,13 @@ struct CampaignResult {
   bool interrupted = false;
 };
 
+/// Told of the records that a scene came to, in the order of the plan, once all of them are complete.
+using SceneDone = std::function<void(const std::vector<Record>& records)>;
+
 /// Runs what the store does not hold yet, scene by scene, each record stored as soon as its rounds are
 /// complete; what is known before is kept aside, so that a kill loses only the round under way.
-CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store, const Turns& turns = {});
+CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store, const Turns& turns = {},
+                            const SceneDone& scene_done = {});
 
 /// Cases of the plan that the store does not hold, in order.
 std::vector<const Case*> missing_cases(const Plan& plan, const Runner& runner, const RecordStore& store);

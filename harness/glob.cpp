@@ -1,8 +1,24 @@
 #include "harness/glob.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include "problems/scene_family.hpp"
 
 namespace signorini {
+
+namespace {
+
+bool pieces_match(std::string_view filter, std::string_view name,
+                  bool (*piece_matches)(std::string_view pattern, std::string_view text)) {
+  const GlobPieces pieces = split_globs(filter);
+  const auto matches = [&](const std::string& pattern) { return piece_matches(pattern, name); };
+  return std::any_of(pieces.positive.begin(), pieces.positive.end(), matches) &&
+         std::none_of(pieces.negative.begin(), pieces.negative.end(), matches);
+}
+
+}  // namespace
 
 bool glob_match(std::string_view pattern, std::string_view text) {
   // Backtracks to the last star only: enough, since a later star makes earlier choices irrelevant.
@@ -58,10 +74,21 @@ GlobPieces split_globs(std::string_view filter) {
 }
 
 bool filter_matches(std::string_view filter, std::string_view name) {
-  const GlobPieces pieces = split_globs(filter);
-  const auto matches = [&](const std::string& pattern) { return glob_match(pattern, name); };
-  return std::any_of(pieces.positive.begin(), pieces.positive.end(), matches) &&
-         std::none_of(pieces.negative.begin(), pieces.negative.end(), matches);
+  return pieces_match(filter, name, glob_match);
+}
+
+bool scene_glob_match(std::string_view pattern, std::string_view name) {
+  const std::size_t level = pattern.find('@') + 1;
+  if (level == 0) return glob_match(pattern, name);
+  const std::string text(pattern.substr(level));
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0') return glob_match(pattern, name);  // "grazing@*"
+  return glob_match(std::string(pattern.substr(0, level)) + level_label(value), name);
+}
+
+bool scene_filter_matches(std::string_view filter, std::string_view name) {
+  return pieces_match(filter, name, scene_glob_match);
 }
 
 }  // namespace signorini

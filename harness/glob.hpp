@@ -23,4 +23,10 @@ GlobPieces split_globs(std::string_view filter);
 /// True if some positive piece matches and no negative one does.
 bool filter_matches(std::string_view filter, std::string_view name);
 
+/// glob_match on names of scenes, where a level of a family may be spelt in any way: "grazing@1e-2" is
+/// "grazing@0.01".
+bool scene_glob_match(std::string_view pattern, std::string_view name);
+/// filter_matches on names of scenes, by scene_glob_match.
+bool scene_filter_matches(std::string_view filter, std::string_view name);
+
 }  // namespace signorini

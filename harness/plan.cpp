@@ -22,7 +22,7 @@ struct OptionPrinter {
 };
 
 bool belongs(const Suite& suite, const SceneHeader& scene) {
-  const auto named = [&](const std::string& glob) { return glob_match(glob, scene.name); };
+  const auto named = [&](const std::string& glob) { return scene_glob_match(glob, scene.name); };
   const auto carried = [&](const std::string& tag) { return scene.carries(tag); };
   if (std::any_of(suite.without_tags.begin(), suite.without_tags.end(), carried)) return false;
   return std::any_of(suite.scenes.begin(), suite.scenes.end(), named) ||
@@ -61,7 +61,7 @@ Scene read_scene(const SceneSource& source) {
 
 Case make_case(const Scene& scene, std::size_t index, MethodChoice choice) {
   Case result{.scene = index, .choice = std::move(choice), .options = {}, .id = {}};
-  result.options = result.choice.entry->make(result.choice.settings)->options();
+  result.options = result.choice.options();
   result.id = scene.problem.name + "/" + result.choice.label();
   return result;
 }
@@ -80,7 +80,7 @@ std::vector<Scene> choose_scenes(const Suite& suite, const std::optional<std::st
   for (const SceneSource& source : sources) {
     const SceneHeader header = load_header(source);  // first: a large scene takes time to assemble
     if (!belongs(suite, header)) continue;
-    if (filter && !filter_matches(*filter, header.name)) continue;
+    if (filter && !scene_filter_matches(*filter, header.name)) continue;
     scenes.push_back(read_scene(source));
   }
   if (scenes.empty()) {

@@ -24,8 +24,12 @@ std::string progress_line(double done, std::size_t total, double elapsed_seconds
 
 Progress::Progress(std::size_t total) : total_(total), visible_(isatty(STDERR_FILENO) == 1) {}
 
-Progress::~Progress() {
-  if (visible_) fmt::print(stderr, "\r\033[K");
+Progress::~Progress() { clear(); }
+
+void Progress::clear() const {
+  if (!visible_) return;
+  fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
 }
 
 void Progress::begin(const std::string& what) {

@@ -15,6 +15,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// Makes room for other output.
+  void clear() const;
   /// What is under way.
   void begin(const std::string& what);
   /// This many cases more are done, or a share of one.

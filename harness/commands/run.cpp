@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "harness/campaign.hpp"
 #include "harness/commands/command_line.hpp"
@@ -95,6 +96,28 @@ void describe_run(RunFolder run, bool resume) {
   write_plan(run.path, run.plan);
 }
 
+/// The rows of a scene as soon as they are known: a suite takes minutes.
+void print_scene(const std::vector<Record>& records) {
+  std::vector<Section> sections = case_sections(Evaluation(records));
+  sections.front().title = records.front().scene;  // a scene is done with the case that was its last
+  sections.front().note.clear();                   // the whole report has it
+  fmt::print("{}\n", markdown_report(sections));
+  std::fflush(stdout);
+}
+
+/// All sections; of the rows, if they were all printed scene by scene, only how to read them.
+std::vector<Section> closing_sections(const Evaluation& evaluation, bool rows_printed) {
+  std::vector<Section> sections = sections_of(evaluation);
+  if (!rows_printed) return sections;
+  for (Section& section : sections) {
+    if (section.id != kCasesId) continue;
+    section.title = "How to read the cases";
+    section.text = std::exchange(section.note, {});
+    section.table = {};
+  }
+  return sections;
+}
+
 int run_suite(const RunArguments& arguments) {
   const Suite suite = load_suite(arguments.suite);
   const Plan plan = plan_of(arguments, suite);
@@ -112,7 +135,7 @@ int run_suite(const RunArguments& arguments) {
                arguments.resume);
   if (!build_may_be_timed()) fmt::print(stderr, "this is not a Release build: no times are recorded\n");
   watch_interrupts();
-  const CampaignResult result = run_campaign(plan, runner, store, arguments.turns);
+  const CampaignResult result = run_campaign(plan, runner, store, arguments.turns, print_scene);
   if (result.interrupted) {
     fmt::print(stderr,
                "interrupted after {} of {} cases; the same command with --resume --out {} does the rest\n",
@@ -122,7 +145,7 @@ int run_suite(const RunArguments& arguments) {
   const std::vector<Record> records = read_current_records(folder);
   const Evaluation evaluation(records, runner.limits());
   write_report(folder, evaluation, {"md", "csv"});
-  fmt::print("{}", markdown_report(sections_of(evaluation)));
+  fmt::print("{}", markdown_report(closing_sections(evaluation, result.present == 0)));
   fmt::print(
       "\n{} cases run, {} already there; records, manifest and tables (table.md, table.csv) are in {}\n",
       result.ran, result.present, folder.string());

@@ -98,7 +98,7 @@ std::vector<std::string> scenes_to_verify(const VerifyArguments& arguments, cons
   names.erase(std::unique(names.begin(), names.end()), names.end());
   const std::string filter = arguments.scenes.value_or("*");
   std::erase_if(names, [&](const std::string& name) {
-    return !filter_matches(filter, name) ||
+    return !scene_filter_matches(filter, name) ||
            std::find(left_out.begin(), left_out.end(), name) != left_out.end();
   });
   if (names.empty()) {
@@ -232,7 +232,7 @@ int verify_records(const VerifyArguments& arguments, const fs::path& folder) {
         folder.string()));
   std::vector<Record> kept = read_current_records(folder);
   const std::string filter = arguments.scenes.value_or("*");
-  std::erase_if(kept, [&](const Record& record) { return !filter_matches(filter, record.scene); });
+  std::erase_if(kept, [&](const Record& record) { return !scene_filter_matches(filter, record.scene); });
   Progress progress(kept.size());
   const Rerun result = rerun_records(kept, limits_of_run(folder), arguments.cases, method_catalogue(),
                                      [&](const std::string& what) { progress.begin(what); });

@@ -59,7 +59,7 @@ std::string remark(const Record& record) {
 }  // namespace
 
 std::vector<Section> case_sections(const Evaluation& evaluation) {
-  Section section{.id = "cases", .title = "Every case", .note = std::string(kLegend)};
+  Section section{.id = std::string(kCasesId), .title = "Every case", .note = std::string(kLegend)};
   section.table.header = {"scene",      "law",           "method",   "represents",  "status",
                           "error of x", "energy defect", "time min", "time median", "pivots, iterations",
                           "orbit"};

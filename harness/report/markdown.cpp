@@ -55,7 +55,7 @@ std::string markdown_report(std::span<const Section> sections) {
   for (const Section& section : sections) {
     text += fmt::format("{}## {}\n\n", text.empty() ? "" : "\n", section.title);
     if (!section.text.empty()) text += wrapped(section.text) + "\n";
-    text += to_markdown(section.table);
+    if (!section.table.header.empty()) text += to_markdown(section.table);
     if (!section.note.empty()) text += "\n" + wrapped(section.note);
   }
   return text;

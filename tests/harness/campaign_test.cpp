@@ -126,6 +126,19 @@ TEST(RunCampaign, RunsAgainWhatAnotherVersionOfTheCodeDid) {
   EXPECT_EQ(run_campaign(plan_of({"give_up"}), fresh, store).ran, 1U);
 }
 
+TEST(RunCampaign, TellsOfTheRecordsOfASceneInTheOrderOfThePlan) {
+  const Plan plan = plan_of({"good", "give_up", "throw_error"});
+  RecordStore store(test::fresh_folder("told"), false);
+  Runner runner = runner_of();
+  std::vector<std::string> told;
+  run_campaign(plan, runner, store, {}, [&](const std::vector<Record>& records) {
+    for (const Record& record : records) told.push_back(record.case_id);
+  });
+  std::vector<std::string> planned;
+  for (const Case& run : plan.cases) planned.push_back(run.id);
+  EXPECT_EQ(told, planned);
+}
+
 TEST(RunCampaign, RunsACaseSpeltTwoWaysOnce) {
   Plan plan = plan_of({"good"});
   plan.cases.push_back(make_case(plan.scenes[0], 0, {&test::fake_catalogue().front(), {}}));

@@ -53,5 +53,13 @@ TEST(FilterMatches, WithOnlyNegativePiecesMeansAllOthers) {
   EXPECT_FALSE(filter_matches("sdof-stop*-*e05", "sdof-stop-e05"));
 }
 
+TEST(SceneFilterMatches, ALevelHoweverItIsSpelt) {
+  for (const char* filter : {"grazing@1e-2", "grazing@0.01", "graz*@.01", "grazing@*", "grazing*", "-sdof*"})
+    EXPECT_TRUE(scene_filter_matches(filter, "grazing@0.01")) << filter;
+  for (const char* filter : {"grazing@1e-3", "grazing@", "grazing", "*-grazing@1e-2", "@0.01"})
+    EXPECT_FALSE(scene_filter_matches(filter, "grazing@0.01")) << filter;
+  EXPECT_TRUE(scene_filter_matches("grazing@0.0001", "grazing@1e-4"));
+}
+
 }  // namespace
 }  // namespace signorini
