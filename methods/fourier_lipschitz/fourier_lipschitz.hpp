@@ -46,7 +46,8 @@ class FourierLipschitz final : public Method {
             "highest harmonic H kept, 1..100000; auto: 20, where that fails twice as many, up to 160");
       field("samples", samples, "[-]",
             "N per period, >= 2 H + 1; auto: no grid beyond 20 harmonics, else 8 H or finer (sampled: 32 H)");
-      field("c", c, "[-]", "constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H");
+      field("c", c, "[-]",
+            "constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H, compensated 32x");
       field("quadrature", quadrature, "[-]",
             "exact: contact integral between its edges | sampled: on the N samples; auto: exact, sampled if "
             "plain");

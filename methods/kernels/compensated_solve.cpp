@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "methods/kernels/harmonic_climb.hpp"
 #include "methods/kernels/hat_grids.hpp"
 #include "methods/kernels/periodic_response.hpp"
 #include "methods/kernels/projected_contact.hpp"
@@ -16,16 +17,21 @@ namespace signorini {
 namespace {
 
 constexpr int kBracketed = 16;               // samples per harmonic: contacts told apart as in a climb
-constexpr int kFewest = 8;                   // harmonics for which the coarsest grid is made
+constexpr double kOnTheWay = 1e-4;           // of a compensation that only leads to another, relative to x
+constexpr int kFewestBracketed = 8;          // harmonics for which the coarsest grid is made
 constexpr int kNodesInAll = kFinestHatGrid;  // nodes times contacts that a second start may take
 constexpr int kNodesPerHarmonic = 4;         // fewer do not carry the harmonics asked for
 
 /// One solve, its impacts, and what it spends.
 class Compensating {
  public:
-  Compensating(const ImpactCompensation& compensation, const ProjectedEquations& equations,
-               const Start& start, Work& work)
-      : compensation_(compensation), equations_(equations), start_(start), work_(work) {}
+  Compensating(const CompensatedSolve& compensated, const ProjectedEquations& equations, const Start& start,
+               Work& work)
+      : compensation_(compensated.compensation()),
+        hardening_(compensated.hardening()),
+        equations_(equations),
+        start_(start),
+        work_(work) {}
 
   /// The compensated answer near a guess that is one itself, by Newton's method at once; nothing if there is
   /// none.
@@ -33,10 +39,11 @@ class Compensating {
     const auto* guess = dynamic_cast<const FourierTrajectory*>(start_.guess.get());
     if (guess == nullptr || static_cast<int>(guess->data().shifts.size()) != equations_.receptance.contacts())
       return std::nullopt;
-    const ImpactCompensation::Result result = compensate(force_of(*guess), guess->data().shifts);
+    const ImpactCompensation::Result result =
+        compensate(hard_law(), force_of(*guess), guess->data().shifts, equations_.tolerance);
     count(result);
     if (!result.converged || result.impacts == 0) return std::nullopt;
-    return answer(result, "Newton from the guess");
+    return answer(hard_law(), result, "Newton from the guess");
   }
 
   enum class Outcome {
@@ -47,24 +54,29 @@ class Compensating {
 
   /// Gives a converged answer its compensated impacts, within `limit` pivots and steps in all.
   Outcome settle(Solution& solution, long limit) const {
-    const ImpactCompensation::Result result = compensate(force_of(*solution.trajectory), {});
+    const bool hardens = limit == 0 && hardening_ != 1.0;
+    const ImpactCompensation::Result result = compensate(equations_.law, force_of(*solution.trajectory), {},
+                                                         hardens ? kOnTheWay : equations_.tolerance);
     const bool in_limit = limit == 0 || spent(work_) + result.iterations <= limit;
     if (in_limit) count(result);
     if (result.converged && result.impacts == 0) return Outcome::settled;
     if (!result.converged || !in_limit) return result.exact ? Outcome::open : Outcome::loose;
-    solution = answer(result, solution.message);
+    const std::optional<Solution> found =
+        hardens ? hardened(result, solution.message) : answer(equations_.law, result, solution.message);
+    if (!found) return Outcome::open;
+    solution = *found;
     return Outcome::settled;
   }
 
   /// The compensated answer that a motion on hat functions leads to; nothing if there is none.
   [[nodiscard]] std::optional<Solution> from_hat(const Trajectory& motion, int samples) const {
-    const ImpactCompensation::Result result = compensate(force_of(motion), {});
+    const ImpactCompensation::Result result =
+        compensate(equations_.law, force_of(motion), {}, equations_.tolerance);
     count(result);
     if (!result.converged) return std::nullopt;
     const std::string how = fmt::format("{} hat functions first, Newton from there", samples);
-    if (result.impacts > 0) return answer(result, how);
-    return exact_solution(equations_.receptance, equations_.gap, equations_.law, result.lambda,
-                          result.residual, how);
+    if (result.impacts > 0) return hardened(result, how);
+    return exact_solution(equations_.receptance, equations_.gap, equations_.law, result.series, how);
   }
 
  private:
@@ -78,17 +90,48 @@ class Compensating {
     return force_spectrum(motion, equations_.receptance.harmonics());
   }
 
-  [[nodiscard]] ImpactCompensation::Result compensate(const Eigen::MatrixXcd& lambda,
-                                                      const StopShifts& shifts) const {
-    const int samples = kBracketed * std::max(equations_.receptance.harmonics(), kFewest);
-    return compensation_(equations_.receptance, equations_.gap, equations_.law, lambda, shifts, samples,
-                         equations_.tolerance, start_);
+  [[nodiscard]] ImpactCompensation::Result compensate(const ProjectedLaw& law, const Eigen::MatrixXcd& lambda,
+                                                      const StopShifts& shifts, double tolerance) const {
+    const int samples = kBracketed * std::max(equations_.receptance.harmonics(), kFewestBracketed);
+    return compensation_(equations_.receptance, equations_.gap, law, lambda, shifts, samples, tolerance,
+                         start_);
   }
 
-  /// The answer behind compensated impacts, found as `how` says.
-  [[nodiscard]] Solution answer(const ImpactCompensation::Result& result, const std::string& how) const {
+  [[nodiscard]] ProjectedLaw hard_law() const {
+    return {hardening_ * equations_.law.constant, equations_.law.relief};
+  }
+
+  /// The answer behind impacts compensated at least nearly, and a harder law, whose force is nearer to an
+  /// impulse: an improvement of the same motion; under the law itself if there is none. Nothing if that does
+  /// not converge either.
+  [[nodiscard]] std::optional<Solution> hardened(const ImpactCompensation::Result& near,
+                                                 const std::string& how) const {
+    const auto from_there = [&](const ProjectedLaw& law) {
+      const ImpactCompensation::Result result =
+          compensate(law, near.series.lambda, near.shifts, equations_.tolerance);
+      count(result);
+      return result;
+    };
+    const ImpactCompensation::Result shorter = from_there(hard_law());
+    if (shorter.converged && shorter.impacts == near.impacts &&
+        near_by(distance(shorter.series.lambda, near.series.lambda)))
+      return answer(hard_law(), shorter, how);
+    const ImpactCompensation::Result own = from_there(equations_.law);
+    if (!own.converged || own.impacts == 0) return std::nullopt;
+    return answer(equations_.law, own, how);
+  }
+
+  /// Of the motions under two forces, relative.
+  [[nodiscard]] double distance(const Eigen::MatrixXcd& force, const Eigen::MatrixXcd& other) const {
+    const Eigen::MatrixXcd x = contact_motion(equations_.receptance, force);
+    return (contact_motion(equations_.receptance, other) - x).norm() / x.norm();
+  }
+
+  /// The answer behind compensated impacts under one law, found as `how` says.
+  [[nodiscard]] Solution answer(const ProjectedLaw& law, const ImpactCompensation::Result& result,
+                                const std::string& how) const {
     FourierTrajectory::Data data =
-        fourier_data(equations_.receptance, equations_.gap, equations_.law, result.lambda);
+        fourier_data(equations_.receptance, equations_.gap, law, result.series.lambda);
     data.shifts = result.shifts;
     return {.verdict = Verdict::converged,
             .message = fmt::format(
@@ -96,10 +139,12 @@ class Compensating {
                 result.impacts, result.impacts == 1 ? "" : "s", result.largest,
                 net_work_ratio(data.x, data.lambda)),
             .trajectory = std::make_shared<FourierTrajectory>(std::move(data)),
-            .residual = result.residual};
+            .residual = result.series.residual,
+            .condition = result.series.condition};
   }
 
   const ImpactCompensation& compensation_;
+  double hardening_;
   const ProjectedEquations& equations_;
   const Start& start_;
   Work& work_;
@@ -162,7 +207,7 @@ Solution uncompensated(Solution solution, Compensating::Outcome outcome, const S
 /// solve_compensated where there is a compensation.
 Solution compensate(CompensatedSolve& compensated, const ProjectedEquations& equations, long limit,
                     const Start& start, Work& work, const std::function<Solution(Work&)>& solve) {
-  const Compensating compensating(compensated.compensation(), equations, start, work);
+  const Compensating compensating(compensated, equations, start, work);
   if (limit == 0) {
     if (std::optional<Solution> near = compensating.from_guess()) return *std::move(near);
   }
@@ -179,19 +224,20 @@ Solution compensate(CompensatedSolve& compensated, const ProjectedEquations& equ
 }  // namespace
 
 CompensatedSolve::CompensatedSolve(const Problem& problem, ImpactCompensation compensation,
-                                   bool second_starts)
-    : compensation_(std::move(compensation)) {
+                                   const CompensationSettings& settings)
+    : compensation_(std::move(compensation)), hardening_(settings.hardening) {
   // Restitution 1 is what the projected force represents, whatever the scene's.
   constexpr double kConservative = 1.0;
-  if (second_starts && coarsest_hat_grid(problem) * problem.contact_count() <= kNodesInAll)
+  if (settings.second_starts && coarsest_hat_grid(problem) * problem.contact_count() <= kNodesInAll)
     grids_ = hat_grids(problem, HatSettings{}, kConservative);
 }
 
 std::shared_ptr<CompensatedSolve> compensated_solve(const Problem& problem,
-                                                    const ContactReceptance& receptance, bool second_starts) {
+                                                    const ContactReceptance& receptance,
+                                                    const CompensationSettings& settings) {
   std::optional<ImpactCompensation> compensation = impact_compensation(problem, receptance);
   if (!compensation) return nullptr;
-  return std::make_shared<CompensatedSolve>(problem, *std::move(compensation), second_starts);
+  return std::make_shared<CompensatedSolve>(problem, *std::move(compensation), settings);
 }
 
 Solution solve_compensated(CompensatedSolve* compensated, const ProjectedEquations& equations, long limit,

@@ -22,6 +22,12 @@ struct ProjectedEquations {
   double tolerance;                     ///< as of project_exactly
 };
 
+/// How far compensation goes.
+struct CompensationSettings {
+  bool second_starts = true;  ///< hat functions are asked where impacts cannot be compensated
+  double hardening = 1.0;     ///< factor on the law's constant once they are, see hardening_of [-]
+};
+
 /// What stands by a solve whose impacts are to be compensated.
 ///
 /// The equations of few harmonics may be solved by a motion that rattles and is near no orbit: its impacts
@@ -30,30 +36,36 @@ struct ProjectedEquations {
 /// either, the witness that an answer must agree with (docs/decisions/0014).
 class CompensatedSolve {
  public:
-  /// `problem` must outlive it. \param second_starts  whether hat functions are asked
-  CompensatedSolve(const Problem& problem, ImpactCompensation compensation, bool second_starts);
+  /// `problem` must outlive it.
+  CompensatedSolve(const Problem& problem, ImpactCompensation compensation,
+                   const CompensationSettings& settings);
 
   /// That of the scene.
   [[nodiscard]] const ImpactCompensation& compensation() const { return compensation_; }
   /// Null where none are wanted, or the scene has too many contacts for as many nodes.
   [[nodiscard]] Resolutions* second_starts() { return grids_ ? &*grids_ : nullptr; }
+  /// As of its settings.
+  [[nodiscard]] double hardening() const { return hardening_; }
 
  private:
   ImpactCompensation compensation_;
+  double hardening_;
   std::optional<Resolutions> grids_;
 };
 
 /// For a scene whose impacts can be compensated (impact_compensation); null for any other.
 std::shared_ptr<CompensatedSolve> compensated_solve(const Problem& problem,
-                                                    const ContactReceptance& receptance, bool second_starts);
+                                                    const ContactReceptance& receptance,
+                                                    const CompensationSettings& settings);
 
 /// The answer of `solve` with its impacts compensated, and the work of both. A guess with compensated impacts
-/// is taken up by Newton's method first. Where the answer's impacts cannot be compensated, hat functions give
-/// a second start; where that does not serve either, the answer stays what it is, and is claimed only if the
-/// motion on hat functions is near it. With a limit on pivots and steps in all (0: none) only the answer
-/// itself is compensated, within it. The message says which. `compensated` null: the answer of `solve` alone.
-/// `solve` gives a FourierTrajectory under the law of `equations` where it converges, and adds to the work
-/// handed to it.
+/// is taken up by Newton's method first. Compensated impacts are then made shorter by a harder law, where
+/// Newton's method follows and the motion stays the same. Where the answer's impacts cannot be compensated,
+/// hat functions give a second start; where that does not serve either, the answer stays what it is, and is
+/// claimed only if the motion on hat functions is near it. With a limit on pivots and steps in all (0: none)
+/// only the answer itself is compensated, within it. The message says which. `compensated` null: the answer
+/// of `solve` alone. `solve` gives a FourierTrajectory under the law of `equations` where it converges, and
+/// adds to the work handed to it.
 Solution solve_compensated(CompensatedSolve* compensated, const ProjectedEquations& equations, long limit,
                            const Start& start, Work work, const std::function<Solution(Work&)>& solve);
 

@@ -77,6 +77,18 @@ bool compensates(const Options& options) {
   return options.compensate.value_or(!options.plain) && quadrature_of(options) == Quadrature::exact;
 }
 
+/// Factor by which the law's constant grows once impacts are compensated: the harder the law, the nearer the
+/// force is to an impulse, and the error to that of truncation alone (docs/decisions/0011). 1 where the user
+/// chose the constant.
+template <class Options>
+double hardening_of(const Options& options) {
+  constexpr double kHardening = 8.0;
+  bool chosen = false;
+  if constexpr (requires { options.c; }) chosen = chosen || options.c.has_value();
+  if constexpr (requires { options.penalty; }) chosen = chosen || options.penalty.has_value();
+  return chosen ? 1.0 : kHardening;
+}
+
 /// N asked for; else 32 H if `plain`, and empty (what the solve needs) otherwise.
 template <class Options>
 std::optional<int> samples_of(const Options& options, int harmonics) {

@@ -42,8 +42,9 @@ class PenaltyHbm final : public Method {
       field("samples", samples, "[-]",
             "N per period, >= 2 H + 1; auto: no grid beyond 20 harmonics, else 8 H or finer (sampled: 32 H)");
       field("penalty", penalty, "[N/m]",
-            "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x the dynamic one "
-            "near H, stiffer if massless");
+            "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x (compensated 64x) "
+            "the "
+            "dynamic one near H, stiffer if massless");
       field("quadrature", quadrature, "[-]",
             "exact: contact integral between its edges | sampled: on the N samples; auto: exact, sampled if "
             "plain");
