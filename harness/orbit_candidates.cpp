@@ -108,14 +108,13 @@ CandidateUnit from_rest(const Problem& problem) {
 
 /// A method with one set of options; none if it does not apply or represents another law.
 std::optional<CandidateUnit> cold_start(const Problem& problem, const MethodChoice& choice, int order) {
-  const std::unique_ptr<Method> probe = choice.entry->make(choice.settings);
+  const std::unique_ptr<Method> probe = choice.make();
   const Problem at = at_order(problem, order);
   if (!probe->supports(at).ok || !law_matches(probe->law(at), problem.law)) return std::nullopt;
   return CandidateUnit{
       choice.label(), [&problem, choice, order](const Deliver& deliver, SteadyTime deadline) {
         OrbitCandidate candidate{.origin = Origin::method, .source = choice.label(), .order = order};
-        solve_cold(at_order(problem, order), *choice.entry->make(choice.settings),
-                   no_later(deadline, kMethodSeconds), candidate);
+        solve_cold(at_order(problem, order), *choice.make(), no_later(deadline, kMethodSeconds), candidate);
         deliver(candidate);
       }};
 }

@@ -28,7 +28,15 @@ constexpr double kQuickSeconds = 10.0;
 double late(double seconds) { return seconds * kLateness + kLatenessSeconds; }
 
 /// One line; text that is not UTF-8 is repaired rather than refused.
-std::string one_line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+/// How many periods of a motion make the one that a scene asks for; 0 if no whole number does.
+int whole_periods(const Problem& problem, const Trajectory& motion) {
+  constexpr double kSamePeriod = 1e-6;  // as of an answer's period
+  const double ratio = problem.period() / motion.period();
+  const double whole = std::round(ratio);
+  return whole >= 1.0 && std::abs(ratio - whole) <= kSamePeriod * ratio ? static_cast<int>(whole) : 0;
+}
+
+std::string as_line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 std::string law_key(const Problem& problem, const RepresentedLaw& law) {
   return std::holds_alternative<Undetermined>(law) ? law_to_json(as_represented(problem.law)).dump()
@@ -45,11 +53,11 @@ Survey read_survey(const std::string& line) {
 }
 
 void send_survey(const Scene& scene, const Case& run, const Send& send) {
-  const std::unique_ptr<Method> method = run.choice.entry->make(run.choice.settings);
+  const std::unique_ptr<Method> method = run.choice.make();
   const Support support = method->supports(scene.problem);
   Json json{{"ok", support.ok}, {"reason", support.reason}};
   if (support.ok) json["law"] = law_to_json(method->law(scene.problem));
-  send(one_line(json));
+  send(as_line(json));
 }
 
 Reference take_reference(const ChildEnd& end) {
@@ -69,9 +77,8 @@ Reference take_reference(const ChildEnd& end) {
 constexpr const char* kRepeated = "in a repeated solve: ";
 
 std::string repeat_line(const RepeatedSolve& repeat) {
-  if (!repeat.times) return one_line({{"message", repeat.message}});
-  return one_line(
-      {{"setup", repeat.times->setup}, {"solve", repeat.times->solve}, {"answer", repeat.answer}});
+  if (!repeat.times) return as_line({{"message", repeat.message}});
+  return as_line({{"setup", repeat.times->setup}, {"solve", repeat.times->solve}, {"answer", repeat.answer}});
 }
 
 /// A child that died after the answer was in: while it was timed or cleaned up that is the method's doing,
@@ -171,8 +178,8 @@ void Runner::compute_references(const Scene& scene, std::span<const Survey> surv
     work.push_back([this, &scene, law](const Send& send) {
       const auto limit = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
           std::chrono::duration<double>(limits_.reference_timeout));
-      send(one_line(to_json(compute_reference(under_law(scene.problem, law), orbits_,
-                                              std::chrono::steady_clock::now() + limit))));
+      send(as_line(to_json(compute_reference(under_law(scene.problem, law), orbits_,
+                                             std::chrono::steady_clock::now() + limit))));
     });
   };
   const auto runs = [](const Survey& survey) { return survey.ok; };
@@ -231,15 +238,37 @@ Record Runner::blank(const Scene& scene, const Case& run, const Survey& survey) 
 }
 
 std::optional<Record> Runner::without_run(const Scene& scene, const Job& job) const {
-  if (!job.survey->failure && job.survey->ok) return std::nullopt;
   Record record = blank(scene, *job.run, *job.survey);
   if (job.survey->failure) {
     take_failure(*job.survey->failure, record);
-  } else {
-    record.status = Status::not_applicable;
-    record.message = job.survey->reason;
+    return record;
   }
+  record.status = Status::not_applicable;
+  record.message = job.survey->reason;
+  if (!job.survey->ok) return record;
+  if (!job.run->choice.start()) return std::nullopt;
+  record.message = start_obstacle(scene, job);
+  if (record.message.empty()) return std::nullopt;
   return record;
+}
+
+std::string Runner::start_obstacle(const Scene& scene, const Job& job) const {
+  const Reference& reference = reference_for(scene.problem, *job.survey->law);
+  if (!reference.orbit) return "no orbit to start from: " + reference.reason;
+  if (whole_periods(scene.problem, *reference.orbit) > 0) return {};
+  return fmt::format(
+      "no orbit to start from: the one reached from rest has a period of {:.6g} s, asked for is {:.6g} s",
+      reference.orbit->period(), scene.problem.period());
+}
+
+std::shared_ptr<const Trajectory> Runner::start_of(const Scene& scene, const Job& job,
+                                                   const SolveExtras& extras) const {
+  const std::optional<double> late = job.run->choice.start();
+  if (extras.start || !late) return extras.start;
+  const std::shared_ptr<const SampledTrajectory>& orbit =
+      reference_for(scene.problem, *job.survey->law).orbit;
+  return std::make_shared<SampledTrajectory>(
+      repeated(delayed(*orbit, *late), whole_periods(scene.problem, *orbit)));
 }
 
 Trial Runner::trial_of(const Scene& scene, const Job& job, const SolveExtras& extras) const {
@@ -250,7 +279,7 @@ Trial Runner::trial_of(const Scene& scene, const Job& job, const SolveExtras& ex
           .reference = reference_for(scene.problem, *job.survey->law),
           .scene_reference = reference_for(scene.problem, Undetermined{}),
           .orbits = orbits_,
-          .start = extras.start,
+          .start = start_of(scene, job, extras),
           .samples = extras.samples,
           .timed = extras.timed,
           .certified = extras.certified,
@@ -270,7 +299,7 @@ void Runner::run_first(const Scene& scene, std::span<const Job> jobs, int parall
     places.push_back(i);
     work.push_back([this, &scene, &job = jobs[i], &extras](const Send& send) {
       run_trial(trial_of(scene, job, extras), blank(scene, *job.run, *job.survey),
-                [&](const Record& so_far) { send(one_line(to_json(so_far))); });
+                [&](const Record& so_far) { send(as_line(to_json(so_far))); });
     });
   }
   run_isolated_together(work, trial_limits(), parallel, [&](std::size_t k, const ChildEnd& end) {
@@ -295,7 +324,10 @@ void Runner::run_later(const Scene& scene, std::span<const Job> jobs, std::span<
   std::vector<IsolatedWork> work;
   for (const Job& job : jobs) {
     work.push_back([this, &scene, &job, &extras](const Send& send) {
-      send(repeat_line(repeat_solve(scene, *job.run, limits_, extras.start)));
+      // A run that is resumed may find no orbit this time.
+      const std::string obstacle = job.run->choice.start() ? start_obstacle(scene, job) : std::string();
+      if (!obstacle.empty()) return send(repeat_line({.times = {}, .message = obstacle}));
+      send(repeat_line(repeat_solve(scene, *job.run, limits_, start_of(scene, job, extras))));
     });
   }
   const IsolationLimits limits{.stage_seconds = {2.0 * late(limits_.timeout) + kQuickSeconds, kQuickSeconds},

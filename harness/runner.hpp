@@ -29,7 +29,7 @@ struct Survey {
 
 /// What one solve wants beyond its case.
 struct SolveExtras {
-  std::shared_ptr<const Trajectory> start = {};  ///< null: cold
+  std::shared_ptr<const Trajectory> start = {};  ///< null: as the case says, cold unless it does
   int samples = 0;
   bool timed = true;
   bool certified = true;  ///< look for the orbit behind the answer
@@ -84,6 +84,11 @@ class Runner {
   [[nodiscard]] std::string key_of(const Scene& scene, const Case& run) const;
 
  private:
+  /// Why there is no motion to start from for a case that asks for one; empty if there is.
+  [[nodiscard]] std::string start_obstacle(const Scene& scene, const Job& job) const;
+  /// Where the solves of a job begin, if there is no obstacle. Null: cold.
+  [[nodiscard]] std::shared_ptr<const Trajectory> start_of(const Scene& scene, const Job& job,
+                                                           const SolveExtras& extras) const;
   [[nodiscard]] std::optional<Record> without_run(const Scene& scene, const Job& job) const;
   [[nodiscard]] Trial trial_of(const Scene& scene, const Job& job, const SolveExtras& extras) const;
   [[nodiscard]] Record blank(const Scene& scene, const Case& run, const Survey& survey) const;

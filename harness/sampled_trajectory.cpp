@@ -88,6 +88,39 @@ Samples SampledTrajectory::sample(int count) const {
   return result;
 }
 
+SampledTrajectory delayed(const SampledTrajectory& motion, double share) {
+  SampledTrajectory::Data data = motion.data();
+  const Eigen::Index count = data.samples.x.rows();
+  const auto late = static_cast<Eigen::Index>(std::lround(share * static_cast<double>(count))) % count;
+  for (Eigen::MatrixXd* values : {&data.samples.x, &data.samples.velocity, &data.samples.force}) {
+    for (auto column : values->colwise()) std::rotate(column.begin(), column.end() - late, column.end());
+  }
+  const double delay = data.period * static_cast<double>(late) / static_cast<double>(count);
+  for (Impulse& impulse : data.impulses) {
+    impulse.time += delay;
+    if (impulse.time >= data.period) impulse.time -= data.period;
+  }
+  std::sort(data.impulses.begin(), data.impulses.end(),
+            [](const Impulse& a, const Impulse& b) { return a.time < b.time; });
+  return SampledTrajectory(std::move(data));
+}
+
+SampledTrajectory repeated(const SampledTrajectory& motion, int periods) {
+  const SampledTrajectory::Data& once = motion.data();
+  SampledTrajectory::Data data = once;
+  data.period = periods * once.period;
+  data.samples = {once.samples.x.replicate(periods, 1), once.samples.velocity.replicate(periods, 1),
+                  once.samples.force.replicate(periods, 1)};
+  if (data.bandwidth) *data.bandwidth *= periods;
+  for (int k = 1; k < periods; ++k) {
+    for (Impulse impulse : once.impulses) {
+      impulse.time += k * once.period;
+      data.impulses.push_back(impulse);
+    }
+  }
+  return SampledTrajectory(std::move(data));
+}
+
 std::string trajectory_defect(const Trajectory& trajectory, int contacts, double forcing_period, int count) {
   if (trajectory.contact_count() != contacts) {
     return fmt::format("the trajectory has {} contacts, the scene {}", trajectory.contact_count(), contacts);

@@ -36,6 +36,12 @@ class SampledTrajectory final : public Trajectory {
   Data data_;
 };
 
+/// The same motion, late by a share of its period in [0, 1), rounded to whole samples.
+SampledTrajectory delayed(const SampledTrajectory& motion, double share);
+
+/// The same motion with `periods` >= 1 of its periods taken for one.
+SampledTrajectory repeated(const SampledTrajectory& motion, int periods);
+
 /// What is wrong with a trajectory as an answer on `contacts` contacts sampled at `count` instants: wrong
 /// sizes, values that are not finite, a period that is not a whole multiple of `forcing_period`
 /// (to 1e-6 relative), impulses outside the period or at no contact. Empty if nothing is.

@@ -56,6 +56,33 @@ std::string MethodChoice::label() const {
   return inside.empty() ? std::string(entry->name) : fmt::format("{}[{}]", entry->name, inside);
 }
 
+std::unique_ptr<Method> MethodChoice::make() const {
+  Settings own = settings;
+  std::erase_if(own, [](const OptionSetting& setting) { return setting.first == kStartSetting; });
+  return entry->make(own);
+}
+
+std::optional<double> MethodChoice::start() const {
+  for (const auto& [key, value] : settings) {
+    if (key != kStartSetting) continue;
+    const double late = option_detail::parse_double(key, value);
+    require_option(late >= 0.0 && late < 1.0, key, late, "must be in [0, 1), a share of the period");
+    return late;
+  }
+  return std::nullopt;
+}
+
+std::vector<OptionEcho> MethodChoice::options() const {
+  std::vector<OptionEcho> all = make()->options();
+  if (const std::optional<double> late = start()) {
+    all.push_back({.name = std::string(kStartSetting),
+                   .value = *late,
+                   .unit = "[-]",
+                   .meaning = "from the scene's orbit, late by this share of its period"});
+  }
+  return all;
+}
+
 std::vector<Settings> expand_settings(std::string_view text) {
   std::vector<Settings> sets{{}};
   if (text.empty()) return sets;

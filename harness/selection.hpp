@@ -2,6 +2,8 @@
 // Methods with the option settings they run with: `penalty-hbm[harmonics=31,penalty=1e4|1e6]`.
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,7 +22,17 @@ struct MethodChoice {
 
   /// "penalty-hbm[harmonics=31,penalty=1e4]"; the bare name where nothing is set.
   [[nodiscard]] std::string label() const;
+  /// The method with these settings, but for kStartSetting. \throws InvalidOption
+  [[nodiscard]] std::unique_ptr<Method> make() const;
+  /// What the options are, kStartSetting among them if it is set. \throws InvalidOption
+  [[nodiscard]] std::vector<OptionEcho> options() const;
+  /// The share of its period, in [0, 1), by which the motion is late that a solve starts from: the orbit that
+  /// the scene reaches from rest under the method's law. Empty: a cold start. \throws InvalidOption
+  [[nodiscard]] std::optional<double> start() const;
 };
+
+/// A setting of every method that the harness itself heeds, see MethodChoice::start.
+inline constexpr std::string_view kStartSetting = "start";
 
 /// The cross product of the alternatives, the last key varying fastest:
 /// "a=1,b=2|3" -> {a=1,b=2}, {a=1,b=3}. Empty text gives one empty set.

@@ -56,6 +56,7 @@ void print_report(const Record& record) {
   if (!record.physics.effective_restitution.empty()) {
     fmt::print("{:<22}{:.4f}\n", "restitution found", fmt::join(record.physics.effective_restitution, ", "));
   }
+  print_measure("condition estimate", record.condition);
   const Work& work = record.work.counts;
   for (const auto& [name, count] :
        {std::pair{"unknowns", work.unknowns}, std::pair{"iterations", work.iterations},
@@ -73,6 +74,8 @@ int solve(const SolveArguments& arguments) {
   const Case run = make_case(scene, 0, {&find_method(arguments.method), parse_settings(arguments.settings)});
   SolveExtras extras{.samples = arguments.samples};
   if (!arguments.start.empty()) extras.start = start_from_file(arguments.start);
+  if (extras.start && run.choice.start())
+    throw UsageError("set = start (must be left out: --start names the motion to start from)");
   if (extras.start && extras.start->contact_count() != scene.problem.contact_count()) {
     throw UsageError(fmt::format("start = {} (must have {} contacts as the scene has, not {})",
                                  arguments.start, scene.problem.contact_count(),

@@ -39,6 +39,7 @@ int sweep(const SweepArguments& arguments) {
   const MethodChoice method{&find_method(arguments.method), parse_settings(arguments.settings)};
   const std::size_t ways = arguments.range.back ? 2 : 1;
   (void)make_case(scene, 0, method);  // a bad option is told before anything else
+  if (method.start()) throw UsageError("set = start (must be left out: each solve starts from the last)");
   const std::size_t points = sweep_frequencies(arguments.range).size() * ways;
   watch_interrupts();
   std::vector<SweepPoint> found;

@@ -10,6 +10,8 @@
 
 #include "harness/conformance/checks.hpp"
 #include "harness/failure.hpp"
+#include "harness/selection.hpp"
+#include "problems/kebab_case.hpp"
 
 namespace signorini {
 
@@ -23,11 +25,6 @@ constexpr std::array kBadTexts{"0",          "-0",         "-1",       "1",     
                                "true",       "1 ",         "1,5",      "infx"};
 constexpr std::array<std::string_view, 6> kNotFinite{"nan", "-nan", "inf", "-inf", "infx", "1e999"};
 
-bool is_name(std::string_view text) {
-  return !text.empty() &&
-         text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string_view::npos;
-}
-
 /// What is wrong with one option as it is shown to a user; empty if nothing is.
 std::string echo_defect(const OptionEcho& option) {
   if (option.meaning.empty()) return fmt::format("option {} has no meaning", option.name);
@@ -40,6 +37,7 @@ std::string echo_defect(const OptionEcho& option) {
 std::string options_defect(const std::vector<OptionEcho>& options) {
   std::set<std::string> names;
   for (const OptionEcho& option : options) {
+    if (option.name == kStartSetting) return fmt::format("option {} is the harness's own", option.name);
     if (!names.insert(option.name).second) return fmt::format("option {} is there twice", option.name);
     if (std::string defect = echo_defect(option); !defect.empty()) return defect;
   }
@@ -154,7 +152,7 @@ CheckResult result_of(std::string defect) { return defect.empty() ? passed() : f
 }  // namespace
 
 CheckResult check_declaration(const MethodEntry& entry) {
-  if (!is_name(entry.name))
+  if (!is_lower_kebab_case(entry.name))
     return failed(fmt::format("the name '{}' is not in lower-kebab-case", entry.name));
   if (entry.title.empty()) return failed("it has no title");
   if (entry.laws.empty()) return failed("it does not say which laws it represents");

@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "harness/selection.hpp"
+
 namespace signorini {
 
 namespace {
@@ -74,7 +76,8 @@ std::string contestant_of(const Record& record) {
   const std::string resolution = resolution_of(record);
   std::string words;
   for (const std::string& setting : settings_of(record)) {
-    if (!is_numeric(setting)) words += (words.empty() ? "" : ",") + setting;
+    const bool warm = setting.starts_with(std::string(kStartSetting) + "=");
+    if (warm || !is_numeric(setting)) words += (words.empty() ? "" : ",") + setting;
   }
   return resolution.substr(0, resolution.find('[')) + (words.empty() ? "" : "[" + words + "]");
 }

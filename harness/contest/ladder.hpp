@@ -31,8 +31,8 @@ std::vector<std::string> settings_of(const Record& record);
 /// Whether the value of a setting is a number.
 bool is_numeric(const std::string& setting);
 
-/// "event-driven[flow=cvode]": the method with those settings of its case that are words. Those that are
-/// numbers are its ladder.
+/// "event-driven[flow=cvode]": the method with those settings of its case that are words, and kStartSetting:
+/// who starts at the orbit competes with nobody else. Those that are numbers are its ladder.
 std::string contestant_of(const Record& record);
 
 /// "fourier-lipschitz[harmonics=40]": the case without its scene.

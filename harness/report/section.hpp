@@ -2,6 +2,7 @@
 // A report is a list of sections; every format prints the same ones.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/report/evaluation.hpp"
@@ -38,6 +39,7 @@ std::vector<Section> breakdown_sections(
 
 // sensitivity_sections.cpp
 std::vector<Section> sensitivity_sections(const Evaluation& evaluation);  ///< to one option at a time
+std::vector<Section> switch_sections(const Evaluation& evaluation);       ///< errors without and with it
 std::vector<Section> repeat_sections(const Evaluation& evaluation);       ///< the same bits again?
 
 // contest_sections.cpp: one section per contest
@@ -51,6 +53,7 @@ std::vector<Section> scene_sections(const Evaluation& evaluation);      ///< tim
 std::vector<Section> other_law_sections(const Evaluation& evaluation);  ///< of methods that solve another law
 
 // case_sections.cpp
+inline constexpr std::string_view kCasesId = "cases";
 std::vector<Section> case_sections(const Evaluation& evaluation);    ///< one row per record
 std::vector<Section> remark_sections(const Evaluation& evaluation);  ///< what went otherwise
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,13 +51,42 @@ std::map<Varied, Variation> variations_of(const Evaluation& evaluation) {
       records.push_back(&record);
     }
   }
-  std::erase_if(variations, [](const auto& entry) { return entry.second.values.size() < kFewestValues; });
   return variations;
+}
+
+/// The record of a scene; null if there is none.
+const Record* record_of(const std::vector<const Record*>& records, const std::string& scene) {
+  const auto found = std::find_if(records.begin(), records.end(),
+                                  [&](const Record* record) { return record->scene == scene; });
+  return found == records.end() ? nullptr : *found;
+}
+
+/// The error of x with a switch off over that with it on; empty unless both answers are certified, of the
+/// same orbit, and neither error is below what is known of that.
+std::optional<double> gain_of(const Record& off, const Record& on) {
+  const auto known = [](const Record& record) {
+    return record.status == Status::converged && record.certificate.status == CertificateStatus::certified &&
+           record.errors.x_l2.value_or(0.0) > measurable_error(record);
+  };
+  if (!known(off) || !known(on) || off.certificate.orbit != on.certificate.orbit) return std::nullopt;
+  return *off.errors.x_l2 / *on.errors.x_l2;
+}
+
+std::string gain_text(double gain) { return fmt::format("{:.3g}", gain); }
+
+/// Numbers in rising order; words as they ran.
+std::vector<std::string> in_order(std::vector<std::string> values) {
+  const auto number = [](const std::string& value) { return std::strtod(value.c_str(), nullptr); };
+  const auto word = [](const std::string& value) { return !is_numeric("=" + value); };
+  if (std::any_of(values.begin(), values.end(), word)) return values;
+  std::stable_sort(values.begin(), values.end(),
+                   [&](const std::string& a, const std::string& b) { return number(a) < number(b); });
+  return values;
 }
 
 /// What became of one method at one value.
 struct Outcome {
-  int cases = 0, solved = 0, refuted = 0;
+  int cases = 0, solved = 0, same_orbit = 0, refuted = 0;
   std::vector<double> errors = {};  // infinite where not solved
 };
 
@@ -67,6 +98,7 @@ Outcome outcome_of(const std::vector<const Record*>& records) {
     const bool solved = record->status == Status::converged &&
                         record->certificate.status == CertificateStatus::certified && record->errors.x_l2;
     outcome.solved += solved ? 1 : 0;
+    outcome.same_orbit += solved && record->certificate.same_orbit == true ? 1 : 0;
     outcome.refuted += record->status == Status::inaccurate ? 1 : 0;
     outcome.errors.push_back(solved ? std::max(*record->errors.x_l2, measurable_error(*record))
                                     : std::numeric_limits<double>::infinity());
@@ -84,20 +116,67 @@ std::vector<Section> sensitivity_sections(const Evaluation& evaluation) {
   Section section{.id = "sensitivity", .title = "Sensitivity to one option at a time"};
   section.text =
       "The same scenes at several values of one option, the others as stated. Solved: "
-      "certified answers. Errors of x against the certified orbit; a failure counts as infinite.";
-  section.table.header = {"method", "option", "value", "solved", "refuted", "median error", "largest error"};
+      "certified answers; reference orbit: those that are the motion reached from rest. Errors of x against "
+      "the certified orbit; a failure counts as infinite. `start`: the solve starts from the orbit reached "
+      "from rest, late by this share of its period.";
+  section.table.header = {"method",          "option",  "value",        "solved",
+                          "reference orbit", "refuted", "median error", "largest error"};
   for (const auto& [varied, variation] : variations_of(evaluation)) {
-    for (const std::string& value : variation.values) {
+    if (variation.values.size() < kFewestValues) continue;
+    for (const std::string& value : in_order(variation.values)) {
       const Outcome outcome = outcome_of(variation.records.at(value));
       if (outcome.cases == 0) continue;
       section.table.rows.push_back(
           {varied.first, varied.second, value,
            Cell(fmt::format("{} of {}", outcome.solved, outcome.cases), outcome.solved),
-           count_cell(outcome.refuted), error_cell(median(outcome.errors)),
+           count_cell(outcome.same_orbit), count_cell(outcome.refuted), error_cell(median(outcome.errors)),
            error_cell(*std::max_element(outcome.errors.begin(), outcome.errors.end()))});
     }
   }
   return {std::move(section)};
+}
+
+std::vector<Section> switch_sections(const Evaluation& evaluation) {
+  Section summary{.id = "switches", .title = "One switch off and on"};
+  summary.text =
+      "The same scenes with one option false and true, the others as stated. Gain: error of x with it off "
+      "over "
+      "that with it on, where both answers are certified and of the same orbit.";
+  summary.table.header = {
+      "method",     "switch",      "scenes",      "solved with it off", "solved with it on",
+      "least gain", "median gain", "largest gain"};
+  Section scenes{.id = "switches-scenes", .title = "One switch off and on, scene by scene"};
+  scenes.table.header = {"scene", "method", "switch", "error of x, off", "error of x, on", "gain"};
+  for (const auto& [varied, variation] : variations_of(evaluation)) {
+    const auto& records = variation.records;
+    if (records.size() != 2 || !records.contains("false") || !records.contains("true")) continue;
+    std::vector<double> gains;
+    for (const Record* off : records.at("false")) {
+      const Record* on = record_of(records.at("true"), off->scene);
+      if (on == nullptr || off->status == Status::not_applicable) continue;
+      const std::optional<double> gain = gain_of(*off, *on);
+      if (gain) gains.push_back(*gain);
+      scenes.table.rows.push_back({off->scene, varied.first, varied.second, error_text(*off), error_text(*on),
+                                   gain ? Cell(gain_text(*gain), *gain) : Cell("none")});
+    }
+    const Outcome off = outcome_of(records.at("false")), on = outcome_of(records.at("true"));
+    std::vector<Cell> row{varied.first,
+                          varied.second,
+                          count_cell(on.cases),
+                          count_cell(off.solved),
+                          count_cell(on.solved),
+                          "none",
+                          "none",
+                          "none"};
+    if (!gains.empty()) {
+      const auto [least, largest] = std::minmax_element(gains.begin(), gains.end());
+      row[5] = Cell(gain_text(*least), *least);
+      row[6] = Cell(gain_text(median(gains)), median(gains));
+      row[7] = Cell(gain_text(*largest), *largest);
+    }
+    summary.table.rows.push_back(std::move(row));
+  }
+  return {std::move(summary), std::move(scenes)};
 }
 
 std::vector<Section> repeat_sections(const Evaluation& evaluation) {

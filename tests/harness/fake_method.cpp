@@ -106,6 +106,8 @@ class PreparedFake final : public PreparedMethod {
       solution.message = "gave up";
     }
     if (behaviour_ != Behaviour::no_trajectory) solution.trajectory = answer();
+    if (behaviour_ == Behaviour::hand_back && start.guess) solution.trajectory = start.guess;
+    solution.condition = 100.0;
     solution.work.iterations = 7;
     return solution;
   }

@@ -36,7 +36,8 @@ enum class Behaviour {
   crash_when_asked,
   crash_when_repeated,
   singular,
-  waver
+  waver,
+  hand_back
 };
 
 /// Motion of one contact given by formulas of time; any number of contacts repeats it.
@@ -117,7 +118,7 @@ std::filesystem::path fresh_folder(const std::string& name);
 namespace signorini {
 template <>
 struct EnumNames<test::Behaviour> {
-  static constexpr std::array<std::string_view, 23> values{"good",
+  static constexpr std::array<std::string_view, 24> values{"good",
                                                            "segfault",
                                                            "abort_now",
                                                            "exit_three",
@@ -139,6 +140,7 @@ struct EnumNames<test::Behaviour> {
                                                            "crash_when_asked",
                                                            "crash_when_repeated",
                                                            "singular",
-                                                           "waver"};
+                                                           "waver",
+                                                           "hand_back"};
 };
 }  // namespace signorini

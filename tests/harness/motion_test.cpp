@@ -137,5 +137,32 @@ TEST(TrajectoryJson, ComesBackAsItWent) {
   EXPECT_THROW(trajectory_of(1.0, uneven), BadRecord);
 }
 
+SampledTrajectory with_an_impulse() {
+  SampledTrajectory::Data data{.period = 2.0,
+                               .samples = {},
+                               .impulses = {{.contact = 0, .time = 1.75, .value = -3.0}},
+                               .bandwidth = 5};
+  data.samples.x = Eigen::Vector4d(0.0, 1.0, 2.0, 3.0);
+  data.samples.velocity = data.samples.force = -data.samples.x;
+  return SampledTrajectory(std::move(data));
+}
+
+TEST(Delayed, MovesSamplesAndImpulsesBackInTime) {
+  const SampledTrajectory late = delayed(with_an_impulse(), 0.25);
+  EXPECT_EQ(late.sample(4).x.col(0), Eigen::Vector4d(3.0, 0.0, 1.0, 2.0));
+  EXPECT_EQ(late.sample(4).force.col(0), Eigen::Vector4d(-3.0, 0.0, -1.0, -2.0));
+  EXPECT_DOUBLE_EQ(late.impulses().front().time, 0.25);
+  EXPECT_EQ(delayed(with_an_impulse(), 0.0).impulses().front().time, 1.75);
+}
+
+TEST(Repeated, TakesSeveralPeriodsForOne) {
+  const SampledTrajectory twice = repeated(with_an_impulse(), 2);
+  EXPECT_EQ(twice.period(), 4.0);
+  EXPECT_EQ(twice.sample(8).x(5, 0), 1.0);
+  EXPECT_EQ(twice.bandwidth(), 10);
+  ASSERT_EQ(twice.impulses().size(), 2U);
+  EXPECT_EQ(twice.impulses()[1].time, 3.75);
+}
+
 }  // namespace
 }  // namespace signorini

@@ -24,10 +24,10 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
   const Json json = to_json(test::full_record());
   EXPECT_EQ(
       keys(json),
-      (Keys{"schema",  "case",        "key",     "scene",   "scene_sha256", "method",    "plugin",
-            "options", "status",      "message", "signal",  "law",          "scene_law", "law_matches_scene",
-            "period",  "residual",    "work",    "seconds", "not_timed",    "answer",    "repeats",
-            "elapsed", "certificate", "errors",  "physics", "trajectory",   "waveforms"}));
+      (Keys{"schema",  "case",     "key",         "scene",  "scene_sha256", "method",     "plugin",
+            "options", "status",   "message",     "signal", "law",          "scene_law",  "law_matches_scene",
+            "period",  "residual", "condition",   "work",   "seconds",      "not_timed",  "answer",
+            "repeats", "elapsed",  "certificate", "errors", "physics",      "trajectory", "waveforms"}));
   EXPECT_EQ(keys(json["work"]), (Keys{"unknowns", "iterations", "pivots", "rhs_evaluations", "factorisations",
                                       "peak_memory_bytes"}));
   EXPECT_EQ(keys(json["seconds"]),

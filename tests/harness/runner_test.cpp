@@ -92,6 +92,61 @@ TEST(Runner, MeasuresACertifiedAnswer) {
   EXPECT_EQ(record.physics.penetration.value(), 0.0);
   EXPECT_EQ(record.law_matches_scene, true);
   EXPECT_EQ(record.work.counts.iterations, 7);
+  EXPECT_EQ(record.condition, 100.0);
+}
+
+/// A case of the fake method that starts from the reference orbit, late by a share of its period.
+Record run_late(const std::string& late, const OrbitSolver& solver,
+                const Scene& scene = test::one_mass_scene()) {
+  Runner runner(kLimits, solver, [](std::string_view) { return std::string("v"); });
+  const Case run =
+      make_case(scene, 0, {&test::fake_catalogue().front(), {{"behaviour", "hand_back"}, {"start", late}}});
+  const Case* const cases[] = {&run};
+  const std::vector<Survey> surveys = runner.survey(scene, cases);
+  runner.compute_references(scene, surveys);
+  return runner.run(scene, {.run = &run, .survey = &surveys.front()}, {.samples = 8}).value();
+}
+
+TEST(Runner, StartsACaseFromTheReferenceOrbitLateByItsShareOfThePeriod) {
+  const Record record = run_late("0.25", test::free_orbits());
+  ASSERT_TRUE(record.trajectory.has_value()) << record.message;
+  EXPECT_EQ(record.case_id, "one-mass/fake-method[behaviour=hand_back,start=0.25]");
+  const Eigen::VectorXd x = test::free_motion(test::one_mass())->sample(8).x.col(0);
+  for (Eigen::Index i = 0; i < 8; ++i) {
+    EXPECT_NEAR(record.trajectory->x[0][static_cast<std::size_t>(i)], x[(i + 6) % 8], 1e-14) << i;
+  }
+  EXPECT_EQ(record.options.back().first, "start");
+}
+
+TEST(Runner, RepeatsAnOrbitToStartFromWhereTheSceneAsksForMorePeriods) {
+  Scene scene = test::one_mass_scene();
+  scene.problem.subharmonic = 2;
+  const Record record = run_late("0", test::free_orbits(), scene);
+  ASSERT_TRUE(record.trajectory.has_value()) << record.message;
+  EXPECT_DOUBLE_EQ(record.period.value(), scene.problem.period());
+  const std::vector<double>& x = record.trajectory->x[0];
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(x[i], x[i + 4]) << i;
+}
+
+TEST(Runner, DoesNotStartFromAnOrbitOfAnotherPeriod) {
+  const OrbitSolver halves = [](const Problem& problem, const OrbitRequest&) {
+    Problem twice = problem;
+    twice.frequency *= 0.5;  // a motion of two forcing periods
+    return Solution{.verdict = Verdict::converged,
+                    .message = {},
+                    .trajectory = test::free_motion(twice),
+                    .residual = 1e-14};
+  };
+  const Record record = run_late("0", halves);
+  EXPECT_EQ(record.status, Status::not_applicable);
+  EXPECT_NE(record.message.find("has a period of"), std::string::npos) << record.message;
+}
+
+TEST(Runner, SaysSoWhereThereIsNoOrbitToStartFrom) {
+  const auto none = [](const Problem&, const OrbitRequest&) { return Solution{.message = "it wanders"}; };
+  const Record record = run_late("0.25", OrbitSolver(none));
+  EXPECT_EQ(record.status, Status::not_applicable);
+  EXPECT_NE(record.message.find("no orbit to start from: "), std::string::npos) << record.message;
 }
 
 TEST(Runner, CallsALieInaccurate) {

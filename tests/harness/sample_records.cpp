@@ -8,6 +8,7 @@ Record full_record() {
   record.plugin = "01ab";
   record.signal = 11;
   record.residual = 1e-12;
+  record.condition = 1e3;
   record.not_timed = "it was";
   record.answer = "0123456789abcdef";
   record.repeats = Repeats{.solves = 7, .identical = 6};

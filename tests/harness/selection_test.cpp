@@ -45,6 +45,25 @@ TEST(ExpandSettings, RefusesWhatIsNoSetting) {
   }
 }
 
+TEST(MethodChoice, KeepsItsStartFromTheMethod) {
+  const auto choices = select_methods("fake-method[level=2,start=0|0.5]", test::fake_catalogue());
+  ASSERT_EQ(choices.size(), 2U);
+  EXPECT_EQ(choices[1].label(), "fake-method[level=2,start=0.5]");
+  EXPECT_EQ(choices[0].start(), 0.0);
+  EXPECT_EQ(choices[1].start(), 0.5);
+  EXPECT_EQ(choices[1].make()->options().size(), 2U);
+  ASSERT_EQ(choices[1].options().size(), 3U);
+  EXPECT_EQ(choices[1].options().back().name, "start");
+  EXPECT_EQ(select_methods("fake-method[level=2]", test::fake_catalogue()).front().start(), std::nullopt);
+}
+
+TEST(MethodChoice, RefusesAStartThatIsNoShareOfAPeriod) {
+  for (const char* late : {"1", "-0.1", "cold", "nan"}) {
+    const MethodChoice choice{&test::fake_catalogue().front(), {{"start", late}}};
+    EXPECT_THROW(choice.options(), InvalidOption) << late;
+  }
+}
+
 TEST(SelectMethods, RunsTheLadderOfEveryMethodByDefault) {
   EXPECT_EQ(labels("*"),
             (Labels{"hat-lcp[samples=64]", "hat-lcp[samples=256]", "penalty-hbm[harmonics=10,penalty=1e4]",

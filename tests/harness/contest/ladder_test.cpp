@@ -21,6 +21,7 @@ TEST(ContestantOf, KeepsWordsAndDropsTheNumbersOfTheLadder) {
   EXPECT_EQ(contestant_of(run("s/penalty-hbm[penalty=100x,plain=true,harmonics=5]")),
             "penalty-hbm[penalty=100x,plain=true]");
   EXPECT_EQ(contestant_of(run("s/hat-lcp")), "hat-lcp");
+  EXPECT_EQ(contestant_of(run("s/hat-lcp[samples=64,start=0.1]")), "hat-lcp[start=0.1]");
 }
 
 TEST(RungOf, CreditsOnlyWhatTheHarnessItselfHasCertified) {

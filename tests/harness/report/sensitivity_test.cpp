@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "harness/report/section.hpp"
 #include "tests/harness/sample_records.hpp"
 
@@ -33,9 +35,10 @@ TEST(Sensitivity, HasARowForEachValueOfWhatIsVaried) {
   }
   records[4].status = Status::inaccurate;
   records[7].status = Status::not_applicable;
-  EXPECT_EQ(sensitivity(records), (Rows{{"m[h=40]", "c", "0.1", "3 of 3", "0", "1.0e-02", "1.0e-02"},
-                                        {"m[h=40]", "c", "1", "1 of 2", "1", "not solved", "not solved"},
-                                        {"m[h=40]", "c", "1e3", "3 of 3", "0", "1.0e-03", "1.0e-03"}}));
+  records[1].certificate.same_orbit = false;
+  EXPECT_EQ(sensitivity(records), (Rows{{"m[h=40]", "c", "0.1", "3 of 3", "3", "0", "1.0e-02", "1.0e-02"},
+                                        {"m[h=40]", "c", "1", "1 of 2", "0", "1", "not solved", "not solved"},
+                                        {"m[h=40]", "c", "1e3", "3 of 3", "3", "0", "1.0e-03", "1.0e-03"}}));
 }
 
 TEST(Sensitivity, TakesNeitherResolutionsNorPairsForVariations) {
@@ -43,6 +46,28 @@ TEST(Sensitivity, TakesNeitherResolutionsNorPairsForVariations) {
   for (const char* resolution : {"h=10", "h=20", "h=40", "h=10,c=1", "h=10,c=2"})
     records.push_back(test::good_record("a", "m", resolution, 1e-2, 1.0));
   EXPECT_EQ(sensitivity(records), Rows{});
+}
+
+TEST(Switches, TellWhatTheyBringToEachSceneAndInAll) {
+  std::vector<Record> records;
+  for (const auto& [scene, off, on] :
+       {std::tuple{"a", 8e-2, 1e-2}, std::tuple{"b", 4e-2, 1e-3}, std::tuple{"c", 1e-1, 1e-3}}) {
+    records.push_back(test::good_record(scene, "m", "h=40,w=false", off, 1.0));
+    records.push_back(test::good_record(scene, "m", "h=40,w=true", on, 1.0));
+  }
+  records[5].certificate.orbit = "another";
+  const Evaluation evaluation(records);
+  const std::vector<Section> sections = switch_sections(evaluation);
+  EXPECT_EQ(rows_of(sections[0]), (Rows{{"m[h=40]", "w", "3", "3", "3", "8", "24", "40"}}));
+  EXPECT_EQ(rows_of(sections[1]), (Rows{{"a", "m[h=40]", "w", "8.0e-02", "1.0e-02", "8"},
+                                        {"b", "m[h=40]", "w", "4.0e-02", "1.0e-03", "40"},
+                                        {"c", "m[h=40]", "w", "1.0e-01", "1.0e-03", "none"}}));
+}
+
+TEST(Switches, NeedBothSidesOfTheSwitch) {
+  const Evaluation evaluation({test::good_record("a", "m", "h=40,w=true", 1e-2, 1.0),
+                               test::good_record("b", "m", "h=40,w=true", 1e-2, 1.0)});
+  EXPECT_TRUE(switch_sections(evaluation).front().table.rows.empty());
 }
 
 TEST(Repeats, CountCasesWhoseEveryAnswerHadTheSameBits) {
