@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "harness/json_fields.hpp"
 #include "harness/trajectory_json.hpp"
 
 namespace signorini {
@@ -14,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kSchema = 1;
+constexpr int kRecordSchema = 1;
 
 constexpr std::array<std::string_view, 9> kStatusNames{"converged",      "inaccurate", "not-converged",
                                                        "not-applicable", "timeout",    "out-of-memory",
@@ -29,29 +30,6 @@ std::size_t name_index(const std::array<std::string_view, N>& names, const std::
   throw BadRecord(fmt::format("status = {} (must be one of {})", name, fmt::join(names, ", ")));
 }
 
-// Absent rather than empty, negative or not finite: one rule for every key.
-template <class T>
-void put(Json& json, const char* key, const std::optional<T>& value) {
-  if constexpr (std::is_same_v<T, double>) {
-    if (value && !std::isfinite(*value)) return;
-  }
-  if (value) json[key] = *value;
-}
-void put(Json& json, const char* key, const std::string& text) {
-  if (!text.empty()) json[key] = text;
-}
-void put_object(Json& json, const char* key, Json object) {
-  if (!object.empty()) json[key] = std::move(object);
-}
-
-template <class T>
-void get(const Json& json, const char* key, std::optional<T>& value) {
-  if (const auto found = json.find(key); found != json.end()) value = found->get<T>();
-}
-template <class T>
-void get(const Json& json, const char* key, T& value) {
-  if (const auto found = json.find(key); found != json.end()) value = found->get<T>();
-}
 const Json& object(const Json& json, const char* key) {
   static const Json none = Json::object();
   const auto found = json.find(key);
@@ -220,7 +198,7 @@ Waveforms read_waveforms(const Json& json) {
 }
 
 void read_body(const Json& json, Record& record) {
-  if (json.at("schema").get<int>() != kSchema) throw BadRecord("schema = unknown (must be 1)");
+  if (json.at("schema").get<int>() != kRecordSchema) throw BadRecord("schema = unknown (must be 1)");
   get(json, "case", record.case_id);
   get(json, "key", record.key);
   record.scene = json.at("scene");
@@ -238,6 +216,7 @@ void read_body(const Json& json, Record& record) {
   get(json, "law_matches_scene", record.law_matches_scene);
   get(json, "period", record.period);
   get(json, "residual", record.residual);
+  get(json, "condition", record.condition);
   record.work = work_from_json(object(json, "work"));
   if (json.contains("seconds")) record.seconds = read_seconds(json["seconds"]);
   get(json, "not_timed", record.not_timed);
@@ -320,7 +299,7 @@ WorkDone work_from_json(const Json& json) {
 
 Json to_json(const Record& record) {
   Json json;
-  json["schema"] = kSchema;
+  json["schema"] = kRecordSchema;
   put(json, "case", record.case_id);
   put(json, "key", record.key);
   json["scene"] = record.scene;
@@ -338,6 +317,7 @@ Json to_json(const Record& record) {
   put(json, "law_matches_scene", record.law_matches_scene);
   put(json, "period", record.period);
   put(json, "residual", record.residual);
+  put(json, "condition", record.condition);
   put_object(json, "work", write_work(record.work));
   if (record.seconds) json["seconds"] = write_seconds(*record.seconds);
   put(json, "not_timed", record.not_timed);

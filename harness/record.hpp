@@ -146,7 +146,7 @@ struct Record {
   std::optional<int> signal = {};  ///< that ended a crashed run
   std::optional<RepresentedLaw> law = {}, scene_law = {};
   std::optional<bool> law_matches_scene = {};
-  Measure period = {}, residual = {};
+  Measure period = {}, residual = {}, condition = {};
   WorkDone work = {};
   std::optional<Seconds> seconds = {};
   std::string not_timed = {};  ///< why `seconds` is absent

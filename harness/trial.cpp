@@ -52,6 +52,7 @@ bool take_solution(const Trial& trial, const Solution& solution, bool expired, R
   record.message = solution.message;
   record.work.counts = solution.work;
   record.residual = solution.residual;
+  record.condition = solution.condition;
   if (solution.verdict != Verdict::converged) {
     record.status = expired ? Status::timeout : Status::not_converged;
     return false;
@@ -149,7 +150,7 @@ void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory
 }  // namespace
 
 void run_trial(const Trial& trial, Record record, const std::function<void(const Record&)>& stage_done) {
-  const std::unique_ptr<Method> method = trial.run.choice.entry->make(trial.run.choice.settings);
+  const std::unique_ptr<Method> method = trial.run.choice.make();
   std::unique_ptr<PreparedMethod> prepared;
   Solution solution;
   const std::optional<long> before = restart_peak_memory();
@@ -192,7 +193,7 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
 
 RepeatedSolve repeat_solve(const Scene& scene, const Case& run, const Limits& limits,
                            const std::shared_ptr<const Trajectory>& start) {
-  const std::unique_ptr<Method> method = run.choice.entry->make(run.choice.settings);
+  const std::unique_ptr<Method> method = run.choice.make();
   std::unique_ptr<PreparedMethod> prepared;
   Solution solution;
   const double setup = seconds_of([&] { prepared = method->prepare(scene.problem); });

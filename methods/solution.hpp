@@ -63,6 +63,10 @@ struct Solution {
   std::shared_ptr<const Trajectory> trajectory = {};  ///< best iterate; null if there is none
   Work work = {};                                     ///< of this solve
   std::optional<double> residual = {};                ///< of the method's own equations, relative [-]
+  /// Estimated condition number, in the 1-norm, of the linear system solved last, scaled and preconditioned
+  /// as the method does (by Krylov steps: a lower bound): log10 of it is the digits that may be lost. Empty:
+  /// none was factorised. [-]
+  std::optional<double> condition = {};
 };
 
 }  // namespace signorini

@@ -26,6 +26,7 @@ std::string difference(const Solution& a, const Solution& b) {
   if (a.verdict != b.verdict) return "their verdicts";
   if (a.message != b.message) return fmt::format("their messages, '{}' and '{}'", a.message, b.message);
   if (a.residual != b.residual) return "their residuals";
+  if (a.condition != b.condition) return "their condition estimates";
   if ((a.trajectory == nullptr) != (b.trajectory == nullptr)) return "their having a trajectory";
   if (!a.trajectory) return {};
   if (answer_digest(*a.trajectory) == answer_digest(*b.trajectory)) return {};

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kSchema = 1;
+constexpr int kExchangeSchema = 1;
 /// Instants at which a motion to start from is handed over.
 constexpr int kStartSamples = 1024;
 
@@ -60,8 +60,8 @@ Json write_problem(const Problem& problem) {
 }
 
 void allow_only(const Json& json) {
-  constexpr std::array<std::string_view, 6> kKeys{"verdict",  "message", "period",
-                                                  "residual", "work",    "trajectory"};
+  constexpr std::array<std::string_view, 7> kKeys{"verdict",   "message", "period",    "residual",
+                                                  "condition", "work",    "trajectory"};
   for (const auto& [key, value] : json.items()) {
     if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
       refuse(fmt::format("{} = unknown (must be one of {})", one_line(key), fmt::join(kKeys, ", ")));
@@ -92,6 +92,7 @@ Solution read_solution(const Json& json, double period) {
   solution.message = json.contains("message") ? one_line(json["message"].get<std::string>(), 400)
                                               : "the command gave no message";
   if (json.contains("residual")) solution.residual = json["residual"].get<double>();
+  if (json.contains("condition")) solution.condition = json["condition"].get<double>();
   if (json.contains("work")) solution.work = work_from_json(json["work"]).counts;
   if (!json.contains("trajectory")) return solution;
   if (json.contains("period")) period = json["period"].get<double>();
@@ -106,7 +107,7 @@ Solution read_solution(const Json& json, double period) {
 Json command_request(const Problem& problem, const std::vector<OptionEcho>& options) {
   Json values = Json::object();
   for (const OptionEcho& option : options) values[option.name] = option_to_json(option.value);
-  return {{"schema", kSchema}, {"problem", write_problem(problem)}, {"options", std::move(values)}};
+  return {{"schema", kExchangeSchema}, {"problem", write_problem(problem)}, {"options", std::move(values)}};
 }
 
 std::string command_input(Json request, const Start& start) {

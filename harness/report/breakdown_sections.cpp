@@ -150,6 +150,36 @@ Section false_convergence_section(const Evaluation& evaluation) {
   return section;
 }
 
+/// How ill-conditioned the equations become on the way, as far as answers go.
+Section condition_section(const Evaluation& evaluation, const Families& families) {
+  Section section{.id = "condition", .title = "Largest condition estimate of a certified answer"};
+  section.text =
+      "Of the linear system that a method solved last, in the 1-norm, scaled and preconditioned as the "
+      "method "
+      "does it, from Krylov steps a lower bound: the largest over the levels of a family on which its answer "
+      "is certified. Compare down a column. Its logarithm tells how many digits the answer may have lost.";
+  section.table.header = {"family"};
+  for (const std::string& contestant : evaluation.contestants()) section.table.header.push_back(contestant);
+  for (const auto& [family, contestants] : families) {
+    std::vector<Cell> row{family};
+    for (std::size_t place = 0; place < evaluation.contestants().size(); ++place) {
+      double largest = 0.0;
+      const auto found = contestants.find(place);
+      if (found != contestants.end()) {
+        for (const auto& [severity, records] : found->second) {
+          for (const Record* record : records) {
+            if (record->certificate.status == CertificateStatus::certified)
+              largest = std::max(largest, record->condition.value_or(0.0));
+          }
+        }
+      }
+      row.push_back(largest > 0.0 ? Cell(fmt::format("{:.0e}", largest), largest) : Cell("none"));
+    }
+    section.table.rows.push_back(std::move(row));
+  }
+  return section;
+}
+
 }  // namespace
 
 std::vector<Section> breakdown_sections(const Evaluation& evaluation) {
@@ -158,6 +188,7 @@ std::vector<Section> breakdown_sections(const Evaluation& evaluation) {
   std::vector<Section> sections{parameter_section(families)};
   for (const double error : kSolvedWithin) sections.push_back(breakdown_section(evaluation, families, error));
   sections.push_back(false_convergence_section(evaluation));
+  sections.push_back(condition_section(evaluation, families));
   return sections;
 }
 

@@ -73,12 +73,15 @@ class PreparedAft final : public PreparedMethod {
           fourier_data(receptance_, gap_, law_, residual.coefficients(outcome.newton.lambda));
       const bool converged = outcome.newton.converged;
       if (converged) guess = data.lambda;
+      solution.condition = outcome.newton.condition;
       std::string quadrature = fmt::format("N = {}", ladder.samples());
       bool exact = converged && data.lambda.norm() == 0.0;
       if (converged && !exact && quadrature_ == Quadrature::exact) {
-        const auto steps = refine_quadrature(receptance_, law_, ladder.samples(), options_.tolerance, data);
-        exact = steps.has_value();
-        work.iterations = *work.iterations + steps.value_or(0);
+        const ExactProjection refined =
+            refine_quadrature(receptance_, law_, ladder.samples(), options_.tolerance, data);
+        exact = refined.converged;
+        if (exact) work.iterations = *work.iterations + refined.iterations;
+        if (exact && refined.condition) solution.condition = refined.condition;
         quadrature += exact ? ", contact integral exact" : ", contact integral sampled: no exact one nearby";
       }
       const double ratio = net_work_ratio(data.x, data.lambda);
@@ -128,6 +131,7 @@ class PreparedAft final : public PreparedMethod {
         force_coefficients(law_, path.z, residual.samples(), receptance_.harmonics());
     outcome.newton = solve_newton_krylov(residual, residual.unknowns_of(lambda), options_.tolerance,
                                          allowed(kNewtonSteps), start);
+    if (!outcome.newton.condition) outcome.newton.condition = path.condition;  // no step was needed
     work.iterations = *work.iterations + outcome.newton.iterations;
     outcome.message = "gap homotopy and Newton-Krylov";
     return outcome;
@@ -184,7 +188,8 @@ std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
     ContactReceptance receptance = fourier_receptance(problem, harmonics);
     std::shared_ptr<CompensatedSolve> compensated;
     if (compensates(options))
-      compensated = compensated_solve(problem, receptance, options.homotopy.value_or(!options.plain));
+      compensated = compensated_solve(problem, receptance,
+                                      {options.homotopy.value_or(!options.plain), hardening_of(options)});
     return std::make_unique<PreparedAft>(contact_gaps(problem), options, std::move(receptance), law,
                                          std::move(compensated));
   });

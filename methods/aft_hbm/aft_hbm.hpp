@@ -53,9 +53,11 @@ class AftHbm final : public Method {
             "N per period, >= 2 H + 1; auto: no grid beyond 20 harmonics, else 8 H or finer (sampled: 32 H)");
       field("law", law, "[-]", "dlft (dynamic Lagrangian) | penalty");
       field("c", c, "[-]",
-            "dlft: constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H");
+            "dlft: constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H, "
+            "compensated 32x");
       field("penalty", penalty, "[N/m]",
-            "penalty: stiffness of the stop, 1e6 or 100x; auto: the scene's, else 8x the dynamic one near H, "
+            "penalty: stiffness of the stop, 1e6 or 100x; auto: the scene's, else 8x (compensated 64x) the "
+            "dynamic one near H, "
             "stiffer if massless");
       field("quadrature", quadrature, "[-]",
             "exact: contact integral between its edges | sampled: on the N samples; auto: exact, sampled if "

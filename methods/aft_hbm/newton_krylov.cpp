@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kLinearTolerance = 1e-12;  // of each linear solve, relative to its right-hand side
 
-Eigen::VectorXd solve_jacobian(AftResidual& residual, const std::vector<char>& contact,
-                               const Eigen::VectorXd& rhs) {
+KrylovSolve solve_jacobian(AftResidual& residual, const std::vector<char>& contact,
+                           const Eigen::VectorXd& rhs) {
   const LastingContactInverse lasting = residual.lasting_inverse(contact);
   return solve_by_gmres([&](const Eigen::VectorXd& v) { return residual.product(contact, v); },
                         [&](const Eigen::VectorXd& v) { return lasting * v; }, rhs, kLinearTolerance);
@@ -31,9 +31,10 @@ NewtonKrylov solve_newton_krylov(AftResidual& residual, Eigen::VectorXd lambda, 
     result.residual = scale > 0.0 ? r.norm() / scale : 0.0;
     result.converged = result.residual <= tolerance;
     if (result.converged || result.iterations >= max_iterations || start.expired()) break;
-    const Eigen::VectorXd step = solve_jacobian(residual, contact, r);
+    const auto [step, condition] = solve_jacobian(residual, contact, r);
     if (step.size() == 0) break;
     ++result.iterations;
+    result.condition = condition;
     constexpr int kHalvings = 16;
     double length = 1.0;
     bool descended = false;

@@ -61,6 +61,7 @@ class PreparedEventDriven final : public PreparedMethod {
     solution.verdict = found.periodic ? Verdict::converged : Verdict::not_converged;
     solution.message = found.message;
     solution.work.iterations = found.iterations;
+    solution.condition = found.condition;
     if (std::isfinite(found.residual)) solution.residual = found.residual;
     solution.trajectory = recorded(map, found);
   }

@@ -193,8 +193,10 @@ std::optional<SteadyState> March::propose() {
     if (!orbit.converged || !(orbit.largest_multiplier() < 1.0) || !contracts_to(orbit)) continue;
     const auto smallest = order_when_marched_on(orbit);
     if (!smallest) continue;
-    return accept(orbit.start, *smallest, orbit.residual,
-                  fmt::format(", largest multiplier {:.6g}", orbit.largest_multiplier()));
+    SteadyState found = accept(orbit.start, *smallest, orbit.residual,
+                               fmt::format(", largest multiplier {:.6g}", orbit.largest_multiplier()));
+    found.condition = orbit.condition;
+    return found;
   }
   return std::nullopt;
 }
@@ -303,7 +305,8 @@ SteadyState shoot(PeriodMap& map, const FlowState& start, int order, const Stead
       .start = orbit.start,
       .order = order,
       .residual = orbit.residual,
-      .iterations = orbit.iterations};
+      .iterations = orbit.iterations,
+      .condition = orbit.condition};
 }
 
 }  // namespace signorini

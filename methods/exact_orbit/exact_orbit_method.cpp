@@ -158,6 +158,7 @@ class PreparedExactOrbit final : public PreparedMethod {
       const ExactOrbit& orbit = best_->orbit;
       solution.trajectory = orbit.trajectory;
       solution.residual = orbit.residual;
+      if (orbit.trajectory) solution.condition = orbit.condition;
       if (orbit.certified()) {
         solution.verdict = Verdict::converged;
         *solution.work.unknowns += static_cast<long>(orbit.trajectory->orbit().events.size());

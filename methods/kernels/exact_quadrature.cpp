@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "methods/kernels/condition_estimate.hpp"
+#include "methods/kernels/constants.hpp"
 #include "methods/kernels/contact_symbol.hpp"
 #include "methods/kernels/gmres.hpp"
 #include "methods/kernels/harmonic_vector.hpp"
@@ -19,7 +21,6 @@ namespace signorini {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// The zero of `function` (value and derivative at t) in [left, right], where it rises or falls through
 /// zero: Newton kept inside a shrinking bracket.
@@ -125,8 +126,11 @@ class ExactResidual {
   }
 
   /// J^{-1} r at the intervals of the last residual, J = 1 + P chi B; empty if that is not to be had.
-  [[nodiscard]] Eigen::VectorXd solve_jacobian(const Eigen::VectorXd& r) const {
-    if (r.size() <= kDense) return jacobian().partialPivLu().solve(r);
+  [[nodiscard]] KrylovSolve solve_jacobian(const Eigen::VectorXd& r) const {
+    if (r.size() <= kDense) {
+      const Eigen::PartialPivLU<Eigen::MatrixXd> lu(jacobian());
+      return {.x = lu.solve(r), .condition = condition_from(lu.rcond())};
+    }
     Eigen::VectorXd duty(root().size());
     for (Eigen::Index c = 0; c < duty.size(); ++c) duty[c] = indicators_[static_cast<std::size_t>(c)].duty();
     const LastingContactInverse lasting(symbol_, duty);
@@ -293,9 +297,10 @@ ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen
     result.residual = scale > 0.0 ? r.norm() / scale : 0.0;
     result.converged = result.residual <= tolerance;
     if (result.converged || result.iterations == kSteps || start.expired()) break;
-    const Eigen::VectorXd step = residual.solve_jacobian(r);
+    const auto [step, condition] = residual.solve_jacobian(r);
     if (step.size() == 0 || !step.allFinite()) break;
     ++result.iterations;
+    result.condition = condition;
     // Far from the solution a full step may lose a contact; a shorter one keeps it.
     double length = 1.0;
     Eigen::VectorXd trial = residual(unknown - step);

@@ -2,6 +2,7 @@
 // The projected contact equations with the contact integral taken exactly, not sampled.
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "methods/kernels/projected_law.hpp"
@@ -54,9 +55,11 @@ class ContactIndicator {
 
 /// What project_exactly came to.
 struct ExactProjection {
-  bool converged = false;   ///< the residual is below the tolerance
-  int iterations = 0;       ///< Newton steps
-  double residual = 0.0;    ///< |R|_2 / |lambda|_2, or of rounding where that is larger [-]
+  bool converged = false;  ///< the residual is below the tolerance
+  int iterations = 0;      ///< Newton steps
+  double residual = 0.0;   ///< |R|_2 / |lambda|_2, or of rounding where that is larger [-]
+  std::optional<double> condition =
+      {};                   ///< estimate for the Jacobian of the last step; empty: none taken [-]
   Eigen::MatrixXcd lambda;  ///< (H+1) x Nc [N]
 };
 

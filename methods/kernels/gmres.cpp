@@ -4,13 +4,15 @@
 #include <cmath>
 #include <vector>
 
+#include "methods/kernels/condition_estimate.hpp"
+
 namespace signorini {
 
-Eigen::VectorXd solve_by_gmres(const LinearOperator& product, const LinearOperator& precondition,
-                               const Eigen::VectorXd& b, double tolerance) {
+KrylovSolve solve_by_gmres(const LinearOperator& product, const LinearOperator& precondition,
+                           const Eigen::VectorXd& b, double tolerance) {
   const double norm = b.norm();
   if (!std::isfinite(norm)) return {};
-  if (norm == 0.0) return Eigen::VectorXd::Zero(b.size());
+  if (norm == 0.0) return {.x = Eigen::VectorXd::Zero(b.size())};
   const Eigen::Index size = b.size();
   std::vector<Eigen::VectorXd> basis{b / norm};
   std::vector<Eigen::VectorXd> columns;  // of R, after the rotations
@@ -44,19 +46,21 @@ Eigen::VectorXd solve_by_gmres(const LinearOperator& product, const LinearOperat
     if (rest == 0.0) break;  // the Krylov space is exhausted: the solution lies in it
     basis.emplace_back(next / rest);
   }
+  Eigen::MatrixXd triangle = Eigen::MatrixXd::Zero(used, used);
   Eigen::VectorXd weights = rhs.head(used);
   Eigen::VectorXd combination = Eigen::VectorXd::Zero(size);
   for (Eigen::Index k = used - 1; k >= 0; --k) {
     const Eigen::VectorXd& column = columns[static_cast<std::size_t>(k)];
+    triangle.col(k).head(k + 1) = column.head(k + 1);
     weights[k] /= column[k];
     weights.head(k) -= weights[k] * column.head(k);
     combination += weights[k] * basis[static_cast<std::size_t>(k)];
   }
-  Eigen::VectorXd x = precondition(combination);
+  KrylovSolve solve{.x = precondition(combination), .condition = triangular_condition(triangle)};
   // The recurrence may promise more than rounding keeps; the true residual decides.
-  const double residual = (b - product(x)).norm();
+  const double residual = (b - product(solve.x)).norm();
   if (!(residual <= std::max(10.0 * tolerance, 1e-8) * norm)) return {};
-  return x;
+  return solve;
 }
 
 }  // namespace signorini

@@ -118,13 +118,11 @@ HarmonicClimb climb_harmonics(const ContactReceptance& receptance, const Eigen::
     climb.iterations += exact.iterations;
     if (exact.converged) {
       here = next;
-      lambda = std::move(exact.lambda);
       if (here.harmonics == top && here.softness == 1.0) {
-        climb.converged = true;
-        climb.residual = exact.residual;
-        climb.lambda = std::move(lambda);
+        climb.top = std::move(exact);
         break;
       }
+      lambda = std::move(exact.lambda);
       next = {stride(here.harmonics), 1.0};
     } else {
       const int halfway = static_cast<int>(std::sqrt(static_cast<double>(here.harmonics) * next.harmonics));

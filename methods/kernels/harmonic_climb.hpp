@@ -39,10 +39,8 @@ ClimbFoot climb_foot(const ContactReceptance& receptance);
 
 /// What a climb came to.
 struct HarmonicClimb {
-  bool converged = false;   ///< with all harmonics and the law's own constant
-  int iterations = 0;       ///< Newton steps, those of failed attempts included
-  double residual = 0.0;    ///< as of project_exactly [-]
-  Eigen::MatrixXcd lambda;  ///< (H+1) x Nc [N]
+  int iterations = 0;   ///< Newton steps, those of failed attempts included
+  ExactProjection top;  ///< with all harmonics and the law's own constant; not converged where it got stuck
 };
 
 /// Follows a solution of the exactly projected equations (project_exactly) from `foot` to all harmonics of

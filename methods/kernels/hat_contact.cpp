@@ -175,6 +175,7 @@ class PreparedHat final : public PreparedMethod {
         finite && result.status == LcpStatus::solved ? Verdict::converged : Verdict::not_converged;
     solution.message = contacts == 0 ? "no contact in the scene: linear response" : describe(result.status);
     solution.residual = result.residual;
+    solution.condition = result.condition;
     solution.work.unknowns = samples() * contacts;
     if (options_.solver == ComplementaritySolver::newton) {
       solution.work.iterations = result.iterations;

@@ -11,12 +11,13 @@
 #include <utility>
 #include <vector>
 
+#include "methods/kernels/constants.hpp"
+
 namespace signorini {
 
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 // An impact appears spread over a third of 1/H with the methods' own constants, up to 2.5 with soft ones.
 constexpr double kLongestImpact = 2.5;
@@ -329,8 +330,7 @@ ImpactCompensation::Result ImpactCompensation::operator()(const ContactReceptanc
     const bool small = defect <= goal || (defect <= kSettled * parts.scale() && defect >= 0.5 * least);
     if (small && !parts.stale()) {
       result.converged = series.converged;
-      result.residual = series.residual;
-      result.lambda = std::move(series.lambda);
+      result.series = std::move(series);
       if (!result.shifts.empty()) result.largest = parts.largest(result.shifts);
       break;
     }
@@ -348,6 +348,7 @@ ImpactCompensation::Result ImpactCompensation::operator()(const ContactReceptanc
       if (next.converged) result.shifts = std::move(moved);
     }
     if (!next.converged) break;
+    if (!next.condition) next.condition = series.condition;  // there already: no step was needed
     series = std::move(next);
   }
   return result;

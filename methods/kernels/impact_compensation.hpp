@@ -39,14 +39,13 @@ class ImpactCompensation {
 
   /// What a compensation came to.
   struct Result {
-    bool converged = false;        ///< the stops stand right; true where there is no impact
-    bool exact = false;            ///< the projected equations have a solution near the one handed in
-    int impacts = 0;               ///< per period
-    int iterations = 0;            ///< Newton steps on the projected equations
-    double residual = 0.0;         ///< as of project_exactly [-]
-    double largest = 0.0;          ///< largest distance of a stop from its place [m]
-    Eigen::MatrixXcd lambda = {};  ///< (H+1) x Nc [N]
-    StopShifts shifts = {};        ///< empty where nothing is shifted
+    bool converged = false;       ///< the stops stand right; true where there is no impact
+    bool exact = false;           ///< the projected equations have a solution near the one handed in
+    int impacts = 0;              ///< per period
+    int iterations = 0;           ///< Newton steps on the projected equations, all of them
+    double largest = 0.0;         ///< largest distance of a stop from its place [m]
+    ExactProjection series = {};  ///< of the projected equations with the stops there; none unless converged
+    StopShifts shifts = {};       ///< empty where nothing is shifted
   };
 
   /// From a solution `lambda` of the exactly projected equations with the stops at `shifts`, or near one.

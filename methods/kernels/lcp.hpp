@@ -2,6 +2,7 @@
 // The complementarity problem that every periodic method ends in, and the result of solving it.
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,10 +31,11 @@ enum class LcpStatus {
 struct LcpResult {
   LcpStatus status = LcpStatus::breakdown;  ///< how it ended
   Eigen::VectorXd z = {};                   ///< of the size of q
-  double residual = 0.0;    ///< max |min(z, w)| / max(max |q|, max |z|), NaN-safe (infinity) [-]
-  long pivots = 0;          ///< pivoting solver
-  long iterations = 0;      ///< Newton solver
-  long factorisations = 0;  ///< dense factorisations from scratch
+  double residual = 0.0;                 ///< max |min(z, w)| / max(max |q|, max |z|), NaN-safe (infinity) [-]
+  long pivots = 0;                       ///< pivoting solver
+  long iterations = 0;                   ///< Newton solver
+  long factorisations = 0;               ///< dense factorisations from scratch
+  std::optional<double> condition = {};  ///< estimate for the block of A on which z > 0; empty: none [-]
 };
 
 /// max_i |min(z_i, w_i)| / max(max |q|, max |z|) with w recomputed from z; infinity if anything is not

@@ -2,7 +2,10 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <optional>
 #include <utility>
+
+#include "methods/kernels/condition_estimate.hpp"
 
 namespace signorini {
 
@@ -12,18 +15,22 @@ Eigen::VectorXd normal_map(Lcp& lcp, const Eigen::VectorXd& y) {
   return (-y).cwiseMax(0.0) - lcp.offset - lcp.matrix * y.cwiseMax(0.0);
 }
 
-/// Solution of the linear problem with the active set of y frozen; empty if that is singular.
-Eigen::VectorXd newton_point(Lcp& lcp, const Eigen::VectorXd& y) {
+/// Solution of the linear problem with the active set of y frozen; empty if that is singular. Estimates the
+/// condition of its block where there is one.
+Eigen::VectorXd newton_point(Lcp& lcp, const Eigen::VectorXd& y, std::optional<double>& condition) {
   std::vector<int> active;
   for (int i = 0; i < static_cast<int>(y.size()); ++i) {
     if (y[i] > 0.0) active.push_back(i);
   }
   Eigen::VectorXd next = -lcp.offset;
+  condition.reset();
   if (active.empty()) return next;
   Eigen::VectorXd rhs(static_cast<Eigen::Index>(active.size()));
   for (std::size_t k = 0; k < active.size(); ++k) rhs[static_cast<Eigen::Index>(k)] = -lcp.offset[active[k]];
-  const Eigen::VectorXd z = lcp.matrix.submatrix(active, active).partialPivLu().solve(rhs);
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(lcp.matrix.submatrix(active, active));
+  const Eigen::VectorXd z = lu.solve(rhs);
   if (!z.allFinite()) return {};
+  condition = condition_from(lu.rcond());
   Eigen::VectorXd full = Eigen::VectorXd::Zero(y.size());
   for (std::size_t k = 0; k < active.size(); ++k) full[active[k]] = z[static_cast<Eigen::Index>(k)];
   next = -(lcp.offset + lcp.matrix * full);
@@ -71,7 +78,7 @@ LcpResult solve_by_newton(Lcp& lcp, const NewtonOptions& options) {
       result.status = LcpStatus::interrupted;
       break;
     }
-    const Eigen::VectorXd target = newton_point(lcp, y);
+    const Eigen::VectorXd target = newton_point(lcp, y, result.condition);
     ++result.factorisations;
     if (target.size() == 0) {
       result.status = LcpStatus::breakdown;

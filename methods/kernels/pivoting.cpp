@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "methods/kernels/constants.hpp"
 #include "methods/kernels/updated_qr.hpp"
 
 namespace signorini {
@@ -13,7 +14,6 @@ namespace signorini {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kSlack = 64 * kEpsilon;  // rounding of a few dozen operations, relative
 constexpr long kRefresh = 64;             // pivots between two recomputations from scratch
 constexpr int kTau = -1;  // the column of the covering vector, and "tau" as a leaving variable
@@ -283,6 +283,7 @@ class LemkePath {
     Eigen::VectorXd correction = -gather(residual);
     qr_.solve(correction);
     active += correction;
+    if (!columns_.empty()) result_.condition = qr_.condition();
     for (std::size_t k = 0; k < columns_.size(); ++k) {
       z[columns_[k]] = std::max(0.0, active[static_cast<Eigen::Index>(k)]);
     }

@@ -99,43 +99,41 @@ FourierTrajectory::Data fourier_data(const ContactReceptance& receptance, const 
   return {receptance.period, std::move(x), std::move(lambda), gap, law.constant, law.relief};
 }
 
-std::optional<int> refine_quadrature(const ContactReceptance& receptance, const ProjectedLaw& law,
-                                     int samples, double tolerance, FourierTrajectory::Data& data) {
+ExactProjection refine_quadrature(const ContactReceptance& receptance, const ProjectedLaw& law, int samples,
+                                  double tolerance, FourierTrajectory::Data& data) {
   ExactProjection exact = project_exactly(receptance, data.gap, law, data.lambda, samples, tolerance);
-  if (!exact.converged) return std::nullopt;
-  data = fourier_data(receptance, data.gap, law, std::move(exact.lambda));
-  return exact.iterations;
+  if (exact.converged) data = fourier_data(receptance, data.gap, law, exact.lambda);
+  return exact;
 }
 
 Solution exact_solution(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
-                        const ProjectedLaw& law, Eigen::MatrixXcd lambda, double residual,
-                        const std::string& how) {
-  FourierTrajectory::Data data = fourier_data(receptance, gap, law, std::move(lambda));
+                        const ProjectedLaw& law, const ExactProjection& solved, const std::string& how) {
+  FourierTrajectory::Data data = fourier_data(receptance, gap, law, solved.lambda);
   const double ratio = net_work_ratio(data.x, data.lambda);
   return {.verdict = Verdict::converged,
           .message = fmt::format("{}; contact integral exact, net contact work {:.1e} of that exchanged", how,
                                  ratio),
           .trajectory = std::make_shared<FourierTrajectory>(std::move(data)),
-          .residual = residual};
+          .residual = solved.residual,
+          .condition = solved.condition};
 }
 
 std::optional<Solution> solve_by_climbing(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                           const LawAt& law_at, double tolerance, const Start& start,
                                           Work& work, const FootSolver& solve_foot) {
   const ProjectedLaw law = law_at(receptance);
-  if (ExactProjection closed = permanent_contact(receptance, gap, law, tolerance); closed.converged)
-    return exact_solution(receptance, gap, law, std::move(closed.lambda), closed.residual,
-                          "permanent contact");
+  if (const ExactProjection closed = permanent_contact(receptance, gap, law, tolerance); closed.converged)
+    return exact_solution(receptance, gap, law, closed, "permanent contact");
   const ClimbFoot foot = climb_foot(receptance);
   if (foot.harmonics == 0) return std::nullopt;
   const Solution base = solve_foot(truncated(receptance, foot.harmonics), foot.softness);
   add_effort(base.work, work);
   if (base.verdict != Verdict::converged) return std::nullopt;
-  HarmonicClimb climb =
+  const HarmonicClimb climb =
       climb_harmonics(receptance, gap, law_at, foot, base.trajectory->force_coefficients(), tolerance, start);
   work.iterations = work.iterations.value_or(0) + climb.iterations;
-  if (!climb.converged) return std::nullopt;
-  return exact_solution(receptance, gap, law, std::move(climb.lambda), climb.residual,
+  if (!climb.top.converged) return std::nullopt;
+  return exact_solution(receptance, gap, law, climb.top,
                         fmt::format("{} harmonics first, Newton from there", foot.harmonics));
 }
 
@@ -163,8 +161,7 @@ std::optional<Solution> ProjectedContact::solve_without_grid(const Start& start,
         project_exactly(receptance_, gap_, law_, force_spectrum(*start.guess, harmonics),
                         kCoarse * std::max(harmonics, kFewest), tolerance);
     work.iterations = work.iterations.value_or(0) + near.iterations;
-    if (near.converged)
-      return exact_solution(receptance_, gap_, law_, near.lambda, near.residual, "Newton from the guess");
+    if (near.converged) return exact_solution(receptance_, gap_, law_, near, "Newton from the guess");
     return std::nullopt;
   }
   return solve_by_climbing(receptance_, gap_, law_at_, tolerance, start, work,
@@ -209,13 +206,15 @@ Solution ProjectedContact::solve_on_grids(const Start& start, Work& work) const 
     FourierTrajectory::Data data = fourier_data(
         receptance_, gap_, law_, force_coefficients(law_, result.z, samples, receptance_.harmonics()));
     const bool solved = result.status == LcpStatus::solved;
+    solution.condition = result.condition;
     std::string quadrature = fmt::format("N = {}", samples);
     // Where nothing touches, the sampled integral is exact.
     bool exact = solved && result.z.maxCoeff() == 0.0;
     if (solved && !exact && options_.quadrature == Quadrature::exact) {
-      const auto steps = refine_quadrature(receptance_, law_, samples, settings.tolerance, data);
-      exact = steps.has_value();
-      if (exact) work.iterations = work.iterations.value_or(0) + *steps;
+      const ExactProjection refined = refine_quadrature(receptance_, law_, samples, settings.tolerance, data);
+      exact = refined.converged;
+      if (exact) work.iterations = work.iterations.value_or(0) + refined.iterations;
+      if (exact && refined.condition) solution.condition = refined.condition;
       quadrature += exact ? ", contact integral exact" : ", contact integral sampled: no exact one nearby";
     }
     const double ratio = net_work_ratio(data.x, data.lambda);
@@ -237,9 +236,15 @@ Eigen::VectorXd ProjectedContact::guess_from(const Trajectory& trajectory, int s
   const Samples motion = trajectory.sample(samples);
   Eigen::VectorXd guess(samples * receptance_.contacts());
   for (int c = 0; c < receptance_.contacts(); ++c) {
-    // A trajectory that presses somewhere states z itself; one that only gives x is judged by x.
     guess.segment(c * samples, samples) =
         (-motion.force.col(c).array() / std::sqrt(law_.constant[c])).max(0.0).matrix();
+  }
+  // An impulse presses on one sample.
+  const double step = trajectory.period() / samples;
+  for (const Impulse& impulse : trajectory.impulses()) {
+    const int sample = static_cast<int>(std::lround(impulse.time / step)) % samples;
+    guess[impulse.contact * samples + sample] -=
+        impulse.value / step / std::sqrt(law_.constant[impulse.contact]);
   }
   return guess;
 }

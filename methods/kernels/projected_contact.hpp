@@ -67,16 +67,14 @@ class SampleLadder {
 FourierTrajectory::Data fourier_data(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                      const ProjectedLaw& law, Eigen::MatrixXcd lambda);
 
-/// Replaces the sampled contact integral of `data` by the exact one. On success `data` holds the new
-/// solution and the Newton steps are returned; where a contact is born or lost on the way `data` is left
-/// as it is and nothing is returned.
-std::optional<int> refine_quadrature(const ContactReceptance& receptance, const ProjectedLaw& law,
-                                     int samples, double tolerance, FourierTrajectory::Data& data);
+/// Replaces the sampled contact integral of `data` by the exact one (project_exactly). Where that does not
+/// converge, because a contact is born or lost on the way, `data` is left as it is.
+ExactProjection refine_quadrature(const ContactReceptance& receptance, const ProjectedLaw& law, int samples,
+                                  double tolerance, FourierTrajectory::Data& data);
 
-/// The answer behind a solution `lambda` of the exactly projected equations, found as `how` says.
+/// The answer behind a solution of the exactly projected equations, found as `how` says.
 Solution exact_solution(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
-                        const ProjectedLaw& law, Eigen::MatrixXcd lambda, double residual,
-                        const std::string& how);
+                        const ProjectedLaw& law, const ExactProjection& solved, const std::string& how);
 
 /// Solves the problem at the foot of a climb: the first harmonics alone, the law softened.
 using FootSolver = std::function<Solution(const ContactReceptance& few, double softness)>;
@@ -100,7 +98,8 @@ ProjectedOptions projected_options(const Problem& problem, const ContactReceptan
   if (options.plain && options.solver == ComplementaritySolver::automatic)
     chosen.solver.solver = ComplementaritySolver::newton;
   const bool left_to_us = !options.plain && options.solver == ComplementaritySolver::automatic;
-  if (compensates(options)) chosen.compensated = compensated_solve(problem, receptance, left_to_us);
+  if (compensates(options))
+    chosen.compensated = compensated_solve(problem, receptance, {left_to_us, hardening_of(options)});
   return chosen;
 }
 

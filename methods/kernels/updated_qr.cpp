@@ -4,6 +4,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 
+#include "methods/kernels/condition_estimate.hpp"
+
 namespace signorini {
 
 void UpdatedQr::clear() {
@@ -83,6 +85,8 @@ void UpdatedQr::remove_row(int index) {
   }
   --rows_;
 }
+
+double UpdatedQr::condition() const { return triangular_condition(r_.topLeftCorner(rows_, rows_)); }
 
 void UpdatedQr::solve(Eigen::VectorXd& b) const {
   auto head = work_.head(rows_);

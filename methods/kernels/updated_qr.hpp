@@ -26,6 +26,9 @@ class UpdatedQr {
   void remove_column(int index);                      ///< index: below cols()
   void remove_row(int index);                         ///< index: below rows()
 
+  /// Estimated condition number of square G (triangular_condition).
+  [[nodiscard]] double condition() const;
+
   /// Solves G x = b for square G, in place. A zero pivot gives infinities: check the result.
   void solve(Eigen::VectorXd& b) const;
 

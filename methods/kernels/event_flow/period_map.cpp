@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "methods/kernels/condition_estimate.hpp"
+
 namespace signorini {
 
 void PeriodMap::apply(FlowState& state, int count, FlowRecord& record) {
@@ -119,6 +121,7 @@ Orbit newton_orbit(PeriodMap& map, const FlowState& guess, int order, const Newt
       break;
     }
     shot = std::move(next);
+    orbit.condition = condition_from(lu.rcond());
     if (polishing) break;
   }
   orbit.start = shot.start;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "methods/kernels/event_flow/flow.hpp"
@@ -38,10 +39,11 @@ struct Orbit {
   std::string reason;  ///< why not, one clause
   FlowState start;
   int order = 1;
-  double residual = 0.0;         ///< distance between start and end of a period [-]
-  int iterations = 0;            ///< Newton steps
-  Eigen::MatrixXd monodromy;     ///< in scaled coordinates, 2 Nd x 2 Nd
-  Eigen::VectorXcd multipliers;  ///< its eigenvalues; empty unless converged
+  double residual = 0.0;                 ///< distance between start and end of a period [-]
+  int iterations = 0;                    ///< Newton steps
+  std::optional<double> condition = {};  ///< estimate for I - monodromy at the last step, scaled [-]
+  Eigen::MatrixXd monodromy;             ///< in scaled coordinates, 2 Nd x 2 Nd
+  Eigen::VectorXcd multipliers;          ///< its eigenvalues; empty unless converged
 
   [[nodiscard]] double largest_multiplier() const;
 };

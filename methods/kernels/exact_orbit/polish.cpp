@@ -9,13 +9,13 @@
 #include <limits>
 #include <utility>
 
+#include "methods/kernels/condition_estimate.hpp"
+#include "methods/kernels/constants.hpp"
 #include "methods/kernels/exact_orbit/green_function.hpp"
 
 namespace signorini {
 
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 class Polish {
  public:
@@ -206,6 +206,7 @@ class Polish {
 
   void measure_error(const OrbitGuess& solved) {
     lu_.compute(equations_.jacobian());
+    orbit_.condition = condition_from(lu_.rcond());
     const Eigen::VectorXd weight = weights();
     const Eigen::MatrixXd inverse = weight.asDiagonal() * lu_.inverse();
     const double noise = orbit_.residual + attainable();

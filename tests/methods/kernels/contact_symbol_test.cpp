@@ -87,7 +87,8 @@ int products_needed(int harmonics, const Eigen::Vector2d& length) {
   };
   const Eigen::VectorXd b = jacobian_product(symbol, begin, length, some_vector(symbol.unknowns()));
   const Eigen::VectorXd x = solve_by_gmres(
-      product, [&](const Eigen::VectorXd& v) { return inverse * v; }, b, 1e-12);
+                                product, [&](const Eigen::VectorXd& v) { return inverse * v; }, b, 1e-12)
+                                .x;
   EXPECT_EQ(x.size(), b.size());
   return products;
 }

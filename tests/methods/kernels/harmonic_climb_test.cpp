@@ -95,13 +95,13 @@ TEST(ClimbHarmonics, CallsNothingConvergedThatDoesNotSolveTheEquations) {
   const HarmonicClimb climb = climb_harmonics(receptance, Eigen::VectorXd::Constant(1, kStop.gap), law,
                                               {.harmonics = 20, .softness = 1.0 / 16.0}, wild, 1e-10, {});
   // It may end anywhere, but what it calls converged must solve the equations.
-  if (climb.converged) {
+  if (climb.top.converged) {
     const ExactProjection again = project_exactly(receptance, Eigen::VectorXd::Constant(1, kStop.gap),
-                                                  law(receptance), climb.lambda, 16 * 80, 1e-9);
+                                                  law(receptance), climb.top.lambda, 16 * 80, 1e-9);
     EXPECT_EQ(again.iterations, 0);
     EXPECT_TRUE(again.converged);
   } else {
-    EXPECT_EQ(climb.lambda.size(), 0);
+    EXPECT_EQ(climb.top.lambda.size(), 0);
   }
 }
 

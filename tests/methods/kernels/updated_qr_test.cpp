@@ -56,6 +56,11 @@ class Twin {
     // Backward stable: the residual is small whatever the conditioning.
     const double scale = matrix_.norm() * x.norm() + b.norm();
     EXPECT_LE((matrix_ * x - b).norm(), 1e-13 * scale) << "size " << matrix_.rows();
+    // Of R, which has the condition of the matrix to a factor of its size.
+    const double condition = qr_.condition(), rows = static_cast<double>(matrix_.rows());
+    const double exact = 1.0 / Eigen::PartialPivLU<Eigen::MatrixXd>(matrix_).rcond();
+    EXPECT_GE(condition, exact / (4.0 * rows));
+    EXPECT_LE(condition, exact * (4.0 * rows));
   }
 
  private:
