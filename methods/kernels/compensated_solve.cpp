@@ -16,11 +16,11 @@ namespace signorini {
 
 namespace {
 
-constexpr int kBracketed = 16;               // samples per harmonic: contacts told apart as in a climb
-constexpr double kOnTheWay = 1e-4;           // of a compensation that only leads to another, relative to x
-constexpr int kFewestBracketed = 8;          // harmonics for which the coarsest grid is made
-constexpr int kNodesInAll = kFinestHatGrid;  // nodes times contacts that a second start may take
-constexpr int kNodesPerHarmonic = 4;         // fewer do not carry the harmonics asked for
+constexpr int kBracketed = 16;       // samples per harmonic: contacts told apart as in a climb
+constexpr double kOnTheWay = 1e-4;   // of a compensation that only leads to another, relative to x
+constexpr int kFewestBracketed = 8;  // harmonics for which the coarsest grid is made
+constexpr int kNodesInAll = 2 * kFinestHatGrid;  // nodes times contacts that a second start may take
+constexpr int kNodesPerHarmonic = 4;             // fewer do not carry the harmonics asked for
 
 /// One solve, its impacts, and what it spends.
 class Compensating {
@@ -160,7 +160,7 @@ bool serves(int samples, const ContactReceptance& receptance) {
 struct SecondStart {
   bool asked = false;                   ///< a grid of hat functions serves
   std::optional<Solution> answer = {};  ///< with compensated impacts
-  std::optional<double> distance = {};  ///< of the first answer from the nearest motion on hat functions [-]
+  std::optional<double> distance = {};  ///< of the first answer from the motion on the finest grid [-]
 };
 
 SecondStart second_start(const Compensating& compensating, Resolutions& grids,
@@ -179,8 +179,7 @@ SecondStart second_start(const Compensating& compensating, Resolutions& grids,
     second.answer = compensating.from_hat(*hat.trajectory, samples);
     if (second.answer) break;
     if (first.verdict != Verdict::converged) continue;
-    const double away = relative_distance(*first.trajectory, *hat.trajectory, samples);
-    second.distance = std::min(away, second.distance.value_or(away));
+    second.distance = relative_distance(*first.trajectory, *hat.trajectory, samples);
   }
   return second;
 }
