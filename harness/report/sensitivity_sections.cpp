@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -74,13 +75,21 @@ std::optional<double> gain_of(const Record& off, const Record& on) {
 
 std::string gain_text(double gain) { return fmt::format("{:.3g}", gain); }
 
+/// The number in a value, "1e3" or in units of a scale "1e3x"; nothing in a word.
+std::optional<double> number_in(const std::string& value) {
+  char* end = nullptr;
+  const double number = std::strtod(value.c_str(), &end);
+  const std::string_view rest = end;
+  if (end == value.c_str() || !(rest.empty() || rest == "x")) return std::nullopt;
+  return number;
+}
+
 /// Numbers in rising order; words as they ran.
 std::vector<std::string> in_order(std::vector<std::string> values) {
-  const auto number = [](const std::string& value) { return std::strtod(value.c_str(), nullptr); };
-  const auto word = [](const std::string& value) { return !is_numeric("=" + value); };
+  const auto word = [](const std::string& value) { return !number_in(value); };
   if (std::any_of(values.begin(), values.end(), word)) return values;
   std::stable_sort(values.begin(), values.end(),
-                   [&](const std::string& a, const std::string& b) { return number(a) < number(b); });
+                   [](const std::string& a, const std::string& b) { return *number_in(a) < *number_in(b); });
   return values;
 }
 

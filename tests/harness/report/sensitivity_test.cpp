@@ -41,6 +41,17 @@ TEST(Sensitivity, HasARowForEachValueOfWhatIsVaried) {
                                         {"m[h=40]", "c", "1e3", "3 of 3", "3", "0", "1.0e-03", "1.0e-03"}}));
 }
 
+TEST(Sensitivity, HasNumbersInRisingOrderHoweverTheyAreSpelt) {
+  std::vector<Record> records;
+  for (const char* value : {"10x", "1e3x", "100x"})
+    records.push_back(test::good_record("a", "m", std::string("h=40,p=") + value, 1e-2, 1.0));
+  for (const char* value : {"0.3", "1e-3", "0", "0.01"})
+    records.push_back(test::good_record("a", "n", std::string("h=40,s=") + value, 1e-2, 1.0));
+  std::vector<std::string> values;
+  for (const auto& row : sensitivity(records)) values.push_back(row[2]);
+  EXPECT_EQ(values, (std::vector<std::string>{"10x", "100x", "1e3x", "0", "1e-3", "0.01", "0.3"}));
+}
+
 TEST(Sensitivity, TakesNeitherResolutionsNorPairsForVariations) {
   std::vector<Record> records;
   for (const char* resolution : {"h=10", "h=20", "h=40", "h=10,c=1", "h=10,c=2"})
