@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [2.36e-05:3.48e+00]
+set xrange [1.71e-05:1.53e+00]
 set yrange [3.05e-13:1.87e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

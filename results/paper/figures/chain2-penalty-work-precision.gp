@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [1.82e-05:3.57e+00]
+set xrange [1.44e-05:1.70e+00]
 set yrange [1.54e-13:2.11e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,13 +10,13 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [2.64e-05:7.07e-01]
+set xrange [1.85e-05:4.30e-01]
 set yrange [1.57e-13:7.47e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
 set key outside right top vertical Left reverse samplen 3 spacing 1.2 noenhanced
-floor = 5.225818e-13  # ten error bars of the least certain orbit
+floor = 5.540745e-13  # ten error bars of the least certain orbit
 plot floor with lines lc rgb '#888888' dt 3 lw 1 title 'error bar x 10', \
   data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [3.34e-05:1.00e+01]
+set xrange [1.86e-05:3.96e+00]
 set yrange [1.76e-13:2.86e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

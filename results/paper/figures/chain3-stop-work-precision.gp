@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [4.60e-05:4.92e-01]
+set xrange [2.12e-05:3.27e-01]
 set yrange [1.91e-13:5.63e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [9.21e-05:1.81e+00]
+set xrange [4.30e-05:8.96e-01]
 set yrange [1.91e-12:3.04e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

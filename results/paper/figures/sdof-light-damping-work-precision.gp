@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [2.37e-05:5.20e-01]
+set xrange [1.14e-05:1.69e-01]
 set yrange [1.37e-13:6.09e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

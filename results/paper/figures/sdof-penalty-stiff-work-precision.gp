@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [2.28e-05:5.62e-01]
+set xrange [1.85e-05:3.77e-01]
 set yrange [9.45e-13:6.47e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

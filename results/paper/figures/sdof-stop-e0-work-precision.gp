@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [1.13e-05:4.58e-02]
+set xrange [6.17e-06:2.01e-02]
 set yrange [1.02e-13:2.38e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [8.05e-06:6.26e-02]
+set xrange [5.57e-06:3.81e-02]
 set yrange [1.77e-13:5.79e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,13 +10,13 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [9.13e-06:4.44e-01]
+set xrange [6.22e-06:1.14e-01]
 set yrange [1.11e-13:5.54e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
 set key outside right top vertical Left reverse samplen 3 spacing 1.2 noenhanced
-floor = 4.343063e-13  # ten error bars of the least certain orbit
+floor = 4.390805e-13  # ten error bars of the least certain orbit
 plot floor with lines lc rgb '#888888' dt 3 lw 1 title 'error bar x 10', \
   data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \

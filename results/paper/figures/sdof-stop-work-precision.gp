@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [7.78e-06:4.00e-01]
+set xrange [5.42e-06:1.44e-01]
 set yrange [2.14e-13:5.74e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,13 +10,13 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x, own law [-]'
-set xrange [5.90e-05:9.16e-01]
-set yrange [8.50e-13:4.25e-02]
+set xrange [7.11e-05:5.27e-01]
+set yrange [1.01e-12:4.10e-02]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
 set key outside right top vertical Left reverse samplen 3 spacing 1.2 noenhanced
-floor = 2.550405e-12  # ten error bars of the least certain orbit
+floor = 3.028549e-12  # ten error bars of the least certain orbit
 plot floor with lines lc rgb '#888888' dt 3 lw 1 title 'error bar x 10', \
   data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [4.99e-05:1.43e-01]
+set xrange [1.75e-05:5.55e-02]
 set yrange [4.24e-13:5.56e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

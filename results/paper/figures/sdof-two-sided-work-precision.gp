@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [6.02e-05:4.67e+00]
+set xrange [3.18e-05:2.57e+00]
 set yrange [7.03e-13:3.82e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

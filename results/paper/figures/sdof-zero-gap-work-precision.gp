@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [9.77e-06:1.86e+00]
+set xrange [6.70e-06:1.49e+00]
 set yrange [2.00e-13:6.61e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
