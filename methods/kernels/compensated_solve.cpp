@@ -181,6 +181,7 @@ SecondStart second_start(const Compensating& compensating, Resolutions& grids,
     if (first.verdict != Verdict::converged) continue;
     second.distance = relative_distance(*first.trajectory, *hat.trajectory, samples);
   }
+  if (start.expired()) second.distance.reset();  // the finest grid has not spoken
   return second;
 }
 
