@@ -83,6 +83,8 @@ CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store
       break;
     }
   }
+  // An earlier run may have been killed between its last record and this.
+  if (!result.interrupted) store.clear_unfinished();
   return result;
 }
 
