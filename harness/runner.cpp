@@ -27,7 +27,6 @@ constexpr double kQuickSeconds = 10.0;
 
 double late(double seconds) { return seconds * kLateness + kLatenessSeconds; }
 
-/// One line; text that is not UTF-8 is repaired rather than refused.
 /// How many periods of a motion make the one that a scene asks for; 0 if no whole number does.
 int whole_periods(const Problem& problem, const Trajectory& motion) {
   constexpr double kSamePeriod = 1e-6;  // as of an answer's period
@@ -36,6 +35,7 @@ int whole_periods(const Problem& problem, const Trajectory& motion) {
   return whole >= 1.0 && std::abs(ratio - whole) <= kSamePeriod * ratio ? static_cast<int>(whole) : 0;
 }
 
+/// One line; text that is not UTF-8 is repaired rather than refused.
 std::string as_line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 std::string law_key(const Problem& problem, const RepresentedLaw& law) {
@@ -246,13 +246,13 @@ std::optional<Record> Runner::without_run(const Scene& scene, const Job& job) co
   record.status = Status::not_applicable;
   record.message = job.survey->reason;
   if (!job.survey->ok) return record;
-  if (!job.run->choice.start()) return std::nullopt;
   record.message = start_obstacle(scene, job);
   if (record.message.empty()) return std::nullopt;
   return record;
 }
 
 std::string Runner::start_obstacle(const Scene& scene, const Job& job) const {
+  if (!job.run->choice.start()) return {};
   const Reference& reference = reference_for(scene.problem, *job.survey->law);
   if (!reference.orbit) return "no orbit to start from: " + reference.reason;
   if (whole_periods(scene.problem, *reference.orbit) > 0) return {};
@@ -325,8 +325,8 @@ void Runner::run_later(const Scene& scene, std::span<const Job> jobs, std::span<
   for (const Job& job : jobs) {
     work.push_back([this, &scene, &job, &extras](const Send& send) {
       // A run that is resumed may find no orbit this time.
-      const std::string obstacle = job.run->choice.start() ? start_obstacle(scene, job) : std::string();
-      if (!obstacle.empty()) return send(repeat_line({.times = {}, .message = obstacle}));
+      if (const std::string obstacle = start_obstacle(scene, job); !obstacle.empty())
+        return send(repeat_line({.times = {}, .message = obstacle}));
       send(repeat_line(repeat_solve(scene, *job.run, limits_, start_of(scene, job, extras))));
     });
   }

@@ -84,7 +84,8 @@ class Runner {
   [[nodiscard]] std::string key_of(const Scene& scene, const Case& run) const;
 
  private:
-  /// Why there is no motion to start from for a case that asks for one; empty if there is.
+  /// Why there is no motion to start from for a case that asks for one; empty if there is, or none is asked
+  /// for.
   [[nodiscard]] std::string start_obstacle(const Scene& scene, const Job& job) const;
   /// Where the solves of a job begin, if there is no obstacle. Null: cold.
   [[nodiscard]] std::shared_ptr<const Trajectory> start_of(const Scene& scene, const Job& job,

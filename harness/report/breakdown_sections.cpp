@@ -74,6 +74,22 @@ Cell breakdown_cell(const Levels& levels, double error) {
   return {text, static_cast<double>(in_a_row)};
 }
 
+/// A row for each family, a column for each contestant.
+template <class MakeCell>
+Table family_table(const Evaluation& evaluation, const Families& families, const MakeCell& cell_of) {
+  Table table{.header = {"family"}, .rows = {}};
+  for (const std::string& contestant : evaluation.contestants()) table.header.push_back(contestant);
+  for (const auto& [family, contestants] : families) {
+    std::vector<Cell> row{family};
+    for (std::size_t place = 0; place < evaluation.contestants().size(); ++place) {
+      const auto found = contestants.find(place);
+      row.push_back(found == contestants.end() ? Cell("not run") : cell_of(found->second));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 Section breakdown_section(const Evaluation& evaluation, const Families& families, double error) {
   Section section{.id = fmt::format("breakdown-{:.0e}", error),
                   .title = fmt::format("Severest level solved with an error of x within {:.0e}", error)};
@@ -83,16 +99,8 @@ Section breakdown_section(const Evaluation& evaluation, const Families& families
       "its resolutions, together with all easier ones; in brackets how many it solves if harder ones are "
       "among them. `≠`: "
       "the method represents another law than the scene, and is measured by its own.";
-  section.table.header = {"family"};
-  for (const std::string& contestant : evaluation.contestants()) section.table.header.push_back(contestant);
-  for (const auto& [family, contestants] : families) {
-    std::vector<Cell> row{family};
-    for (std::size_t place = 0; place < evaluation.contestants().size(); ++place) {
-      const auto found = contestants.find(place);
-      row.push_back(found == contestants.end() ? Cell("not run") : breakdown_cell(found->second, error));
-    }
-    section.table.rows.push_back(std::move(row));
-  }
+  section.table = family_table(evaluation, families,
+                               [error](const Levels& levels) { return breakdown_cell(levels, error); });
   return section;
 }
 
@@ -150,6 +158,18 @@ Section false_convergence_section(const Evaluation& evaluation) {
   return section;
 }
 
+/// The largest estimate of a certified answer.
+Cell condition_cell(const Levels& levels) {
+  double largest = 0.0;
+  for (const auto& [severity, records] : levels) {
+    for (const Record* record : records) {
+      if (record->certificate.status == CertificateStatus::certified)
+        largest = std::max(largest, record->condition.value_or(0.0));
+    }
+  }
+  return largest > 0.0 ? Cell(fmt::format("{:.0e}", largest), largest) : Cell("none");
+}
+
 /// How ill-conditioned the equations become on the way, as far as answers go.
 Section condition_section(const Evaluation& evaluation, const Families& families) {
   Section section{.id = "condition", .title = "Largest condition estimate of a certified answer"};
@@ -158,25 +178,7 @@ Section condition_section(const Evaluation& evaluation, const Families& families
       "method "
       "does it, from Krylov steps a lower bound: the largest over the levels of a family on which its answer "
       "is certified. Compare down a column. Its logarithm tells how many digits the answer may have lost.";
-  section.table.header = {"family"};
-  for (const std::string& contestant : evaluation.contestants()) section.table.header.push_back(contestant);
-  for (const auto& [family, contestants] : families) {
-    std::vector<Cell> row{family};
-    for (std::size_t place = 0; place < evaluation.contestants().size(); ++place) {
-      double largest = 0.0;
-      const auto found = contestants.find(place);
-      if (found != contestants.end()) {
-        for (const auto& [severity, records] : found->second) {
-          for (const Record* record : records) {
-            if (record->certificate.status == CertificateStatus::certified)
-              largest = std::max(largest, record->condition.value_or(0.0));
-          }
-        }
-      }
-      row.push_back(largest > 0.0 ? Cell(fmt::format("{:.0e}", largest), largest) : Cell("none"));
-    }
-    section.table.rows.push_back(std::move(row));
-  }
+  section.table = family_table(evaluation, families, condition_cell);
   return section;
 }
 

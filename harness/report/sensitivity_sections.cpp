@@ -73,7 +73,7 @@ std::optional<double> gain_of(const Record& off, const Record& on) {
   return *off.errors.x_l2 / *on.errors.x_l2;
 }
 
-std::string gain_text(double gain) { return fmt::format("{:.3g}", gain); }
+Cell gain_cell(double gain) { return {fmt::format("{:.3g}", gain), gain}; }
 
 /// The number in a value, "1e3" or in units of a scale "1e3x"; nothing in a word.
 std::optional<double> number_in(const std::string& value) {
@@ -149,8 +149,7 @@ std::vector<Section> switch_sections(const Evaluation& evaluation) {
   Section summary{.id = "switches", .title = "One switch off and on"};
   summary.text =
       "The same scenes with one option false and true, the others as stated. Gain: error of x with it off "
-      "over "
-      "that with it on, where both answers are certified and of the same orbit.";
+      "over that with it on, where both answers are certified and of the same orbit.";
   summary.table.header = {
       "method",     "switch",      "scenes",      "solved with it off", "solved with it on",
       "least gain", "median gain", "largest gain"};
@@ -166,22 +165,16 @@ std::vector<Section> switch_sections(const Evaluation& evaluation) {
       const std::optional<double> gain = gain_of(*off, *on);
       if (gain) gains.push_back(*gain);
       scenes.table.rows.push_back({off->scene, varied.first, varied.second, error_text(*off), error_text(*on),
-                                   gain ? Cell(gain_text(*gain), *gain) : Cell("none")});
+                                   gain ? gain_cell(*gain) : Cell("none")});
     }
     const Outcome off = outcome_of(records.at("false")), on = outcome_of(records.at("true"));
-    std::vector<Cell> row{varied.first,
-                          varied.second,
-                          count_cell(on.cases),
-                          count_cell(off.solved),
-                          count_cell(on.solved),
-                          "none",
-                          "none",
-                          "none"};
-    if (!gains.empty()) {
+    std::vector<Cell> row{varied.first, varied.second, count_cell(on.cases), count_cell(off.solved),
+                          count_cell(on.solved)};
+    if (gains.empty()) {
+      row.insert(row.end(), 3, Cell("none"));
+    } else {
       const auto [least, largest] = std::minmax_element(gains.begin(), gains.end());
-      row[5] = Cell(gain_text(*least), *least);
-      row[6] = Cell(gain_text(median(gains)), median(gains));
-      row[7] = Cell(gain_text(*largest), *largest);
+      for (const double gain : {*least, median(gains), *largest}) row.push_back(gain_cell(gain));
     }
     summary.table.rows.push_back(std::move(row));
   }

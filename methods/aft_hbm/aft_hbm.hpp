@@ -57,8 +57,7 @@ class AftHbm final : public Method {
             "compensated 32x");
       field("penalty", penalty, "[N/m]",
             "penalty: stiffness of the stop, 1e6 or 100x; auto: the scene's, else 8x (compensated 64x) the "
-            "dynamic one near H, "
-            "stiffer if massless");
+            "dynamic one near H, stiffer if massless");
       field("quadrature", quadrature, "[-]",
             "exact: contact integral between its edges | sampled: on the N samples; auto: exact, sampled if "
             "plain");

@@ -16,9 +16,8 @@ namespace signorini {
 
 namespace {
 
-constexpr int kBracketed = 16;       // samples per harmonic: contacts told apart as in a climb
-constexpr double kOnTheWay = 1e-4;   // of a compensation that only leads to another, relative to x
-constexpr int kFewestBracketed = 8;  // harmonics for which the coarsest grid is made
+constexpr int kBracketed = 16;      // samples per harmonic: contacts told apart as in a climb
+constexpr double kOnTheWay = 1e-4;  // of a compensation that only leads to another, relative to x
 constexpr int kNodesInAll = 2 * kFinestHatGrid;  // nodes times contacts that a second start may take
 constexpr int kNodesPerHarmonic = 4;             // fewer do not carry the harmonics asked for
 
@@ -92,7 +91,7 @@ class Compensating {
 
   [[nodiscard]] ImpactCompensation::Result compensate(const ProjectedLaw& law, const Eigen::MatrixXcd& lambda,
                                                       const StopShifts& shifts, double tolerance) const {
-    const int samples = kBracketed * std::max(equations_.receptance.harmonics(), kFewestBracketed);
+    const int samples = kBracketed * std::max(equations_.receptance.harmonics(), kFewestOnGrid);
     return compensation_(equations_.receptance, equations_.gap, law, lambda, shifts, samples, tolerance,
                          start_);
   }

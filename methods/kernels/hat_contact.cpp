@@ -11,6 +11,7 @@
 #include "methods/kernels/free_overlap.hpp"
 #include "methods/kernels/newton.hpp"
 #include "methods/kernels/period_marching.hpp"
+#include "methods/kernels/periodic_response.hpp"
 #include "methods/kernels/projected_law.hpp"
 #include "methods/kernels/real_fft.hpp"
 #include "methods/kernels/receptance.hpp"
@@ -72,7 +73,8 @@ class PreparedHat final : public PreparedMethod {
     const Eigen::VectorXd scale = force_scale();
     Lcp lcp = assemble(scale);
     const LcpResult result =
-        solve_scaled(lcp, scale, start, start.guess ? guess_from(*start.guess, scale) : Eigen::VectorXd{});
+        solve_scaled(lcp, scale, start,
+                     start.guess ? pressure_samples(*start.guess, samples(), scale) : Eigen::VectorXd{});
     Eigen::VectorXd pressure = result.z;
     for (int c = 0; c < receptance_.contacts(); ++c) pressure.segment(c * samples(), samples()) *= scale[c];
     return finish(pressure, result);
@@ -109,20 +111,6 @@ class PreparedHat final : public PreparedMethod {
       free.row(n) = shift * receptance_.free_response.row(n);
     }
     return {BlockCirculant(samples(), symbol), -free_overlap(free, gap_, scale, samples())};
-  }
-
-  [[nodiscard]] Eigen::VectorXd guess_from(const Trajectory& trajectory, const Eigen::VectorXd& scale) const {
-    const Samples motion = trajectory.sample(samples());
-    Eigen::VectorXd guess(samples() * receptance_.contacts());
-    for (int c = 0; c < receptance_.contacts(); ++c) {
-      guess.segment(c * samples(), samples()) = (-motion.force.col(c) / scale[c]).cwiseMax(0.0);
-    }
-    const double step = trajectory.period() / samples();
-    for (const Impulse& impulse : trajectory.impulses()) {
-      const int node = static_cast<int>(std::lround(impulse.time / step)) % samples();
-      guess[impulse.contact * samples() + node] -= impulse.value / step / scale[impulse.contact];
-    }
-    return guess;
   }
 
   /// The solver asked for; with `auto`, a path of pivots that grows long (chatter: as many solutions as

@@ -69,6 +69,19 @@ ForceSeries force_series(const Problem& problem, const Trajectory& trajectory, i
   return series;
 }
 
+Eigen::VectorXd pressure_samples(const Trajectory& trajectory, int count, const Eigen::VectorXd& unit) {
+  const Samples motion = trajectory.sample(count);
+  Eigen::VectorXd pressure(count * unit.size());
+  for (Eigen::Index c = 0; c < unit.size(); ++c)
+    pressure.segment(c * count, count) = (-motion.force.col(c) / unit[c]).cwiseMax(0.0);
+  const double step = trajectory.period() / count;
+  for (const Impulse& impulse : trajectory.impulses()) {
+    const int nearest = static_cast<int>(std::lround(impulse.time / step)) % count;
+    pressure[impulse.contact * count + nearest] -= impulse.value / step / unit[impulse.contact];
+  }
+  return pressure;
+}
+
 Eigen::MatrixXd sample_series(const Eigen::MatrixXcd& coefficients, int count) {
   // Finely enough for every harmonic, then thinned to the instants asked for.
   const auto harmonics = static_cast<int>(coefficients.rows()) - 1;

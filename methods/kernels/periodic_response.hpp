@@ -52,6 +52,11 @@ class PeriodicResponse {
 /// has them, zero beyond its bandwidth; else by a fine transform of its samples.
 Eigen::MatrixXcd force_spectrum(const Trajectory& trajectory, int count);
 
+/// The pressure -lambda >= 0 at `count` equidistant instants in units of `unit` [N] per contact, contact by
+/// contact, count Nc: z of a nearby complementarity problem. An impulse J presses as J count / T on the
+/// instant nearest to it.
+Eigen::VectorXd pressure_samples(const Trajectory& trajectory, int count, const Eigen::VectorXd& unit);
+
 /// A real function of the period's time at `count` instants, count x k, from its coefficients n = 0..H, (H+1)
 /// x k.
 Eigen::MatrixXd sample_series(const Eigen::MatrixXcd& coefficients, int count);

@@ -23,7 +23,6 @@ namespace {
 constexpr int kSampled = 32;
 constexpr int kCoarse = 8;
 constexpr int kFinest = 128;
-constexpr int kFewest = 8;  // harmonics for which the coarsest grid is made
 // A sampled answer is good enough when the contact's net work is this small a part of the work exchanged.
 constexpr double kEnergyIdentity = 1e-3;
 
@@ -77,8 +76,8 @@ ProjectedContact::ProjectedContact(Eigen::VectorXd gap, ContactReceptance recept
 
 SampleLadder::SampleLadder(int harmonics, std::optional<int> fixed, Quadrature quadrature)
     : quadrature_(quadrature),
-      samples_(fixed.value_or(
-          std::max(kCoarse * kFewest, (quadrature == Quadrature::exact ? kCoarse : kSampled) * harmonics))),
+      samples_(fixed.value_or(std::max(kCoarse * kFewestOnGrid,
+                                       (quadrature == Quadrature::exact ? kCoarse : kSampled) * harmonics))),
       trusted_(kSampled * harmonics),
       finest_(fixed ? 0 : kFinest * harmonics) {}
 
@@ -159,7 +158,7 @@ std::optional<Solution> ProjectedContact::solve_without_grid(const Start& start,
   if (start.guess) {
     const ExactProjection near =
         project_exactly(receptance_, gap_, law_, force_spectrum(*start.guess, harmonics),
-                        kCoarse * std::max(harmonics, kFewest), tolerance);
+                        kCoarse * std::max(harmonics, kFewestOnGrid), tolerance);
     work.iterations = work.iterations.value_or(0) + near.iterations;
     if (near.converged) return exact_solution(receptance_, gap_, law_, near, "Newton from the guess");
     return std::nullopt;
@@ -191,7 +190,8 @@ Solution ProjectedContact::solve_on_grids(const Start& start, Work& work) const 
   while (true) {
     const int samples = ladder.samples();
     Lcp lcp = projected_lcp(receptance_, gap_, law_, samples);
-    const Eigen::VectorXd guess = start.guess ? guess_from(*start.guess, samples) : Eigen::VectorXd{};
+    const Eigen::VectorXd guess =
+        start.guess ? pressure_samples(*start.guess, samples, law_.constant.cwiseSqrt()) : Eigen::VectorXd{};
     const long limit = options_.solver.max_iterations;
     const auto spent = [&work] { return work.pivots.value_or(0) + work.iterations.value_or(0); };
     if (limit > 0) settings.max_iterations = static_cast<int>(std::max(1L, limit - spent()));
@@ -230,23 +230,6 @@ Solution ProjectedContact::solve_on_grids(const Start& start, Work& work) const 
     if (!ladder.climb(solved, exact, ratio)) break;
   }
   return solution;
-}
-
-Eigen::VectorXd ProjectedContact::guess_from(const Trajectory& trajectory, int samples) const {
-  const Samples motion = trajectory.sample(samples);
-  Eigen::VectorXd guess(samples * receptance_.contacts());
-  for (int c = 0; c < receptance_.contacts(); ++c) {
-    guess.segment(c * samples, samples) =
-        (-motion.force.col(c).array() / std::sqrt(law_.constant[c])).max(0.0).matrix();
-  }
-  // An impulse presses on one sample.
-  const double step = trajectory.period() / samples;
-  for (const Impulse& impulse : trajectory.impulses()) {
-    const int sample = static_cast<int>(std::lround(impulse.time / step)) % samples;
-    guess[impulse.contact * samples + sample] -=
-        impulse.value / step / std::sqrt(law_.constant[impulse.contact]);
-  }
-  return guess;
 }
 
 }  // namespace signorini

@@ -18,6 +18,9 @@
 
 namespace signorini {
 
+/// Harmonics for which the coarsest grid of samples is made, however few there are.
+inline constexpr int kFewestOnGrid = 8;
+
 /// How the projected equations are solved.
 struct ProjectedOptions {
   std::optional<int> samples = {};                     ///< N; empty: see SampleLadder
@@ -121,8 +124,6 @@ class ProjectedContact final : public PreparedMethod {
   std::optional<Solution> solve_without_grid(const Start& start, Work& work) const;
   /// On the grids of SampleLadder.
   Solution solve_on_grids(const Start& start, Work& work) const;
-  /// z on the grid from a trajectory: max(0, y) sampled.
-  [[nodiscard]] Eigen::VectorXd guess_from(const Trajectory& trajectory, int samples) const;
 
   Eigen::VectorXd gap_;
   ContactReceptance receptance_;

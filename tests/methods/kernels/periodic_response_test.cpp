@@ -63,5 +63,16 @@ TEST(PeriodicResponse, AcceptsSubharmonicsAndRefusesForeignPeriods) {
   EXPECT_THROW(PeriodicResponse(problem, Impacts(1.3 * problem.period(), {})), std::invalid_argument);
 }
 
+TEST(PressureSamples, PutsAnImpulseOnTheNearestInstant) {
+  // Late in the period the nearest of eight instants is the first of the next.
+  const Impacts motion(
+      2.0, {{.contact = 0, .time = 0.6, .value = -3.0}, {.contact = 0, .time = 1.9, .value = -1.0}});
+  const Eigen::VectorXd pressure = pressure_samples(motion, 8, Eigen::VectorXd::Constant(1, 2.0));
+  Eigen::VectorXd expected = Eigen::VectorXd::Zero(8);
+  expected[2] = 3.0 / 0.25 / 2.0;
+  expected[0] = 1.0 / 0.25 / 2.0;
+  EXPECT_TRUE(pressure.isApprox(expected)) << pressure.transpose();
+}
+
 }  // namespace
 }  // namespace signorini
