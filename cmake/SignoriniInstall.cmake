@@ -12,7 +12,7 @@ install(DIRECTORY problems methods DESTINATION ${headers} FILES_MATCHING PATTERN
         PATTERN catalogue EXCLUDE PATTERN families EXCLUDE PATTERN suites EXCLUDE)
 install(FILES ${interface_version} DESTINATION ${headers}/methods/plugin)
 
-install(TARGETS signorini_build signorini_problems signorini_kernels signorini_methods EXPORT signorini)
+install(TARGETS signorini_build signorini_problems signorini_numerics signorini_methods EXPORT signorini)
 install(EXPORT signorini NAMESPACE signorini:: FILE signoriniTargets.cmake DESTINATION ${package})
 
 configure_package_config_file(cmake/signoriniConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/signoriniConfig.cmake

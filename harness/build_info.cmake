@@ -31,18 +31,23 @@ function(hash_sources result without)
   set(${result} ${hash} PARENT_SCOPE)
 endfunction()
 
-# Reports, commands and what reads runs do not change a record; the reference solver (event_driven) changes all of them.
-hash_sources(common "^harness/(commands/|compare/|conformance/|machine/|runs/|scaffold/|submit/|sweep/|report|table|progress)" ${ROOT}/problems/* ${ROOT}/harness/*
-             ${ROOT}/methods/kernels/* ${ROOT}/methods/event_driven/* ${ROOT}/methods/method.*
-             ${ROOT}/methods/options.* ${ROOT}/methods/solution.hpp)
+# The folders of the methods, as the one list of methods names them; the other folders of methods/ are shared.
+file(STRINGS ${ROOT}/methods/catalogue.cpp folders REGEX "^#include \"methods/[a-z0-9_]+/")
+list(TRANSFORM folders REPLACE "^#include \"methods/([a-z0-9_]+)/.*$" "\\1")
+list(REMOVE_DUPLICATES folders)
+
+# The reference solver (event_driven) changes every record; the other methods, reports and commands change those of others not.
+set(other_methods ${folders})
+list(REMOVE_ITEM other_methods event_driven)
+list(JOIN other_methods "|" other_methods)
+string(JOIN "|" readers "commands/" "compare/" "conformance/" "doctor/" "records/(merge|resume|run_folder|shards|status)"
+                        "extend/scaffold/" "cluster/" "sweep/" "report/" "table" "progress")
+hash_sources(common "^methods/(${other_methods}|plugin)/|^methods/catalogue\\.|^harness/(${readers})"
+             ${ROOT}/problems/* ${ROOT}/methods/* ${ROOT}/harness/*)
 set(SOURCE_ITEMS "{\"\", \"${common}\"}")
-file(GLOB folders LIST_DIRECTORIES true RELATIVE ${ROOT}/methods ${ROOT}/methods/*)
-list(SORT folders)
 foreach(folder IN LISTS folders)
-  if(IS_DIRECTORY ${ROOT}/methods/${folder} AND NOT folder MATCHES "^(kernels|plugin)$")
-    hash_sources(own "^$" ${ROOT}/methods/${folder}/*)
-    string(APPEND SOURCE_ITEMS ", {\"${folder}\", \"${own}\"}")
-  endif()
+  hash_sources(own "^$" ${ROOT}/methods/${folder}/*)
+  string(APPEND SOURCE_ITEMS ", {\"${folder}\", \"${own}\"}")
 endforeach()
 
 set(LIBRARY_ITEMS "")

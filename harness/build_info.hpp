@@ -22,7 +22,8 @@ struct BuildInfo {
 
 const BuildInfo& build_info();
 
-/// Identifies the code behind a method's records: problems, kernels, harness and the method's own folder.
+/// Identifies the code behind a method's records: problems, harness, the rooms that methods share, and the
+/// method's own folder.
 std::string code_version(std::string_view method);
 
 }  // namespace signorini

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "problems/scene_family.hpp"
+#include "problems/scene/scene_family.hpp"
 
 namespace signorini {
 

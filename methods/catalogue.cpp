@@ -11,7 +11,7 @@
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
-#include "problems/kebab_case.hpp"
+#include "problems/scene/kebab_case.hpp"
 
 namespace signorini {
 

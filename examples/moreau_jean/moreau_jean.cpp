@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "methods/kernels/trajectories.hpp"
+#include "methods/discretisation/trajectories.hpp"
 #include "methods/plugin/plugin.hpp"
 #include "time_stepping.hpp"
 

@@ -11,8 +11,8 @@
 #include "harness/conformance/review.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
+#include "harness/plan/suite.hpp"
 #include "harness/progress.hpp"
-#include "harness/suite.hpp"
 
 namespace signorini {
 

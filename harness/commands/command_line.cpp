@@ -10,10 +10,10 @@
 
 #include "harness/build_info.hpp"
 #include "harness/exception_text.hpp"
+#include "harness/extend/plugins/plugins.hpp"
 #include "harness/failure.hpp"
-#include "harness/plugins/plugins.hpp"
 #include "methods/options.hpp"
-#include "problems/scene_file.hpp"
+#include "problems/scene/scene_file.hpp"
 
 namespace signorini {
 

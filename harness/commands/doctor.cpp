@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/commands/command_line.hpp"
-#include "harness/machine/machine.hpp"
+#include "harness/doctor/machine.hpp"
 #include "harness/table.hpp"
 
 namespace signorini {

@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "harness/commands/command_line.hpp"
-#include "harness/suite.hpp"
+#include "harness/plan/suite.hpp"
 #include "methods/catalogue.hpp"
-#include "problems/scene_file.hpp"
+#include "problems/scene/scene_file.hpp"
 
 namespace signorini {
 

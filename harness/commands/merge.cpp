@@ -1,4 +1,4 @@
-#include "harness/runs/merge.hpp"
+#include "harness/records/merge.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <memory>
 
 #include "harness/commands/command_line.hpp"
+#include "harness/compare/rerun.hpp"
 #include "harness/failure.hpp"
-#include "harness/manifest.hpp"
+#include "harness/records/manifest.hpp"
+#include "harness/records/status.hpp"
 #include "harness/report/report.hpp"
-#include "harness/rerun.hpp"
-#include "harness/runs/status.hpp"
 #include "harness/sha256.hpp"
 
 namespace signorini {

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "harness/commands/command_line.hpp"
+#include "harness/extend/scaffold/scaffold.hpp"
+#include "harness/extend/scaffold/source_tree.hpp"
 #include "harness/failure.hpp"
-#include "harness/scaffold/scaffold.hpp"
-#include "harness/scaffold/source_tree.hpp"
 
 namespace signorini {
 

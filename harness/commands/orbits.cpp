@@ -8,7 +8,7 @@
 
 #include "harness/commands/command_line.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/orbit_file.hpp"
+#include "harness/orbits/orbit_file.hpp"
 #include "harness/table.hpp"
 
 namespace signorini {

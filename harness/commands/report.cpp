@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "harness/commands/command_line.hpp"
+#include "harness/compare/rerun.hpp"
 #include "harness/failure.hpp"
-#include "harness/rerun.hpp"
-#include "harness/runs/run_folder.hpp"
+#include "harness/records/run_folder.hpp"
 
 namespace signorini {
 

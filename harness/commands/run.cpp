@@ -7,19 +7,19 @@
 #include <optional>
 #include <utility>
 
-#include "harness/campaign.hpp"
 #include "harness/commands/command_line.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/manifest.hpp"
-#include "harness/report/markdown.hpp"
+#include "harness/plan/suite.hpp"
+#include "harness/records/manifest.hpp"
+#include "harness/records/merge.hpp"
+#include "harness/records/resume.hpp"
+#include "harness/records/run_folder.hpp"
+#include "harness/records/shards.hpp"
+#include "harness/report/formats/markdown.hpp"
 #include "harness/report/report.hpp"
-#include "harness/runs/merge.hpp"
-#include "harness/runs/resume.hpp"
-#include "harness/runs/run_folder.hpp"
-#include "harness/runs/shards.hpp"
-#include "harness/suite.hpp"
-#include "harness/timing.hpp"
-#include "problems/scene_file.hpp"
+#include "harness/run/campaign.hpp"
+#include "harness/run/timing.hpp"
+#include "problems/scene/scene_file.hpp"
 
 namespace signorini {
 

@@ -9,11 +9,11 @@
 
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
-#include "harness/plan.hpp"
-#include "harness/record.hpp"
-#include "harness/report/cells.hpp"
+#include "harness/plan/plan.hpp"
+#include "harness/records/record.hpp"
+#include "harness/report/formats/cells.hpp"
 #include "methods/catalogue.hpp"
-#include "problems/scene_file.hpp"
+#include "problems/scene/scene_file.hpp"
 
 namespace signorini {
 

@@ -7,9 +7,9 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/report/cells.hpp"
-#include "harness/runner.hpp"
-#include "harness/trajectory_json.hpp"
+#include "harness/records/trajectory_json.hpp"
+#include "harness/report/formats/cells.hpp"
+#include "harness/run/runner.hpp"
 
 namespace signorini {
 

@@ -1,4 +1,4 @@
-#include "harness/runs/status.hpp"
+#include "harness/records/status.hpp"
 
 #include <fmt/format.h>
 

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <memory>
 
+#include "harness/cluster/scripts.hpp"
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
-#include "harness/manifest.hpp"
-#include "harness/submit/scripts.hpp"
+#include "harness/records/manifest.hpp"
 
 namespace signorini {
 

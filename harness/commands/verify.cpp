@@ -8,19 +8,19 @@
 #include <optional>
 
 #include "harness/commands/command_line.hpp"
+#include "harness/compare/rerun.hpp"
 #include "harness/failure.hpp"
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/manifest.hpp"
-#include "harness/orbit_comparison.hpp"
+#include "harness/orbits/orbit_comparison.hpp"
+#include "harness/plan/yardstick.hpp"
 #include "harness/progress.hpp"
-#include "harness/rerun.hpp"
-#include "harness/runs/run_folder.hpp"
+#include "harness/records/manifest.hpp"
+#include "harness/records/run_folder.hpp"
 #include "harness/sha256.hpp"
 #include "harness/statistics.hpp"
 #include "harness/table.hpp"
-#include "harness/yardstick.hpp"
-#include "problems/scene_file.hpp"
+#include "problems/scene/scene_file.hpp"
 
 namespace signorini {
 

@@ -8,9 +8,9 @@
 #include <optional>
 #include <set>
 
-#include "harness/report/cells.hpp"
-#include "harness/rerun.hpp"
-#include "harness/runs/merge.hpp"
+#include "harness/compare/rerun.hpp"
+#include "harness/records/merge.hpp"
+#include "harness/report/formats/cells.hpp"
 
 namespace signorini {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "harness/compare/noise.hpp"
-#include "harness/runs/run_folder.hpp"
+#include "harness/records/run_folder.hpp"
 
 namespace signorini {
 

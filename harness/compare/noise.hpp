@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/record.hpp"
+#include "harness/records/record.hpp"
 
 namespace signorini {
 

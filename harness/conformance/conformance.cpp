@@ -12,7 +12,7 @@
 #include "harness/failure.hpp"
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/runner.hpp"
+#include "harness/run/runner.hpp"
 
 namespace signorini {
 

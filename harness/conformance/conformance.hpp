@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "harness/conformance/finding.hpp"
-#include "harness/plan.hpp"
+#include "harness/plan/plan.hpp"
 
 namespace signorini {
 

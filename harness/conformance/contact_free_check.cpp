@@ -9,8 +9,8 @@
 #include "harness/conformance/answers.hpp"
 #include "harness/conformance/checks.hpp"
 #include "harness/conformance/fall.hpp"
-#include "methods/kernels/periodic_response.hpp"
-#include "methods/kernels/receptance.hpp"
+#include "methods/structure/periodic_response.hpp"
+#include "methods/structure/receptance.hpp"
 
 namespace signorini {
 

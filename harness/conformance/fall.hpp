@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "harness/conformance/finding.hpp"
-#include "harness/selection.hpp"
+#include "harness/plan/selection.hpp"
 
 namespace signorini {
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "harness/answer_digest.hpp"
 #include "harness/conformance/answers.hpp"
 #include "harness/conformance/checks.hpp"
+#include "harness/records/answer_digest.hpp"
 
 namespace signorini {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "harness/conformance/finding.hpp"
-#include "harness/record.hpp"
-#include "harness/selection.hpp"
+#include "harness/plan/selection.hpp"
+#include "harness/records/record.hpp"
 
 namespace signorini {
 

@@ -10,8 +10,8 @@
 
 #include "harness/conformance/checks.hpp"
 #include "harness/failure.hpp"
-#include "harness/selection.hpp"
-#include "problems/kebab_case.hpp"
+#include "harness/plan/selection.hpp"
+#include "problems/scene/kebab_case.hpp"
 
 namespace signorini {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "harness/selection.hpp"
+#include "harness/plan/selection.hpp"
 #include "methods/catalogue.hpp"
 #include "problems/problem.hpp"
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <map>
 
-#include "harness/manifest.hpp"
-#include "harness/report/gnuplot.hpp"
-#include "harness/report/latex.hpp"
-#include "harness/report/markdown.hpp"
-#include "harness/report/page.hpp"
-#include "harness/report/record_csv.hpp"
-#include "harness/report/section.hpp"
+#include "harness/records/manifest.hpp"
+#include "harness/report/figures/gnuplot.hpp"
+#include "harness/report/formats/latex.hpp"
+#include "harness/report/formats/markdown.hpp"
+#include "harness/report/formats/page.hpp"
+#include "harness/report/formats/record_csv.hpp"
+#include "harness/report/sections/section.hpp"
 #include "harness/sha256.hpp"
 
 namespace signorini {

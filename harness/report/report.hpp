@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/report/evaluation.hpp"
-#include "harness/suite.hpp"
+#include "harness/plan/suite.hpp"
+#include "harness/report/evaluation/evaluation.hpp"
 
 namespace signorini {
 

@@ -8,8 +8,8 @@
 
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/runner.hpp"
-#include "harness/trajectory_json.hpp"
+#include "harness/records/trajectory_json.hpp"
+#include "harness/run/runner.hpp"
 
 namespace signorini {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "harness/plan.hpp"
-#include "harness/record.hpp"
+#include "harness/plan/plan.hpp"
+#include "harness/records/record.hpp"
 
 namespace signorini {
 

@@ -8,13 +8,13 @@
 
 #include "methods/aft_hbm/aft_residual.hpp"
 #include "methods/aft_hbm/newton_krylov.hpp"
-#include "methods/kernels/compensated_solve.hpp"
-#include "methods/kernels/complementarity_solver.hpp"
-#include "methods/kernels/harmonics_option.hpp"
-#include "methods/kernels/periodic_response.hpp"
-#include "methods/kernels/projected_contact.hpp"
-#include "methods/kernels/projected_law.hpp"
-#include "methods/kernels/trajectories.hpp"
+#include "methods/complementarity/projected_law.hpp"
+#include "methods/discretisation/trajectories.hpp"
+#include "methods/harmonic_balance/compensated_solve.hpp"
+#include "methods/harmonic_balance/harmonics_option.hpp"
+#include "methods/harmonic_balance/projected_contact.hpp"
+#include "methods/solvers/complementarity_solver.hpp"
+#include "methods/structure/periodic_response.hpp"
 
 namespace signorini {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "methods/kernels/projected_law.hpp"
+#include "methods/complementarity/projected_law.hpp"
 #include "methods/method.hpp"
 
 namespace signorini {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "methods/kernels/free_overlap.hpp"
-#include "methods/kernels/harmonic_vector.hpp"
+#include "methods/discretisation/free_overlap.hpp"
+#include "methods/discretisation/harmonic_vector.hpp"
 
 namespace signorini {
 

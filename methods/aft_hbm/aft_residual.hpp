@@ -4,10 +4,10 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "methods/kernels/contact_symbol.hpp"
-#include "methods/kernels/projected_law.hpp"
-#include "methods/kernels/real_fft.hpp"
-#include "methods/kernels/receptance.hpp"
+#include "methods/complementarity/contact_symbol.hpp"
+#include "methods/complementarity/projected_law.hpp"
+#include "methods/discretisation/real_fft.hpp"
+#include "methods/structure/receptance.hpp"
 
 namespace signorini {
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "methods/kernels/gmres.hpp"
+#include "methods/solvers/gmres.hpp"
 
 namespace signorini {
 

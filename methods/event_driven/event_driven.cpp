@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "methods/event_driven/steady_state.hpp"
-#include "methods/kernels/condensation.hpp"
-#include "methods/kernels/event_flow/event_trajectory.hpp"
-#include "methods/kernels/event_flow/flow.hpp"
-#include "methods/kernels/periodic_response.hpp"
+#include "methods/flow/event_trajectory.hpp"
+#include "methods/flow/flow.hpp"
+#include "methods/structure/condensation.hpp"
+#include "methods/structure/periodic_response.hpp"
 
 namespace signorini {
 

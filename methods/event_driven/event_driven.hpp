@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "methods/kernels/event_flow/flow.hpp"
+#include "methods/flow/flow.hpp"
 #include "methods/method.hpp"
 
 namespace signorini {

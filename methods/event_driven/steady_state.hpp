@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "methods/kernels/event_flow/period_map.hpp"
+#include "methods/flow/period_map.hpp"
 
 namespace signorini {
 

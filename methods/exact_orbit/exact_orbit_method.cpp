@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "methods/kernels/condensation.hpp"
-#include "methods/kernels/exact_orbit/exact_orbit.hpp"
-#include "methods/kernels/hat_contact.hpp"
-#include "methods/kernels/projected_contact.hpp"
+#include "methods/harmonic_balance/projected_contact.hpp"
+#include "methods/hat_functions/hat_contact.hpp"
+#include "methods/orbit/exact_orbit.hpp"
+#include "methods/structure/condensation.hpp"
 
 namespace signorini {
 

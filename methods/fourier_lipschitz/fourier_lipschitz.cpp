@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "methods/kernels/harmonics_option.hpp"
-#include "methods/kernels/projected_contact.hpp"
+#include "methods/harmonic_balance/harmonics_option.hpp"
+#include "methods/harmonic_balance/projected_contact.hpp"
 
 namespace signorini {
 

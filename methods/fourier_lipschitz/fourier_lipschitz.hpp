@@ -4,9 +4,9 @@
 #include <optional>
 #include <string_view>
 
-#include "methods/kernels/complementarity_solver.hpp"
-#include "methods/kernels/projected_law.hpp"
+#include "methods/complementarity/projected_law.hpp"
 #include "methods/method.hpp"
+#include "methods/solvers/complementarity_solver.hpp"
 
 namespace signorini {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "methods/kernels/hat_grids.hpp"
-#include "methods/kernels/trajectories.hpp"
+#include "methods/discretisation/trajectories.hpp"
+#include "methods/hat_functions/hat_grids.hpp"
 
 namespace signorini {
 

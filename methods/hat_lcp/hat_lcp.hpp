@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "methods/kernels/hat_contact.hpp"
+#include "methods/hat_functions/hat_contact.hpp"
 #include "methods/method.hpp"
 
 namespace signorini {

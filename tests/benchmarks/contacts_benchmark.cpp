@@ -3,8 +3,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include "methods/complementarity/exact_quadrature.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
-#include "methods/kernels/exact_quadrature.hpp"
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/damping.hpp"
 

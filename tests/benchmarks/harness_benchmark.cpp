@@ -4,10 +4,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "harness/campaign.hpp"
-#include "harness/runs/run_folder.hpp"
-#include "harness/runs/shards.hpp"
-#include "problems/scene_file.hpp"
+#include "harness/records/run_folder.hpp"
+#include "harness/records/shards.hpp"
+#include "harness/run/campaign.hpp"
+#include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini {

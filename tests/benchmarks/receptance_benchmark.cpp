@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <functional>
 
-#include "methods/kernels/receptance.hpp"
+#include "methods/structure/receptance.hpp"
 #include "problems/sparse_cholesky.hpp"
 #include "tests/support/child.hpp"
 #include "tests/support/elastic_block.hpp"

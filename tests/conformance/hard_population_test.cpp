@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "harness/certificate.hpp"
-#include "harness/exact_certificate.hpp"
-#include "harness/trial.hpp"
+#include "harness/judge/certificate.hpp"
+#include "harness/judge/exact_certificate.hpp"
+#include "harness/run/trial.hpp"
 #include "tests/support/population.hpp"
 
 namespace signorini {

@@ -5,7 +5,7 @@
 #include <map>
 #include <ostream>
 
-#include "problems/scene_file.hpp"
+#include "problems/scene/scene_file.hpp"
 
 namespace signorini::test {
 

@@ -15,7 +15,7 @@
 #include <set>
 #include <thread>
 
-#include "harness/record_store.hpp"
+#include "harness/records/record_store.hpp"
 #include "harness/sha256.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/plan.hpp"
-#include "harness/reference.hpp"
+#include "harness/judge/reference.hpp"
+#include "harness/plan/plan.hpp"
 #include "methods/catalogue.hpp"
 
 namespace signorini::test {

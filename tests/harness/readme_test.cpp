@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include "harness/record_store.hpp"
-#include "harness/report/markdown.hpp"
-#include "harness/rerun.hpp"
+#include "harness/compare/rerun.hpp"
+#include "harness/records/record_store.hpp"
+#include "harness/report/formats/markdown.hpp"
 #include "harness/sha256.hpp"
 
 namespace signorini {

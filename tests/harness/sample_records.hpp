@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "harness/record.hpp"
+#include "harness/records/record.hpp"
 
 namespace signorini::test {
 

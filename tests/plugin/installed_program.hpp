@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/record.hpp"
+#include "harness/records/record.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
 namespace signorini::test {

@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "problems/scene_file.hpp"
+#include "problems/scene/scene_file.hpp"
 
 namespace signorini {
 namespace {

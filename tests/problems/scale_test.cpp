@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "methods/kernels/receptance.hpp"
-#include "problems/scene_file.hpp"
+#include "methods/structure/receptance.hpp"
+#include "problems/scene/scene_file.hpp"
 #include "tests/support/child.hpp"
 #include "tests/support/elastic_block.hpp"
 

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "methods/kernels/event_flow/event_trajectory.hpp"
-#include "methods/kernels/event_flow/flow.hpp"
+#include "methods/flow/event_trajectory.hpp"
+#include "methods/flow/flow.hpp"
 #include "problems/assembly/bar.hpp"
 
 namespace signorini {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "methods/kernels/receptance.hpp"
+#include "methods/structure/receptance.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini::test {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "methods/event_driven/event_driven.hpp"
-#include "methods/kernels/projected_contact.hpp"
+#include "methods/harmonic_balance/projected_contact.hpp"
 #include "tests/support/accuracy.hpp"
 
 namespace signorini {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "methods/kernels/exact_orbit/exact_orbit.hpp"
-#include "methods/kernels/real_fft.hpp"
+#include "methods/discretisation/real_fft.hpp"
+#include "methods/orbit/exact_orbit.hpp"
 #include "tests/reference/reference_data.hpp"
 
 namespace signorini {

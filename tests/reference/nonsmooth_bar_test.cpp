@@ -10,9 +10,9 @@
 #include <numbers>
 #include <vector>
 
-#include "methods/kernels/event_flow/event_trajectory.hpp"
-#include "methods/kernels/event_flow/flow.hpp"
-#include "methods/kernels/projected_contact.hpp"
+#include "methods/flow/event_trajectory.hpp"
+#include "methods/flow/flow.hpp"
+#include "methods/harmonic_balance/projected_contact.hpp"
 #include "problems/assembly/bar.hpp"
 #include "tests/support/accuracy.hpp"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "methods/kernels/real_fft.hpp"
+#include "methods/discretisation/real_fft.hpp"
 
 namespace signorini::test {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "methods/kernels/trajectories.hpp"
+#include "methods/discretisation/trajectories.hpp"
 #include "methods/method.hpp"
 #include "problems/problem.hpp"
 

@@ -7,9 +7,9 @@
 #include <memory>
 #include <numbers>
 
+#include "methods/complementarity/projected_law.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
-#include "methods/kernels/projected_law.hpp"
 #include "tests/reference/reference_data.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"

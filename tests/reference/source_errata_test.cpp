@@ -8,9 +8,9 @@
 #include <numbers>
 #include <unsupported/Eigen/KroneckerProduct>
 
+#include "methods/complementarity/projected_law.hpp"
+#include "methods/discretisation/trajectories.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
-#include "methods/kernels/projected_law.hpp"
-#include "methods/kernels/trajectories.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 

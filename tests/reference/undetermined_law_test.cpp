@@ -9,8 +9,8 @@
 #include <numbers>
 #include <vector>
 
+#include "methods/discretisation/trajectories.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
-#include "methods/kernels/trajectories.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 

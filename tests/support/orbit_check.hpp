@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "methods/kernels/exact_orbit/exact_trajectory.hpp"
+#include "methods/orbit/exact_trajectory.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini::test {

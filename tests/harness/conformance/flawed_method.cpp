@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "harness/conformance/transformations.hpp"
-#include "harness/selection.hpp"
+#include "harness/plan/selection.hpp"
 
 namespace signorini::test {
 

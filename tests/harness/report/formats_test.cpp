@@ -10,12 +10,12 @@
 #include <random>
 
 #include "harness/failure.hpp"
-#include "harness/record_store.hpp"
-#include "harness/report/html.hpp"
-#include "harness/report/latex.hpp"
-#include "harness/report/markdown.hpp"
-#include "harness/report/page.hpp"
-#include "harness/report/record_csv.hpp"
+#include "harness/records/record_store.hpp"
+#include "harness/report/formats/html.hpp"
+#include "harness/report/formats/latex.hpp"
+#include "harness/report/formats/markdown.hpp"
+#include "harness/report/formats/page.hpp"
+#include "harness/report/formats/record_csv.hpp"
 #include "harness/report/report.hpp"
 #include "harness/sha256.hpp"
 #include "tests/harness/fake_method.hpp"

@@ -4,9 +4,9 @@
 #include <random>
 #include <sstream>
 
-#include "harness/report/cells.hpp"
-#include "harness/report/markdown.hpp"
-#include "harness/report/record_csv.hpp"
+#include "harness/report/formats/cells.hpp"
+#include "harness/report/formats/markdown.hpp"
+#include "harness/report/formats/record_csv.hpp"
 #include "harness/table.hpp"
 #include "tests/harness/sample_records.hpp"
 

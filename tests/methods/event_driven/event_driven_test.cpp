@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "methods/kernels/periodic_response.hpp"
+#include "methods/structure/periodic_response.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
 #include "tests/support/massless_scenes.hpp"
 

@@ -9,10 +9,10 @@
 #include <numbers>
 
 #include "methods/exact_orbit/exact_orbit_method.hpp"
+#include "methods/flow/flow.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
-#include "methods/kernels/event_flow/flow.hpp"
-#include "methods/kernels/periodic_response.hpp"
+#include "methods/structure/periodic_response.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/massless_scenes.hpp"

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "methods/kernels/event_flow/period_map.hpp"
+#include "methods/flow/period_map.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
 #include "tests/methods/event_driven/steady_state_cases.hpp"
 

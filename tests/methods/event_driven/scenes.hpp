@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "methods/event_driven/event_driven.hpp"
-#include "methods/kernels/event_flow/event_trajectory.hpp"
+#include "methods/flow/event_trajectory.hpp"
 #include "problems/problem.hpp"
 #include "tests/support/impact_oscillator.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <ostream>
 
-#include "methods/kernels/exact_orbit/exact_orbit.hpp"
+#include "methods/orbit/exact_orbit.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
 
 namespace signorini::test {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "methods/catalogue.hpp"
-#include "tests/methods/kernels/exact_orbit/cold_orbit.hpp"
+#include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "methods/kernels/exact_orbit/return_check.hpp"
-#include "tests/methods/kernels/exact_orbit/cold_orbit.hpp"
+#include "methods/orbit/return_check.hpp"
+#include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/orbit_check.hpp"
 #include "tests/support/population.hpp"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <complex>
 
-#include "methods/kernels/projected_contact.hpp"
-#include "methods/kernels/trajectories.hpp"
+#include "methods/discretisation/trajectories.hpp"
+#include "methods/harmonic_balance/projected_contact.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 

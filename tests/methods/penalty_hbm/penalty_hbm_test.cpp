@@ -5,9 +5,9 @@
 #include <complex>
 #include <numbers>
 
+#include "methods/discretisation/trajectories.hpp"
 #include "methods/exact_orbit/exact_orbit_method.hpp"
-#include "methods/kernels/trajectories.hpp"
-#include "problems/scene_file.hpp"
+#include "problems/scene/scene_file.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 

@@ -1,0 +1,183 @@
+#include "harness/compare/rerun.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "harness/failure.hpp"
+#include "harness/glob.hpp"
+#include "harness/interrupt.hpp"
+#include "harness/plan/selection.hpp"
+#include "harness/plan/yardstick.hpp"
+#include "harness/run/rounds.hpp"
+#include "harness/sha256.hpp"
+
+namespace signorini {
+
+namespace {
+
+bool below_bars(const Record& record) { return *record.errors.x_l2 <= measurable_error(record); }
+
+bool decided_by_time(const Record& kept, const Record& now) {
+  return kept.status != now.status && (kept.status == Status::timeout || now.status == Status::timeout);
+}
+
+/// The method with its settings, the part of a case after the scene.
+std::string method_label(const Record& record) {
+  const std::size_t slash = record.case_id.find('/');
+  return slash == std::string::npos ? record.method : record.case_id.substr(slash + 1);
+}
+
+/// The case that a record came from.
+Case case_of(const Record& record, const Scene& scene, std::span<const MethodEntry> catalogue) {
+  const std::string label = method_label(record);
+  const std::vector<MethodChoice> choices =
+      select_methods(label, catalogue, [](const MethodEntry&) { return std::vector<Settings>(1); });
+  if (choices.size() != 1)
+    throw UsageError(fmt::format("case = {} (must name one method with one set of options)", record.case_id));
+  return make_case(scene, 0, choices.front());
+}
+
+/// One scene's records again.
+class SceneRerun {
+ public:
+  SceneRerun(Rerun& result, const std::function<void(const std::string&)>& news)
+      : result_(result), news_(news) {}
+
+  void run(const std::vector<const Record*>& kept, const Limits& limits,
+           std::span<const MethodEntry> catalogue) {
+    const Scene scene = read_scene(find_scene(kept.front()->scene));
+    if (scene.sha256 != kept.front()->scene_sha256) {
+      result_.differences.push_back(
+          fmt::format("{}: the scene file has changed since the run: {} cases not compared",
+                      scene.problem.name, kept.size()));
+      return;
+    }
+    std::vector<Case> cases;
+    for (const Record* record : kept) cases.push_back(case_of(*record, scene, catalogue));
+    std::vector<const Case*> pointers;
+    for (const Case& one : cases) pointers.push_back(&one);
+    Runner runner(limits);
+    if (news_) news_(scene.problem.name + ": references");
+    const std::vector<Survey> surveys = runner.survey(scene, pointers);
+    if (interrupted()) return;
+    runner.compute_references(scene, surveys);
+    std::vector<Job> jobs;
+    for (std::size_t i = 0; i < cases.size(); ++i) jobs.push_back({.run = &cases[i], .survey = &surveys[i]});
+    std::vector<std::optional<Record>> now(cases.size());
+    run_rounds(runner, scene, jobs, now, {},
+               {.begin = news_, .unfinished = {}, .complete = [&](std::size_t i, const Record& record) {
+                  now[i] = record;
+                }});
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (now[i]) take(*kept[i], *now[i]);
+    }
+    const std::vector<RelativeTime> times = relative_times(kept, now);
+    result_.relative_times.insert(result_.relative_times.end(), times.begin(), times.end());
+  }
+
+ private:
+  void take(const Record& kept, const Record& now) {
+    ++result_.cases;
+    if (decided_by_time(kept, now)) {
+      result_.remarks.push_back(
+          fmt::format("{}: {} became {}", kept.case_id, status_name(kept.status), status_name(now.status)));
+    }
+    for (const std::string& line : compare_records(kept, now)) result_.differences.push_back(line);
+    if (kept.seconds && now.seconds && kept.seconds->median > 0.0)
+      result_.time_ratios.push_back(now.seconds->median / kept.seconds->median);
+  }
+
+  Rerun& result_;
+  const std::function<void(const std::string&)>& news_;
+};
+
+}  // namespace
+
+std::vector<RelativeTime> relative_times(const std::vector<const Record*>& kept,
+                                         const std::vector<std::optional<Record>>& now) {
+  const auto timed = [&](std::size_t i) {
+    return kept[i]->seconds && now[i] && now[i]->seconds && kept[i]->seconds->median > 0.0 &&
+           now[i]->seconds->median > 0.0;
+  };
+  std::map<std::string, std::size_t> yardsticks;  // by scene
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (method_label(*kept[i]) == kYardstick && timed(i)) yardsticks[kept[i]->scene] = i;
+  }
+  std::vector<RelativeTime> times;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const auto yardstick = yardsticks.find(kept[i]->scene);
+    if (yardstick == yardsticks.end() || !timed(i)) continue;
+    const std::size_t y = yardstick->second;
+    times.push_back({.method = method_label(*kept[i]),
+                     .kept = kept[i]->seconds->median / kept[y]->seconds->median,
+                     .now = now[i]->seconds->median / now[y]->seconds->median});
+  }
+  return times;
+}
+
+std::vector<std::string> compare_records(const Record& kept, const Record& now) {
+  if (decided_by_time(kept, now)) return {};
+  if (kept.status != now.status) {
+    return {fmt::format("{}: {} became {}{}{}", kept.case_id, status_name(kept.status),
+                        status_name(now.status), now.message.empty() ? "" : ": ", now.message)};
+  }
+  if (kept.certificate.status != now.certificate.status) {
+    return {fmt::format("{}: certificate {} became {}{}{}", kept.case_id,
+                        certificate_name(kept.certificate.status), certificate_name(now.certificate.status),
+                        now.certificate.reason.empty() ? "" : ": ", now.certificate.reason)};
+  }
+  if (!kept.errors.x_l2 || !now.errors.x_l2) {
+    if (kept.errors.x_l2.has_value() == now.errors.x_l2.has_value()) return {};
+    return {fmt::format("{}: the error of x is there in one of the two only", kept.case_id)};
+  }
+  const double before = *kept.errors.x_l2, after = *now.errors.x_l2;
+  if ((below_bars(kept) && below_bars(now)) ||
+      std::max(before, after) <= kErrorFactor * std::min(before, after))
+    return {};
+  return {fmt::format("{}: error of x {:.2e} became {:.2e}", kept.case_id, before, after)};
+}
+
+Limits limits_of_run(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "manifest.json";
+  if (!std::filesystem::exists(file)) return {};
+  try {
+    const auto json = nlohmann::json::parse(read_file(file)).at("limits");
+    return {.timeout = json.at("timeout_s"),
+            .memory_mb = json.at("memory_mb"),
+            .repetitions = json.at("repetitions"),
+            .certificate_timeout = json.at("certificate_timeout_s"),
+            .reference_timeout = json.at("reference_timeout_s")};
+  } catch (const nlohmann::json::exception&) {
+    throw UsageError(
+        fmt::format("{}: limits = unreadable (must be a manifest that run wrote)", file.string()));
+  }
+}
+
+Rerun rerun_records(const std::vector<Record>& kept, const Limits& limits, const std::string& filter,
+                    std::span<const MethodEntry> catalogue,
+                    const std::function<void(const std::string& what)>& news) {
+  std::vector<std::pair<std::string, std::vector<const Record*>>> scenes;  // in the order of the records
+  for (const Record& record : kept) {
+    if (!filter_matches(filter, record.case_id)) continue;
+    const auto known = std::find_if(scenes.begin(), scenes.end(),
+                                    [&](const auto& one) { return one.first == record.scene; });
+    if (known == scenes.end()) {
+      scenes.emplace_back(record.scene, std::vector{&record});
+    } else {
+      known->second.push_back(&record);
+    }
+  }
+  if (scenes.empty()) throw NothingMatched(fmt::format("cases = {} (matches no case of the run)", filter));
+  Rerun result;
+  for (const auto& [name, records] : scenes) {
+    if (interrupted()) break;
+    SceneRerun(result, news).run(records, limits, catalogue);
+  }
+  result.interrupted = interrupted();
+  return result;
+}
+
+}  // namespace signorini

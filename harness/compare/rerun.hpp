@@ -1,0 +1,53 @@
+#pragma once
+// Whether the records of a run come out again.
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/plan/suite.hpp"
+#include "harness/records/record.hpp"
+#include "methods/catalogue.hpp"
+
+namespace signorini {
+
+/// Errors may differ by this factor, or lie below ten error bars in both runs.
+inline constexpr double kErrorFactor = 1.5;
+
+/// What differs between a record kept and a new one, one line each; empty if nothing does. Compared are
+/// status, certificate and the error of x. A status that a time limit decided is no difference.
+std::vector<std::string> compare_records(const Record& kept, const Record& now);
+
+/// Time of a case over that of the yardstick on the same scene in the same run, kept and new.
+struct RelativeTime {
+  std::string method = {};  ///< with its settings
+  double kept = 0.0, now = 0.0;
+};
+
+/// Of the cases timed in both runs, on scenes where both have the yardstick; `now[i]` is kept[i] run again.
+std::vector<RelativeTime> relative_times(const std::vector<const Record*>& kept,
+                                         const std::vector<std::optional<Record>>& now);
+
+struct Rerun {
+  std::vector<std::string> differences = {};
+  std::vector<std::string> remarks = {};  ///< what a time limit decided
+  std::vector<double> time_ratios = {};   ///< new median over old, of each case timed in both
+  std::vector<RelativeTime> relative_times = {};
+  std::size_t cases = 0;  ///< run again
+  bool interrupted = false;
+};
+
+/// Limits of the run that left `folder`, from its manifest; the defaults where there is none.
+/// \throws UsageError if it is unreadable
+Limits limits_of_run(const std::filesystem::path& folder);
+
+/// Runs every case again whose name matches the filter, scene by scene; told of each before it begins.
+/// Cases of scenes whose file has changed are one difference each. \throws UsageError, SceneError for cases
+/// that cannot be run
+Rerun rerun_records(const std::vector<Record>& kept, const Limits& limits, const std::string& filter,
+                    std::span<const MethodEntry> catalogue,
+                    const std::function<void(const std::string& what)>& news = {});
+
+}  // namespace signorini

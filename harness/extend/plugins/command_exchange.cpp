@@ -1,0 +1,138 @@
+#include "harness/extend/plugins/command_exchange.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "harness/records/record.hpp"
+#include "harness/records/trajectory_json.hpp"
+#include "harness/run/method_failure.hpp"
+#include "problems/scene/toml_tree.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kExchangeSchema = 1;
+/// Instants at which a motion to start from is handed over.
+constexpr int kStartSamples = 1024;
+
+/// Entries as three lists: a million of them is no object each.
+Json write_matrix(const SparseMatrix& matrix) {
+  std::vector<int> rows, columns;
+  std::vector<double> values;
+  for (Eigen::Index column = 0; column < matrix.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
+      rows.push_back(static_cast<int>(entry.row()));
+      columns.push_back(static_cast<int>(entry.col()));
+      values.push_back(entry.value());
+    }
+  }
+  return {{"row", rows}, {"column", columns}, {"value", values}};
+}
+
+Json write_problem(const Problem& problem) {
+  Json force = Json::array(), contacts = Json::array();
+  for (const ForceTerm& term : problem.force)
+    force.push_back({{"dof", term.dof}, {"harmonic", term.harmonic}, {"cos", term.cos}, {"sin", term.sin}});
+  for (const Contact& contact : problem.contacts)
+    contacts.push_back({{"normal", contact.normal}, {"gap", contact.gap}});
+  return {{"name", problem.name},
+          {"size", problem.size()},
+          {"mass", write_matrix(problem.mass)},
+          {"damping", write_matrix(problem.damping)},
+          {"stiffness", write_matrix(problem.stiffness)},
+          {"frequency", problem.frequency},
+          {"subharmonic", problem.subharmonic},
+          {"period", problem.period()},
+          {"force", std::move(force)},
+          {"contacts", std::move(contacts)},
+          {"law", law_to_json(as_represented(problem.law))}};
+}
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw MethodFailure(Status::invalid_output, "the command's answer: " + what);
+}
+
+void allow_only(const Json& json) {
+  constexpr std::array<std::string_view, 7> kKeys{"verdict",   "message", "period",    "residual",
+                                                  "condition", "work",    "trajectory"};
+  for (const auto& [key, value] : json.items()) {
+    if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
+      refuse(fmt::format("{} = unknown (must be one of {})", one_line(key), fmt::join(kKeys, ", ")));
+  }
+}
+
+Verdict read_verdict(const Json& json) {
+  const std::string word = json.at("verdict");
+  if (word == "converged") return Verdict::converged;
+  if (word != "not-converged")
+    refuse(fmt::format("verdict = {} (must be converged or not-converged)", one_line(word)));
+  return Verdict::not_converged;
+}
+
+/// The instants are redundant, but an answer on others would be misread.
+void require_equidistant(const std::vector<double>& t, double period) {
+  constexpr double kShare = 1e-6;  // of the period
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const double due = static_cast<double>(i) * period / static_cast<double>(t.size());
+    if (!(std::abs(t[i] - due) <= kShare * period))
+      refuse(fmt::format("trajectory.t[{}] = {} (must be i period / N = {})", i, t[i], due));
+  }
+}
+
+Solution read_solution(const Json& json, double period) {
+  allow_only(json);
+  Solution solution{.verdict = read_verdict(json)};
+  solution.message = json.contains("message") ? one_line(json["message"].get<std::string>(), 400)
+                                              : "the command gave no message";
+  if (json.contains("residual")) solution.residual = json["residual"].get<double>();
+  if (json.contains("condition")) solution.condition = json["condition"].get<double>();
+  if (json.contains("work")) solution.work = work_from_json(json["work"]).counts;
+  if (!json.contains("trajectory")) return solution;
+  if (json.contains("period")) period = json["period"].get<double>();
+  const TrajectorySamples samples = trajectory_samples_from_json(json["trajectory"]);
+  require_equidistant(samples.t, period);
+  solution.trajectory = trajectory_of(period, samples);
+  return solution;
+}
+
+}  // namespace
+
+Json command_request(const Problem& problem, const std::vector<OptionEcho>& options) {
+  Json values = Json::object();
+  for (const OptionEcho& option : options) values[option.name] = option_to_json(option.value);
+  return {{"schema", kExchangeSchema}, {"problem", write_problem(problem)}, {"options", std::move(values)}};
+}
+
+std::string command_input(Json request, const Start& start) {
+  if (start.guess) {
+    request["start"] = {{"period", start.guess->period()},
+                        {"trajectory", to_json(samples_of(*start.guess, kStartSamples))}};
+  }
+  if (start.deadline != std::chrono::steady_clock::time_point::max()) {
+    request["seconds"] =
+        std::chrono::duration<double>(start.deadline - std::chrono::steady_clock::now()).count();
+  }
+  return request.dump() + "\n";
+}
+
+Solution read_command_answer(const std::string& output, double period) {
+  try {
+    const Json json = Json::parse(output);
+    if (!json.is_object()) refuse("no JSON object");
+    return read_solution(json, period);
+  } catch (const nlohmann::json::exception& error) {
+    const std::string what = error.what();  // "[json.exception...] key 'verdict' not found"
+    refuse(one_line(what.substr(what.find("] ") + 2), 200));
+  } catch (const BadRecord& error) {
+    refuse(error.what());
+  }
+}
+
+}  // namespace signorini

@@ -1,0 +1,218 @@
+#include "harness/extend/plugins/command_file.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+#include "harness/sha256.hpp"
+#include "problems/scene/scene_field.hpp"
+#include "problems/scene/scene_file.hpp"
+#include "problems/scene/toml_tree.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMost = std::numeric_limits<int>::max();
+
+struct LawOnScene {
+  const RepresentedLaws& laws;
+  std::optional<RepresentedLaw> operator()(std::monostate) const {
+    return laws.no_contact ? std::optional<RepresentedLaw>(std::monostate{}) : std::nullopt;
+  }
+  std::optional<RepresentedLaw> operator()(const Penalty& law) const {
+    return laws.penalty ? std::optional<RepresentedLaw>(law) : std::nullopt;
+  }
+  std::optional<RepresentedLaw> operator()(Massless law) const {
+    return laws.massless ? std::optional<RepresentedLaw>(law) : std::nullopt;
+  }
+  std::optional<RepresentedLaw> operator()(const Restitution& law) const {
+    if (std::holds_alternative<RepresentedLaws::SceneRestitution>(laws.restitution)) return law;
+    if (std::holds_alternative<Undetermined>(laws.restitution)) return Undetermined{};
+    if (const auto* own = std::get_if<Restitution>(&laws.restitution)) return *own;
+    return std::nullopt;
+  }
+};
+
+/// The program as it can be run: a file of the folder, or found on the PATH by its name.
+std::string runnable(const std::string& program, const fs::path& folder) {
+  if (program.empty()) return {};
+  const auto can_run = [](const fs::path& file) {
+    std::error_code none;
+    return fs::is_regular_file(file, none) && access(file.c_str(), X_OK) == 0;
+  };
+  if (program.find('/') != std::string::npos || can_run(folder / program)) {
+    const fs::path file = folder / program;
+    return can_run(file) ? file.string() : "";
+  }
+  const char* const variable = std::getenv("PATH");
+  std::string_view rest = variable == nullptr ? "" : variable;
+  while (!rest.empty()) {
+    const std::string_view place = rest.substr(0, rest.find(':'));
+    rest.remove_prefix(std::min(rest.size(), place.size() + 1));
+    if (can_run(fs::path(place) / program)) return program;
+  }
+  return {};
+}
+
+/// Reads `command` and `files`; `hashed` takes the bytes of every file that answers may depend on.
+std::vector<std::string> read_words(const SceneField& root, const fs::path& folder, std::string& hashed) {
+  constexpr const char* kWords = "must be a list of words: a program and its arguments";
+  std::error_code none;
+  std::vector<std::string> words;
+  for (const SceneField& item : root["command"].items(kWords)) {
+    std::string word = item.text(kWords);
+    if (words.empty()) {
+      const std::string program = runnable(word, folder);
+      if (program.empty()) item.refuse("must be a program on the PATH, or one in the folder of this file");
+      word = program;
+    } else if (!word.empty() && fs::is_regular_file(folder / word, none)) {
+      word = (folder / word).string();
+    }
+    if (word.find('/') != std::string::npos && fs::is_regular_file(word, none))
+      hashed += "\n" + sha256_of_file(word);
+    words.push_back(std::move(word));
+  }
+  if (!root["files"].given()) return words;
+  for (const SceneField& item : root["files"].items("must be a list of files")) {
+    const fs::path file = folder / item.text("must be a file in the folder of this file");
+    if (!fs::is_regular_file(file, none)) item.refuse("must be a file in the folder of this file");
+    hashed += "\n" + sha256_of_file(file);
+  }
+  return words;
+}
+
+OptionValue read_preset(const SceneField& field) {
+  constexpr const char* kPreset = "must be true or false, a finite number or a word";
+  if (!field.given()) field.refuse(kPreset);
+  if (const bool* flag = std::get_if<bool>(&field.node().value)) return *flag;
+  if (std::holds_alternative<std::string>(field.node().value)) return field.text(kPreset);
+  if (std::holds_alternative<std::int64_t>(field.node().value)) {
+    return static_cast<long>(field.whole("must be a whole number of at most ten digits", -kMost, kMost));
+  }
+  return field.number(kPreset);
+}
+
+CommandOption read_option(const SceneField& field) {
+  field.allow_only({"name", "default", "unit", "meaning", "least", "most", "choices"}, "must be a table");
+  CommandOption option{.name = field["name"].text("must be a name"),
+                       .preset = read_preset(field["default"]),
+                       .unit = field["unit"].text("must be a unit in brackets, as [N/m], or [-]"),
+                       .meaning = field["meaning"].text("must be one line of text")};
+  const std::string& unit = option.unit;
+  if (!unit.starts_with('[') || !unit.ends_with(']'))
+    field["unit"].refuse("must be a unit in brackets, as [N/m], or [-]");
+  if (option.name.empty() || option.name.find_first_of("=,|[] ") != std::string::npos)
+    field["name"].refuse("must be a name without =,|[] and blanks");
+  if (option.meaning.empty()) field["meaning"].refuse("must be one line of text");
+  const bool number =
+      std::holds_alternative<long>(option.preset) || std::holds_alternative<double>(option.preset);
+  const bool word = std::holds_alternative<std::string>(option.preset);
+  if (field["least"].given()) option.least = field["least"].number("must be a finite number");
+  if (field["most"].given()) option.most = field["most"].number("must be a finite number");
+  if (!number && option.least) field["least"].refuse("must be left out unless the default is a number");
+  if (!number && option.most) field["most"].refuse("must be left out unless the default is a number");
+  if (!field["choices"].given()) return option;
+  if (!word) field["choices"].refuse("must be left out unless the default is a word");
+  for (const SceneField& item : field["choices"].items("must be a list of words"))
+    option.choices.push_back(item.text("must be a list of words"));
+  return option;
+}
+
+/// True for "scene", false for what is left out.
+bool represents_scene(const SceneField& field) {
+  if (!field.given()) return false;
+  if (field.text("must be \"scene\", or left out") != "scene") field.refuse("must be \"scene\", or left out");
+  return true;
+}
+
+RepresentedLaws read_represented(const SceneField& field) {
+  constexpr const char* kRestitution = "must be a number in 0..1, \"scene\" or \"undetermined\"";
+  field.allow_only({"restitution", "penalty", "massless", "no_contact"},
+                   "must be a table of the laws that the answers obey");
+  RepresentedLaws laws{.penalty = represents_scene(field["penalty"]),
+                       .massless = represents_scene(field["massless"]),
+                       .no_contact = represents_scene(field["no_contact"])};
+  const SceneField restitution = field["restitution"];
+  if (!restitution.given()) return laws;
+  if (!std::holds_alternative<std::string>(restitution.node().value)) {
+    const double e = restitution.number(kRestitution, 0.0);
+    if (e > 1.0) restitution.refuse(kRestitution);
+    laws.restitution = Restitution{e};
+    return laws;
+  }
+  const std::string word = restitution.text(kRestitution);
+  if (word != "scene" && word != "undetermined") restitution.refuse(kRestitution);
+  if (word == "scene") laws.restitution = RepresentedLaws::SceneRestitution{};
+  if (word == "undetermined") laws.restitution = Undetermined{};
+  return laws;
+}
+
+std::optional<int> read_limit(const SceneField& field) {
+  if (!field.given()) return std::nullopt;
+  return field.whole("must be a whole number, 1 or more", 1, kMost);
+}
+
+TomlNode parse(const std::string& text, const fs::path& file) {
+  try {
+    return parse_toml(text);
+  } catch (const TomlSyntaxError& error) {
+    throw SceneError(fmt::format("{}:{}: {}", file.string(), error.line, error.what()));
+  }
+}
+
+}  // namespace
+
+std::optional<RepresentedLaw> RepresentedLaws::on(const Law& scene) const {
+  return std::visit(LawOnScene{*this}, scene);
+}
+
+std::string RepresentedLaws::text() const {
+  std::vector<std::string> texts;
+  if (std::holds_alternative<SceneRestitution>(restitution)) texts.emplace_back("restitution 0..1");
+  if (const auto* own = std::get_if<Restitution>(&restitution))
+    texts.push_back(fmt::format("restitution {:g}", own->e));
+  if (std::holds_alternative<Undetermined>(restitution)) texts.emplace_back("restitution undetermined");
+  if (penalty) texts.emplace_back("penalty");
+  if (massless) texts.emplace_back("massless");
+  if (texts.empty()) texts.emplace_back("none: scenes without contact only");
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+CommandDescription read_command_file(const fs::path& file) {
+  const std::string text = read_file(file);
+  const std::string name = file.string();
+  const TomlNode document = parse(text, file);
+  const SceneField root(document, name);
+  static_cast<void>(root["schema"].whole("must be 1", 1, 1));  // first: another schema may have other keys
+  root.allow_only({"schema", "name", "title", "ladder", "command", "files", "most_coordinates",
+                   "most_contacts", "represents", "option"},
+                  "must be a table");
+  CommandDescription description;
+  std::string hashed = text;
+  description.name = root["name"].text("must be a name in lower-kebab-case");
+  description.title = root["title"].text("must be one line of text");
+  description.ladder = root["ladder"].text("must look like key=value|value");
+  description.words = read_words(root, file.parent_path(), hashed);
+  description.represents = read_represented(root["represents"]);
+  if (root["option"].given()) {
+    for (const SceneField& item : root["option"].items("must be tables [[option]]")) {
+      CommandOption option = read_option(item);
+      const auto same = [&](const CommandOption& known) { return known.name == option.name; };
+      if (std::any_of(description.options.begin(), description.options.end(), same))
+        item["name"].refuse("must be declared once");
+      description.options.push_back(std::move(option));
+    }
+  }
+  description.most_coordinates = read_limit(root["most_coordinates"]);
+  description.most_contacts = read_limit(root["most_contacts"]);
+  description.sha256 = sha256(hashed);
+  return description;
+}
+
+}  // namespace signorini

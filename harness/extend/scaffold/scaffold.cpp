@@ -1,0 +1,130 @@
+#include "harness/extend/scaffold/scaffold.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "harness/extend/scaffold/names.hpp"
+#include "harness/extend/scaffold/source_tree.hpp"
+#include "harness/extend/scaffold/templates.hpp"
+#include "harness/failure.hpp"
+#include "harness/records/manifest.hpp"
+#include "harness/sha256.hpp"
+#include "methods/catalogue.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse_name(std::string_view name, const std::string& requirement) {
+  throw UsageError(fmt::format("name = {} ({})", name, requirement));
+}
+
+void require_no_such_method(std::string_view name) {
+  for (const MethodEntry& entry : method_catalogue()) {
+    if (entry.name == name) refuse_name(name, "must be new: a method has this name");
+  }
+}
+
+void require_nothing_at(std::string_view name, const fs::path& path) {
+  if (fs::exists(path)) refuse_name(name, fmt::format("must be new: {} is there already", path.string()));
+}
+
+Places places_of(const Spellings& spellings, const std::string& include) {
+  return {{"name", spellings.name}, {"folder", spellings.folder}, {"Class", spellings.type},
+          {"include", include},     {"plugin_include", ""},       {"plugin_entry", ""}};
+}
+
+void set(Places& places, const std::string& place, const std::string& text) {
+  for (auto& [name, value] : places) {
+    if (name == place) value = text;
+  }
+}
+
+}  // namespace
+
+Scaffold method_in_tree(std::string_view name, const fs::path& tree) {
+  const Spellings spellings = spellings_of(name);
+  require_no_such_method(name);
+  const fs::path folder = tree / "methods" / spellings.folder, catalogue = tree / "methods" / "catalogue.cpp";
+  require_nothing_at(name, folder);
+  if (const auto header = header_declaring(tree, spellings.type))
+    refuse_name(name, fmt::format("must give a class name that is free: {} declares {}", header->string(),
+                                  spellings.type));
+  const Places places = places_of(spellings, fmt::format("methods/{0}/{0}.hpp", spellings.folder));
+  Scaffold scaffold;
+  for (const auto& [file, text] : {std::pair{spellings.folder + ".hpp", kMethodHeaderTemplate},
+                                   std::pair{spellings.folder + ".cpp", kMethodSourceTemplate},
+                                   std::pair{spellings.folder + "_test.cpp", kMethodTestTemplate},
+                                   std::pair{std::string("CMakeLists.txt"), kMethodBuildTemplate},
+                                   std::pair{std::string("README.md"), kMethodPageTemplate}})
+    scaffold.fresh.push_back({.path = folder / file, .text = filled(text, places)});
+  scaffold.changed.push_back({.path = catalogue, .text = with_entry(read_file(catalogue), spellings)});
+  scaffold.next = {
+      fmt::format("cmake --build build/release --target signorini test_method_{}", spellings.folder),
+      fmt::format("ctest --test-dir build/release -R {}", spellings.type),
+      fmt::format("build/release/harness/signorini check {}", spellings.name)};
+  return scaffold;
+}
+
+Scaffold method_out_of_tree(std::string_view name, const fs::path& parent) {
+  const Spellings spellings = spellings_of(name);
+  require_no_such_method(name);
+  const fs::path folder = parent / spellings.name;
+  require_nothing_at(name, folder);
+  Places places = places_of(spellings, spellings.folder + ".hpp");
+  set(places, "plugin_include", "#include \"methods/plugin/plugin.hpp\"\n");
+  set(places, "plugin_entry", fmt::format("\nSIGNORINI_PLUGIN(signorini::{})\n", spellings.type));
+  Scaffold scaffold;
+  for (const auto& [file, text] : {std::pair{spellings.folder + ".hpp", kMethodHeaderTemplate},
+                                   std::pair{spellings.folder + ".cpp", kMethodSourceTemplate},
+                                   std::pair{std::string("CMakeLists.txt"), kPluginBuildTemplate},
+                                   std::pair{std::string("README.md"), kPluginPageTemplate}})
+    scaffold.fresh.push_back({.path = folder / file, .text = filled(text, places)});
+  scaffold.next = {fmt::format("see {}", (folder / "README.md").string())};
+  return scaffold;
+}
+
+Scaffold scene_in_tree(std::string_view name, const fs::path& tree) {
+  const fs::path problems = tree / "problems";
+  Scaffold scaffold = scene_out_of_tree(name, problems / "catalogue");
+  require_nothing_at(name, problems / "families" / (std::string(name) + ".toml"));
+  scaffold.next = {fmt::format("build/release/harness/signorini show {}", name),
+                   fmt::format("build/release/harness/signorini solve {} --method exact-orbit", name),
+                   fmt::format("build/release/harness/signorini verify --update --scenes {}", name)};
+  return scaffold;
+}
+
+Scaffold scene_out_of_tree(std::string_view name, const fs::path& folder) {
+  const Spellings spellings = spellings_of(name);
+  require_no_such_method(name);  // `show NAME` would mean either
+  const fs::path file = folder / (spellings.name + ".toml");
+  require_nothing_at(name, file);
+  Scaffold scaffold;
+  scaffold.fresh.push_back({.path = file, .text = filled(kSceneTemplate, {{"name", spellings.name}})});
+  scaffold.next = {fmt::format("signorini show {}", file.string()),
+                   fmt::format("signorini solve {} --method exact-orbit", file.string())};
+  return scaffold;
+}
+
+void write(const Scaffold& scaffold) {
+  std::vector<fs::path> made;
+  try {
+    for (const ScaffoldFile& file : scaffold.fresh) {
+      if (const fs::path folder = file.path.parent_path(); !folder.empty() && fs::create_directories(folder))
+        made.push_back(folder);
+      made.push_back(file.path);
+      write_whole(file.path, file.text);
+    }
+    for (const ScaffoldFile& file : scaffold.changed) write_whole(file.path, file.text);
+  } catch (const std::exception&) {
+    std::error_code ignored;
+    for (auto path = made.rbegin(); path != made.rend(); ++path) fs::remove(*path, ignored);
+    throw;
+  }
+}
+
+}  // namespace signorini

@@ -1,0 +1,98 @@
+#include "harness/extend/scaffold/source_tree.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <sstream>
+
+#include "harness/failure.hpp"
+#include "harness/sha256.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool continues_name(char letter) {
+  return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
+}
+
+bool declares(const std::string& text, const std::string& type) {
+  for (const char* keyword : {"class ", "struct ", "using "}) {
+    const std::string words = keyword + type;
+    for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
+      const std::size_t end = at + words.size();
+      if (end == text.size() || !continues_name(text[end])) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+using Line = std::vector<std::string>::const_iterator;
+
+/// Before the first include of a method that comes later in the alphabet, else behind the last.
+Line place_of_include(const std::vector<std::string>& lines, const std::string& include) {
+  Line place = lines.end();
+  for (auto line = lines.begin(); line != lines.end(); ++line) {
+    if (!line->starts_with("#include \"methods/") || *line == "#include \"methods/catalogue.hpp\"") continue;
+    if (*line > include) return line;
+    place = line + 1;
+  }
+  return place;
+}
+
+/// Behind the last entry.
+Line place_of_entry(const std::vector<std::string>& lines) {
+  Line place = lines.end();
+  for (auto line = lines.begin(); line != lines.end(); ++line) {
+    if (line->find("method_entry<") != std::string::npos && line->ends_with(',')) place = line + 1;
+  }
+  return place;
+}
+
+}  // namespace
+
+std::optional<fs::path> find_tree(const fs::path& folder) {
+  for (fs::path tree = fs::absolute(folder).lexically_normal();; tree = tree.parent_path()) {
+    if (fs::is_regular_file(tree / "methods" / "catalogue.cpp")) return tree;
+    if (tree == tree.parent_path()) return std::nullopt;
+  }
+}
+
+std::optional<fs::path> header_declaring(const fs::path& tree, const std::string& type) {
+  for (const char* part : {"problems", "methods", "harness"}) {
+    if (!fs::is_directory(tree / part)) continue;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tree / part)) {
+      if (entry.path().extension() == ".hpp" && declares(read_file(entry.path()), type))
+        return fs::relative(entry.path(), tree);
+    }
+  }
+  return std::nullopt;
+}
+
+std::string with_entry(const std::string& catalogue, const Spellings& method) {
+  std::vector<std::string> lines = lines_of(catalogue);
+  const std::string include = fmt::format("#include \"methods/{0}/{0}.hpp\"", method.folder);
+  const Line entry_place = place_of_entry(lines);
+  if (entry_place == lines.end())
+    throw UsageError(
+        "catalogue = methods/catalogue.cpp (must list methods as method_entry<Class>(), one per line)");
+  // The entry first: it stands below the include, whose place stays the same.
+  const std::string& neighbour = *(entry_place - 1);
+  const std::string indent = neighbour.substr(0, neighbour.find_first_not_of(' '));
+  lines.insert(entry_place, fmt::format("{}method_entry<{}>(),", indent, method.type));
+  lines.insert(place_of_include(lines, include), include);
+  return fmt::format("{}\n", fmt::join(lines, "\n"));
+}
+
+}  // namespace signorini

@@ -1,0 +1,146 @@
+#include "harness/judge/exact_certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <exception>
+#include <new>
+
+#include "methods/discretisation/periodic_time.hpp"
+#include "methods/orbit/exact_orbit.hpp"
+#include "methods/orbit/return_check.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr int kNormInstants = 4096;
+
+std::string_view kind_name(ContactEvent::Kind kind) {
+  switch (kind) {
+    case ContactEvent::Kind::impact:
+      return "impact";
+    case ContactEvent::Kind::close:
+      return "close";
+    case ContactEvent::Kind::open:
+      return "open";
+  }
+  return "event";
+}
+
+std::vector<OrbitEvent> events_of(const ExactTrajectory& orbit) {
+  std::vector<OrbitEvent> events;
+  const double period = orbit.period();
+  const std::vector<Impulse> impulses = orbit.impulses();
+  for (const SequenceEvent& event : orbit.orbit().events) {
+    OrbitEvent listed{
+        wrapped_time(event.time, period), event.contact, std::string(kind_name(event.kind)), {}};
+    for (const Impulse& impulse : impulses) {
+      const double apart =
+          std::abs(wrapped_time(impulse.time - event.time + 0.5 * period, period) - 0.5 * period);
+      if (impulse.contact == event.contact && apart <= 1e-12 * period) listed.value = impulse.value;
+    }
+    events.push_back(std::move(listed));
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const OrbitEvent& a, const OrbitEvent& b) { return a.time < b.time; });
+  return events;
+}
+
+/// The error bar of the motion, relative to X, as one of x in the mean square.
+double relative_error_bar(const ExactOrbit& orbit, const Trajectory& motion, double displacement_scale) {
+  const Samples samples = motion.sample(kNormInstants);
+  if (samples.x.size() == 0) return orbit.error_bar;
+  const double norm = samples.x.norm() / std::sqrt(static_cast<double>(kNormInstants));
+  return norm > 0.0 ? orbit.error_bar * displacement_scale / norm : orbit.error_bar;
+}
+
+/// Whether small disturbances die out; open where no multiplier is defined or round-off would decide.
+std::optional<bool> stability(const ExactOrbit& orbit) {
+  constexpr double kUndecided = 1e-9;
+  if (orbit.multipliers.size() == 0) return std::nullopt;
+  const double largest = orbit.largest_multiplier();
+  if (std::abs(largest - 1.0) <= std::max(kUndecided, orbit.error_bar)) return std::nullopt;
+  return largest < 1.0;
+}
+
+/// Whether two orbits have the same events, each within the error bars of both: times in periods, impulses
+/// against the largest. The instants of weak events are known some hundred times less well than the motion.
+bool same_events(const CheckedOrbit& orbit, const Certificate& other, double period) {
+  constexpr double kErrorBars = 100.0;
+  const double allowed = kErrorBars * (orbit.error_bar + other.error_bar.value_or(0.0));
+  double largest = 0.0;
+  for (const OrbitEvent& event : orbit.events)
+    largest = std::max(largest, std::abs(event.value.value_or(0.0)));
+  const auto same = [&](const OrbitEvent& a, const OrbitEvent& b) {
+    return a.contact == b.contact && a.kind == b.kind &&
+           std::abs(std::remainder(a.time - b.time, period)) <= allowed * period &&
+           std::abs(a.value.value_or(0.0) - b.value.value_or(0.0)) <= allowed * largest;
+  };
+  return std::equal(orbit.events.begin(), orbit.events.end(), other.events.begin(), other.events.end(), same);
+}
+
+/// How far away CVODE returned on an orbit confirmed before. Between its events a motion is linear, so that
+/// two orbits with the same events are one; without events, nothing names it.
+std::optional<double> known_return(const CheckedOrbit& orbit, const PolishRequest& request) {
+  if (orbit.events.empty()) return std::nullopt;
+  for (const Certificate& other : request.confirmed) {
+    if (same_events(orbit, other, request.problem.period())) return other.return_distance;
+  }
+  return std::nullopt;
+}
+
+CheckedOrbit polish(const PolishRequest& request) {
+  const auto expired = [&request] { return Start{.guess = {}, .deadline = request.deadline}.expired(); };
+  OrbitFinder finder(request.problem);
+  SearchOptions options;
+  options.polish.second_evaluation = true;
+  options.expired = expired;
+  const OrbitSearch search = finder.find(request.answer, options);
+  const ExactOrbit& found = search.orbit;
+  if (!found.certified()) {
+    return {.reason = found.reason.empty() ? describe(found.outcome)
+                                           : describe(found.outcome) + ": " + found.reason};
+  }
+  const ContactDynamics& dynamics = finder.model()->dynamics;
+  CheckedOrbit orbit{.orbit = found.trajectory, .residual = found.residual};
+  orbit.error_bar = relative_error_bar(found, *found.trajectory, dynamics.scales().displacement);
+  orbit.source =
+      found.outcome == OrbitOutcome::chatter ? "exact orbit with a complete chatter" : "exact orbit";
+  orbit.events = events_of(*found.trajectory);
+  orbit.return_distance = known_return(orbit, request);
+  if (!orbit.return_distance) {
+    const ReturnCheck check = cvode_return(dynamics, *found.trajectory, expired);
+    if (!check.returned) {
+      return {.reason =
+                  fmt::format("an exact orbit, but CVODE returns {:.1e} away from it where {:.1e} is allowed",
+                              check.distance, check.allowed)};
+    }
+    orbit.return_distance = check.distance;
+  }
+  orbit.floquet.emplace();
+  for (const std::complex<double>& multiplier : found.multipliers)
+    orbit.floquet->emplace_back(multiplier.real(), multiplier.imag());
+  orbit.stable = stability(found);
+  return orbit;
+}
+
+}  // namespace
+
+OrbitPolisher exact_orbits() {
+  return [](const PolishRequest& request) -> CheckedOrbit {
+    try {
+      return polish(request);
+    } catch (const std::bad_alloc&) {
+      throw;                                 // the child's memory limit is told apart
+    } catch (const std::exception& error) {  // a singular structure, a flow that fails
+      return {.reason = error.what()};
+    }
+  };
+}
+
+OrbitTools orbit_tools() { return {event_driven_orbits(), exact_orbits()}; }
+
+}  // namespace signorini

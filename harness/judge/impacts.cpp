@@ -1,0 +1,145 @@
+#include "harness/judge/impacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini {
+
+namespace {
+
+/// A force below this share of the motion's largest is ripple, not contact.
+constexpr double kRipple = 1e-6;
+/// An impact appears spread over one to three smears; what takes longer lasts.
+constexpr double kLastingSmears = 5.0;
+
+/// A cyclic run of samples with force.
+struct Run {
+  int first = 0;
+  int length = 0;
+};
+
+std::vector<Run> pushing_runs(const Eigen::VectorXd& force, double threshold, int bridge) {
+  const auto count = static_cast<int>(force.size());
+  const auto pushes = [&](int i) { return force[i % count] < -threshold; };
+  int start = 0;  // an instant from which no run is already under way, looking back over a bridge
+  for (int free = 0; start < 2 * count && free <= bridge; ++start) free = pushes(start) ? 0 : free + 1;
+  std::vector<Run> runs;
+  if (start == 2 * count) {
+    const bool always = force.maxCoeff() < -threshold ||
+                        std::any_of(force.begin(), force.end(), [&](double f) { return f < -threshold; });
+    if (always) runs.push_back({0, count});
+    return runs;
+  }
+  for (int i = start; i < start + count; ++i) {
+    if (!pushes(i)) continue;
+    if (!runs.empty() && i - (runs.back().first + runs.back().length) < bridge) {
+      runs.back().length = i + 1 - runs.back().first;
+    } else {
+      runs.push_back({i, 1});
+    }
+  }
+  return runs;
+}
+
+/// Mean velocity over `window` steps ending (direction -1) or beginning (+1) at sample i.
+double mean_speed(const Motion& motion, int contact, int i, int window, int direction) {
+  const int count = motion.count();
+  const auto x = [&](int place) { return motion.samples.x(((place % count) + count) % count, contact); };
+  return direction * (x(i + direction * window) - x(i)) / (window * motion.step());
+}
+
+/// True if no impulse lies in the open-ended stretch (from, to) of instants given in steps, cyclically.
+bool undisturbed(const Motion& motion, const Impulse& self, double from, double to) {
+  const double step = motion.step();
+  return std::none_of(motion.impulses.begin(), motion.impulses.end(), [&](const Impulse& other) {
+    if (&other == &self || other.time == self.time) return false;
+    for (const double turn : {-motion.period(), 0.0, motion.period()}) {
+      const double place = (other.time + turn) / step;
+      if (place > from && place < to) return true;
+    }
+    return false;
+  });
+}
+
+ContactPhase listed_impact(const Motion& motion, const Impulse& impulse) {
+  ContactPhase phase{.contact = impulse.contact,
+                     .begin = impulse.time,
+                     .end = impulse.time,
+                     .impulse = impulse.value,
+                     .listed = true,
+                     .lasting = false,
+                     .speed_before = {},
+                     .speed_after = {}};
+  const int count = motion.count();
+  const double place = impulse.time / motion.step();
+  const int left = static_cast<int>(std::ceil(place)) - 1;
+  const int right = static_cast<int>(std::floor(place)) + 1;
+  const auto v = [&](int i) {
+    return motion.samples.velocity(((i % count) + count) % count, impulse.contact);
+  };
+  if (undisturbed(motion, impulse, left - 1.0, place)) {
+    phase.speed_before = v(left) + (place - left) * (v(left) - v(left - 1));
+  }
+  if (undisturbed(motion, impulse, place, right + 1.0)) {
+    phase.speed_after = v(right) - (right - place) * (v(right + 1) - v(right));
+  }
+  return phase;
+}
+
+ContactPhase force_phase(const Motion& motion, int contact, const Run& run) {
+  const double step = motion.step();
+  const int count = motion.count();
+  ContactPhase phase;
+  phase.contact = contact;
+  phase.begin = (run.first % count) * step;
+  phase.end = phase.begin + run.length * step;
+  for (int i = run.first; i < run.first + run.length; ++i) {
+    phase.impulse += step * motion.samples.force(i % count, contact);
+  }
+  phase.lasting = !motion.impulses.empty() || run.length * step > kLastingSmears * smear(motion);
+  if (run.length < count) {
+    const int window = std::max(1, static_cast<int>(std::lround(2.0 * smear(motion) / step)));
+    phase.speed_before = mean_speed(motion, contact, run.first - 1, window, -1);
+    phase.speed_after = mean_speed(motion, contact, run.first + run.length, window, 1);
+  }
+  return phase;
+}
+
+double force_scale(const Motion& motion) {
+  return motion.samples.force.size() == 0 ? 0.0 : motion.samples.force.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+double smear(const Motion& motion) {
+  return motion.bandwidth ? motion.period() / (2.0 * std::max(1, *motion.bandwidth)) : motion.step();
+}
+
+std::vector<ContactPhase> contact_phases(const Motion& motion) {
+  std::vector<ContactPhase> phases;
+  for (const Impulse& impulse : motion.impulses) phases.push_back(listed_impact(motion, impulse));
+  const double scale = force_scale(motion);
+  if (scale > 0.0) {
+    const int bridge = std::max(1, static_cast<int>(std::ceil(smear(motion) / motion.step())));
+    for (int c = 0; c < static_cast<int>(motion.samples.force.cols()); ++c) {
+      for (const Run& run : pushing_runs(motion.samples.force.col(c), kRipple * scale, bridge)) {
+        phases.push_back(force_phase(motion, c, run));
+      }
+    }
+  }
+  std::stable_sort(phases.begin(), phases.end(),
+                   [](const ContactPhase& a, const ContactPhase& b) { return a.begin < b.begin; });
+  return phases;
+}
+
+double contact_ratio(const Motion& motion) {
+  const double scale = force_scale(motion);
+  double largest = 0.0;
+  for (const auto& force : motion.samples.force.colwise()) {
+    const auto pushing = (force.array() < -kRipple * scale).count();
+    largest = std::max(largest, static_cast<double>(pushing) / motion.count());
+  }
+  return largest;
+}
+
+}  // namespace signorini

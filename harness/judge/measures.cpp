@@ -1,0 +1,265 @@
+#include "harness/judge/measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "harness/judge/impacts.hpp"
+#include "methods/structure/condensation.hpp"
+#include "methods/structure/contact_response.hpp"
+#include "methods/structure/periodic_response.hpp"
+#include "methods/structure/receptance.hpp"
+#include "problems/definiteness.hpp"
+#include "problems/sparse_cholesky.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Harmonics and instants of the fields compared for u_l2.
+constexpr int kFieldHarmonics = 512;
+constexpr int kFieldInstants = 2048;
+/// Harmonics of the response whose work is summed.
+constexpr int kEnergyHarmonics = 512;
+/// Work of a load, relative to what loads and displacements of its size can do, that is round-off.
+constexpr double kRounding = 1e-12;
+/// Impacts slower than this share of the largest speed say nothing about restitution.
+constexpr double kSlow = 0.01;
+
+Measure impulse_error(const Problem& problem, const Trajectory& answer, const Trajectory& orbit) {
+  if (answer.contact_count() == 0) return std::nullopt;
+  const Eigen::VectorXd found = impulse_per_forcing_period(problem, answer);
+  const Eigen::VectorXd exact = impulse_per_forcing_period(problem, orbit);
+  const double scale = exact.cwiseAbs().maxCoeff();
+  if (scale == 0.0) return std::nullopt;
+  return (found - exact).cwiseAbs().maxCoeff() / scale;
+}
+
+Measure field_error(const Problem& problem, const Trajectory& answer, const Trajectory& orbit, int shift) {
+  if (problem.size() <= problem.contact_count() || problem.size() > kMostInTime) return std::nullopt;
+  try {
+    const auto field = [&](const Trajectory& trajectory) {
+      Motion motion;
+      motion.forcing_period = 2.0 * std::numbers::pi / problem.frequency;
+      motion.order = static_cast<int>(std::lround(trajectory.period() / motion.forcing_period));
+      motion.samples.x =
+          PeriodicResponse(problem, trajectory, kFieldHarmonics).displacement(kFieldInstants * motion.order);
+      motion.samples.velocity = Eigen::MatrixXd::Zero(motion.samples.x.rows(), motion.samples.x.cols());
+      return motion;
+    };
+    return distance(field(answer), field(orbit), shift).x_l2;
+  } catch (const std::exception&) {
+    return std::nullopt;  // some harmonic excites an undamped eigenfrequency: the field is not determined
+  }
+}
+
+/// Only its period is known, and that nothing touches.
+class NoForce final : public Trajectory {
+ public:
+  explicit NoForce(const Problem& problem) : contacts_(problem.contact_count()), period_(problem.period()) {}
+  [[nodiscard]] int contact_count() const override { return contacts_; }
+  [[nodiscard]] double period() const override { return period_; }
+  [[nodiscard]] Samples sample(int count) const override {
+    const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(count, contacts_);
+    return {zero, zero, zero};
+  }
+  [[nodiscard]] std::optional<int> bandwidth() const override { return 0; }
+
+ private:
+  int contacts_;
+  double period_;
+};
+
+/// What lengths are measured by: the amplitude, but no less than a tenth of the farthest that the
+/// contact-free motion gets from the stop, so that a contact that hardly moves is not judged by its noise.
+double length_scale(const Problem& problem, const Motion& motion, const Eigen::VectorXd& gaps,
+                    const std::optional<ContactResponse>& response) {
+  constexpr int kInstants = 512;
+  constexpr double kLeast = 0.1;
+  const double moving = amplitude(motion);
+  try {
+    // An answer may have no response where the load alone has one: its harmonics are more.
+    const Eigen::MatrixXd free =
+        response ? response->free_displacement(kInstants)
+                 : ContactResponse(problem, NoForce(problem)).free_displacement(kInstants);
+    return std::max(moving, kLeast * (free.rowwise() - gaps.transpose()).cwiseAbs().maxCoeff());
+  } catch (const SingularStiffness&) {
+    return moving;  // driven at an undamped eigenfrequency: there is no contact-free motion
+  }
+}
+
+Measure penetration(const Motion& motion, const Eigen::VectorXd& gaps, double scale) {
+  if (scale == 0.0) return std::nullopt;
+  return std::max(0.0, (motion.samples.x.rowwise() - gaps.transpose()).maxCoeff()) / scale;
+}
+
+Measure complementarity(const Motion& motion, const Eigen::VectorXd& gaps, const RepresentedLaw& law,
+                        const Eigen::VectorXd& stiffness, double scale) {
+  if (scale == 0.0) return std::nullopt;
+  const Eigen::ArrayXXd room = (-motion.samples.x.array()).rowwise() + gaps.transpose().array();
+  const auto* penalty = std::get_if<Penalty>(&law);
+  double sum = 0.0;
+  for (Eigen::Index c = 0; c < room.cols(); ++c) {
+    const Eigen::ArrayXd force = motion.samples.force.col(c).array();
+    if (penalty != nullptr) {
+      const double k = penalty->stiffness[static_cast<std::size_t>(c)];
+      sum += (force / k + (-room.col(c)).max(0.0)).abs().mean();
+    } else {
+      sum += (-force / stiffness[c]).min(room.col(c)).abs().mean();
+    }
+  }
+  return sum / static_cast<double>(room.cols()) / scale;
+}
+
+std::vector<double> restitutions(const Motion& motion) {
+  std::vector<double> found;
+  const double fastest = motion.samples.velocity.cwiseAbs().maxCoeff();
+  for (const ContactPhase& phase : contact_phases(motion)) {
+    if (phase.lasting || !phase.speed_before || !phase.speed_after) continue;
+    if (*phase.speed_before > kSlow * fastest) found.push_back(-*phase.speed_after / *phase.speed_before);
+  }
+  return found;
+}
+
+/// sum over n > H of cos(n theta) / n^2, 0 <= theta < 2 pi.
+double cosine_tail(double theta, int harmonics) {
+  double tail =
+      std::numbers::pi * std::numbers::pi / 6.0 - std::numbers::pi * theta / 2.0 + theta * theta / 4.0;
+  for (int n = 1; n <= harmonics; ++n) tail -= std::cos(n * theta) / (static_cast<double>(n) * n);
+  return tail;
+}
+
+/// M^-1 W, Nd x Nc. \throws std::invalid_argument where M is singular
+Eigen::MatrixXd velocity_jumps(const Problem& problem) {
+  if (!is_definite(problem.mass)) throw std::invalid_argument("an impulse meets coordinates without mass");
+  return SparseCholesky(problem.mass).solve(Eigen::MatrixXd(contact_directions(problem)));
+}
+
+/// Dissipation beyond harmonic H of velocities that jump by M^-1 W p: with v_n = M^-1 W p_n / (i n w),
+/// W_D = sum over n > H of 2 T v_n^* D v_n.
+double dissipation_tail(const Problem& problem, const Trajectory& answer, int harmonics) {
+  const std::vector<Impulse> impulses = answer.impulses();
+  if (impulses.empty()) return 0.0;
+  const Eigen::MatrixXd jumps = velocity_jumps(problem);
+  const Eigen::MatrixXd weight = jumps.transpose() * (problem.damping * jumps);
+  const double period = answer.period();
+  double sum = 0.0;
+  for (const Impulse& a : impulses) {
+    for (const Impulse& b : impulses) {
+      const double turn = (a.time - b.time) / period;
+      const double theta = 2.0 * std::numbers::pi * (turn - std::floor(turn));
+      sum += a.value * b.value * weight(a.contact, b.contact) * cosine_tail(theta, harmonics);
+    }
+  }
+  return sum * period / (2.0 * std::numbers::pi * std::numbers::pi);
+}
+
+/// Response to an answer's contact force, or why there is none.
+struct Response {
+  Response(const Problem& problem, const Trajectory& answer) {
+    try {
+      found.emplace(problem, answer, kEnergyHarmonics);
+    } catch (const std::bad_alloc&) {
+      throw;  // the child's memory limit is told apart
+    } catch (const std::exception& error) {
+      reason = error.what();
+    }
+  }
+
+  std::optional<ContactResponse> found;
+  std::string reason;
+};
+
+EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer,
+                           const Response& response) {
+  if (std::holds_alternative<Undetermined>(law)) return {.reason = "the law leaves the impacts open"};
+  if (!response.found) return {.reason = response.reason};
+  const double work = response.found->work_of_load();
+  // Without damping the exact work is zero: what round-off leaves of it is no scale.
+  if (std::abs(work) <= kRounding * response.found->largest_work_of_load())
+    return {.reason = "the load does no work"};
+  double lost = response.found->dissipation();
+  try {
+    if (!answer.bandwidth()) lost += dissipation_tail(problem, answer, kEnergyHarmonics);
+    const auto* restitution = std::get_if<Restitution>(&law);
+    if (restitution != nullptr && restitution->e < 1.0) {
+      lost += expected_loss(sample_motion(problem, answer), restitution->e, delassus_matrix(problem));
+    }
+  } catch (const std::invalid_argument& error) {
+    return {.reason = error.what()};  // no Delassus matrix
+  }
+  return {.value = std::abs(work - lost) / std::abs(work)};
+}
+
+}  // namespace
+
+Eigen::VectorXd impulse_per_forcing_period(const Problem& problem, const Trajectory& trajectory) {
+  const double forcing_period = 2.0 * std::numbers::pi / problem.frequency;
+  return forcing_period * force_spectrum(trajectory, 0).row(0).real().transpose();
+}
+
+Errors measure_errors(const Problem& problem, const Trajectory& answer, const Trajectory& orbit, int shift) {
+  const Distance d = distance(sample_motion(problem, answer), sample_motion(problem, orbit), shift);
+  Errors errors;
+  errors.x_l2 = d.x_l2;
+  errors.x_max = d.x_max;
+  errors.velocity_l2 = d.velocity_l2;
+  errors.impulse = impulse_error(problem, answer, orbit);
+  errors.u_l2 = field_error(problem, answer, orbit, shift);
+  return errors;
+}
+
+double expected_loss(const Motion& motion, double restitution, const Eigen::MatrixXd& delassus) {
+  const double factor = (1.0 - restitution) / (2.0 * (1.0 + restitution));
+  const double together = smear(motion);
+  double loss = 0.0;
+  Eigen::VectorXd impulse = Eigen::VectorXd::Zero(delassus.rows());
+  double last = -1.0;
+  const auto finish = [&] {
+    loss += factor * impulse.dot(delassus * impulse);
+    impulse.setZero();
+  };
+  for (const ContactPhase& phase : contact_phases(motion)) {
+    if (phase.lasting) {
+      // A listed impulse accounts for the closing by itself.
+      const double v =
+          phase.speed_before && motion.impulses.empty() ? std::max(0.0, *phase.speed_before) : 0.0;
+      if (restitution < 1.0) loss += 0.5 * v * v / delassus(phase.contact, phase.contact);
+      continue;
+    }
+    const double window = phase.listed ? 1e-9 * motion.period() : together;
+    if (phase.begin - last > window) finish();
+    impulse[phase.contact] += phase.impulse;
+    last = phase.end;
+  }
+  finish();
+  return loss;
+}
+
+EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer) {
+  return energy_defect(problem, law, answer, Response(problem, answer));
+}
+
+Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer) {
+  Physics physics;
+  const Response response(problem, answer);
+  EnergyDefect energy = energy_defect(problem, law, answer, response);
+  physics.energy_defect = energy.value;
+  physics.energy_reason = std::move(energy.reason);
+  if (problem.contacts.empty()) return physics;
+  const Motion motion = sample_motion(problem, answer);
+  const Eigen::VectorXd gaps = contact_gaps(problem);
+  const double scale = length_scale(problem, motion, gaps, response.found);
+  physics.penetration = penetration(motion, gaps, scale);
+  physics.complementarity = complementarity(motion, gaps, law, contact_stiffness_scale(problem), scale);
+  physics.contact_ratio = contact_ratio(motion);
+  physics.effective_restitution = restitutions(motion);
+  return physics;
+}
+
+}  // namespace signorini

@@ -1,0 +1,56 @@
+#pragma once
+// What the harness measures on an answer. No method computes any of this on itself.
+
+#include <string>
+
+#include "harness/judge/motion.hpp"
+#include "harness/records/record.hpp"
+#include "methods/method.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// Impulse per forcing period and contact: force integrated, impulses added, Nc [N s].
+Eigen::VectorXd impulse_per_forcing_period(const Problem& problem, const Trajectory& trajectory);
+
+/// Errors of an answer against an orbit, each relative to the orbit's own norm and absent where that is
+/// zero: x and x' over the common period (root mean square, maximum), the impulse of the worst contact
+/// relative to the largest impulse of a contact, and u over the whole structure where Nc < Nd <= 10 000, both
+/// fields by `PeriodicResponse`. `shift` moves the orbit by whole forcing periods.
+Errors measure_errors(const Problem& problem, const Trajectory& answer, const Trajectory& orbit,
+                      int shift = 0);
+
+struct EnergyDefect {
+  Measure value = {};
+  std::string reason = {};  ///< why it is absent
+};
+
+/// Physics of an answer under the law it represents, on the harness's grid:
+///
+/// - penetration: largest max(0, x - g) / amplitude
+/// - complementarity: mean |min(-lambda / s, g - x)| / amplitude, s the contact's stiffness scale; for a
+///   penalty law mean |lambda + k max(0, x - g)| / (k amplitude)
+/// - energy_defect: |W_f - W_D - W_loss| / |W_f|, see `energy_defect`
+/// - effective_restitution: -v_after / v_before of each impact whose approach speed exceeds 1 % of the
+///   largest speed
+/// - contact_ratio
+///
+/// The amplitude is half of (largest - least) x, the largest over contacts, but at least a thousandth of the
+/// farthest that the contact-free motion gets from the stop (a contact that hardly moves). What has no scale,
+/// or cannot be computed on this structure, is absent; of the energy defect it is said why.
+Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer);
+
+/// |W_f - W_D - W_loss| / |W_f|: work of the load, dissipation by damping, and the loss at impacts that the
+/// represented law prescribes for the impulses found:
+/// (1 - e) / (2 (1 + e)) p^T G p over impulses p at one instant, G the Delassus matrix; a closing that lasts
+/// loses v_before^2 / (2 G_jj) for e < 1. Penalty and massless laws, and e = 1, lose nothing. The part of W_D
+/// beyond the harmonics that the response is summed to is added in closed form for impulses that are listed.
+/// Absent, with a reason, where W_f is zero, the law is undetermined, or the structure has no response or no
+/// Delassus matrix. The response being linear, W_f - W_D is the work done on the stops at every harmonic: the
+/// defect judges the contact force against the law, on large structures and small ones alike.
+EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer);
+
+/// Loss at impacts per period that a restitution e prescribes for the phases found [J].
+double expected_loss(const Motion& motion, double restitution, const Eigen::MatrixXd& delassus);
+
+}  // namespace signorini

@@ -1,0 +1,101 @@
+#include "harness/judge/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace signorini {
+
+namespace {
+
+struct Difference {
+  double squares = 0.0;
+  double own_squares = 0.0;
+  double largest = 0.0;
+  double own_largest = 0.0;
+
+  [[nodiscard]] std::optional<double> l2() const {
+    if (own_squares == 0.0) return std::nullopt;
+    return std::sqrt(squares / own_squares);
+  }
+  [[nodiscard]] std::optional<double> max() const {
+    if (own_largest == 0.0) return std::nullopt;
+    return largest / own_largest;
+  }
+};
+
+Difference compare(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen::Index offset) {
+  Difference gap;
+  if (a.cols() == 0) return gap;
+  const Eigen::Index common = std::lcm(a.rows(), b.rows());
+  Eigen::Index i = 0;
+  Eigen::Index j = offset % b.rows();
+  // Whole blocks in which neither motion wraps around.
+  for (Eigen::Index done = 0; done < common;) {
+    const Eigen::Index block = std::min({a.rows() - i, b.rows() - j, common - done});
+    const auto own = b.middleRows(j, block).array();
+    const auto difference = a.middleRows(i, block).array() - own;
+    gap.squares += difference.square().sum();
+    gap.own_squares += own.square().sum();
+    gap.largest = std::max(gap.largest, difference.abs().maxCoeff());
+    gap.own_largest = std::max(gap.own_largest, own.abs().maxCoeff());
+    done += block;
+    i = (i + block) % a.rows();
+    j = (j + block) % b.rows();
+  }
+  return gap;
+}
+
+Eigen::Index per_period(const Motion& motion) { return motion.samples.x.rows() / motion.order; }
+
+}  // namespace
+
+Motion sample_motion(const Problem& problem, const Trajectory& trajectory, int per_period) {
+  Motion motion;
+  motion.forcing_period = 2.0 * std::numbers::pi / problem.frequency;
+  motion.order = std::max(1, static_cast<int>(std::lround(trajectory.period() / motion.forcing_period)));
+  motion.samples = trajectory.sample(per_period * motion.order);
+  motion.impulses = trajectory.impulses();
+  motion.bandwidth = trajectory.bandwidth();
+  return motion;
+}
+
+Distance distance(const Motion& a, const Motion& b, int shift) {
+  const Eigen::Index offset = shift * per_period(b);
+  const Difference x = compare(a.samples.x, b.samples.x, offset);
+  return {.x_l2 = x.l2(),
+          .x_max = x.max(),
+          .velocity_l2 = compare(a.samples.velocity, b.samples.velocity, offset).l2()};
+}
+
+int best_shift(const Motion& a, const Motion& b) {
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int shift = 0; shift < b.order; ++shift) {
+    const Difference x = compare(a.samples.x, b.samples.x, shift * per_period(b));
+    if (x.squares < least) {
+      least = x.squares;
+      best = shift;
+    }
+  }
+  return best;
+}
+
+int least_order(const Motion& motion) {
+  for (int order = 1; order < motion.order; ++order) {
+    if (motion.order % order != 0) continue;
+    const Difference x = compare(motion.samples.x, motion.samples.x, order * per_period(motion));
+    if (x.squares <= kSameOrbit * kSameOrbit * x.own_squares) return order;
+  }
+  return motion.order;
+}
+
+double amplitude(const Motion& motion) {
+  double largest = 0.0;
+  for (const auto& x : motion.samples.x.colwise())
+    largest = std::max(largest, 0.5 * (x.maxCoeff() - x.minCoeff()));
+  return largest;
+}
+
+}  // namespace signorini

@@ -1,0 +1,84 @@
+#include "harness/judge/orbit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/judge/impacts.hpp"
+#include "harness/sha256.hpp"
+#include "methods/discretisation/periodic_time.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr double kWeakImpact = 1e-3;
+
+/// Instant at which the force of a contact starts (direction 1) or ends (-1) beside sample i.
+double crossing(const Motion& motion, int contact, int inside, int outside) {
+  const int count = motion.count();
+  const auto f = [&](int i) { return motion.samples.force(((i % count) + count) % count, contact); };
+  // A force that grows in proportion to the time since it began has its zero on the line through the two
+  // innermost samples; one that jumps, anywhere between the instants.
+  const double fall = f(inside) - f(2 * inside - outside);
+  const double share = fall > 0.0 ? std::min(1.0, -f(inside) / fall) : 0.5;
+  return (inside + (outside - inside) * share) * motion.step();
+}
+
+std::string rounded(double value, double scale) {
+  return std::abs(value) <= 1e-9 * scale ? "0" : fmt::format("{:.3e}", value);
+}
+
+}  // namespace
+
+std::vector<OrbitEvent> orbit_events(const Motion& motion) {
+  std::vector<OrbitEvent> events;
+  for (const Impulse& impulse : motion.impulses) {
+    events.push_back({impulse.time, impulse.contact, "impact", impulse.value});
+  }
+  const double step = motion.step();
+  for (const ContactPhase& phase : contact_phases(motion)) {
+    if (phase.listed) continue;
+    const auto first = static_cast<int>(std::lround(phase.begin / step));
+    const auto last = static_cast<int>(std::lround(phase.end / step)) - 1;
+    if (last - first + 1 >= motion.count()) continue;  // never opens
+    const double close = last > first ? crossing(motion, phase.contact, first, first - 1) : phase.begin;
+    const double open = last > first ? crossing(motion, phase.contact, last, last + 1) : phase.end;
+    events.push_back({wrapped_time(close, motion.period()), phase.contact, "close", {}});
+    events.push_back({wrapped_time(open, motion.period()), phase.contact, "open", {}});
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const OrbitEvent& a, const OrbitEvent& b) { return a.time < b.time; });
+  return events;
+}
+
+std::string fingerprint(const Motion& motion) {
+  const int order = least_order(motion);
+  const int copies = motion.order / order;
+  double largest = 0.0;
+  for (const Impulse& impulse : motion.impulses) largest = std::max(largest, std::abs(impulse.value));
+  const auto impacts =
+      std::count_if(motion.impulses.begin(), motion.impulses.end(),
+                    [&](const Impulse& impulse) { return std::abs(impulse.value) > kWeakImpact * largest; });
+  const double force_scale =
+      motion.samples.force.size() > 0 ? motion.samples.force.cwiseAbs().maxCoeff() : 0.0;
+  std::string text = fmt::format("{} {}", order, impacts / copies);
+  for (int c = 0; c < static_cast<int>(motion.samples.x.cols()); ++c) {
+    const double length = motion.samples.x.col(c).cwiseAbs().maxCoeff();
+    double impulse = motion.samples.force.col(c).sum() * motion.step();
+    for (const Impulse& one : motion.impulses) impulse += one.contact == c ? one.value : 0.0;
+    text +=
+        fmt::format(" {} {}", rounded(impulse / motion.order, motion.forcing_period * force_scale + largest),
+                    rounded(std::sqrt(motion.samples.x.col(c).squaredNorm() / motion.count()), length));
+  }
+  return sha256(text).substr(0, 8);
+}
+
+bool same_orbit(const Motion& a, const Motion& b) {
+  const std::optional<double> apart = distance(a, b, best_shift(a, b)).x_l2;
+  if (!apart) return a.samples.x.size() == 0 || a.samples.x.cwiseAbs().maxCoeff() == 0.0;
+  return *apart <= kSameOrbit;
+}
+
+}  // namespace signorini

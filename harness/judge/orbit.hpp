@@ -1,0 +1,26 @@
+#pragma once
+// What identifies a periodic orbit: its events and its fingerprint.
+
+#include <string>
+#include <vector>
+
+#include "harness/judge/motion.hpp"
+#include "harness/records/record.hpp"
+
+namespace signorini {
+
+/// Events of one period, ordered in time: each listed impulse as an impact with its value; where a force
+/// begins and ends, close and open, placed linearly between the grid's instants.
+std::vector<OrbitEvent> orbit_events(const Motion& motion);
+
+/// Eight hexadecimal digits that hash invariants rounded to four digits: least order, impacts per period
+/// above a thousandth of the largest, impulse per forcing period and contact, root mean square of x. Equal
+/// for equal orbits, those shifted by whole forcing periods or written over several of their periods
+/// included.
+std::string fingerprint(const Motion& motion);
+
+/// True if the motions are one orbit: x agrees to 1e-6 of its norm after some shift by whole forcing periods
+/// (where b has no norm, if a has none either).
+bool same_orbit(const Motion& a, const Motion& b);
+
+}  // namespace signorini

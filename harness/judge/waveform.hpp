@@ -1,0 +1,22 @@
+#pragma once
+// Motions as they are drawn: few points, chosen by eye's measure.
+
+#include "harness/judge/motion.hpp"
+#include "harness/records/record.hpp"
+
+namespace signorini {
+
+/// Contacts of a motion that are kept at most.
+inline constexpr int kDrawnContacts = 4;
+
+/// The instants of a polyline that stays within `tolerance` of every signal's range: row i of `signals` is
+/// instant i. First and last row are kept. By the algorithm of Douglas and Peucker [douglas1973].
+/// \param signals  instants x signals, at least two instants
+std::vector<int> polyline(const Eigen::MatrixXd& signals, double tolerance);
+
+/// An answer and, unless null, the certified orbit behind it, moved by `shift` forcing periods; over the
+/// least period common to both, at the contacts that exchange most impulse.
+Waveforms draw_waveforms(const Problem& problem, const Trajectory& answer, const Trajectory* orbit,
+                         int shift);
+
+}  // namespace signorini

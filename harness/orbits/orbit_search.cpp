@@ -1,0 +1,245 @@
+#include "harness/orbits/orbit_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <tuple>
+#include <utility>
+
+#include "harness/interrupt.hpp"
+#include "harness/judge/exact_certificate.hpp"
+#include "harness/judge/orbit.hpp"
+#include "harness/records/record.hpp"
+#include "harness/run/isolation.hpp"
+#include "methods/structure/condensation.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+constexpr int kProcesses = 2;
+constexpr int kMemoryMb = 2048;
+/// Longer than any single search may take; only what hangs is ended by it [s].
+constexpr double kLineSeconds = 15.0;
+/// Instants per forcing period on which orbits are compared; exact orbits need no more.
+constexpr int kCompared = 512;
+
+/// The events of the first `period` of an orbit that repeats after it.
+OrbitGuess first_period(OrbitGuess orbit, double period) {
+  const double end = orbit.start.time + period;
+  std::erase_if(orbit.events, [end](const SequenceEvent& event) { return event.time >= end; });
+  return orbit;
+}
+
+/// A certified orbit of least period `order`.
+FoundOrbit describe_orbit(const Problem& problem, int order, CheckedOrbit checked) {
+  const Motion whole = sample_motion(problem, *checked.orbit);
+  return {.certificate = std::move(checked),
+          .fingerprint = fingerprint(whole),
+          .order = order,
+          .period = whole.period(),
+          .amplitude = amplitude(whole)};
+}
+
+/// Nothing but impulses: what the polish needs of an orbit without contact phases.
+class ImpulseTrain final : public Trajectory {
+ public:
+  ImpulseTrain(int contacts, double period, std::vector<Impulse> impulses)
+      : contacts_(contacts), period_(period), impulses_(std::move(impulses)) {}
+
+  [[nodiscard]] int contact_count() const override { return contacts_; }
+  [[nodiscard]] double period() const override { return period_; }
+  [[nodiscard]] Samples sample(int count) const override {
+    const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(count, contacts_);
+    return {.x = zero, .velocity = zero, .force = zero};
+  }
+  [[nodiscard]] std::vector<Impulse> impulses() const override { return impulses_; }
+
+ private:
+  int contacts_;
+  double period_;
+  std::vector<Impulse> impulses_;
+};
+
+class Census {
+ public:
+  Census(const Problem& problem, const OrbitPolisher& polish, SteadyTime deadline)
+      : problem_(problem), polish_(polish), deadline_(deadline) {}
+
+  void add(const OrbitCandidate& candidate) {
+    ++result.searches;
+    if (!candidate.orbit) {
+      ++result.failures[candidate.reason];
+      return;
+    }
+    const OrbitSearch search = solve(*candidate.orbit, candidate.order);
+    if (!search.orbit.certified()) {
+      ++result.failures[describe(search.orbit.outcome)];
+      return;
+    }
+    const Motion motion = sample_motion(problem_, *search.orbit.trajectory, kCompared);
+    for (std::size_t i = 0; i < motions_.size(); ++i) {
+      if (same_orbit(motion, motions_[i])) return credit(result.orbits[i], candidate);
+    }
+    for (const auto& [refused, reason] : refused_) {
+      if (!same_orbit(motion, refused)) continue;
+      ++result.failures[reason];
+      return;
+    }
+    take_new(search, motion, candidate);
+  }
+
+  OrbitCensus result;
+
+ private:
+  OrbitSearch solve(const OrbitGuess& guess, int order) {
+    std::unique_ptr<OrbitFinder>& finder = finders_[order];
+    if (!finder) finder = std::make_unique<OrbitFinder>(at(order));
+    SearchOptions options;
+    options.rounds = 0;
+    options.shootings = 0;
+    return finder->find(guess, options);
+  }
+
+  [[nodiscard]] Problem at(int order) const {
+    Problem changed = problem_;
+    changed.subharmonic = order;
+    return changed;
+  }
+
+  void take_new(const OrbitSearch& search, const Motion& motion, const OrbitCandidate& candidate) {
+    const int order = least_order(motion);
+    OrbitSearch least = search;
+    if (order < candidate.order) {
+      const double period = order * motion.forcing_period;
+      least = solve(first_period(search.orbit.trajectory->orbit(), period), order);
+    }
+    CheckedOrbit checked{.reason = "the orbit does not close after its least period"};
+    if (least.orbit.certified()) {
+      const Problem at_order = at(order);
+      checked = polish_({.problem = at_order, .answer = *least.orbit.trajectory, .deadline = deadline_});
+    }
+    if (!checked.orbit) {
+      ++result.failures[checked.reason];
+      refused_.emplace_back(motion, checked.reason);
+      return;
+    }
+    FoundOrbit found = describe_orbit(problem_, order, std::move(checked));
+    motions_.push_back(sample_motion(problem_, *found.certificate.orbit, kCompared));
+    credit(found, candidate);
+    result.orbits.push_back(std::move(found));
+  }
+
+  static void credit(FoundOrbit& orbit, const OrbitCandidate& candidate) {
+    ++orbit.starts;
+    if (candidate.origin == OrbitCandidate::Origin::rest) orbit.from_rest = true;
+    if (candidate.origin == OrbitCandidate::Origin::method && candidate.near &&
+        std::find(orbit.cold.begin(), orbit.cold.end(), candidate.source) == orbit.cold.end())
+      orbit.cold.push_back(candidate.source);
+  }
+
+  const Problem& problem_;
+  const OrbitPolisher& polish_;
+  SteadyTime deadline_;
+  std::map<int, std::unique_ptr<OrbitFinder>> finders_;
+  std::vector<Motion> motions_;  // of result.orbits
+  std::vector<std::pair<Motion, std::string>> refused_;
+};
+
+/// Runs the units side by side and takes in what they found, in their order.
+void run_units(const std::vector<CandidateUnit>& units, SteadyTime deadline, Census& census) {
+  std::vector<IsolatedWork> work;
+  for (const CandidateUnit& unit : units) {
+    work.push_back([&unit, deadline](const Send& send) {
+      unit.work(
+          [&send](const OrbitCandidate& candidate) {
+            send(to_json(candidate).dump(-1, ' ', false, Json::error_handler_t::replace));
+          },
+          deadline);
+    });
+  }
+  const std::vector<ChildEnd> ends =
+      run_isolated_together(work, {.stage_seconds = {kLineSeconds}, .memory_mb = kMemoryMb}, kProcesses);
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    for (const std::string& line : ends[i].lines) census.add(orbit_candidate_from_json(Json::parse(line)));
+    if (ends[i].kind != ChildEnd::Kind::finished && ends[i].kind != ChildEnd::Kind::interrupted)
+      census.result.losses.push_back(fmt::format("{}: {}", units[i].name, describe(ends[i])));
+  }
+}
+
+void sort_orbits(std::vector<FoundOrbit>& orbits) {
+  const auto rank = [](const FoundOrbit& orbit) {
+    return std::tuple(orbit.order, !orbit.certificate.stable.value_or(false), -orbit.amplitude);
+  };
+  std::stable_sort(orbits.begin(), orbits.end(),
+                   [&](const FoundOrbit& a, const FoundOrbit& b) { return rank(a) < rank(b); });
+}
+
+}  // namespace
+
+int default_subharmonics(const Problem& problem) {
+  return std::max(OrbitQuest{}.subharmonics, problem.subharmonic);
+}
+
+int FoundOrbit::impacts() const {
+  return static_cast<int>(std::count_if(certificate.events.begin(), certificate.events.end(),
+                                        [](const OrbitEvent& event) { return event.kind == "impact"; }));
+}
+
+int FoundOrbit::contact_phases() const {
+  return static_cast<int>(std::count_if(certificate.events.begin(), certificate.events.end(),
+                                        [](const OrbitEvent& event) { return event.kind == "open"; }));
+}
+
+std::optional<double> FoundOrbit::largest_multiplier() const {
+  if (!certificate.floquet || certificate.floquet->empty()) return std::nullopt;
+  double largest = 0.0;
+  for (const auto& [re, im] : *certificate.floquet) largest = std::max(largest, std::hypot(re, im));
+  return largest;
+}
+
+OrbitCensus find_all_orbits(const Problem& problem, const OrbitQuest& quest, const OrbitPolisher& polish,
+                            const SearchNews& news) {
+  const SteadyTime deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                 std::chrono::duration<double>(quest.timeout));
+  const OrbitPolisher certify = polish ? polish : exact_orbits();
+  Census census(problem, certify, deadline);
+  if (problem.size() > kMostInTime) {
+    census.result.failures[flow_obstacle(problem)] = 1;
+    return std::move(census.result);
+  }
+  for (int order = 1; order <= quest.subharmonics; ++order) {
+    if (interrupted() || Clock::now() > deadline) break;
+    if (news) news(order);
+    run_units(candidate_units(problem, order, quest.starts, quest.seed), deadline, census);
+  }
+  census.result.interrupted = interrupted();
+  census.result.expired = Clock::now() > deadline;
+  sort_orbits(census.result.orbits);
+  return std::move(census.result);
+}
+
+std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit& kept,
+                                        const OrbitPolisher& polish) {
+  std::vector<Impulse> impulses;
+  for (const OrbitEvent& event : kept.certificate.events) {
+    if (event.kind != "impact" || !event.value) return std::nullopt;
+    impulses.push_back({event.contact, event.time, *event.value});
+  }
+  Problem at_order = problem;
+  at_order.subharmonic = kept.order;
+  const OrbitPolisher certify = polish ? polish : exact_orbits();
+  const ImpulseTrain train(problem.contact_count(), at_order.period(), std::move(impulses));
+  CheckedOrbit checked = certify({.problem = at_order, .answer = train});
+  if (!checked.orbit) return std::nullopt;
+  FoundOrbit found = describe_orbit(problem, kept.order, std::move(checked));
+  found.from_rest = kept.from_rest;  // not asked here
+  return found;
+}
+
+}  // namespace signorini

@@ -1,0 +1,73 @@
+#pragma once
+// All certified orbits of a scene under its own law.
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "harness/judge/motion.hpp"
+#include "harness/judge/reference.hpp"
+#include "harness/orbits/orbit_candidates.hpp"
+
+namespace signorini {
+
+/// What to search.
+struct OrbitQuest {
+  int starts = 48;         ///< random states at each order
+  int subharmonics = 3;    ///< orders 1..this are searched [forcing periods]
+  unsigned seed = 1;       ///< of the random states
+  double timeout = 300.0;  ///< wall time of the whole search [s]
+};
+
+/// Orders searched unless told otherwise: 3, or the scene's own subharmonic if that is higher.
+int default_subharmonics(const Problem& problem);
+
+/// One orbit, with all that the harness knows of it.
+struct FoundOrbit {
+  CheckedOrbit certificate = {};       ///< over the least period; events in [0, period)
+  std::string fingerprint = {};        ///< equal for equal orbits
+  int order = 1;                       ///< least period in forcing periods
+  double period = 0.0;                 ///< [s]
+  double amplitude = 0.0;              ///< half of largest minus least x, the largest over contacts [m]
+  int starts = 0;                      ///< searches that ended here
+  std::vector<std::string> cold = {};  ///< methods that came to it by themselves, within kNearOrbit
+  bool from_rest = false;              ///< it is the one that marching from rest reaches
+
+  /// Impacts in one period; contact phases: closings in one period, 1 for a contact that never opens.
+  [[nodiscard]] int impacts() const;
+  [[nodiscard]] int contact_phases() const;
+  /// Largest absolute value of a Floquet multiplier; empty where they are undefined.
+  [[nodiscard]] std::optional<double> largest_multiplier() const;
+};
+
+/// What came of a search.
+struct OrbitCensus {
+  std::vector<FoundOrbit> orbits = {};       ///< by order, stable ones first, then by amplitude, larger first
+  int searches = 0;                          ///< starts that reported back
+  std::map<std::string, int> failures = {};  ///< why starts led to no certified orbit, and how many
+  std::vector<std::string> losses = {};      ///< processes that ended before their work did
+  bool expired = false;                      ///< the time limit cut the search short
+  bool interrupted = false;                  ///< SIGINT did
+};
+
+/// Told before each batch of processes: order, batches begun at it.
+using SearchNews = std::function<void(int order)>;
+
+/// Searches order by order: every start of `candidate_units` in a process of its own, two at a time; each
+/// admissible orbit found is compared with those known (`same_orbit`: shifts by forcing periods and
+/// repetitions at multiples of an order are the same), brought to its least period, and certified by `polish`
+/// (exact, confirmed by CVODE). What is not certified is not listed, but counted in `failures`.
+///
+/// Deterministic for given quest, scene and program as long as no time limit strikes (10 s for a method's
+/// solve, 2 s for a random state, the quest's for all).
+OrbitCensus find_all_orbits(const Problem& problem, const OrbitQuest& quest, const OrbitPolisher& polish = {},
+                            const SearchNews& news = {});
+
+/// Polishes and certifies an orbit of impacts anew from nothing but its events as they were kept. Empty if it
+/// has other events, or leads to none.
+std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit& kept,
+                                        const OrbitPolisher& polish = {});
+
+}  // namespace signorini

@@ -1,0 +1,73 @@
+#pragma once
+// What a run does, in order: scene x method x settings.
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/plan/selection.hpp"
+#include "harness/plan/suite.hpp"
+#include "methods/catalogue.hpp"
+#include "problems/problem.hpp"
+#include "problems/scene/scene_file.hpp"
+
+namespace signorini {
+
+/// A scene ready to run.
+struct Scene {
+  Problem problem;
+  std::string sha256 = {};  ///< of the scene file, the level of one of a family, and its Matrix Market files
+  std::optional<FamilyLevel> family = {};
+};
+
+/// Reads a scene. \throws SceneError
+Scene read_scene(const SceneSource& source);
+
+/// One run of one method on one scene.
+struct Case {
+  std::size_t scene = 0;  ///< index into Plan::scenes
+  MethodChoice choice = {};
+  std::vector<OptionEcho> options = {};  ///< complete, defaults included
+  std::string id = {};                   ///< "sdof-stop/fourier-lipschitz[harmonics=40]"
+};
+
+struct Plan {
+  std::vector<Scene> scenes = {};
+  std::vector<Case> cases = {};  ///< scene by scene
+};
+
+/// One case; validates the settings. \throws InvalidOption
+Case make_case(const Scene& scene, std::size_t index, MethodChoice choice);
+
+/// What a user narrows a suite to.
+struct Narrowing {
+  std::optional<std::string> methods = {};  ///< filter with optional settings in brackets
+  std::optional<std::string> scenes = {};   ///< filter on scene names, or one scene file
+};
+
+/// Whether a filter is no filter but a scene file, "own.toml" or of a family "own.toml@1e-4".
+bool names_scene_file(const std::string& filter);
+
+/// The scenes of a suite that the filter takes, in the order of `sources`; or the scene file that it names,
+/// in their place. \throws NothingMatched, SceneError
+std::vector<Scene> choose_scenes(const Suite& suite, const std::optional<std::string>& filter,
+                                 std::span<const SceneSource> sources);
+
+/// The cases of a suite, scenes in catalogue order, methods in catalogue order.
+/// \throws NothingMatched, UsageError, SceneError, InvalidOption
+Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const MethodEntry> catalogue,
+               std::span<const SceneSource> sources);
+
+/// What makes two runs the same: SHA-256 of scene file, method, complete options, limits and code version,
+/// with the files of the plugin that the method comes from, if any.
+std::string case_key(const Scene& scene, const Case& run, const Limits& limits,
+                     std::string_view code_version);
+
+/// An option's value as text, "auto" where the method chooses.
+std::string print_option(const OptionValue& value);
+
+}  // namespace signorini

@@ -1,0 +1,148 @@
+#include "harness/plan/selection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/failure.hpp"
+#include "harness/glob.hpp"
+
+namespace signorini {
+
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+[[noreturn]] void refuse(std::string_view text, std::string_view requirement) {
+  throw UsageError(fmt::format("methods = {} ({})", text, requirement));
+}
+
+constexpr std::string_view kForm = "must look like name[key=value,key=value|value]";
+
+struct Piece {
+  std::string glob;
+  bool bracketed = false;
+  std::vector<Settings> settings = {};
+};
+
+Piece parse_piece(const std::string& text) {
+  const std::size_t open = text.find('[');
+  if (open == std::string::npos) {
+    if (text.find(']') != std::string::npos) refuse(text, kForm);
+    return {.glob = text};
+  }
+  const std::string_view inside = std::string_view(text).substr(open + 1);
+  if (open == 0 || inside.find('[') != std::string_view::npos || inside.find(']') != inside.size() - 1) {
+    refuse(text, kForm);
+  }
+  return {.glob = text.substr(0, open),
+          .bracketed = true,
+          .settings = expand_settings(inside.substr(0, inside.size() - 1))};
+}
+
+}  // namespace
+
+std::string MethodChoice::label() const {
+  std::string inside;
+  for (const auto& [key, value] : settings) inside += (inside.empty() ? "" : ",") + key + "=" + value;
+  return inside.empty() ? std::string(entry->name) : fmt::format("{}[{}]", entry->name, inside);
+}
+
+std::unique_ptr<Method> MethodChoice::make() const {
+  Settings own = settings;
+  std::erase_if(own, [](const OptionSetting& setting) { return setting.first == kStartSetting; });
+  return entry->make(own);
+}
+
+std::optional<double> MethodChoice::start() const {
+  for (const auto& [key, value] : settings) {
+    if (key != kStartSetting) continue;
+    const double late = option_detail::parse_double(key, value);
+    require_option(late >= 0.0 && late < 1.0, key, late, "must be in [0, 1), a share of the period");
+    return late;
+  }
+  return std::nullopt;
+}
+
+std::vector<OptionEcho> MethodChoice::options() const {
+  std::vector<OptionEcho> all = make()->options();
+  if (const std::optional<double> late = start()) {
+    all.push_back({.name = std::string(kStartSetting),
+                   .value = *late,
+                   .unit = "[-]",
+                   .meaning = "from the scene's orbit, late by this share of its period"});
+  }
+  return all;
+}
+
+std::vector<Settings> expand_settings(std::string_view text) {
+  std::vector<Settings> sets{{}};
+  if (text.empty()) return sets;
+  for (const std::string_view item : split(text, ',')) {
+    const std::size_t equals = item.find('=');
+    if (equals == std::string_view::npos || equals == 0) refuse(text, kForm);
+    const std::string key(item.substr(0, equals));
+    for (const auto& [known, value] : sets.front()) {
+      if (known == key) refuse(text, "must set each option once");
+    }
+    std::vector<Settings> longer;
+    const std::vector<std::string_view> alternatives = split(item.substr(equals + 1), '|');
+    for (const Settings& set : sets) {
+      for (const std::string_view value : alternatives) {
+        if (value.empty()) refuse(text, kForm);
+        longer.push_back(set);
+        longer.back().emplace_back(key, value);
+      }
+    }
+    sets = std::move(longer);
+  }
+  return sets;
+}
+
+std::vector<Settings> ladder_of(const MethodEntry& entry) { return expand_settings(entry.ladder); }
+
+std::vector<MethodChoice> select_methods(std::string_view filter, std::span<const MethodEntry> catalogue,
+                                         const DefaultSettings& defaults) {
+  const GlobPieces pieces = split_globs(filter);
+  std::vector<Piece> positive;
+  for (const std::string& text : pieces.positive) {
+    positive.push_back(parse_piece(text));
+    const auto matches = [&](const MethodEntry& entry) {
+      return glob_match(positive.back().glob, entry.name);
+    };
+    if (std::none_of(catalogue.begin(), catalogue.end(), matches)) {
+      throw NothingMatched(
+          fmt::format("methods = {} (matches no method; see `signorini list methods`)", text));
+    }
+  }
+  std::vector<MethodChoice> choices;
+  for (const MethodEntry& entry : catalogue) {
+    const auto matches = [&](const std::string& glob) { return glob_match(glob, entry.name); };
+    if (std::any_of(pieces.negative.begin(), pieces.negative.end(), matches)) continue;
+    std::vector<std::string> labels;
+    for (const Piece& piece : positive) {
+      if (!glob_match(piece.glob, entry.name)) continue;
+      for (Settings& settings : piece.bracketed ? std::vector(piece.settings) : defaults(entry)) {
+        MethodChoice choice{&entry, std::move(settings)};
+        if (std::find(labels.begin(), labels.end(), choice.label()) != labels.end()) continue;
+        labels.push_back(choice.label());
+        choices.push_back(std::move(choice));
+      }
+    }
+  }
+  if (choices.empty()) {
+    throw NothingMatched(
+        fmt::format("methods = {} (matches no method; see `signorini list methods`)", filter));
+  }
+  return choices;
+}
+
+}  // namespace signorini

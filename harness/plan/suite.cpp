@@ -1,0 +1,114 @@
+#include "harness/plan/suite.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "harness/failure.hpp"
+#include "harness/sha256.hpp"
+#include "problems/scene/kebab_case.hpp"
+#include "problems/scene/scene_field.hpp"
+#include "problems/scene/scene_file.hpp"
+#include "problems/scene/toml_tree.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> texts(const SceneField& field, std::string_view requirement) {
+  std::vector<std::string> values;
+  if (!field.given()) return values;
+  for (const SceneField& item : field.items(requirement)) values.push_back(item.text(requirement));
+  return values;
+}
+
+Limits read_limits(const SceneField& field) {
+  Limits limits;
+  if (!field.given()) return limits;
+  field.allow_only({"timeout", "memory", "repetitions", "certificate_timeout", "reference_timeout"},
+                   "must be a table");
+  const auto seconds = [&](std::string_view key, double& value) {
+    if (!field[key].given()) return;
+    value = field[key].number("must be a positive number of seconds", 0.0);
+    if (value == 0.0) field[key].refuse("must be a positive number of seconds");
+  };
+  seconds("timeout", limits.timeout);
+  seconds("certificate_timeout", limits.certificate_timeout);
+  seconds("reference_timeout", limits.reference_timeout);
+  constexpr int kMost = std::numeric_limits<int>::max();
+  limits.memory_mb =
+      field["memory"].whole_or(limits.memory_mb, "must be a whole number of MiB >= 64", 64, kMost);
+  limits.repetitions =
+      field["repetitions"].whole_or(limits.repetitions, "must be a whole number in 1..1000", 1, 1000);
+  return limits;
+}
+
+std::vector<ExpectedFailure> read_expected(const SceneField& field) {
+  std::vector<ExpectedFailure> expected;
+  if (!field.given()) return expected;
+  for (const SceneField& item : field.items("must be tables with case and reason")) {
+    item.allow_only({"case", "reason"}, "must be a table with case and reason");
+    expected.push_back(
+        {item["case"].text("must be a glob on case names"), item["reason"].text("must say why")});
+  }
+  return expected;
+}
+
+}  // namespace
+
+Suite parse_suite(std::string_view text, const std::string& file) {
+  TomlNode document;
+  try {
+    document = parse_toml(text);
+  } catch (const TomlSyntaxError& error) {
+    throw SceneError(fmt::format("{}:{}: {}", file, error.line, error.what()));
+  }
+  const SceneField root(document, file);
+  static_cast<void>(root["schema"].whole("must be 1", 1, 1));  // first: another schema may have other keys
+  root.allow_only(
+      {"schema", "name", "title", "scenes", "tags", "without_tags", "methods", "limits", "expected_failure"},
+      "must be a table");
+  Suite suite;
+  suite.name = root["name"].text("must be a name in lower-kebab-case");
+  if (!is_lower_kebab_case(suite.name)) root["name"].refuse("must be a name in lower-kebab-case");
+  suite.title = root["title"].text("must be one line of text");
+  suite.scenes = texts(root["scenes"], "must be a list of globs on scene names");
+  suite.tags = texts(root["tags"], "must be a list of tags");
+  suite.without_tags = texts(root["without_tags"], "must be a list of tags");
+  if (suite.scenes.empty() && suite.tags.empty()) {
+    root["scenes"].refuse("must be a list of globs on scene names, unless tags are given");
+  }
+  suite.methods = texts(root["methods"], "must be a list of name[key=value|value]");
+  suite.limits = read_limits(root["limits"]);
+  suite.expected_failures = read_expected(root["expected_failure"]);
+  return suite;
+}
+
+std::vector<fs::path> catalogue_suites() {
+  std::vector<fs::path> suites;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(problems_folder() / "suites", none)) {
+    if (entry.path().extension() == ".toml") suites.push_back(entry.path());
+  }
+  std::sort(suites.begin(), suites.end());
+  return suites;
+}
+
+Suite load_suite(const std::string& name_or_path) {
+  const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
+  const fs::path path =
+      is_path ? fs::path(name_or_path) : problems_folder() / "suites" / (name_or_path + ".toml");
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) {
+    std::string names;
+    for (const fs::path& suite : catalogue_suites())
+      names += (names.empty() ? "" : ", ") + suite.stem().string();
+    throw UsageError(fmt::format("suite = {} (must be a TOML file or one of {})", name_or_path, names));
+  }
+  return parse_suite(read_file(path), path.string());
+}
+
+}  // namespace signorini

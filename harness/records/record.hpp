@@ -1,0 +1,192 @@
+#pragma once
+// One run of one method on one scene, as it is kept: docs/records.md gives every key.
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "methods/method.hpp"
+#include "problems/scene/scene_family.hpp"
+
+namespace signorini {
+
+enum class Status {
+  converged,
+  inaccurate,
+  not_converged,
+  not_applicable,
+  timeout,
+  out_of_memory,
+  crashed,
+  exception,
+  invalid_output
+};
+
+/// "not-converged" and so on; the words of records.
+std::string_view status_name(Status status);
+
+/// A measure that may have no meaning for a run; never NaN.
+using Measure = std::optional<double>;
+
+struct WorkDone {
+  Work counts = {};
+  std::optional<long> peak_memory_bytes = {};  ///< growth of the peak resident set by set-up and first solve
+};
+
+/// Least time of one call in one round [s].
+struct TimedRound {
+  double setup = 0.0;
+  double solve = 0.0;
+};
+
+/// Times of set-up plus solve over rounds, the least of each [s].
+struct Seconds {
+  double median = 0.0;
+  double min = 0.0;
+  double mad = 0.0;  ///< median absolute deviation from the median
+  int repetitions = 0;
+  double setup = 0.0;                   ///< median of the set-up's part
+  double solve = 0.0;                   ///< median of the solve's part
+  std::optional<bool> unstable = {};    ///< mad above kUnstable of the median; empty for a single round
+  std::vector<TimedRound> rounds = {};  ///< in the order taken
+  std::optional<int> jobs = {};         ///< cases run at the same time, if several: not comparable then
+};
+
+/// Times whose deviation exceeds this share of their median are called unstable.
+inline constexpr double kUnstable = 0.05;
+
+enum class CertificateStatus { none, uncertified, certified };
+
+/// "none", "uncertified", "certified"; the words of records.
+std::string_view certificate_name(CertificateStatus status);
+
+struct OrbitEvent {
+  double time = 0.0;  ///< [s]
+  int contact = 0;
+  std::string kind = {};  ///< impact | close | open
+  Measure value = {};     ///< impulse of an impact [N s]
+};
+
+/// Real and imaginary parts.
+using FloquetMultipliers = std::vector<std::pair<double, double>>;
+
+/// Whether a true orbit of the represented law stands behind an answer, and which.
+struct Certificate {
+  CertificateStatus status = CertificateStatus::none;
+  std::string reason = {};                ///< of uncertified or none; empty when certified
+  std::string source = {};                ///< how the orbit was found
+  std::optional<std::string> orbit = {};  ///< fingerprint, equal for equal orbits
+  std::optional<int> order = {};          ///< period of the orbit in forcing periods
+  Measure error_bar = {};                 ///< relative, of the orbit itself
+  Measure residual = {};                  ///< relative, of the orbit's own equations
+  Measure distance = {};                  ///< x_l2 from the answer to the orbit found, certified or not
+  std::optional<std::string> reference =
+      {};                               ///< fingerprint of the orbit reached from rest under the same law
+  std::string reference_reason = {};    ///< why there is none
+  std::optional<bool> same_orbit = {};  ///< the answer's orbit is that one
+  std::vector<OrbitEvent> events = {};
+  Measure return_distance = {};  ///< of the orbit after one period by CVODE, in the scales of the motion
+  std::optional<FloquetMultipliers> floquet = {};
+  std::optional<bool> stable = {};
+};
+
+/// Against the certified orbit, relative.
+struct Errors {
+  Measure x_l2 = {}, x_max = {}, u_l2 = {}, velocity_l2 = {}, impulse = {};
+  Measure x_l2_scene = {};  ///< against the scene's own reference where the represented law is another
+};
+
+struct Physics {
+  Measure penetration = {}, complementarity = {}, energy_defect = {}, contact_ratio = {};
+  std::string energy_reason = {};                  ///< why there is no energy_defect
+  std::vector<double> effective_restitution = {};  ///< of each impact, in time order
+};
+
+struct TrajectorySamples {
+  std::vector<double> t = {};
+  std::vector<std::vector<double>> x = {}, velocity = {}, force = {};  ///< per contact
+  std::vector<Impulse> impulses = {};
+  std::optional<int> bandwidth = {};
+};
+
+/// A motion as it is drawn: polylines through common instants, as dense as the motion's bends ask for.
+struct Waveform {
+  std::vector<double> t = {};  ///< [s]
+  /// Per contact kept [m] [m/s] [N] [N s]; `impulse` is that given since t = 0, impulses of impacts included.
+  std::vector<std::vector<double>> x = {}, velocity = {}, force = {}, impulse = {};
+};
+
+/// An answer and the certified orbit behind it, over a period common to both.
+struct Waveforms {
+  std::vector<int> contacts = {};  ///< those kept, by index in the scene
+  Waveform answer = {};
+  std::optional<Waveform> orbit = {};  ///< absent unless certified
+};
+
+/// Solves of one case after the first, in the same process and in others, and whether they gave the same
+/// bits.
+struct Repeats {
+  int solves = 0;
+  int identical = 0;
+};
+
+struct Record {
+  std::string case_id = {};  ///< "scene/method[settings]"
+  std::string key = {};      ///< identifies the run for --resume
+  std::string scene = {}, scene_sha256 = {}, method = {};
+  std::string plugin = {};                 ///< MethodEntry::plugin
+  std::optional<FamilyLevel> family = {};  ///< of a scene that is one of a family
+  std::vector<std::pair<std::string, OptionValue>> options = {};
+  Status status = Status::not_converged;
+  std::string message = {};
+  std::optional<int> signal = {};  ///< that ended a crashed run
+  std::optional<RepresentedLaw> law = {}, scene_law = {};
+  std::optional<bool> law_matches_scene = {};
+  Measure period = {}, residual = {}, condition = {};
+  WorkDone work = {};
+  std::optional<Seconds> seconds = {};
+  std::string not_timed = {};  ///< why `seconds` is absent
+  std::string answer = {};     ///< digest of the first answer (answer_digest)
+  std::optional<Repeats> repeats = {};
+  Measure elapsed = {};  ///< wall time of all processes of the case [s]
+  Certificate certificate = {};
+  Errors errors = {};
+  Physics physics = {};
+  std::optional<TrajectorySamples> trajectory = {};
+  std::optional<Waveforms> waveforms = {};
+};
+
+/// Counts one more solve of the case, whose answer has this digest.
+void count_repeat(const std::string& answer, Record& record);
+
+/// Ten error bars of the certified orbit: an error below this is not measured but bounded.
+double measurable_error(const Record& record);
+
+/// A line that is no record of a known schema.
+class BadRecord : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Exactly the keys of docs/records.md, absent where a notion is; numbers that are not finite are absent.
+nlohmann::ordered_json to_json(const Record& record);
+
+/// \throws BadRecord
+Record record_from_json(const nlohmann::ordered_json& json);
+
+nlohmann::ordered_json law_to_json(const RepresentedLaw& law);
+RepresentedLaw law_from_json(const nlohmann::ordered_json& json);  ///< \throws BadRecord
+
+/// An option's value, "auto" where the method chooses.
+nlohmann::ordered_json option_to_json(const OptionValue& value);
+/// Counts of work, each of them optional. Throws nlohmann's exceptions on wrong types.
+WorkDone work_from_json(const nlohmann::ordered_json& json);
+
+/// The law of a scene as the law of a method that represents it.
+RepresentedLaw as_represented(const Law& law);
+
+}  // namespace signorini

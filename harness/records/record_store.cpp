@@ -1,0 +1,177 @@
+#include "harness/records/record_store.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+#include <thread>
+#include <unordered_map>
+
+#include "harness/failure.hpp"
+#include "harness/sha256.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Contents {
+  std::vector<Record> records;
+  std::size_t whole_bytes = 0;  // up to the end of the last whole line
+};
+
+Record parse_line(const std::string& line, const fs::path& file, std::size_t number) {
+  const Json json = Json::parse(line, nullptr, false);
+  if (!json.is_object()) {
+    throw UsageError(
+        fmt::format("{}:{}: record = unreadable (must be one JSON object)", file.string(), number));
+  }
+  try {
+    return record_from_json(json);
+  } catch (const BadRecord& error) {
+    throw UsageError(fmt::format("{}:{}: {}", file.string(), number, error.what()));
+  }
+}
+
+Contents read_contents(const fs::path& file) {
+  Contents contents;
+  const std::string text = read_file(file);
+  std::size_t begin = 0;
+  // Only what ends in a line break was written whole.
+  for (std::size_t number = 1; true; ++number) {
+    const std::size_t end = text.find('\n', begin);
+    if (end == std::string::npos) break;
+    if (end > begin) contents.records.push_back(parse_line(text.substr(begin, end - begin), file, number));
+    begin = end + 1;
+  }
+  contents.whole_bytes = begin;
+  return contents;
+}
+
+/// Records of a file that may not exist; a torn last line is cut off.
+std::vector<Record> whole_records(const fs::path& file) {
+  if (!fs::exists(file)) return {};
+  Contents contents = read_contents(file);
+  std::error_code ignored;  // of a folder that cannot be written opening complains next
+  fs::resize_file(file, contents.whole_bytes, ignored);
+  return std::move(contents.records);
+}
+
+int open_to_append(const fs::path& file) {
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (descriptor < 0) {
+    throw UsageError(
+        fmt::format("out = {} (must be a folder that can be written)", file.parent_path().string()));
+  }
+  return descriptor;
+}
+
+void write_line(int descriptor, const Record& record, const fs::path& file) {
+  const std::string line = to_json(record).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (write(descriptor, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
+    throw std::system_error(errno, std::generic_category(), file.string());
+}
+
+/// Tries the lock for a moment: children of a run that was killed may hold it for an instant longer.
+bool take_lock(int descriptor) {
+  constexpr int kTries = 100;
+  for (int i = 0; i < kTries; ++i) {
+    // File systems without locks cannot refuse a second run.
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+/// Descriptor that keeps other runs out of the folder as long as it is open.
+int lock_folder(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor >= 0 && !take_lock(descriptor)) {
+    close(descriptor);
+    throw UsageError(fmt::format("out = {} (must not be in use: another run writes there)", folder.string()));
+  }
+  return descriptor;
+}
+
+}  // namespace
+
+std::vector<Record> read_records(const fs::path& file) {
+  std::vector<Record> records;
+  std::unordered_map<std::string, std::size_t> places;
+  for (Record& record : read_contents(file).records) {
+    const auto place = places.find(record.key);
+    if (!record.key.empty() && place != places.end()) {
+      records[place->second] = std::move(record);
+      continue;
+    }
+    places[record.key] = records.size();
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
+bool folder_in_use(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool used = flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  close(descriptor);
+  return used;
+}
+
+RecordStore::RecordStore(const fs::path& folder, bool resume)
+    : file_(folder / "records.jsonl"), unfinished_file_(folder / "unfinished.jsonl") {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) {
+    throw UsageError(fmt::format("out = {} (must be a folder that can be written: {})", folder.string(),
+                                 failure.message()));
+  }
+  lock_ = lock_folder(folder);
+  if (fs::exists(file_) && !resume) fs::rename(file_, folder / "records.previous.jsonl", failure);
+  if (!resume) fs::remove(unfinished_file_, failure);
+  for (const Record& record : whole_records(file_)) keys_.insert(record.key);
+  for (Record& record : whole_records(unfinished_file_)) {
+    if (!contains(record.key)) unfinished_.insert_or_assign(record.key, record);
+  }
+  records_ = open_to_append(file_);
+  kept_ = open_to_append(unfinished_file_);
+}
+
+RecordStore::~RecordStore() {
+  std::error_code failure;
+  if (fs::file_size(unfinished_file_, failure) == 0 && !failure) fs::remove(unfinished_file_, failure);
+  for (const int descriptor : {records_, kept_, lock_}) {
+    if (descriptor >= 0) close(descriptor);
+  }
+}
+
+void RecordStore::append(const Record& record) {
+  if (!keys_.insert(record.key).second) return;
+  write_line(records_, record, file_);
+  if (fsync(records_) != 0) throw std::system_error(errno, std::generic_category(), file_.string());
+  std::erase_if(unfinished_, [&](const auto& kept) { return kept.second.case_id == record.case_id; });
+}
+
+void RecordStore::keep_unfinished(const Record& record) { write_line(kept_, record, unfinished_file_); }
+
+std::optional<Record> RecordStore::unfinished(const std::string& key) const {
+  const auto found = unfinished_.find(key);
+  return found == unfinished_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void RecordStore::clear_unfinished() {
+  if (ftruncate(kept_, 0) != 0)
+    throw std::system_error(errno, std::generic_category(), unfinished_file_.string());
+  for (const auto& [key, record] : unfinished_) write_line(kept_, record, unfinished_file_);
+}
+
+}  // namespace signorini

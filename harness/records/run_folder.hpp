@@ -1,0 +1,45 @@
+#pragma once
+// What a run left in its folder, read again: manifest.json, plan.txt and records.jsonl.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "harness/plan/plan.hpp"
+#include "harness/records/record.hpp"
+#include "harness/run/runner.hpp"
+
+namespace signorini {
+
+/// A case that a run is to have a record of.
+struct PlannedCase {
+  std::string key = {};
+  std::string case_id = {};
+};
+
+struct RunFolder {
+  std::filesystem::path path = {};
+  nlohmann::ordered_json manifest = {};
+  std::vector<PlannedCase> plan = {};  ///< empty for runs of before there was a plan.txt
+  std::vector<Record> records = {};    ///< those that count
+  std::vector<Record> stale = {};      ///< left over from other code, limits, options or scenes
+};
+
+/// Moves to `stale` what does not count: records of no case of the plan; where there is no plan, all but the
+/// last of each case.
+void set_stale_aside(RunFolder& run);
+
+/// \throws UsageError if it is no folder that a run wrote, or a file of it is unreadable
+RunFolder read_run(const std::filesystem::path& folder);
+
+/// Records of a folder that count; a manifest is not asked for. \throws UsageError if a file is unreadable
+std::vector<Record> read_current_records(const std::filesystem::path& folder);
+
+/// Cases of a plan with their keys, each key once.
+std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner);
+
+/// DIR/plan.txt: one case per line, key and name. \throws UsageError if the folder cannot be written
+void write_plan(const std::filesystem::path& folder, const std::vector<PlannedCase>& plan);
+
+}  // namespace signorini

@@ -1,0 +1,72 @@
+#include "harness/records/status.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "harness/records/record_store.hpp"
+#include "harness/records/shards.hpp"
+
+namespace signorini {
+
+namespace {
+
+void count(const Record& record, RunStatus& status) {
+  switch (record.status) {
+    case Status::converged:
+      ++status.converged;
+      return;
+    case Status::not_applicable:
+      ++status.not_applicable;
+      return;
+    case Status::inaccurate:
+      ++status.inaccurate;
+      break;
+    default:
+      ++status.failed;
+  }
+  status.failures.push_back({.case_id = record.case_id, .status = record.status});
+}
+
+}  // namespace
+
+RunStatus status_of(const RunFolder& run) {
+  RunStatus status;
+  std::unordered_set<std::string> present;
+  for (const Record& record : run.records) {
+    present.insert(record.key);
+    count(record, status);
+  }
+  status.stale = run.stale.size();
+  status.planned = run.plan.empty() ? present.size() : run.plan.size();
+  status.pending = status.planned - present.size();
+  status.running = folder_in_use(run.path);
+  std::vector<Record> known = run.stale;
+  known.insert(known.end(), run.records.begin(), run.records.end());  // the later one of a case counts
+  if (status.pending == 0 || known.empty()) return status;
+  const Durations durations(known);
+  const double jobs = run.manifest.value("jobs", 1.0);
+  double seconds = 0.0;
+  for (const PlannedCase& one : run.plan) {
+    if (!present.contains(one.key)) seconds += durations.of(one.case_id) / jobs;
+  }
+  status.remaining_seconds = seconds;
+  return status;
+}
+
+RunStatus together(const std::vector<RunStatus>& parts) {
+  RunStatus all;
+  for (const RunStatus& part : parts) {
+    for (const auto counter :
+         {&RunStatus::planned, &RunStatus::converged, &RunStatus::inaccurate, &RunStatus::not_applicable,
+          &RunStatus::failed, &RunStatus::pending, &RunStatus::stale}) {
+      all.*counter += part.*counter;
+    }
+    all.failures.insert(all.failures.end(), part.failures.begin(), part.failures.end());
+    all.running = all.running || part.running;
+    if (part.remaining_seconds)
+      all.remaining_seconds = std::max(all.remaining_seconds.value_or(0.0), *part.remaining_seconds);
+  }
+  return all;
+}
+
+}  // namespace signorini

@@ -1,0 +1,32 @@
+#pragma once
+// Error against cost along a ladder.
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "harness/report/evaluation/ladder.hpp"
+
+namespace signorini {
+
+/// Errors at which costs are compared [-].
+inline constexpr std::array kErrorLevels{1e-1, 1e-2, 1e-3, 1e-6, 1e-9};
+
+/// Infinite: not reached.
+inline constexpr double kNeverReached = std::numeric_limits<double>::infinity();
+
+/// A run on the curve of error against cost.
+struct CurvePoint {
+  double cost = 0.0;
+  const Rung* rung = nullptr;
+};
+
+/// Those runs of a ladder that no other beats in both cost and error, by rising cost. Of runs whose errors
+/// are bounds only the cheapest is there: below ten error bars nothing is better than anything.
+std::vector<CurvePoint> pareto_curve(const Ladder& ladder, const CostAxis& axis);
+
+/// The least cost among the runs whose error is at most `error`, and that run; infinite, and none, where no
+/// run reached it. Nothing is inter- or extrapolated.
+CurvePoint cost_to_error(const Ladder& ladder, const CostAxis& axis, double error);
+
+}  // namespace signorini

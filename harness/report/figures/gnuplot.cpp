@@ -1,0 +1,95 @@
+#include "harness/report/figures/gnuplot.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+#include <vector>
+
+#include "harness/failure.hpp"
+#include "harness/records/manifest.hpp"
+#include "harness/sha256.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What gnuplot has to say; kept where it fails.
+constexpr const char* kLog = "gnuplot.log";
+
+/// Runs gnuplot in the folder; its exit code, or that it could not be started.
+int run_gnuplot(const fs::path& folder, const std::vector<std::string>& scripts) {
+  std::vector<std::string> words{"gnuplot"};
+  words.insert(words.end(), scripts.begin(), scripts.end());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  constexpr int kReadable = 0644;
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, kLog, O_WRONLY | O_CREAT | O_TRUNC, kReadable);
+  pid_t child = 0;
+  const int failure = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure != 0)
+    throw UsageError("format = tex, html (needs gnuplot for the figures: install the package gnuplot-nox)");
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+std::string whole_script(const Figure& figure) {
+  constexpr std::string_view kScript = R"(# gnuplot {0}.gp makes {0}.svg and {0}.pdf of {0}.dat
+data = '{0}.dat'
+svg = "svg size {1:.0f},{2:.0f} font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size {3:.1f}cm,{4:.1f}cm font 'sans,9' dashlength 0.7 rounded"
+do for [format in 'svg pdf'] {{
+reset
+eval 'set terminal '.(format eq 'svg' ? svg : pdf)
+set output '{0}.'.format
+{5}unset output
+}}
+)";
+  return fmt::format(kScript, figure.name, figure.width * kPixelsPerCentimetre,
+                     figure.height * kPixelsPerCentimetre, figure.width, figure.height, figure.script);
+}
+
+std::string without_date(std::string pdf) {
+  constexpr std::string_view kKey = "/CreationDate (D:", kEpoch = "19700101000000";
+  for (std::size_t at = pdf.find(kKey); at != std::string::npos; at = pdf.find(kKey, at + 1))
+    pdf.replace(at + kKey.size(), kEpoch.size(), kEpoch);
+  return pdf;
+}
+
+void draw_figures(const fs::path& folder, std::span<const Figure> figures) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (figures.empty()) return;
+  std::vector<std::string> scripts;
+  for (const Figure& figure : figures) {
+    write_whole(folder / (figure.name + ".dat"), figure.data);
+    write_whole(folder / (figure.name + ".gp"), whole_script(figure));
+    scripts.push_back(figure.name + ".gp");
+  }
+  if (const int code = run_gnuplot(folder, scripts); code != 0) {
+    throw UsageError(fmt::format("dir = {} (gnuplot ended with exit code {}, see {})", folder.string(), code,
+                                 (folder / kLog).string()));
+  }
+  fs::remove(folder / kLog, failure);
+  for (const Figure& figure : figures) {
+    const fs::path file = folder / (figure.name + ".pdf");
+    write_whole(file, without_date(read_file(file)));
+  }
+}
+
+}  // namespace signorini

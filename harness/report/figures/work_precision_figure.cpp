@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/figures/figure.hpp"
+#include "harness/report/formats/cells.hpp"
+#include "harness/report/sections/section.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Blocks of data, and what has been plotted of them.
+struct Canvas {
+  std::string data = {};
+  std::string plots = {};
+  int blocks = 0;
+  double least_cost = kNeverReached, largest_cost = 0.0, least_error = kNeverReached, largest_error = 0.0;
+};
+
+void add_block(const std::string& comment, const std::string& lines, const std::string& how, Canvas& canvas) {
+  if (lines.empty()) return;
+  canvas.data += fmt::format("# {}\n{}\n\n", comment, lines);
+  canvas.plots += fmt::format(", \\\n  data index {} with {} notitle", canvas.blocks++, how);
+}
+
+void stretch(double cost, double error, Canvas& canvas) {
+  canvas.least_cost = std::min(canvas.least_cost, cost);
+  canvas.largest_cost = std::max(canvas.largest_cost, cost);
+  canvas.least_error = std::min(canvas.least_error, error);
+  canvas.largest_error = std::max(canvas.largest_error, error);
+}
+
+/// Its curve, its runs, and those of them that are bounds.
+void add_ladder(const Ladder& ladder, const LineStyle& style, const std::string& label, Canvas& canvas) {
+  std::string curve, runs, bounds;
+  for (const CurvePoint& point : pareto_curve(ladder, time_axis()))
+    curve += fmt::format("{:.6e} {:.6e}\n", point.cost, *point.rung->error);
+  if (curve.empty()) return;
+  for (const Rung& rung : ladder.rungs) {
+    const std::optional<double> seconds = time_axis().cost(*rung.record);
+    if (!rung.error || !seconds) continue;
+    stretch(*seconds, *rung.error, canvas);
+    std::string& list = rung.bounded ? bounds : runs;
+    list += fmt::format("{:.6e} {:.6e}  # {}\n", *seconds, *rung.error, resolution_of(*rung.record));
+  }
+  add_block(ladder.contestant + ", curve", curve, "lines " + style.line, canvas);
+  add_block(ladder.contestant + ", runs", runs, fmt::format("points {} ps 1.1", style.filled), canvas);
+  add_block(ladder.contestant + ", runs below ten error bars", bounds,
+            fmt::format("points {} ps 1.1", style.hollow), canvas);
+  canvas.plots +=
+      fmt::format(", \\\n  keyentry with linespoints {} {} title '{}'", style.line, style.mark, label);
+}
+
+/// Ten error bars of the least certain orbit.
+double floor_of(const std::vector<const Ladder*>& ladders) {
+  double floor = 0.0;
+  for (const Ladder* ladder : ladders) {
+    for (const Rung& rung : ladder->rungs) {
+      if (rung.error) floor = std::max(floor, measurable_error(*rung.record));
+    }
+  }
+  return floor;
+}
+
+std::string label_of(const Ladder& ladder) {
+  const Record& record = *ladder.rungs.front().record;
+  if (ladder.standing != Standing::another_law || !record.law) return ladder.contestant;
+  return fmt::format("{} ({})", ladder.contestant, law_text(*record.law));
+}
+
+constexpr std::string_view kAxes = R"(set logscale xy
+set format '10^{{%T}}'
+set xlabel 'time, set-up and solve [s]'
+set ylabel '{}'
+set xrange [{:.2e}:{:.2e}]
+set yrange [{:.2e}:{:.2e}]
+set grid back lc rgb '#cccccc' lw 0.5
+set border 3
+set tics nomirror
+set key outside right top vertical Left reverse samplen 3 spacing 1.2 noenhanced
+floor = {:.6e}  # ten error bars of the least certain orbit
+)";
+
+Figure figure_of(const Evaluation& evaluation, const std::vector<const Ladder*>& ladders,
+                 const std::string& name, const std::string& error_label) {
+  Canvas canvas;
+  for (const Ladder* ladder : ladders)
+    add_ladder(*ladder, line_style(evaluation.place_of(ladder->contestant)), label_of(*ladder), canvas);
+  if (canvas.blocks == 0) return {};
+  const double floor = floor_of(ladders);
+  constexpr double kMargin = 3.0;
+  Figure figure{.name = name, .data = canvas.data, .width = 17.0};
+  figure.script =
+      fmt::format(kAxes, error_label, canvas.least_cost / kMargin, canvas.largest_cost * kMargin,
+                  std::min(canvas.least_error, floor) / kMargin, canvas.largest_error * kMargin, floor);
+  figure.script +=
+      "plot floor with lines lc rgb '#888888' dt 3 lw 1 title 'error bar x 10'" + canvas.plots + "\n";
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> work_precision_figures(const Evaluation& evaluation, const std::string& scene) {
+  std::vector<const Ladder*> competing, others;
+  for (const Ladder& ladder : evaluation.ladders()) {
+    if (ladder.scene == scene)
+      (ladder.standing == Standing::another_law ? others : competing).push_back(&ladder);
+  }
+  std::vector<Figure> figures{
+      figure_of(evaluation, competing, scene + "-work-precision", "error of x [-]"),
+      figure_of(evaluation, others, scene + "-other-laws", "error of x, own law [-]")};
+  figures[0].caption =
+      "Error against time. Each mark is a resolution; hollow ones lie below ten error bars of the orbit and "
+      "are "
+      "not ranked.";
+  figures[1].caption =
+      "The same for methods that represent another law than the scene's: errors against the motion under "
+      "their "
+      "own.";
+  std::erase_if(figures, [](const Figure& figure) { return figure.data.empty(); });
+  return figures;
+}
+
+}  // namespace signorini

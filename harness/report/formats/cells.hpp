@@ -1,0 +1,48 @@
+#pragma once
+// What one record says, as tables print it.
+
+#include <string>
+
+#include "harness/records/record.hpp"
+#include "harness/table.hpp"
+
+namespace signorini {
+
+/// A number of things, which sorts as one.
+Cell count_cell(int count);
+
+/// Whether there is a motion to look at: converged, or inaccurate.
+bool answered(const Record& record);
+
+/// What a cell says where the run gave nothing to show: "(timeout)".
+std::string in_place(const Record& record);
+
+/// "e = 0.8", "k = 1e+06 N/m", "massless", "undetermined", "no contact".
+std::string law_text(const RepresentedLaw& law);
+
+/// The law that the method represents, marked where it is not the scene's.
+std::string represented_text(const Record& record);
+
+/// The relative error of x as tables print it: two digits, and `<` ten error bars where it is below that.
+/// Where there is none, the reason.
+std::string error_text(const Record& record);
+
+/// An error against the certified orbit, "<" and ten error bars of that orbit where it is smaller.
+std::string bounded_text(double error, const Record& record);
+
+/// Two digits, or why there is none.
+std::string energy_text(const Record& record);
+
+/// "0.31 ms" and so on.
+std::string time_text(double seconds);
+
+/// Least or median time; only what converged in the harness's eyes has one: a fast wrong answer is no answer.
+std::string time_cell(const Record& record, double Seconds::*which);
+
+/// "12 p, 3 it": pivots and iterations.
+std::string work_text(const Record& record);
+
+/// same | other (orbit) | certified without a reference | uncertified, with reasons.
+std::string orbit_text(const Record& record);
+
+}  // namespace signorini

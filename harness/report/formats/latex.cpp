@@ -1,0 +1,85 @@
+#include "harness/report/formats/latex.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace signorini {
+
+namespace {
+
+constexpr std::size_t kPage = 45;  // rows
+
+std::string row_of(const std::vector<std::string>& cells) {
+  return fmt::format("{} \\\\\n", fmt::join(cells, " & "));
+}
+
+std::string columns_of(const Table& table) {
+  std::string columns;
+  for (std::size_t c = 0; c < table.header.size(); ++c) columns += table.is_numeric(c) ? 'r' : 'l';
+  return columns;
+}
+
+}  // namespace
+
+std::string latex_escaped(const std::string& text) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kSpelled{
+      {{"\\", "\\textbackslash{}"},
+       {"{", "\\{"},
+       {"}", "\\}"},
+       {"&", "\\&"},
+       {"%", "\\%"},
+       {"$", "\\$"},
+       {"#", "\\#"},
+       {"_", "\\_"},
+       {"^", "\\textasciicircum{}"},
+       {"~", "\\textasciitilde{}"},
+       {"<", "$<$"},
+       {">", "$>$"},
+       {"[", "{[}"},
+       {"≠", "$\\neq$"},
+       {"·", "$\\cdot$"},
+       {"\n", " "}}};
+  std::string escaped;
+  for (std::size_t i = 0; i < text.size();) {
+    bool spelled = false;
+    for (const auto& [plain, word] : kSpelled) {
+      if (text.compare(i, plain.size(), plain) != 0) continue;
+      escaped += word;
+      i += plain.size();
+      spelled = true;
+      break;
+    }
+    if (spelled) continue;
+    const auto byte = static_cast<unsigned char>(text[i++]);
+    constexpr unsigned char kBeyondAscii = 0x80, kContinuation = 0xC0;
+    if (byte < kBeyondAscii) {
+      escaped += static_cast<char>(byte);
+    } else if (byte >= kContinuation) {
+      escaped += '?';  // once for all bytes of a character
+    }
+  }
+  return escaped;
+}
+
+std::string to_latex(const Section& section) {
+  const Table& table = section.table;
+  const bool is_long = table.rows.size() > kPage;
+  std::vector<std::string> header;
+  for (const std::string& title : table.header) header.push_back(latex_escaped(title));
+  std::string text =
+      fmt::format("% {}\n% needs \\usepackage{{booktabs{}}}\n\\begin{{{}}}{{{}}}\n\\toprule\n{}\\midrule\n",
+                  section.title, is_long ? ",longtable" : "", is_long ? "longtable" : "tabular",
+                  columns_of(table), row_of(header));
+  if (is_long) text += "\\endhead\n\\bottomrule\n\\endfoot\n";
+  for (const auto& row : table.rows) {
+    std::vector<std::string> cells;
+    for (const Cell& cell : row) cells.push_back(latex_escaped(cell.text));
+    text += row_of(cells);
+  }
+  return text + (is_long ? "\\end{longtable}\n" : "\\bottomrule\n\\end{tabular}\n");
+}
+
+}  // namespace signorini

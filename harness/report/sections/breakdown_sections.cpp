@@ -1,0 +1,197 @@
+// Where each method breaks: families of scenes from easy to impossible.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <vector>
+
+#include "harness/report/formats/cells.hpp"
+#include "harness/report/sections/section.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Errors of x within which a level counts as solved: the motion is found, and found well [-].
+constexpr std::array kSolvedWithin{1e-1, 1e-3};
+
+/// What a contestant did on one family: its records by severity.
+using Levels = std::map<int, std::vector<const Record*>>;
+
+/// Contestants by place on every family, families by name.
+using Families = std::map<std::string, std::map<std::size_t, Levels>>;
+
+Families families_of(const Evaluation& evaluation) {
+  Families families;
+  for (const Record& record : evaluation.records()) {
+    if (!record.family) continue;
+    families[record.family->family][evaluation.place_of(contestant_of(record))][record.family->severity]
+        .push_back(&record);
+  }
+  return families;
+}
+
+/// Any certified orbit will do: which one is not asked here.
+bool is_solved(const Record& record, double error) {
+  return record.status == Status::converged && record.certificate.status == CertificateStatus::certified &&
+         std::max(record.errors.x_l2.value_or(2.0 * error), measurable_error(record)) <= error;
+}
+
+bool any_solved(const std::vector<const Record*>& records, double error) {
+  return std::any_of(records.begin(), records.end(),
+                     [error](const Record* record) { return is_solved(*record, error); });
+}
+
+bool of_another_law(const Levels& levels) {
+  return std::any_of(levels.begin(), levels.end(), [](const auto& level) {
+    return std::any_of(level.second.begin(), level.second.end(),
+                       [](const Record* record) { return record->law_matches_scene == false; });
+  });
+}
+
+/// The severest level up to which all are solved; how many are if later ones are too.
+Cell breakdown_cell(const Levels& levels, double error) {
+  int in_a_row = 0;
+  int solved = 0;
+  const Record* last = nullptr;
+  for (const auto& [severity, records] : levels) {
+    if (!any_solved(records, error)) continue;
+    ++solved;
+    if (solved != severity) continue;
+    ++in_a_row;
+    last = records.front();
+  }
+  const int all = levels.begin()->second.front()->family->levels;
+  std::string text = "none";
+  if (in_a_row == all)
+    text = "all";
+  else if (last != nullptr)
+    text = level_label(last->family->level);
+  if (solved > in_a_row) text += fmt::format(" ({} of {})", solved, all);
+  if (of_another_law(levels)) text += " ≠";
+  return {text, static_cast<double>(in_a_row)};
+}
+
+/// A row for each family, a column for each contestant.
+template <class MakeCell>
+Table family_table(const Evaluation& evaluation, const Families& families, const MakeCell& cell_of) {
+  Table table{.header = {"family"}, .rows = {}};
+  for (const std::string& contestant : evaluation.contestants()) table.header.push_back(contestant);
+  for (const auto& [family, contestants] : families) {
+    std::vector<Cell> row{family};
+    for (std::size_t place = 0; place < evaluation.contestants().size(); ++place) {
+      const auto found = contestants.find(place);
+      row.push_back(found == contestants.end() ? Cell("not run") : cell_of(found->second));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Section breakdown_section(const Evaluation& evaluation, const Families& families, double error) {
+  Section section{.id = fmt::format("breakdown-{:.0e}", error),
+                  .title = fmt::format("Severest level solved with an error of x within {:.0e}", error)};
+  section.text =
+      "Each family is driven from easy to impossible. A cell names the last of its levels that the method "
+      "solves, at any of "
+      "its resolutions, together with all easier ones; in brackets how many it solves if harder ones are "
+      "among them. `≠`: "
+      "the method represents another law than the scene, and is measured by its own.";
+  section.table = family_table(evaluation, families,
+                               [error](const Levels& levels) { return breakdown_cell(levels, error); });
+  return section;
+}
+
+/// What drives each family, and through which levels.
+Section parameter_section(const Families& families) {
+  Section section{.id = "families", .title = "Families"};
+  section.table.header = {"family", "parameter", "levels, easiest first"};
+  for (const auto& [family, contestants] : families) {
+    std::map<int, std::string> labels;
+    const Record* any = nullptr;
+    for (const auto& [place, levels] : contestants) {
+      for (const auto& [severity, records] : levels) {
+        any = records.front();
+        labels[severity] = level_label(any->family->level);
+      }
+    }
+    std::string list;
+    for (const auto& [severity, label] : labels) list += (list.empty() ? "" : ", ") + label;
+    section.table.rows.push_back({family, any->family->parameter, list});
+  }
+  return section;
+}
+
+/// How often a method says converged, and how often the harness disagrees.
+Section false_convergence_section(const Evaluation& evaluation) {
+  struct Tally {
+    int runs = 0, claims = 0, refuted = 0, certified = 0;
+  };
+  std::vector<Tally> tallies(evaluation.contestants().size());
+  for (const Record& record : evaluation.records()) {
+    if (!record.family || record.status == Status::not_applicable) continue;
+    Tally& tally = tallies[evaluation.place_of(contestant_of(record))];
+    ++tally.runs;
+    if (!answered(record)) continue;
+    ++tally.claims;
+    if (record.status == Status::inaccurate) ++tally.refuted;
+    if (record.certificate.status == CertificateStatus::certified) ++tally.certified;
+  }
+  Section section{.id = "false-convergence", .title = "Claims of convergence on the families"};
+  section.table.header = {"method", "runs", "says converged", "certified", "refuted", "false convergence"};
+  for (std::size_t place = 0; place < tallies.size(); ++place) {
+    const Tally& tally = tallies[place];
+    if (tally.runs == 0) continue;
+    const double rate = tally.claims > 0 ? 100.0 * tally.refuted / tally.claims : 0.0;
+    section.table.rows.push_back({evaluation.contestants()[place], count_cell(tally.runs),
+                                  count_cell(tally.claims), count_cell(tally.certified),
+                                  count_cell(tally.refuted), Cell(fmt::format("{:.1f} %", rate), rate)});
+  }
+  section.note =
+      "Refuted: the orbit that the harness finds from the answer is farther away than half its norm, or the "
+      "answer penetrates "
+      "a rigid stop by more than half the amplitude. What is neither certified nor refuted has no orbit near "
+      "it that the "
+      "harness knows.";
+  return section;
+}
+
+/// The largest estimate of a certified answer.
+Cell condition_cell(const Levels& levels) {
+  double largest = 0.0;
+  for (const auto& [severity, records] : levels) {
+    for (const Record* record : records) {
+      if (record->certificate.status == CertificateStatus::certified)
+        largest = std::max(largest, record->condition.value_or(0.0));
+    }
+  }
+  return largest > 0.0 ? Cell(fmt::format("{:.0e}", largest), largest) : Cell("none");
+}
+
+/// How ill-conditioned the equations become on the way, as far as answers go.
+Section condition_section(const Evaluation& evaluation, const Families& families) {
+  Section section{.id = "condition", .title = "Largest condition estimate of a certified answer"};
+  section.text =
+      "Of the linear system that a method solved last, in the 1-norm, scaled and preconditioned as the "
+      "method "
+      "does it, from Krylov steps a lower bound: the largest over the levels of a family on which its answer "
+      "is certified. Compare down a column. Its logarithm tells how many digits the answer may have lost.";
+  section.table = family_table(evaluation, families, condition_cell);
+  return section;
+}
+
+}  // namespace
+
+std::vector<Section> breakdown_sections(const Evaluation& evaluation) {
+  const Families families = families_of(evaluation);
+  if (families.empty()) return {};
+  std::vector<Section> sections{parameter_section(families)};
+  for (const double error : kSolvedWithin) sections.push_back(breakdown_section(evaluation, families, error));
+  sections.push_back(false_convergence_section(evaluation));
+  sections.push_back(condition_section(evaluation, families));
+  return sections;
+}
+
+}  // namespace signorini

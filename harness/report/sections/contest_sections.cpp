@@ -1,0 +1,248 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "harness/report/evaluation/aggregates.hpp"
+#include "harness/report/evaluation/performance_profile.hpp"
+#include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/formats/cells.hpp"
+#include "harness/report/sections/section.hpp"
+#include "harness/statistics.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Errors at which pairs and work are compared [-].
+constexpr std::array kHeadlineErrors{1e-2, 1e-6};
+/// Factors at which a table gives a profile [-].
+constexpr std::array kFactors{1.0, 2.0, 10.0};
+
+std::string error_title(double error) { return fmt::format("{:.0e}", error); }
+
+/// "14 scenes whose law only event-driven and hat-lcp represent".
+std::string field_of(const Evaluation& evaluation, const Contest& contest) {
+  const std::string scenes =
+      fmt::format("{} scene{}", contest.scenes.size(), contest.scenes.size() == 1 ? "" : "s");
+  if (contest.contestants == evaluation.contestants()) return scenes + " whose law every method represents";
+  return fmt::format("{} whose law {} represent", scenes, fmt::join(contest.contestants, ", "));
+}
+
+/// Whether any run of a contest has a time: a build that may not be timed gives none, and then nobody is
+/// slow.
+bool is_timed(const Contest& contest) {
+  for (const auto& ladders : contest.ladders) {
+    for (const Ladder* ladder : ladders) {
+      for (const Rung& rung : ladder->rungs) {
+        if (rung.record->seconds) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// One section per contest; `fill` does the rest.
+template <class Fill>
+std::vector<Section> per_contest(const Evaluation& evaluation, const std::string& id,
+                                 const std::string& title, const Fill& fill) {
+  std::vector<Section> sections;
+  for (std::size_t k = 0; k < evaluation.contests().size(); ++k) {
+    const Contest& contest = evaluation.contests()[k];
+    Section section{.id = fmt::format("{}-{}", id, k + 1),
+                    .title = fmt::format("{}: {}", title, field_of(evaluation, contest))};
+    fill(contest, section);
+    sections.push_back(std::move(section));
+  }
+  return sections;
+}
+
+Cell share_cell(double share) { return {fmt::format("{:.0f} %", 100.0 * share), share}; }
+
+/// "22 of 22, 410 us": success first; no time where half or more do not get there.
+Cell reached_cell(const std::vector<double>& costs) {
+  const double middle = median(costs);
+  std::string text = fmt::format("{} of {}", solved_count(costs), costs.size());
+  if (std::isfinite(middle)) text += ", " + time_text(middle);
+  return {text, middle};
+}
+
+int runs_on_another_orbit(const std::vector<const Ladder*>& ladders) {
+  int runs = 0;
+  for (const Ladder* ladder : ladders) {
+    for (const Rung& rung : ladder->rungs) {
+      const Certificate& certificate = rung.record->certificate;
+      if (rung.record->status == Status::converged && certificate.same_orbit == false) ++runs;
+    }
+  }
+  return runs;
+}
+
+/// Contestants by rising mean.
+std::vector<std::size_t> order_by(const std::vector<double>& means) {
+  std::vector<std::size_t> order(means.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return means[a] < means[b]; });
+  return order;
+}
+
+std::vector<double> means_of(const Costs& costs, double shift, double failure) {
+  std::vector<double> means;
+  for (const auto& row : costs) means.push_back(shifted_geometric_mean(row, shift, failure));
+  return means;
+}
+
+/// Whether the order of the means depends on the shift.
+bool order_depends_on_shift(const Costs& costs, double failure) {
+  const std::vector<std::size_t> order = order_by(means_of(costs, kMeanShift, failure));
+  return std::any_of(kMeanShifts.begin(), kMeanShifts.end(),
+                     [&](double shift) { return order_by(means_of(costs, shift, failure)) != order; });
+}
+
+void add_mean_rows(const Contest& contest, double error, double limit, Table& table) {
+  const Costs costs = costs_to_error(contest, time_axis(), error);
+  const PerformanceProfile profile = performance_profile(costs);
+  for (std::size_t c = 0; c < costs.size(); ++c) {
+    const std::size_t solved = solved_count(costs[c]);
+    std::vector<Cell> row{
+        Cell(error_title(error), -error), contest.contestants[c],
+        Cell(fmt::format("{} of {}", solved, costs[c].size()), static_cast<double>(solved))};
+    const auto add_time = [&](double seconds) {
+      row.emplace_back(solved == 0 ? "none solved" : time_text(seconds),
+                       solved == 0 ? kNeverReached : seconds);
+    };
+    for (const double shift : kMeanShifts) add_time(shifted_geometric_mean(costs[c], shift, limit));
+    add_time(par2(costs[c], limit));
+    for (const double factor : kFactors) row.push_back(share_cell(profile.share(c, factor)));
+    table.rows.push_back(std::move(row));
+  }
+}
+
+std::string shift_remark(const Contest& contest, double limit) {
+  std::vector<std::string> changed;
+  for (const double error : kErrorLevels) {
+    if (order_depends_on_shift(costs_to_error(contest, time_axis(), error), limit))
+      changed.push_back(error_title(error));
+  }
+  if (changed.empty()) return "The order of the means is the same with all three shifts.";
+  return fmt::format("The order of the means changes with the shift at error {}: it ranks nobody there.",
+                     fmt::join(changed, ", "));
+}
+
+/// Medians over the scenes; "not counted" where a contestant has no such count on any of them.
+Cell work_cell(const std::vector<const Ladder*>& ladders, const CostAxis& axis, double error) {
+  std::vector<double> costs;
+  bool counted = false;
+  for (const Ladder* ladder : ladders) {
+    costs.push_back(cost_to_error(*ladder, axis, error).cost);
+    counted = counted || std::any_of(ladder->rungs.begin(), ladder->rungs.end(),
+                                     [&](const Rung& rung) { return axis.cost(*rung.record).has_value(); });
+  }
+  if (!counted) return "not counted";
+  const double middle = median(costs);
+  return {std::isfinite(middle) ? fmt::format("{:.0f}", middle) : "half or more do not get there", middle};
+}
+
+constexpr std::string_view kTimeToErrorText = R"(On how many scenes a method gets its error down to that of
+the column at any of its resolutions, and the median over all scenes of the time of the cheapest that does.
+Nothing is interpolated; a scene that is not solved counts as infinite. Another orbit than the one reached from
+rest earns no time.)";
+
+constexpr std::string_view kMeansText =
+    R"(Times to error over all scenes. A failure counts as the time limit of
+{} in the shifted geometric means, as twice that in PAR2. Right: on how many of all scenes the method is the
+fastest, or within 2 or 10 times of it; a failure is infinitely slow.)";
+
+constexpr std::string_view kPairsText =
+    R"(Share of all scenes that the method of the row solves at least as fast
+as that of the column, the two alone: a joint profile of more than two methods tells only who is first.)";
+
+constexpr std::string_view kWorkText =
+    R"(What the cheapest resolution by each count needs, the median over all
+scenes: counts that no noise touches. What an iteration or a pivot costs differs between methods; they compare
+runs of one kind.)";
+
+void fill_time_to_error(const Contest& contest, Section& section) {
+  if (!is_timed(contest)) return;
+  section.text = kTimeToErrorText;
+  section.table.header = {"method"};
+  for (const double error : kErrorLevels) section.table.header.push_back(error_title(error));
+  section.table.header.emplace_back("runs on another orbit");
+  for (std::size_t c = 0; c < contest.contestants.size(); ++c) {
+    std::vector<Cell> row{contest.contestants[c]};
+    for (const double error : kErrorLevels)
+      row.push_back(reached_cell(costs_to_error(contest, time_axis(), error)[c]));
+    const int others = runs_on_another_orbit(contest.ladders[c]);
+    row.emplace_back(std::to_string(others), others);
+    section.table.rows.push_back(std::move(row));
+  }
+}
+
+void fill_means(const Contest& contest, double limit, Section& section) {
+  if (!is_timed(contest)) return;
+  section.text = fmt::format(kMeansText, time_text(limit));
+  section.table.header = {"error", "method", "solved"};
+  for (const double shift : kMeanShifts)
+    section.table.header.push_back(fmt::format("mean, shift {}", time_text(shift)));
+  section.table.header.insert(section.table.header.end(), {"PAR2", "fastest", "within 2 x", "within 10 x"});
+  for (const double error : kErrorLevels) add_mean_rows(contest, error, limit, section.table);
+  section.note = shift_remark(contest, limit);
+}
+
+void fill_pairs(const Contest& contest, Section& section) {
+  if (!is_timed(contest) || contest.contestants.size() < 3) return;  // of two the joint profile says it all
+  section.text = kPairsText;
+  section.table.header = {"error", "method"};
+  section.table.header.insert(section.table.header.end(), contest.contestants.begin(),
+                              contest.contestants.end());
+  for (const double error : kHeadlineErrors) {
+    const Costs costs = costs_to_error(contest, time_axis(), error);
+    for (std::size_t a = 0; a < costs.size(); ++a) {
+      std::vector<Cell> row{Cell(error_title(error), -error), contest.contestants[a]};
+      for (std::size_t b = 0; b < costs.size(); ++b)
+        row.push_back(a == b ? Cell("·") : share_cell(pairwise_profile(costs, a, b).share(0, 1.0)));
+      section.table.rows.push_back(std::move(row));
+    }
+  }
+}
+
+void fill_work(const Contest& contest, Section& section) {
+  section.text = kWorkText;
+  section.table.header = {"error", "method"};
+  for (const CostAxis& axis : work_axes()) section.table.header.emplace_back(axis.name);
+  for (const double error : kHeadlineErrors) {
+    for (std::size_t c = 0; c < contest.contestants.size(); ++c) {
+      std::vector<Cell> row{Cell(error_title(error), -error), contest.contestants[c]};
+      for (const CostAxis& axis : work_axes()) row.push_back(work_cell(contest.ladders[c], axis, error));
+      section.table.rows.push_back(std::move(row));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Section> time_to_error_sections(const Evaluation& evaluation) {
+  return per_contest(evaluation, "time-to-error", "Time to error", fill_time_to_error);
+}
+
+std::vector<Section> mean_sections(const Evaluation& evaluation) {
+  std::vector<Section> sections =
+      per_contest(evaluation, "means", "Means and profiles", [&](const Contest& contest, Section& section) {
+        fill_means(contest, evaluation.time_limit(), section);
+      });
+  for (std::size_t k = 0; k < sections.size(); ++k) sections[k].figures = profile_figures(evaluation, k);
+  return sections;
+}
+
+std::vector<Section> pairwise_sections(const Evaluation& evaluation) {
+  return per_contest(evaluation, "pairs", "Pair by pair", fill_pairs);
+}
+
+std::vector<Section> work_sections(const Evaluation& evaluation) {
+  return per_contest(evaluation, "work", "Work to error", fill_work);
+}
+
+}  // namespace signorini

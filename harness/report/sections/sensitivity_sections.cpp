@@ -1,0 +1,208 @@
+// How answers depend on what should not matter: a constant, the samples at fixed harmonics, the repetition.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "harness/report/evaluation/ladder.hpp"
+#include "harness/report/formats/cells.hpp"
+#include "harness/report/sections/section.hpp"
+#include "harness/statistics.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// A method with all its settings but one: "fourier-lipschitz[harmonics=40]", and the key of that one.
+using Varied = std::pair<std::string, std::string>;
+
+/// Records by the value of what is varied, values in the order in which they ran.
+struct Variation {
+  std::vector<std::string> values = {};
+  std::map<std::string, std::vector<const Record*>> records = {};
+};
+
+constexpr std::size_t kFewestValues = 3;
+
+/// Every way to single out one setting while another number stands; a number alone is the method's
+/// resolution.
+std::map<Varied, Variation> variations_of(const Evaluation& evaluation) {
+  std::map<Varied, Variation> variations;
+  for (const Record& record : evaluation.records()) {
+    const std::vector<std::string> settings = settings_of(record);
+    for (std::size_t varied = 0; varied < settings.size(); ++varied) {
+      std::vector<std::string> others = settings;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(varied));
+      if (std::none_of(others.begin(), others.end(), is_numeric)) continue;
+      const std::size_t equals = settings[varied].find('=');
+      const std::string value = settings[varied].substr(equals + 1);
+      Variation& variation = variations[{fmt::format("{}[{}]", record.method, fmt::join(others, ",")),
+                                         settings[varied].substr(0, equals)}];
+      std::vector<const Record*>& records = variation.records[value];
+      if (records.empty()) variation.values.push_back(value);
+      records.push_back(&record);
+    }
+  }
+  return variations;
+}
+
+/// The record of a scene; null if there is none.
+const Record* record_of(const std::vector<const Record*>& records, const std::string& scene) {
+  const auto found = std::find_if(records.begin(), records.end(),
+                                  [&](const Record* record) { return record->scene == scene; });
+  return found == records.end() ? nullptr : *found;
+}
+
+/// The error of x with a switch off over that with it on; empty unless both answers are certified, of the
+/// same orbit, and neither error is below what is known of that.
+std::optional<double> gain_of(const Record& off, const Record& on) {
+  const auto known = [](const Record& record) {
+    return record.status == Status::converged && record.certificate.status == CertificateStatus::certified &&
+           record.errors.x_l2.value_or(0.0) > measurable_error(record);
+  };
+  if (!known(off) || !known(on) || off.certificate.orbit != on.certificate.orbit) return std::nullopt;
+  return *off.errors.x_l2 / *on.errors.x_l2;
+}
+
+Cell gain_cell(double gain) { return {fmt::format("{:.3g}", gain), gain}; }
+
+/// The number in a value, "1e3" or in units of a scale "1e3x"; nothing in a word.
+std::optional<double> number_in(const std::string& value) {
+  char* end = nullptr;
+  const double number = std::strtod(value.c_str(), &end);
+  const std::string_view rest = end;
+  if (end == value.c_str() || !(rest.empty() || rest == "x")) return std::nullopt;
+  return number;
+}
+
+/// Numbers in rising order; words as they ran.
+std::vector<std::string> in_order(std::vector<std::string> values) {
+  const auto word = [](const std::string& value) { return !number_in(value); };
+  if (std::any_of(values.begin(), values.end(), word)) return values;
+  std::stable_sort(values.begin(), values.end(),
+                   [](const std::string& a, const std::string& b) { return *number_in(a) < *number_in(b); });
+  return values;
+}
+
+/// What became of one method at one value.
+struct Outcome {
+  int cases = 0, solved = 0, same_orbit = 0, refuted = 0;
+  std::vector<double> errors = {};  // infinite where not solved
+};
+
+Outcome outcome_of(const std::vector<const Record*>& records) {
+  Outcome outcome;
+  for (const Record* record : records) {
+    if (record->status == Status::not_applicable) continue;
+    ++outcome.cases;
+    const bool solved = record->status == Status::converged &&
+                        record->certificate.status == CertificateStatus::certified && record->errors.x_l2;
+    outcome.solved += solved ? 1 : 0;
+    outcome.same_orbit += solved && record->certificate.same_orbit == true ? 1 : 0;
+    outcome.refuted += record->status == Status::inaccurate ? 1 : 0;
+    outcome.errors.push_back(solved ? std::max(*record->errors.x_l2, measurable_error(*record))
+                                    : std::numeric_limits<double>::infinity());
+  }
+  return outcome;
+}
+
+Cell error_cell(double error) {
+  return {std::isfinite(error) ? fmt::format("{:.1e}", error) : "not solved", error};
+}
+
+}  // namespace
+
+std::vector<Section> sensitivity_sections(const Evaluation& evaluation) {
+  Section section{.id = "sensitivity", .title = "Sensitivity to one option at a time"};
+  section.text =
+      "The same scenes at several values of one option, the others as stated. Solved: "
+      "certified answers; reference orbit: those that are the motion reached from rest. Errors of x against "
+      "the certified orbit; a failure counts as infinite. `start`: the solve starts from the orbit reached "
+      "from rest, late by this share of its period.";
+  section.table.header = {"method",          "option",  "value",        "solved",
+                          "reference orbit", "refuted", "median error", "largest error"};
+  for (const auto& [varied, variation] : variations_of(evaluation)) {
+    if (variation.values.size() < kFewestValues) continue;
+    for (const std::string& value : in_order(variation.values)) {
+      const Outcome outcome = outcome_of(variation.records.at(value));
+      if (outcome.cases == 0) continue;
+      section.table.rows.push_back(
+          {varied.first, varied.second, value,
+           Cell(fmt::format("{} of {}", outcome.solved, outcome.cases), outcome.solved),
+           count_cell(outcome.same_orbit), count_cell(outcome.refuted), error_cell(median(outcome.errors)),
+           error_cell(*std::max_element(outcome.errors.begin(), outcome.errors.end()))});
+    }
+  }
+  return {std::move(section)};
+}
+
+std::vector<Section> switch_sections(const Evaluation& evaluation) {
+  Section summary{.id = "switches", .title = "One switch off and on"};
+  summary.text =
+      "The same scenes with one option false and true, the others as stated. Gain: error of x with it off "
+      "over that with it on, where both answers are certified and of the same orbit.";
+  summary.table.header = {
+      "method",     "switch",      "scenes",      "solved with it off", "solved with it on",
+      "least gain", "median gain", "largest gain"};
+  Section scenes{.id = "switches-scenes", .title = "One switch off and on, scene by scene"};
+  scenes.table.header = {"scene", "method", "switch", "error of x, off", "error of x, on", "gain"};
+  for (const auto& [varied, variation] : variations_of(evaluation)) {
+    const auto& records = variation.records;
+    if (records.size() != 2 || !records.contains("false") || !records.contains("true")) continue;
+    std::vector<double> gains;
+    for (const Record* off : records.at("false")) {
+      const Record* on = record_of(records.at("true"), off->scene);
+      if (on == nullptr || off->status == Status::not_applicable) continue;
+      const std::optional<double> gain = gain_of(*off, *on);
+      if (gain) gains.push_back(*gain);
+      scenes.table.rows.push_back({off->scene, varied.first, varied.second, error_text(*off), error_text(*on),
+                                   gain ? gain_cell(*gain) : Cell("none")});
+    }
+    const Outcome off = outcome_of(records.at("false")), on = outcome_of(records.at("true"));
+    std::vector<Cell> row{varied.first, varied.second, count_cell(on.cases), count_cell(off.solved),
+                          count_cell(on.solved)};
+    if (gains.empty()) {
+      row.insert(row.end(), 3, Cell("none"));
+    } else {
+      const auto [least, largest] = std::minmax_element(gains.begin(), gains.end());
+      for (const double gain : {*least, median(gains), *largest}) row.push_back(gain_cell(gain));
+    }
+    summary.table.rows.push_back(std::move(row));
+  }
+  return {std::move(summary), std::move(scenes)};
+}
+
+std::vector<Section> repeat_sections(const Evaluation& evaluation) {
+  struct Tally {
+    int cases = 0, identical = 0, solves = 0;
+  };
+  std::map<std::string, Tally> tallies;
+  for (const Record& record : evaluation.records()) {
+    if (!record.repeats) continue;
+    Tally& tally = tallies[record.method];
+    ++tally.cases;
+    tally.solves += record.repeats->solves;
+    tally.identical += record.repeats->identical == record.repeats->solves ? 1 : 0;
+  }
+  Section section{.id = "repeats", .title = "Repeated solves"};
+  section.text =
+      "Cases solved again, in the same process and in others, and those of them whose every answer had the "
+      "same bits as the first.";
+  section.table.header = {"method", "cases solved again", "solves compared", "same bits"};
+  for (const auto& [method, tally] : tallies)
+    section.table.rows.push_back(
+        {method, count_cell(tally.cases), count_cell(tally.solves),
+         Cell(fmt::format("{} of {}", tally.identical, tally.cases), tally.identical)});
+  return {std::move(section)};
+}
+
+}  // namespace signorini

@@ -1,0 +1,35 @@
+#pragma once
+// A whole run of a suite: every case of the plan gets its record.
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "harness/plan/plan.hpp"
+#include "harness/records/record_store.hpp"
+#include "harness/run/rounds.hpp"
+
+namespace signorini {
+
+struct CampaignResult {
+  std::size_t ran = 0;      ///< cases run now
+  std::size_t present = 0;  ///< cases whose record was there already
+  bool interrupted = false;
+};
+
+/// Told of the records that a scene came to, in the order of the plan, once all of them are complete.
+using SceneDone = std::function<void(const std::vector<Record>& records)>;
+
+/// Runs what the store does not hold yet, scene by scene, each record stored as soon as its rounds are
+/// complete; what is known before is kept aside, so that a kill loses only the round under way.
+CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store, const Turns& turns = {},
+                            const SceneDone& scene_done = {});
+
+/// Cases of the plan that the store does not hold, in order.
+std::vector<const Case*> missing_cases(const Plan& plan, const Runner& runner, const RecordStore& store);
+
+/// Records that spoil the exit code: neither converged nor not applicable, nor expected to fail by the suite.
+std::vector<std::string> unexpected_failures(const std::vector<Record>& records, const Suite& suite);
+
+}  // namespace signorini

@@ -1,0 +1,208 @@
+#include "harness/run/trial.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <fstream>
+#include <numbers>
+#include <stdexcept>
+
+#include "harness/judge/certificate.hpp"
+#include "harness/judge/measures.hpp"
+#include "harness/judge/waveform.hpp"
+#include "harness/records/answer_digest.hpp"
+#include "harness/records/trajectory_json.hpp"
+#include "harness/run/method_failure.hpp"
+#include "harness/run/timing.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+Clock::time_point after(double seconds) {
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+template <class Work>
+double seconds_of(const Work& work) {
+  const auto begin = Clock::now();
+  work();
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// A figure of /proc/self/status in bytes; empty where there is none.
+std::optional<long> status_bytes(const std::string& key) {
+  constexpr long kKilobyte = 1024;
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with(key + ":")) return std::stol(line.substr(key.size() + 1)) * kKilobyte;
+  }
+  return std::nullopt;
+}
+
+std::optional<long> restart_peak_memory() {
+  std::ofstream("/proc/self/clear_refs") << "5";
+  return status_bytes("VmRSS");
+}
+
+/// Fills in what the first solve says; false where there is no answer to look at.
+bool take_solution(const Trial& trial, const Solution& solution, bool expired, Record& record) {
+  record.message = solution.message;
+  record.work.counts = solution.work;
+  record.residual = solution.residual;
+  record.condition = solution.condition;
+  if (solution.verdict != Verdict::converged) {
+    record.status = expired ? Status::timeout : Status::not_converged;
+    return false;
+  }
+  const Problem& problem = trial.scene.problem;
+  const double forcing_period = 2.0 * std::numbers::pi / problem.frequency;
+  std::string defect = "it says converged without a trajectory";
+  if (solution.trajectory) {
+    defect = trajectory_defect(*solution.trajectory, problem.contact_count(), forcing_period, kGrid);
+  }
+  if (!defect.empty()) {
+    record.status = Status::invalid_output;
+    record.message = defect;
+    return false;
+  }
+  record.status = Status::converged;
+  record.period = solution.trajectory->period();
+  record.answer = answer_digest(*solution.trajectory);
+  if (trial.samples > 0) record.trajectory = samples_of(*solution.trajectory, trial.samples);
+  return true;
+}
+
+/// What was set up and solved for the first time in this process.
+struct FirstCall {
+  const Method& method;
+  PreparedMethod& prepared;
+  std::shared_ptr<const Trajectory> start = {};
+  double setup = 0.0, solve = 0.0;  // [s]
+};
+
+/// The times of a round, and the digest of the last answer it gave after the first call's: empty of one that
+/// did not converge, nothing where the first call was the only one.
+struct Round {
+  TimedRound times;
+  std::optional<std::string> latest;
+};
+
+/// Digest of an answer; empty where there is none.
+std::string digest_of(const Solution& solution) {
+  const bool answered = solution.verdict == Verdict::converged && solution.trajectory;
+  return answered ? answer_digest(*solution.trajectory) : std::string();
+}
+
+Round round_from(const FirstCall& first, const std::string& name, const Problem& problem,
+                 const Limits& limits) {
+  Round round;
+  std::optional<Solution> latest;
+  const auto set_up = [&] {
+    std::unique_ptr<PreparedMethod> fresh;
+    return seconds_of([&] { fresh = first.method.prepare(problem); });
+  };
+  const auto solve = [&] {
+    const Start start{.guess = first.start, .deadline = after(limits.timeout)};
+    Solution solution;
+    const double seconds = seconds_of([&] { solution = first.prepared.solve(start); });
+    latest = std::move(solution);
+    return seconds;
+  };
+  round.times = {.setup = time_round(name + "/setup", set_up, first.setup, {}),
+                 .solve = time_round(name + "/solve", solve, first.solve, {})};
+  if (latest) round.latest = digest_of(*latest);
+  return round;
+}
+
+void take_times(const Trial& trial, const FirstCall& first, Record& record) {
+  const std::string& untimed = trial.run.choice.entry->untimed;
+  if (!trial.timed) {
+    record.not_timed = "not asked for";
+  } else if (!untimed.empty()) {
+    record.not_timed = untimed;
+  } else if (!build_may_be_timed()) {
+    record.not_timed = "not a Release build";
+  } else {
+    const Round round = round_from(first, record.case_id, trial.scene.problem, trial.limits);
+    record.seconds = summarise({round.times});
+    if (round.latest) count_repeat(*round.latest, record);
+  }
+}
+
+void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory>& answer, Record& record) {
+  const Problem problem = under_law(trial.scene.problem, trial.law);
+  const Judgement judgement =
+      certify(problem, answer, trial.reference, trial.orbits, after(trial.limits.certificate_timeout));
+  record.certificate = judgement.certificate;
+  if (judgement.orbit) record.errors = measure_errors(problem, *answer, *judgement.orbit, judgement.shift);
+  if (trial.waveforms)
+    record.waveforms = draw_waveforms(problem, *answer, judgement.orbit.get(), judgement.shift);
+  if (record.law_matches_scene == false && trial.scene_reference.orbit) {
+    const Motion scene_orbit = sample_motion(problem, *trial.scene_reference.orbit);
+    const Motion motion = sample_motion(problem, *answer);
+    record.errors.x_l2_scene = distance(motion, scene_orbit, best_shift(motion, scene_orbit)).x_l2;
+  }
+}
+
+}  // namespace
+
+void run_trial(const Trial& trial, Record record, const std::function<void(const Record&)>& stage_done) {
+  const std::unique_ptr<Method> method = trial.run.choice.make();
+  std::unique_ptr<PreparedMethod> prepared;
+  Solution solution;
+  const std::optional<long> before = restart_peak_memory();
+  const Start start{.guess = trial.start, .deadline = after(trial.limits.timeout)};
+  double setup = 0.0;
+  try {
+    setup = seconds_of([&] { prepared = method->prepare(trial.scene.problem); });
+  } catch (const std::runtime_error& error) {  // as Method::prepare states: the structure is singular
+    record.status = Status::not_converged;
+    record.message = error.what();
+    stage_done(record);
+    return;
+  }
+  double solve = 0.0;
+  try {
+    solve = seconds_of([&] { solution = prepared->solve(start); });
+  } catch (const MethodFailure& failure) {
+    record.status = failure.status;
+    record.message = failure.what();
+    record.signal = failure.signal;
+    stage_done(record);
+    return;
+  }
+  if (const auto peak = status_bytes("VmHWM"); peak && before)
+    record.work.peak_memory_bytes = *peak - *before;
+  const bool answered = take_solution(trial, solution, start.expired(), record);
+  stage_done(record);
+  if (!answered) return;
+  take_times(trial, {*method, *prepared, trial.start, setup, solve}, record);
+  stage_done(record);
+  record.physics = measure_physics(trial.scene.problem, trial.law, *solution.trajectory);
+  stage_done(record);
+  if (trial.certified) {
+    take_certificate(trial, solution.trajectory, record);
+  } else {
+    record.certificate.reason = "not asked for";
+  }
+  stage_done(record);
+}
+
+RepeatedSolve repeat_solve(const Scene& scene, const Case& run, const Limits& limits,
+                           const std::shared_ptr<const Trajectory>& start) {
+  const std::unique_ptr<Method> method = run.choice.make();
+  std::unique_ptr<PreparedMethod> prepared;
+  Solution solution;
+  const double setup = seconds_of([&] { prepared = method->prepare(scene.problem); });
+  const Start begin{.guess = start, .deadline = after(limits.timeout)};
+  const double solve = seconds_of([&] { solution = prepared->solve(begin); });
+  const std::string answer = digest_of(solution);
+  if (answer.empty()) return {.times = {}, .message = solution.message};
+  return {.times = round_from({*method, *prepared, start, setup, solve}, run.id, scene.problem, limits).times,
+          .answer = answer};
+}
+
+}  // namespace signorini

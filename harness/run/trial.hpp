@@ -1,0 +1,49 @@
+#pragma once
+// What happens in the child process of one run: solve, time, measure, certify.
+
+#include <functional>
+#include <memory>
+
+#include "harness/judge/reference.hpp"
+#include "harness/plan/plan.hpp"
+#include "harness/records/record.hpp"
+
+namespace signorini {
+
+/// One run. What it points to must outlive it.
+struct Trial {
+  const Scene& scene;
+  const Case& run;
+  const Limits& limits;
+  RepresentedLaw law = {};           ///< the method's on this scene
+  const Reference& reference;        ///< of the scene under that law
+  const Reference& scene_reference;  ///< of the scene under its own
+  const OrbitTools& orbits;
+  std::shared_ptr<const Trajectory> start = {};  ///< null: cold
+  int samples = 0;                               ///< instants of the trajectory kept in the record; 0: none
+  bool timed = true;
+  bool certified = true;   ///< look for the orbit behind the answer
+  bool waveforms = false;  ///< keep the answer and its orbit as they are drawn
+};
+
+/// Stages of a trial, its first round of timing among them; after each the record known so far is handed over
+/// whole.
+enum class TrialStage { solved, timed, measured, certified };
+
+/// Runs a trial into `record`, which already names scene, method and law. Stops after the stage `solved`
+/// where there is no answer. Exceptions of the method leave it.
+void run_trial(const Trial& trial, Record record, const std::function<void(const Record&)>& stage_done);
+
+/// One more round of timing: its times, or why there are none.
+struct RepeatedSolve {
+  std::optional<TimedRound> times = {};
+  std::string answer = {};   ///< answer_digest of its first solve
+  std::string message = {};  ///< of a method that does not converge this time
+};
+
+/// Sets up and solves anew from the same start, for the times and to see whether the answer is the same.
+/// Exceptions of the method leave it.
+RepeatedSolve repeat_solve(const Scene& scene, const Case& run, const Limits& limits,
+                           const std::shared_ptr<const Trajectory>& start);
+
+}  // namespace signorini

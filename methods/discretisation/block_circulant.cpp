@@ -1,0 +1,87 @@
+#include "methods/discretisation/block_circulant.hpp"
+
+#include <Eigen/LU>
+
+namespace signorini {
+
+BlockCirculant::BlockCirculant(int samples, const std::vector<Eigen::MatrixXcd>& symbol, double tail)
+    : samples_(samples),
+      contacts_(static_cast<int>(symbol.front().rows())),
+      lags_(2 * samples, contacts_ * contacts_),
+      symbol_(symbol),
+      tail_(tail),
+      fft_(samples) {
+  // Relative to the tail on every harmonic, the rest is a band-limited convolution.
+  for (Eigen::MatrixXcd& block : symbol_) block.diagonal().array() -= tail;
+  Eigen::VectorXcd spectrum(static_cast<Eigen::Index>(symbol_.size()));
+  Eigen::VectorXd values(samples);
+  for (int row = 0; row < contacts_; ++row) {
+    for (int col = 0; col < contacts_; ++col) {
+      for (std::size_t n = 0; n < symbol_.size(); ++n) {
+        spectrum[static_cast<Eigen::Index>(n)] = symbol_[n](row, col);
+      }
+      fft_.inverse(spectrum, values);
+      // z_j has Fourier coefficients (1/N) sum_j ..., hence the kernel of the convolution is the inverse over
+      // N.
+      values /= samples;
+      if (row == col) values[0] += tail;
+      lags_.col(row * contacts_ + col) << values, values;
+    }
+  }
+}
+
+void BlockCirculant::add_columns(std::span<const int> columns, const double* weights,
+                                 Eigen::VectorXd& out) const {
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const int col_contact = columns[k] / samples_;
+    const int shift = samples_ - columns[k] % samples_;
+    for (int row = 0; row < contacts_; ++row) {
+      out.segment(row * samples_, samples_) +=
+          weights[k] * lags_.col(row * contacts_ + col_contact).segment(shift, samples_);
+    }
+  }
+}
+
+void BlockCirculant::gather(std::span<const int> rows, int col, Eigen::VectorXd& out) const {
+  out.resize(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t k = 0; k < rows.size(); ++k) out[static_cast<Eigen::Index>(k)] = (*this)(rows[k], col);
+}
+
+Eigen::MatrixXd BlockCirculant::submatrix(std::span<const int> rows, std::span<const int> columns) const {
+  Eigen::MatrixXd block(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns.size()));
+  for (Eigen::Index j = 0; j < block.cols(); ++j) {
+    for (Eigen::Index i = 0; i < block.rows(); ++i) {
+      block(i, j) = (*this)(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);
+    }
+  }
+  return block;
+}
+
+Eigen::VectorXd BlockCirculant::operator*(const Eigen::VectorXd& z) {
+  const auto kept = static_cast<Eigen::Index>(symbol_.size());
+  Eigen::MatrixXcd input(fft_.coefficients(), contacts_);
+  for (int c = 0; c < contacts_; ++c) fft_.forward(z.segment(c * samples_, samples_), input.col(c));
+  Eigen::MatrixXcd output(kept, contacts_);
+  for (Eigen::Index n = 0; n < kept; ++n) {
+    output.row(n) = (symbol_[static_cast<std::size_t>(n)] * input.row(n).transpose()).transpose();
+  }
+  Eigen::VectorXd result(size());
+  for (int c = 0; c < contacts_; ++c) fft_.inverse(output.col(c), result.segment(c * samples_, samples_));
+  return result + tail_ * z;
+}
+
+Eigen::VectorXd BlockCirculant::solve(const Eigen::VectorXd& b) {
+  Eigen::MatrixXcd spectrum(fft_.coefficients(), contacts_);
+  for (int c = 0; c < contacts_; ++c) fft_.forward(b.segment(c * samples_, samples_), spectrum.col(c));
+  const Eigen::MatrixXcd tail = tail_ * Eigen::MatrixXcd::Identity(contacts_, contacts_);
+  for (Eigen::Index n = 0; n < spectrum.rows(); ++n) {
+    const auto place = static_cast<std::size_t>(n);
+    const Eigen::MatrixXcd block = place < symbol_.size() ? Eigen::MatrixXcd(symbol_[place] + tail) : tail;
+    spectrum.row(n) = block.partialPivLu().solve(spectrum.row(n).transpose()).transpose().eval();
+  }
+  Eigen::VectorXd result(size());
+  for (int c = 0; c < contacts_; ++c) fft_.inverse(spectrum.col(c), result.segment(c * samples_, samples_));
+  return result;
+}
+
+}  // namespace signorini

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "methods/flow/energy_form.hpp"
+
+namespace signorini {
+
+/// The motions of a damped structure M q'' + D q' + K q = f, damping proportional or not:
+///
+///     q(t) = Re sum_k w_k shapes_k a_k(t),   a_k' = mu_k a_k + of_load_k f,   a(0) = left (q(0), q'(0)),
+///
+/// Im mu_k >= 0; w_k = 2 for a pair, 1 for a real mu_k.
+struct ComplexModes {
+  Eigen::VectorXcd mu;       ///< Nm [rad/s]
+  Eigen::VectorXd weight;    ///< w_k, Nm
+  Eigen::MatrixXcd shapes;   ///< Nr x Nm
+  Eigen::MatrixXcd left;     ///< Nm x 2 Nr
+  Eigen::MatrixXcd of_load;  ///< Nm x Nr
+
+  /// Complex amplitude P of q = P e^{i rate t} under the load f e^{i rate t}, Nr; rate is no eigenvalue.
+  [[nodiscard]] Eigen::VectorXcd forced(const Eigen::VectorXcd& load, double rate) const;
+};
+
+/// The modes, found in the coordinates of the energy, with long double for up to 12 coordinates. None where
+/// they are ill-conditioned (critical damping, a rigid-body motion: more than three digits would cancel
+/// between them) or M or K is not definite.
+std::optional<ComplexModes> complex_modes(const EnergyForm& form);
+
+}  // namespace signorini

@@ -1,0 +1,104 @@
+#include "methods/flow/event_trajectory.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "methods/discretisation/periodic_time.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr int kOrder = 4;  // highest derivative matched
+
+using Weights = std::array<double, kOrder + 1>;
+
+// Weights of h^k f^(k) at the left end, at a fraction `s` of the interval:
+// A_k(s) = s^k / k! (1 - s)^5 sum_{j <= 4 - k} binomial(4 + j, j) s^j. The right end has (-1)^k A_k(1 - s).
+Weights hermite_weights(double s) {
+  constexpr Weights kBinomial{1.0, 5.0, 15.0, 35.0, 70.0};
+  const double r = 1.0 - s;
+  Weights weights{};
+  double factor = r * r * r * r * r;  // s^k / k! (1 - s)^5
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    if (k > 0) factor *= s / static_cast<double>(k);
+    double sum = 0.0;
+    for (std::size_t j = weights.size() - k; j-- > 0;) sum = sum * s + kBinomial[j];
+    weights[k] = factor * sum;
+  }
+  return weights;
+}
+
+// Where one instant lies between two that were kept.
+struct Place {
+  double h = 0.0;
+  Weights left{}, right{};
+};
+
+// Value of the function whose derivatives 0..4 stand in columns first..first + 4.
+double interpolate(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right, Eigen::Index row,
+                   Eigen::Index first, const Place& place) {
+  double value = 0.0, power = 1.0, sign = 1.0;
+  for (int k = 0; k <= kOrder; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    value += power * (place.left[i] * left(row, first + k) + sign * place.right[i] * right(row, first + k));
+    power *= place.h;
+    sign = -sign;
+  }
+  return value;
+}
+
+}  // namespace
+
+EventTrajectory::EventTrajectory(double period, FlowState start, const std::vector<FlowPiece>& pieces,
+                                 std::vector<ContactEvent> events)
+    : period_(period), start_(std::move(start)), events_(std::move(events)) {
+  for (const FlowPiece& piece : pieces) {
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      if (i + 1 < piece.size()) {
+        interval_.push_back(nodes_.size());
+        interval_begin_.push_back(piece[i].time);
+      }
+      nodes_.push_back(piece[i]);
+    }
+  }
+  for (ContactEvent& event : events_) event.time = wrapped_time(event.time, period_);
+  std::stable_sort(events_.begin(), events_.end(),
+                   [](const auto& a, const auto& b) { return a.time < b.time; });
+}
+
+Samples EventTrajectory::sample(int count) const {
+  const Eigen::Index contacts = contact_count();
+  Samples samples{.x = Eigen::MatrixXd::Zero(count, contacts),
+                  .velocity = Eigen::MatrixXd::Zero(count, contacts),
+                  .force = Eigen::MatrixXd::Zero(count, contacts)};
+  for (int i = 0; i < count; ++i) {
+    const double time = start_.time + wrapped_time(i * (period_ / count) - start_.time, period_);
+    const auto after = std::upper_bound(interval_begin_.begin(), interval_begin_.end(), time);
+    const auto index = after == interval_begin_.begin() ? 0 : after - interval_begin_.begin() - 1;
+    const FlowNode& left = nodes_[interval_[static_cast<std::size_t>(index)]];
+    const FlowNode& right = nodes_[interval_[static_cast<std::size_t>(index)] + 1];
+    const double h = right.time - left.time;
+    const double s = h > 0.0 ? std::clamp((time - left.time) / h, 0.0, 1.0) : 1.0;
+    const Place place{.h = h, .left = hermite_weights(s), .right = hermite_weights(1.0 - s)};
+    for (Eigen::Index j = 0; j < contacts; ++j) {
+      samples.x(i, j) = interpolate(left.x, right.x, j, 0, place);
+      samples.velocity(i, j) = interpolate(left.x, right.x, j, 1, place);
+      samples.force(i, j) = std::min(0.0, interpolate(left.lambda, right.lambda, j, 0, place));
+    }
+  }
+  return samples;
+}
+
+std::vector<Impulse> EventTrajectory::impulses() const {
+  std::vector<Impulse> impulses;
+  for (const ContactEvent& event : events_) {
+    if (event.kind != ContactEvent::Kind::impact) continue;
+    impulses.push_back({.contact = event.contact, .time = event.time, .value = event.impulse});
+  }
+  return impulses;
+}
+
+}  // namespace signorini

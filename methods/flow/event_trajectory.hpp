@@ -1,0 +1,42 @@
+#pragma once
+// A motion as the flow left it: pieces between events, interpolated to the tolerance of the integration.
+
+#include <vector>
+
+#include "methods/flow/flow_record.hpp"
+#include "methods/solution.hpp"
+
+namespace signorini {
+
+/// Piecewise Hermite interpolation of degree 9 between the instants kept: x, x' and lambda, each with its
+/// first four derivatives at both ends, which the equation of motion gives exactly. The error is
+/// h^10 |x^(10)| / 3.7e9 at most (10! 2^10) for a step h: round-off at the steps that CVODE takes.
+/// The velocity is right-sided; the force is the multiplier of a sticking contact or that of a stop that
+/// yields.
+class EventTrajectory final : public Trajectory {
+ public:
+  /// \param pieces  consecutive, from start.time to start.time + period
+  /// \param events  their events, at times as in `pieces`
+  EventTrajectory(double period, FlowState start, const std::vector<FlowPiece>& pieces,
+                  std::vector<ContactEvent> events);
+
+  [[nodiscard]] int contact_count() const override { return static_cast<int>(start_.closed.size()); }
+  [[nodiscard]] double period() const override { return period_; }
+  [[nodiscard]] Samples sample(int count) const override;
+  [[nodiscard]] std::vector<Impulse> impulses() const override;
+
+  /// Impacts, closings and openings in one period, times in [0, period), ordered.
+  [[nodiscard]] const std::vector<ContactEvent>& events() const { return events_; }
+  /// State of the coordinates with mass at the time where the motion was cut open.
+  [[nodiscard]] const FlowState& start() const { return start_; }
+
+ private:
+  double period_;
+  FlowState start_;
+  std::vector<FlowNode> nodes_;         // in time order; two nodes at each event
+  std::vector<std::size_t> interval_;   // nodes that begin an interval
+  std::vector<double> interval_begin_;  // their times
+  std::vector<ContactEvent> events_;
+};
+
+}  // namespace signorini

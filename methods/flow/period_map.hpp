@@ -1,0 +1,64 @@
+#pragma once
+// The stroboscopic map of a scene, and Newton's method for its fixed points.
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "methods/flow/flow.hpp"
+
+namespace signorini {
+
+/// Maps the state at one phase of the forcing to the state whole forcing periods later. The integrator
+/// restarts at every period, so that the map is a function of the state alone.
+class PeriodMap {
+ public:
+  explicit PeriodMap(EventFlow& flow) : flow_(flow) {}
+
+  /// Applies the map `count` times; the phase state.time stays, record times run on.
+  void apply(FlowState& state, int count, FlowRecord& record);
+  /// max(|u_a - u_b| / X, |v_a - v_b| / V), in the scales of the motion [-].
+  [[nodiscard]] double distance(const State& a, const State& b) const;
+  /// (u / X, v / V), 2 Nd.
+  [[nodiscard]] Eigen::VectorXd scaled(const State& state) const;
+  [[nodiscard]] State unscaled(const Eigen::VectorXd& vector) const;
+
+  [[nodiscard]] EventFlow& flow() const { return flow_; }
+  [[nodiscard]] double forcing_period() const { return flow_.dynamics().forcing_period(); }
+  [[nodiscard]] long periods() const { return periods_; }  ///< applied since construction
+
+ private:
+  EventFlow& flow_;
+  long periods_ = 0;
+};
+
+/// A fixed point of `order` applications of the map, or the best state towards one.
+struct Orbit {
+  bool converged = false;
+  std::string reason;  ///< why not, one clause
+  FlowState start;
+  int order = 1;
+  double residual = 0.0;                 ///< distance between start and end of a period [-]
+  int iterations = 0;                    ///< Newton steps
+  std::optional<double> condition = {};  ///< estimate for I - monodromy at the last step, scaled [-]
+  Eigen::MatrixXd monodromy;             ///< in scaled coordinates, 2 Nd x 2 Nd
+  Eigen::VectorXcd multipliers;          ///< its eigenvalues; empty unless converged
+
+  [[nodiscard]] double largest_multiplier() const;
+};
+
+struct NewtonLimits {
+  double accepted = 1e-8;      ///< residual that counts as periodic [-]
+  int max_iterations = 20;     ///< Newton steps
+  int max_halvings = 0;        ///< of a step that does not reduce the residual
+  double largest_step = 10.0;  ///< a longer correction is refused [-]
+};
+
+/// Newton's method on P^order(y) - y = 0, with the derivative of P from matrix exponentials and saltation
+/// matrices. One more step is taken once the residual is accepted.
+/// \throws FlowError once the time budget is spent; other failures are `reason`
+Orbit newton_orbit(PeriodMap& map, const FlowState& guess, int order, const NewtonLimits& limits,
+                   const std::function<bool()>& expired);
+
+}  // namespace signorini

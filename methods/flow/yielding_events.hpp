@@ -1,0 +1,38 @@
+#pragma once
+// Which of the stops that yield push: springs, and stops behind coordinates without mass.
+
+#include <vector>
+
+#include "methods/flow/contact_dynamics.hpp"
+#include "methods/flow/flow_record.hpp"
+
+namespace signorini {
+
+/// At stops that yield the contact force is the solution of the static complementarity problem
+///
+///     g - W^T u - s(t) - C lambda >= 0,   lambda <= 0,   complementary,
+///
+/// a continuous function of the state: an event only changes which contacts push, never the motion. Where
+/// the solution has contacts with neither gap nor force, their next derivatives decide, in order: the same
+/// problem for the first and the second time derivatives (the motion is twice differentiable), with the
+/// contacts that push as equalities. What is left undecided stays open.
+class YieldingEvents {
+ public:
+  YieldingEvents(const ContactDynamics& dynamics, double tolerance);
+
+  /// The contacts that push, from the state alone. \throws FlowError if there is no solution (only possible
+  /// where contacts depend on each other)
+  [[nodiscard]] std::vector<bool> pushing(double time, const State& state) const;
+  /// The contacts that push after the guard of `trigger` has vanished: that contact changes, and those that
+  /// are without gap and force at that instant are decided anew. Logs every change. \throws FlowError
+  void resolve(FlowState& flow, int trigger, FlowRecord& record) const;
+
+ private:
+  void decide(double time, const State& state, int first_order, std::vector<bool> undecided,
+              std::vector<bool>& closed) const;
+
+  const ContactDynamics& dynamics_;
+  double noise_;  // of guards, relative to the scales of the motion [-]
+};
+
+}  // namespace signorini

@@ -1,0 +1,71 @@
+#pragma once
+// Impacts of a truncated series made to satisfy the law of impact with all harmonics.
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "methods/complementarity/exact_quadrature.hpp"
+#include "methods/complementarity/projected_law.hpp"
+#include "methods/discretisation/stop_shift.hpp"
+#include "methods/method.hpp"
+#include "methods/structure/impulse_response.hpp"
+#include "methods/structure/receptance.hpp"
+
+namespace signorini {
+
+/// Where the stops must stand for the series to move right.
+///
+/// A series of H harmonics rounds the kink of an impact off and spreads its impulse J over 1/H of the period.
+/// From some distance in time both are invisible: the motion is that of an impulse J at the centre t_k of the
+/// force. Near by they are not: the series stays short of the kink's tip by about (2 J / T) sum_{n > H}
+/// |C_n|, and stopping the series at the gap is what limits harmonic balance to an error of 1/H
+/// (docs/theory.md). So the impact law is asked of the motion with all harmonics instead,
+///
+///     X(t) = x_f(t) + C lambda_rest - sum_l J_l G(t - t_l),   X(t_k) = g,   X'(t_k) = 0,
+///
+/// X' being the mean of both sides,
+/// lambda_rest the force outside impacts, and the stop that the series meets at impact k is moved, x <= g -
+/// distance - speed (t - t_k), until it is so. With a yielding stop for a rigid one the same takes back the
+/// penetration of the spring. The answer remains a series of H harmonics: its error is that of the best one
+/// of so many, but for terms of second order in the duration of the force. In X the contact does no net work;
+/// in the series it does what the harmonics beyond H dissipate, of order 1/H and of the damping.
+///
+/// An impact is contact of at most 2.5 / H of the period, and a quarter of it, on a coordinate that answers
+/// like a mass beyond H. Contact that lasts longer, yields, or has modes beyond H behind it is left alone.
+class ImpactCompensation {
+ public:
+  /// \param extended  C_n for n = 0..L, L > H; L = 2 H will do
+  explicit ImpactCompensation(ContactReceptance extended);
+
+  /// What a compensation came to.
+  struct Result {
+    bool converged = false;       ///< the stops stand right; true where there is no impact
+    bool exact = false;           ///< the projected equations have a solution near the one handed in
+    int impacts = 0;              ///< per period
+    int iterations = 0;           ///< Newton steps on the projected equations, all of them
+    double largest = 0.0;         ///< largest distance of a stop from its place [m]
+    ExactProjection series = {};  ///< of the projected equations with the stops there; none unless converged
+    StopShifts shifts = {};       ///< empty where nothing is shifted
+  };
+
+  /// From a solution `lambda` of the exactly projected equations with the stops at `shifts`, or near one.
+  /// Each round solves X(t_k) = g, X'(t_k) = 0 for instants and impulses (Newton, two unknowns per impact),
+  /// takes the series' contacts there with the stops that keep their shape, and lets project_exactly settle
+  /// them. Not converged where an impact comes or goes on the way, or its equations have no solution near by.
+  /// \param samples, tolerance  as of project_exactly
+  [[nodiscard]] Result operator()(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                                  const ProjectedLaw& law, const Eigen::MatrixXcd& lambda,
+                                  const StopShifts& shifts, int samples, double tolerance,
+                                  const Start& start) const;
+
+ private:
+  ImpulseResponse response_;
+};
+
+/// The compensation for a scene; nothing where there is none to offer: the stops yield or no contact has mass
+/// (the force is then a function of time), or none answers like a mass from H to 2 H.
+/// \param receptance  of the scene, n = 0..H
+std::optional<ImpactCompensation> impact_compensation(const Problem& problem,
+                                                      const ContactReceptance& receptance);
+
+}  // namespace signorini

@@ -1,0 +1,105 @@
+#include "methods/hat_functions/period_marching.hpp"
+
+#include <Eigen/SparseLU>
+#include <cmath>
+#include <numbers>
+
+#include "methods/solvers/pivoting.hpp"
+#include "methods/structure/condensation.hpp"
+
+namespace signorini {
+
+namespace {
+
+class Recurrence {
+ public:
+  Recurrence(const Problem& problem, const HatSettings& options, double restitution)
+      : samples_(options.samples),
+        contacts_(problem.contact_count()),
+        restitution_(restitution),
+        directions_(contact_directions(problem)),
+        gap_(contact_gaps(problem)) {
+    const double step = problem.period() / samples_;
+    const bool consistent = options.scheme == HatScheme::galerkin;
+    const double outer = consistent ? 1.0 / 6.0 : 0.0;
+    const SparseMatrix inertia = problem.mass / (step * step);
+    const SparseMatrix drag = problem.damping / (2.0 * step);
+    ahead_ = inertia + drag + outer * problem.stiffness;
+    here_ = (1.0 - 2.0 * outer) * problem.stiffness - 2.0 * inertia;
+    behind_ = inertia - drag + outer * problem.stiffness;
+    ahead_.makeCompressed();
+    factors_.compute(ahead_);
+    if (!usable()) return;
+    compliance_ = directions_.transpose() * factors_.solve(Eigen::MatrixXd(directions_));
+    load_.resize(problem.size(), samples_);
+    for (int k = 0; k < samples_; ++k) {
+      // Hat functions weight each load by the mean over its two elements; nodal schemes take it as it is.
+      const double t = k * step;
+      load_.col(k) = consistent ? Eigen::VectorXd((load_at(problem, t - step) + 4.0 * load_at(problem, t) +
+                                                   load_at(problem, t + step)) /
+                                                  6.0)
+                                : load_at(problem, t);
+    }
+    scale_ = compliance_.cwiseAbs().maxCoeff();
+    before_ = Eigen::VectorXd::Zero(problem.size());
+    now_ = before_;
+  }
+
+  [[nodiscard]] bool usable() const { return factors_.info() == Eigen::Success; }
+
+  /// One period; false if the motion has grown beyond all bounds or a step has no solution.
+  bool advance(Eigen::VectorXd& pressure) {
+    for (int k = 0; k < samples_; ++k) {
+      Eigen::VectorXd next = factors_.solve(load_.col(k) - here_ * now_ - behind_ * before_);
+      const Eigen::VectorXd room =
+          (1.0 + restitution_) * gap_ - directions_.transpose() * (next + restitution_ * before_);
+      const Eigen::VectorXd push = contact_pressure(room);
+      if (push.size() == 0) return false;
+      if (push.maxCoeff() > 0.0) next -= factors_.solve(directions_ * push);
+      for (int c = 0; c < contacts_; ++c) pressure[c * samples_ + k] = push[c];
+      before_.swap(now_);
+      now_.swap(next);
+    }
+    return now_.allFinite() && before_.allFinite();
+  }
+
+ private:
+  /// p >= 0 with room + compliance p >= 0, complementary; empty if there is none.
+  Eigen::VectorXd contact_pressure(const Eigen::VectorXd& room) {
+    if (room.minCoeff() >= 0.0) return Eigen::VectorXd::Zero(contacts_);
+    if (contacts_ == 1) return -room / compliance_(0, 0);
+    Lcp lcp{BlockCirculant(1, {(compliance_ / scale_).cast<std::complex<double>>()}), room / scale_};
+    const LcpResult result = solve_by_pivoting(lcp);
+    return result.status == LcpStatus::solved ? result.z : Eigen::VectorXd{};
+  }
+
+  int samples_;
+  int contacts_;
+  double restitution_;
+  double scale_ = 1.0;
+  SparseMatrix directions_, ahead_, here_, behind_;
+  Eigen::SparseLU<SparseMatrix> factors_;
+  Eigen::MatrixXd compliance_;
+  Eigen::MatrixXd load_;
+  Eigen::VectorXd gap_, before_, now_;
+};
+
+}  // namespace
+
+Eigen::VectorXd march_to_period(const Problem& problem, const HatSettings& options, double restitution,
+                                int periods, const Start& start) {
+  if (problem.size() > kMostInTime) return {};
+  Recurrence recurrence(problem, options, restitution);
+  if (!recurrence.usable()) return {};
+  Eigen::VectorXd pressure = Eigen::VectorXd::Zero(options.samples * problem.contact_count());
+  Eigen::VectorXd previous;
+  for (int period = 0; period < periods; ++period) {
+    previous = pressure;
+    if (!recurrence.advance(pressure) || start.expired()) return {};
+    const bool same = ((previous.array() > 0.0) == (pressure.array() > 0.0)).all();
+    if (period > 0 && same && pressure.maxCoeff() > 0.0) return pressure;
+  }
+  return {};
+}
+
+}  // namespace signorini

@@ -1,0 +1,23 @@
+#pragma once
+// The hat discretisation stepped in time: finds the active set where the path of pivots is too long.
+
+#include <Eigen/Core>
+
+#include "methods/hat_functions/hat_contact.hpp"
+#include "methods/method.hpp"
+
+namespace signorini {
+
+/// Steps the same three-term recurrence that the periodic problem closes into a ring,
+///
+///     A_+ u_{k+1} + A_0 u_k + A_- u_{k-1} = f_k + W lambda_k,
+///     w_k = (1 + e) g - x_{k+1} - e x_{k-1} >= 0,  lambda_k <= 0,  lambda_k w_k = 0,
+///
+/// from rest until two successive periods press at the same nodes, and returns -lambda at the nodes of
+/// the last one, N Nc [N]. Complete chatter, where pivoting meets as many solutions as there are bounces,
+/// forgets its past within a period or two here.
+/// Empty if `periods` do not suffice, the steps grow without bound, or the budget is spent.
+Eigen::VectorXd march_to_period(const Problem& problem, const HatSettings& options, double restitution,
+                                int periods, const Start& start);
+
+}  // namespace signorini

@@ -1,9 +1,0 @@
-#include "methods/kernels/matrix_exponential.hpp"
-
-#include <unsupported/Eigen/MatrixFunctions>
-
-namespace signorini {
-
-Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& A) { return A.exp(); }
-
-}  // namespace signorini

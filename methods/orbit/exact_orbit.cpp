@@ -1,0 +1,159 @@
+#include "methods/orbit/exact_orbit.hpp"
+
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "methods/flow/period_map.hpp"
+
+namespace signorini {
+
+namespace {
+
+// How much an attempt tells, for the message of a search that fails.
+int rank(OrbitOutcome outcome) {
+  switch (outcome) {
+    case OrbitOutcome::converged:
+    case OrbitOutcome::chatter:
+      return 4;
+    case OrbitOutcome::grazing:
+      return 3;
+    case OrbitOutcome::not_admissible:
+      return 2;
+    case OrbitOutcome::events_merge:
+      return 1;
+    case OrbitOutcome::no_convergence:
+      return 0;
+  }
+  return 0;
+}
+
+}  // namespace
+
+class OrbitFinder::Search {
+ public:
+  Search(const std::shared_ptr<OrbitModel>& model, const SearchOptions& options)
+      : model_(model), options_(options) {}
+
+  OrbitSearch run(const OrbitGuess& guess) {
+    if (attempt(guess) || rounds(guess.start) || shoot(guess.start) || march(guess.start))
+      return std::move(result_);
+    return std::move(result_);
+  }
+
+ private:
+  bool attempt(const OrbitGuess& guess) {
+    constexpr std::size_t kMostEvents =
+        400;  // unresolved rattling beyond: the dense equations grow with their cube
+    if (options_.expired()) return true;
+    ExactOrbit orbit;
+    if (guess.events.size() <= kMostEvents) {
+      orbit = polish_sequence(model_, guess, options_.polish);
+    } else {
+      orbit.reason = std::to_string(guess.events.size()) + " events in a period are more than a polish takes";
+    }
+    ++result_.attempts;
+    result_.iterations += orbit.iterations;
+    last_ = orbit.trajectory ? std::optional(orbit.trajectory->orbit().start) : std::nullopt;
+    const bool done = orbit.certified();
+    if (result_.attempts == 1 || rank(orbit.outcome) > rank(result_.orbit.outcome))
+      result_.orbit = std::move(orbit);
+    return done;
+  }
+
+  // Sequences met by the flow, each from the state that the last attempt left.
+  bool rounds(const FlowState& from) {
+    FlowState start = from;
+    for (int round = 0; round < options_.rounds; ++round) {
+      FlowState end;
+      const auto sequence = simulated_sequence(*model_, start, options_.expired, &end);
+      if (sequence && attempt(*sequence)) return true;
+      if (sequence && last_) {
+        start = *last_;
+      } else if (!end.closed.empty() || end.state.u.size() > 0) {
+        start = end;  // one period on: what the flow itself makes of the state
+        start.time = from.time;
+      } else {
+        return false;
+      }
+    }
+    return false;
+  }
+
+  // Newton's method on the stroboscopic map, where the sequence is free to change.
+  bool shoot(const FlowState& from) {
+    constexpr double kTolerance = 1e-11, kLargestStep = 1e3;
+    constexpr int kHalvings = 8;
+    constexpr int kMany =
+        16;  // coordinates from which a shooting carries too large a monodromy to be tried often
+    if (options_.shootings == 0 || (options_.marched == 0 && model_->dynamics.size() > kMany)) return false;
+    try {
+      EventFlow flow(model_->dynamics, kTolerance, options_.expired, Integrator::modal);
+      PeriodMap map(flow);
+      const auto order = static_cast<int>(model_->period / model_->dynamics.forcing_period() + 0.5);
+      const Orbit orbit = newton_orbit(map, flow.place(from.time, from.state), order,
+                                       {.accepted = 1e-9,
+                                        .max_iterations = options_.shootings,
+                                        .max_halvings = kHalvings,
+                                        .largest_step = kLargestStep},
+                                       options_.expired);
+      result_.iterations += orbit.iterations;
+      return rounds(orbit.start);
+    } catch (const std::exception&) {  // FlowError: the time is up
+      return false;
+    }
+  }
+
+  bool march(const FlowState& from) {
+    constexpr int kBurst = 8;  // periods between two attempts
+    FlowState state = from;
+    try {
+      EventFlow flow(model_->dynamics, 1e-11, options_.expired, Integrator::modal);
+      state = flow.place(from.time, from.state);
+      for (int marched = 0; marched < options_.marched; marched += kBurst) {
+        FlowRecord record;
+        flow.advance(state, kBurst * model_->period, record);
+        state.time = from.time;
+        const auto sequence = simulated_sequence(*model_, state, options_.expired);
+        if (sequence && attempt(*sequence)) return true;
+      }
+    } catch (const std::exception&) {  // FlowError: nothing to march to
+    }
+    return false;
+  }
+
+  std::shared_ptr<OrbitModel> model_;
+  const SearchOptions& options_;
+  OrbitSearch result_;
+  std::optional<FlowState> last_;  // section state of the last equations solved
+};
+
+OrbitFinder::OrbitFinder(const Problem& problem) : model_(std::make_shared<OrbitModel>(problem)) {}
+
+ExactOrbit OrbitFinder::polish(const OrbitGuess& guess, const PolishOptions& options) {
+  return polish_sequence(model_, guess, options);
+}
+
+OrbitSearch OrbitFinder::find(const OrbitGuess& guess, const SearchOptions& options) {
+  return Search(model_, options).run(guess);
+}
+
+OrbitSearch OrbitFinder::find(const Trajectory& trajectory, const SearchOptions& options) {
+  const auto guess = orbit_guess(*model_, trajectory);
+  if (guess) return find(*guess, options);
+  OrbitSearch result;
+  result.orbit.reason = "the structure has no unique response to the contact force";
+  return result;
+}
+
+ExactOrbit polish_orbit(const Problem& problem, const OrbitGuess& guess, const PolishOptions& options) {
+  return OrbitFinder(problem).polish(guess, options);
+}
+
+OrbitSearch find_exact_orbit(const Problem& problem, const Trajectory& trajectory,
+                             const SearchOptions& options) {
+  return OrbitFinder(problem).find(trajectory, options);
+}
+
+}  // namespace signorini

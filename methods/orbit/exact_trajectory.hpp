@@ -1,0 +1,53 @@
+#pragma once
+// A periodic orbit in closed form.
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "methods/orbit/orbit_equations.hpp"
+#include "methods/solution.hpp"
+
+namespace signorini {
+
+/// What is known of a polished orbit.
+struct OrbitQuality {
+  double residual = 0.0;         ///< largest of its equations, in scales [-]
+  double error_bar = 0.0;        ///< of the motion, relative to the displacement scale X [-]
+  double amplification = 0.0;    ///< |J^-1|: what an error of evaluation may grow to in the motion [-]
+  Eigen::VectorXcd multipliers;  ///< Floquet, 2 Nd; empty where undefined
+  bool admissible = false;       ///< the contact conditions hold
+};
+
+/// Motion and contact force of a polished orbit, evaluated exactly (to round-off) at any instant; the
+/// velocity is right-sided at impacts.
+class ExactTrajectory final : public Trajectory {
+ public:
+  /// \param model  of the scene; kept alive
+  /// \param arcs   m + 1 of them, arc i ending at event i, as the equations left them
+  ExactTrajectory(std::shared_ptr<OrbitModel> model, OrbitGuess orbit, std::vector<LinearArc> arcs,
+                  const std::vector<OrbitEquations::Passage>& passages);
+
+  [[nodiscard]] int contact_count() const override { return model_->dynamics.contact_count(); }
+  [[nodiscard]] double period() const override { return model_->period; }
+  [[nodiscard]] Samples sample(int count) const override;
+  [[nodiscard]] std::vector<Impulse> impulses() const override { return impulses_; }
+
+  /// State of the coordinates with mass at any time [s].
+  [[nodiscard]] State at(double time) const;
+  /// Section state and events, times in (start.time, start.time + period).
+  [[nodiscard]] const OrbitGuess& orbit() const { return orbit_; }
+  [[nodiscard]] const OrbitQuality& quality() const { return quality_; }
+  void set_quality(OrbitQuality quality) { quality_ = std::move(quality); }
+
+ private:
+  [[nodiscard]] const LinearArc& arc_at(double& time) const;
+
+  std::shared_ptr<OrbitModel> model_;
+  OrbitGuess orbit_;
+  std::vector<LinearArc> arcs_;
+  std::vector<Impulse> impulses_;
+  OrbitQuality quality_;
+};
+
+}  // namespace signorini

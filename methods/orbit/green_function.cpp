@@ -1,0 +1,73 @@
+#include "methods/orbit/green_function.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <complex>
+
+#include "methods/discretisation/periodic_time.hpp"
+
+namespace signorini {
+
+using Complex = std::complex<double>;
+
+GreenFunction::GreenFunction(const ContactDynamics& dynamics, double period)
+    : period_(period), directions_(dynamics.directions()), rates_(dynamics.load_rates()) {
+  constexpr double kIllConditioned = 1e-8;
+  const int n = dynamics.size();
+  const double unit = 1.0 / dynamics.frequency();  // velocities count as v / omega
+  const Eigen::LLT<Eigen::MatrixXd> mass{Eigen::MatrixXd(dynamics.mass())};
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  A.topRightCorner(n, n).diagonal().setConstant(1.0 / unit);
+  A.bottomLeftCorner(n, n) = -unit * mass.solve(Eigen::MatrixXd(dynamics.stiffness()));
+  A.bottomRightCorner(n, n) = -mass.solve(Eigen::MatrixXd(dynamics.damping()));
+  const Eigen::EigenSolver<Eigen::MatrixXd> modes(A);
+  if (modes.info() != Eigen::Success) return;
+  const Eigen::FullPivLU<Eigen::MatrixXcd> lu(modes.eigenvectors());
+  mu_ = modes.eigenvalues();
+  const Eigen::ArrayXcd closing = 1.0 - (mu_.array() * period).exp();
+  if (!(lu.rcond() > kIllConditioned) || closing.abs().minCoeff() < kIllConditioned) return;
+  shapes_ = modes.eigenvectors().topRows(n);
+  Eigen::MatrixXcd kick = Eigen::MatrixXcd::Zero(2 * n, dynamics.contact_count());
+  kick.bottomRows(n) = unit * dynamics.impulse_response().cast<Complex>();
+  excitation_ = closing.inverse().matrix().asDiagonal() * lu.solve(kick);
+  const Eigen::MatrixXcd load = dynamics.load_amplitudes();
+  forced_.resize(n, load.cols());
+  for (Eigen::Index h = 0; h < load.cols(); ++h) {
+    const double w = rates_[static_cast<std::size_t>(h)];
+    const Eigen::MatrixXcd Z = Eigen::MatrixXcd(dynamics.stiffness().cast<Complex>()) +
+                               Complex(0.0, w) * Eigen::MatrixXcd(dynamics.damping().cast<Complex>()) -
+                               w * w * Eigen::MatrixXcd(dynamics.mass().cast<Complex>());
+    if (load.col(h).isZero(0.0)) {
+      forced_.col(h).setZero();
+    } else {
+      forced_.col(h) = Z.fullPivLu().solve(load.col(h));
+    }
+  }
+  defined_ = forced_.allFinite();
+}
+
+Eigen::VectorXcd GreenFunction::growth(double tau) const {
+  return (mu_ * wrapped_time(tau, period_)).array().exp();
+}
+
+double GreenFunction::at(int row, int column, double tau, int derivative) const {
+  Eigen::VectorXcd terms = growth(tau).cwiseProduct(excitation_.col(column));
+  if (derivative == 1) terms = terms.cwiseProduct(mu_).eval();
+  return (directions_.col(row).transpose().cast<Complex>() * (shapes_ * terms))(0).real();
+}
+
+State GreenFunction::state(double time, const std::vector<Impulse>& impulses) const {
+  Eigen::VectorXcd terms = Eigen::VectorXcd::Zero(mu_.size());
+  for (const Impulse& impulse : impulses)
+    terms += impulse.value * growth(time - impulse.time).cwiseProduct(excitation_.col(impulse.contact));
+  State state{.u = (shapes_ * terms).real(), .v = (shapes_ * mu_.cwiseProduct(terms)).real()};
+  for (Eigen::Index h = 0; h < forced_.cols(); ++h) {
+    const double w = rates_[static_cast<std::size_t>(h)];
+    const Eigen::VectorXcd wave = std::polar(1.0, w * time) * forced_.col(h);
+    state.u += wave.real();
+    state.v -= w * wave.imag();
+  }
+  return state;
+}
+
+}  // namespace signorini

@@ -1,0 +1,264 @@
+#include "methods/orbit/orbit_guess.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <exception>
+
+#include "methods/discretisation/periodic_time.hpp"
+#include "methods/discretisation/trajectories.hpp"
+#include "methods/flow/flow.hpp"
+#include "methods/flow/rigid_events.hpp"
+#include "methods/orbit/exact_trajectory.hpp"
+
+namespace signorini {
+
+namespace {
+
+// Forces of a period on an equidistant grid, the listed impulses apart.
+struct ForceHistory {
+  Eigen::MatrixXd force;  // N x Nc
+  double step = 0.0;
+  int reach = 1;  // samples over which an impact may be spread
+};
+
+ForceHistory force_history(const Trajectory& trajectory) {
+  constexpr int kFine = 4096;
+  ForceHistory history;
+  if (const auto* nodal = dynamic_cast<const NodalTrajectory*>(&trajectory)) {
+    history.force = nodal->nodal_force();
+    history.reach = 3;
+  } else if (const auto bandwidth = trajectory.bandwidth()) {
+    const int count = std::bit_ceil(static_cast<unsigned>(8 * std::max(4, *bandwidth)));
+    history.force = trajectory.sample(count).force;
+    history.reach = 12;
+  } else {
+    history.force = trajectory.sample(kFine).force;
+    history.reach = 0;
+  }
+  history.step = trajectory.period() / static_cast<double>(history.force.rows());
+  return history;
+}
+
+// A time during which one contact pushes.
+struct Cluster {
+  int contact = 0;
+  double begin = 0.0, end = 0.0, centroid = 0.0;  // [s]; end may reach past the period
+  bool lasting = false;
+};
+
+std::vector<Cluster> clusters_of(const ForceHistory& history, bool springs) {
+  constexpr double kWeak = 1e-6;
+  const auto count = static_cast<int>(history.force.rows());
+  std::vector<Cluster> clusters;
+  for (int c = 0; c < static_cast<int>(history.force.cols()); ++c) {
+    const double threshold = -kWeak * history.force.col(c).cwiseAbs().maxCoeff();
+    const auto pushes = [&](int i) { return history.force(i % count, c) < threshold; };
+    int first = 0;
+    while (first < count && pushes(first)) ++first;
+    if (threshold == 0.0) continue;
+    if (first == count) {  // never open
+      clusters.push_back({c, 0.0, history.step * count, 0.0, true});
+      continue;
+    }
+    for (int i = first; i < first + count; ++i) {
+      if (!pushes(i)) continue;
+      int last = i;
+      while (pushes(last + 1)) ++last;
+      double weight = 0.0, moment = 0.0;
+      for (int k = i; k <= last; ++k) {
+        weight += history.force(k % count, c);
+        moment += history.force(k % count, c) * k;
+      }
+      const bool lasting = springs || last - i + 1 > history.reach;
+      clusters.push_back({c, (i - 0.5) * history.step, (last + 0.5) * history.step,
+                          moment / weight * history.step, lasting});
+      i = last;
+    }
+  }
+  return clusters;
+}
+
+// Middle of the longest time free of the given intervals; or of instants, if they are everywhere.
+double quiet_instant(const std::vector<Cluster>& clusters, double period) {
+  const auto middle_of_longest = [&](std::vector<std::pair<double, double>> busy) {
+    if (busy.empty()) return std::pair(0.0, 0.0);
+    std::sort(busy.begin(), busy.end());
+    double reach = busy.front().second, longest = 0.0, middle = 0.0;
+    busy.emplace_back(busy.front().first + period, 0.0);
+    for (std::size_t i = 1; i < busy.size(); ++i) {
+      if (busy[i].first - reach > longest) {
+        longest = busy[i].first - reach;
+        middle = reach + 0.5 * longest;
+      }
+      reach = std::max(reach, busy[i].second);
+    }
+    return std::pair(longest, middle);
+  };
+  std::vector<std::pair<double, double>> spans, edges;
+  for (const Cluster& cluster : clusters) {
+    if (cluster.end - cluster.begin >= period) continue;  // no instant is free of it, none is an event
+    const double begin = wrapped_time(cluster.begin, period), length = cluster.end - cluster.begin;
+    spans.emplace_back(begin, begin + length);
+    edges.emplace_back(begin, begin);
+    edges.emplace_back(wrapped_time(begin + length, period), wrapped_time(begin + length, period));
+  }
+  const auto [length, middle] = middle_of_longest(spans);
+  constexpr double kTight = 0.02;  // of the period: contact nearly all the time
+  return wrapped_time(length > kTight * period || spans.empty() ? middle : middle_of_longest(edges).second,
+                      period);
+}
+
+// The structure's periodic state at `time` under load and impulses p_k at times t_k.
+std::optional<State> periodic_state(OrbitModel& model, double time, const ForceHistory& history,
+                                    const std::vector<Impulse>& impulses) {
+  const ContactDynamics& dynamics = model.dynamics;
+  const int n = dynamics.size();
+  const LinearFlow& flow =
+      model.flows.of(std::vector<bool>(static_cast<std::size_t>(dynamics.contact_count()), false));
+  LinearArc arc;
+  State end;
+  arc.start(flow, time, {.u = Eigen::VectorXd::Zero(n), .v = Eigen::VectorXd::Zero(n)});
+  arc.state(time + model.period, end);
+  std::vector<Impulse> before;  // times before the end of the period
+  const auto add = [&](int contact, double at, double value) {
+    before.push_back(
+        {.contact = contact, .time = model.period - wrapped_time(at - time, model.period), .value = value});
+  };
+  for (int c = 0; c < dynamics.contact_count(); ++c) {
+    for (Eigen::Index k = 0; k < history.force.rows(); ++k) {
+      if (history.force(k, c) != 0.0)
+        add(c, static_cast<double>(k) * history.step, history.force(k, c) * history.step);
+    }
+  }
+  for (const Impulse& impulse : impulses) add(impulse.contact, impulse.time, impulse.value);
+  const State struck = flow.response(before);
+  Eigen::VectorXd sum(2 * n);
+  sum << end.u + struck.u, end.v + struck.v;
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(Eigen::MatrixXd::Identity(2 * n, 2 * n) -
+                                                flow.transition(model.period));
+  const Eigen::VectorXd y = lu.solve(sum);
+  if (!y.allFinite() || !(lu.rcond() > 1e-13)) return std::nullopt;
+  return State{.u = y.head(n), .v = y.tail(n)};
+}
+
+// The events of the clusters, ordered after the section, with the contacts closed after each.
+std::vector<SequenceEvent> events_of(const ContactDynamics& dynamics, const std::vector<Cluster>& clusters,
+                                     FlowState& start, double period) {
+  std::vector<SequenceEvent> events;
+  const auto after_section = [&](double t) { return start.time + wrapped_time(t - start.time, period); };
+  for (const Cluster& cluster : clusters) {
+    if (!cluster.lasting) {
+      events.push_back({.kind = ContactEvent::Kind::impact,
+                        .contact = cluster.contact,
+                        .time = after_section(cluster.centroid),
+                        .pushed = {cluster.contact},
+                        .restitution = {dynamics.restitution()}});
+      continue;
+    }
+    const auto index = static_cast<std::size_t>(cluster.contact);
+    if (cluster.end - cluster.begin >= period) {
+      start.closed[index] = true;
+      continue;
+    }
+    SequenceEvent close{
+        .kind = ContactEvent::Kind::close, .contact = cluster.contact, .time = after_section(cluster.begin)};
+    if (dynamics.rigid()) {
+      close.pushed = {cluster.contact};
+      close.restitution = {0.0};
+    }
+    const double end = after_section(cluster.end);
+    events.push_back({.kind = ContactEvent::Kind::open, .contact = cluster.contact, .time = end});
+    if (end < close.time) start.closed[index] = true;
+    events.push_back(std::move(close));
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const SequenceEvent& a, const SequenceEvent& b) { return a.time < b.time; });
+  std::vector<bool> closed = start.closed;
+  for (SequenceEvent& event : events) {
+    if (event.kind != ContactEvent::Kind::impact)
+      closed[static_cast<std::size_t>(event.contact)] = event.kind == ContactEvent::Kind::close;
+    event.closed = closed;
+    if (!dynamics.rigid() || event.kind == ContactEvent::Kind::open) continue;
+    for (int j = 0; j < dynamics.contact_count(); ++j) {  // resting contacts pass an impulse on
+      if (!closed[static_cast<std::size_t>(j)] || j == event.contact) continue;
+      event.pushed.push_back(j);
+      event.restitution.push_back(0.0);
+    }
+  }
+  return events;
+}
+
+// How long to wait from the section for an instant that is far from all events; 0 if it is one.
+double wait_for_quiet(const OrbitGuess& guess, double period) {
+  constexpr double kClear = 0.2;  // of the longest time between two events
+  const auto& events = guess.events;
+  if (events.empty()) return 0.0;
+  const double before = guess.start.time + period - events.back().time;
+  const double after = events.front().time - guess.start.time;
+  double longest = before + after, wait = std::fmod(0.5 * (after - before) + period, period);
+  for (std::size_t i = 1; i < events.size(); ++i) {
+    const double length = events[i].time - events[i - 1].time;
+    if (length <= longest) continue;
+    longest = length;
+    wait = events[i - 1].time + 0.5 * length - guess.start.time;
+  }
+  return std::min(before, after) > kClear * longest ? 0.0 : wait;
+}
+
+}  // namespace
+
+std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& trajectory) {
+  constexpr double kSamePeriod = 1e-6;
+  if (std::abs(trajectory.period() - model.period) > kSamePeriod * model.period ||
+      trajectory.contact_count() != model.dynamics.contact_count())
+    return std::nullopt;
+  if (const auto* exact = dynamic_cast<const ExactTrajectory*>(&trajectory)) return exact->orbit();
+  const ForceHistory history = force_history(trajectory);
+  const std::vector<Impulse> impulses = trajectory.impulses();
+  std::vector<Cluster> clusters = clusters_of(history, !model.dynamics.rigid());
+  for (const Impulse& impulse : impulses)
+    clusters.push_back({impulse.contact, impulse.time, impulse.time, impulse.time, false});
+  OrbitGuess guess{
+      .start = {.time = quiet_instant(clusters, model.period),
+                .state = {},
+                .closed = std::vector<bool>(static_cast<std::size_t>(model.dynamics.contact_count()), false)},
+      .events = {},
+      .origin = "the contact force"};
+  auto state = periodic_state(model, guess.start.time, history, impulses);
+  if (!state) return std::nullopt;
+  guess.start.state = std::move(*state);
+  guess.events = events_of(model.dynamics, clusters, guess.start, model.period);
+  return guess;
+}
+
+std::optional<OrbitGuess> simulated_sequence(OrbitModel& model, const FlowState& start,
+                                             const std::function<bool()>& expired, FlowState* end) {
+  constexpr double kTolerance = 1e-12;
+  try {
+    EventFlow flow(model.dynamics, kTolerance, expired, Integrator::modal);
+    OrbitGuess guess{
+        .start = flow.place(start.time, start.state), .events = {}, .origin = "one period's flow"};
+    for (int turn = 0;; ++turn) {
+      FlowRecord record;
+      FlowState last = guess.start;
+      flow.advance(last, model.period, record);
+      guess.events = std::move(record.sequence);
+      const double wait = turn == 0 ? wait_for_quiet(guess, model.period) : 0.0;
+      if (wait > 0.0) {
+        FlowRecord passed;
+        flow.advance(guess.start, wait, passed);
+        guess.start.time = wrapped_time(guess.start.time, model.period);
+        continue;
+      }
+      if (end != nullptr) *end = last;
+      if (last.closed != guess.start.closed) return std::nullopt;
+      return guess;
+    }
+  } catch (const std::exception&) {  // FlowError and IntegrationError: there is no sequence to follow
+    return std::nullopt;
+  }
+}
+
+}  // namespace signorini

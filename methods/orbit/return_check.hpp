@@ -1,0 +1,29 @@
+#pragma once
+// A second path to an exact orbit: one period of the CVODE flow from its state.
+
+#include <functional>
+
+#include "methods/flow/contact_dynamics.hpp"
+#include "methods/orbit/exact_trajectory.hpp"
+
+namespace signorini {
+
+/// Where one period of the event-driven flow (CVODE at tolerance 1e-13, events found anew, none of the
+/// orbit's sequence used) brings the state at an orbit's section.
+struct ReturnCheck {
+  bool returned = false;  ///< distance <= allowed
+  double distance = 0.0;  ///< max(|du| / X, |dv| / V), in the scales of the motion [-]
+  double allowed = 0.0;   ///< the error bar, and CVODE's own error over the period [-]
+};
+
+/// CVODE's own error is taken as 3e-11 times the growth of errors over a period. A stiff structure, whose
+/// fastest modes it follows through thousands of oscillations, may leave it more: where the orbit is missed
+/// by more than that, the error is measured, as four times the distance to a run with ten times the local
+/// tolerance, and believed up to 1e-8.
+///
+/// \param dynamics  of the scene that `orbit` was found on
+/// \throws FlowError, IntegrationError if the flow fails
+ReturnCheck cvode_return(const ContactDynamics& dynamics, const ExactTrajectory& orbit,
+                         const std::function<bool()>& expired);
+
+}  // namespace signorini

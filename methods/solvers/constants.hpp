@@ -1,0 +1,14 @@
+#pragma once
+// Numbers that many solvers share.
+
+#include <limits>
+#include <numbers>
+
+namespace signorini {
+
+/// A turn [rad].
+inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
+/// Distance from 1 to the next double [-].
+inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+}  // namespace signorini

@@ -1,0 +1,9 @@
+#include "methods/solvers/matrix_exponential.hpp"
+
+#include <unsupported/Eigen/MatrixFunctions>
+
+namespace signorini {
+
+Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& A) { return A.exp(); }
+
+}  // namespace signorini

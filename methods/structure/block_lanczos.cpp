@@ -1,0 +1,134 @@
+#include "methods/structure/block_lanczos.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "methods/structure/tall_products.hpp"
+
+namespace signorini {
+
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// Squared length of a direction, relative to the longest of its block, below which it is rounding: the Gram
+// matrix knows squared lengths to its own precision only.
+constexpr double kRounding = 1e-14;
+// The same relative to the columns before they were made orthogonal to the basis, whose rounding it is then.
+constexpr double kInvariant = 1e-26;
+// Smallest pivot of P scaled to unit diagonal with which P^{-1} means anything.
+constexpr double kDefinite = 1e-13;
+
+// Rows of the dense factor side by side in memory: several times faster than column by column.
+Eigen::MatrixXd product(const SparseMatrix& A, const Eigen::MatrixXd& columns) {
+  const RowMajor rows = columns;
+  return RowMajor(A * rows);
+}
+
+Eigen::MatrixXd symmetric_part(const Eigen::MatrixXd& A) { return 0.5 * (A + A.transpose()); }
+
+}  // namespace
+
+BlockLanczos::BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const SparseMatrix& B)
+    : P_(P), M_(M), factors_(P), definite_(factors_.smallest_pivot() > kDefinite) {
+  if (!definite_) return;
+  const Eigen::MatrixXd columns = factors_.solve(Eigen::MatrixXd(B));
+  const Eigen::MatrixXd gram = symmetric_part(B.transpose() * columns);
+  // Loads and contacts in their own units: each column counts by its own length.
+  const Eigen::VectorXd length = gram.diagonal().cwiseMax(0.0).cwiseSqrt();
+  const Eigen::VectorXd unit = length.unaryExpr([](double value) { return value > 0.0 ? 1.0 / value : 0.0; });
+  const double left_out =
+      orthonormalise(columns * unit.asDiagonal(), unit.asDiagonal() * gram * unit.asDiagonal(), 1.0);
+  start_ = coupling_ * length.asDiagonal();
+  omitted_start_ = std::sqrt(left_out) * length.maxCoeff();
+  grow();
+}
+
+double BlockLanczos::orthonormalise(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& gram,
+                                    double before) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> directions(gram);
+  const Eigen::VectorXd& squares = directions.eigenvalues();  // rising
+  const Eigen::Index count = squares.size();
+  const double least = count > 0 ? std::max(kRounding * squares[count - 1], kInvariant * before) : 0.0;
+  Eigen::Index dropped = 0;
+  while (dropped < count && !(squares[dropped] > least)) ++dropped;
+  const Eigen::Index kept = count - dropped;
+  const auto vectors = directions.eigenvectors().rightCols(kept);
+  const Eigen::VectorXd length = squares.tail(kept).cwiseSqrt();
+  next_ = columns * (vectors * length.cwiseInverse().asDiagonal());
+  coupling_ = length.asDiagonal() * vectors.transpose();
+  if (kept > 0) polish_next();
+  return dropped > 0 ? std::max(0.0, squares[dropped - 1]) : 0.0;
+}
+
+// Short directions of a block carry the rounding of its long ones, magnified: once more, each at its own
+// length.
+void BlockLanczos::polish_next() {
+  const Eigen::MatrixXd dual = product(P_, next_);
+  Eigen::MatrixXd gram = transposed_product(next_, dual);
+  for (const Eigen::MatrixXd& block : basis_) {
+    const Eigen::MatrixXd left = transposed_product(block, dual);
+    subtract_product(block, left, next_);
+    gram.noalias() -= left.transpose() * left;
+  }
+  const Eigen::LLT<Eigen::MatrixXd> factor(symmetric_part(gram));
+  factor.matrixU().solveInPlace<Eigen::OnTheRight>(next_);
+  coupling_ = factor.matrixU() * coupling_;
+}
+
+void BlockLanczos::grow() {
+  if (exhausted()) return;
+  adopt_next();
+  prepare_next();
+}
+
+void BlockLanczos::adopt_next() {
+  size_ += next_.cols();
+  basis_.push_back(std::move(next_));
+}
+
+void BlockLanczos::prepare_next() {
+  const Eigen::MatrixXd momentum = product(M_, basis_.back());
+  Eigen::MatrixXd columns = factors_.solve(momentum);
+  const double before = momentum.cwiseProduct(columns).colwise().sum().maxCoeff();
+  const Eigen::Index width = momentum.cols();
+  projected_.emplace_back(size_, width);
+  Eigen::Index row = 0;
+  for (const Eigen::MatrixXd& block : basis_) {
+    const Eigen::MatrixXd part = transposed_product(block, momentum);
+    subtract_product(block, part, columns);
+    projected_.back().middleRows(row, block.cols()) = part;
+    row += block.cols();
+  }
+  const Eigen::MatrixXd gram = symmetric_part(transposed_product(columns, product(P_, columns)));
+  omitted_squares_ += orthonormalise(columns, gram, before);
+}
+
+Eigen::MatrixXd BlockLanczos::projected_mass() const {
+  Eigen::MatrixXd mass(size_, size_);
+  Eigen::Index column = 0;
+  for (const Eigen::MatrixXd& part : projected_) {
+    mass.block(0, column, part.rows(), part.cols()) = part;
+    mass.block(column, 0, part.cols(), part.rows()) = part.transpose();
+    column += part.cols();
+  }
+  return symmetric_part(mass);
+}
+
+Eigen::MatrixXd BlockLanczos::projected_start() const {
+  Eigen::MatrixXd start = Eigen::MatrixXd::Zero(size_, start_.cols());
+  start.topRows(start_.rows()) = start_;
+  return start;
+}
+
+double BlockLanczos::omitted() const { return std::sqrt(omitted_squares_); }
+
+double BlockLanczos::operations_of_growth() const {
+  const auto width = static_cast<double>(next_.cols());
+  const auto rows = static_cast<double>(P_.rows());
+  return width * (4.0 * factors_.entries() + 8.0 * rows * static_cast<double>(size_ + next_.cols()));
+}
+
+}  // namespace signorini

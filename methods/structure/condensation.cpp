@@ -1,0 +1,129 @@
+#include "methods/structure/condensation.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <complex>
+#include <limits>
+
+#include "problems/definiteness.hpp"
+
+namespace signorini {
+
+namespace {
+
+struct Split {
+  std::vector<int> kept, massless;  // coordinates
+};
+
+Split split_by_mass(const SparseMatrix& mass) {
+  std::vector<bool> heavy(static_cast<std::size_t>(mass.rows()), false);
+  for (int column = 0; column < mass.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator it(mass, column); it; ++it) {
+      if (it.value() != 0.0) heavy[static_cast<std::size_t>(it.row())] = true;
+    }
+  }
+  Split split;
+  for (int dof = 0; dof < mass.rows(); ++dof) {
+    (heavy[static_cast<std::size_t>(dof)] ? split.kept : split.massless).push_back(dof);
+  }
+  return split;
+}
+
+// The 0/1 matrix that picks coordinates, Nd x |picked|.
+SparseMatrix picking(const std::vector<int>& picked, Eigen::Index size) {
+  SparseMatrix P(size, static_cast<Eigen::Index>(picked.size()));
+  for (std::size_t i = 0; i < picked.size(); ++i) P.insert(picked[i], static_cast<Eigen::Index>(i)) = 1.0;
+  P.makeCompressed();
+  return P;
+}
+
+bool touches(const SparseMatrix& A, const SparseMatrix& picked) {
+  constexpr double kRoundOff = 64.0 * std::numeric_limits<double>::epsilon();
+  return largest_entry(SparseMatrix(A * picked)) > kRoundOff * largest_entry(A) ||
+         largest_entry(SparseMatrix(picked.transpose() * A)) > kRoundOff * largest_entry(A);
+}
+
+std::vector<double> load_rates(const Problem& problem) {
+  std::vector<double> rates{0.0};
+  for (const ForceTerm& term : problem.force) rates.push_back(term.harmonic * problem.frequency);
+  std::sort(rates.begin(), rates.end());
+  rates.erase(std::unique(rates.begin(), rates.end()), rates.end());
+  return rates;
+}
+
+Eigen::MatrixXcd load_amplitudes(const Problem& problem, const std::vector<double>& rates) {
+  Eigen::MatrixXcd load = Eigen::MatrixXcd::Zero(problem.size(), static_cast<Eigen::Index>(rates.size()));
+  for (const ForceTerm& term : problem.force) {
+    const auto at =
+        std::lower_bound(rates.begin(), rates.end(), term.harmonic * problem.frequency) - rates.begin();
+    load(term.dof, at) += std::complex<double>(term.cos, term.harmonic == 0 ? 0.0 : -term.sin);
+  }
+  return load;
+}
+
+// Static elimination of the massless coordinates picked by `b`.
+void eliminate(const Problem& problem, const SparseMatrix& i, const SparseMatrix& b,
+               CondensedStructure& result) {
+  const SparseMatrix K_bb = b.transpose() * problem.stiffness * b;
+  const SparseMatrix K_bi = b.transpose() * problem.stiffness * i;
+  if (!is_definite(K_bb)) {
+    result.obstacle = "coordinates without mass have no stiffness of their own";
+    return;
+  }
+  const Eigen::SimplicialLDLT<SparseMatrix> stiffness(K_bb);
+  const SparseMatrix W_b = b.transpose() * contact_directions(problem);
+  const SparseMatrix follows = stiffness.solve(K_bi);  // u_b = -follows u_i
+  const SparseMatrix yields = stiffness.solve(W_b);    // u_b = yields lambda
+  const Eigen::MatrixXcd loaded = b.transpose().cast<std::complex<double>>() * result.load;
+  const Eigen::MatrixXd real = stiffness.solve(Eigen::MatrixXd(loaded.real()));
+  const Eigen::MatrixXd imag = stiffness.solve(Eigen::MatrixXd(loaded.imag()));
+  const Eigen::MatrixXcd carried =
+      real.cast<std::complex<double>>() + std::complex<double>(0.0, 1.0) * imag.cast<std::complex<double>>();
+  const SparseMatrix pulled = K_bi.transpose() * follows;
+  result.stiffness -= SparseMatrix(0.5 * (pulled + SparseMatrix(pulled.transpose())));
+  result.directions -= SparseMatrix(K_bi.transpose() * yields);
+  result.compliance = Eigen::MatrixXd(W_b.transpose() * yields);
+  result.shift = W_b.transpose().cast<std::complex<double>>() * carried;
+  result.load = (i.transpose().cast<std::complex<double>>() * result.load -
+                 K_bi.transpose().cast<std::complex<double>>() * carried)
+                    .eval();
+}
+
+}  // namespace
+
+CondensedStructure condense(const Problem& problem) {
+  CondensedStructure result;
+  if (problem.size() > kMostInTime) {
+    result.obstacle =
+        fmt::format("{} coordinates: at most {} are followed through time", problem.size(), kMostInTime);
+    return result;
+  }
+  const Split split = split_by_mass(problem.mass);
+  const SparseMatrix i = picking(split.kept, problem.size()), b = picking(split.massless, problem.size());
+  if (touches(problem.damping, b)) {
+    result.obstacle = "a coordinate without mass is damped: its equation is of first order";
+    return result;
+  }
+  result.kept = split.kept;
+  result.mass = i.transpose() * problem.mass * i;
+  result.damping = i.transpose() * problem.damping * i;
+  result.stiffness = i.transpose() * problem.stiffness * i;
+  result.directions = i.transpose() * contact_directions(problem);
+  result.compliance = Eigen::MatrixXd::Zero(problem.contact_count(), problem.contact_count());
+  result.rates = load_rates(problem);
+  result.load = load_amplitudes(problem, result.rates);
+  result.shift = Eigen::MatrixXcd::Zero(problem.contact_count(), result.load.cols());
+  if (!split.massless.empty()) eliminate(problem, i, b, result);
+  return result;
+}
+
+std::string flow_obstacle(const Problem& problem) {
+  const CondensedStructure structure = condense(problem);
+  if (!structure.obstacle.empty()) return structure.obstacle;
+  const Eigen::SimplicialLLT<SparseMatrix> mass(structure.mass);
+  return mass.info() == Eigen::Success ? "" : "the mass matrix is singular on the coordinates with mass";
+}
+
+}  // namespace signorini

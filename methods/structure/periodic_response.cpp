@@ -1,0 +1,126 @@
+#include "methods/structure/periodic_response.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <stdexcept>
+
+#include "methods/discretisation/real_fft.hpp"
+#include "methods/solvers/constants.hpp"
+#include "methods/structure/receptance.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Forcing periods in the trajectory's period.
+int forcing_periods(const Problem& problem, double period) {
+  const double ratio = period * problem.frequency / kTwoPi;
+  const double whole = std::round(ratio);
+  if (!(whole >= 1.0) || std::abs(ratio - whole) > 1e-6 * whole) {
+    throw std::invalid_argument(
+        fmt::format("trajectory.period = {} (must be a multiple of the forcing period {})", period,
+                    kTwoPi / problem.frequency));
+  }
+  return static_cast<int>(whole);
+}
+
+}  // namespace
+
+Eigen::MatrixXcd force_spectrum(const Trajectory& trajectory, int count) {
+  if (const Eigen::MatrixXcd own = trajectory.force_coefficients(); own.size() > 0) {
+    Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(count + 1, own.cols());
+    const Eigen::Index common = std::min(result.rows(), own.rows());
+    result.topRows(common) = own.topRows(common);
+    return result;
+  }
+  // At 16 samples per harmonic the aliasing of a force with jumps stays below one part in a hundred of
+  // the coefficient at the highest harmonic, and far below that at low ones.
+  const auto samples = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(4096, 16 * count))));
+  const Samples motion = trajectory.sample(samples);
+  RealFft fft(samples);
+  Eigen::VectorXcd spectrum(fft.coefficients());
+  Eigen::MatrixXcd result(count + 1, trajectory.contact_count());
+  for (int c = 0; c < trajectory.contact_count(); ++c) {
+    fft.forward(motion.force.col(c), spectrum);
+    result.col(c) = spectrum.head(count + 1);
+  }
+  const double period = trajectory.period();
+  for (const Impulse& impulse : trajectory.impulses()) {
+    for (int n = 0; n <= count; ++n) {
+      result(n, impulse.contact) +=
+          impulse.value / period * std::polar(1.0, -kTwoPi * n * impulse.time / period);
+    }
+  }
+  return result;
+}
+
+ForceSeries force_series(const Problem& problem, const Trajectory& trajectory, int max_harmonics) {
+  ForceSeries series;
+  series.order = forcing_periods(problem, trajectory.period());
+  series.base_frequency = kTwoPi / trajectory.period();
+  const int harmonics = std::max(std::min(trajectory.bandwidth().value_or(max_harmonics), max_harmonics),
+                                 series.order * highest_load_harmonic(problem));
+  series.lambda = force_spectrum(trajectory, harmonics);
+  return series;
+}
+
+Eigen::VectorXd pressure_samples(const Trajectory& trajectory, int count, const Eigen::VectorXd& unit) {
+  const Samples motion = trajectory.sample(count);
+  Eigen::VectorXd pressure(count * unit.size());
+  for (Eigen::Index c = 0; c < unit.size(); ++c)
+    pressure.segment(c * count, count) = (-motion.force.col(c) / unit[c]).cwiseMax(0.0);
+  const double step = trajectory.period() / count;
+  for (const Impulse& impulse : trajectory.impulses()) {
+    const int nearest = static_cast<int>(std::lround(impulse.time / step)) % count;
+    pressure[impulse.contact * count + nearest] -= impulse.value / step / unit[impulse.contact];
+  }
+  return pressure;
+}
+
+Eigen::MatrixXd sample_series(const Eigen::MatrixXcd& coefficients, int count) {
+  // Finely enough for every harmonic, then thinned to the instants asked for.
+  const auto harmonics = static_cast<int>(coefficients.rows()) - 1;
+  const int refine = std::max(1, (2 * harmonics + count) / count);
+  RealFft fft(count * refine);
+  Eigen::MatrixXd result(count, coefficients.cols());
+  Eigen::VectorXd fine(count * refine);
+  for (Eigen::Index c = 0; c < coefficients.cols(); ++c) {
+    fft.inverse(coefficients.col(c), fine);
+    for (int i = 0; i < count; ++i) result(i, c) = fine[i * refine];
+  }
+  return result;
+}
+
+PeriodicResponse::PeriodicResponse(const Problem& problem, const Trajectory& trajectory, int max_harmonics) {
+  const ForceSeries series = force_series(problem, trajectory, max_harmonics);
+  base_frequency_ = series.base_frequency;
+  u_.resize(series.lambda.rows(), problem.size());
+  const SparseMatrix directions = contact_directions(problem);
+  DynamicStiffness stiffness(problem);
+  for (int n = 0; n < static_cast<int>(u_.rows()); ++n) {
+    Eigen::VectorXcd rhs = directions * series.lambda.row(n).transpose();
+    if (n % series.order == 0) rhs += (n == 0 ? 1.0 : 0.5) * load_harmonic(problem, n / series.order);
+    stiffness.factorise(exact_weights(n * base_frequency_));
+    u_.row(n) = stiffness.solve(rhs).transpose();
+  }
+}
+
+State PeriodicResponse::at(double time) const {
+  State state{u_.row(0).real().transpose(), Eigen::VectorXd::Zero(u_.cols())};
+  for (Eigen::Index n = 1; n < u_.rows(); ++n) {
+    const double w = static_cast<double>(n) * base_frequency_;
+    const std::complex<double> phase = 2.0 * std::polar(1.0, w * time);
+    state.u += (phase * u_.row(n)).real().transpose();
+    state.v += (std::complex<double>(0.0, w) * phase * u_.row(n)).real().transpose();
+  }
+  return state;
+}
+
+Eigen::MatrixXd PeriodicResponse::displacement(int count) const { return sample_series(u_, count); }
+
+}  // namespace signorini

@@ -1,0 +1,221 @@
+#include "problems/scene/matrix_market.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "problems/scene/scene_file.hpp"
+#include "problems/scene/toml_tree.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr std::string_view kHeader =
+    "must be %%MatrixMarket matrix, coordinate or array, real or integer, general or symmetric";
+constexpr std::size_t kReservedAtMost = std::size_t{1} << 20U;  // entries; the file may promise anything
+
+struct Entry {
+  int row = 0;
+  int column = 0;
+  double value = 0.0;
+  int line = 0;
+};
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  constexpr std::string_view kBlank = " \t\r\v\f";
+  std::vector<std::string_view> words;
+  while (true) {
+    const std::size_t begin = line.find_first_not_of(kBlank);
+    if (begin == std::string_view::npos) return words;
+    line.remove_prefix(begin);
+    words.push_back(line.substr(0, line.find_first_of(kBlank)));
+    line.remove_prefix(words.back().size());
+  }
+}
+
+// The whole word as a number, or nothing.
+template <class Number>
+std::optional<Number> number_of(std::string_view word) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  Number value{};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+class Reader {
+ public:
+  Reader(std::istream& stream, const std::string& name) : stream_(stream), name_(name) {}
+
+  SparseMatrix read() {
+    read_header();
+    read_size();
+    entries_.reserve(std::min(static_cast<std::size_t>(expected_), kReservedAtMost));
+    for (std::int64_t i = 0; i < expected_; ++i) {
+      if (!next_line()) refuse("file", fmt::format("{} entries", i), fmt::format("must hold {}", expected_));
+      coordinate_ ? read_coordinate_entry() : read_array_entry();
+    }
+    if (next_line())
+      refuse_line("entry", fmt::format("must be absent: the file holds {} entries", expected_));
+    return assemble();
+  }
+
+ private:
+  [[noreturn]] void refuse(std::string_view what, std::string_view found, std::string_view required,
+                           int line) const {
+    throw SceneError(fmt::format("{}:{}: {} = {} ({})", name_, std::max(line, 1), what, found, required));
+  }
+  [[noreturn]] void refuse(std::string_view what, std::string_view found, std::string_view required) const {
+    refuse(what, found, required, line_);
+  }
+  [[noreturn]] void refuse_line(std::string_view what, std::string_view required) const {
+    refuse(what, fmt::format("\"{}\"", one_line(fmt::format("{}", fmt::join(words_, " ")))), required);
+  }
+
+  // The next line with something on it that is no comment.
+  bool next_line() {
+    while (std::getline(stream_, text_)) {
+      ++line_;
+      words_ = words_of(text_);
+      if (!words_.empty() && words_[0][0] != '%') return true;
+    }
+    if (stream_.bad()) refuse("file", "unreadable", "must be a file that may be read");
+    return false;
+  }
+
+  void read_header() {
+    if (!std::getline(stream_, text_)) refuse("header", "missing", kHeader);
+    line_ = 1;
+    std::string lower = text_.substr(0, 200);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    words_ = words_of(text_);
+    const std::vector<std::string_view> header = words_of(lower);
+    const auto is = [&](std::size_t i, std::string_view one, std::string_view other) {
+      return header[i] == one || header[i] == other;
+    };
+    if (header.size() != 5 || header[0] != "%%matrixmarket" || header[1] != "matrix" ||
+        !is(2, "coordinate", "array") || !is(3, "real", "integer") || !is(4, "general", "symmetric")) {
+      refuse_line("header", kHeader);
+    }
+    coordinate_ = header[2] == "coordinate";
+    integer_ = header[3] == "integer";
+    symmetric_ = header[4] == "symmetric";
+  }
+
+  void read_size() {
+    const std::string_view required = coordinate_
+                                          ? "must be rows, columns and number of entries, three numbers"
+                                          : "must be rows and columns, two numbers";
+    if (!next_line()) refuse("size", "missing", required);
+    if (words_.size() != (coordinate_ ? 3U : 2U)) refuse_line("size", required);
+    std::vector<std::int64_t> numbers;
+    for (const std::string_view word : words_) {
+      const auto number = number_of<std::int64_t>(word);
+      if (!number) refuse_line("size", required);
+      numbers.push_back(*number);
+    }
+    if (numbers[0] < 1 || numbers[0] > kMostMatrixRows || numbers[1] != numbers[0]) {
+      refuse_line("size", fmt::format("must be square, of 1..{} rows", kMostMatrixRows));
+    }
+    size_ = static_cast<int>(numbers[0]);
+    const std::int64_t n = numbers[0];
+    const std::int64_t most = symmetric_ ? n * (n + 1) / 2 : n * n;
+    expected_ = coordinate_ ? numbers[2] : most;
+    if (expected_ < 0 || expected_ > most) {
+      refuse_line("size", fmt::format("must promise 0..{} entries", most));
+    }
+  }
+
+  double value_of(std::string_view word) const {
+    if (integer_ && !number_of<std::int64_t>(word)) refuse_line("entry", "value must be a whole number");
+    const auto value = number_of<double>(word);
+    if (!value || !std::isfinite(*value)) refuse_line("entry", "value must be a finite number");
+    return *value;
+  }
+
+  int index_of(std::string_view word, std::string_view what) const {
+    const auto index = number_of<int>(word);
+    if (!index || *index < 1 || *index > size_) {
+      refuse_line("entry", fmt::format("{} must be in 1..{}", what, size_));
+    }
+    return *index - 1;
+  }
+
+  void read_coordinate_entry() {
+    if (words_.size() != 3) refuse_line("entry", "must be row, column and value");
+    const int row = index_of(words_[0], "row");
+    const int column = index_of(words_[1], "column");
+    if (symmetric_ && column > row) {
+      refuse_line("entry", "must be on or below the diagonal: the matrix is symmetric");
+    }
+    entries_.push_back({.row = row, .column = column, .value = value_of(words_[2]), .line = line_});
+  }
+
+  // Column by column, of a symmetric matrix from the diagonal down.
+  void read_array_entry() {
+    if (words_.size() != 1) refuse_line("entry", "must be one value");
+    entries_.push_back({.row = row_, .column = column_, .value = value_of(words_[0]), .line = line_});
+    if (++row_ < size_) return;
+    ++column_;
+    row_ = symmetric_ ? column_ : 0;
+  }
+
+  void refuse_repetition() {
+    const auto place = [](const Entry& entry) { return std::pair(entry.column, entry.row); };
+    std::stable_sort(entries_.begin(), entries_.end(),
+                     [&](const Entry& a, const Entry& b) { return place(a) < place(b); });
+    const auto twin =
+        std::adjacent_find(entries_.begin(), entries_.end(),
+                           [&](const Entry& a, const Entry& b) { return place(a) == place(b); });
+    if (twin == entries_.end()) return;
+    refuse("entry", fmt::format("row {}, column {}", twin->row + 1, twin->column + 1),
+           fmt::format("must be given once; it stands in line {} already", twin->line),
+           std::next(twin)->line);
+  }
+
+  SparseMatrix assemble() {
+    refuse_repetition();
+    std::vector<Eigen::Triplet<double>> triplets;
+    triplets.reserve(entries_.size() * (symmetric_ ? 2 : 1));
+    for (const Entry& entry : entries_) {
+      if (entry.value == 0.0) continue;
+      triplets.emplace_back(entry.row, entry.column, entry.value);
+      if (symmetric_ && entry.row != entry.column) {
+        triplets.emplace_back(entry.column, entry.row, entry.value);
+      }
+    }
+    SparseMatrix A(size_, size_);
+    A.setFromTriplets(triplets.begin(), triplets.end());
+    return A;
+  }
+
+  std::istream& stream_;
+  const std::string& name_;
+  std::string text_;                     // the line, and
+  std::vector<std::string_view> words_;  // what it says
+  int line_ = 0;
+  bool coordinate_ = true;
+  bool integer_ = false;
+  bool symmetric_ = false;
+  int size_ = 0;
+  std::int64_t expected_ = 0;  // entries in the file
+  int row_ = 0;                // of the next array entry
+  int column_ = 0;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace
+
+SparseMatrix read_matrix_market(std::istream& stream, const std::string& name) {
+  return Reader(stream, name).read();
+}
+
+}  // namespace signorini

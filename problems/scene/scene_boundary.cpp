@@ -1,0 +1,167 @@
+#include "problems/scene/scene_boundary.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <optional>
+
+#include "problems/assembly/rotor.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr int kMostFacets = 1000;  // of one ring
+constexpr std::string_view kNumber = "must be a finite number";
+constexpr std::string_view kGap = "must be a finite number [m]";
+constexpr std::string_view kAxes = "xyz";
+
+int read_dof(const SceneField& field, int size) {
+  const int last = size - 1;
+  return field.whole(fmt::format("must be a coordinate of the system, 0..{}", last), 0, last);
+}
+
+// "x+", "y-" and so on.
+Face read_face(const SceneField& field, const SystemDescription& system) {
+  if (!system.mesh) field.refuse("must be absent: only a block has faces");
+  constexpr std::string_view kFace = "must be \"x+\", \"y-\", \"y+\", \"z-\" or \"z+\": x- is clamped";
+  const std::string name = field.text(kFace);
+  const std::size_t axis = name.size() == 2 ? kAxes.find(name[0]) : std::string_view::npos;
+  if (axis == std::string_view::npos || name == "x-" || (name[1] != '-' && name[1] != '+')) {
+    field.refuse(kFace);
+  }
+  return {.axis = static_cast<int>(axis), .upper = name[1] == '+'};
+}
+
+int read_direction(const SceneField& field) {
+  constexpr std::string_view kDirection = "must be \"x\", \"y\" or \"z\"";
+  const std::string name = field.text(kDirection);
+  const std::size_t axis = name.size() == 1 ? kAxes.find(name[0]) : std::string_view::npos;
+  if (axis == std::string_view::npos) field.refuse(kDirection);
+  return static_cast<int>(axis);
+}
+
+// The whole face if absent.
+Patch read_patch(const SceneField& field, const Face& face, const BlockMesh& mesh) {
+  Patch patch;
+  for (std::size_t side = 0; side < 2; ++side) {
+    patch[side] = {0.0, mesh.lengths[static_cast<std::size_t>(face.axes()[side])]};
+  }
+  if (!field.given()) return patch;
+  constexpr std::string_view kPatch = "must be [[from, to], [from, to]], along the two axes of the face [m]";
+  const std::vector<SceneField> sides = field.items(kPatch);
+  if (sides.size() != 2) field.refuse(kPatch);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const std::vector<SceneField> ends = sides[side].items(kPatch);
+    if (ends.size() != 2) sides[side].refuse(kPatch);
+    patch[side] = {ends[0].number(kGap), ends[1].number(kGap)};
+  }
+  return patch;
+}
+
+std::vector<Contact> read_face_contacts(const SceneField& contact, const SystemDescription& system) {
+  for (const char* key : {"dof", "normal", "dofs", "facets"}) {
+    if (contact[key].given()) contact[key].refuse("must be absent: face is given");
+  }
+  const Face face = read_face(contact["face"], system);
+  const SceneField patch = contact["patch"];
+  std::vector<Contact> made = contacts_on_face(*system.mesh, face, read_patch(patch, face, *system.mesh),
+                                               contact["gap"].number(kGap));
+  if (made.empty()) {
+    const auto [first, second] = face.axes();
+    patch.refuse(fmt::format("must hold a node that can move: they are {:g} m by {:g} m apart",
+                             system.mesh->spacing(first), system.mesh->spacing(second)));
+  }
+  return made;
+}
+
+std::vector<std::pair<int, double>> read_normal(const SceneField& contact, int size) {
+  const SceneField dof = contact["dof"];
+  const SceneField normal = contact["normal"];
+  if (dof.given() && normal.given()) normal.refuse("must be absent: dof is given");
+  if (!normal.given()) return {{read_dof(dof, size), 1.0}};
+  constexpr std::string_view kPair = "must be a pair [dof, coefficient]";
+  std::vector<std::pair<int, double>> result;
+  for (const SceneField& entry : normal.items("must be a list of pairs [dof, coefficient]")) {
+    const std::vector<SceneField> pair = entry.items(kPair);
+    if (pair.size() != 2) entry.refuse(kPair);
+    result.emplace_back(read_dof(pair[0], size), pair[1].number(kNumber));
+  }
+  return result;
+}
+
+// A regular polygon of contacts in the plane of two coordinates.
+std::vector<Contact> read_ring(const SceneField& contact, int size) {
+  for (const char* key : {"dof", "normal"}) {
+    if (contact[key].given()) contact[key].refuse("must be absent: a ring of facets has dofs, a pair");
+  }
+  constexpr std::string_view kPair = "must be a pair of different coordinates";
+  const std::vector<SceneField> pair = contact["dofs"].items(kPair);
+  if (pair.size() != 2) contact["dofs"].refuse(kPair);
+  const int first = read_dof(pair[0], size);
+  const int second = read_dof(pair[1], size);
+  if (first == second) contact["dofs"].refuse(kPair);
+  const int facets =
+      contact["facets"].whole(fmt::format("must be a whole number, 3..{}", kMostFacets), 3, kMostFacets);
+  return ring_of_contacts(first, second, facets, contact["gap"].number(kGap));
+}
+
+std::vector<Contact> read_contact(const SceneField& contact, const SystemDescription& system) {
+  contact.allow_only({"dof", "normal", "dofs", "facets", "face", "patch", "gap"}, "must be a table");
+  if (contact["face"].given()) return read_face_contacts(contact, system);
+  if (contact["patch"].given()) contact["patch"].refuse("must be absent: no face is given");
+  if (contact["facets"].given() || contact["dofs"].given()) return read_ring(contact, system.size);
+  return {{.normal = read_normal(contact, system.size), .gap = contact["gap"].number(kGap)}};
+}
+
+// Coordinates that a term acts on, each with its share.
+std::vector<std::pair<int, double>> read_point_of_attack(const SceneField& term,
+                                                         const SystemDescription& system) {
+  const SceneField face = term["face"];
+  const SceneField direction = term["direction"];
+  if (!face.given()) {
+    if (direction.given()) direction.refuse("must be absent: no face is given");
+    return {{read_dof(term["dof"], system.size), 1.0}};
+  }
+  if (term["dof"].given()) face.refuse("must be absent: dof is given");
+  const Face loaded = read_face(face, system);
+  return load_on_face(*system.mesh, loaded, read_direction(direction));
+}
+
+}  // namespace
+
+int read_int(const SceneField& field, int otherwise) {
+  constexpr int kMost = std::numeric_limits<int>::max();
+  return field.whole_or(otherwise, "must be a whole number", -kMost, kMost);
+}
+
+FromTables<ForceTerm> read_load(const SceneField& terms, const SystemDescription& system) {
+  FromTables<ForceTerm> load;
+  if (!terms.given()) return load;
+  int table = 0;
+  for (const SceneField& term : terms.items("must be [[forcing.term]] tables; left out if there is none")) {
+    term.allow_only({"dof", "face", "direction", "harmonic", "cos", "sin"}, "must be a table");
+    const auto attack = read_point_of_attack(term, system);
+    const int harmonic = read_int(term["harmonic"], 1);
+    const double cos = term["cos"].number_or(0.0, kNumber);
+    const double sin = term["sin"].number_or(0.0, kNumber);
+    for (const auto& [dof, share] : attack) {
+      load.add({.dof = dof, .harmonic = harmonic, .cos = cos * share, .sin = sin * share}, table);
+    }
+    ++table;
+  }
+  return load;
+}
+
+FromTables<Contact> read_contacts(const SceneField& contacts, const SystemDescription& system) {
+  FromTables<Contact> made;
+  if (!contacts.given()) return made;
+  int table = 0;
+  for (const SceneField& contact : contacts.items("must be [[contact]] tables; left out if there is none")) {
+    for (Contact& one : read_contact(contact, system)) made.add(std::move(one), table);
+    ++table;
+  }
+  return made;
+}
+
+}  // namespace signorini

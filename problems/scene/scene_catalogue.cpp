@@ -1,0 +1,128 @@
+// Where the shipped scenes are, and how they are found by name.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+
+#include "problems/scene/scene_file.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostSuggestions = 3;
+
+std::vector<fs::path> scene_files(const char* folder) {
+  std::vector<fs::path> files;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(problems_folder() / folder, none)) {
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end(),
+            [](const fs::path& a, const fs::path& b) { return a.stem().string() < b.stem().string(); });
+  return files;
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) && !fs::is_directory(path, ignored);
+}
+
+// Levenshtein's distance: the fewest insertions, deletions and replacements.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
+    }
+  }
+  return row.back();
+}
+
+// Names that a slip of the fingers may have meant, nearest first.
+std::vector<std::string> close_names(const std::string& name) {
+  const std::size_t farthest = std::max<std::size_t>(2, name.size() / 4);
+  std::vector<std::pair<std::size_t, std::string>> close;
+  std::vector<fs::path> files = scene_files("catalogue");
+  for (fs::path& family : scene_files("families")) files.push_back(std::move(family));
+  for (const fs::path& path : files) {
+    const std::string known = path.stem().string();
+    const std::size_t distance = edit_distance(name, known);
+    if (distance <= farthest) close.emplace_back(distance, known);
+  }
+  std::sort(close.begin(), close.end());
+  std::vector<std::string> names;
+  for (const auto& [distance, known] : close) {
+    if (names.size() < kMostSuggestions) names.push_back(known);
+  }
+  return names;
+}
+
+}  // namespace
+
+fs::path problems_folder() {
+  if (const char* folder = std::getenv("SIGNORINI_PROBLEMS"); folder != nullptr && *folder != '\0') {
+    if (!fs::is_directory(folder)) {
+      throw SceneError(
+          fmt::format("SIGNORINI_PROBLEMS = {} (must be a folder with a folder catalogue)", folder));
+    }
+    return folder;
+  }
+  std::error_code none;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  fs::path installed = (program.parent_path() / SIGNORINI_INSTALLED_PROBLEMS).lexically_normal();
+  if (fs::is_directory(installed, none)) return installed;
+  fs::path built = SIGNORINI_PROBLEMS_FOLDER;
+  if (!fs::is_directory(built)) {
+    throw SceneError(fmt::format(
+        "SIGNORINI_PROBLEMS = missing (must name the folder of the scenes: neither {} nor {} is there)",
+        installed.string(), built.string()));
+  }
+  return built;
+}
+
+std::vector<fs::path> catalogue_scenes() { return scene_files("catalogue"); }
+
+std::vector<SceneSource> family_scenes() {
+  std::vector<SceneSource> scenes;
+  for (const fs::path& file : scene_files("families")) {
+    for (std::string& level : load_levels(file)) scenes.emplace_back(file, std::move(level));
+  }
+  return scenes;
+}
+
+std::vector<SceneSource> shipped_scenes() {
+  const std::vector<fs::path> single = catalogue_scenes();
+  std::vector<SceneSource> scenes(single.begin(), single.end());
+  for (SceneSource& scene : family_scenes()) scenes.push_back(std::move(scene));
+  return scenes;
+}
+
+SceneSource find_scene(const std::string& name_or_path) {
+  if (is_file(name_or_path)) return fs::path(name_or_path);
+  const std::size_t at = name_or_path.rfind('@');
+  const std::string base = name_or_path.substr(0, at);
+  const std::string level = at == std::string::npos ? "" : name_or_path.substr(at + 1);
+  if (base.find('/') != std::string::npos || base.ends_with(".toml")) {
+    if (is_file(base)) return {base, level};
+  } else {
+    for (const char* folder : {"catalogue", "families"}) {
+      fs::path path = problems_folder() / folder / (base + ".toml");
+      if (!base.empty() && is_file(path)) return {std::move(path), level};
+    }
+  }
+  const std::vector<std::string> close = close_names(fs::path(base).stem().string());
+  const std::string hint = close.empty() ? "" : fmt::format("; did you mean {}?", fmt::join(close, ", "));
+  throw SceneError(
+      fmt::format("scene = {} (must be a catalogue scene or a TOML file{})", name_or_path, hint));
+}
+
+}  // namespace signorini

@@ -1,0 +1,118 @@
+#include "problems/scene/scene_field.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "problems/scene/scene_file.hpp"
+
+namespace signorini {
+
+SceneField::SceneField(const TomlNode& document, const std::string& file)
+    : SceneField(&document, "", document.line, &file) {}
+
+SceneField::SceneField(const TomlNode* node, std::string path, int line, const std::string* file)
+    : node_(node), path_(std::move(path)), line_(line), file_(file) {}
+
+SceneField SceneField::operator[](std::string_view key) const {
+  const TomlNode* entry = given() ? node_->find(key) : nullptr;
+  std::string path = path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+  return {entry, std::move(path), entry != nullptr ? entry->line : line_, file_};
+}
+
+SceneField SceneField::item(std::size_t index) const {
+  const auto* array = given() ? std::get_if<TomlArray>(&node_->value) : nullptr;
+  const TomlNode* entry = array != nullptr && index < array->size() ? &(*array)[index] : nullptr;
+  return {entry, fmt::format("{}[{}]", path_, index), entry != nullptr ? entry->line : line_, file_};
+}
+
+SceneField SceneField::at(std::string_view path) const {
+  SceneField field = *this;
+  while (!path.empty()) {
+    const std::optional<PathStep> step = take_step(path);
+    if (!step) return field[path];
+    field = step->index ? field.item(*step->index) : field[step->key];
+  }
+  return field;
+}
+
+bool SceneField::is_table() const { return given() && std::holds_alternative<TomlTable>(node_->value); }
+
+bool SceneField::is_array() const { return given() && std::holds_alternative<TomlArray>(node_->value); }
+
+std::vector<std::string> SceneField::keys() const {
+  std::vector<std::string> names;
+  if (!is_table()) return names;
+  for (const TomlEntry& entry : std::get<TomlTable>(node_->value)) names.push_back(entry.key);
+  return names;
+}
+
+void SceneField::allow_only(std::initializer_list<std::string_view> keys,
+                            std::string_view requirement) const {
+  const auto* table = given() ? std::get_if<TomlTable>(&node_->value) : nullptr;
+  if (table == nullptr) refuse(requirement);
+  for (const TomlEntry& entry : *table) {
+    if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
+    const std::string name = one_line(entry.key);
+    const SceneField unknown{&entry.value, path_.empty() ? name : path_ + "." + name, entry.line, file_};
+    unknown.refuse(fmt::format("unknown key; known: {}", fmt::join(keys, ", ")));
+  }
+}
+
+std::vector<SceneField> SceneField::items(std::string_view requirement) const {
+  const auto* array = given() ? std::get_if<TomlArray>(&node_->value) : nullptr;
+  if (array == nullptr || array->empty()) refuse(requirement);
+  std::vector<SceneField> fields;
+  fields.reserve(array->size());
+  for (std::size_t i = 0; i < array->size(); ++i) fields.push_back(item(i));
+  return fields;
+}
+
+double SceneField::number(std::string_view requirement, double least) const {
+  if (!given()) refuse(requirement);
+  double value = std::numeric_limits<double>::quiet_NaN();
+  if (const auto* whole = std::get_if<std::int64_t>(&node_->value)) value = static_cast<double>(*whole);
+  if (const auto* real = std::get_if<double>(&node_->value)) value = *real;
+  if (!std::isfinite(value) || value < least) refuse(requirement);
+  return value;
+}
+
+double SceneField::number(std::string_view requirement) const {
+  return number(requirement, std::numeric_limits<double>::lowest());
+}
+
+double SceneField::number_or(double otherwise, std::string_view requirement) const {
+  return given() ? number(requirement) : otherwise;
+}
+
+int SceneField::whole(std::string_view requirement, int least, int most) const {
+  const auto* value = given() ? std::get_if<std::int64_t>(&node_->value) : nullptr;
+  if (value == nullptr || *value < least || *value > most) refuse(requirement);
+  return static_cast<int>(*value);
+}
+
+int SceneField::whole_or(int otherwise, std::string_view requirement, int least, int most) const {
+  return given() ? whole(requirement, least, most) : otherwise;
+}
+
+std::string SceneField::text(std::string_view requirement) const {
+  const auto* value = given() ? std::get_if<std::string>(&node_->value) : nullptr;
+  if (value == nullptr) refuse(requirement);
+  const bool one_line_only = std::none_of(value->begin(), value->end(), [](char c) {
+    return static_cast<unsigned char>(c) < 0x20U || c == '\x7F';
+  });
+  if (!one_line_only) refuse(requirement);
+  return *value;
+}
+
+void SceneField::refuse(std::string_view requirement) const {
+  refuse(given() ? print(*node_) : "missing", requirement);
+}
+
+void SceneField::refuse(std::string_view found, std::string_view requirement) const {
+  throw SceneError(fmt::format("{}:{}: {} = {} ({})", *file_, line_, path_, found, requirement));
+}
+
+}  // namespace signorini

@@ -1,0 +1,70 @@
+#pragma once
+// A value of a scene file that knows its path and line, so that every complaint names both.
+
+#include <initializer_list>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "problems/scene/toml_tree.hpp"
+
+namespace signorini {
+
+/// Least value of a number that must be positive.
+inline constexpr double kLeastPositive = std::numeric_limits<double>::min();
+
+/// A place in a scene file, "forcing.term[0].dof", whether or not something stands there.
+/// All readers throw SceneError, `FILE:LINE: path = value (requirement)`; what is missing prints as `missing`
+/// at the line of the table that should hold it. The tree and the file name must outlive the field.
+class SceneField {
+ public:
+  /// The whole document. `file` is its name in messages.
+  SceneField(const TomlNode& document, const std::string& file);
+
+  /// Entry of a table; of anything else, a missing one.
+  [[nodiscard]] SceneField operator[](std::string_view key) const;
+  /// Field of a dotted path with indices relative to this one; missing where the path leads nowhere.
+  [[nodiscard]] SceneField at(std::string_view path) const;
+  [[nodiscard]] bool given() const { return node_ != nullptr; }
+  [[nodiscard]] bool is_table() const;
+  [[nodiscard]] bool is_array() const;
+  [[nodiscard]] const std::string& path() const { return path_; }
+  /// The same under another path: of a part that was taken out of its document.
+  [[nodiscard]] SceneField named(std::string path) const { return {node_, std::move(path), line_, file_}; }
+  /// What stands here; only where something does.
+  [[nodiscard]] const TomlNode& node() const { return *node_; }
+  /// Keys of a table in the order of the file; none of anything else.
+  [[nodiscard]] std::vector<std::string> keys() const;
+  /// Name of the scene file, as messages give it.
+  [[nodiscard]] const std::string& file() const { return *file_; }
+
+  /// Refuses anything but a table, and in it any key but these.
+  void allow_only(std::initializer_list<std::string_view> keys, std::string_view requirement) const;
+  /// Items of an array; refuses an empty one.
+  [[nodiscard]] std::vector<SceneField> items(std::string_view requirement) const;
+  /// A finite number, >= least if that is given; TOML integers will do.
+  [[nodiscard]] double number(std::string_view requirement) const;
+  [[nodiscard]] double number(std::string_view requirement, double least) const;
+  [[nodiscard]] double number_or(double otherwise, std::string_view requirement) const;
+  /// A whole number in least..most.
+  [[nodiscard]] int whole(std::string_view requirement, int least, int most) const;
+  [[nodiscard]] int whole_or(int otherwise, std::string_view requirement, int least, int most) const;
+  /// A string without line breaks and other control characters.
+  [[nodiscard]] std::string text(std::string_view requirement) const;
+
+  [[noreturn]] void refuse(std::string_view requirement) const;
+  /// The same with another account of what was found.
+  [[noreturn]] void refuse(std::string_view found, std::string_view requirement) const;
+
+ private:
+  SceneField(const TomlNode* node, std::string path, int line, const std::string* file);
+  [[nodiscard]] SceneField item(std::size_t index) const;
+
+  const TomlNode* node_;  // null: missing
+  std::string path_;
+  int line_;
+  const std::string* file_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,238 @@
+#include "problems/scene/scene_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <set>
+
+#include "problems/scene/kebab_case.hpp"
+#include "problems/scene/scene_boundary.hpp"
+#include "problems/scene/scene_field.hpp"
+#include "problems/scene/scene_system.hpp"
+#include "problems/scene/toml_tree.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr int kSchema = 1;
+constexpr std::size_t kLargestFile = std::size_t{1} << 24;  // bytes; a scene is text written by hand
+
+std::string read_name(const SceneField& field) {
+  constexpr std::string_view kRequirement =
+      "must be a name in lower-kebab-case, such as \"sdof-stop\", of at most 64 characters";
+  std::string name = field.text(kRequirement);
+  if (!is_lower_kebab_case(name)) field.refuse(kRequirement);
+  return name;
+}
+
+std::string read_optional_text(const SceneField& field) {
+  return field.given() ? field.text("must be one line of text") : std::string();
+}
+
+std::vector<std::string> read_tags(const SceneField& field) {
+  std::vector<std::string> tags;
+  if (!field.given()) return tags;
+  constexpr std::string_view kRequirement = "must be a list of words; left out if there is none";
+  for (const SceneField& item : field.items(kRequirement)) {
+    tags.push_back(item.text("must be a word"));
+    if (tags.back().empty()) item.refuse("must be a word");
+  }
+  return tags;
+}
+
+std::vector<double> read_penalty(const SceneField& penalty, std::size_t contacts) {
+  constexpr std::string_view kRequirement = "must be a positive number [N/m], or a list of them";
+  if (!penalty.is_array()) return std::vector<double>(contacts, penalty.number(kRequirement));
+  std::vector<double> values;
+  for (const SceneField& item : penalty.items(kRequirement)) {
+    values.push_back(item.number("must be a positive number [N/m]"));
+  }
+  return values;
+}
+
+SceneHeader read_header(const SceneField& document, std::optional<FamilyLevel> family) {
+  static_cast<void>(
+      document["schema"].whole("must be 1", kSchema, kSchema));  // first: others may have other keys
+  document.allow_only({"schema", "name", "title", "reference", "tags", "system", "forcing", "contact", "law"},
+                      "must be a table");
+  SceneHeader header{.name = read_name(document["name"]),
+                     .title = read_optional_text(document["title"]),
+                     .reference = read_optional_text(document["reference"]),
+                     .tags = read_tags(document["tags"]),
+                     .family = std::move(family)};
+  if (header.family) {
+    header.family->family = header.name;
+    header.name += "@" + level_label(header.family->level);
+  }
+  return header;
+}
+
+Law read_law(const SceneField& law, const Problem& problem) {
+  if (!law.given()) {
+    if (problem.contacts.empty() || !contacts_are_massless(problem)) return {};
+    return Massless{};
+  }
+  law.allow_only({"restitution", "penalty"}, "must be a table with restitution or penalty");
+  if (problem.contacts.empty()) law.refuse("must be absent: the scene has no contact");
+  const SceneField restitution = law["restitution"];
+  const SceneField penalty = law["penalty"];
+  if (penalty.given()) {
+    if (restitution.given()) penalty.refuse("must be absent: restitution is given");
+    return Penalty{read_penalty(penalty, problem.contacts.size())};
+  }
+  if (!restitution.given()) law.refuse("must hold restitution or penalty, or be left out");
+  return Restitution{restitution.number("must be in 0..1")};
+}
+
+// A scene, and the tables that its load and its contacts were made from.
+struct ReadScene : SceneWithSources {
+  std::vector<int> term_tables = {};
+  std::vector<int> contact_tables = {};
+  Definiteness definiteness = Definiteness::to_be_checked;
+};
+
+// "contact[12].gap" with the number of the table that made contact 12.
+std::string with_table(const std::string& path, std::string_view list, const std::vector<int>& tables) {
+  const std::size_t end = path.find(']');
+  const int index = std::stoi(path.substr(list.size(), end - list.size()));
+  return fmt::format("{}{}{}", list, tables.at(static_cast<std::size_t>(index)), path.substr(end));
+}
+
+// The place in the file that a path of validate() stands for.
+SceneField as_written(const SceneField& document, const ReadScene& scene, const std::string& path) {
+  constexpr std::string_view kContact = "contact[";
+  constexpr std::string_view kTerm = "forcing.term[";
+  if (path.starts_with("law.penalty[") && !document["law"]["penalty"].is_array()) {
+    return document["law"]["penalty"];
+  }
+  if (path.starts_with(kContact)) return document.at(with_table(path, kContact, scene.contact_tables));
+  if (path.starts_with(kTerm)) return document.at(with_table(path, kTerm, scene.term_tables));
+  return system_field_as_written(document, path);
+}
+
+// Every coordinate with a part in some contact, once.
+std::vector<int> contact_coordinates(const Problem& problem) {
+  std::set<int> coordinates;
+  for (const Contact& contact : problem.contacts) {
+    for (const auto& [dof, coefficient] : contact.normal) {
+      if (coefficient != 0.0) coordinates.insert(dof);
+    }
+  }
+  return {coordinates.begin(), coordinates.end()};
+}
+
+void read_forcing(const SceneField& forcing, const SystemDescription& system, ReadScene& scene) {
+  forcing.allow_only({"frequency", "subharmonic", "term"}, "must be a table with the frequency");
+  scene.problem.frequency = forcing["frequency"].number("must be a positive number [rad/s]");
+  scene.problem.subharmonic = read_int(forcing["subharmonic"], 1);
+  FromTables<ForceTerm> load = read_load(forcing["term"], system);
+  scene.problem.force = std::move(load.things);
+  scene.term_tables = std::move(load.tables);
+}
+
+// Fills `scene` as far as it comes.
+void read_scene(const SceneField& document, std::optional<FamilyLevel> family, ReadScene& scene) {
+  SceneHeader header = read_header(document, std::move(family));
+  scene.family = std::move(header.family);
+  Problem& problem = scene.problem;
+  problem.name = std::move(header.name);
+  problem.title = std::move(header.title);
+  problem.reference = std::move(header.reference);
+  problem.tags = std::move(header.tags);
+  const SystemDescription system = read_system(document["system"]);
+  problem.kind = system.kind;
+  scene.definiteness = system.definiteness;
+  scene.matrix_files = system.files;
+  read_forcing(document["forcing"], system, scene);
+  FromTables<Contact> contacts = read_contacts(document["contact"], system);
+  problem.contacts = std::move(contacts.things);
+  scene.contact_tables = std::move(contacts.tables);
+  Structure structure = system.assemble(contact_coordinates(problem));
+  problem.mass = std::move(structure.mass);
+  problem.damping = std::move(structure.damping);
+  problem.stiffness = std::move(structure.stiffness);
+  problem.law = read_law(document["law"], problem);
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  const auto refuse = [&](std::string_view found, std::string_view requirement) {
+    throw SceneError(fmt::format("{}: file = {} ({})", path.string(), found, requirement));
+  };
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) refuse("missing", "must exist");
+  if (std::filesystem::is_directory(path, ignored)) refuse("a folder", "must be a TOML file");
+  std::ifstream stream(path, std::ios::binary);
+  std::string text;
+  std::array<char, 65536> block{};
+  while (stream && text.size() <= kLargestFile) {
+    stream.read(block.data(), block.size());
+    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  if (stream.bad() || !stream.is_open()) refuse("unreadable", "must be a file that may be read");
+  if (text.size() > kLargestFile) refuse("more than 16 MiB", "must be a scene of at most 16 MiB");
+  return text;
+}
+
+TomlNode parse_document(std::string_view text, const std::string& name) {
+  try {
+    return parse_toml(text);
+  } catch (const TomlSyntaxError& error) {
+    throw SceneError(
+        fmt::format("{}:{}: file = not TOML (must be valid TOML 1.0; {})", name, error.line, error.what()));
+  }
+}
+
+// A document that is one scene, and which of its family.
+struct LevelDocument {
+  TomlNode tree = {};
+  std::optional<FamilyLevel> family = {};
+};
+
+LevelDocument parse_level(std::string_view text, const std::string& name, std::string_view level) {
+  LevelDocument document{.tree = parse_document(text, name)};
+  document.family = choose_level(document.tree, name, level);
+  return document;
+}
+
+}  // namespace
+
+bool SceneHeader::carries(std::string_view tag) const {
+  return std::find(tags.begin(), tags.end(), tag) != tags.end();
+}
+
+std::vector<std::string> load_levels(const std::filesystem::path& path) {
+  return family_labels(parse_document(read_text(path), path.string()), path.string());
+}
+
+SceneHeader load_header(const SceneSource& source) {
+  const std::string name = source.file.string();
+  const LevelDocument document = parse_level(read_text(source.file), name, source.level);
+  return read_header(SceneField(document.tree, name), document.family);
+}
+
+SceneWithSources parse_scene_with_sources(std::string_view text, const std::string& name,
+                                          std::string_view level) {
+  const LevelDocument document = parse_level(text, name, level);
+  const SceneField root(document.tree, name);
+  ReadScene scene;
+  try {
+    read_scene(root, document.family, scene);
+    validate(scene.problem, scene.definiteness);
+    return scene;
+  } catch (const InvalidProblem& error) {
+    as_written(root, scene, error.field).refuse(error.found, error.requirement);
+  }
+}
+
+Problem parse_scene(std::string_view text, const std::string& name, std::string_view level) {
+  return parse_scene_with_sources(text, name, level).problem;
+}
+
+Problem load_scene(const SceneSource& source) {
+  return parse_scene(read_text(source.file), source.file.string(), source.level);
+}
+
+}  // namespace signorini

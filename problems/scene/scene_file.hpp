@@ -1,0 +1,97 @@
+#pragma once
+// TOML scene files -> validated Problem. The format is the contract of docs/scene-format.md.
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "problems/problem.hpp"
+#include "problems/scene/scene_family.hpp"
+
+namespace signorini {
+
+/// A scene file that cannot be used. what() is the one line for the user,
+/// `FILE:LINE: field = value (what is required)`; the line is absent where none applies.
+class SceneError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The tag of scenes with more than a thousand coordinates or thirty contacts: what visits the whole
+/// catalogue by itself, such as a test, leaves them out.
+inline constexpr std::string_view kLarge = "large";
+/// The tag of scenes whose orbits take minutes to search.
+inline constexpr std::string_view kLongSearch = "long-search";
+
+/// Where a scene is read from: a file, and for one of a family its level.
+struct SceneSource {
+  /// A file that is a scene by itself unless a level is given.
+  SceneSource(std::filesystem::path scene_file, std::string level_label = {})  // NOLINT: a file is a source
+      : file(std::move(scene_file)), level(std::move(level_label)) {}
+  std::filesystem::path file;  ///< TOML
+  std::string level;           ///< label of its level; empty for a scene by itself
+  /// Member by member.
+  bool operator==(const SceneSource&) const = default;
+};
+
+/// What a scene says of itself.
+struct SceneHeader {
+  std::string name = {};                   ///< "sdof-stop"; of a family's scene "grazing@1e-4"
+  std::string title = {};                  ///< one line for people
+  std::string reference = {};              ///< where the scene comes from
+  std::vector<std::string> tags = {};      ///< free words
+  std::optional<FamilyLevel> family = {};  ///< where the scene is one of a family
+
+  /// Whether the tag is among its own.
+  [[nodiscard]] bool carries(std::string_view tag) const;
+};
+
+/// Reads no more than this of a scene file: nothing is assembled, however large the system.
+/// \throws SceneError as load_scene does for what it reads
+SceneHeader load_header(const SceneSource& source);
+
+/// Labels of the levels of a family's file, easiest first; empty for a scene by itself. \throws SceneError
+std::vector<std::string> load_levels(const std::filesystem::path& path);
+
+/// Reads and validates one scene file.
+/// \throws SceneError for a missing or unreadable file, bad TOML, an unknown or missing key, a value
+///         out of range, or a Problem that `validate` refuses; the line points at the culprit.
+Problem load_scene(const SceneSource& source);
+
+/// The same from text already in memory; `name` stands for the file in messages; the files
+/// of matrices that the scene names are looked for in its folder; `level` chooses the scene of a family.
+Problem parse_scene(std::string_view text, const std::string& name, std::string_view level = {});
+
+/// A scene, and what else makes it that scene.
+struct SceneWithSources {
+  Problem problem = {};                                  ///< validated
+  std::optional<FamilyLevel> family = {};                ///< where it is one of a family
+  std::vector<std::filesystem::path> matrix_files = {};  ///< that its system is read from
+};
+
+/// The same, with what it was made from.
+SceneWithSources parse_scene_with_sources(std::string_view text, const std::string& name,
+                                          std::string_view level = {});
+
+/// Folder that holds catalogue/, families/ and suites/: $SIGNORINI_PROBLEMS if set; else the one installed
+/// with the program that runs, in share/signorini; else that of the sources. \throws SceneError if it is gone
+std::filesystem::path problems_folder();
+
+/// Every scene file of the catalogue, sorted by name.
+std::vector<std::filesystem::path> catalogue_scenes();
+
+/// The scenes of every family file, sorted by the family's name, each family from easy to hard.
+/// \throws SceneError for a file that cannot be used
+std::vector<SceneSource> family_scenes();
+
+/// All that ships: the catalogue, then the families.
+std::vector<SceneSource> shipped_scenes();
+
+/// A scene given by name ("sdof-stop", of a family "grazing@1e-4") or by path to a TOML file ("own.toml",
+/// "own.toml@1e-4").
+/// \throws SceneError naming close matches if there is no such scene.
+SceneSource find_scene(const std::string& name_or_path);
+
+}  // namespace signorini

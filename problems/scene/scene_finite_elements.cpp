@@ -1,0 +1,165 @@
+#include "problems/scene/scene_finite_elements.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "problems/assembly/bar.hpp"
+#include "problems/assembly/beam.hpp"
+#include "problems/assembly/block.hpp"
+#include "problems/assembly/shaft.hpp"
+#include "problems/definiteness.hpp"
+#include "problems/scene/scene_damping.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr int kMostElements = 100000;
+constexpr int kMostBeams = 100;
+constexpr int kMostCoordinates = 1000000;  // of a block: some 2 GB of matrices
+
+double read_positive(const SceneField& field, std::string_view unit) {
+  return field.number(fmt::format("must be a positive number {}", unit), kLeastPositive);
+}
+
+int read_element_count(const SceneField& field) {
+  return field.whole(fmt::format("must be a whole number, 1..{}", kMostElements), 1, kMostElements);
+}
+
+ContactMass read_contact_mass(const SceneField& field) {
+  constexpr std::string_view kRequirement = "must be \"consistent\", \"lumped\" or \"massless\"";
+  if (!field.given()) return ContactMass::consistent;
+  const std::string word = field.text(kRequirement);
+  if (word == "lumped") return ContactMass::lumped;
+  if (word == "massless") return ContactMass::massless;
+  if (word != "consistent") field.refuse(kRequirement);
+  return ContactMass::consistent;
+}
+
+// Before damping is made of it, so that the complaint names the culprit.
+void require_finite(const SparseMatrix& A, const std::string& field) {
+  const double largest = largest_entry(A);
+  if (!std::isfinite(largest))
+    throw InvalidProblem(field, fmt::format("{}", largest), "must be a finite number");
+}
+
+using Assembly = std::function<Structure(const std::vector<int>& contact_coordinates)>;
+
+// A structure that gets its damping from its mass and stiffness, besides what its parts have.
+SystemDescription damped(Assembly undamped, DampingModel damping, int size) {
+  return {.size = size,
+          .definiteness = Definiteness::by_construction,
+          .assemble = [undamped = std::move(undamped),
+                       damping = std::move(damping)](const std::vector<int>& contact_coordinates) {
+            Structure structure = undamped(contact_coordinates);
+            require_finite(structure.mass, "system.mass");
+            require_finite(structure.stiffness, "system.stiffness");
+            structure.damping += damping_matrix(damping, structure.mass, structure.stiffness);
+            return structure;
+          }};
+}
+
+// A model whose mass may depend on its contacts.
+template <class Model>
+Assembly assembly_of(const Model& model) {
+  return [model](const std::vector<int>& contact_coordinates) {
+    Model with_contacts = model;
+    with_contacts.contacts = contact_coordinates;
+    return assemble(with_contacts);
+  };
+}
+
+Beam read_section_and_material(const SceneField& system) {
+  return {.elements = read_element_count(system["elements"]),
+          .length = read_positive(system["length"], "[m]"),
+          .area = read_positive(system["area"], "[m^2]"),
+          .inertia = read_positive(system["inertia"], "[m^4]"),
+          .young = read_positive(system["young"], "[N/m^2]"),
+          .density = read_positive(system["density"], "[kg/m^3]")};
+}
+
+std::array<SceneField, 3> three(const SceneField& field, std::string_view requirement) {
+  const std::vector<SceneField> items = field.items(requirement);
+  if (items.size() != 3) field.refuse(requirement);
+  return {items[0], items[1], items[2]};
+}
+
+BlockMesh read_mesh(const SceneField& system) {
+  const SceneField elements = system["elements"];
+  const auto bricks = three(elements, "must be three whole numbers: bricks along x, y and z");
+  const auto lengths = three(system["lengths"], "must be three positive numbers, along x, y and z [m]");
+  BlockMesh mesh;
+  for (std::size_t a = 0; a < 3; ++a) {
+    mesh.elements[a] = read_element_count(bricks[a]);
+    mesh.lengths[a] = read_positive(lengths[a], "[m]");
+  }
+  const double size = 3.0 * mesh.elements[0] * (mesh.elements[1] + 1.0) * (mesh.elements[2] + 1.0);
+  if (size > kMostCoordinates) {
+    elements.refuse(fmt::format("{:.0f} coordinates", size),
+                    fmt::format("must make at most {}", kMostCoordinates));
+  }
+  return mesh;
+}
+
+}  // namespace
+
+SystemDescription read_bar(const SceneField& system) {
+  system.allow_only({"kind", "elements", "length", "area", "young", "density", "damping", "contact_mass"},
+                    "must be a table");
+  const Bar bar{.elements = read_element_count(system["elements"]),
+                .length = read_positive(system["length"], "[m]"),
+                .area = read_positive(system["area"], "[m^2]"),
+                .young = read_positive(system["young"], "[N/m^2]"),
+                .density = read_positive(system["density"], "[kg/m^3]"),
+                .contact_mass = read_contact_mass(system["contact_mass"])};
+  return damped(assembly_of(bar), read_damping(system["damping"], bar.elements), bar.elements);
+}
+
+SystemDescription read_beam(const SceneField& system) {
+  system.allow_only({"kind", "elements", "count", "length", "area", "inertia", "young", "density", "damping",
+                     "contact_mass"},
+                    "must be a table");
+  Beam beam = read_section_and_material(system);
+  beam.count =
+      system["count"].whole_or(1, fmt::format("must be a whole number, 1..{}", kMostBeams), 1, kMostBeams);
+  beam.contact_mass = read_contact_mass(system["contact_mass"]);
+  const int size = 2 * beam.elements * beam.count;
+  return damped(assembly_of(beam), read_damping(system["damping"], size), size);
+}
+
+SystemDescription read_block(const SceneField& system) {
+  system.allow_only({"kind", "elements", "lengths", "young", "poisson", "density", "damping", "contact_mass"},
+                    "must be a table");
+  Block block{.mesh = read_mesh(system),
+              .young = read_positive(system["young"], "[N/m^2]"),
+              .poisson = system["poisson"].number("must be a number between -1 and 0.5 [-]"),
+              .density = read_positive(system["density"], "[kg/m^3]"),
+              .contact_mass = read_contact_mass(system["contact_mass"])};
+  if (block.poisson <= -1.0 || block.poisson >= 0.5) {
+    system["poisson"].refuse("must be a number between -1 and 0.5 [-]");
+  }
+  const int size = block.mesh.size();
+  SystemDescription description = damped(assembly_of(block), read_damping(system["damping"], size), size);
+  description.mesh = block.mesh;
+  return description;
+}
+
+SystemDescription read_shaft(const SceneField& system) {
+  system.allow_only({"kind", "elements", "length", "area", "inertia", "young", "density", "disc_mass",
+                     "disc_node", "bearing_stiffness", "bearing_damping", "damping"},
+                    "must be a table");
+  Shaft shaft{.beam = read_section_and_material(system)};
+  const int last = shaft.beam.elements;
+  shaft.disc_mass = system["disc_mass"].number("must be a number >= 0 [kg]", 0.0);
+  shaft.disc_node =
+      system["disc_node"].whole(fmt::format("must be a node of the shaft, 0..{}", last), 0, last);
+  shaft.bearing_stiffness = read_positive(system["bearing_stiffness"], "[N/m]");
+  shaft.bearing_damping = system["bearing_damping"].number("must be a number >= 0 [N s/m]", 0.0);
+  const int size = 4 * (last + 1);
+  return damped([shaft](const std::vector<int>&) { return assemble(shaft); },
+                read_damping(system["damping"], size), size);
+}
+
+}  // namespace signorini

@@ -1,0 +1,205 @@
+// All orbits of a scene: a pair known in closed form, and that nothing is counted twice.
+
+#include "harness/orbits/orbit_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+
+#include "harness/judge/exact_certificate.hpp"
+#include "harness/orbits/orbit_file.hpp"
+#include "problems/scene/scene_file.hpp"
+
+namespace signorini {
+namespace {
+
+/// One mass above resonance, e = 0.8: a stable orbit of order 2 with one impact beside an unstable one of
+/// order 1 (docs: closed form of single-impact orbits; m, c, k, F, w, g = 1, 0.02, 1, 1, 4.1, 0.01).
+Problem coexisting() {
+  return parse_scene(
+      "schema = 1\nname = \"pair\"\ntitle = \"t\"\nreference = \"r\"\ntags = [\"t\"]\n"
+      "[system]\nkind = \"sdof\"\nmass = 1.0\ndamping = 0.02\nstiffness = 1.0\n"
+      "[forcing]\nfrequency = 4.1\n[[forcing.term]]\ndof = 0\nharmonic = 1\ncos = 1.0\n"
+      "[[contact]]\ndof = 0\ngap = 0.01\n[law]\nrestitution = 0.8\n",
+      "pair.toml");
+}
+
+const OrbitCensus& census_of_pair() {
+  static const Problem problem = coexisting();
+  static const OrbitCensus census = find_all_orbits(problem, {.starts = 16, .subharmonics = 2});
+  return census;
+}
+
+const FoundOrbit* single_impact(const OrbitCensus& census, int order) {
+  for (const FoundOrbit& orbit : census.orbits) {
+    if (orbit.order == order && orbit.impacts() == 1) return &orbit;
+  }
+  return nullptr;
+}
+
+std::complex<double> trace(const FoundOrbit& orbit) {
+  std::complex<double> sum = 0.0;
+  for (const auto& [re, im] : *orbit.certificate.floquet) sum += std::complex(re, im);
+  return sum;
+}
+
+std::complex<double> determinant(const FoundOrbit& orbit) {
+  std::complex<double> product = 1.0;
+  for (const auto& [re, im] : *orbit.certificate.floquet) product *= std::complex(re, im);
+  return product;
+}
+
+/// Impulse p = -m (1 + e) v of an impact at speed v.
+double impact_speed(const FoundOrbit& orbit) { return -orbit.certificate.events.front().value.value() / 1.8; }
+
+TEST(FindAllOrbits, FindsTheStableSubharmonicOfAKnownPair) {
+  const FoundOrbit* orbit = single_impact(census_of_pair(), 2);
+  ASSERT_NE(orbit, nullptr);
+  EXPECT_EQ(orbit->certificate.stable, true);
+  EXPECT_NEAR(impact_speed(*orbit), 1.245271157551, 1e-11);
+  EXPECT_NEAR(trace(*orbit).real(), 1.4561967318, 1e-9);
+  EXPECT_NEAR(determinant(*orbit).real(), 0.6019466424, 1e-9);
+  EXPECT_NEAR(trace(*orbit).imag(), 0.0, 1e-9);
+  // Impacts at 0.624435604230 s after a period of the load began, whichever of the two.
+  const double forcing_period = orbit->period / 2;
+  EXPECT_NEAR(std::remainder(orbit->certificate.events.front().time - 0.624435604230, forcing_period), 0.0,
+              1e-11);
+}
+
+TEST(FindAllOrbits, FindsTheUnstableOrbitThatCoexists) {
+  const FoundOrbit* orbit = single_impact(census_of_pair(), 1);
+  ASSERT_NE(orbit, nullptr);
+  EXPECT_EQ(orbit->certificate.stable, false);
+  EXPECT_NEAR(impact_speed(*orbit), 0.056924256179, 1e-11);
+  // Whatever the orbit, an impact multiplies areas by e^2 and the flow by exp(-c T / m).
+  EXPECT_NEAR(determinant(*orbit).real(), 0.64 * std::exp(-0.02 * orbit->period), 1e-9);
+  EXPECT_GT(orbit->largest_multiplier().value(), 1.0);
+}
+
+TEST(FindAllOrbits, ListsEveryOrbitOnceWhateverItsOrderAndShift) {
+  const OrbitCensus& census = census_of_pair();
+  std::set<std::string> names;
+  int hits = 0;
+  for (const FoundOrbit& orbit : census.orbits) {
+    EXPECT_TRUE(names.insert(orbit.fingerprint).second) << orbit.fingerprint;
+    EXPECT_NEAR(orbit.period, orbit.order * 2.0 * std::numbers::pi / 4.1, 1e-12);
+    hits += orbit.starts;
+  }
+  int failures = 0;
+  for (const auto& [reason, count] : census.failures) failures += count;
+  EXPECT_EQ(hits + failures, census.searches);
+  // Starts at order 2 lead to the orbit of order 1 as well, and to both shifts of the subharmonic.
+  EXPECT_GT(hits, static_cast<int>(census.orbits.size()));
+}
+
+TEST(FindAllOrbits, CertifiesEveryOrbitByASecondIntegrator) {
+  for (const FoundOrbit& orbit : census_of_pair().orbits) {
+    ASSERT_TRUE(orbit.certificate.return_distance.has_value());
+    EXPECT_LT(orbit.certificate.error_bar, 1e-9);
+    EXPECT_LT(orbit.certificate.residual.value(), 1e-11);
+  }
+}
+
+TEST(FindAllOrbits, IsTheSameForTheSameSeed) {
+  const Problem problem = coexisting();
+  const OrbitQuest quest{.starts = 16, .subharmonics = 2};
+  const OrbitCensus again = find_all_orbits(problem, quest);
+  const Scene scene{problem, "hash"};
+  EXPECT_EQ(print_orbit_file(make_orbit_file(scene, quest, again)),
+            print_orbit_file(make_orbit_file(scene, quest, census_of_pair())));
+  EXPECT_EQ(again.failures, census_of_pair().failures);
+}
+
+TEST(FindAllOrbits, NamesTheMotionFromRestAndTheMethodsThatFindAnOrbitCold) {
+  const OrbitCensus& census = census_of_pair();
+  const auto from_rest = std::count_if(census.orbits.begin(), census.orbits.end(),
+                                       [](const FoundOrbit& orbit) { return orbit.from_rest; });
+  EXPECT_EQ(from_rest, 1);
+  for (const FoundOrbit& orbit : census.orbits) {
+    // Marching goes to stable motions only.
+    if (orbit.from_rest) {
+      EXPECT_EQ(orbit.certificate.stable, true);
+    }
+    if (orbit.certificate.stable == false) {
+      for (const std::string& label : orbit.cold) EXPECT_EQ(label.find("event-driven"), std::string::npos);
+    }
+  }
+}
+
+TEST(CertifyAgain, ComesBackToAnOrbitFromItsEventsAlone) {
+  const Problem problem = coexisting();
+  for (const FoundOrbit& orbit : census_of_pair().orbits) {
+    FoundOrbit kept = orbit;
+    kept.certificate.orbit = nullptr;
+    kept.certificate.events.front().time += 1e-4;
+    const std::optional<FoundOrbit> again = certify_again(problem, kept);
+    ASSERT_TRUE(again.has_value());
+    EXPECT_EQ(again->fingerprint, orbit.fingerprint);
+    EXPECT_NEAR(again->certificate.events.front().time, orbit.certificate.events.front().time, 1e-11);
+    EXPECT_EQ(again->certificate.stable, orbit.certificate.stable);
+  }
+}
+
+TEST(CertifyAgain, LeavesContactPhasesToTheSearch) {
+  FoundOrbit kept = census_of_pair().orbits.front();
+  kept.certificate.events.front().kind = "close";
+  EXPECT_FALSE(certify_again(coexisting(), kept).has_value());
+}
+
+TEST(FindAllOrbits, LeavesOutWhatIsNotCertified) {
+  const Problem problem = coexisting();
+  const OrbitPolisher refuse = [](const PolishRequest&) -> CheckedOrbit {
+    return {.reason = "no second integrator"};
+  };
+  const OrbitCensus census = find_all_orbits(problem, {.starts = 0, .subharmonics = 1}, refuse);
+  EXPECT_TRUE(census.orbits.empty());
+  EXPECT_GT(census.failures.at("no second integrator"), 0);
+}
+
+TEST(FindAllOrbits, StopsAtItsTimeLimit) {
+  const Problem problem = coexisting();
+  const OrbitCensus census = find_all_orbits(problem, {.starts = 8, .timeout = 1e-6});
+  EXPECT_TRUE(census.expired);
+  EXPECT_FALSE(census.interrupted);
+}
+
+TEST(OrbitCandidates, SurviveTheWayBetweenProcesses) {
+  OrbitCandidate candidate{
+      .origin = OrbitCandidate::Origin::method, .source = "m[a=1]", .order = 3, .near = true};
+  candidate.orbit =
+      OrbitGuess{.start = {.time = 0.1,
+                           .state = {.u = Eigen::Vector2d(1.0 / 3.0, 2), .v = Eigen::Vector2d(3, 4)},
+                           .closed = {true, false}},
+                 .events = {{.kind = ContactEvent::Kind::open,
+                             .contact = 1,
+                             .time = 0.2,
+                             .pushed = {0},
+                             .restitution = {0.5},
+                             .closed = {false, true}}},
+                 .origin = "here"};
+  const OrbitCandidate back = orbit_candidate_from_json(to_json(candidate));
+  EXPECT_EQ(to_json(back), to_json(candidate));
+  EXPECT_EQ(back.orbit->start.state.u, candidate.orbit->start.state.u);
+  EXPECT_EQ(back.orbit->events.front().kind, ContactEvent::Kind::open);
+  EXPECT_THROW(orbit_candidate_from_json(nlohmann::ordered_json::object()), BadRecord);
+}
+
+TEST(OrbitCandidates, AreTheSameStatesFirstWhateverTheirNumber) {
+  const Problem problem = coexisting();
+  const auto some = candidate_units(problem, 1, 3, 7), more = candidate_units(problem, 1, 8, 7);
+  ASSERT_EQ(some.size(), more.size());
+  std::vector<std::string> first, second;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(5);
+  some.back().work([&](const OrbitCandidate& one) { first.push_back(to_json(one).dump()); }, deadline);
+  more.back().work([&](const OrbitCandidate& one) { second.push_back(to_json(one).dump()); }, deadline);
+  ASSERT_EQ(first.size(), 3U);
+  ASSERT_EQ(second.size(), 8U);
+  EXPECT_TRUE(std::equal(first.begin(), first.end(), second.begin()));
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,169 @@
+#include "harness/run/campaign.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "harness/progress.hpp"
+#include "harness/sha256.hpp"
+#include "tests/harness/fake_method.hpp"
+#include "tests/harness/sample_records.hpp"
+
+namespace signorini {
+namespace {
+
+Plan plan_of(const std::vector<std::string>& behaviours) {
+  Plan plan;
+  plan.scenes.push_back(test::one_mass_scene());
+  for (const std::string& behaviour : behaviours)
+    plan.cases.push_back(test::fake_case(plan.scenes[0], behaviour));
+  return plan;
+}
+
+Runner runner_of(const std::string& version = "v") {
+  return Runner({.timeout = 0.3, .memory_mb = 1024, .repetitions = 1}, test::free_orbits(),
+                [version](std::string_view) { return version; });
+}
+
+std::map<std::string, Record> records_by_case(const RecordStore& store) {
+  std::map<std::string, Record> records;
+  for (const Record& record : read_records(store.file())) {
+    EXPECT_FALSE(records.contains(record.case_id)) << "twice: " << record.case_id;
+    records[record.case_id] = record;
+  }
+  return records;
+}
+
+/// What does not depend on the clock or on memory.
+std::string timeless(Record record) {
+  record.seconds.reset();
+  record.elapsed.reset();
+  record.work.peak_memory_bytes.reset();
+  return to_json(record).dump();
+}
+
+TEST(RunCampaign, LeavesOneRightRecordPerCaseWhateverTheOthersDo) {
+  const std::map<std::string, Status> expected{{"segfault", Status::crashed},
+                                               {"spin", Status::timeout},
+                                               {"allocate", Status::out_of_memory},
+                                               {"throw_error", Status::exception},
+                                               {"lie", Status::inaccurate},
+                                               {"not_a_number", Status::invalid_output},
+                                               {"unsupported", Status::not_applicable}};
+  Plan plan;
+  plan.scenes.push_back(test::one_mass_scene());
+  Plan healthy = plan;
+  int level = 0;
+  for (const auto& [behaviour, status] : expected) {
+    plan.cases.push_back(test::fake_case(plan.scenes[0], behaviour));
+    const Case good = make_case(
+        plan.scenes[0], 0,
+        {&test::fake_catalogue().front(), {{"behaviour", "good"}, {"level", std::to_string(++level)}}});
+    plan.cases.push_back(good);
+    healthy.cases.push_back(good);
+  }
+  Runner runner({.timeout = 1.0, .memory_mb = 256, .repetitions = 2}, test::free_orbits());
+  RecordStore store(test::fresh_folder("campaign"), false);
+  const CampaignResult result = run_campaign(plan, runner, store);
+  EXPECT_EQ(result.ran, 14U);
+  EXPECT_FALSE(result.interrupted);
+  RecordStore quiet(test::fresh_folder("campaign-healthy"), false);
+  run_campaign(healthy, runner, quiet);
+
+  const auto records = records_by_case(store);
+  ASSERT_EQ(records.size(), 14U);
+  for (const auto& [behaviour, status] : expected) {
+#ifdef __SANITIZE_ADDRESS__
+    if (behaviour == "allocate") continue;  // the sanitizer needs the address space itself
+#endif
+    const Record& record = records.at("one-mass/fake-method[behaviour=" + behaviour + "]");
+    EXPECT_EQ(status_name(record.status), status_name(status)) << behaviour << ": " << record.message;
+  }
+  for (const auto& [id, record] : records_by_case(quiet)) {
+    EXPECT_EQ(record.status, Status::converged);
+    EXPECT_EQ(timeless(records.at(id)), timeless(record)) << "touched by the others";
+  }
+}
+
+TEST(RunCampaign, KeepsNothingUnfinishedOnceAllIsComplete) {
+  const auto folder = test::fresh_folder("finished");
+  Runner runner({.timeout = 1.0, .memory_mb = 1024, .repetitions = 3}, test::free_orbits());
+  {
+    RecordStore store(folder, false);
+    EXPECT_EQ(run_campaign(plan_of({"good", "give_up"}), runner, store).ran, 2U);
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "unfinished.jsonl"));
+}
+
+TEST(RunCampaign, ResumesExactlyWhatIsMissing) {
+  const auto folder = test::fresh_folder("resume");
+  Runner runner = runner_of();
+  {
+    RecordStore store(folder, false);
+    EXPECT_EQ(run_campaign(plan_of({"good", "give_up"}), runner, store).ran, 2U);
+  }
+  const std::string before = read_file(folder / "records.jsonl");
+  {
+    RecordStore store(folder, true);
+    const CampaignResult again = run_campaign(plan_of({"good", "give_up"}), runner, store);
+    EXPECT_EQ(again.ran, 0U);
+    EXPECT_EQ(again.present, 2U);
+  }
+  EXPECT_EQ(read_file(folder / "records.jsonl"), before);
+  RecordStore store(folder, true);
+  EXPECT_EQ(run_campaign(plan_of({"good", "throw_error", "give_up"}), runner, store).ran, 1U);
+  EXPECT_EQ(read_records(store.file()).size(), 3U);
+}
+
+TEST(RunCampaign, RunsAgainWhatAnotherVersionOfTheCodeDid) {
+  const auto folder = test::fresh_folder("stale");
+  Runner old = runner_of("old");
+  Runner fresh = runner_of("new");
+  RecordStore store(folder, false);
+  EXPECT_EQ(run_campaign(plan_of({"give_up"}), old, store).ran, 1U);
+  EXPECT_EQ(run_campaign(plan_of({"give_up"}), fresh, store).ran, 1U);
+}
+
+TEST(RunCampaign, TellsOfTheRecordsOfASceneInTheOrderOfThePlan) {
+  const Plan plan = plan_of({"good", "give_up", "throw_error"});
+  RecordStore store(test::fresh_folder("told"), false);
+  Runner runner = runner_of();
+  std::vector<std::string> told;
+  run_campaign(plan, runner, store, {}, [&](const std::vector<Record>& records) {
+    for (const Record& record : records) told.push_back(record.case_id);
+  });
+  std::vector<std::string> planned;
+  for (const Case& run : plan.cases) planned.push_back(run.id);
+  EXPECT_EQ(told, planned);
+}
+
+TEST(RunCampaign, RunsACaseSpeltTwoWaysOnce) {
+  Plan plan = plan_of({"good"});
+  plan.cases.push_back(make_case(plan.scenes[0], 0, {&test::fake_catalogue().front(), {}}));
+  RecordStore store(test::fresh_folder("twice"), false);
+  Runner runner = runner_of();
+  EXPECT_EQ(run_campaign(plan, runner, store).ran, 1U);
+}
+
+TEST(UnexpectedFailures, LeaveOutWhatIsExpectedAndWhatDoesNotApply) {
+  const std::vector<Record> records = test::records_of_every_status();
+  const Suite none;
+  EXPECT_EQ(unexpected_failures(records, none).size(), 7U);
+  Suite suite;
+  suite.expected_failures = {{.case_glob = "scene-a/*[timeout]", .reason = "known"}};
+  const std::vector<std::string> rest = unexpected_failures(records, suite);
+  EXPECT_EQ(rest.size(), 6U);
+  EXPECT_EQ(std::count(rest.begin(), rest.end(), "scene-a/method-a[timeout]"), 0);
+}
+
+TEST(ProgressLine, EstimatesTheRestFromWhatIsDone) {
+  EXPECT_EQ(progress_line(0.0, 4, 0.0, "x"), "[0/4] 0 % x");
+  EXPECT_EQ(progress_line(1.0, 4, 30.0, "x"), "[1/4] 25 % ETA 1:30 x");
+  EXPECT_EQ(progress_line(0.5, 4, 10.0, "x"), "[0/4] 12 % ETA 1:10 x");
+  EXPECT_EQ(progress_line(4.0 - 1e-12, 4, 10.0, "x"), "[4/4] 100 % ETA 0:00 x");
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,199 @@
+#include "harness/run/isolation.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+namespace signorini {
+namespace {
+
+using Kind = ChildEnd::Kind;
+
+constexpr IsolationLimits quick() { return {.stage_seconds = {5.0}, .grace = 0.1}; }
+
+TEST(RunIsolated, HandsOverEveryLineWhole) {
+  const std::string large(3'000'000, 'x');
+  const ChildEnd end = run_isolated(
+      [&](const Send& send) {
+        send("first");
+        send(large);
+        send("");
+      },
+      quick());
+  EXPECT_EQ(end.kind, Kind::finished);
+  ASSERT_EQ(end.lines.size(), 3U);
+  EXPECT_EQ(end.lines[0], "first");
+  EXPECT_EQ(end.lines[1], large);
+  EXPECT_EQ(end.lines[2], "");
+}
+
+TEST(RunIsolated, KeepsWhatWasSentBeforeACrash) {
+  const ChildEnd end = run_isolated(
+      [](const Send& send) {
+        send("one");
+        std::abort();
+      },
+      quick());
+  EXPECT_EQ(end.kind, Kind::signalled);
+  EXPECT_EQ(end.code, SIGABRT);
+  EXPECT_EQ(end.lines, (std::vector<std::string>{"one"}));
+}
+
+TEST(RunIsolated, ReportsTheLastWordsOfACrash) {
+  const ChildEnd end = run_isolated(
+      [](const Send&) {
+        const std::string words = "something\nassertion failed: x > 0\n";
+        if (write(STDERR_FILENO, words.data(), words.size()) < 0) _exit(9);
+        std::raise(SIGSEGV);
+      },
+      quick());
+  EXPECT_EQ(end.last_words, "assertion failed: x > 0");
+  EXPECT_NE(describe(end).find("signal 11"), std::string::npos);
+}
+
+TEST(RunIsolated, GivesEachStageItsOwnTime) {
+  const auto work = [](const Send& send) {
+    for (int i = 0; i < 4; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(120));
+      send("stage");
+    }
+  };
+  const ChildEnd end = run_isolated(work, {.stage_seconds = {2.0, 2.0, 0.01}, .grace = 0.1});
+  EXPECT_EQ(end.kind, Kind::timed_out);
+  EXPECT_EQ(end.lines.size(), 2U);
+  EXPECT_EQ(run_isolated(work, {.stage_seconds = {2.0}, .grace = 0.1}).kind, Kind::finished);
+}
+
+TEST(RunIsolated, LeavesNoProcessBehind) {
+  const ChildEnd end = run_isolated(
+      [](const Send& send) {
+        const pid_t grandchild = fork();
+        if (grandchild == 0) {
+          std::signal(SIGTERM, SIG_IGN);
+          for (;;) pause();
+        }
+        send(std::to_string(grandchild));
+      },
+      quick());
+  ASSERT_EQ(end.lines.size(), 1U);
+  const pid_t grandchild = std::stoi(end.lines[0]);
+  EXPECT_EQ(kill(grandchild, 0), -1);
+  EXPECT_EQ(errno, ESRCH);
+  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
+  EXPECT_EQ(errno, ECHILD);
+}
+
+TEST(RunIsolated, EndsAGrandchildThatLeftTheProcessGroup) {
+  const ChildEnd end = run_isolated(
+      [](const Send& send) {
+        std::array<int, 2> ready{};
+        if (pipe(ready.data()) != 0) std::abort();
+        const pid_t grandchild = fork();
+        if (grandchild == 0) {
+          std::signal(SIGTERM, SIG_IGN);
+          setsid();
+          close(ready[1]);
+          for (;;) pause();
+        }
+        close(ready[1]);
+        char nothing = 0;
+        if (read(ready[0], &nothing, 1) == 0) send(std::to_string(grandchild));
+      },
+      quick());
+  ASSERT_EQ(end.lines.size(), 1U);
+  EXPECT_EQ(kill(std::stoi(end.lines[0]), 0), -1);
+  EXPECT_EQ(errno, ESRCH);
+}
+
+TEST(RunIsolated, AllowsEachStageTheProcessorTimeOfOneThread) {
+  const auto limit = [] {
+    rlimit processor{};
+    getrlimit(RLIMIT_CPU, &processor);
+    return processor.rlim_cur;
+  };
+  const ChildEnd end = run_isolated(
+      [&](const Send& send) {
+        send(std::to_string(limit()));
+        while (limit() <= 4) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        send(std::to_string(limit()));
+      },
+      {.stage_seconds = {2.5, 5.0}, .grace = 0.1});
+  EXPECT_EQ(end.lines, (std::vector<std::string>{"4", "9"}));
+}
+
+TEST(RunIsolated, TellsWhoUsedUpTheProcessorTime) {
+  const ChildEnd end = run_isolated([](const Send&) { std::raise(SIGXCPU); }, quick());
+  EXPECT_EQ(end.kind, Kind::out_of_processor_time);
+  EXPECT_NE(describe(end).find("processor time"), std::string::npos);
+}
+
+TEST(RunIsolated, ClosesTheFilesOfTheParent) {
+  const int file = dup(STDERR_FILENO);
+  ASSERT_GE(file, 0);
+  const ChildEnd end = run_isolated(
+      [file](const Send& send) { send(write(file, "x", 1) < 0 && errno == EBADF ? "closed" : "open"); },
+      quick());
+  close(file);
+  EXPECT_EQ(end.lines, (std::vector<std::string>{"closed"}));
+}
+
+TEST(RunIsolated, DoesNotWaitForAGrandchildThatHoldsThePipe) {
+  const ChildEnd end = run_isolated(
+      [](const Send& send) {
+        if (fork() == 0) {
+          for (;;) pause();
+        }
+        send("done");
+      },
+      {.stage_seconds = {60.0}, .grace = 0.1});
+  EXPECT_EQ(end.kind, Kind::finished);
+}
+
+TEST(RunIsolated, SurvivesAChildThatTalksWithoutEnd) {
+  const ChildEnd end = run_isolated(
+      [](const Send& send) {
+        const std::string chatter(1U << 16U, 'y');
+        for (int i = 0; i < 100; ++i) {
+          if (write(STDOUT_FILENO, chatter.data(), chatter.size()) < 0) break;  // cut off, not killed
+        }
+        send("done");
+      },
+      quick());
+  EXPECT_EQ(end.kind, Kind::finished);
+  EXPECT_EQ(end.lines.size(), 1U);
+}
+
+TEST(RunIsolatedTogether, KeepsTheOrderOfTheWork) {
+  std::vector<IsolatedWork> work;
+  for (int i = 0; i < 7; ++i) {
+    work.push_back([i](const Send& send) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10 * (7 - i)));
+      if (i == 3) std::abort();
+      send(std::to_string(i));
+    });
+  }
+  std::vector<std::size_t> told;
+  const std::vector<ChildEnd> ends = run_isolated_together(
+      work, quick(), 3, [&](std::size_t index, const ChildEnd&) { told.push_back(index); });
+  ASSERT_EQ(ends.size(), 7U);
+  std::sort(told.begin(), told.end());
+  EXPECT_EQ(told, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6}));
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (i == 3) {
+      EXPECT_EQ(ends[i].kind, Kind::signalled);
+    } else {
+      EXPECT_EQ(ends[i].lines, (std::vector<std::string>{std::to_string(i)}));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace signorini

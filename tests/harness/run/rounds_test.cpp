@@ -1,0 +1,163 @@
+#include "harness/run/rounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "harness/run/timing.hpp"
+#include "tests/harness/fake_method.hpp"
+#include "tests/harness/sample_records.hpp"
+
+namespace signorini {
+namespace {
+
+constexpr Limits kLimits{.timeout = 2.0,
+                         .memory_mb = 1024,
+                         .repetitions = 3,
+                         .certificate_timeout = 5.0,
+                         .reference_timeout = 5.0};
+
+/// What became of cases "behaviour=good,level=k" for k = 1..count on the scene of one mass.
+class Rounds : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!build_may_be_timed()) GTEST_SKIP() << "nothing is timed in this build";
+  }
+
+  void add(const std::string& behaviour, const std::string& level) {
+    cases_.push_back(make_case(
+        scene_, 0, {&test::fake_catalogue().front(), {{"behaviour", behaviour}, {"level", level}}}));
+  }
+
+  void run(const Turns& turns, std::vector<std::optional<Record>> begun = {}) {
+    Runner runner(kLimits, test::free_orbits(), [](std::string_view) { return std::string("v"); });
+    std::vector<const Case*> pointers;
+    for (const Case& one : cases_) pointers.push_back(&one);
+    const std::vector<Survey> surveys = runner.survey(scene_, pointers);
+    runner.compute_references(scene_, surveys);
+    std::vector<Job> jobs;
+    for (std::size_t i = 0; i < cases_.size(); ++i)
+      jobs.push_back({.run = pointers[i], .survey = &surveys[i]});
+    begun.resize(cases_.size());
+    EXPECT_TRUE(
+        run_rounds(runner, scene_, jobs, begun, turns,
+                   {.begin = [&](const std::string& what) { begun_.push_back(what); },
+                    .unfinished = [&](std::size_t i, const Record& r) { unfinished_[i].push_back(r); },
+                    .complete =
+                        [&](std::size_t i, const Record& r) {
+                          EXPECT_FALSE(complete_.contains(i)) << "told twice";
+                          complete_[i] = r;
+                        }}));
+  }
+
+  Scene scene_ = test::one_mass_scene();
+  std::vector<Case> cases_;
+  std::vector<std::string> begun_;
+  std::map<std::size_t, std::vector<Record>> unfinished_;
+  std::map<std::size_t, Record> complete_;
+};
+
+TEST_F(Rounds, ComeRoundByRoundAndNotCaseByCase) {
+  for (const char* level : {"1", "2", "3", "4"}) add("good", level);
+  run({});
+  ASSERT_EQ(begun_.size(), 12U);
+  for (std::size_t round = 0; round < 3; ++round) {
+    const auto first = begun_.begin() + static_cast<std::ptrdiff_t>(4 * round);
+    EXPECT_EQ(std::set(first, first + 4).size(), 4U) << "round " << round;
+  }
+  EXPECT_NE(std::vector(begun_.begin(), begun_.begin() + 4),
+            std::vector(begun_.begin() + 4, begun_.begin() + 8));
+  ASSERT_EQ(complete_.size(), 4U);
+  for (const auto& [index, record] : complete_) {
+    EXPECT_EQ(record.case_id, cases_[index].id);
+    EXPECT_EQ(record.status, Status::converged) << record.message;
+    ASSERT_TRUE(record.seconds.has_value());
+    EXPECT_EQ(record.seconds->rounds.size(), 3U);
+    EXPECT_TRUE(record.seconds->unstable.has_value());
+    EXPECT_FALSE(record.seconds->jobs.has_value());
+    EXPECT_GT(record.elapsed.value(), 0.0);
+    EXPECT_EQ(record.certificate.status, CertificateStatus::certified);
+    EXPECT_EQ(unfinished_[index].size(), 2U);
+  }
+}
+
+TEST_F(Rounds, AreOverAtOnceForACaseThatFails) {
+  add("give_up", "1");
+  add("good", "1");
+  add("segfault", "1");
+  run({});
+  EXPECT_EQ(complete_.at(0).status, Status::not_converged);
+  EXPECT_EQ(complete_.at(1).seconds.value().rounds.size(), 3U);
+  EXPECT_EQ(complete_.at(2).status, Status::crashed);
+  EXPECT_EQ(begun_.size(), 5U);
+}
+
+TEST_F(Rounds, ContinueWhereAnInterruptedRunLeftOff) {
+  add("good", "1");
+  add("good", "2");
+  run({});
+  const Record one_round = unfinished_.at(0).front();
+  const Record two_rounds = unfinished_.at(1).back();
+  begun_.clear();
+  complete_.clear();
+  run({}, {one_round, two_rounds});
+  EXPECT_EQ(begun_.size(), 3U);
+  EXPECT_EQ(complete_.at(0).seconds.value().rounds.size(), 3U);
+  EXPECT_EQ(complete_.at(0).seconds->rounds[0].solve, one_round.seconds.value().rounds[0].solve);
+  EXPECT_EQ(complete_.at(1).seconds.value().rounds.size(), 3U);
+  EXPECT_EQ(complete_.at(1).seconds->rounds[1].solve, two_rounds.seconds.value().rounds[1].solve);
+}
+
+TEST_F(Rounds, TakeTheOrderOfTheSeed) {
+  for (const char* level : {"1", "2", "3", "4", "5", "6"}) add("good", level);
+  run({.seed = 7});
+  const std::vector<std::string> first = begun_;
+  begun_.clear();
+  complete_.clear();
+  run({.seed = 7});
+  EXPECT_EQ(begun_, first);
+  begun_.clear();
+  complete_.clear();
+  run({.seed = 8});
+  EXPECT_NE(begun_, first);
+}
+
+TEST_F(Rounds, SayWhereOthersRanAtTheSameTime) {
+  for (const char* level : {"1", "2", "3"}) add("good", level);
+  add("unsupported", "1");
+  run({.seed = 1, .parallel = 2});
+  ASSERT_EQ(complete_.size(), 4U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(complete_.at(i).seconds.value().jobs, 2);
+    EXPECT_EQ(complete_.at(i).seconds->rounds.size(), 3U);
+  }
+  EXPECT_EQ(complete_.at(3).status, Status::not_applicable);
+}
+
+TEST(TakeRound, CountsTheFailureOfALaterRoundAgainstTheCase) {
+  Record record = test::good_record("s", "m", "n=1", 0.1, 0.1);
+  record.seconds->rounds = {{0.01, 0.09}};
+  const Record begun = record;
+  take_round({.kind = ChildEnd::Kind::signalled, .code = 6}, record);
+  EXPECT_EQ(record.status, Status::crashed);
+  EXPECT_EQ(record.signal, 6);
+  EXPECT_EQ(record.message.rfind("in a repeated solve: ", 0), 0U) << record.message;
+  EXPECT_FALSE(record.seconds.has_value());
+
+  record = begun;
+  take_round({.lines = {R"({"message": "stalled"})"}}, record);
+  EXPECT_EQ(record.status, Status::not_converged);
+  EXPECT_EQ(record.message, "in a repeated solve: stalled");
+
+  record = begun;
+  record.elapsed = 1.0;
+  take_round({.lines = {R"({"setup": 0.03, "solve": 0.07, "answer": "0123"})"}, .seconds = 0.5}, record);
+  EXPECT_EQ(record.status, Status::converged);
+  EXPECT_EQ(record.seconds.value().repetitions, 2);
+  EXPECT_EQ(record.seconds->setup, 0.02);
+  EXPECT_EQ(record.elapsed, 1.5);
+}
+
+}  // namespace
+}  // namespace signorini

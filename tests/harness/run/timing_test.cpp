@@ -1,0 +1,77 @@
+#include "harness/run/timing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "harness/statistics.hpp"
+
+namespace signorini {
+namespace {
+
+TEST(Median, IsTheMiddleOrTheMeanOfTheMiddleTwo) {
+  EXPECT_EQ(median({3.0}), 3.0);
+  EXPECT_EQ(median({9.0, 1.0, 2.0}), 2.0);
+  EXPECT_EQ(median({4.0, 1.0, 2.0, 9.0}), 3.0);
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(median({1.0, infinity, infinity, infinity}), infinity);
+  EXPECT_EQ(median({1.0, 2.0, infinity}), 2.0);
+}
+
+TEST(MedianDeviation, IgnoresOneOutlier) {
+  EXPECT_EQ(median_deviation({1.0, 2.0, 3.0, 1000.0, 2.0}), 1.0);
+  EXPECT_EQ(median_deviation({5.0}), 0.0);
+}
+
+TEST(TimeRound, KeepsTheLeastTimeOfTheRound) {
+  int calls = 0;
+  const auto timed = [&] {
+    ++calls;
+    return calls % 5 == 0 ? 1e-4 : 1e-3;  // pretended, so that the outcome does not depend on this machine
+  };
+  EXPECT_NEAR(time_round("test", timed, 1e-3, {.round_seconds = 0.01}), 1e-4, 1e-12);
+  EXPECT_GE(calls, 10);
+}
+
+TEST(TimeRound, CountsAFirstCallThatFillsTheRound) {
+  int calls = 0;
+  const auto timed = [&] {
+    ++calls;
+    return 1.0;
+  };
+  EXPECT_EQ(time_round("test", timed, 2.0, {.round_seconds = 0.01}), 2.0);
+  EXPECT_EQ(calls, 0);
+}
+
+TEST(TimeRound, IsNotMisledByAFirstCallThatWasInterrupted) {
+  EXPECT_NEAR(time_round("test", [] { return 1e-3; }, 0.015, {.round_seconds = 0.01}), 1e-3, 1e-12);
+  EXPECT_EQ(time_round("test", [] { return 0.02; }, 0.03, {.round_seconds = 0.01}), 0.02);
+}
+
+TEST(RoundsFor, GivesSlowWorkFewerRoundsButNeverNone) {
+  const TimingBudget budget{.rounds = 5, .round_seconds = 0.01, .total_seconds = 5.0};
+  EXPECT_EQ(rounds_for(1e-6, budget), 5);
+  EXPECT_EQ(rounds_for(0.5, budget), 5);
+  EXPECT_EQ(rounds_for(2.0, budget), 2);
+  EXPECT_EQ(rounds_for(60.0, budget), 1);
+}
+
+TEST(Summarise, AddsSetUpAndSolveRoundByRound) {
+  const Seconds seconds = summarise({{1.0, 10.0}, {2.0, 10.0}, {3.0, 20.0}});
+  EXPECT_EQ(seconds.median, 12.0);
+  EXPECT_EQ(seconds.min, 11.0);
+  EXPECT_EQ(seconds.mad, 1.0);
+  EXPECT_EQ(seconds.setup, 2.0);
+  EXPECT_EQ(seconds.solve, 10.0);
+  EXPECT_EQ(seconds.repetitions, 3);
+  EXPECT_EQ(seconds.rounds.size(), 3U);
+}
+
+TEST(Summarise, CallsTimesUnstableThatDeviateByMoreThanFivePercent) {
+  EXPECT_EQ(summarise({{0.0, 1.0}, {0.0, 1.04}, {0.0, 0.96}}).unstable, false);
+  EXPECT_EQ(summarise({{0.0, 1.0}, {0.0, 1.06}, {0.0, 0.94}}).unstable, true);
+  EXPECT_FALSE(summarise({{0.0, 1.0}}).unstable.has_value());  // one round knows nothing of deviations
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,74 @@
+#include "methods/flow/cvode_session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace signorini {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+CvodeSession oscillator(double tolerance) {
+  return {tolerance, Vector::Constant(2, tolerance),
+          [](double, const Eigen::Ref<const Vector>& y, Eigen::Ref<Vector> rate) {
+            rate[0] = y[1];
+            rate[1] = -y[0];
+          }};
+}
+
+// CVODE bounds the error of a step; over some periods up to a thousand such errors add up.
+constexpr double kTolerance = 1e-11, kGlobal = 1e3 * kTolerance;
+
+TEST(CvodeSession, FollowsAnOscillatorAndInterpolatesItsStepsToTolerance) {
+  CvodeSession session = oscillator(kTolerance);
+  session.start(0.0, Eigen::Vector2d(1.0, 0.0), 10.0, 1.0);
+  Vector y;
+  double worst = 0.0;
+  while (session.time() < 10.0) {
+    session.step();
+    for (int i = 0; i <= 4; ++i) {
+      const double time = session.previous_time() + (session.time() - session.previous_time()) * i / 4;
+      session.interpolate(time, y);
+      worst = std::max(worst, std::abs(y[0] - std::cos(time)));
+    }
+  }
+  EXPECT_DOUBLE_EQ(session.time(), 10.0);
+  EXPECT_LT(worst, kGlobal);
+  EXPECT_GT(session.rhs_evaluations(), 10);
+}
+
+TEST(CvodeSession, RestartsFromAnyState) {
+  CvodeSession session = oscillator(kTolerance);
+  Vector y;
+  for (int round = 0; round < 3; ++round) {
+    session.start(2.0, Eigen::Vector2d(0.0, 1.0), 3.0, 1.0);
+    while (session.time() < 3.0) session.step();
+    session.interpolate(3.0, y);
+    EXPECT_NEAR(y[0], std::sin(1.0), kGlobal);
+  }
+}
+
+TEST(CvodeSession, CarriesAnExceptionOfTheRightHandSideThroughC) {
+  CvodeSession session(1e-8, Vector::Constant(1, 1e-8),
+                       [](double, const auto&, auto) { throw std::domain_error("rhs"); });
+  session.start(0.0, Vector::Ones(1), 1.0, 1.0);
+  EXPECT_THROW(session.step(), std::domain_error);
+}
+
+TEST(CvodeSession, ReportsAFailureWithTheCallAndItsMessage) {
+  CvodeSession session(1e-8, Vector::Constant(1, 1e-8), [](double, const auto&, Eigen::Ref<Vector> rate) {
+    rate[0] = std::numeric_limits<double>::quiet_NaN();
+  });
+  session.start(0.0, Vector::Ones(1), 1.0, 1.0);
+  try {
+    for (int i = 0; i < 100; ++i) session.step();
+    FAIL() << "no failure";
+  } catch (const IntegrationError& error) {
+    EXPECT_NE(std::string(error.what()).find("CVode failed"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,75 @@
+#include "methods/harmonic_balance/compensated_solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "methods/aft_hbm/aft_hbm.hpp"
+#include "methods/exact_orbit/exact_orbit_method.hpp"
+#include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
+#include "methods/penalty_hbm/penalty_hbm.hpp"
+#include "tests/support/accuracy.hpp"
+#include "tests/support/population.hpp"
+
+namespace signorini {
+namespace {
+
+using test::relative_distance;
+using test::solve;
+
+Problem hard_scene(int index) { return test::to_problem(test::hard_population(index + 1).back()); }
+
+bool says(const Solution& solution, const std::string& words) {
+  return solution.message.find(words) != std::string::npos;
+}
+
+/// Relative distance of an answer from the exact orbit that it leads to.
+double error_of(const Problem& problem, const Solution& solution) {
+  const Solution exact = solve<ExactOrbitMethod>(problem, {}, solution.trajectory);
+  EXPECT_EQ(exact.verdict, Verdict::converged) << exact.message;
+  return relative_distance(*solution.trajectory, *exact.trajectory);
+}
+
+// Twenty harmonics of this motion rattle: the path of pivots ends at a solution whose impacts cannot be
+// compensated.
+TEST(CompensatedSolve, FindsByHatFunctionsWhatFewHarmonicsMiss) {
+  const Problem problem = hard_scene(139);
+  const Solution alone =
+      solve<FourierLipschitz>(problem, {.harmonics = 20, .solver = ComplementaritySolver::pivoting});
+  ASSERT_TRUE(says(alone, "impacts not compensated")) << alone.message;
+  const Solution lipschitz = solve<FourierLipschitz>(problem, {.harmonics = 20});
+  const Solution penalty = solve<PenaltyHbm>(problem, {.harmonics = 20});
+  const Solution aft = solve<AftHbm>(problem, {.harmonics = 20});
+  for (const Solution* solution : {&lipschitz, &penalty, &aft}) {
+    ASSERT_EQ(solution->verdict, Verdict::converged) << solution->message;
+    EXPECT_TRUE(says(*solution, "hat functions first")) << solution->message;
+    EXPECT_LE(error_of(problem, *solution), 0.02);
+  }
+}
+
+// The same by AFT with Newton alone, for which hat functions would be another homotopy.
+TEST(CompensatedSolve, LeavesNewtonAlone) {
+  const Solution newton = solve<AftHbm>(hard_scene(139), {.harmonics = 20, .homotopy = false});
+  EXPECT_FALSE(says(newton, "hat functions")) << newton.message;
+}
+
+TEST(CompensatedSolve, DoesNotClaimWhatHatFunctionsContradict) {
+  const Problem problem = hard_scene(414);
+  const Solution few = solve<FourierLipschitz>(problem, {.harmonics = 20});
+  EXPECT_EQ(few.verdict, Verdict::not_converged);
+  EXPECT_TRUE(says(few, "away from the motion on hat functions")) << few.message;
+  // Left to the method, more harmonics are tried.
+  const Solution more = solve<FourierLipschitz>(problem, {});
+  ASSERT_EQ(more.verdict, Verdict::converged) << more.message;
+  EXPECT_TRUE(says(more, "; H = ")) << more.message;
+  EXPECT_LE(error_of(problem, more), 0.1);
+}
+
+TEST(CompensatedSolve, KeepsWithinALimitOnIterations) {
+  const Solution limited =
+      solve<FourierLipschitz>(hard_scene(139), {.harmonics = 20, .max_iterations = 100000});
+  EXPECT_FALSE(says(limited, "hat functions")) << limited.message;
+}
+
+}  // namespace
+}  // namespace signorini

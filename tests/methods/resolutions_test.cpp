@@ -1,0 +1,173 @@
+#include "methods/resolutions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "methods/structure/receptance.hpp"
+#include "tests/support/accuracy.hpp"
+
+namespace signorini {
+namespace {
+
+/// What a resolution is to answer: a cosine of this amplitude, or not to converge (0), or not to be prepared
+/// (< 0).
+using Answers = std::map<int, double>;
+
+class Answering final : public PreparedMethod {
+ public:
+  Answering(double amplitude, int resolution) : amplitude_(amplitude), resolution_(resolution) {}
+  Solution solve(const Start&) override {
+    Solution solution{.message = "solved", .work = {.pivots = resolution_}};
+    if (amplitude_ == 0.0) return solution;
+    solution.verdict = Verdict::converged;
+    solution.trajectory = std::make_shared<test::GivenMotion>(
+        1.0, [a = amplitude_](double t) { return a * std::cos(2.0 * std::numbers::pi * t); });
+    return solution;
+  }
+
+ private:
+  double amplitude_;
+  int resolution_;
+};
+
+/// Resolutions 10, 20 and 40; those asked for are noted.
+Resolutions three(const Answers& answers, std::vector<int>& asked) {
+  return {rising_resolutions(10, 2, 40),
+          [answers, &asked](int resolution) -> std::unique_ptr<PreparedMethod> {
+            asked.push_back(resolution);
+            if (answers.at(resolution) < 0.0) throw SingularStiffness();
+            return std::make_unique<Answering>(answers.at(resolution), resolution);
+          }};
+}
+
+bool always(const Solution& /*unused*/) { return true; }
+bool never(const Solution& /*unused*/) { return false; }
+
+double amplitude(const Solution& solution) { return solution.trajectory->sample(1).x(0, 0); }
+
+TEST(Resolutions, RiseUpToTheFinest) {
+  EXPECT_EQ(rising_resolutions(20, 2, 160), (std::vector<int>{20, 40, 80, 160}));
+  EXPECT_EQ(rising_resolutions(256, 4, 4096), (std::vector<int>{256, 1024, 4096}));
+  EXPECT_EQ(rising_resolutions(300, 4, 1000), (std::vector<int>{300}));
+}
+
+TEST(RefinedUntilConverged, AsksForNoMoreThanItNeeds) {
+  std::vector<int> asked;
+  const Solution solution =
+      refined_until_converged(three({{10, 1.0}, {20, 1.0}, {40, 1.0}}, asked), "N")->solve({});
+  EXPECT_EQ(solution.verdict, Verdict::converged);
+  EXPECT_EQ(asked, (std::vector<int>{10}));
+  EXPECT_EQ(solution.message, "solved");
+}
+
+TEST(RefinedUntilConverged, GoesOnWhereThereIsNoAnswerAndAddsUpTheWork) {
+  std::vector<int> asked;
+  const Solution solution =
+      refined_until_converged(three({{10, 0.0}, {20, -1.0}, {40, 2.0}}, asked), "H")->solve({});
+  EXPECT_EQ(solution.verdict, Verdict::converged);
+  EXPECT_EQ(amplitude(solution), 2.0);
+  EXPECT_EQ(solution.work.pivots, 10 + 40);
+  EXPECT_EQ(solution.message, "solved; H = 40");
+}
+
+TEST(RefinedUntilConverged, ThrowsAtTheFirstResolutionOnly) {
+  std::vector<int> asked;
+  EXPECT_THROW(refined_until_converged(three({{10, -1.0}, {20, 1.0}, {40, 1.0}}, asked), "N"),
+               SingularStiffness);
+}
+
+TEST(RefinedUntilAgreed, TakesTheFinerOfTwoThatAgree) {
+  std::vector<int> asked;
+  const Solution solution =
+      refined_until_agreed(three({{10, 1.0}, {20, 1.04}, {40, 1.05}}, asked), "N", always, 0.0)->solve({});
+  EXPECT_EQ(solution.verdict, Verdict::converged);
+  EXPECT_EQ(amplitude(solution), 1.04);
+  EXPECT_EQ(asked, (std::vector<int>{10, 20}));
+  EXPECT_EQ(solution.work.pivots, 10 + 20);
+}
+
+TEST(RefinedUntilAgreed, AsksAThirdWhereTwoDisagree) {
+  std::vector<int> asked;
+  const Solution solution =
+      refined_until_agreed(three({{10, 3.0}, {20, 1.0}, {40, 1.01}}, asked), "N", always, 0.0)->solve({});
+  EXPECT_EQ(solution.verdict, Verdict::converged);
+  EXPECT_EQ(amplitude(solution), 1.01);
+}
+
+TEST(RefinedUntilAgreed, PassesOverResolutionsWithoutAnAnswer) {
+  std::vector<int> asked;
+  const Solution solution =
+      refined_until_agreed(three({{10, 1.0}, {20, -1.0}, {40, 1.0}}, asked), "N", always, 0.0)->solve({});
+  EXPECT_EQ(solution.verdict, Verdict::converged);
+  EXPECT_EQ(solution.message, "solved; N = 40");
+  const Solution alone =
+      refined_until_agreed(three({{10, 0.0}, {20, 0.0}, {40, 1.0}}, asked), "N", always, 0.0)->solve({});
+  EXPECT_EQ(alone.verdict, Verdict::converged);
+  const Solution none =
+      refined_until_agreed(three({{10, 0.0}, {20, 0.0}, {40, 0.0}}, asked), "N", always, 0.0)->solve({});
+  EXPECT_EQ(none.verdict, Verdict::not_converged);
+}
+
+TEST(RefinedUntilAgreed, TakesAnAnswerThatIsNotWorthTheNextResolution) {
+  std::vector<int> asked;
+  const Solution solution =
+      refined_until_agreed(three({{10, 0.0}, {20, 1.0}, {40, 3.0}}, asked), "N", never, 0.0)->solve({});
+  EXPECT_EQ(solution.verdict, Verdict::converged);
+  EXPECT_EQ(amplitude(solution), 1.0);
+  EXPECT_EQ(asked, (std::vector<int>{10, 20}));
+}
+
+TEST(RefinedUntilAgreed, DoesNotClaimWhatItHadNoTimeToCheck) {
+  std::vector<int> asked;
+  const Start late{.deadline = std::chrono::steady_clock::now()};
+  const Solution solution =
+      refined_until_agreed(three({{10, 1.0}, {20, 1.0}, {40, 1.0}}, asked), "N", always, 0.0)->solve(late);
+  EXPECT_EQ(solution.verdict, Verdict::not_converged);
+  EXPECT_EQ(solution.message, "solved; N = 10; the time was up before a finer one could be asked");
+}
+
+TEST(RefinedUntilAgreed, TakesMotionsAtRestForTheSame) {
+  std::vector<int> asked;
+  const Answers rounding{{10, 1e-16}, {20, 3e-16}, {40, 1e-15}};
+  const Solution solution = refined_until_agreed(three(rounding, asked), "N", always, 1e-6)->solve({});
+  EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  EXPECT_EQ(asked, (std::vector<int>{10, 20}));
+}
+
+TEST(RefinedUntilAgreed, PreparesFinerResolutionsInEverySolve) {
+  std::vector<int> asked;
+  const auto refined =
+      refined_until_agreed(three({{10, 1.0}, {20, 1.0}, {40, 1.0}}, asked), "N", always, 0.0);
+  refined->solve({});
+  refined->solve({});
+  EXPECT_EQ(asked, (std::vector<int>{10, 20, 20}));
+}
+
+TEST(RelativeDistance, IsThatOfTheLargerMotion) {
+  const test::GivenMotion one(1.0, [](double) { return 1.0; });
+  const test::GivenMotion three(1.0, [](double) { return -3.0; });
+  const test::GivenMotion rest(1.0, [](double) { return 0.0; });
+  EXPECT_DOUBLE_EQ(signorini::relative_distance(one, three, 16), 4.0 / 3.0);
+  EXPECT_EQ(signorini::relative_distance(rest, rest, 16), 0.0);
+  EXPECT_EQ(signorini::relative_distance(rest, one, 16), 1.0);
+}
+
+TEST(RefinedUntilAgreed, ClaimsTheFinestOnlyIfItIsNearTheOneBefore) {
+  std::vector<int> asked;
+  const Solution near =
+      refined_until_agreed(three({{10, 5.0}, {20, 1.0}, {40, 1.3}}, asked), "N", always, 0.0)->solve({});
+  EXPECT_EQ(near.verdict, Verdict::converged);
+  const Solution far =
+      refined_until_agreed(three({{10, 5.0}, {20, 1.0}, {40, 3.0}}, asked), "N", always, 0.0)->solve({});
+  EXPECT_EQ(far.verdict, Verdict::not_converged);
+  EXPECT_EQ(far.message, "solved; N = 40; the motion at the resolution before is 0.67 away");
+}
+
+}  // namespace
+}  // namespace signorini

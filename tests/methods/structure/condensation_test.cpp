@@ -1,0 +1,87 @@
+#include "methods/structure/condensation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "tests/support/exact_scenes.hpp"
+#include "tests/support/massless_scenes.hpp"
+
+namespace signorini {
+namespace {
+
+using Complex = std::complex<double>;
+
+TEST(Condense, TurnsAMasslessNodeIntoAStopThatYields) {
+  const CondensedStructure condensed = condense(test::massless_node());
+  ASSERT_EQ(condensed.obstacle, "");
+  EXPECT_EQ(condensed.kept, (std::vector<int>{0}));
+  EXPECT_EQ(condensed.mass.coeff(0, 0), 1.0);
+  EXPECT_NEAR(condensed.stiffness.coeff(0, 0), 1.0, 1e-14);
+  EXPECT_NEAR(condensed.directions.coeff(0, 0), 1.0, 1e-15);
+  EXPECT_NEAR(condensed.compliance(0, 0), 1.0 / 20.0, 1e-17);
+}
+
+TEST(Condense, LeavesAStructureWithMassEverywhereAsItIs) {
+  const Problem problem = test::stopped_chain(5, 0.5, 2);
+  const CondensedStructure condensed = condense(problem);
+  EXPECT_EQ(condensed.kept.size(), 5U);
+  EXPECT_EQ(Eigen::MatrixXd(condensed.stiffness - problem.stiffness).norm(), 0.0);
+  EXPECT_EQ(Eigen::MatrixXd(condensed.directions - contact_directions(problem)).norm(), 0.0);
+  EXPECT_TRUE(condensed.compliance.isZero(0.0));
+  EXPECT_TRUE(condensed.shift.isZero(0.0));
+}
+
+// At any frequency the condensed structure answers loads and contact forces as the whole one does.
+TEST(Condense, KeepsTheReceptanceOfCoupledAndLoadedContacts) {
+  const Problem problem = test::coupled_massless_scene(3);
+  const CondensedStructure condensed = condense(problem);
+  ASSERT_EQ(condensed.kept.size(), 4U);
+  ASSERT_EQ(condensed.rates.size(), 3U);
+  const auto stiffness = [](const SparseMatrix& M, const SparseMatrix& D, const SparseMatrix& K, double w) {
+    return Eigen::MatrixXcd(Eigen::MatrixXd(K - w * w * M).cast<Complex>() +
+                            Complex(0.0, w) * Eigen::MatrixXd(D).cast<Complex>());
+  };
+  const Eigen::MatrixXcd W = Eigen::MatrixXd(contact_directions(problem)).cast<Complex>();
+  const Eigen::MatrixXcd N = Eigen::MatrixXd(condensed.directions).cast<Complex>();
+  for (std::size_t h = 0; h < condensed.rates.size(); ++h) {
+    const auto column = static_cast<Eigen::Index>(h);
+    const double w = condensed.rates[h];
+    const Eigen::FullPivLU<Eigen::MatrixXcd> whole(
+        stiffness(problem.mass, problem.damping, problem.stiffness, w));
+    const Eigen::FullPivLU<Eigen::MatrixXcd> reduced(
+        stiffness(condensed.mass, condensed.damping, condensed.stiffness, w));
+    const Eigen::MatrixXcd C = W.transpose() * whole.solve(W);
+    const Eigen::MatrixXcd C_condensed =
+        N.transpose() * reduced.solve(N) + condensed.compliance.cast<Complex>();
+    EXPECT_LT((C - C_condensed).norm(), 1e-13 * C.norm()) << "rate " << w;
+    const Eigen::VectorXcd x = W.transpose() * whole.solve(load_harmonic(problem, static_cast<int>(h)));
+    const Eigen::VectorXcd x_condensed =
+        N.transpose() * reduced.solve(condensed.load.col(column)) + condensed.shift.col(column);
+    EXPECT_LT((x - x_condensed).norm(), 1e-13 * x.norm()) << "rate " << w;
+  }
+}
+
+TEST(Condense, RefusesWhatIsTooLargeToBeFollowedThroughTime) {
+  Problem large;
+  large.mass = SparseMatrix(kMostInTime + 1, kMostInTime + 1);
+  large.mass.setIdentity();
+  large.damping = large.stiffness = large.mass;
+  EXPECT_EQ(flow_obstacle(large), "10001 coordinates: at most 10000 are followed through time");
+}
+
+TEST(Condense, SaysWhereItCannotBeDone) {
+  Problem damped = test::massless_node();
+  damped.damping = Eigen::MatrixXd((Eigen::Matrix2d() << 0.1, -0.1, -0.1, 0.1).finished()).sparseView();
+  EXPECT_EQ(condense(damped).obstacle, "a coordinate without mass is damped: its equation is of first order");
+  Problem loose = test::massless_node();
+  loose.stiffness = Eigen::MatrixXd(Eigen::Vector2d(1.0, 0.0).asDiagonal()).sparseView();
+  EXPECT_EQ(condense(loose).obstacle, "coordinates without mass have no stiffness of their own");
+  Problem tied = test::massless_node();  // the sum of both coordinates carries mass, the difference none
+  tied.mass = Eigen::MatrixXd(Eigen::Matrix2d::Ones()).sparseView();
+  EXPECT_EQ(flow_obstacle(tied), "the mass matrix is singular on the coordinates with mass");
+  EXPECT_EQ(flow_obstacle(test::massless_node()), "");
+}
+
+}  // namespace
+}  // namespace signorini

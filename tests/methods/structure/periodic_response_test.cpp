@@ -1,0 +1,78 @@
+#include "methods/structure/periodic_response.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+/// A force that is nothing but impulses.
+class Impacts final : public Trajectory {
+ public:
+  Impacts(double period, std::vector<Impulse> impulses) : period_(period), impulses_(std::move(impulses)) {}
+  [[nodiscard]] int contact_count() const override { return 1; }
+  [[nodiscard]] double period() const override { return period_; }
+  [[nodiscard]] Samples sample(int count) const override {
+    const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(count, 1);
+    return {zero, zero, zero};
+  }
+  [[nodiscard]] std::vector<Impulse> impulses() const override { return impulses_; }
+
+ private:
+  double period_;
+  std::vector<Impulse> impulses_;
+};
+
+const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 0.8};
+
+TEST(PeriodicResponse, WithoutContactIsTheLinearResponse) {
+  const Problem problem = test::to_problem(kStop);
+  const PeriodicResponse response(problem, Impacts(problem.period(), {}));
+  const std::complex<double> amplitude = 1.0 / std::complex<double>(1.0 - 2.2 * 2.2, 0.1 * 2.2);
+  for (const double t : {0.0, 0.3, 2.0}) {
+    const std::complex<double> u = amplitude * std::polar(1.0, 2.2 * t);
+    EXPECT_NEAR(response.at(t).u[0], u.real(), 1e-14);
+    EXPECT_NEAR(response.at(t).v[0], -2.2 * u.imag(), 1e-14);
+  }
+}
+
+TEST(PeriodicResponse, OfAnImpulseIsTheClosedFormOrbit) {
+  const Problem problem = test::to_problem(kStop);
+  const auto orbit = test::single_impact_orbits(kStop).front();
+  const PeriodicResponse response(problem, Impacts(orbit.period, {{0, orbit.impact_time, -orbit.impulse}}),
+                                  4000);
+  for (const double after : {0.2, 0.5, 0.8}) {
+    const double t = std::fmod(orbit.impact_time + after * orbit.period, orbit.period);
+    // The kink's series converges like 1/H^2 in u and 1/H in v away from the impact.
+    EXPECT_NEAR(response.at(t).u[0], orbit.x(t), 1e-6);
+    EXPECT_NEAR(response.at(t).v[0], orbit.velocity(t), 1e-3);
+  }
+  const Eigen::MatrixXd u = response.displacement(16);
+  EXPECT_NEAR(u(5, 0), orbit.x(5 * orbit.period / 16), 1e-4);
+}
+
+TEST(PeriodicResponse, AcceptsSubharmonicsAndRefusesForeignPeriods) {
+  const Problem problem = test::to_problem(kStop);
+  const PeriodicResponse once(problem, Impacts(problem.period(), {}));
+  const PeriodicResponse thrice(problem, Impacts(3 * problem.period(), {}));
+  EXPECT_NEAR(once.at(0.4).u[0], thrice.at(0.4).u[0], 1e-14);
+  EXPECT_THROW(PeriodicResponse(problem, Impacts(1.3 * problem.period(), {})), std::invalid_argument);
+}
+
+TEST(PressureSamples, PutsAnImpulseOnTheNearestInstant) {
+  // Late in the period the nearest of eight instants is the first of the next.
+  const Impacts motion(
+      2.0, {{.contact = 0, .time = 0.6, .value = -3.0}, {.contact = 0, .time = 1.9, .value = -1.0}});
+  const Eigen::VectorXd pressure = pressure_samples(motion, 8, Eigen::VectorXd::Constant(1, 2.0));
+  Eigen::VectorXd expected = Eigen::VectorXd::Zero(8);
+  expected[2] = 3.0 / 0.25 / 2.0;
+  expected[0] = 1.0 / 0.25 / 2.0;
+  EXPECT_TRUE(pressure.isApprox(expected)) << pressure.transpose();
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,97 @@
+#include "methods/structure/receptance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "methods/complementarity/projected_law.hpp"
+#include "problems/assembly/chain.hpp"
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+/// Masses in a row, unequal, with loads and contacts away from each other.
+Problem chain_problem(int masses) {
+  Problem problem;
+  problem.name = "chain";
+  problem.kind = "chain";
+  problem.mass = SparseMatrix(masses, masses);
+  problem.damping = SparseMatrix(masses, masses);
+  problem.stiffness = SparseMatrix(masses, masses);
+  for (int i = 0; i < masses; ++i) {
+    problem.mass.insert(i, i) = 1.0 + 0.1 * i;
+    problem.stiffness.insert(i, i) = 2.0 + 0.3 * i;
+    problem.damping.insert(i, i) = 0.02 * (i + 1);
+    if (i + 1 < masses) {
+      problem.stiffness.insert(i, i + 1) = -1.0;
+      problem.stiffness.insert(i + 1, i) = -1.0;
+    }
+  }
+  problem.frequency = 1.3;
+  problem.force = {{0, 1, 1.0, 0.5}, {masses - 1, 3, 0.0, 0.7}, {0, 0, 0.25, 0.0}};
+  problem.contacts = {{{{masses - 1, 1.0}}, 0.1}, {{{0, 0.6}, {1, -0.8}}, 0.2}};
+  problem.law = Restitution{1.0};
+  validate(problem);
+  return problem;
+}
+
+class ReceptanceOfChain : public testing::TestWithParam<int> {};
+
+TEST_P(ReceptanceOfChain, MatchesTheDenseInverse) {
+  const Problem problem = chain_problem(GetParam());
+  const ContactReceptance receptance = fourier_receptance(problem, 5);
+  const Eigen::MatrixXcd m = Eigen::MatrixXd(problem.mass).cast<std::complex<double>>();
+  const Eigen::MatrixXcd d = Eigen::MatrixXd(problem.damping).cast<std::complex<double>>();
+  const Eigen::MatrixXcd k = Eigen::MatrixXd(problem.stiffness).cast<std::complex<double>>();
+  const Eigen::MatrixXcd w = Eigen::MatrixXd(contact_directions(problem)).cast<std::complex<double>>();
+  for (int n = 0; n <= 5; ++n) {
+    const double omega = 1.3 * n;
+    const Eigen::MatrixXcd z = k - omega * omega * m + std::complex<double>(0.0, omega) * d;
+    const Eigen::MatrixXcd inverse = z.inverse();
+    const Eigen::MatrixXcd expected = w.transpose() * inverse * w;
+    EXPECT_LE((receptance.receptance[static_cast<std::size_t>(n)] - expected).norm(),
+              1e-12 * expected.norm());
+    const Eigen::VectorXcd load = (n == 0 ? 1.0 : 0.5) * load_harmonic(problem, n);
+    const Eigen::VectorXcd free = w.transpose() * inverse * load;
+    EXPECT_LE((receptance.free_response.row(n).transpose() - free).norm(), 1e-12 * (free.norm() + 1e-300));
+  }
+}
+
+// 3 masses take the dense path, 60 the sparse one.
+INSTANTIATE_TEST_SUITE_P(DenseAndSparse, ReceptanceOfChain, testing::Values(3, 60));
+
+TEST(ContactReceptance, OfASubharmonicMotionCarriesTheLoadAtItsOwnHarmonic) {
+  Problem problem = test::to_problem({.frequency = 4.0, .gap = 0.1});
+  problem.subharmonic = 2;
+  const ContactReceptance receptance = fourier_receptance(problem, 4);
+  EXPECT_DOUBLE_EQ(receptance.period, std::numbers::pi);
+  EXPECT_EQ(std::abs(receptance.free_response(1, 0)), 0.0);
+  const std::complex<double> expected = 0.5 / std::complex<double>(1.0 - 16.0, 0.4);
+  EXPECT_LE(std::abs(receptance.free_response(2, 0) - expected), 1e-15);
+  const std::complex<double> half = 1.0 / std::complex<double>(1.0 - 4.0, 0.2);
+  EXPECT_LE(std::abs(receptance.receptance[1](0, 0) - half), 1e-15);
+}
+
+TEST(ContactReceptance, RefusesAnUndampedResonance) {
+  Problem problem = test::to_problem({.damping = 0.0, .frequency = 1.0, .gap = 0.1});
+  EXPECT_THROW(fourier_receptance(problem, 2), std::runtime_error);
+}
+
+TEST(HighestDynamicStiffness, OfOneMassIsItsInertiaAtThreeQuartersOfTheHighestHarmonics) {
+  const Problem problem = test::to_problem({.mass = 2.0, .frequency = 3.0, .gap = 0.1});
+  const double scale = highest_dynamic_stiffness(fourier_receptance(problem, 40))[0];
+  // Mean of 1/(m n^2 w^2) over n from 20 to 40 is close to 1/(m w^2 20 40).
+  EXPECT_NEAR(scale / (2.0 * 9.0 * 20 * 40), 1.0, 0.05);
+}
+
+TEST(LipschitzLaw, OfASpringStopRelievesTheConditionByItsCompliance) {
+  Problem problem = test::to_problem({.stiffness = 4.0, .frequency = 3.0, .gap = 0.1});
+  problem.law = Penalty{{100.0}};
+  const ProjectedLaw law = lipschitz_law(problem, 10.0, fourier_receptance(problem, 3));
+  EXPECT_DOUBLE_EQ(law.constant[0], 40.0);
+  EXPECT_DOUBLE_EQ(law.relief[0], 1.0 - 40.0 / 100.0);
+}
+
+}  // namespace
+}  // namespace signorini

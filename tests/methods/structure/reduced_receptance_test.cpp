@@ -1,0 +1,319 @@
+#include "methods/structure/reduced_receptance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCholesky>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "problems/assembly/beam.hpp"
+#include "problems/assembly/chain.hpp"
+#include "problems/assembly/damping.hpp"
+#include "problems/definiteness.hpp"
+#include "problems/sparse_cholesky.hpp"
+#include "tests/support/elastic_block.hpp"
+
+namespace signorini {
+namespace {
+
+constexpr double kTolerance = 1e-10;
+
+std::function<HarmonicWeights(int)> harmonics_of(const Problem& problem) {
+  return [base = problem.base_frequency()](int n) { return exact_weights(n * base); };
+}
+
+/// Largest difference of the receptances of a harmonic, relative to its norm.
+double difference(const ContactReceptance& a, const ContactReceptance& b) {
+  double largest = 0.0;
+  for (std::size_t n = 0; n < b.receptance.size(); ++n) {
+    largest = std::max(largest, (a.receptance[n] - b.receptance[n]).norm() / b.receptance[n].norm());
+  }
+  return largest;
+}
+
+/// A uniform bar of length, stiffness and density 1, clamped at one end, in linear elements; its tip may meet
+/// a stop.
+Problem uniform_bar(int elements, double beta, double frequency) {
+  std::vector<Eigen::Triplet<double>> mass;
+  std::vector<Eigen::Triplet<double>> stiffness;
+  const double h = 1.0 / elements;
+  for (int i = 0; i < elements; ++i) {
+    const bool tip = i + 1 == elements;
+    mass.emplace_back(i, i, tip ? h / 3.0 : 2.0 * h / 3.0);
+    stiffness.emplace_back(i, i, tip ? 1.0 / h : 2.0 / h);
+    if (tip) continue;
+    for (const auto& [row, column] : {std::pair(i, i + 1), std::pair(i + 1, i)}) {
+      mass.emplace_back(row, column, h / 6.0);
+      stiffness.emplace_back(row, column, -1.0 / h);
+    }
+  }
+  Problem problem;
+  problem.mass = problem.stiffness = SparseMatrix(elements, elements);
+  problem.mass.setFromTriplets(mass.begin(), mass.end());
+  problem.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
+  problem.damping = beta * problem.stiffness;
+  problem.frequency = frequency;
+  problem.contacts = {{{{elements - 1, 1.0}}, 0.1}};
+  problem.force = {{elements - 1, 1, 1.0, 0.0}};
+  return problem;
+}
+
+struct Case {
+  const char* name;
+  test::ElasticBlock block;
+  int harmonics;
+};
+void PrintTo(const Case& scene, std::ostream* out) { *out << scene.name; }
+
+class ReducedReceptanceOfBlock : public testing::TestWithParam<Case> {};
+
+// The oracle: a dense factorisation of every Z_n.
+TEST_P(ReducedReceptanceOfBlock, MeetsTheToleranceItPromises) {
+  const Problem problem = test::to_problem(GetParam().block);
+  const auto weights = harmonics_of(problem);
+  const auto reduced = reduced_receptance(problem, GetParam().harmonics, weights, kTolerance);
+  ASSERT_TRUE(reduced);
+  const ContactReceptance dense =
+      contact_receptance(problem, GetParam().harmonics, weights, ReceptanceMethod::dense);
+  EXPECT_EQ(reduced->report.method, ReceptanceMethod::reduced);
+  EXPECT_LT(reduced->report.basis, problem.size());
+  EXPECT_LE(*reduced->report.error, kTolerance);
+  EXPECT_LE(difference(*reduced, dense), kTolerance);
+  for (int n = 0; n <= GetParam().harmonics; ++n) {
+    const auto row = static_cast<Eigen::Index>(n);
+    EXPECT_LE((reduced->free_response.row(row) - dense.free_response.row(row)).norm(),
+              kTolerance * dense.free_response.norm());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Blocks, ReducedReceptanceOfBlock,
+    testing::Values(Case{"damped", {.alpha = 0.02, .beta = 0.02, .frequency = 0.3}, 8},
+                    Case{"light damping", {.beta = 1e-4, .frequency = 0.35}, 10},
+                    Case{"nine contacts", {.nx = 5, .side = 3, .beta = 0.01, .frequency = 0.2}, 12},
+                    Case{"no damping, below the first resonance", {.frequency = 0.1}, 3}));
+
+TEST(ReducedReceptance, BoundsItsErrorWhateverItsTolerance) {
+  const Problem problem = test::to_problem({.side = 3, .beta = 0.02, .frequency = 0.4});
+  const auto weights = harmonics_of(problem);
+  const ContactReceptance dense = contact_receptance(problem, 8, weights, ReceptanceMethod::dense);
+  for (const double tolerance : {1e-1, 1e-3, 1e-5, 1e-7}) {
+    const auto reduced = reduced_receptance(problem, 8, weights, tolerance);
+    ASSERT_TRUE(reduced);
+    EXPECT_TRUE(reduced->report.bound);
+    EXPECT_LE(*reduced->report.error, tolerance);
+    // What rounding leaves where the bound is far below it.
+    EXPECT_LE(difference(*reduced, dense), *reduced->report.error + 1e-12);
+  }
+}
+
+TEST(ReducedReceptance, OfADampedBarApproachesTheClosedFormWithOrderTwo) {
+  constexpr double kBeta = 0.01;
+  constexpr double kFrequency = 0.9;
+  double last = 0.0;
+  for (const int elements : {40, 80, 160}) {
+    const Problem problem = uniform_bar(elements, kBeta, kFrequency);
+    const auto reduced = reduced_receptance(problem, 6, harmonics_of(problem), kTolerance);
+    ASSERT_TRUE(reduced);
+    double error = 0.0;
+    for (int n = 1; n <= 6; ++n) {
+      const double w = n * kFrequency;
+      const std::complex<double> modulus(1.0, kBeta * w);
+      const std::complex<double> k = w / std::sqrt(modulus);
+      const std::complex<double> exact = std::tan(k) / (modulus * k);
+      error = std::max(error, std::abs(reduced->receptance[static_cast<std::size_t>(n)](0, 0) / exact - 1.0));
+    }
+    if (last > 0.0) {
+      EXPECT_NEAR(std::log2(last / error), 2.0, 0.1) << elements;
+    }
+    last = error;
+  }
+}
+
+TEST(ReducedReceptance, TakesMasslessContacts) {
+  Problem problem = uniform_bar(60, 0.01, 0.9);
+  SparseMatrix keep(60, 60);
+  keep.setIdentity();
+  keep.coeffRef(59, 59) = 0.0;
+  problem.mass = SparseMatrix(keep * problem.mass * keep);
+  problem.damping = 0.01 * problem.stiffness;
+  const auto weights = harmonics_of(problem);
+  const auto reduced = reduced_receptance(problem, 10, weights, kTolerance);
+  ASSERT_TRUE(reduced);
+  EXPECT_LE(difference(*reduced, contact_receptance(problem, 10, weights, ReceptanceMethod::dense)),
+            kTolerance);
+}
+
+/// Weights of a harmonic that are not those of the undiscretised equation.
+HarmonicWeights hat_weights(int n, int nodes, double period) {
+  const double theta = 2.0 * std::numbers::pi * n / nodes;
+  const double step = period / nodes;
+  const double gram = (2.0 + std::cos(theta)) / 3.0;
+  return {-(2.0 - 2.0 * std::cos(theta)) / (step * step), std::complex<double>(0.0, std::sin(theta) / step),
+          gram, gram};
+}
+
+HarmonicWeights backward_weights(int n, int nodes, double period) {
+  const double step = period / nodes;
+  const std::complex<double> s = (1.0 - std::polar(1.0, -2.0 * std::numbers::pi * n / nodes)) / step;
+  return {s * s, s, 1.0, 1.0};
+}
+
+// At the highest harmonic, theta = pi, the damping weight of hat functions is zero: only an estimate is left.
+TEST(ReducedReceptance, TakesTheWeightsOfHatFunctionsAndOfBackwardDifferences) {
+  constexpr int kNodes = 16;
+  const Problem problem = test::to_problem({.side = 2, .alpha = 0.02, .beta = 0.02, .frequency = 0.2});
+  for (const auto scheme : {hat_weights, backward_weights}) {
+    const auto weights = [&](int n) { return scheme(n, kNodes, problem.period()); };
+    const auto reduced = reduced_receptance(problem, kNodes / 2, weights, kTolerance);
+    ASSERT_TRUE(reduced);
+    EXPECT_EQ(reduced->report.bound, scheme == backward_weights);
+    const ContactReceptance dense = contact_receptance(problem, kNodes / 2, weights, ReceptanceMethod::dense);
+    EXPECT_LE(difference(*reduced, dense), kTolerance);
+    EXPECT_LE((reduced->free_response - dense.free_response).norm(), kTolerance * dense.free_response.norm());
+  }
+}
+
+// Without damping only harmonics below the first resonance are known to be away from all of them.
+TEST(ReducedReceptance, ClaimsNoBoundAmongUndampedResonances) {
+  for (const double frequency : {0.1, 0.45}) {
+    const Problem problem = test::to_problem(test::ElasticBlock{.frequency = frequency});
+    const auto reduced = reduced_receptance(problem, 4, harmonics_of(problem), kTolerance);
+    ASSERT_TRUE(reduced);
+    EXPECT_EQ(reduced->report.bound, frequency < 0.2) << frequency;
+    ASSERT_TRUE(reduced->report.error);
+    EXPECT_LE(*reduced->report.error, kTolerance);
+  }
+}
+
+TEST(ReducedReceptance, LeavesModalDampingToFactorisations) {
+  Problem problem = test::to_problem(test::ElasticBlock{.nx = 3, .ny = 2, .nz = 3, .frequency = 0.2});
+  problem.damping = damping_matrix(ModalDamping{{0.01, 0.03}}, problem.mass, problem.stiffness);
+  const auto weights = harmonics_of(problem);
+  EXPECT_FALSE(reduced_receptance(problem, 4, weights, kTolerance));
+  const ContactReceptance fallen_back = contact_receptance(problem, 4, weights, ReceptanceMethod::reduced);
+  EXPECT_EQ(fallen_back.report.method, ReceptanceMethod::direct);
+  EXPECT_EQ(fallen_back.report.basis, 0);
+  const ContactReceptance dense = contact_receptance(problem, 4, weights, ReceptanceMethod::dense);
+  EXPECT_LE(difference(fallen_back, dense), 1e-11);
+}
+
+// What the rounding of P^{-1} may leave: the bound is one in exact arithmetic.
+double rounding(const Problem& problem) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(Eigen::MatrixXd(problem.stiffness),
+                                                             Eigen::EigenvaluesOnly);
+  const Eigen::VectorXd& values = modes.eigenvalues();
+  return std::numeric_limits<double>::epsilon() * values.tail(1)(0) / values(0);
+}
+
+/// A beam or a chain like no other, with some contacts and a load.
+Problem random_structure(int seed) {
+  std::mt19937 random(static_cast<unsigned>(seed));
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const auto among = [&](int count) { return static_cast<int>(random() % static_cast<unsigned>(count)); };
+  Structure structure;
+  if (seed % 2 == 0) {
+    structure = assemble(Beam{.elements = 20 + among(20), .length = uniform(0.5, 2.0)});
+  } else {
+    Chain chain;
+    const int masses = 40 + among(40);
+    for (int i = 0; i < masses; ++i) {
+      chain.masses.push_back(uniform(0.5, 2.0));
+      chain.springs.push_back(uniform(0.5, 2.0));
+      chain.dampers.push_back(0.0);
+    }
+    chain.links = {{.first = 0, .second = masses / 2, .spring = uniform(0.1, 1.0), .damper = 0.0}};
+    structure = assemble(chain);
+  }
+  Problem problem;
+  problem.mass = structure.mass;
+  problem.stiffness = structure.stiffness;
+  const auto size = static_cast<int>(problem.mass.rows());
+  // The lowest frequency, by a few steps of inverse iteration, tells what is slow and what is little damping.
+  const Eigen::SimplicialLDLT<SparseMatrix> factors(problem.stiffness);
+  Eigen::VectorXd shape = Eigen::VectorXd::Ones(size);
+  for (int i = 0; i < 30; ++i) shape = factors.solve(problem.mass * shape).normalized();
+  const double lowest = std::sqrt(shape.dot(problem.stiffness * shape) / shape.dot(problem.mass * shape));
+  problem.damping =
+      uniform(0.0, 0.05) * lowest * problem.mass + uniform(0.001, 0.05) / lowest * problem.stiffness;
+  problem.frequency = lowest * uniform(0.3, 1.5);
+  for (int c = 0; c <= among(4); ++c) problem.contacts.push_back({{{(7 * c + among(7)) % size, 1.0}}, 0.1});
+  problem.force = {{among(size), 1, 1.0, uniform(-1.0, 1.0)}, {among(size), 2, 0.0, 0.5}};
+  return problem;
+}
+
+TEST(ReducedReceptance, MeetsItsToleranceOnAPopulationOfBeamsAndChains) {
+  constexpr int kStructures = 40;
+  constexpr int kHarmonics = 5;
+  int reduced_ones = 0;
+  for (int seed = 0; seed < kStructures; ++seed) {
+    const Problem problem = random_structure(seed);
+    const auto weights = harmonics_of(problem);
+    const auto reduced = reduced_receptance(problem, kHarmonics, weights, kTolerance);
+    if (!reduced) continue;  // as dear as factorisations: small and banded structures may be
+    ++reduced_ones;
+    const ContactReceptance direct =
+        contact_receptance(problem, kHarmonics, weights, ReceptanceMethod::direct);
+    EXPECT_TRUE(reduced->report.bound) << "structure " << seed;
+    const double allowed = kTolerance + rounding(problem);
+    ASSERT_LE(allowed, 1e-7) << "structure " << seed;
+    EXPECT_LE(difference(*reduced, direct), allowed) << "structure " << seed;
+    EXPECT_LE((reduced->free_response - direct.free_response).norm(), allowed * direct.free_response.norm())
+        << "structure " << seed;
+  }
+  EXPECT_GE(reduced_ones, kStructures / 4);
+}
+
+TEST(ReducedReceptance, LeavesOtherDampingToFactorisations) {
+  Problem problem = test::to_problem(test::ElasticBlock{.beta = 0.01});
+  problem.damping.coeffRef(0, 0) += 1.0;
+  EXPECT_FALSE(reduced_receptance(problem, 3, harmonics_of(problem), kTolerance));
+  const auto automatic = contact_receptance(problem, 3, harmonics_of(problem));
+  EXPECT_EQ(automatic.report.method, ReceptanceMethod::direct);
+}
+
+TEST(ReducedReceptance, RefusesAFreeStructureAtRest) {
+  Problem problem = uniform_bar(60, 0.01, 0.9);
+  problem.stiffness.coeffRef(0, 0) = 60.0;  // one spring less: nothing holds the bar
+  problem.damping = 0.01 * problem.stiffness;
+  EXPECT_THROW(reduced_receptance(problem, 3, harmonics_of(problem), kTolerance), SingularStiffness);
+}
+
+TEST(ContactReceptance, OfALargeStructureIsReducedWithoutBeingAsked) {
+  const Problem problem =
+      test::to_problem({.nx = 9, .ny = 8, .nz = 8, .side = 2, .beta = 0.02, .frequency = 0.2});
+  ASSERT_GT(problem.size(), 2000);
+  const auto weights = harmonics_of(problem);
+  const ContactReceptance automatic = contact_receptance(problem, 5, weights);
+  EXPECT_EQ(automatic.report.method, ReceptanceMethod::reduced);
+  const ContactReceptance direct = contact_receptance(problem, 5, weights, ReceptanceMethod::direct);
+  EXPECT_EQ(direct.report.method, ReceptanceMethod::direct);
+  EXPECT_LE(difference(automatic, direct), kTolerance);
+}
+
+TEST(SparseCholesky, TellsDefiniteFromIndefiniteAndSolves) {
+  const Problem problem = test::to_problem(test::ElasticBlock{});
+  SparseCholesky factors(problem.stiffness);
+  EXPECT_GT(factors.smallest_pivot(), 1e-3);
+  const Eigen::MatrixXd u = Eigen::MatrixXd::Random(problem.size(), 3);
+  EXPECT_LE((factors.solve(problem.stiffness * u) - u).norm(), 1e-11 * u.norm());
+  const SparseMatrix indefinite = problem.stiffness - 100.0 * problem.mass;
+  EXPECT_LE(SparseCholesky(indefinite).smallest_pivot(), 0.0);
+}
+
+TEST(Definiteness, OfLargeMatricesIsJudgedByCurvature) {
+  const Problem problem = test::to_problem({.nx = 9, .ny = 8, .nz = 8});
+  EXPECT_TRUE(is_semidefinite(problem.stiffness));
+  EXPECT_TRUE(is_definite(problem.stiffness));
+  // The lowest eigenfrequency of the block lies below 1 rad/s: this matrix is indefinite by a single
+  // direction or few.
+  EXPECT_FALSE(is_semidefinite(problem.stiffness - 1.0 * problem.mass));
+}
+
+}  // namespace
+}  // namespace signorini
