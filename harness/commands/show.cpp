@@ -11,7 +11,7 @@
 #include "harness/failure.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/records/record.hpp"
-#include "harness/report/formats/cells.hpp"
+#include "harness/report/document/cells.hpp"
 #include "methods/catalogue.hpp"
 #include "problems/scene/scene_file.hpp"
 

@@ -8,7 +8,7 @@
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/records/trajectory_json.hpp"
-#include "harness/report/formats/cells.hpp"
+#include "harness/report/document/cells.hpp"
 #include "harness/run/runner.hpp"
 
 namespace signorini {

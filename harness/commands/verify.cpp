@@ -13,7 +13,7 @@
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/orbits/orbit_comparison.hpp"
-#include "harness/plan/yardstick.hpp"
+#include "harness/plan/baseline.hpp"
 #include "harness/progress.hpp"
 #include "harness/records/manifest.hpp"
 #include "harness/records/run_folder.hpp"
@@ -208,7 +208,7 @@ int verify_references(const VerifyArguments& arguments, const fs::path& folder) 
 /// Ratios of times say something on another machine too, where seconds do not.
 void print_relative_times(const std::vector<RelativeTime>& times) {
   if (times.empty()) {
-    fmt::print("times relative to {}: none, it was not timed in both runs\n", kYardstick);
+    fmt::print("times relative to {}: none, it was not timed in both runs\n", kTimeBaseline);
     return;
   }
   std::map<std::string, std::pair<std::vector<double>, std::vector<double>>> methods;
@@ -216,7 +216,7 @@ void print_relative_times(const std::vector<RelativeTime>& times) {
     methods[time.method].first.push_back(time.kept);
     methods[time.method].second.push_back(time.now);
   }
-  Table table{{"method", "scenes", fmt::format("time / {}, kept", kYardstick), "now", "now / kept"}, {}};
+  Table table{{"method", "scenes", fmt::format("time / {}, kept", kTimeBaseline), "now", "now / kept"}, {}};
   for (const auto& [method, ratios] : methods) {
     const double kept = median(ratios.first), now = median(ratios.second);
     table.rows.push_back({method, std::to_string(ratios.first.size()), fmt::format("{:.3g}", kept),

@@ -10,7 +10,7 @@
 
 #include "harness/compare/rerun.hpp"
 #include "harness/records/merge.hpp"
-#include "harness/report/formats/cells.hpp"
+#include "harness/report/document/cells.hpp"
 
 namespace signorini {
 

@@ -9,8 +9,8 @@
 #include "harness/failure.hpp"
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
+#include "harness/plan/baseline.hpp"
 #include "harness/plan/selection.hpp"
-#include "harness/plan/yardstick.hpp"
 #include "harness/run/rounds.hpp"
 #include "harness/sha256.hpp"
 
@@ -102,15 +102,15 @@ std::vector<RelativeTime> relative_times(const std::vector<const Record*>& kept,
     return kept[i]->seconds && now[i] && now[i]->seconds && kept[i]->seconds->median > 0.0 &&
            now[i]->seconds->median > 0.0;
   };
-  std::map<std::string, std::size_t> yardsticks;  // by scene
+  std::map<std::string, std::size_t> baselines;  // by scene
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (method_label(*kept[i]) == kYardstick && timed(i)) yardsticks[kept[i]->scene] = i;
+    if (method_label(*kept[i]) == kTimeBaseline && timed(i)) baselines[kept[i]->scene] = i;
   }
   std::vector<RelativeTime> times;
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    const auto yardstick = yardsticks.find(kept[i]->scene);
-    if (yardstick == yardsticks.end() || !timed(i)) continue;
-    const std::size_t y = yardstick->second;
+    const auto baseline = baselines.find(kept[i]->scene);
+    if (baseline == baselines.end() || !timed(i)) continue;
+    const std::size_t y = baseline->second;
     times.push_back({.method = method_label(*kept[i]),
                      .kept = kept[i]->seconds->median / kept[y]->seconds->median,
                      .now = now[i]->seconds->median / now[y]->seconds->median});

@@ -20,13 +20,13 @@ inline constexpr double kErrorFactor = 1.5;
 /// status, certificate and the error of x. A status that a time limit decided is no difference.
 std::vector<std::string> compare_records(const Record& kept, const Record& now);
 
-/// Time of a case over that of the yardstick on the same scene in the same run, kept and new.
+/// Time of a case over that of the baseline on the same scene in the same run, kept and new.
 struct RelativeTime {
   std::string method = {};  ///< with its settings
   double kept = 0.0, now = 0.0;
 };
 
-/// Of the cases timed in both runs, on scenes where both have the yardstick; `now[i]` is kept[i] run again.
+/// Of the cases timed in both runs, on scenes where both have the baseline; `now[i]` is kept[i] run again.
 std::vector<RelativeTime> relative_times(const std::vector<const Record*>& kept,
                                          const std::vector<std::optional<Record>>& now);
 

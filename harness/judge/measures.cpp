@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
+#include "harness/judge/contact_response.hpp"
 #include "harness/judge/impacts.hpp"
 #include "methods/structure/condensation.hpp"
-#include "methods/structure/contact_response.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
 #include "problems/definiteness.hpp"

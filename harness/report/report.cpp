@@ -4,12 +4,12 @@
 #include <map>
 
 #include "harness/records/manifest.hpp"
+#include "harness/report/document/section.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 #include "harness/report/formats/latex.hpp"
 #include "harness/report/formats/markdown.hpp"
 #include "harness/report/formats/page.hpp"
 #include "harness/report/formats/record_csv.hpp"
-#include "harness/report/sections/section.hpp"
 #include "harness/sha256.hpp"
 
 namespace signorini {

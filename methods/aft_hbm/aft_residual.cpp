@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "methods/discretisation/free_overlap.hpp"
+#include "methods/discretisation/free_penetration.hpp"
 #include "methods/discretisation/harmonic_vector.hpp"
 
 namespace signorini {
@@ -13,7 +13,7 @@ AftResidual::AftResidual(const ContactReceptance& receptance, const Eigen::Vecto
                          const ProjectedLaw& law, int samples)
     : symbol_(receptance, law),
       samples_(samples),
-      free_(free_overlap(receptance.free_response, gap, symbol_.root(), samples)),
+      free_(free_penetration(receptance.free_response, gap, symbol_.root(), samples)),
       fft_(samples) {
   load_scale_ = std::sqrt(free_.cwiseMax(0.0).squaredNorm() / samples_);
 }

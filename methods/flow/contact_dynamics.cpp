@@ -57,8 +57,8 @@ ContactDynamics::ContactDynamics(const Problem& problem)
     const auto k = Eigen::VectorXd::Map(law->stiffness.data(), contact_count());
     compliance_.diagonal() += k.cwiseInverse();
   }
-  impulse_response_ = mass_.solve(directions_);
-  delassus_ = directions_.transpose() * impulse_response_;
+  velocity_per_impulse_ = mass_.solve(directions_);
+  delassus_ = directions_.transpose() * velocity_per_impulse_;
   prepare_small();
   measure_rates();
   measure_scales(problem);
@@ -134,10 +134,10 @@ void ContactDynamics::acceleration(const ContactMode& mode, double time,
   }
   if (mode.active.empty()) return;
   if (rigid()) {
-    a += impulse_response_(Eigen::all, mode.active) * multiplier(mode, a);
+    a += velocity_per_impulse_(Eigen::all, mode.active) * multiplier(mode, a);
   } else {
-    const Eigen::VectorXd lambda = yielding_force(mode, unloaded(time, u, 0), 0);
-    for (const int j : mode.active) a += lambda[j] * impulse_response_.col(j);
+    const Eigen::VectorXd lambda = compliant_force(mode, unloaded(time, u, 0), 0);
+    for (const int j : mode.active) a += lambda[j] * velocity_per_impulse_.col(j);
   }
 }
 
@@ -146,8 +146,8 @@ Eigen::VectorXd ContactDynamics::unloaded(double time, const Eigen::Ref<const Ei
   return directions_.transpose() * u + wave_derivative(shift_, rates_, time, order);
 }
 
-Eigen::VectorXd ContactDynamics::yielding_force(const ContactMode& mode, const Eigen::VectorXd& unloaded,
-                                                int order) const {
+Eigen::VectorXd ContactDynamics::compliant_force(const ContactMode& mode, const Eigen::VectorXd& unloaded,
+                                                 int order) const {
   Eigen::VectorXd lambda = Eigen::VectorXd::Zero(contact_count());
   Eigen::VectorXd depth = unloaded(mode.active);
   if (order == 0) depth -= gaps_(mode.active);
@@ -167,14 +167,14 @@ MotionDerivatives ContactDynamics::derivatives(const ContactMode& mode, double t
                             damping_ * result.u.col(k + 1);
     result.x.col(k) = unloaded(time, result.u.col(k), k);
     if (!rigid()) {
-      result.lambda.col(k) = yielding_force(mode, result.x.col(k), k);
+      result.lambda.col(k) = compliant_force(mode, result.x.col(k), k);
       result.x.col(k) += massless_compliance_ * result.lambda.col(k);
       force += directions_ * result.lambda.col(k);
     }
     Eigen::VectorXd next = mass_.solve(force);
     if (rigid() && !mode.active.empty()) {
       const Eigen::VectorXd lambda = multiplier(mode, next);
-      next += impulse_response_(Eigen::all, mode.active) * lambda;
+      next += velocity_per_impulse_(Eigen::all, mode.active) * lambda;
       result.lambda(mode.active, k) = lambda;
     }
     result.u.col(k + 2) = next;
@@ -190,7 +190,7 @@ Eigen::MatrixXd ContactDynamics::flow_matrix(const ContactMode& mode) const {
   Eigen::MatrixXd from_u = -mass_.solve(stiffness);
   Eigen::MatrixXd from_v = -mass_.solve(Eigen::MatrixXd(damping_));
   if (rigid() && !mode.active.empty()) {
-    const Eigen::MatrixXd back = impulse_response_(Eigen::all, mode.active) * mode.response;
+    const Eigen::MatrixXd back = velocity_per_impulse_(Eigen::all, mode.active) * mode.response;
     from_u -= back * (active.transpose() * from_u);
     from_v -= back * (active.transpose() * from_v);
   }

@@ -10,10 +10,10 @@
 
 namespace signorini {
 
-/// The set A of closed contacts: sticking to a rigid stop, or pushing a stop that yields.
+/// The set A of closed contacts: sticking to a rigid stop, or pushing a compliant stop.
 struct ContactMode {
   std::vector<int> active;  ///< A, ascending
-  /// Rigid stops: G_AA^-1, G = W^T M^-1 W [kg]; yielding ones: C_AA^-1 [N/m]. The pseudo-inverse where stops
+  /// Rigid stops: G_AA^-1, G = W^T M^-1 W [kg]; compliant ones: C_AA^-1 [N/m]. The pseudo-inverse where stops
   /// depend on each other, which shares a force evenly.
   Eigen::MatrixXd response;
 
@@ -40,7 +40,7 @@ struct MotionDerivatives {
 ///     M u'' + D u' + K u = f(t) + W lambda,
 ///
 /// lambda_j = 0 at open contacts. A rigid stop has the multiplier that keeps x_j'' = 0:
-/// G_AA lambda_A = -W_A^T M^-1 (f - K u - D u') with the Delassus matrix G = W^T M^-1 W. A stop that yields,
+/// G_AA lambda_A = -W_A^T M^-1 (f - K u - D u') with the Delassus matrix G = W^T M^-1 W. A compliant stop,
 /// because it is a spring (k_j) or because the coordinates behind it carry no mass (compliance C_0, shift
 /// s), has the force that keeps it closed:
 ///
@@ -57,7 +57,7 @@ class ContactDynamics {
   [[nodiscard]] State with_mass(const State& whole) const {
     return {.u = whole.u(kept_), .v = whole.v(kept_)};
   }
-  /// False where the stops yield.
+  /// False where the stops are compliant.
   [[nodiscard]] bool rigid() const { return rigid_; }
   [[nodiscard]] double restitution() const { return restitution_; }  ///< e [-]; 1 without a law
   [[nodiscard]] double frequency() const { return frequency_; }      ///< omega [rad/s]
@@ -74,10 +74,12 @@ class ContactDynamics {
   /// s_h likewise, Nc x Nh [m].
   [[nodiscard]] const Eigen::MatrixXcd& shift_amplitudes() const { return shift_; }
   [[nodiscard]] double forcing_period() const { return forcing_period_; }
-  [[nodiscard]] const Eigen::MatrixXd& directions() const { return directions_; }              ///< W, Nd x Nc
-  [[nodiscard]] const Eigen::MatrixXd& impulse_response() const { return impulse_response_; }  ///< M^-1 W
-  [[nodiscard]] const Eigen::MatrixXd& delassus() const { return delassus_; }                  ///< G, Nc x Nc
-  [[nodiscard]] const Eigen::VectorXd& gaps() const { return gaps_; }                          ///< g, Nc [m]
+  [[nodiscard]] const Eigen::MatrixXd& directions() const { return directions_; }  ///< W, Nd x Nc
+  [[nodiscard]] const Eigen::MatrixXd& velocity_per_impulse() const {
+    return velocity_per_impulse_;
+  }                                                                            ///< M^-1 W
+  [[nodiscard]] const Eigen::MatrixXd& delassus() const { return delassus_; }  ///< G, Nc x Nc
+  [[nodiscard]] const Eigen::VectorXd& gaps() const { return gaps_; }          ///< g, Nc [m]
   [[nodiscard]] const MotionScales& scales() const { return scales_; }
   /// Upper estimate of the fastest rate of structure and load, max(sqrt(K/M), D/M, h omega) [rad/s].
   [[nodiscard]] double fastest_rate() const { return fastest_rate_; }
@@ -100,9 +102,9 @@ class ContactDynamics {
   /// order-th derivative of W^T u + s, the contact displacements without contact forces, from that of u, Nc.
   [[nodiscard]] Eigen::VectorXd unloaded(double time, const Eigen::Ref<const Eigen::VectorXd>& u,
                                          int order) const;
-  /// order-th derivative of lambda at stops that yield, from that of `unloaded`, Nc.
-  [[nodiscard]] Eigen::VectorXd yielding_force(const ContactMode& mode, const Eigen::VectorXd& unloaded,
-                                               int order) const;
+  /// order-th derivative of lambda at compliant stops, from that of `unloaded`, Nc.
+  [[nodiscard]] Eigen::VectorXd compliant_force(const ContactMode& mode, const Eigen::VectorXd& unloaded,
+                                                int order) const;
 
   /// The 2 Nd x 2 Nd matrix B of the homogeneous flow (u, v)' = B (u, v) in a mode.
   [[nodiscard]] Eigen::MatrixXd flow_matrix(const ContactMode& mode) const;
@@ -129,7 +131,7 @@ class ContactDynamics {
   Eigen::SimplicialLLT<SparseMatrix> mass_;
   std::vector<double> rates_;
   Eigen::MatrixXcd load_, shift_;
-  Eigen::MatrixXd directions_, impulse_response_, delassus_, compliance_, massless_compliance_;
+  Eigen::MatrixXd directions_, velocity_per_impulse_, delassus_, compliance_, massless_compliance_;
   Eigen::VectorXd gaps_;
   bool rigid_ = true;
   int highest_harmonic_ = 1;

@@ -11,8 +11,8 @@ namespace signorini {
 /// Piecewise Hermite interpolation of degree 9 between the instants kept: x, x' and lambda, each with its
 /// first four derivatives at both ends, which the equation of motion gives exactly. The error is
 /// h^10 |x^(10)| / 3.7e9 at most (10! 2^10) for a step h: round-off at the steps that CVODE takes.
-/// The velocity is right-sided; the force is the multiplier of a sticking contact or that of a stop that
-/// yields.
+/// The velocity is right-sided; the force is the multiplier of a sticking contact or that of a compliant
+/// stop.
 class EventTrajectory final : public Trajectory {
  public:
   /// \param pieces  consecutive, from start.time to start.time + period

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "methods/flow/matrix_exponential.hpp"
 #include "methods/solvers/constants.hpp"
-#include "methods/solvers/matrix_exponential.hpp"
 
 namespace signorini {
 
@@ -54,7 +54,7 @@ EventFlow::EventFlow(const ContactDynamics& dynamics, double tolerance, std::fun
       tolerance_(tolerance),
       expired_(std::move(expired)),
       rigid_events_(dynamics, tolerance),
-      yielding_events_(dynamics, tolerance),
+      compliant_events_(dynamics, tolerance),
       flows_(dynamics) {
   if (integrator == Integrator::modal) return;
   session_ = std::make_unique<CvodeSession>(
@@ -75,7 +75,7 @@ FlowState EventFlow::place(double time, const State& state) const {
     rigid_events_.expel(flow.state);
     rigid_events_.resolve(flow, -1, ignored);
   } else {
-    flow.closed = yielding_events_.pushing(time, state);
+    flow.closed = compliant_events_.pushing(time, state);
   }
   return flow;
 }
@@ -102,8 +102,8 @@ std::vector<Guard> EventFlow::guards(double time, const Eigen::VectorXd& y) cons
     force = motion.lambda.col(0);
     rate = motion.lambda.col(1);
   } else if (!mode_.active.empty()) {
-    force = dynamics_.yielding_force(mode_, x, 0);
-    rate = dynamics_.yielding_force(mode_, v, 1);
+    force = dynamics_.compliant_force(mode_, x, 0);
+    rate = dynamics_.compliant_force(mode_, v, 1);
     x += dynamics_.massless_compliance() * force;
     v += dynamics_.massless_compliance() * rate;
   }
@@ -175,7 +175,7 @@ void EventFlow::pass_event(FlowState& flow, const Crossing& crossing, FlowRecord
   if (dynamics_.rigid()) {
     rigid_events_.resolve(flow, crossing.contact, record);
   } else {
-    yielding_events_.resolve(flow, crossing.contact, record);
+    compliant_events_.resolve(flow, crossing.contact, record);
   }
 }
 

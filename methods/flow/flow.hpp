@@ -6,13 +6,13 @@
 #include <memory>
 #include <vector>
 
+#include "methods/flow/compliant_events.hpp"
 #include "methods/flow/contact_dynamics.hpp"
 #include "methods/flow/crossing.hpp"
 #include "methods/flow/cvode_session.hpp"
 #include "methods/flow/flow_record.hpp"
 #include "methods/flow/linear_flow.hpp"
 #include "methods/flow/rigid_events.hpp"
-#include "methods/flow/yielding_events.hpp"
 
 namespace signorini {
 
@@ -86,7 +86,7 @@ class EventFlow {
   double tolerance_;
   std::function<bool()> expired_;
   RigidEvents rigid_events_;
-  YieldingEvents yielding_events_;
+  CompliantEvents compliant_events_;
   ContactMode mode_;  // the one the integrator is in
   LinearFlows flows_;
   LinearArc arc_;

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "methods/flow/complex_modes.hpp"
-#include "methods/solvers/matrix_exponential.hpp"
+#include "methods/flow/matrix_exponential.hpp"
 
 namespace signorini {
 
@@ -136,7 +136,7 @@ Eigen::MatrixXd LinearFlow::multiplier_rows() const {
   if (active == 0) return rows;
   if (dynamics_->rigid()) {
     const Eigen::MatrixXd back =
-        mode_.response * dynamics_->impulse_response()(Eigen::all, mode_.active).transpose();
+        mode_.response * dynamics_->velocity_per_impulse()(Eigen::all, mode_.active).transpose();
     rows.leftCols(size()) = back * dynamics_->stiffness();
     rows.rightCols(size()) = back * dynamics_->damping();
   } else {
@@ -162,7 +162,7 @@ Eigen::MatrixXcd LinearFlow::outputs_of_load() const {
   if (active == 0) return result;
   if (dynamics_->rigid()) {
     result.bottomRows(active) =
-        -(mode_.response * dynamics_->impulse_response()(Eigen::all, mode_.active).transpose()) * load_;
+        -(mode_.response * dynamics_->velocity_per_impulse()(Eigen::all, mode_.active).transpose()) * load_;
     return result;
   }
   Eigen::MatrixXcd depth = dynamics_->shift_amplitudes()(mode_.active, Eigen::all);
@@ -236,7 +236,7 @@ Eigen::MatrixXd LinearFlow::transition(double duration) const {
 
 State LinearFlow::response(const std::vector<Impulse>& impulses) const {
   const int n = size();
-  const Eigen::MatrixXd& kicks = dynamics_->impulse_response();
+  const Eigen::MatrixXd& kicks = dynamics_->velocity_per_impulse();
   if (!modal_) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(2 * n);
     for (const Impulse& impulse : impulses)

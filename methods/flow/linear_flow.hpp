@@ -21,7 +21,7 @@ enum class FlowForm {
 ///
 /// A rigid stop's constraint is removed, not penalised: u = u_g + Q q with Q an orthonormal basis of the
 /// null space of W_A^T and W_A^T u_g = g_A, so that q obeys Q^T (M, D, K) Q and the load Q^T (f - K u_g) (and
-/// the double eigenvalue zero of x'' = 0 is gone). Stops that yield add W_A C_AA^-1 W_A^T to K and
+/// the double eigenvalue zero of x'' = 0 is gone). Compliant stops add W_A C_AA^-1 W_A^T to K and
 /// W_A C_AA^-1 (g_A - s_A) to the load (ContactDynamics). With the complex modes (mu_k, U_k) of the reduced
 /// structure, proportional damping or not,
 ///

@@ -76,7 +76,7 @@ void RigidEvents::collide(FlowState& flow, Impact& impact, FlowRecord& record) c
                                          .restitution = impact.restitution});
   if (!impulses) throw FlowError("no impulses satisfy the impact law: the stops depend on each other");
   impact.impulse = *impulses;
-  flow.state.v += dynamics_.impulse_response()(Eigen::all, impact.contacts) * impact.impulse;
+  flow.state.v += dynamics_.velocity_per_impulse()(Eigen::all, impact.contacts) * impact.impulse;
   for (Eigen::Index i = 0; i < count; ++i) {
     if (!(impact.impulse[i] < 0.0)) continue;
     record.events.push_back({.kind = ContactEvent::Kind::impact,
@@ -130,7 +130,7 @@ Eigen::MatrixXd RigidEvents::saltation(const Impact& impact, const FlowState& af
                                        int trigger) const {
   const int n = dynamics_.size();
   const Eigen::MatrixXd& W = dynamics_.directions();
-  const Eigen::MatrixXd& back = dynamics_.impulse_response();
+  const Eigen::MatrixXd& back = dynamics_.velocity_per_impulse();
 
   // dv+/dv-: the contacts that got an impulse have x'_+ = -e x'_-, resting ones stay at rest.
   std::vector<int> pushed;
@@ -227,13 +227,13 @@ void RigidEvents::expel(State& state) const {
   const auto z = solve_small_lcp(dynamics_.delassus(), gap,
                                  std::vector<bool>(static_cast<std::size_t>(gap.size()), false));
   if (!z) throw FlowError("no displacement satisfies all gaps");
-  state.u -= dynamics_.impulse_response() * *z;
+  state.u -= dynamics_.velocity_per_impulse() * *z;
 }
 
 void RigidEvents::hold(State& state, const ContactMode& mode) const {
   if (mode.active.empty()) return;
   const Eigen::MatrixXd rows = dynamics_.directions()(Eigen::all, mode.active).transpose();
-  const Eigen::MatrixXd back = dynamics_.impulse_response()(Eigen::all, mode.active) * mode.response;
+  const Eigen::MatrixXd back = dynamics_.velocity_per_impulse()(Eigen::all, mode.active) * mode.response;
   state.u -= back * (rows * state.u - dynamics_.gaps()(mode.active));
   state.v -= back * (rows * state.v);
 }

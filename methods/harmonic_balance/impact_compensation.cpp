@@ -103,8 +103,9 @@ std::pair<double, double> moments(const Function& function, const ContactInterva
 /// A solution of the projected equations taken apart into impacts and the rest.
 class Parts {
  public:
-  Parts(const ImpulseResponse& response, const ContactReceptance& receptance, const Eigen::VectorXd& gap,
-        const ProjectedLaw& law, const Eigen::MatrixXcd& lambda, const StopShifts& shifts, int samples)
+  Parts(const PeriodicGreenFunction& response, const ContactReceptance& receptance,
+        const Eigen::VectorXd& gap, const ProjectedLaw& law, const Eigen::MatrixXcd& lambda,
+        const StopShifts& shifts, int samples)
       : response_(response), receptance_(receptance), gap_(gap), law_(law) {
     x_ = contact_motion(receptance, lambda);
     rest_ = Eigen::MatrixXcd::Zero(lambda.rows(), lambda.cols());
@@ -293,7 +294,7 @@ class Parts {
     return matrix;
   }
 
-  const ImpulseResponse& response_;
+  const PeriodicGreenFunction& response_;
   const ContactReceptance& receptance_;
   const Eigen::VectorXd& gap_;
   const ProjectedLaw& law_;
@@ -358,8 +359,8 @@ std::optional<ImpactCompensation> impact_compensation(const Problem& problem,
                                                       const ContactReceptance& receptance) {
   if (!std::holds_alternative<Restitution>(problem.law)) return std::nullopt;
   const int harmonics = receptance.harmonics();
-  const ImpulseResponse kept(receptance);
-  const auto has_mass = [](const ImpulseResponse& response, int contacts, int beyond) {
+  const PeriodicGreenFunction kept(receptance);
+  const auto has_mass = [](const PeriodicGreenFunction& response, int contacts, int beyond) {
     for (int c = 0; c < contacts; ++c) {
       if (response.is_mass_beyond(c, beyond)) return true;
     }
@@ -369,7 +370,7 @@ std::optional<ImpactCompensation> impact_compensation(const Problem& problem,
   if (!has_mass(kept, receptance.contacts(), harmonics - std::max(1, harmonics / 8))) return std::nullopt;
   try {
     ContactReceptance extended = fourier_receptance(problem, 2 * harmonics);
-    if (!has_mass(ImpulseResponse(extended), receptance.contacts(), harmonics)) return std::nullopt;
+    if (!has_mass(PeriodicGreenFunction(extended), receptance.contacts(), harmonics)) return std::nullopt;
     return ImpactCompensation(std::move(extended));
   } catch (const SingularStiffness&) {
     return std::nullopt;  // an undamped mode answers to a harmonic beyond H

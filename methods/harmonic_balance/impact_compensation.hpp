@@ -8,7 +8,7 @@
 #include "methods/complementarity/projected_law.hpp"
 #include "methods/discretisation/stop_shift.hpp"
 #include "methods/method.hpp"
-#include "methods/structure/impulse_response.hpp"
+#include "methods/structure/periodic_green_function.hpp"
 #include "methods/structure/receptance.hpp"
 
 namespace signorini {
@@ -25,13 +25,14 @@ namespace signorini {
 ///
 /// X' being the mean of both sides,
 /// lambda_rest the force outside impacts, and the stop that the series meets at impact k is moved, x <= g -
-/// distance - speed (t - t_k), until it is so. With a yielding stop for a rigid one the same takes back the
+/// distance - speed (t - t_k), until it is so. With a compliant stop for a rigid one the same takes back the
 /// penetration of the spring. The answer remains a series of H harmonics: its error is that of the best one
 /// of so many, but for terms of second order in the duration of the force. In X the contact does no net work;
 /// in the series it does what the harmonics beyond H dissipate, of order 1/H and of the damping.
 ///
 /// An impact is contact of at most 2.5 / H of the period, and a quarter of it, on a coordinate that answers
-/// like a mass beyond H. Contact that lasts longer, yields, or has modes beyond H behind it is left alone.
+/// like a mass beyond H. Contact that lasts longer, is compliant, or has modes beyond H behind it is left
+/// alone.
 class ImpactCompensation {
  public:
   /// \param extended  C_n for n = 0..L, L > H; L = 2 H will do
@@ -59,12 +60,12 @@ class ImpactCompensation {
                                   const Start& start) const;
 
  private:
-  ImpulseResponse response_;
+  PeriodicGreenFunction response_;
 };
 
-/// The compensation for a scene; nothing where there is none to offer: the stops yield or no contact has mass
-/// (the force is then a function of time), or none answers like a mass from H to 2 H.
-/// \param receptance  of the scene, n = 0..H
+/// The compensation for a scene; nothing where there is none to offer: the stops are compliant or no contact
+/// has mass (the force is then a function of time), or none answers like a mass from H to 2 H. \param
+/// receptance  of the scene, n = 0..H
 std::optional<ImpactCompensation> impact_compensation(const Problem& problem,
                                                       const ContactReceptance& receptance);
 

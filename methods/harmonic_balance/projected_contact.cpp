@@ -8,7 +8,7 @@
 
 #include "methods/complementarity/contact_symbol.hpp"
 #include "methods/complementarity/exact_quadrature.hpp"
-#include "methods/discretisation/free_overlap.hpp"
+#include "methods/discretisation/free_penetration.hpp"
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/resolutions.hpp"
 #include "methods/structure/periodic_response.hpp"
@@ -38,7 +38,7 @@ Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& ga
     symbol.back().diagonal().array() += 1.0;
   }
   return {BlockCirculant(samples, symbol, 1.0),
-          -free_overlap(receptance.free_response, gap, rate.root(), samples)};
+          -free_penetration(receptance.free_response, gap, rate.root(), samples)};
 }
 
 Eigen::MatrixXcd force_coefficients(const ProjectedLaw& law, const Eigen::VectorXd& z_scaled, int samples,

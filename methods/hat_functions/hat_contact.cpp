@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "methods/complementarity/projected_law.hpp"
-#include "methods/discretisation/free_overlap.hpp"
+#include "methods/discretisation/free_penetration.hpp"
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/discretisation/trajectories.hpp"
 #include "methods/hat_functions/period_marching.hpp"
@@ -110,7 +110,7 @@ class PreparedHat final : public PreparedMethod {
       symbol.back().diagonal() += (compliance_.array() * scale.array().square()).matrix();
       free.row(n) = shift * receptance_.free_response.row(n);
     }
-    return {BlockCirculant(samples(), symbol), -free_overlap(free, gap_, scale, samples())};
+    return {BlockCirculant(samples(), symbol), -free_penetration(free, gap_, scale, samples())};
   }
 
   /// The solver asked for; with `auto`, a path of pivots that grows long (chatter: as many solutions as

@@ -37,7 +37,7 @@ void OrbitEquations::prepare(const OrbitGuess& guess) {
         speeds.row(k) *= 1.0 + event.restitution[static_cast<std::size_t>(k)];
       jump.impulse = speeds.rows() == 1 ? Eigen::MatrixXd(-speeds / G(0, 0))
                                         : Eigen::MatrixXd(-G.completeOrthogonalDecomposition().solve(speeds));
-      jump.kick = dynamics.impulse_response()(Eigen::all, event.pushed);
+      jump.kick = dynamics.velocity_per_impulse()(Eigen::all, event.pushed);
     }
     jumps_.push_back(std::move(jump));
   }

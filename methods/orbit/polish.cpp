@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "methods/orbit/green_function.hpp"
+#include "methods/orbit/modal_green_function.hpp"
 #include "methods/solvers/condition_estimate.hpp"
 #include "methods/solvers/constants.hpp"
 
@@ -189,7 +189,7 @@ class Polish {
     for (const SequenceEvent& event : solved.events) {
       if (event.kind != ContactEvent::Kind::impact || touching(event.closed)) return false;
     }
-    const GreenFunction green(model_->dynamics, model_->period);
+    const ModalGreenFunction green(model_->dynamics, model_->period);
     if (!green.defined()) return false;
     const MotionScales& scales = model_->dynamics.scales();
     const std::vector<Impulse> impulses = orbit_.trajectory->impulses();

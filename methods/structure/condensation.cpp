@@ -75,7 +75,7 @@ void eliminate(const Problem& problem, const SparseMatrix& i, const SparseMatrix
   const Eigen::SimplicialLDLT<SparseMatrix> stiffness(K_bb);
   const SparseMatrix W_b = b.transpose() * contact_directions(problem);
   const SparseMatrix follows = stiffness.solve(K_bi);  // u_b = -follows u_i
-  const SparseMatrix yields = stiffness.solve(W_b);    // u_b = yields lambda
+  const SparseMatrix moved = stiffness.solve(W_b);     // u_b = moved lambda
   const Eigen::MatrixXcd loaded = b.transpose().cast<std::complex<double>>() * result.load;
   const Eigen::MatrixXd real = stiffness.solve(Eigen::MatrixXd(loaded.real()));
   const Eigen::MatrixXd imag = stiffness.solve(Eigen::MatrixXd(loaded.imag()));
@@ -83,8 +83,8 @@ void eliminate(const Problem& problem, const SparseMatrix& i, const SparseMatrix
       real.cast<std::complex<double>>() + std::complex<double>(0.0, 1.0) * imag.cast<std::complex<double>>();
   const SparseMatrix pulled = K_bi.transpose() * follows;
   result.stiffness -= SparseMatrix(0.5 * (pulled + SparseMatrix(pulled.transpose())));
-  result.directions -= SparseMatrix(K_bi.transpose() * yields);
-  result.compliance = Eigen::MatrixXd(W_b.transpose() * yields);
+  result.directions -= SparseMatrix(K_bi.transpose() * moved);
+  result.compliance = Eigen::MatrixXd(W_b.transpose() * moved);
   result.shift = W_b.transpose().cast<std::complex<double>>() * carried;
   result.load = (i.transpose().cast<std::complex<double>>() * result.load -
                  K_bi.transpose().cast<std::complex<double>>() * carried)

@@ -13,7 +13,7 @@ namespace signorini {
 ///
 ///     u_b = K_bb^-1 (f_b - K_bi u_i + W_b lambda),
 ///
-/// so that the others move as a structure with contact directions N, whose stops yield:
+/// so that the others move as a structure with contact directions N, whose stops are compliant:
 ///
 ///     M_ii u_i'' + D_ii u_i' + (K_ii - K_ib K_bb^-1 K_bi) u_i = f_i - K_ib K_bb^-1 f_b + N lambda,
 ///     x = N^T u_i + s(t) + C lambda,   N = W_i - K_ib K_bb^-1 W_b,   C = W_b^T K_bb^-1 W_b,

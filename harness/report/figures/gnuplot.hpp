@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "harness/report/figures/figure.hpp"
+#include "harness/report/document/figure.hpp"
 
 namespace signorini {
 

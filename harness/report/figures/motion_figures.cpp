@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "harness/report/figures/figure.hpp"
-#include "harness/report/sections/section.hpp"
+#include "harness/report/document/figure.hpp"
+#include "harness/report/document/section.hpp"
 
 namespace signorini {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "harness/report/document/figure.hpp"
+#include "harness/report/document/section.hpp"
 #include "harness/report/evaluation/performance_profile.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
-#include "harness/report/figures/figure.hpp"
-#include "harness/report/sections/section.hpp"
 
 namespace signorini {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "harness/report/figures/figure.hpp"
-#include "harness/report/sections/section.hpp"
+#include "harness/report/document/figure.hpp"
+#include "harness/report/document/section.hpp"
 
 namespace signorini {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "harness/report/sections/section.hpp"
+#include "harness/report/document/section.hpp"
 
 namespace signorini {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "harness/report/sections/section.hpp"
+#include "harness/report/document/section.hpp"
 
 namespace signorini {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
-#include "harness/report/formats/cells.hpp"
+#include "harness/report/document/cells.hpp"
 #include "harness/report/formats/html.hpp"
 
 namespace signorini {

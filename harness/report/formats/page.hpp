@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "harness/report/sections/section.hpp"
+#include "harness/report/document/section.hpp"
 
 namespace signorini {
 

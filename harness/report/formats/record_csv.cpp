@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "harness/report/document/cells.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
-#include "harness/report/formats/cells.hpp"
 #include "harness/table.hpp"
 
 namespace signorini {

@@ -7,8 +7,8 @@
 #include <map>
 #include <vector>
 
-#include "harness/report/formats/cells.hpp"
-#include "harness/report/sections/section.hpp"
+#include "harness/report/document/cells.hpp"
+#include "harness/report/document/section.hpp"
 
 namespace signorini {
 

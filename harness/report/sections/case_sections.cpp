@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
+#include "harness/report/document/cells.hpp"
+#include "harness/report/document/section.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
-#include "harness/report/formats/cells.hpp"
-#include "harness/report/sections/section.hpp"
 
 namespace signorini {
 

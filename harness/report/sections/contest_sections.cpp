@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "harness/report/document/cells.hpp"
+#include "harness/report/document/section.hpp"
 #include "harness/report/evaluation/aggregates.hpp"
 #include "harness/report/evaluation/performance_profile.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
-#include "harness/report/formats/cells.hpp"
-#include "harness/report/sections/section.hpp"
 #include "harness/statistics.hpp"
 
 namespace signorini {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "harness/report/document/cells.hpp"
+#include "harness/report/document/section.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
-#include "harness/report/formats/cells.hpp"
-#include "harness/report/sections/section.hpp"
 
 namespace signorini {
 

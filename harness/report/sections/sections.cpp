@@ -1,6 +1,6 @@
 #include <array>
 
-#include "harness/report/sections/section.hpp"
+#include "harness/report/document/section.hpp"
 
 namespace signorini {
 

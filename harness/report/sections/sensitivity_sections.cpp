@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "harness/report/document/cells.hpp"
+#include "harness/report/document/section.hpp"
 #include "harness/report/evaluation/ladder.hpp"
-#include "harness/report/formats/cells.hpp"
-#include "harness/report/sections/section.hpp"
 #include "harness/statistics.hpp"
 
 namespace signorini {

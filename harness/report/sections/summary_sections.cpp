@@ -5,9 +5,9 @@
 #include <limits>
 #include <map>
 
-#include "harness/plan/yardstick.hpp"
-#include "harness/report/formats/cells.hpp"
-#include "harness/report/sections/section.hpp"
+#include "harness/plan/baseline.hpp"
+#include "harness/report/document/cells.hpp"
+#include "harness/report/document/section.hpp"
 #include "harness/statistics.hpp"
 
 namespace signorini {
@@ -77,9 +77,9 @@ std::vector<Speed> speeds(const std::vector<Record>& records) {
   const auto solved = [](const Record& r) {
     return r.status == Status::converged && r.certificate.status == CertificateStatus::certified && r.seconds;
   };
-  std::map<std::string, double> yardstick;  // by scene
+  std::map<std::string, double> baseline;  // by scene
   for (const Record& r : records) {
-    if (resolution_of(r) == kYardstick && solved(r)) yardstick[r.scene] = r.seconds->median;
+    if (resolution_of(r) == kTimeBaseline && solved(r)) baseline[r.scene] = r.seconds->median;
   }
   std::vector<Speed> result;
   std::map<std::string, std::size_t> place;
@@ -94,7 +94,7 @@ std::vector<Speed> speeds(const std::vector<Record>& records) {
     const double floor = measurable_error(r);
     speed.errors.push_back(good && error ? std::max(*error, floor) : kFailed);
     speed.times.push_back(good ? r.seconds->median : kFailed);
-    if (const auto found = yardstick.find(r.scene); found != yardstick.end())
+    if (const auto found = baseline.find(r.scene); found != baseline.end())
       speed.ratios.push_back(good ? r.seconds->median / found->second : kFailed);
   }
   std::stable_sort(result.begin(), result.end(), [](const Speed& a, const Speed& b) {
@@ -105,7 +105,7 @@ std::vector<Speed> speeds(const std::vector<Record>& records) {
 
 Table speed_table(const std::vector<Record>& records) {
   Table table{{"method", "solved", "error of x, median", "time, median",
-               fmt::format("time / {}, median", kYardstick)},
+               fmt::format("time / {}, median", kTimeBaseline)},
               {}};
   const auto text = [](const std::vector<double>& values, const auto& print) {
     if (values.empty()) return Cell("not measured");

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/report/sections/section.hpp"
+#include "harness/report/document/section.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini {

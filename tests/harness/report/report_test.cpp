@@ -4,7 +4,7 @@
 #include <random>
 #include <sstream>
 
-#include "harness/report/formats/cells.hpp"
+#include "harness/report/document/cells.hpp"
 #include "harness/report/formats/markdown.hpp"
 #include "harness/report/formats/record_csv.hpp"
 #include "harness/table.hpp"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "methods/orbit/exact_orbit.hpp"
-#include "methods/orbit/green_function.hpp"
+#include "methods/orbit/modal_green_function.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/reference/bilinear_orbit.hpp"
 #include "tests/support/exact_scenes.hpp"
@@ -209,7 +209,7 @@ TEST(ExactOrbits, ExistInPairsDownToTheFoldAndNotBelow) {
 // Free vibration against an elastic stop (oracle 1b): amplitude A, frequency pi w0 / (pi - arccos(g / A)),
 // speed w0 sqrt(A^2 - g^2) at the stop; with one impulse of twice the momentum per period the Green's
 // function is it.
-TEST(GreenFunction, ContainsTheBackboneOfTheUndampedOscillator) {
+TEST(ModalGreenFunction, ContainsTheBackboneOfTheUndampedOscillator) {
   const struct {
     double ratio, frequency;  // g / A, omega / w0 as tabulated
   } rows[] = {{0.5, 1.5}, {0.0, 2.0}, {-0.5, 3.0}, {0.9, 1.16763270}, {-0.9, 6.96542328}};
@@ -218,7 +218,7 @@ TEST(GreenFunction, ContainsTheBackboneOfTheUndampedOscillator) {
     const double exact = std::numbers::pi / (std::numbers::pi - std::acos(ratio));
     const ImpactOscillator o{.damping = 0.0, .load = 0.0, .frequency = exact, .gap = ratio};
     const ContactDynamics dynamics(test::to_problem(o));
-    const GreenFunction green(dynamics, 2.0 * std::numbers::pi / exact);
+    const ModalGreenFunction green(dynamics, 2.0 * std::numbers::pi / exact);
     ASSERT_TRUE(green.defined());
     const double speed = std::sqrt(1.0 - ratio * ratio);
     const State after = green.state(0.0, {{.contact = 0, .time = 0.0, .value = -2.0 * speed}});

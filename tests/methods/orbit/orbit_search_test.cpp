@@ -10,7 +10,7 @@
 #include "methods/flow/event_trajectory.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
-#include "methods/orbit/green_function.hpp"
+#include "methods/orbit/modal_green_function.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
@@ -230,11 +230,11 @@ TEST(ExactOrbitErrorBar, CoversTheSecondEvaluation) {
   }
 }
 
-TEST(GreenFunction, IsTheClosedFormOfOneMass) {
+TEST(ModalGreenFunction, IsTheClosedFormOfOneMass) {
   const Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2});
   const double T = problem.period(), wd = std::sqrt(1.0 - 0.05 * 0.05);
   const ContactDynamics dynamics(problem);
-  const GreenFunction green(dynamics, T);
+  const ModalGreenFunction green(dynamics, T);
   ASSERT_TRUE(green.defined());
   const std::complex<double> mu(-0.05, wd);
   for (const double tau : {0.0, 0.3, 1.7, 2.8}) {
@@ -245,13 +245,13 @@ TEST(GreenFunction, IsTheClosedFormOfOneMass) {
   EXPECT_NEAR(green.at(0, 0, 0.0, 1) - green.at(0, 0, T - 1e-9, 1), 1.0, 1e-8);  // the jump 1 / m
 }
 
-TEST(GreenFunction, SumsUpToTheExactOrbitsOfChains) {
+TEST(ModalGreenFunction, SumsUpToTheExactOrbitsOfChains) {
   for (const double e : {0.4, 0.9}) {
     const Problem problem = test::stopped_chain(4, e, 2, 1.3);
     const auto found = cold_orbit(problem);
     ASSERT_TRUE(found.orbit) << found.solution.message;
     const ContactDynamics dynamics(problem);
-    const GreenFunction green(dynamics, problem.period());
+    const ModalGreenFunction green(dynamics, problem.period());
     for (int i = 0; i < 50; ++i) {
       const double t = problem.period() * (i + 0.3) / 50;
       const State a = green.state(t, found.orbit->impulses()), b = found.orbit->at(t);

@@ -12,7 +12,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-TEST(Condense, TurnsAMasslessNodeIntoAStopThatYields) {
+TEST(Condense, TurnsAMasslessNodeIntoACompliantStop) {
   const CondensedStructure condensed = condense(test::massless_node());
   ASSERT_EQ(condensed.obstacle, "");
   EXPECT_EQ(condensed.kept, (std::vector<int>{0}));

@@ -1,4 +1,4 @@
-#include "methods/structure/impulse_response.hpp"
+#include "methods/structure/periodic_green_function.hpp"
 
 #include <cmath>
 #include <complex>
@@ -15,14 +15,15 @@ constexpr double kPi = std::numbers::pi;
 
 }  // namespace
 
-ImpulseResponse::ImpulseResponse(ContactReceptance receptance) : receptance_(std::move(receptance)) {
+PeriodicGreenFunction::PeriodicGreenFunction(ContactReceptance receptance)
+    : receptance_(std::move(receptance)) {
   const double order = receptance_.harmonics();
   const Eigen::MatrixXcd& last = receptance_.receptance.back();
   inertance_ = -last.real() * order * order;
   drag_ = -last.imag() * order * order * order;
 }
 
-Jet ImpulseResponse::at(int row, int column, double turn) const {
+Jet PeriodicGreenFunction::at(int row, int column, double turn) const {
   const double theta = 2.0 * kPi * (turn - std::floor(turn));
   const Complex unit = std::polar(1.0, theta);
   Complex phase = 1.0;
@@ -48,7 +49,7 @@ Jet ImpulseResponse::at(int row, int column, double turn) const {
           4.0 * kPi * kPi * (sum.curvature - a * tail.curvature + b * tail.slope)};
 }
 
-bool ImpulseResponse::is_mass_beyond(int contact, int harmonics) const {
+bool PeriodicGreenFunction::is_mass_beyond(int contact, int harmonics) const {
   constexpr double kLike = 0.5;
   const double a = inertance_(contact, contact);
   if (!(a > 0.0)) return false;

@@ -1,5 +1,5 @@
 #pragma once
-// Which of the stops that yield push: springs, and stops behind coordinates without mass.
+// Which of the compliant stops push: springs, and stops behind coordinates without mass.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace signorini {
 
-/// At stops that yield the contact force is the solution of the static complementarity problem
+/// At compliant stops the contact force is the solution of the static complementarity problem
 ///
 ///     g - W^T u - s(t) - C lambda >= 0,   lambda <= 0,   complementary,
 ///
@@ -16,9 +16,9 @@ namespace signorini {
 /// the solution has contacts with neither gap nor force, their next derivatives decide, in order: the same
 /// problem for the first and the second time derivatives (the motion is twice differentiable), with the
 /// contacts that push as equalities. What is left undecided stays open.
-class YieldingEvents {
+class CompliantEvents {
  public:
-  YieldingEvents(const ContactDynamics& dynamics, double tolerance);
+  CompliantEvents(const ContactDynamics& dynamics, double tolerance);
 
   /// The contacts that push, from the state alone. \throws FlowError if there is no solution (only possible
   /// where contacts depend on each other)

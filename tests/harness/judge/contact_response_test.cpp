@@ -1,4 +1,4 @@
-#include "methods/structure/contact_response.hpp"
+#include "harness/judge/contact_response.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "methods/solvers/matrix_exponential.hpp"
+#include "methods/flow/matrix_exponential.hpp"
 
 #include <unsupported/Eigen/MatrixFunctions>
 

@@ -1,4 +1,4 @@
-#include "harness/report/figures/figure.hpp"
+#include "harness/report/document/figure.hpp"
 
 #include <fmt/format.h>
 

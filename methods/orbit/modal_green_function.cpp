@@ -1,4 +1,4 @@
-#include "methods/orbit/green_function.hpp"
+#include "methods/orbit/modal_green_function.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace signorini {
 
 using Complex = std::complex<double>;
 
-GreenFunction::GreenFunction(const ContactDynamics& dynamics, double period)
+ModalGreenFunction::ModalGreenFunction(const ContactDynamics& dynamics, double period)
     : period_(period), directions_(dynamics.directions()), rates_(dynamics.load_rates()) {
   constexpr double kIllConditioned = 1e-8;
   const int n = dynamics.size();
@@ -28,7 +28,7 @@ GreenFunction::GreenFunction(const ContactDynamics& dynamics, double period)
   if (!(lu.rcond() > kIllConditioned) || closing.abs().minCoeff() < kIllConditioned) return;
   shapes_ = modes.eigenvectors().topRows(n);
   Eigen::MatrixXcd kick = Eigen::MatrixXcd::Zero(2 * n, dynamics.contact_count());
-  kick.bottomRows(n) = unit * dynamics.impulse_response().cast<Complex>();
+  kick.bottomRows(n) = unit * dynamics.velocity_per_impulse().cast<Complex>();
   excitation_ = closing.inverse().matrix().asDiagonal() * lu.solve(kick);
   const Eigen::MatrixXcd load = dynamics.load_amplitudes();
   forced_.resize(n, load.cols());
@@ -46,17 +46,17 @@ GreenFunction::GreenFunction(const ContactDynamics& dynamics, double period)
   defined_ = forced_.allFinite();
 }
 
-Eigen::VectorXcd GreenFunction::growth(double tau) const {
+Eigen::VectorXcd ModalGreenFunction::growth(double tau) const {
   return (mu_ * wrapped_time(tau, period_)).array().exp();
 }
 
-double GreenFunction::at(int row, int column, double tau, int derivative) const {
+double ModalGreenFunction::at(int row, int column, double tau, int derivative) const {
   Eigen::VectorXcd terms = growth(tau).cwiseProduct(excitation_.col(column));
   if (derivative == 1) terms = terms.cwiseProduct(mu_).eval();
   return (directions_.col(row).transpose().cast<Complex>() * (shapes_ * terms))(0).real();
 }
 
-State GreenFunction::state(double time, const std::vector<Impulse>& impulses) const {
+State ModalGreenFunction::state(double time, const std::vector<Impulse>& impulses) const {
   Eigen::VectorXcd terms = Eigen::VectorXcd::Zero(mu_.size());
   for (const Impulse& impulse : impulses)
     terms += impulse.value * growth(time - impulse.time).cwiseProduct(excitation_.col(impulse.contact));

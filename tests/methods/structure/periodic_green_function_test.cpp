@@ -1,4 +1,4 @@
-#include "methods/structure/impulse_response.hpp"
+#include "methods/structure/periodic_green_function.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,16 +27,16 @@ struct OneMass {
   }
 };
 
-ImpulseResponse response(int harmonics) {
-  return ImpulseResponse(
+PeriodicGreenFunction response(int harmonics) {
+  return PeriodicGreenFunction(
       fourier_receptance(test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2}), harmonics));
 }
 
-TEST(ImpulseResponse, OfOneMassIsTheClosedForm) {
+TEST(PeriodicGreenFunction, OfOneMassIsTheClosedForm) {
   const OneMass exact;
   // What is neglected falls like L^-3 for the value at an impulse, L^-2 for the slope.
   for (const int harmonics : {20, 80}) {
-    const ImpulseResponse found = response(harmonics);
+    const PeriodicGreenFunction found = response(harmonics);
     const double small = std::pow(harmonics, -3.0);
     for (const double turn : {0.0, 0.1, 0.5, 0.83, 1.1, -0.17}) {
       const double t = turn - std::floor(turn);
@@ -51,13 +51,13 @@ TEST(ImpulseResponse, OfOneMassIsTheClosedForm) {
   }
 }
 
-TEST(ImpulseResponse, TellsAMassFromWhatAnswersOtherwise) {
+TEST(PeriodicGreenFunction, TellsAMassFromWhatAnswersOtherwise) {
   EXPECT_TRUE(response(20).is_mass_beyond(0, 10));
-  const Problem yielding = test::massless_node();
-  EXPECT_FALSE(ImpulseResponse(fourier_receptance(yielding, 20)).is_mass_beyond(0, 10));
+  const Problem compliant = test::massless_node();
+  EXPECT_FALSE(PeriodicGreenFunction(fourier_receptance(compliant, 20)).is_mass_beyond(0, 10));
   // An eigenfrequency among the harmonics beyond.
   const Problem slow = test::to_problem({.damping = 0.1, .frequency = 0.07, .gap = 0.2});
-  EXPECT_FALSE(ImpulseResponse(fourier_receptance(slow, 20)).is_mass_beyond(0, 10));
+  EXPECT_FALSE(PeriodicGreenFunction(fourier_receptance(slow, 20)).is_mass_beyond(0, 10));
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/report/document/figure.hpp"
 #include "harness/report/evaluation/evaluation.hpp"
-#include "harness/report/figures/figure.hpp"
 #include "harness/table.hpp"
 
 namespace signorini {

@@ -1,11 +1,11 @@
-#include "harness/report/figures/figure.hpp"
+#include "harness/report/document/figure.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
+#include "harness/report/document/section.hpp"
 #include "harness/report/figures/gnuplot.hpp"
-#include "harness/report/sections/section.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini {

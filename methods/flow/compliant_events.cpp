@@ -1,4 +1,4 @@
-#include "methods/flow/yielding_events.hpp"
+#include "methods/flow/compliant_events.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@
 
 namespace signorini {
 
-YieldingEvents::YieldingEvents(const ContactDynamics& dynamics, double tolerance)
+CompliantEvents::CompliantEvents(const ContactDynamics& dynamics, double tolerance)
     : dynamics_(dynamics),
       noise_(std::max(0.01 * tolerance, 64.0 * std::numeric_limits<double>::epsilon())) {}
 
-std::vector<bool> YieldingEvents::pushing(double time, const State& state) const {
+std::vector<bool> CompliantEvents::pushing(double time, const State& state) const {
   const auto count = static_cast<std::size_t>(dynamics_.contact_count());
   std::vector<bool> closed(count, false);
   decide(time, state, 0, std::vector<bool>(count, true), closed);
@@ -21,8 +21,8 @@ std::vector<bool> YieldingEvents::pushing(double time, const State& state) const
 }
 
 // Settles the contacts that are `undecided` (and not closed), derivative by derivative.
-void YieldingEvents::decide(double time, const State& state, int first_order, std::vector<bool> undecided,
-                            std::vector<bool>& closed) const {
+void CompliantEvents::decide(double time, const State& state, int first_order, std::vector<bool> undecided,
+                             std::vector<bool>& closed) const {
   constexpr int kHighest = 2;
   const MotionScales& scales = dynamics_.scales();
   const double units[] = {scales.displacement, scales.velocity, scales.acceleration};
@@ -55,7 +55,7 @@ void YieldingEvents::decide(double time, const State& state, int first_order, st
   }
 }
 
-void YieldingEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) const {
+void CompliantEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) const {
   const std::vector<bool> before = flow.closed;
   const auto changing = static_cast<std::size_t>(trigger);
   const MotionDerivatives motion = dynamics_.derivatives(dynamics_.mode(before), flow.time, flow.state, 2);

@@ -14,12 +14,12 @@ namespace signorini {
 ///
 /// with all its harmonics: those up to L as given, those beyond as of a mass and a damper,
 /// C_n = -a / n^2 - i b / n^3, through C_L. These are summed in closed form; what is neglected is of relative
-/// size (omega_0 / (L omega))^2, omega_0 the highest eigenfrequency that the contact sees. (`GreenFunction`
-/// finds the same by modes, for small structures whose modes are known.)
-class ImpulseResponse {
+/// size (omega_0 / (L omega))^2, omega_0 the highest eigenfrequency that the contact sees.
+/// (`ModalGreenFunction` finds the same by modes, for small structures whose modes are known.)
+class PeriodicGreenFunction {
  public:
   /// \param receptance  C_n, n = 0..L, L >= 1
-  explicit ImpulseResponse(ContactReceptance receptance);
+  explicit PeriodicGreenFunction(ContactReceptance receptance);
 
   /// T G of contact `row` a time tau = turn T after a unit impulse on contact `column`, and its derivatives
   /// with respect to turn; at turn = 0, where the slope jumps, the mean of both sides, and the curvature

@@ -1,4 +1,4 @@
-#include "harness/report/formats/cells.hpp"
+#include "harness/report/document/cells.hpp"
 
 #include <fmt/format.h>
 

@@ -16,10 +16,10 @@ namespace signorini {
 ///
 /// summed over the complex modes of A = [0, I; -M^-1 K, -M^-1 D]: for one mass
 /// Im(e^{mu tau} / (1 - e^{mu T})) / (m w_d). Shares no step with LinearFlow, whose orbits it checks.
-class GreenFunction {
+class ModalGreenFunction {
  public:
   /// \param period  T, a whole multiple of the forcing period [s]
-  GreenFunction(const ContactDynamics& dynamics, double period);
+  ModalGreenFunction(const ContactDynamics& dynamics, double period);
 
   /// False where A has no basis of eigenvectors or e^{mu T} = 1 (no unique periodic response).
   [[nodiscard]] bool defined() const { return defined_; }
