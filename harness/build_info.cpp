@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "harness/sha256.hpp"
+#include "harness/files.hpp"
 
 namespace signorini {
 

@@ -1,7 +1,8 @@
 #pragma once
-// The two ways a command ends before it has begun.
+// Errors of a command: the exceptions that end it with an exit code of their own, and the text of any other.
 
 #include <stdexcept>
+#include <string>
 
 namespace signorini {
 
@@ -16,5 +17,9 @@ class NothingMatched : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// Message of the exception being handled, or its type where it is no std::exception. Types that plugins
+/// define are named too. Precondition: called in a catch block.
+std::string current_exception_text();
 
 }  // namespace signorini

@@ -9,7 +9,6 @@
 #include <filesystem>
 
 #include "harness/build_info.hpp"
-#include "harness/exception_text.hpp"
 #include "harness/extend/plugins/plugins.hpp"
 #include "harness/failure.hpp"
 #include "methods/options.hpp"

@@ -9,10 +9,9 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/compare/rerun.hpp"
 #include "harness/failure.hpp"
-#include "harness/records/manifest.hpp"
+#include "harness/files.hpp"
 #include "harness/records/status.hpp"
 #include "harness/report/report.hpp"
-#include "harness/sha256.hpp"
 
 namespace signorini {
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "harness/commands/command_line.hpp"
+#include "harness/files.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/plan/suite.hpp"
 #include "harness/records/manifest.hpp"

@@ -9,7 +9,7 @@
 #include "harness/cluster/scripts.hpp"
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
-#include "harness/records/manifest.hpp"
+#include "harness/files.hpp"
 
 namespace signorini {
 

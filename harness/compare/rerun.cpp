@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
+#include "harness/files.hpp"
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/plan/baseline.hpp"
 #include "harness/plan/selection.hpp"
 #include "harness/run/rounds.hpp"
-#include "harness/sha256.hpp"
 
 namespace signorini {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/files.hpp"
 #include "harness/judge/impacts.hpp"
-#include "harness/sha256.hpp"
 #include "methods/discretisation/periodic_time.hpp"
 
 namespace signorini {

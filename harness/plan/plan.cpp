@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "harness/failure.hpp"
+#include "harness/files.hpp"
 #include "harness/glob.hpp"
-#include "harness/sha256.hpp"
 #include "problems/scene/scene_file.hpp"
 
 namespace signorini {

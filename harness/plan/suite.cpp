@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "harness/failure.hpp"
-#include "harness/sha256.hpp"
+#include "harness/files.hpp"
 #include "problems/scene/kebab_case.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/scene_file.hpp"

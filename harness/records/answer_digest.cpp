@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "harness/sha256.hpp"
+#include "harness/files.hpp"
 
 namespace signorini {
 

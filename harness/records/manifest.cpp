@@ -12,7 +12,6 @@
 
 #include "harness/build_info.hpp"
 #include "harness/doctor/machine.hpp"
-#include "harness/failure.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/run/timing.hpp"
 
@@ -87,18 +86,6 @@ Json make_manifest(const Suite& suite, const Limits& limits, const Turns& turns,
             {"reference_timeout_s", limits.reference_timeout}}},
           {"build", build()},
           {"machine", machine()}};
-}
-
-void write_whole(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path draft = file.string() + ".new";
-  std::ofstream stream(draft, std::ios::binary);
-  stream << text;
-  stream.close();
-  std::error_code failure;
-  if (stream) std::filesystem::rename(draft, file, failure);
-  if (!stream || failure) {
-    throw UsageError(fmt::format("out = {} (must be in a folder that can be written)", file.string()));
-  }
 }
 
 }  // namespace signorini

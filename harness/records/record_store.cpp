@@ -15,7 +15,7 @@
 #include <unordered_map>
 
 #include "harness/failure.hpp"
-#include "harness/sha256.hpp"
+#include "harness/files.hpp"
 
 namespace signorini {
 

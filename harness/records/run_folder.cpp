@@ -9,9 +9,8 @@
 #include <unordered_set>
 
 #include "harness/failure.hpp"
-#include "harness/records/manifest.hpp"
+#include "harness/files.hpp"
 #include "harness/records/record_store.hpp"
-#include "harness/sha256.hpp"
 
 namespace signorini {
 

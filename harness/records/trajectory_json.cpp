@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
-#include "harness/sha256.hpp"
+#include "harness/files.hpp"
 
 namespace signorini {
 

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <map>
 
-#include "harness/records/manifest.hpp"
+#include "harness/files.hpp"
 #include "harness/report/document/section.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 #include "harness/report/formats/latex.hpp"
 #include "harness/report/formats/markdown.hpp"
 #include "harness/report/formats/page.hpp"
 #include "harness/report/formats/record_csv.hpp"
-#include "harness/sha256.hpp"
 
 namespace signorini {
 

@@ -20,7 +20,7 @@
 #include <system_error>
 #include <thread>
 
-#include "harness/exception_text.hpp"
+#include "harness/failure.hpp"
 
 namespace signorini {
 

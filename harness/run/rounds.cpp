@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "harness/files.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/run/latin_square.hpp"
-#include "harness/sha256.hpp"
 
 namespace signorini {
 

@@ -10,8 +10,8 @@
 #include <set>
 #include <thread>
 
+#include "harness/files.hpp"
 #include "harness/records/record_store.hpp"
-#include "harness/sha256.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "harness/sha256.hpp"
+#include "harness/files.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini::test {

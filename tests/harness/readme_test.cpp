@@ -6,9 +6,9 @@
 #include <string>
 
 #include "harness/compare/rerun.hpp"
+#include "harness/files.hpp"
 #include "harness/records/record_store.hpp"
 #include "harness/report/formats/markdown.hpp"
-#include "harness/sha256.hpp"
 
 namespace signorini {
 namespace {

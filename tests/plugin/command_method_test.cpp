@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "harness/sha256.hpp"
+#include "harness/files.hpp"
 #include "tests/plugin/installed_program.hpp"
 
 namespace signorini::test {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "harness/sha256.hpp"
+#include "harness/files.hpp"
 
 namespace signorini::test {
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "harness/sha256.hpp"
+#include "harness/files.hpp"
 #include "tests/plugin/installed_program.hpp"
 
 namespace signorini::test {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "harness/sha256.hpp"
+#include "harness/files.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "problems/scene/toml_tree.hpp"

@@ -9,11 +9,10 @@
 #include <string>
 #include <string_view>
 
-#include "harness/exception_text.hpp"
 #include "harness/failure.hpp"
+#include "harness/files.hpp"
 #include "harness/plan/selection.hpp"
 #include "harness/run/isolation.hpp"
-#include "harness/sha256.hpp"
 #include "methods/plugin/plugin.hpp"
 
 namespace signorini {

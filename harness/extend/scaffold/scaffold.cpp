@@ -9,8 +9,7 @@
 #include "harness/extend/scaffold/source_tree.hpp"
 #include "harness/extend/scaffold/templates.hpp"
 #include "harness/failure.hpp"
-#include "harness/records/manifest.hpp"
-#include "harness/sha256.hpp"
+#include "harness/files.hpp"
 #include "methods/catalogue.hpp"
 
 namespace signorini {

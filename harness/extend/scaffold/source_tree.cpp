@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "harness/failure.hpp"
-#include "harness/sha256.hpp"
+#include "harness/files.hpp"
 
 namespace signorini {
 

@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "harness/failure.hpp"
-#include "harness/records/manifest.hpp"
-#include "harness/sha256.hpp"
+#include "harness/files.hpp"
 
 namespace signorini {
 

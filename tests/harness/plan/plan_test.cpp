@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "harness/failure.hpp"
+#include "harness/files.hpp"
 #include "harness/plan/suite.hpp"
-#include "harness/sha256.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
 

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "harness/failure.hpp"
-#include "harness/sha256.hpp"
+#include "harness/files.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
 

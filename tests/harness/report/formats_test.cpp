@@ -10,6 +10,7 @@
 #include <random>
 
 #include "harness/failure.hpp"
+#include "harness/files.hpp"
 #include "harness/records/record_store.hpp"
 #include "harness/report/formats/html.hpp"
 #include "harness/report/formats/latex.hpp"
@@ -17,7 +18,6 @@
 #include "harness/report/formats/page.hpp"
 #include "harness/report/formats/record_csv.hpp"
 #include "harness/report/report.hpp"
-#include "harness/sha256.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
 

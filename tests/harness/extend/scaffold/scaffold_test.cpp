@@ -11,8 +11,8 @@
 #include "harness/extend/scaffold/names.hpp"
 #include "harness/extend/scaffold/source_tree.hpp"
 #include "harness/failure.hpp"
+#include "harness/files.hpp"
 #include "harness/plan/plan.hpp"
-#include "harness/sha256.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
 

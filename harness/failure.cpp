@@ -1,4 +1,4 @@
-#include "harness/exception_text.hpp"
+#include "harness/failure.hpp"
 
 #include <cxxabi.h>
 

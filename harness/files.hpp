@@ -1,0 +1,23 @@
+#pragma once
+// Whole files: read, written in one piece, identified by their bytes.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace signorini {
+
+/// All bytes of a file. \throws UsageError if it cannot be read
+std::string read_file(const std::filesystem::path& path);
+
+/// Writes text to a file in one piece: a reader sees the old contents or the new.
+/// \throws UsageError if the folder cannot be written
+void write_whole(const std::filesystem::path& file, const std::string& text);
+
+/// SHA-256 of the bytes, 64 lower-case hexadecimal digits (FIPS 180-4).
+std::string sha256(std::string_view bytes);
+
+/// SHA-256 of a file's bytes. \throws UsageError if it cannot be read
+std::string sha256_of_file(const std::filesystem::path& path);
+
+}  // namespace signorini

@@ -1,0 +1,44 @@
+#include "harness/files.hpp"
+
+#include <gtest/gtest.h>
+
+#include "harness/failure.hpp"
+#include "tests/harness/fake_method.hpp"
+
+namespace signorini {
+namespace {
+
+TEST(Files, HaveTheDigestsOfTheStandard) {
+  // FIPS 180-2, appendix B.1 and B.2, and the digest of no bytes.
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+}
+
+TEST(Files, ComeBackByteByByte) {
+  const std::filesystem::path file = test::fresh_folder("files") / "bytes";
+  const std::string bytes("a\r\n\0\xff\n", 6);
+  write_whole(file, bytes);
+  EXPECT_EQ(read_file(file), bytes);
+  EXPECT_EQ(sha256_of_file(file), sha256(bytes));
+}
+
+TEST(Files, AreReplacedWholeAndLeaveNoDraft) {
+  const std::filesystem::path folder = test::fresh_folder("files");
+  write_whole(folder / "file", "a long first text");
+  write_whole(folder / "file", "short");
+  EXPECT_EQ(read_file(folder / "file"), "short");
+  const std::filesystem::directory_iterator entries(folder);
+  EXPECT_EQ(std::distance(begin(entries), end(entries)), 1);
+}
+
+TEST(Files, ThatCannotBeReadOrWrittenAreRefused) {
+  const std::filesystem::path folder = test::fresh_folder("files");
+  EXPECT_THROW(read_file(folder / "absent"), UsageError);
+  EXPECT_THROW(read_file(folder), UsageError) << "a folder is no file";
+  EXPECT_THROW(write_whole(folder / "absent" / "file", "text"), UsageError);
+}
+
+}  // namespace
+}  // namespace signorini
