@@ -73,6 +73,9 @@ JSON
 END
 : | stand_in ctest
 : | stand_in clang-format
+stand_in python3 <<'END'
+[ ! -e "$fail.python3" ] || { echo 'a circle' && exit 1; }
+END
 stand_in clang-tidy <<'END'
 for word; do :; done
 [ ! -e "$fail.clang-tidy" ] || [ "$word" != part/two.cpp ] || { echo 'two.cpp:1: error' && exit 1; }
@@ -217,6 +220,12 @@ rm "$fail.clang-tidy"
 bench lint --fix
 expect_code 0 'lint --fix'
 expect_calls '^clang-format <-i> <./part/' 1 'lint --fix formats'
+expect_call "python3 <-B> <$tree/tests/architecture/rooms.py> <$tree>" 'lint checks the tree'
+touch "$fail.python3"
+bench lint
+expect_code 1 'lint finds a circle'
+grep -q 'a circle' "$work/err" || report 'lint finds a circle: not shown'
+rm "$fail.python3"
 bench lint --mistake
 expect_code 2 'unknown option of lint'
 expect_lines 1 'unknown option of lint'
