@@ -6,6 +6,14 @@
 
 namespace signorini {
 
+bool build_may_be_timed() {
+#if defined(NDEBUG) && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
+  return true;
+#else
+  return false;
+#endif
+}
+
 std::string code_version(std::string_view method) {
   std::string folder(method);
   std::replace(folder.begin(), folder.end(), '-', '_');

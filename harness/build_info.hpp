@@ -22,6 +22,9 @@ struct BuildInfo {
 
 const BuildInfo& build_info();
 
+/// False in builds whose times mean nothing: assertions on, no optimiser, or sanitizers.
+bool build_may_be_timed();
+
 /// Identifies the code behind a method's records: problems, harness, the rooms that methods share, and the
 /// method's own folder.
 std::string code_version(std::string_view method);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "harness/build_info.hpp"
 #include "harness/commands/command_line.hpp"
 #include "harness/files.hpp"
 #include "harness/interrupt.hpp"
@@ -19,7 +20,6 @@
 #include "harness/report/formats/markdown.hpp"
 #include "harness/report/report.hpp"
 #include "harness/run/campaign.hpp"
-#include "harness/run/timing.hpp"
 #include "problems/scene/scene_file.hpp"
 
 namespace signorini {
@@ -36,7 +36,7 @@ struct RunArguments {
   std::optional<double> timeout;
   std::optional<int> memory_mb;
   std::optional<int> repetitions;
-  Turns turns;
+  Schedule schedule;
   std::optional<std::string> shard;
   std::string durations;
   std::vector<std::string> words;  // the command line
@@ -75,7 +75,7 @@ Plan plan_of(const RunArguments& arguments, const Suite& suite) {
 
 nlohmann::ordered_json manifest_of(const RunArguments& arguments, const Suite& suite, const Limits& limits,
                                    const Plan& plan) {
-  nlohmann::ordered_json manifest = make_manifest(suite, limits, arguments.turns, arguments.words);
+  nlohmann::ordered_json manifest = make_manifest(suite, limits, arguments.schedule, arguments.words);
   for (const Case& run : plan.cases) {
     const MethodEntry& entry = *run.choice.entry;
     if (!entry.plugin.empty()) manifest["plugins"][entry.name] = entry.plugin;
@@ -136,7 +136,7 @@ int run_suite(const RunArguments& arguments) {
                arguments.resume);
   if (!build_may_be_timed()) fmt::print(stderr, "this is not a Release build: no times are recorded\n");
   watch_interrupts();
-  const CampaignResult result = run_campaign(plan, runner, store, arguments.turns, print_scene);
+  const CampaignResult result = run_campaign(plan, runner, store, arguments.schedule, print_scene);
   if (result.interrupted) {
     fmt::print(stderr,
                "interrupted after {} of {} cases; the same command with --resume --out {} does the rest\n",
@@ -178,19 +178,20 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
       ->check(CLI::Range(1, 1000));
   command->add_flag("--waveforms", arguments->waveforms,
                     "keep the motions in the records, for the figures of report; doubles their size");
-  command->add_option("--seed", arguments->turns.seed, "of the order of cases, a Latin square for each scene")
+  command
+      ->add_option("--seed", arguments->schedule.seed, "of the order of cases, a Latin square for each scene")
       ->check(not_negative)
       ->capture_default_str();
   command
       ->add_option(
-          "--jobs", arguments->turns.parallel,
+          "--jobs", arguments->schedule.parallel,
           "cases run at the same time; with more than one, times disturb each other and are not comparable, "
           "which manifest and records say")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command
       ->add_option(
-          "--beside", arguments->turns.beside,
+          "--beside", arguments->schedule.beside,
           "such runs on this machine at the same time, this one included: their times are marked likewise")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "harness/build_info.hpp"
-#include "harness/run/timing.hpp"
+#include "harness/records/manifest.hpp"
 #include "harness/statistics.hpp"
 
 namespace signorini {
@@ -199,10 +199,6 @@ Finding other_work() {
 }
 
 }  // namespace
-
-std::string clock_governor(const fs::path& root) {
-  return first_line(root / "sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
-}
 
 std::vector<Finding> examine_system(const fs::path& root) {
   return {governor(root),    turbo(root), simultaneous_threads(root), clock_source(root), hypervisor(root),

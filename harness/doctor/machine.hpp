@@ -16,9 +16,6 @@ struct Finding {
   std::string advice = {};  ///< what it does to times and what to do about it; empty if good
 };
 
-/// Governor of the first processor's clock; empty where the system does not tell.
-std::string clock_governor(const std::filesystem::path& root = "/");
-
 /// What the files of the system below `root` say (/proc, /sys): governor, turbo, simultaneous threads, clock,
 /// hypervisor, stolen time, load.
 std::vector<Finding> examine_system(const std::filesystem::path& root = "/");

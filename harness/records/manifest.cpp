@@ -11,9 +11,7 @@
 #include <thread>
 
 #include "harness/build_info.hpp"
-#include "harness/doctor/machine.hpp"
 #include "harness/records/json_fields.hpp"
-#include "harness/run/timing.hpp"
 
 namespace signorini {
 
@@ -68,16 +66,23 @@ Json build() {
 
 }  // namespace
 
-Json make_manifest(const Suite& suite, const Limits& limits, const Turns& turns,
+std::string clock_governor(const std::filesystem::path& root) {
+  std::ifstream file(root / "sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+  std::string line;
+  std::getline(file, line);
+  return line;
+}
+
+Json make_manifest(const Suite& suite, const Limits& limits, const Schedule& schedule,
                    const std::vector<std::string>& command_line) {
   return {{"schema", 1},
           {"suite", suite.name},
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
           {"command_line", command_line},
           {"order", "scene by scene, rounds in Latin squares"},
-          {"seed", turns.seed},
-          {"jobs", turns.together()},
-          {"times_comparable", build_may_be_timed() && turns.together() == 1},
+          {"seed", schedule.seed},
+          {"jobs", schedule.together()},
+          {"times_comparable", build_may_be_timed() && schedule.together() == 1},
           {"limits",
            {{"timeout_s", limits.timeout},
             {"memory_mb", limits.memory_mb},

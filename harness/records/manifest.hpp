@@ -1,17 +1,21 @@
 #pragma once
 // DIR/manifest.json: what a run's records come from.
 
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "harness/plan/schedule.hpp"
 #include "harness/plan/suite.hpp"
-#include "harness/run/rounds.hpp"
 
 namespace signorini {
 
 /// Build, machine, date, limits and command line. What cannot be found out is absent.
-nlohmann::ordered_json make_manifest(const Suite& suite, const Limits& limits, const Turns& turns,
+nlohmann::ordered_json make_manifest(const Suite& suite, const Limits& limits, const Schedule& schedule,
                                      const std::vector<std::string>& command_line);
+
+/// Governor of the first processor's clock, as the system's files below `root` say; empty where they do not.
+std::string clock_governor(const std::filesystem::path& root = "/");
 
 }  // namespace signorini

@@ -95,16 +95,6 @@ std::vector<Record> read_current_records(const fs::path& folder) {
   return std::move(run.records);
 }
 
-std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner) {
-  std::vector<PlannedCase> cases;
-  std::unordered_set<std::string> keys;
-  for (const Case& run : plan.cases) {
-    const std::string key = runner.key_of(plan.scenes[run.scene], run);
-    if (keys.insert(key).second) cases.push_back({.key = key, .case_id = run.id});
-  }
-  return cases;
-}
-
 void write_plan(const fs::path& folder, const std::vector<PlannedCase>& plan) {
   std::string text;
   for (const PlannedCase& one : plan) text += fmt::format("{} {}\n", one.key, one.case_id);

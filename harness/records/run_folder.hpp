@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/plan/plan.hpp"
 #include "harness/records/record.hpp"
-#include "harness/run/runner.hpp"
 
 namespace signorini {
 
@@ -35,9 +33,6 @@ RunFolder read_run(const std::filesystem::path& folder);
 
 /// Records of a folder that count; a manifest is not asked for. \throws UsageError if a file is unreadable
 std::vector<Record> read_current_records(const std::filesystem::path& folder);
-
-/// Cases of a plan with their keys, each key once.
-std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner);
 
 /// DIR/plan.txt: one case per line, key and name. \throws UsageError if the folder cannot be written
 void write_plan(const std::filesystem::path& folder, const std::vector<PlannedCase>& plan);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_set>
 #include <utility>
 
 #include "harness/glob.hpp"
@@ -13,8 +14,9 @@ namespace signorini {
 namespace {
 
 /// Runs cases of one scene and tells of their records; false if interrupted.
-bool run_scene(const Scene& scene, const std::vector<const Case*>& cases, const Turns& turns, Runner& runner,
-               RecordStore& store, Progress& progress, CampaignResult& result, const SceneDone& scene_done) {
+bool run_scene(const Scene& scene, const std::vector<const Case*>& cases, const Schedule& schedule,
+               Runner& runner, RecordStore& store, Progress& progress, CampaignResult& result,
+               const SceneDone& scene_done) {
   progress.begin(scene.problem.name + ": references");
   const std::vector<Survey> surveys = runner.survey(scene, cases);
   if (interrupted()) return false;
@@ -43,7 +45,7 @@ bool run_scene(const Scene& scene, const std::vector<const Case*>& cases, const 
                                  progress.advance(rest[index]);
                                  ++result.ran;
                                }};
-  if (!run_rounds(runner, scene, jobs, std::move(begun), turns, events)) return false;
+  if (!run_rounds(runner, scene, jobs, std::move(begun), schedule, events)) return false;
   store.clear_unfinished();
   if (!scene_done || done.empty()) return true;
   std::vector<Record> records;
@@ -54,6 +56,16 @@ bool run_scene(const Scene& scene, const std::vector<const Case*>& cases, const 
 }
 
 }  // namespace
+
+std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner) {
+  std::vector<PlannedCase> cases;
+  std::unordered_set<std::string> keys;
+  for (const Case& run : plan.cases) {
+    const std::string key = runner.key_of(plan.scenes[run.scene], run);
+    if (keys.insert(key).second) cases.push_back({.key = key, .case_id = run.id});
+  }
+  return cases;
+}
 
 std::vector<const Case*> missing_cases(const Plan& plan, const Runner& runner, const RecordStore& store) {
   std::vector<const Case*> missing;
@@ -66,7 +78,7 @@ std::vector<const Case*> missing_cases(const Plan& plan, const Runner& runner, c
   return missing;
 }
 
-CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store, const Turns& turns,
+CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store, const Schedule& schedule,
                             const SceneDone& scene_done) {
   const std::vector<const Case*> missing = missing_cases(plan, runner, store);
   CampaignResult result;
@@ -78,7 +90,7 @@ CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store
                  [&](const Case* run) { return run->scene == s; });
     if (cases.empty()) continue;
     runner.forget_references();
-    if (!run_scene(plan.scenes[s], cases, turns, runner, store, progress, result, scene_done)) {
+    if (!run_scene(plan.scenes[s], cases, schedule, runner, store, progress, result, scene_done)) {
       result.interrupted = true;
       break;
     }

@@ -8,6 +8,7 @@
 
 #include "harness/plan/plan.hpp"
 #include "harness/records/record_store.hpp"
+#include "harness/records/run_folder.hpp"
 #include "harness/run/rounds.hpp"
 
 namespace signorini {
@@ -23,8 +24,11 @@ using SceneDone = std::function<void(const std::vector<Record>& records)>;
 
 /// Runs what the store does not hold yet, scene by scene, each record stored as soon as its rounds are
 /// complete; what is known before is kept aside, so that a kill loses only the round under way.
-CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store, const Turns& turns = {},
-                            const SceneDone& scene_done = {});
+CampaignResult run_campaign(const Plan& plan, Runner& runner, RecordStore& store,
+                            const Schedule& schedule = {}, const SceneDone& scene_done = {});
+
+/// Cases of a plan with their keys, each key once.
+std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner);
 
 /// Cases of the plan that the store does not hold, in order.
 std::vector<const Case*> missing_cases(const Plan& plan, const Runner& runner, const RecordStore& store);

@@ -23,14 +23,14 @@ std::uint64_t scene_seed(std::uint64_t seed, const Scene& scene) {
 class SceneRounds {
  public:
   SceneRounds(Runner& runner, const Scene& scene, std::span<const Job> jobs,
-              std::vector<std::optional<Record>> records, const Turns& turns, const RoundEvents& events)
+              std::vector<std::optional<Record>> records, const Schedule& schedule, const RoundEvents& events)
       : runner_(runner),
         scene_(scene),
         jobs_(jobs),
         records_(std::move(records)),
-        turns_(turns),
+        schedule_(schedule),
         events_(events),
-        square_(jobs.size(), scene_seed(turns.seed, scene)) {}
+        square_(jobs.size(), scene_seed(schedule.seed, scene)) {}
 
   bool run() {
     run_row(square_.row(0), 0, [&](std::size_t i) { return !records_[i].has_value(); });
@@ -52,7 +52,7 @@ class SceneRounds {
     std::vector<std::size_t> row;
     std::copy_if(order.begin(), order.end(), std::back_inserter(row), wanted);
     // One by one where one runs at a time: each is announced before it begins.
-    const std::size_t together = turns_.parallel > 1 ? std::max<std::size_t>(1, row.size()) : 1;
+    const std::size_t together = schedule_.parallel > 1 ? std::max<std::size_t>(1, row.size()) : 1;
     for (std::size_t i = 0; i < row.size() && !interrupted(); i += together) {
       run_together(std::span(row).subspan(i, together), round);
     }
@@ -67,16 +67,16 @@ class SceneRounds {
     for (const std::size_t index : indices) jobs.push_back(jobs_[index]);
     const TakeRecord take = [&](std::size_t k, Record record) { take_record(indices[k], std::move(record)); };
     if (round == 0) {
-      runner_.run_first(scene_, jobs, turns_.parallel, take);
+      runner_.run_first(scene_, jobs, schedule_.parallel, take);
       return;
     }
     std::vector<Record> begun;
     for (const std::size_t index : indices) begun.push_back(*records_[index]);
-    runner_.run_later(scene_, jobs, begun, turns_.parallel, take);
+    runner_.run_later(scene_, jobs, begun, schedule_.parallel, take);
   }
 
   void take_record(std::size_t index, Record record) {
-    if (record.seconds && turns_.together() > 1) record.seconds->jobs = turns_.together();
+    if (record.seconds && schedule_.together() > 1) record.seconds->jobs = schedule_.together();
     records_[index] = std::move(record);
     const auto& tell = runner_.rounds_missing(*records_[index]) > 0 ? events_.unfinished : events_.complete;
     if (tell) tell(index, *records_[index]);
@@ -86,7 +86,7 @@ class SceneRounds {
   const Scene& scene_;
   std::span<const Job> jobs_;
   std::vector<std::optional<Record>> records_;
-  Turns turns_;
+  Schedule schedule_;
   const RoundEvents& events_;
   LatinSquare square_;
 };
@@ -94,8 +94,9 @@ class SceneRounds {
 }  // namespace
 
 bool run_rounds(Runner& runner, const Scene& scene, std::span<const Job> jobs,
-                std::vector<std::optional<Record>> begun, const Turns& turns, const RoundEvents& events) {
-  return SceneRounds(runner, scene, jobs, std::move(begun), turns, events).run();
+                std::vector<std::optional<Record>> begun, const Schedule& schedule,
+                const RoundEvents& events) {
+  return SceneRounds(runner, scene, jobs, std::move(begun), schedule, events).run();
 }
 
 }  // namespace signorini

@@ -1,26 +1,16 @@
 #pragma once
 // The cases of one scene, their rounds of timing interleaved.
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "harness/plan/schedule.hpp"
 #include "harness/run/runner.hpp"
 
 namespace signorini {
-
-/// How the cases of a scene take turns.
-struct Turns {
-  std::uint64_t seed = 1;  ///< of the Latin squares, one for each scene
-  int parallel = 1;        ///< cases at the same time
-  int beside = 1;          ///< such runs on this machine at the same time, this one included
-
-  /// Cases at the same time on this machine.
-  [[nodiscard]] int together() const { return parallel * beside; }
-};
 
 /// Told of what happens; `index` is that of the job.
 struct RoundEvents {
@@ -33,6 +23,7 @@ struct RoundEvents {
 /// certifies, the later ones only time. A case that fails leaves. \param begun  what an earlier, interrupted
 /// run left of each job, if anything \return false if interrupted
 bool run_rounds(Runner& runner, const Scene& scene, std::span<const Job> jobs,
-                std::vector<std::optional<Record>> begun, const Turns& turns, const RoundEvents& events);
+                std::vector<std::optional<Record>> begun, const Schedule& schedule,
+                const RoundEvents& events);
 
 }  // namespace signorini

@@ -33,14 +33,6 @@ class LeastTime final : public benchmark::BenchmarkReporter {
 
 }  // namespace
 
-bool build_may_be_timed() {
-#if defined(NDEBUG) && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
-  return true;
-#else
-  return false;
-#endif
-}
-
 int rounds_for(double first, const TimingBudget& budget) {
   if (first < budget.round_seconds) return budget.rounds;
   return static_cast<int>(std::clamp(budget.total_seconds / first, 1.0, static_cast<double>(budget.rounds)));

@@ -9,9 +9,6 @@
 
 namespace signorini {
 
-/// False in builds whose times mean nothing: assertions on, no optimiser, or sanitizers.
-bool build_may_be_timed();
-
 /// How long to measure.
 struct TimingBudget {
   int rounds = 3;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "harness/build_info.hpp"
 #include "harness/judge/certificate.hpp"
 #include "harness/judge/measures.hpp"
 #include "harness/judge/waveform.hpp"

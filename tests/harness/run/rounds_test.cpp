@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "harness/run/timing.hpp"
+#include "harness/build_info.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
 
@@ -30,7 +30,7 @@ class Rounds : public testing::Test {
         scene_, 0, {&test::fake_catalogue().front(), {{"behaviour", behaviour}, {"level", level}}}));
   }
 
-  void run(const Turns& turns, std::vector<std::optional<Record>> begun = {}) {
+  void run(const Schedule& schedule, std::vector<std::optional<Record>> begun = {}) {
     Runner runner(kLimits, test::free_orbits(), [](std::string_view) { return std::string("v"); });
     std::vector<const Case*> pointers;
     for (const Case& one : cases_) pointers.push_back(&one);
@@ -41,7 +41,7 @@ class Rounds : public testing::Test {
       jobs.push_back({.run = pointers[i], .survey = &surveys[i]});
     begun.resize(cases_.size());
     EXPECT_TRUE(
-        run_rounds(runner, scene_, jobs, begun, turns,
+        run_rounds(runner, scene_, jobs, begun, schedule,
                    {.begin = [&](const std::string& what) { begun_.push_back(what); },
                     .unfinished = [&](std::size_t i, const Record& r) { unfinished_[i].push_back(r); },
                     .complete =

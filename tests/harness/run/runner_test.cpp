@@ -4,7 +4,7 @@
 
 #include <csignal>
 
-#include "harness/run/timing.hpp"
+#include "harness/build_info.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini {
