@@ -1,19 +1,9 @@
 #pragma once
 // What a structural matrix must be: symmetric and positive semi-definite, up to rounding.
 
-#include "problems/problem.hpp"
+#include "problems/sparse_matrix.hpp"
 
 namespace signorini {
-
-/// Whether M, K and the symmetric part of D have to be factorised to know that they are what they must be.
-/// Sums of finite-element matrices are, whatever the mesh: M and K are semi-definite, and a motion without
-/// strain energy carries mass. A factorisation of theirs would cost more than all else about a large scene.
-enum class Definiteness { to_be_checked, by_construction };
-
-/// validate(), which checks all, or all but what holds by construction: that M and K are semi-definite and
-/// have no null vector in common with D. Damping still must be alpha M + beta K with alpha, beta >= 0, or
-/// pass the check. \throws InvalidProblem on the first violation
-void validate(const Problem& problem, Definiteness definiteness);
 
 /// max |a_ij|, 0 for a matrix without entries; NaN if some entry is NaN.
 double largest_entry(const SparseMatrix& A);

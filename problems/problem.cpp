@@ -1,13 +1,11 @@
 #include "problems/problem.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <complex>
+#include <stdexcept>
 
 #include "problems/definiteness.hpp"
-#include "problems/proportional_damping.hpp"
 #include "problems/sparse_cholesky.hpp"
 
 namespace signorini {
@@ -17,8 +15,6 @@ namespace {
 // A coordinate combination whose inertia or stiffness is below this fraction of the matrix's largest
 // entry has none: what is left is rounding of the assembly.
 constexpr double kNothing = 1e-14;
-constexpr int kMaxSubharmonic = 64;
-constexpr int kMaxLoadHarmonic = 10000;
 
 // w_j^T A w_j / |w_j|^4 for every column w_j of W, zero where it is rounding only.
 Eigen::VectorXd reduced(const SparseMatrix& A, const SparseMatrix& W) {
@@ -44,180 +40,26 @@ Eigen::VectorXd largest_of_columns(const SparseMatrix& W) {
   return largest;
 }
 
-// For each contact, whether M w != 0.
-std::vector<bool> contacts_with_mass(const Problem& problem) {
-  const SparseMatrix W = contact_directions(problem);
-  const Eigen::VectorXd momentum = largest_of_columns(problem.mass * W);
-  const Eigen::VectorXd least = kNothing * largest_entry(problem.mass) * largest_of_columns(W);
-  std::vector<bool> massive;
-  for (int j = 0; j < problem.contact_count(); ++j) massive.push_back(momentum(j) > least(j));
-  return massive;
-}
-
-void require(bool ok, const std::string& field, const std::string& found, const std::string& requirement) {
-  if (!ok) throw InvalidProblem(field, found, requirement);
-}
-
-void require_finite(double value, const std::string& field) {
-  require(std::isfinite(value), field, fmt::format("{}", value), "must be a finite number");
-}
-
-void require_dof(int dof, const Problem& problem, const std::string& field) {
-  require(dof >= 0 && dof < problem.size(), field, std::to_string(dof),
-          fmt::format("must be a coordinate of the system, 0..{}", problem.size() - 1));
-}
-
-void check_matrix(const SparseMatrix& A, int size, const std::string& field) {
-  require(A.rows() == size && A.cols() == size, field, fmt::format("{} x {} matrix", A.rows(), A.cols()),
-          fmt::format("must be {} x {}", size, size));
-  require_finite(largest_entry(A), field);
-}
-
-void check_symmetric(const SparseMatrix& A, const std::string& field, Definiteness definiteness) {
-  require(is_symmetric(A), field, "unsymmetric matrix", "must be symmetric to 1e-12 of its largest entry");
-  require(definiteness == Definiteness::by_construction || is_semidefinite(A), field, "indefinite matrix",
-          "must be positive semi-definite");
-}
-
-// Coordinates alone are looked at where combinations of them need not be: numbers too small to be told from 0
-// leave nothing of an element.
-bool nothing_is_loose(const SparseMatrix& all, Definiteness definiteness) {
-  if (definiteness == Definiteness::to_be_checked) return is_definite(all);
-  return (all.diagonal().array() > 0.0).all();
-}
-
-void check_matrices(const Problem& problem, Definiteness definiteness) {
-  const int size = problem.size();
-  require(size > 0, "system.mass", fmt::format("{} x {} matrix", size, problem.mass.cols()),
-          "must have at least one coordinate");
-  check_matrix(problem.mass, size, "system.mass");
-  check_matrix(problem.damping, size, "system.damping");
-  check_matrix(problem.stiffness, size, "system.stiffness");
-  const double inertia = largest_entry(problem.mass);
-  require(inertia > 0.0, "system.mass", "0", "some coordinate must carry mass");
-  check_symmetric(problem.mass, "system.mass", definiteness);
-  check_symmetric(problem.stiffness, "system.stiffness", definiteness);
-  const SparseMatrix dissipative = 0.5 * (problem.damping + SparseMatrix(problem.damping.transpose()));
-  const auto combination = proportional_damping(problem.mass, problem.stiffness, dissipative);
-  const bool dissipates = combination && combination->alpha >= 0.0 && combination->beta >= 0.0;
-  require(dissipates || is_semidefinite(dissipative), "system.damping", "matrix that feeds energy",
-          "its symmetric part must be positive semi-definite");
-  SparseMatrix all = problem.mass / inertia;
-  for (const SparseMatrix* A : {&dissipative, &problem.stiffness}) {
-    if (const double scale = largest_entry(*A); scale > 0.0) all += *A / scale;
-  }
-  require(nothing_is_loose(all, definiteness), "system", "structure with a loose coordinate",
-          "every motion must meet a mass, a damper or a spring");
-}
-
-void check_forcing(const Problem& problem) {
-  require(
-      std::isfinite(problem.frequency) && problem.frequency > 0.0 && std::isfinite(1.0 / problem.frequency),
-      "forcing.frequency", fmt::format("{}", problem.frequency), "must be a positive number [rad/s]");
-  require(problem.subharmonic >= 1 && problem.subharmonic <= kMaxSubharmonic, "forcing.subharmonic",
-          std::to_string(problem.subharmonic), fmt::format("must be a whole number, 1..{}", kMaxSubharmonic));
-  for (std::size_t i = 0; i < problem.force.size(); ++i) {
-    const ForceTerm& term = problem.force[i];
-    const std::string field = fmt::format("forcing.term[{}]", i);
-    require_dof(term.dof, problem, field + ".dof");
-    require(term.harmonic >= 0 && term.harmonic <= kMaxLoadHarmonic, field + ".harmonic",
-            std::to_string(term.harmonic), fmt::format("must be a whole number, 0..{}", kMaxLoadHarmonic));
-    require_finite(term.cos, field + ".cos");
-    require_finite(term.sin, field + ".sin");
-    require(term.harmonic > 0 || term.sin == 0.0, field + ".sin", fmt::format("{}", term.sin),
-            "must be 0 or absent: at harmonic 0 a sine is nothing");
-  }
-}
-
-void check_normal(const Contact& contact, const Problem& problem, const std::string& field) {
-  std::set<int> seen;
-  bool nonzero = false;
-  for (std::size_t i = 0; i < contact.normal.size(); ++i) {
-    const auto& [dof, coefficient] = contact.normal[i];
-    const std::string entry = fmt::format("{}[{}]", field, i);
-    require_dof(dof, problem, entry + "[0]");
-    require(seen.insert(dof).second, entry + "[0]", std::to_string(dof), "must name each coordinate once");
-    require_finite(coefficient, entry + "[1]");
-    nonzero = nonzero || coefficient != 0.0;
-  }
-  require(nonzero, field, contact.normal.empty() ? "[]" : "zero vector", "needs a nonzero coefficient");
-}
-
-void check_contacts(const Problem& problem) {
-  for (std::size_t j = 0; j < problem.contacts.size(); ++j) {
-    const std::string field = fmt::format("contact[{}]", j);
-    check_normal(problem.contacts[j], problem, field + ".normal");
-    require_finite(problem.contacts[j].gap, field + ".gap");
-  }
-}
-
-void check_penalty(const Penalty& penalty, const Problem& problem) {
-  require(penalty.stiffness.size() == problem.contacts.size(), "law.penalty",
-          fmt::format("{} values", penalty.stiffness.size()),
-          fmt::format("must be one number, or one per contact: {}", problem.contacts.size()));
-  for (std::size_t j = 0; j < penalty.stiffness.size(); ++j) {
-    const double stiffness = penalty.stiffness[j];
-    require(std::isfinite(stiffness) && stiffness > 0.0, fmt::format("law.penalty[{}]", j),
-            fmt::format("{}", stiffness), "must be a positive number [N/m]");
-  }
-}
-
-// An impact on a normal with massless coordinates would have nothing to push: its inverse mass is infinite.
-void check_impact_mass(const Problem& problem) {
-  const Eigen::VectorXd inertia = problem.mass.diagonal();
-  for (std::size_t j = 0; j < problem.contacts.size(); ++j) {
-    for (const auto& [dof, coefficient] : problem.contacts[j].normal) {
-      require(coefficient == 0.0 || inertia(dof) > 0.0, fmt::format("contact[{}].normal", j),
-              "partly massless", "under a restitution law every coordinate of a normal must carry mass");
-    }
-  }
-}
-
-// A rigid stop needs an impact law exactly where it meets mass.
-void check_rigid_law(const Problem& problem) {
-  const std::vector<bool> massive = contacts_with_mass(problem);
-  const auto massless = std::find(massive.begin(), massive.end(), false);
-  const auto* restitution = std::get_if<Restitution>(&problem.law);
-  if (massless == massive.end()) {
-    require(restitution != nullptr, "law.restitution", "missing",
-            "required, in 0..1, unless a penalty is given: the contact coordinates carry mass");
-    require(restitution->e >= 0.0 && restitution->e <= 1.0, "law.restitution",
-            fmt::format("{}", restitution->e), "must be in 0..1");
-    check_impact_mass(problem);
-    return;
-  }
-  require(std::find(massive.begin(), massive.end(), true) == massive.end(),
-          fmt::format("contact[{}]", massless - massive.begin()), "massless",
-          "beside contacts that carry mass only a penalty law will do: all or none must carry mass");
-  if (restitution != nullptr) {
-    throw InvalidProblem("law.restitution", fmt::format("{}", restitution->e),
-                         "must be absent: no contact coordinate carries mass");
-  }
-  require(std::holds_alternative<Massless>(problem.law), "law", "none",
-          "must be massless: no contact coordinate carries mass");
-}
-
-void check_law(const Problem& problem) {
-  if (problem.contacts.empty()) {
-    require(std::holds_alternative<std::monostate>(problem.law), "law", "given",
-            "must be absent: the scene has no contact");
-  } else if (const auto* penalty = std::get_if<Penalty>(&problem.law)) {
-    check_penalty(*penalty, problem);
-  } else {
-    check_rigid_law(problem);
-  }
-}
-
 }  // namespace
 
+Problem with_subharmonic(Problem problem, int order) {
+  problem.subharmonic = order;
+  return problem;
+}
+
 SparseMatrix contact_directions(const Problem& problem) {
+  return contact_directions(problem.contacts, problem.size());
+}
+
+SparseMatrix contact_directions(const std::vector<Contact>& contacts, int size) {
+  const int count = static_cast<int>(contacts.size());
   std::vector<Eigen::Triplet<double>> entries;
-  for (int j = 0; j < problem.contact_count(); ++j) {
-    for (const auto& [dof, coefficient] : problem.contacts[static_cast<std::size_t>(j)].normal) {
+  for (int j = 0; j < count; ++j) {
+    for (const auto& [dof, coefficient] : contacts[static_cast<std::size_t>(j)].normal) {
       entries.emplace_back(dof, j, coefficient);
     }
   }
-  SparseMatrix W(problem.size(), problem.contact_count());
+  SparseMatrix W(size, count);
   W.setFromTriplets(entries.begin(), entries.end());
   return W;
 }
@@ -246,6 +88,8 @@ int highest_load_harmonic(const Problem& problem) {
   return highest;
 }
 
+int load_bandwidth(const Problem& problem) { return highest_load_harmonic(problem) * problem.subharmonic; }
+
 Eigen::VectorXd load_at(const Problem& problem, double time) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(problem.size());
   for (const ForceTerm& term : problem.force) {
@@ -256,11 +100,11 @@ Eigen::VectorXd load_at(const Problem& problem, double time) {
 }
 
 Eigen::MatrixXd delassus_matrix(const Problem& problem) {
-  if (!is_definite(problem.mass)) {
+  if (!is_definite(problem.mass())) {
     throw std::invalid_argument("mass = singular (must be positive definite for the Delassus matrix)");
   }
   const SparseMatrix W = contact_directions(problem);
-  SparseCholesky factors(problem.mass);
+  SparseCholesky factors(problem.mass());
   Eigen::MatrixXd G(W.cols(), W.cols());
   // One column at a time: all of them together would be a dense Nd x Nc array.
   for (int j = 0; j < W.cols(); ++j) {
@@ -272,10 +116,10 @@ Eigen::MatrixXd delassus_matrix(const Problem& problem) {
 Eigen::VectorXd contact_stiffness_scale(const Problem& problem) {
   const SparseMatrix W = contact_directions(problem);
   const double omega = problem.frequency;
-  Eigen::VectorXd scale = reduced(problem.stiffness, W);
+  Eigen::VectorXd scale = reduced(problem.stiffness(), W);
   if ((scale.array() > 0.0).all()) return scale;
-  const Eigen::VectorXd inertia = omega * omega * reduced(problem.mass, W);
-  const Eigen::VectorXd resistance = omega * reduced(problem.damping, W);
+  const Eigen::VectorXd inertia = omega * omega * reduced(problem.mass(), W);
+  const Eigen::VectorXd resistance = omega * reduced(problem.damping(), W);
   for (int j = 0; j < scale.size(); ++j) {
     // Neither spring nor mass: validate() has made sure of a damper.
     if (scale(j) == 0.0) scale(j) = inertia(j) > 0.0 ? inertia(j) : resistance(j);
@@ -283,18 +127,18 @@ Eigen::VectorXd contact_stiffness_scale(const Problem& problem) {
   return scale;
 }
 
+std::vector<bool> contacts_with_mass(const Problem& problem) {
+  const SparseMatrix W = contact_directions(problem);
+  const Eigen::VectorXd momentum = largest_of_columns(problem.mass() * W);
+  const Eigen::VectorXd least = kNothing * largest_entry(problem.mass()) * largest_of_columns(W);
+  std::vector<bool> massive;
+  for (int j = 0; j < problem.contact_count(); ++j) massive.push_back(momentum(j) > least(j));
+  return massive;
+}
+
 bool contacts_are_massless(const Problem& problem) {
   const std::vector<bool> massive = contacts_with_mass(problem);
   return std::none_of(massive.begin(), massive.end(), [](bool carries) { return carries; });
-}
-
-void validate(const Problem& problem) { validate(problem, Definiteness::to_be_checked); }
-
-void validate(const Problem& problem, Definiteness definiteness) {
-  check_matrices(problem, definiteness);
-  check_forcing(problem);
-  check_contacts(problem);
-  check_law(problem);
 }
 
 }  // namespace signorini

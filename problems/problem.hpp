@@ -2,17 +2,17 @@
 // A contact scene as plain data: what every method is given and what the harness judges against.
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
+#include <memory>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-namespace signorini {
+#include "problems/sparse_matrix.hpp"
+#include "problems/structure.hpp"
 
-using SparseMatrix = Eigen::SparseMatrix<double>;
+namespace signorini {
 
 /// One term of the periodic load on one coordinate:
 /// f_dof(t) += cos * cos(harmonic * omega * t) + sin * sin(harmonic * omega * t).
@@ -59,9 +59,8 @@ struct Problem {
   std::vector<std::string> tags;  ///< free words, used by filters
   std::string kind;               ///< "sdof", "chain", ...: how the matrices were built
 
-  SparseMatrix mass;       ///< M, Nd x Nd, symmetric positive semi-definite [kg]
-  SparseMatrix damping;    ///< D, Nd x Nd [N s/m]
-  SparseMatrix stiffness;  ///< K, Nd x Nd, symmetric positive semi-definite [N/m]
+  /// M, D and K. Copies of a problem share them; never null.
+  std::shared_ptr<const Structure> structure = std::make_shared<const Structure>();
 
   double frequency = 1.0;         ///< omega > 0 [rad/s]
   int subharmonic = 1;            ///< order k >= 1 of the motion looked for [-]
@@ -69,43 +68,40 @@ struct Problem {
   std::vector<Contact> contacts;  ///< Nc of them, may be empty
   Law law;                        ///< monostate exactly where there is no contact
 
+  /// M, Nd x Nd [kg].
+  [[nodiscard]] const SparseMatrix& mass() const { return structure->mass; }
+  /// D, Nd x Nd [N s/m].
+  [[nodiscard]] const SparseMatrix& damping() const { return structure->damping; }
+  /// K, Nd x Nd [N/m].
+  [[nodiscard]] const SparseMatrix& stiffness() const { return structure->stiffness; }
+  /// Calls edit(s) on a copy s of the structure and takes that for its own: whoever shared the old one keeps
+  /// it.
+  template <class Edit>
+  void edit_structure(Edit&& edit) {
+    Structure edited = *structure;
+    std::forward<Edit>(edit)(edited);
+    structure = std::make_shared<const Structure>(std::move(edited));
+  }
+
   /// Nd, the number of coordinates.
-  [[nodiscard]] int size() const { return static_cast<int>(mass.rows()); }
+  [[nodiscard]] int size() const { return static_cast<int>(mass().rows()); }
   /// Nc, the number of contacts.
   [[nodiscard]] int contact_count() const { return static_cast<int>(contacts.size()); }
+  /// Period of the load, 2 pi / omega [s].
+  [[nodiscard]] double forcing_period() const { return 2.0 * std::numbers::pi / frequency; }
   /// Period of the motion looked for, subharmonic * 2 pi / omega [s].
   [[nodiscard]] double period() const { return 2.0 * std::numbers::pi * subharmonic / frequency; }
   /// Base frequency of the motion looked for, omega / subharmonic [rad/s].
   [[nodiscard]] double base_frequency() const { return frequency / subharmonic; }
 };
 
-/// A scene that cannot be computed: names the field, the value found and what is required.
-/// `field` is the scene-file path of the culprit ("system.mass", "contact[1].gap").
-class InvalidProblem : public std::invalid_argument {
- public:
-  /// what() reads `field_path = value (required)`.
-  InvalidProblem(std::string field_path, const std::string& value, const std::string& required)
-      : std::invalid_argument(field_path + " = " + value + " (" + required + ")"),
-        field(std::move(field_path)),
-        found(value),
-        requirement(required) {}
-
-  std::string field;        ///< path of the offending field, as in the scene file
-  std::string found;        ///< the value found, printed
-  std::string requirement;  ///< what is required instead
-};
-
-/// Checks every invariant stated above; a Problem that passes is safe for every method.
-/// Sizes agree; all numbers finite; M, K symmetric and positive semi-definite, M not zero;
-/// frequency > 0; dofs in range; normals nonzero; 0 <= e <= 1 exactly where a contact carries mass.
-/// Also: the symmetric part of D is positive semi-definite; M, D and K have no null vector in common;
-/// subharmonic in 1..64, load harmonics in 0..10000, no sine at harmonic 0; unless the law is a penalty, all
-/// contacts carry mass (on every coordinate of their normals) or none does. `name` and `kind` are not looked
-/// at. \throws InvalidProblem on the first violation.
-void validate(const Problem& problem);
+/// The same problem, asked for motions of period `order` * 2 pi / omega.
+Problem with_subharmonic(Problem problem, int order);
 
 /// W, Nd x Nc: column j holds the normal of contact j, so that x = W^T u [-].
 SparseMatrix contact_directions(const Problem& problem);
+/// The same of any list of contacts on a structure of `size` coordinates, size x contacts.size() [-].
+SparseMatrix contact_directions(const std::vector<Contact>& contacts, int size);
 
 /// g, Nc [m].
 Eigen::VectorXd contact_gaps(const Problem& problem);
@@ -116,6 +112,10 @@ Eigen::VectorXcd load_harmonic(const Problem& problem, int harmonic);
 
 /// Highest harmonic of the forcing frequency present in the load; 0 when the load is constant.
 int highest_load_harmonic(const Problem& problem);
+
+/// The same counted in harmonics of the motion looked for, of base frequency omega / subharmonic: the least
+/// number of harmonics with which a Fourier series over problem.period() represents the load.
+int load_bandwidth(const Problem& problem);
 
 /// f(t), Nd [N].
 Eigen::VectorXd load_at(const Problem& problem, double time);
@@ -129,6 +129,9 @@ Eigen::MatrixXd delassus_matrix(const Problem& problem);
 /// and where that vanishes too, omega w_j^T D w_j / |w_j|^4.
 /// Options given "relative to the stiffness" (c, penalty) are multiples of this scale.
 Eigen::VectorXd contact_stiffness_scale(const Problem& problem);
+
+/// For each contact, whether M w_j != 0 beyond rounding, Nc.
+std::vector<bool> contacts_with_mass(const Problem& problem);
 
 /// True where M w_j = 0 for every contact: no impact law is needed and none may be given.
 bool contacts_are_massless(const Problem& problem);

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "problems/problem.hpp"
+#include "problems/sparse_matrix.hpp"
 
 namespace signorini {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "problems/problem.hpp"
+#include "problems/sparse_matrix.hpp"
 
 namespace signorini {
 

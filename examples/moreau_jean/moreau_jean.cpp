@@ -149,7 +149,7 @@ class MoreauJean final : public signorini::Method {
 
   [[nodiscard]] signorini::Support supports(const Problem& problem) const override {
     if (std::holds_alternative<signorini::Penalty>(problem.law)) return {false, "a spring is no rigid stop"};
-    const Eigen::VectorXd mass = problem.mass.diagonal();
+    const Eigen::VectorXd mass = problem.mass().diagonal();
     if ((mass.array() <= 0.0).any()) return {false, "coordinates without mass have no velocity to step"};
     return {};
   }

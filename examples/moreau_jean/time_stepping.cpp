@@ -15,7 +15,7 @@ TimeStepping::TimeStepping(const signorini::Problem& problem, double h, double t
       p_(Eigen::VectorXd::Zero(problem.contact_count())) {
   if (const auto* law = std::get_if<signorini::Restitution>(&problem.law)) e_ = law->e;
   const double a = h * theta;
-  A_.compute(signorini::SparseMatrix(problem.mass + a * problem.damping + a * a * problem.stiffness));
+  A_.compute(signorini::SparseMatrix(problem.mass() + a * problem.damping() + a * a * problem.stiffness()));
   if (A_.info() != Eigen::Success) throw std::runtime_error("the matrix of a step cannot be factorised");
   response_ = A_.solve(Eigen::MatrixXd(W_));
   G_ = W_.transpose() * response_;
@@ -53,8 +53,8 @@ void TimeStepping::find_impulses(const Eigen::VectorXd& predicted, const Eigen::
 const Eigen::VectorXd& TimeStepping::advance(State& state, double t) {
   const double rest = h_ * (1.0 - theta_);
   // A v_+ = M v - h (1 - theta) D v - h K (u + h theta (1 - theta) v) + h f* + W p
-  Eigen::VectorXd rhs = problem_.mass * state.v - rest * (problem_.damping * state.v) -
-                        h_ * (problem_.stiffness * (state.u + rest * theta_ * state.v));
+  Eigen::VectorXd rhs = problem_.mass() * state.v - rest * (problem_.damping() * state.v) -
+                        h_ * (problem_.stiffness() * (state.u + rest * theta_ * state.v));
   add_load(t, rhs);
   Eigen::VectorXd next = A_.solve(rhs);
   p_.setZero();

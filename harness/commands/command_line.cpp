@@ -12,6 +12,7 @@
 #include "harness/extend/plugins/plugins.hpp"
 #include "harness/failure.hpp"
 #include "methods/options.hpp"
+#include "problems/invalid_problem.hpp"
 #include "problems/scene/scene_file.hpp"
 
 namespace signorini {

@@ -27,8 +27,8 @@ constexpr std::ptrdiff_t kMostShown = 12;
 std::string eigenfrequencies(const Problem& problem) {
   if (problem.size() > kMostEigen)
     return fmt::format("not computed for more than {} coordinates", kMostEigen);
-  const Eigen::MatrixXd mass(problem.mass);
-  const Eigen::MatrixXd stiffness(problem.stiffness);
+  const Eigen::MatrixXd mass(problem.mass());
+  const Eigen::MatrixXd stiffness(problem.stiffness());
   std::vector<double> found;
   if (mass.llt().info() == Eigen::Success) {
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, mass,
@@ -65,8 +65,8 @@ void show_scene(const Problem& problem) {
   if (!problem.reference.empty()) fmt::print("reference         {}\n", problem.reference);
   fmt::print("tags              {}\n", fmt::join(problem.tags, ", "));
   fmt::print("system            {}, {} coordinates; entries in M {}, D {}, K {}\n", problem.kind,
-             problem.size(), problem.mass.nonZeros(), problem.damping.nonZeros(),
-             problem.stiffness.nonZeros());
+             problem.size(), problem.mass().nonZeros(), problem.damping().nonZeros(),
+             problem.stiffness().nonZeros());
   fmt::print("eigenfrequencies  {}\n", eigenfrequencies(problem));
   fmt::print("forcing           omega {:g} rad/s, {} terms; motion of period {:.6g} s{}\n", problem.frequency,
              problem.force.size(), problem.period(),

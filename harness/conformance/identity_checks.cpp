@@ -5,6 +5,7 @@
 #include "harness/conformance/answers.hpp"
 #include "harness/conformance/checks.hpp"
 #include "harness/records/answer_digest.hpp"
+#include "problems/validation.hpp"
 
 namespace signorini {
 

@@ -45,9 +45,11 @@ Problem with_load_scaled(Problem problem, double factor) {
 }
 
 Problem with_structure_scaled(Problem problem, double factor) {
-  problem.mass *= factor;
-  problem.damping *= factor;
-  problem.stiffness *= factor;
+  problem.edit_structure([&](Structure& s) {
+    s.mass *= factor;
+    s.damping *= factor;
+    s.stiffness *= factor;
+  });
   scale_load(problem, factor);
   if (auto* stop = std::get_if<Penalty>(&problem.law)) {
     for (double& stiffness : stop->stiffness) stiffness *= factor;
@@ -56,8 +58,10 @@ Problem with_structure_scaled(Problem problem, double factor) {
 }
 
 Problem with_time_scaled(Problem problem, double factor) {
-  problem.mass *= factor * factor;
-  problem.damping *= factor;
+  problem.edit_structure([&](Structure& s) {
+    s.mass *= factor * factor;
+    s.damping *= factor;
+  });
   problem.frequency /= factor;
   return problem;
 }
@@ -77,9 +81,11 @@ Problem with_load_delayed(Problem problem, double shift) {
 Problem with_coordinates_reversed(const Problem& problem) {
   Problem result = problem;
   const int last = problem.size() - 1;
-  result.mass = reversed(problem.mass);
-  result.damping = reversed(problem.damping);
-  result.stiffness = reversed(problem.stiffness);
+  result.edit_structure([&](Structure& s) {
+    s.mass = reversed(problem.mass());
+    s.damping = reversed(problem.damping());
+    s.stiffness = reversed(problem.stiffness());
+  });
   for (ForceTerm& term : result.force) term.dof = last - term.dof;
   for (Contact& contact : result.contacts) {
     for (auto& [dof, coefficient] : contact.normal) dof = last - dof;

@@ -97,8 +97,7 @@ Judgement certify(const Problem& problem, std::shared_ptr<const Trajectory> answ
   }
   const Motion* known = reference_motion ? &*reference_motion : nullptr;
 
-  Problem same_order = problem;
-  same_order.subharmonic = motion.order;
+  const Problem same_order = with_subharmonic(problem, motion.order);
   if (tools.polish && take(problem, motion,
                            tools.polish({.problem = same_order,
                                          .answer = *answer,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <complex>
-#include <numbers>
 
 #include "methods/solvers/constants.hpp"
 #include "methods/structure/periodic_response.hpp"
@@ -70,10 +69,7 @@ ContactResponse::ContactResponse(const Problem& problem, const Trajectory& traje
 }
 
 void ContactResponse::factorise(const Problem& problem, const Ports& ports) {
-  Problem forces;
-  forces.mass.resize(problem.size(), problem.size());
-  forces.contacts = ports.columns;
-  const SparseMatrix directions = contact_directions(forces);
+  const SparseMatrix directions = contact_directions(ports.columns, problem.size());
   const SparseMatrix W = directions.leftCols(ports.contacts);
   const SparseMatrix F = directions.rightCols(load_.cols());
   DynamicStiffness stiffness(problem);
@@ -87,7 +83,7 @@ void ContactResponse::factorise(const Problem& problem, const Ports& ports) {
     const Eigen::VectorXcd u = columns.rowwise().sum();
     x_.row(n) = (W.transpose() * u).transpose();
     q_.row(n) = (F.transpose() * u).transpose();
-    const Eigen::VectorXcd drag = problem.damping * u;
+    const Eigen::VectorXcd drag = problem.damping() * u;
     dissipation_ += 2.0 * kTwoPi * static_cast<double>(n) * w * u.dot(drag).real();
   }
 }

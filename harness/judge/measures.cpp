@@ -45,7 +45,7 @@ Measure field_error(const Problem& problem, const Trajectory& answer, const Traj
   try {
     const auto field = [&](const Trajectory& trajectory) {
       Motion motion;
-      motion.forcing_period = 2.0 * std::numbers::pi / problem.frequency;
+      motion.forcing_period = problem.forcing_period();
       motion.order = static_cast<int>(std::lround(trajectory.period() / motion.forcing_period));
       motion.samples.x =
           PeriodicResponse(problem, trajectory, kFieldHarmonics).displacement(kFieldInstants * motion.order);
@@ -136,8 +136,8 @@ double cosine_tail(double theta, int harmonics) {
 
 /// M^-1 W, Nd x Nc. \throws std::invalid_argument where M is singular
 Eigen::MatrixXd velocity_jumps(const Problem& problem) {
-  if (!is_definite(problem.mass)) throw std::invalid_argument("an impulse meets coordinates without mass");
-  return SparseCholesky(problem.mass).solve(Eigen::MatrixXd(contact_directions(problem)));
+  if (!is_definite(problem.mass())) throw std::invalid_argument("an impulse meets coordinates without mass");
+  return SparseCholesky(problem.mass()).solve(Eigen::MatrixXd(contact_directions(problem)));
 }
 
 /// Dissipation beyond harmonic H of velocities that jump by M^-1 W p: with v_n = M^-1 W p_n / (i n w),
@@ -146,7 +146,7 @@ double dissipation_tail(const Problem& problem, const Trajectory& answer, int ha
   const std::vector<Impulse> impulses = answer.impulses();
   if (impulses.empty()) return 0.0;
   const Eigen::MatrixXd jumps = velocity_jumps(problem);
-  const Eigen::MatrixXd weight = jumps.transpose() * (problem.damping * jumps);
+  const Eigen::MatrixXd weight = jumps.transpose() * (problem.damping() * jumps);
   const double period = answer.period();
   double sum = 0.0;
   for (const Impulse& a : impulses) {
@@ -199,7 +199,7 @@ EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, co
 }  // namespace
 
 Eigen::VectorXd impulse_per_forcing_period(const Problem& problem, const Trajectory& trajectory) {
-  const double forcing_period = 2.0 * std::numbers::pi / problem.frequency;
+  const double forcing_period = problem.forcing_period();
   return forcing_period * force_spectrum(trajectory, 0).row(0).real().transpose();
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace signorini {
@@ -53,7 +52,7 @@ Eigen::Index per_period(const Motion& motion) { return motion.samples.x.rows() /
 
 Motion sample_motion(const Problem& problem, const Trajectory& trajectory, int per_period) {
   Motion motion;
-  motion.forcing_period = 2.0 * std::numbers::pi / problem.frequency;
+  motion.forcing_period = problem.forcing_period();
   motion.order = std::max(1, static_cast<int>(std::lround(trajectory.period() / motion.forcing_period)));
   motion.samples = trajectory.sample(per_period * motion.order);
   motion.impulses = trajectory.impulses();

@@ -57,8 +57,7 @@ CheckedOrbit confirm_orbit(const Problem& problem, const OrbitSolver& solver, co
   if (!found(first)) return {.reason = reason_of(first)};
   // Continued at the order that was found, which marching may find to be several forcing periods.
   const Motion motion = sample_motion(problem, *first.trajectory);
-  Problem continued = problem;
-  continued.subharmonic = motion.order;
+  const Problem continued = with_subharmonic(problem, motion.order);
   OrbitRequest again = request;
   again.tolerance = kTightOrbitTolerance;
   again.shooting = true;
@@ -104,8 +103,7 @@ Reference compute_reference(const Problem& problem, const OrbitTools& tools,
   if (!found(marched)) return {.reason = reason_of(marched)};
   CheckedOrbit checked;
   if (tools.polish) {
-    Problem same_order = problem;
-    same_order.subharmonic = sample_motion(problem, *marched.trajectory).order;
+    const Problem same_order = with_subharmonic(problem, sample_motion(problem, *marched.trajectory).order);
     checked = tools.polish({.problem = same_order, .answer = *marched.trajectory, .deadline = deadline});
     if (checked.orbit && !stays(problem, *marched.trajectory, *checked.orbit)) {
       return {.reason =

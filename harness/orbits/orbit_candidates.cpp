@@ -38,12 +38,6 @@ SteadyTime no_later(SteadyTime deadline, double seconds) {
                                                std::chrono::duration<double>(seconds)));
 }
 
-Problem at_order(const Problem& problem, int order) {
-  Problem changed = problem;
-  changed.subharmonic = order;
-  return changed;
-}
-
 SearchOptions search_options(SteadyTime deadline) {
   SearchOptions options;
   options.expired = [deadline] { return Clock::now() > deadline; };
@@ -62,14 +56,14 @@ void take_search(const OrbitSearch& search, OrbitCandidate& candidate) {
 /// The orbit behind an answer of a method, at the answer's own order.
 void polish_answer(const Problem& problem, const Trajectory& answer, SteadyTime deadline,
                    OrbitCandidate& candidate) {
-  const double forcing_period = 2.0 * std::numbers::pi / problem.frequency;
+  const double forcing_period = problem.forcing_period();
   const std::string defect = trajectory_defect(answer, problem.contact_count(), forcing_period, kGrid);
   if (!defect.empty()) {
     candidate.reason = defect;
     return;
   }
   candidate.order = std::max(1, static_cast<int>(std::lround(answer.period() / forcing_period)));
-  const Problem same_order = at_order(problem, candidate.order);
+  const Problem same_order = with_subharmonic(problem, candidate.order);
   OrbitFinder finder(same_order);
   const OrbitSearch search = finder.find(answer, search_options(deadline));
   take_search(search, candidate);
@@ -109,12 +103,13 @@ CandidateUnit from_rest(const Problem& problem) {
 /// A method with one set of options; none if it does not apply or represents another law.
 std::optional<CandidateUnit> cold_start(const Problem& problem, const MethodChoice& choice, int order) {
   const std::unique_ptr<Method> probe = choice.make();
-  const Problem at = at_order(problem, order);
+  const Problem at = with_subharmonic(problem, order);
   if (!probe->supports(at).ok || !law_matches(probe->law(at), problem.law)) return std::nullopt;
   return CandidateUnit{
       choice.label(), [&problem, choice, order](const Deliver& deliver, SteadyTime deadline) {
         OrbitCandidate candidate{.origin = Origin::method, .source = choice.label(), .order = order};
-        solve_cold(at_order(problem, order), *choice.make(), no_later(deadline, kMethodSeconds), candidate);
+        solve_cold(with_subharmonic(problem, order), *choice.make(), no_later(deadline, kMethodSeconds),
+                   candidate);
         deliver(candidate);
       }};
 }
@@ -140,7 +135,7 @@ std::vector<MethodChoice> cold_choices(const MethodEntry& entry) {
 
 CandidateUnit coarse_grids(const Problem& problem, int order) {
   return {"coarse grids", [&problem, order](const Deliver& deliver, SteadyTime deadline) {
-            const Problem at = at_order(problem, order);
+            const Problem at = with_subharmonic(problem, order);
             std::optional<double> restitution;
             if (const auto* law = std::get_if<Restitution>(&at.law)) restitution = law->e;
             for (const int per_period : {48, 112}) {
@@ -210,7 +205,7 @@ OrbitCandidate search_from_state(const Problem& at, int number, unsigned seed, S
 CandidateUnit random_states(const Problem& problem, int order, int first, int last, unsigned seed) {
   return {fmt::format("random states {}..{}", first, last - 1),
           [&problem, order, first, last, seed](const Deliver& deliver, SteadyTime deadline) {
-            const Problem at = at_order(problem, order);
+            const Problem at = with_subharmonic(problem, order);
             for (int number = first; number < last && Clock::now() <= deadline; ++number)
               deliver(search_from_state(at, number, seed, deadline));
           }};

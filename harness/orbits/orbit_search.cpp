@@ -99,17 +99,11 @@ class Census {
  private:
   OrbitSearch solve(const OrbitGuess& guess, int order) {
     std::unique_ptr<OrbitFinder>& finder = finders_[order];
-    if (!finder) finder = std::make_unique<OrbitFinder>(at(order));
+    if (!finder) finder = std::make_unique<OrbitFinder>(with_subharmonic(problem_, order));
     SearchOptions options;
     options.rounds = 0;
     options.shootings = 0;
     return finder->find(guess, options);
-  }
-
-  [[nodiscard]] Problem at(int order) const {
-    Problem changed = problem_;
-    changed.subharmonic = order;
-    return changed;
   }
 
   void take_new(const OrbitSearch& search, const Motion& motion, const OrbitCandidate& candidate) {
@@ -121,7 +115,7 @@ class Census {
     }
     CheckedOrbit checked{.reason = "the orbit does not close after its least period"};
     if (least.orbit.certified()) {
-      const Problem at_order = at(order);
+      const Problem at_order = with_subharmonic(problem_, order);
       checked = polish_({.problem = at_order, .answer = *least.orbit.trajectory, .deadline = deadline_});
     }
     if (!checked.orbit) {
@@ -231,8 +225,7 @@ std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit
     if (event.kind != "impact" || !event.value) return std::nullopt;
     impulses.push_back({event.contact, event.time, *event.value});
   }
-  Problem at_order = problem;
-  at_order.subharmonic = kept.order;
+  const Problem at_order = with_subharmonic(problem, kept.order);
   const OrbitPolisher certify = polish ? polish : exact_orbits();
   const ImpulseTrain train(problem.contact_count(), at_order.period(), std::move(impulses));
   CheckedOrbit checked = certify({.problem = at_order, .answer = train});

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <fstream>
-#include <numbers>
 #include <stdexcept>
 
 #include "harness/build_info.hpp"
@@ -59,7 +58,7 @@ bool take_solution(const Trial& trial, const Solution& solution, bool expired, R
     return false;
   }
   const Problem& problem = trial.scene.problem;
-  const double forcing_period = 2.0 * std::numbers::pi / problem.frequency;
+  const double forcing_period = problem.forcing_period();
   std::string defect = "it says converged without a trajectory";
   if (solution.trajectory) {
     defect = trajectory_defect(*solution.trajectory, problem.contact_count(), forcing_period, kGrid);

@@ -92,7 +92,7 @@ RepresentedLaw projected_method_law(const Problem& problem, const std::optional<
 }
 
 Support supports_harmonics(const Problem& problem, int harmonics, const std::optional<int>& samples) {
-  const int needed = highest_load_harmonic(problem) * problem.subharmonic;
+  const int needed = load_bandwidth(problem);
   if (samples && *samples < 2 * harmonics + 1) {
     return {
         false,

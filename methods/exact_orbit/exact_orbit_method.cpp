@@ -102,8 +102,7 @@ class PreparedExactOrbit final : public PreparedMethod {
   }
 
   Solution projected_solve(const Start& start) const {
-    const int harmonics =
-        std::max(options_.samples / 4, highest_load_harmonic(problem_) * problem_.subharmonic);
+    const int harmonics = std::max(options_.samples / 4, load_bandwidth(problem_));
     const bool spring = std::holds_alternative<Penalty>(problem_.law);
     const auto law = [this, spring](const ContactReceptance& receptance) {
       return spring ? penalty_law(problem_, {}, receptance) : lipschitz_law(problem_, {}, receptance);
@@ -203,7 +202,7 @@ Support ExactOrbitMethod::supports(const Problem& problem) const {
     return {false, fmt::format("{} coordinates: the closed-form flow is dense, at most {}", problem.size(),
                                kLargest)};
   }
-  const int needed = highest_load_harmonic(problem) * problem.subharmonic;
+  const int needed = load_bandwidth(problem);
   if (2 * needed >= options_.samples) {
     return {false,
             fmt::format("the load reaches harmonic {} of the motion's base frequency: samples = {} cannot "

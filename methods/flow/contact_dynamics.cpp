@@ -49,7 +49,7 @@ ContactDynamics::ContactDynamics(const Problem& problem)
     : gaps_(contact_gaps(problem)),
       highest_harmonic_(std::max(1, highest_load_harmonic(problem))),
       frequency_(problem.frequency),
-      forcing_period_(2.0 * std::numbers::pi / problem.frequency) {
+      forcing_period_(problem.forcing_period()) {
   take_structure(problem);
   if (const auto* law = std::get_if<Restitution>(&problem.law)) restitution_ = law->e;
   rigid_ = !std::holds_alternative<Penalty>(problem.law) && !std::holds_alternative<Massless>(problem.law);
@@ -242,7 +242,7 @@ double linear_amplitude(const Problem& problem) {
 // What the load moves without help from a resonance: |f_i| / (K_ii + (h omega)^2 M_ii) [m].
 double forced_amplitude(const Problem& problem) {
   Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(problem.size());
-  const Eigen::VectorXd k = problem.stiffness.diagonal(), m = problem.mass.diagonal();
+  const Eigen::VectorXd k = problem.stiffness().diagonal(), m = problem.mass().diagonal();
   for (const ForceTerm& term : problem.force) {
     const double w = std::max(1, term.harmonic) * problem.frequency;
     amplitude[term.dof] += std::hypot(term.cos, term.sin) / (k[term.dof] + w * w * m[term.dof]);

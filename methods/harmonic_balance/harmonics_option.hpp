@@ -18,7 +18,7 @@ constexpr int kMostHarmonics = 160;
 /// H asked for; else 20, doubled until the load's harmonics are kept, at most 160.
 inline int first_harmonics(const std::optional<int>& asked, const Problem& problem) {
   if (asked) return *asked;
-  const int needed = highest_load_harmonic(problem) * problem.subharmonic;
+  const int needed = load_bandwidth(problem);
   int harmonics = kDefaultHarmonics;
   while (harmonics < needed && harmonics < kMostHarmonics) harmonics *= 2;
   return harmonics;

@@ -5,7 +5,7 @@ namespace signorini {
 int coarsest_hat_grid(const Problem& problem) {
   constexpr int kCoarsest = 256;
   constexpr int kPerOscillation = 16;
-  const int needed = kPerOscillation * highest_load_harmonic(problem) * problem.subharmonic;
+  const int needed = kPerOscillation * load_bandwidth(problem);
   int samples = kCoarsest;
   while (samples < needed && samples < kFinestHatGrid) samples *= 2;
   return samples;

@@ -22,11 +22,11 @@ class Recurrence {
     const double step = problem.period() / samples_;
     const bool consistent = options.scheme == HatScheme::galerkin;
     const double outer = consistent ? 1.0 / 6.0 : 0.0;
-    const SparseMatrix inertia = problem.mass / (step * step);
-    const SparseMatrix drag = problem.damping / (2.0 * step);
-    ahead_ = inertia + drag + outer * problem.stiffness;
-    here_ = (1.0 - 2.0 * outer) * problem.stiffness - 2.0 * inertia;
-    behind_ = inertia - drag + outer * problem.stiffness;
+    const SparseMatrix inertia = problem.mass() / (step * step);
+    const SparseMatrix drag = problem.damping() / (2.0 * step);
+    ahead_ = inertia + drag + outer * problem.stiffness();
+    here_ = (1.0 - 2.0 * outer) * problem.stiffness() - 2.0 * inertia;
+    behind_ = inertia - drag + outer * problem.stiffness();
     ahead_.makeCompressed();
     factors_.compute(ahead_);
     if (!usable()) return;

@@ -53,7 +53,7 @@ int HatLcp::first_samples(const Problem& problem) const {
 }
 
 Support HatLcp::supports(const Problem& problem) const {
-  const int needed = highest_load_harmonic(problem) * problem.subharmonic;
+  const int needed = load_bandwidth(problem);
   if (2 * needed < first_samples(problem)) return {};
   return {false,
           fmt::format(

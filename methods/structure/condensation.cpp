@@ -66,8 +66,8 @@ Eigen::MatrixXcd load_amplitudes(const Problem& problem, const std::vector<doubl
 // Static elimination of the massless coordinates picked by `b`.
 void eliminate(const Problem& problem, const SparseMatrix& i, const SparseMatrix& b,
                CondensedStructure& result) {
-  const SparseMatrix K_bb = b.transpose() * problem.stiffness * b;
-  const SparseMatrix K_bi = b.transpose() * problem.stiffness * i;
+  const SparseMatrix K_bb = b.transpose() * problem.stiffness() * b;
+  const SparseMatrix K_bi = b.transpose() * problem.stiffness() * i;
   if (!is_definite(K_bb)) {
     result.obstacle = "coordinates without mass have no stiffness of their own";
     return;
@@ -100,16 +100,16 @@ CondensedStructure condense(const Problem& problem) {
         fmt::format("{} coordinates: at most {} are followed through time", problem.size(), kMostInTime);
     return result;
   }
-  const Split split = split_by_mass(problem.mass);
+  const Split split = split_by_mass(problem.mass());
   const SparseMatrix i = picking(split.kept, problem.size()), b = picking(split.massless, problem.size());
-  if (touches(problem.damping, b)) {
+  if (touches(problem.damping(), b)) {
     result.obstacle = "a coordinate without mass is damped: its equation is of first order";
     return result;
   }
   result.kept = split.kept;
-  result.mass = i.transpose() * problem.mass * i;
-  result.damping = i.transpose() * problem.damping * i;
-  result.stiffness = i.transpose() * problem.stiffness * i;
+  result.mass = i.transpose() * problem.mass() * i;
+  result.damping = i.transpose() * problem.damping() * i;
+  result.stiffness = i.transpose() * problem.stiffness() * i;
   result.directions = i.transpose() * contact_directions(problem);
   result.compliance = Eigen::MatrixXd::Zero(problem.contact_count(), problem.contact_count());
   result.rates = load_rates(problem);

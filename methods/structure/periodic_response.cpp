@@ -6,7 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <stdexcept>
 
 #include "methods/discretisation/real_fft.hpp"
@@ -24,7 +23,7 @@ int forcing_periods(const Problem& problem, double period) {
   if (!(whole >= 1.0) || std::abs(ratio - whole) > 1e-6 * whole) {
     throw std::invalid_argument(
         fmt::format("trajectory.period = {} (must be a multiple of the forcing period {})", period,
-                    kTwoPi / problem.frequency));
+                    problem.forcing_period()));
   }
   return static_cast<int>(whole);
 }

@@ -26,15 +26,15 @@ struct DynamicStiffness::Factors {
 
   // A sparse factorisation goes on over pivots of rounding size: whether K is singular is asked beforehand.
   Factors(const Problem& problem, bool as_dense)
-      : dense(as_dense), held(as_dense || is_definite(problem.stiffness)) {
+      : dense(as_dense), held(as_dense || is_definite(problem.stiffness())) {
     if (dense) {
-      dense_mass = problem.mass;
-      dense_damping = problem.damping;
-      dense_stiffness = problem.stiffness;
+      dense_mass = problem.mass();
+      dense_damping = problem.damping();
+      dense_stiffness = problem.stiffness();
     } else {
-      mass = problem.mass.cast<std::complex<double>>();
-      damping = problem.damping.cast<std::complex<double>>();
-      stiffness = problem.stiffness.cast<std::complex<double>>();
+      mass = problem.mass().cast<std::complex<double>>();
+      damping = problem.damping().cast<std::complex<double>>();
+      stiffness = problem.stiffness().cast<std::complex<double>>();
       auto& control = sparse_lu.umfpackControl();
       control(UMFPACK_STRATEGY) = UMFPACK_STRATEGY_SYMMETRIC;
       if (problem.size() > kMostFactorised) control(UMFPACK_ORDERING) = UMFPACK_ORDERING_METIS;
@@ -101,7 +101,7 @@ ContactReceptance factorised_receptance(const Problem& problem, int harmonics,
                                         const std::function<HarmonicWeights(int)>& weights, bool dense) {
   const int contacts = problem.contact_count();
   const SparseMatrix directions = contact_directions(problem);
-  const int loaded = highest_load_harmonic(problem) * problem.subharmonic;
+  const int loaded = load_bandwidth(problem);
   DynamicStiffness stiffness(problem, dense);
   ContactReceptance result;
   result.period = problem.period();

@@ -58,9 +58,9 @@ class ReducedModel {
     gather_loads(problem, harmonics, weights);
     const double lowest = std::abs(weights(std::min(1, harmonics)).mass);
     for (const double shift : {0.0, lowest}) {
-      shifted_ = problem.stiffness;
-      if (shift > 0.0) shifted_ += shift * problem.mass;
-      space_ = std::make_unique<BlockLanczos>(shifted_, problem.mass, start_);
+      shifted_ = problem.stiffness();
+      if (shift > 0.0) shifted_ += shift * problem.mass();
+      space_ = std::make_unique<BlockLanczos>(shifted_, problem.mass(), start_);
       shift_ = shift;
       if (space_->definite()) break;
     }
@@ -122,7 +122,7 @@ class ReducedModel {
                     const std::function<HarmonicWeights(int)>& weights) {
     LoadColumns columns;
     std::vector<std::pair<int, int>> places;
-    const int loaded = std::min(harmonics, highest_load_harmonic(problem) * problem.subharmonic);
+    const int loaded = std::min(harmonics, load_bandwidth(problem));
     for (int n = 0; n <= loaded; ++n) {
       const Eigen::VectorXcd load = weights(n).load * load_coefficient(problem, n);
       const int real = columns.add(load.real(), contacts_);
@@ -304,7 +304,7 @@ class ReducedModel {
 std::optional<ContactReceptance> reduced_receptance(const Problem& problem, int harmonics,
                                                     const std::function<HarmonicWeights(int)>& weights,
                                                     double tolerance) {
-  const auto damping = proportional_damping(problem.mass, problem.stiffness, problem.damping);
+  const auto damping = proportional_damping(problem.mass(), problem.stiffness(), problem.damping());
   if (!damping || problem.contact_count() == 0) return std::nullopt;
   ReducedModel model(problem, *damping, harmonics, weights);
   if (!model.definite() || !model.refine(tolerance)) return std::nullopt;

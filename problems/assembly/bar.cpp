@@ -1,6 +1,7 @@
 #include "problems/assembly/bar.hpp"
 
 #include "problems/assembly/element_row.hpp"
+#include "problems/invalid_problem.hpp"
 
 namespace signorini {
 

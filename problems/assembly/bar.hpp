@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "problems/assembly/contact_mass.hpp"
-#include "problems/assembly/structure.hpp"
+#include "problems/structure.hpp"
 
 namespace signorini {
 

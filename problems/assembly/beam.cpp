@@ -4,6 +4,7 @@
 #include <map>
 
 #include "problems/assembly/element_row.hpp"
+#include "problems/invalid_problem.hpp"
 
 namespace signorini {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "problems/assembly/element_row.hpp"
+#include "problems/invalid_problem.hpp"
 
 namespace signorini {
 

@@ -5,7 +5,7 @@
 
 #include "problems/assembly/block_mesh.hpp"
 #include "problems/assembly/contact_mass.hpp"
-#include "problems/assembly/structure.hpp"
+#include "problems/structure.hpp"
 
 namespace signorini {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "problems/assembly/structure.hpp"
+#include "problems/structure.hpp"
 
 namespace signorini {
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "problems/problem.hpp"
+#include "problems/sparse_matrix.hpp"
 
 namespace signorini {
 

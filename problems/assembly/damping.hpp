@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "problems/problem.hpp"
+#include "problems/sparse_matrix.hpp"
 
 namespace signorini {
 

@@ -1,7 +1,8 @@
 #pragma once
 // A disc that moves in its plane, and the stator around it: a polygon of contacts.
 
-#include "problems/assembly/structure.hpp"
+#include "problems/problem.hpp"
+#include "problems/structure.hpp"
 
 namespace signorini {
 

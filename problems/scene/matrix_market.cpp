@@ -10,7 +10,7 @@
 #include <optional>
 #include <string_view>
 
-#include "problems/scene/scene_file.hpp"
+#include "problems/scene/scene_error.hpp"
 #include "problems/scene/toml_tree.hpp"
 
 namespace signorini {

@@ -5,7 +5,7 @@
 #include <istream>
 #include <string>
 
-#include "problems/problem.hpp"
+#include "problems/sparse_matrix.hpp"
 
 namespace signorini {
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <charconv>
 
+#include "problems/scene/scene_error.hpp"
 #include "problems/scene/scene_field.hpp"
-#include "problems/scene/scene_file.hpp"
 
 namespace signorini {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "problems/scene/scene_file.hpp"
+#include "problems/scene/scene_error.hpp"
 
 namespace signorini {
 

@@ -12,6 +12,7 @@
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/scene_system.hpp"
 #include "problems/scene/toml_tree.hpp"
+#include "problems/validation.hpp"
 
 namespace signorini {
 
@@ -150,10 +151,7 @@ void read_scene(const SceneField& document, std::optional<FamilyLevel> family, R
   FromTables<Contact> contacts = read_contacts(document["contact"], system);
   problem.contacts = std::move(contacts.things);
   scene.contact_tables = std::move(contacts.tables);
-  Structure structure = system.assemble(contact_coordinates(problem));
-  problem.mass = std::move(structure.mass);
-  problem.damping = std::move(structure.damping);
-  problem.stiffness = std::move(structure.stiffness);
+  problem.structure = std::make_shared<const Structure>(system.assemble(contact_coordinates(problem)));
   problem.law = read_law(document["law"], problem);
 }
 

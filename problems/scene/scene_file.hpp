@@ -2,22 +2,15 @@
 // TOML scene files -> validated Problem. The format is the contract of docs/scene-format.md.
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "problems/problem.hpp"
+#include "problems/scene/scene_error.hpp"
 #include "problems/scene/scene_family.hpp"
 
 namespace signorini {
-
-/// A scene file that cannot be used. what() is the one line for the user,
-/// `FILE:LINE: field = value (what is required)`; the line is absent where none applies.
-class SceneError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// The tag of scenes with more than a thousand coordinates or thirty contacts: what visits the whole
 /// catalogue by itself, such as a test, leaves them out.

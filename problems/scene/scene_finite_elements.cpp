@@ -10,6 +10,7 @@
 #include "problems/assembly/block.hpp"
 #include "problems/assembly/shaft.hpp"
 #include "problems/definiteness.hpp"
+#include "problems/invalid_problem.hpp"
 #include "problems/scene/scene_damping.hpp"
 
 namespace signorini {

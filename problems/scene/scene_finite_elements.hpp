@@ -1,7 +1,8 @@
 #pragma once
 // The kinds of [system] that are finite-element structures.
 
-#include "problems/scene/scene_system.hpp"
+#include "problems/scene/scene_field.hpp"
+#include "problems/scene/system_description.hpp"
 
 namespace signorini {
 

@@ -1,31 +1,12 @@
 #pragma once
 // The [system] table of a scene file: which kind of structure, and its matrices.
 
-#include <filesystem>
-#include <functional>
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "problems/assembly/block_mesh.hpp"
-#include "problems/assembly/structure.hpp"
-#include "problems/definiteness.hpp"
 #include "problems/scene/scene_field.hpp"
+#include "problems/scene/system_description.hpp"
 
 namespace signorini {
-
-/// A [system] table that has been read and checked. Contacts name coordinates and the mass of a structure may
-/// depend on where its contacts are: the matrices come last.
-struct SystemDescription {
-  std::string kind = {};
-  int size = 0;                        ///< Nd
-  std::optional<BlockMesh> mesh = {};  ///< whose faces contacts and loads may name
-  Definiteness definiteness = Definiteness::to_be_checked;
-  std::vector<std::filesystem::path> files = {};  ///< Matrix Market files it was read from
-  /// The matrices, given the coordinates that contacts touch.
-  /// \throws InvalidProblem if contacts there and the system do not go together
-  std::function<Structure(const std::vector<int>& contact_coordinates)> assemble = {};
-};
 
 /// \throws SceneError for anything but a sound [system] table
 SystemDescription read_system(const SceneField& system);

@@ -18,9 +18,11 @@ Problem beam_on_obstacle(int contacts) {
   Problem problem;
   problem.name = "beam-on-obstacle";
   problem.kind = "beam";
-  problem.mass = structure.mass;
-  problem.stiffness = structure.stiffness;
-  problem.damping = damping_matrix(ModalDamping{{0.02}}, structure.mass, structure.stiffness);
+  problem.edit_structure([&](Structure& s) {
+    s.mass = structure.mass;
+    s.stiffness = structure.stiffness;
+    s.damping = damping_matrix(ModalDamping{{0.02}}, structure.mass, structure.stiffness);
+  });
   problem.frequency = 3.0;
   problem.force = {{.dof = 4 * contacts - 2, .harmonic = 1, .cos = 1.0}};
   for (int j = 1; j <= contacts; ++j) {

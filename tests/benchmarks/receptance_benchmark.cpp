@@ -33,7 +33,7 @@ int run(int cubes, int contacts, int harmonics) {
                                             .frequency = 0.3});
   fmt::print("{} coordinates, {} contacts, {} harmonics\n", problem.size(), problem.contact_count(),
              harmonics);
-  const ChildCost one = cost_of([&] { const SparseCholesky factors(problem.stiffness); });
+  const ChildCost one = cost_of([&] { const SparseCholesky factors(problem.stiffness()); });
   fmt::print("one factorisation of K: {:.2f} s, {:.0f} MB\n", one.seconds, one.megabytes);
   const ChildCost all = cost_of([&] {
     const ContactReceptance receptance =

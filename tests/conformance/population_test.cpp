@@ -198,9 +198,9 @@ TEST(Population, TheGapHomotopyOfAftHbmRepairsNewton) {
 void expect_fourier_solution(const Problem& problem, const Trajectory& trajectory) {
   const Samples samples = trajectory.sample(kSamples);
   const Eigen::MatrixXcd W = Eigen::MatrixXd(contact_directions(problem)).cast<Complex>();
-  const Eigen::MatrixXcd M = Eigen::MatrixXd(problem.mass).cast<Complex>();
-  const Eigen::MatrixXcd D = Eigen::MatrixXd(problem.damping).cast<Complex>();
-  const Eigen::MatrixXcd K = Eigen::MatrixXd(problem.stiffness).cast<Complex>();
+  const Eigen::MatrixXcd M = Eigen::MatrixXd(problem.mass()).cast<Complex>();
+  const Eigen::MatrixXcd D = Eigen::MatrixXd(problem.damping()).cast<Complex>();
+  const Eigen::MatrixXcd K = Eigen::MatrixXd(problem.stiffness()).cast<Complex>();
   Eigen::MatrixXcd x_n(kHarmonics + 1, problem.contact_count()), lambda_n(x_n.rows(), x_n.cols());
   for (int c = 0; c < problem.contact_count(); ++c) {
     const auto x = harmonics_of(samples.x.col(c)), force = harmonics_of(samples.force.col(c));

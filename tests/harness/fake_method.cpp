@@ -20,8 +20,8 @@ namespace {
 
 std::complex<double> amplitude_of(const Problem& problem) {
   const double w = problem.frequency;
-  const std::complex<double> dynamic(problem.stiffness.coeff(0, 0) - w * w * problem.mass.coeff(0, 0),
-                                     w * problem.damping.coeff(0, 0));
+  const std::complex<double> dynamic(problem.stiffness().coeff(0, 0) - w * w * problem.mass().coeff(0, 0),
+                                     w * problem.damping().coeff(0, 0));
   return problem.force.front().cos / dynamic;
 }
 
@@ -177,9 +177,11 @@ Problem one_mass(double gap, double e) {
   Problem problem;
   problem.name = "one-mass";
   problem.kind = "sdof";
-  problem.mass = scalar(1.0);
-  problem.damping = scalar(0.1);
-  problem.stiffness = scalar(1.0);
+  problem.edit_structure([&](Structure& s) {
+    s.mass = scalar(1.0);
+    s.damping = scalar(0.1);
+    s.stiffness = scalar(1.0);
+  });
   problem.frequency = 2.0;
   problem.force = {{.dof = 0, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
   problem.contacts = {{.normal = {{0, 1.0}}, .gap = gap}};

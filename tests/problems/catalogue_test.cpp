@@ -42,12 +42,13 @@ bool has_restitution(const Problem& scene, double e) {
 }
 
 double damping_ratio(const Problem& sdof) {
-  return sdof.damping.coeff(0, 0) / (2.0 * std::sqrt(sdof.mass.coeff(0, 0) * sdof.stiffness.coeff(0, 0)));
+  return sdof.damping().coeff(0, 0) /
+         (2.0 * std::sqrt(sdof.mass().coeff(0, 0) * sdof.stiffness().coeff(0, 0)));
 }
 
 // omega over the natural frequency
 double frequency_ratio(const Problem& sdof) {
-  return sdof.frequency / std::sqrt(sdof.stiffness.coeff(0, 0) / sdof.mass.coeff(0, 0));
+  return sdof.frequency / std::sqrt(sdof.stiffness().coeff(0, 0) / sdof.mass().coeff(0, 0));
 }
 
 // Reading a scene of finite elements takes its matrices for semi-definite: they are.
@@ -216,13 +217,13 @@ TEST(Catalogue, CoversStructuresWithManyContacts) {
 TEST(Catalogue, FarStopIsNeverReachedAndClosedStopNeverLeft) {
   const Problem far = load_scene(find_scene("sdof-far-stop"));
   const double w = far.frequency;
-  const std::complex<double> Z(far.stiffness.coeff(0, 0) - w * w * far.mass.coeff(0, 0),
-                               w * far.damping.coeff(0, 0));
+  const std::complex<double> Z(far.stiffness().coeff(0, 0) - w * w * far.mass().coeff(0, 0),
+                               w * far.damping().coeff(0, 0));
   EXPECT_LT(std::abs(load_harmonic(far, 1)(0) / Z), far.contacts[0].gap);
 
   const Problem closed = load_scene(find_scene("sdof-preload-closed"));
   for (int i = 0; i < 100; ++i) {
-    const double force = closed.stiffness.coeff(0, 0) * closed.contacts[0].gap -
+    const double force = closed.stiffness().coeff(0, 0) * closed.contacts[0].gap -
                          load_at(closed, i * closed.period() / 100.0)(0);
     EXPECT_LT(force, 0.0) << "the stop pushes at all times";
   }

@@ -10,6 +10,7 @@
 
 #include "problems/assembly/chain.hpp"
 #include "problems/definiteness.hpp"
+#include "problems/validation.hpp"
 
 namespace signorini {
 namespace {
@@ -26,9 +27,7 @@ Eigen::MatrixXd random_matrix(int rows, int columns, std::mt19937& random) {
 Problem chain_problem(const Chain& chain) {
   const Structure structure = assemble(chain);
   Problem problem;
-  problem.mass = structure.mass;
-  problem.damping = structure.damping;
-  problem.stiffness = structure.stiffness;
+  problem.structure = std::make_shared<const Structure>(structure);
   problem.frequency = 2.0;
   problem.force = {{.dof = 0, .harmonic = 1, .cos = 1.0, .sin = 0.5}};
   return problem;
@@ -48,6 +47,11 @@ Problem massless_tip() {
   problem.contacts = {{.normal = {{2, 1.0}}, .gap = 0.5}};
   problem.law = Massless{};
   return problem;
+}
+
+// A change of the matrices alone.
+std::function<void(Problem&)> to_structure(const std::function<void(Structure&)>& edit) {
+  return [edit](Problem& problem) { problem.edit_structure(edit); };
 }
 
 // What validate() says, "" if nothing.
@@ -119,8 +123,10 @@ TEST(DelassusMatrix, MatchesTheDenseInverse) {
     const Eigen::MatrixXd B = random_matrix(size, size, random);
     const Eigen::MatrixXd M = B * B.transpose() + 0.1 * Eigen::MatrixXd::Identity(size, size);
     Problem problem;
-    problem.mass = sparse(M);
-    problem.damping = problem.stiffness = SparseMatrix(size, size);
+    problem.edit_structure([&](Structure& s) {
+      s.mass = sparse(M);
+      s.damping = s.stiffness = SparseMatrix(size, size);
+    });
     Eigen::MatrixXd W = random_matrix(size, 3, random);
     for (int j = 0; j < 3; ++j) {
       problem.contacts.emplace_back();
@@ -215,10 +221,10 @@ TEST(Validate, AcceptsEveryKindOfLaw) {
 }
 
 TEST(Validate, AcceptsARigidBodyModeAndUnsymmetricDamping) {
-  EXPECT_EQ(complaint_after([](Problem& p) { p.stiffness = SparseMatrix(3, 3); }), "");
-  EXPECT_EQ(
-      complaint_after([](Problem& p) { p.damping.coeffRef(0, 1) = 7.0, p.damping.coeffRef(1, 0) = -7.0; }),
-      "")
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.stiffness = SparseMatrix(3, 3); })), "");
+  EXPECT_EQ(complaint_after(to_structure(
+                [](Structure& s) { s.damping.coeffRef(0, 1) = 7.0, s.damping.coeffRef(1, 0) = -7.0; })),
+            "")
       << "gyroscopic";
 }
 
@@ -232,28 +238,28 @@ TEST(Validate, AcceptsAHundredThousandCoordinates) {
 
 TEST(Validate, RefusesMatricesThatDoNotFit) {
   EXPECT_EQ(complaint(Problem{}), "system.mass = 0 x 0 matrix (must have at least one coordinate)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.stiffness = SparseMatrix(2, 2); }),
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.stiffness = SparseMatrix(2, 2); })),
             "system.stiffness = 2 x 2 matrix (must be 3 x 3)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.damping = SparseMatrix(3, 4); }),
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.damping = SparseMatrix(3, 4); })),
             "system.damping = 3 x 4 matrix (must be 3 x 3)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.mass.coeffRef(1, 1) = kNaN; }),
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.mass.coeffRef(1, 1) = kNaN; })),
             "system.mass = nan (must be a finite number)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.damping.coeffRef(0, 1) = INFINITY; }),
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.damping.coeffRef(0, 1) = INFINITY; })),
             "system.damping = inf (must be a finite number)");
 }
 
 TEST(Validate, RefusesMatricesOfNoStructure) {
-  EXPECT_EQ(complaint_after([](Problem& p) { p.mass = SparseMatrix(3, 3); }),
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.mass = SparseMatrix(3, 3); })),
             "system.mass = 0 (some coordinate must carry mass)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.mass.coeffRef(0, 1) = 1e-3; }),
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.mass.coeffRef(0, 1) = 1e-3; })),
             "system.mass = unsymmetric matrix (must be symmetric to 1e-12 of its largest entry)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.stiffness.coeffRef(1, 0) += 1e-9; }),
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.stiffness.coeffRef(1, 0) += 1e-9; })),
             "system.stiffness = unsymmetric matrix (must be symmetric to 1e-12 of its largest entry)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.stiffness.coeffRef(2, 2) = 10.0; }),
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.stiffness.coeffRef(2, 2) = 10.0; })),
             "system.stiffness = indefinite matrix (must be positive semi-definite)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.mass.coeffRef(1, 1) = -2.0; }),
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.mass.coeffRef(1, 1) = -2.0; })),
             "system.mass = indefinite matrix (must be positive semi-definite)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.damping.coeffRef(0, 0) = -0.1; }),
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.damping.coeffRef(0, 0) = -0.1; })),
             "system.damping = matrix that feeds energy (its symmetric part must be positive semi-definite)");
   EXPECT_EQ(
       complaint(chain_problem({.masses = {1.0, 0.0}, .dampers = {0.1, 0.0}, .springs = {1.0, 0.0}})),
@@ -267,10 +273,12 @@ TEST(Validate, TakesForGrantedWhatHoldsByConstructionAndNoMore) {
     change(problem);
     validate(problem, Definiteness::by_construction);
   };
-  EXPECT_NO_THROW(trusted([](Problem& p) { p.stiffness.coeffRef(2, 2) = 10.0; }));
-  EXPECT_THROW(trusted([](Problem& p) { p.stiffness.coeffRef(1, 0) += 1e-9; }), InvalidProblem);
-  EXPECT_THROW(trusted([](Problem& p) { p.stiffness.coeffRef(0, 0) = kNaN; }), InvalidProblem);
-  EXPECT_THROW(trusted([](Problem& p) { p.damping.coeffRef(0, 0) = -0.1; }), InvalidProblem);
+  EXPECT_NO_THROW(trusted(to_structure([](Structure& s) { s.stiffness.coeffRef(2, 2) = 10.0; })));
+  EXPECT_THROW(trusted(to_structure([](Structure& s) { s.stiffness.coeffRef(1, 0) += 1e-9; })),
+               InvalidProblem);
+  EXPECT_THROW(trusted(to_structure([](Structure& s) { s.stiffness.coeffRef(0, 0) = kNaN; })),
+               InvalidProblem);
+  EXPECT_THROW(trusted(to_structure([](Structure& s) { s.damping.coeffRef(0, 0) = -0.1; })), InvalidProblem);
   EXPECT_THROW(trusted([](Problem& p) { p.frequency = 0.0; }), InvalidProblem);
   EXPECT_THROW(validate(chain_problem({.masses = {1.0, 0.0}, .dampers = {0.1, 0.0}, .springs = {1.0, 0.0}}),
                         Definiteness::by_construction),

@@ -64,7 +64,7 @@ TEST(ReceptanceAtScale, NeedsNoDenseArrayOverTheCoordinates) {
   Problem proportional = test::to_problem(test::ElasticBlock{
       .nx = 80, .ny = 8, .nz = 8, .side = 3, .alpha = 1e-3, .beta = 1e-3, .frequency = 0.1});
   Problem general = proportional;
-  general.damping.coeffRef(0, 0) *= 2.0;
+  general.edit_structure([&](Structure& s) { s.damping.coeffRef(0, 0) *= 2.0; });
   for (const Problem& problem : {proportional, general}) {
     const auto reduce = [&] {
       const ContactReceptance receptance = contact_receptance(

@@ -10,6 +10,7 @@
 #include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
+#include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
@@ -68,9 +69,11 @@ Problem assembly(double restitution) {
     problem.force.push_back({.dof = dof, .harmonic = 1, .cos = one.load, .sin = 0.0});
     problem.contacts.push_back({.normal = {{dof, 1.0}}, .gap = one.gap});
   }
-  problem.mass = M.sparseView();
-  problem.damping = D.sparseView();
-  problem.stiffness = K.sparseView();
+  problem.edit_structure([&](Structure& s) {
+    s.mass = M.sparseView();
+    s.damping = D.sparseView();
+    s.stiffness = K.sparseView();
+  });
   problem.law = Restitution{restitution};
   return problem;
 }

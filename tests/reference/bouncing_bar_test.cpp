@@ -10,6 +10,7 @@
 #include "methods/flow/event_trajectory.hpp"
 #include "methods/flow/flow.hpp"
 #include "problems/assembly/bar.hpp"
+#include "problems/validation.hpp"
 
 namespace signorini {
 namespace {
@@ -44,15 +45,17 @@ Problem free_bar(int elements) {
   const double h = kLength / elements;
   Problem problem;
   problem.name = "bouncing-bar";
-  problem.mass = unclamped_mass(bar);
-  problem.damping = SparseMatrix(elements + 1, elements + 1);
-  problem.stiffness = SparseMatrix(elements + 1, elements + 1);
-  for (int i = 0; i < elements; ++i) {
-    problem.stiffness.coeffRef(i, i) += kYoung / h;
-    problem.stiffness.coeffRef(i + 1, i + 1) += kYoung / h;
-    problem.stiffness.coeffRef(i, i + 1) -= kYoung / h;
-    problem.stiffness.coeffRef(i + 1, i) -= kYoung / h;
-  }
+  problem.edit_structure([&](Structure& s) {
+    s.mass = unclamped_mass(bar);
+    s.damping = SparseMatrix(elements + 1, elements + 1);
+    s.stiffness = SparseMatrix(elements + 1, elements + 1);
+    for (int i = 0; i < elements; ++i) {
+      s.stiffness.coeffRef(i, i) += kYoung / h;
+      s.stiffness.coeffRef(i + 1, i + 1) += kYoung / h;
+      s.stiffness.coeffRef(i, i + 1) -= kYoung / h;
+      s.stiffness.coeffRef(i + 1, i) -= kYoung / h;
+    }
+  });
   problem.frequency = 2.0 * std::numbers::pi / kPeriod;
   for (int i = 0; i <= elements; ++i) {
     const double share = i == 0 || i == elements ? 0.5 : 1.0;

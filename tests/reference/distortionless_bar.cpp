@@ -63,9 +63,11 @@ Problem finite_element_bar(const DistortionlessBar& bar, int elements) {
       assemble(Bar{.elements = elements, .contact_mass = ContactMass::massless, .contacts = {tip}});
   Problem problem;
   problem.name = "distortionless-bar";
-  problem.mass = structure.mass;
-  problem.damping = 2.0 * bar.decay * structure.mass;
-  problem.stiffness = structure.stiffness + bar.decay * bar.decay * structure.mass;
+  problem.edit_structure([&](Structure& s) {
+    s.mass = structure.mass;
+    s.damping = 2.0 * bar.decay * structure.mass;
+    s.stiffness = structure.stiffness + bar.decay * bar.decay * structure.mass;
+  });
   problem.frequency = 2.0 * std::numbers::pi / bar.period;
   problem.force = {{.dof = tip, .harmonic = 1, .cos = bar.load, .sin = 0.0}};
   problem.contacts = {{.normal = {{tip, 1.0}}, .gap = bar.gap}};

@@ -8,6 +8,7 @@
 
 #include "methods/event_driven/event_driven.hpp"
 #include "methods/harmonic_balance/projected_contact.hpp"
+#include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
 
 namespace signorini {

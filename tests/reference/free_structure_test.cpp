@@ -15,6 +15,7 @@
 #include "methods/event_driven/event_driven.hpp"
 #include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
+#include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
 
 namespace signorini {
@@ -49,15 +50,17 @@ Problem to_problem(const FreeChain& chain) {
   const int n = chain.masses;
   Problem problem;
   problem.name = "free-chain";
-  problem.mass = problem.stiffness = problem.damping = SparseMatrix(n, n);
-  for (int i = 0; i < n; ++i) {
-    const bool massless = chain.massless && i == n - 1;
-    if (!massless) problem.mass.coeffRef(i, i) = draw(random);
-    if (i == 0) continue;
-    const double spring = draw(random);
-    tie(problem.stiffness, i, spring);
-    if (!massless) tie(problem.damping, i, chain.damping * spring);
-  }
+  problem.edit_structure([&](Structure& s) {
+    s.mass = s.stiffness = s.damping = SparseMatrix(n, n);
+    for (int i = 0; i < n; ++i) {
+      const bool massless = chain.massless && i == n - 1;
+      if (!massless) s.mass.coeffRef(i, i) = draw(random);
+      if (i == 0) continue;
+      const double spring = draw(random);
+      tie(s.stiffness, i, spring);
+      if (!massless) tie(s.damping, i, chain.damping * spring);
+    }
+  });
   problem.frequency = kFrequency;
   problem.force = {{.dof = 0, .harmonic = 0, .cos = chain.mean, .sin = 0.0},
                    {.dof = 0, .harmonic = 1, .cos = chain.amplitude, .sin = 0.0}};
@@ -154,7 +157,7 @@ TEST(FreeStructure, HopsAsTheClosedFormSays) {
 
 Problem on_a_ground(double stiffness) {
   Problem problem = to_problem({});
-  problem.stiffness.coeffRef(0, 0) = stiffness;
+  problem.edit_structure([&](Structure& s) { s.stiffness.coeffRef(0, 0) = stiffness; });
   return problem;
 }
 

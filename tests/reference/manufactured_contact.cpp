@@ -74,9 +74,11 @@ Problem ManufacturedChain::problem(int highest) const {
   const Eigen::MatrixXd M = mass.asDiagonal(), D = 0.5 * M;
   Problem problem;
   problem.name = "manufactured-chain";
-  problem.mass = M.sparseView();
-  problem.stiffness = K.sparseView();
-  problem.damping = D.sparseView();
+  problem.edit_structure([&](Structure& s) {
+    s.mass = M.sparseView();
+    s.stiffness = K.sparseView();
+    s.damping = D.sparseView();
+  });
   problem.frequency = kFrequency;
   const std::vector<RestingContact> resting = contacts();
   problem.contacts = {{.normal = {{0, 1.0}}, .gap = resting[0].gap},

@@ -15,6 +15,7 @@
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
+#include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
 
 namespace signorini {

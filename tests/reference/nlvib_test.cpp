@@ -6,6 +6,7 @@
 
 #include "methods/aft_hbm/aft_hbm.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
+#include "problems/validation.hpp"
 #include "tests/reference/reference_data.hpp"
 #include "tests/support/accuracy.hpp"
 

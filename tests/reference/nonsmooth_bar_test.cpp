@@ -14,6 +14,7 @@
 #include "methods/flow/flow.hpp"
 #include "methods/harmonic_balance/projected_contact.hpp"
 #include "problems/assembly/bar.hpp"
+#include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
 
 namespace signorini {
@@ -150,9 +151,11 @@ Problem finite_element_bar(const NonsmoothBar& bar, int elements) {
       assemble(Bar{.elements = elements, .contact_mass = ContactMass::massless, .contacts = {tip}});
   Problem problem;
   problem.name = "nonsmooth-bar";
-  problem.mass = structure.mass;
-  problem.damping = SparseMatrix(elements, elements);
-  problem.stiffness = structure.stiffness;
+  problem.edit_structure([&](Structure& s) {
+    s.mass = structure.mass;
+    s.damping = SparseMatrix(elements, elements);
+    s.stiffness = structure.stiffness;
+  });
   problem.frequency = 2.0 * std::numbers::pi / bar.period;
   problem.contacts = {{.normal = {{tip, 1.0}}, .gap = bar.gap}};
   problem.law = Massless{};

@@ -81,9 +81,11 @@ ReferenceStructure load_structure(const std::string& name) {
   Problem& problem = structure.problem;
   problem.name = name;
   problem.kind = "matrices";
-  problem.mass = matrix_of(data.at("mass"));
-  problem.damping = matrix_of(data.at("damping"));
-  problem.stiffness = matrix_of(data.at("stiffness"));
+  problem.edit_structure([&](Structure& s) {
+    s.mass = matrix_of(data.at("mass"));
+    s.damping = matrix_of(data.at("damping"));
+    s.stiffness = matrix_of(data.at("stiffness"));
+  });
   const auto load = data.at("load_cos").get<std::vector<double>>();
   for (std::size_t i = 0; i < load.size(); ++i) {
     if (load[i] != 0.0)
@@ -111,9 +113,11 @@ Problem reference_oscillator(double omega, Law law) {
     matrix.insert(0, 0) = value;
     return matrix;
   };
-  problem.mass = scalar(1.0);
-  problem.damping = scalar(0.1);
-  problem.stiffness = scalar(1.0);
+  problem.edit_structure([&](Structure& s) {
+    s.mass = scalar(1.0);
+    s.damping = scalar(0.1);
+    s.stiffness = scalar(1.0);
+  });
   problem.frequency = omega;
   problem.force = {{.dof = 0, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
   problem.contacts = {{.normal = {{0, 1.0}}, .gap = 1.0}};

@@ -19,6 +19,7 @@
 
 #include "methods/catalogue.hpp"
 #include "methods/event_driven/event_driven.hpp"
+#include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/massless_scenes.hpp"
 #include "tests/support/random_springs.hpp"
@@ -102,14 +103,16 @@ Problem pressed_structure(unsigned seed, const Law& law, double ripple) {
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(kMasses, kMasses);
   Problem problem;
   problem.name = "pressed-structure";
-  problem.mass = SparseMatrix(kMasses, kMasses);
-  for (int i = 0; i < kMasses; ++i) {
-    problem.mass.coeffRef(i, i) = 2.0 + draw(random);
-    K(i, i) += 2.0 + draw(random);
-    test::tie_to_all_before(K, i, random);
-  }
-  problem.stiffness = K.sparseView();
-  problem.damping = 0.2 * problem.mass;
+  problem.edit_structure([&](Structure& s) {
+    s.mass = SparseMatrix(kMasses, kMasses);
+    for (int i = 0; i < kMasses; ++i) {
+      s.mass.coeffRef(i, i) = 2.0 + draw(random);
+      K(i, i) += 2.0 + draw(random);
+      test::tie_to_all_before(K, i, random);
+    }
+    s.stiffness = K.sparseView();
+    s.damping = 0.2 * s.mass;
+  });
   problem.frequency = 1.3;
   for (int dof = 0; dof < kMasses; ++dof) {
     problem.force.push_back({.dof = dof, .harmonic = 0, .cos = 4.0 * draw(random), .sin = 0.0});
@@ -131,7 +134,7 @@ test::StaticContact static_on_springs(const Problem& problem) {
   const auto& stop = std::get<Penalty>(problem.law);
   const int size = problem.size(), contacts = problem.contact_count();
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size + contacts, size + contacts);
-  K.topLeftCorner(size, size) = problem.stiffness;
+  K.topLeftCorner(size, size) = problem.stiffness();
   Problem rigid = problem;
   for (int c = 0; c < contacts; ++c) {
     Eigen::VectorXd stretch = Eigen::VectorXd::Zero(size + contacts);
@@ -141,8 +144,10 @@ test::StaticContact static_on_springs(const Problem& problem) {
     K += stop.stiffness[static_cast<std::size_t>(c)] * stretch * stretch.transpose();
     rigid.contacts[static_cast<std::size_t>(c)].normal = {{size + c, 1.0}};
   }
-  rigid.mass = SparseMatrix(size + contacts, size + contacts);
-  rigid.stiffness = K.sparseView();
+  rigid.edit_structure([&](Structure& s) {
+    s.mass = SparseMatrix(size + contacts, size + contacts);
+    s.stiffness = K.sparseView();
+  });
   test::StaticContact found = static_response(rigid, 0.0);
   for (int c = 0; c < contacts; ++c)
     found.x[c] -= found.lambda[c] / stop.stiffness[static_cast<std::size_t>(c)];
@@ -165,11 +170,11 @@ struct HeldMotion {
     }
     const double w = problem.frequency;
     const std::complex<double> i(0.0, 1.0);
-    const Eigen::MatrixXd W = contact_directions(problem), K = problem.stiffness;
+    const Eigen::MatrixXd W = contact_directions(problem), K = problem.stiffness();
     const auto n = K.rows(), a = static_cast<Eigen::Index>(closed.size());
     Eigen::MatrixXcd A = Eigen::MatrixXcd::Zero(n + a, n + a);
     A.topLeftCorner(n, n) =
-        K - w * w * Eigen::MatrixXd(problem.mass) + i * w * Eigen::MatrixXd(problem.damping);
+        K - w * w * Eigen::MatrixXd(problem.mass()) + i * w * Eigen::MatrixXd(problem.damping());
     A.topRightCorner(n, a) = -W(Eigen::all, closed);
     A.bottomLeftCorner(a, n) = W(Eigen::all, closed).transpose();
     Eigen::VectorXcd right = Eigen::VectorXcd::Zero(n + a);
@@ -295,10 +300,12 @@ TEST(PressedContacts, DISABLED_AreClosedWhereAPeriodBegins) {
 Problem pressed_pair(double coupling, double restitution) {
   Problem problem;
   problem.name = "pressed-pair";
-  problem.mass = SparseMatrix(2, 2);
-  problem.mass.setIdentity();
-  problem.stiffness = problem.mass;
-  problem.damping = 0.2 * problem.mass;
+  problem.edit_structure([&](Structure& s) {
+    s.mass = SparseMatrix(2, 2);
+    s.mass.setIdentity();
+    s.stiffness = s.mass;
+    s.damping = 0.2 * s.mass;
+  });
   problem.force = {{.dof = 0, .harmonic = 0, .cos = 1.0, .sin = 0.0},
                    {.dof = 1, .harmonic = 0, .cos = 1.0, .sin = 0.0}};
   problem.contacts = {{.normal = {{0, 1.0}, {1, coupling}}, .gap = 0.1},

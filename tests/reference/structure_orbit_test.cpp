@@ -33,8 +33,8 @@ double first_harmonic(const Problem& problem, const Solution& solution, int dof)
   const auto& data = dynamic_cast<const FourierTrajectory&>(*solution.trajectory).data();
   const double w = problem.frequency;
   const Eigen::MatrixXcd stiffness =
-      Eigen::MatrixXd(problem.stiffness - w * w * problem.mass).cast<std::complex<double>>() +
-      std::complex<double>(0.0, w) * Eigen::MatrixXd(problem.damping).cast<std::complex<double>>();
+      Eigen::MatrixXd(problem.stiffness() - w * w * problem.mass()).cast<std::complex<double>>() +
+      std::complex<double>(0.0, w) * Eigen::MatrixXd(problem.damping()).cast<std::complex<double>>();
   const Eigen::VectorXcd force =
       load_harmonic(problem, 1) + contact_directions(problem) * (2.0 * data.lambda.row(1).transpose());
   return std::abs(stiffness.fullPivLu().solve(force)[dof]);

@@ -11,9 +11,11 @@ Problem to_problem(const ElasticBlock& block) {
   Structure structure = assemble(Block{.mesh = mesh, .young = 2.5, .poisson = 0.25});
   Problem problem;
   problem.name = problem.kind = "block";
-  problem.mass = std::move(structure.mass);
-  problem.stiffness = std::move(structure.stiffness);
-  problem.damping = block.alpha * problem.mass + block.beta * problem.stiffness;
+  problem.edit_structure([&](Structure& s) {
+    s.mass = std::move(structure.mass);
+    s.stiffness = std::move(structure.stiffness);
+    s.damping = block.alpha * s.mass + block.beta * s.stiffness;
+  });
   problem.frequency = block.frequency;
   for (int j = 0; j < block.side; ++j) {
     for (int k = 0; k < block.side; ++k) {

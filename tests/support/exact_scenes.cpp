@@ -10,9 +10,11 @@ namespace signorini::test {
 Problem skew_damped_pair(double restitution, double frequency) {
   Problem problem;
   problem.name = "skew-damped-pair";
-  problem.mass = Eigen::MatrixXd(Eigen::Vector2d(1.0, 0.6).asDiagonal()).sparseView();
-  problem.stiffness = Eigen::MatrixXd((Eigen::Matrix2d() << 2.5, -1.2, -1.2, 1.2).finished()).sparseView();
-  problem.damping = Eigen::MatrixXd((Eigen::Matrix2d() << 0.25, -0.02, -0.02, 0.05).finished()).sparseView();
+  problem.edit_structure([&](Structure& s) {
+    s.mass = Eigen::MatrixXd(Eigen::Vector2d(1.0, 0.6).asDiagonal()).sparseView();
+    s.stiffness = Eigen::MatrixXd((Eigen::Matrix2d() << 2.5, -1.2, -1.2, 1.2).finished()).sparseView();
+    s.damping = Eigen::MatrixXd((Eigen::Matrix2d() << 0.25, -0.02, -0.02, 0.05).finished()).sparseView();
+  });
   problem.frequency = frequency;
   problem.force = {{.dof = 0, .harmonic = 1, .cos = 0.6, .sin = 0.3},
                    {.dof = 1, .harmonic = 2, .cos = 0.0, .sin = 0.2}};
@@ -37,9 +39,7 @@ Problem stopped_chain(int masses, double restitution, int stops, double frequenc
   const Structure structure = assemble(chain);
   Problem problem;
   problem.name = "stopped-chain";
-  problem.mass = structure.mass;
-  problem.damping = structure.damping;
-  problem.stiffness = structure.stiffness;
+  problem.structure = std::make_shared<const Structure>(structure);
   problem.frequency = frequency;
   problem.force = {{.dof = masses - 1, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
   for (int j = 0; j < stops; ++j)

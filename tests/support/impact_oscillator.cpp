@@ -126,9 +126,11 @@ Problem to_problem(const ImpactOscillator& o) {
   problem.name = "impact-oscillator";
   problem.title = "One mass, one stop";
   problem.kind = "sdof";
-  problem.mass = scalar(o.mass);
-  problem.damping = scalar(o.damping);
-  problem.stiffness = scalar(o.stiffness);
+  problem.edit_structure([&](Structure& s) {
+    s.mass = scalar(o.mass);
+    s.damping = scalar(o.damping);
+    s.stiffness = scalar(o.stiffness);
+  });
   problem.frequency = o.frequency;
   problem.subharmonic = o.order;
   problem.force = {{.dof = 0, .harmonic = 1, .cos = o.load, .sin = 0.0}};

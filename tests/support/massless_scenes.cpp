@@ -20,9 +20,11 @@ SparseMatrix sparse(const Eigen::MatrixXd& dense) { return dense.sparseView(); }
 Problem massless_node(double gap, double spring) {
   Problem problem;
   problem.name = "massless-node";
-  problem.mass = sparse(Eigen::Vector2d(1.0, 0.0).asDiagonal());
-  problem.damping = sparse(Eigen::Vector2d(0.1, 0.0).asDiagonal());
-  problem.stiffness = sparse((Eigen::Matrix2d() << 1.0 + spring, -spring, -spring, spring).finished());
+  problem.edit_structure([&](Structure& s) {
+    s.mass = sparse(Eigen::Vector2d(1.0, 0.0).asDiagonal());
+    s.damping = sparse(Eigen::Vector2d(0.1, 0.0).asDiagonal());
+    s.stiffness = sparse((Eigen::Matrix2d() << 1.0 + spring, -spring, -spring, spring).finished());
+  });
   problem.frequency = 2.2;
   problem.force = {{.dof = 0, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
   problem.contacts = {{.normal = {{1, 1.0}}, .gap = gap}};
@@ -44,9 +46,11 @@ Problem coupled_massless_scene(unsigned seed) {
   for (int i = 0; i < kMasses; ++i) mass[i] = 2.0 + draw(random);
   Problem problem;
   problem.name = "coupled-massless";
-  problem.mass = sparse(mass.asDiagonal());
-  problem.damping = sparse(0.3 * Eigen::MatrixXd(mass.asDiagonal()));
-  problem.stiffness = sparse(K);
+  problem.edit_structure([&](Structure& s) {
+    s.mass = sparse(mass.asDiagonal());
+    s.damping = sparse(0.3 * Eigen::MatrixXd(mass.asDiagonal()));
+    s.stiffness = sparse(K);
+  });
   problem.frequency = 1.3;
   for (int dof = 0; dof < kAll; ++dof) {
     problem.force.push_back({.dof = dof, .harmonic = 0, .cos = 0.3 * draw(random), .sin = 0.0});
@@ -69,15 +73,17 @@ Problem ring_in_polygon(int facets, double speed, double spring) {
   Problem problem;
   problem.name = "ring-in-polygon";
   const Eigen::Vector4d mass(1.0, 1.0, 0.0, 0.0);
-  problem.mass = sparse(mass.asDiagonal());
-  problem.damping = sparse(kDamping * Eigen::MatrixXd(mass.asDiagonal()));
+  problem.edit_structure([&](Structure& s) {
+    s.mass = sparse(mass.asDiagonal());
+    s.damping = sparse(kDamping * Eigen::MatrixXd(mass.asDiagonal()));
+  });
   Eigen::Matrix4d K = Eigen::Matrix4d::Zero();
   for (int axis = 0; axis < 2; ++axis) {
     K(axis, axis) = 1.0 + spring;
     K(axis + 2, axis + 2) = spring;
     K(axis, axis + 2) = K(axis + 2, axis) = -spring;
   }
-  problem.stiffness = sparse(K);
+  problem.edit_structure([&](Structure& s) { s.stiffness = sparse(K); });
   problem.frequency = speed;
   const double load = kUnbalance * speed * speed;
   problem.force = {{.dof = 0, .harmonic = 1, .cos = load, .sin = 0.0},
@@ -96,7 +102,7 @@ StaticContact static_contact(const Problem& problem, const std::vector<int>& mas
   for (int dof = 0; dof < problem.size(); ++dof) {
     if (std::find(massless.begin(), massless.end(), dof) == massless.end()) heavy.push_back(dof);
   }
-  const Eigen::MatrixXd K = problem.stiffness, W = contact_directions(problem);
+  const Eigen::MatrixXd K = problem.stiffness(), W = contact_directions(problem);
   const Eigen::MatrixXd K_bb = K(massless, massless), W_b = W(massless, Eigen::all);
   const Eigen::VectorXd load = load_at(problem, time)(massless) - K(massless, heavy) * u_with_mass;
   const Eigen::VectorXd gap = contact_gaps(problem);

@@ -31,7 +31,7 @@ Eigen::VectorXd impulses(const Eigen::MatrixXd& G, const Eigen::VectorXd& v) {
 Eigen::MatrixXd moreau_steady_state(const Problem& problem, int steps, int periods) {
   const Eigen::Index n = problem.size();
   const double T = 2.0 * 3.14159265358979323846 / problem.frequency, h = T / steps;
-  const Eigen::MatrixXd M(problem.mass), K(problem.stiffness), D(problem.damping),
+  const Eigen::MatrixXd M(problem.mass()), K(problem.stiffness()), D(problem.damping()),
       W(contact_directions(problem));
   const Eigen::VectorXd g = contact_gaps(problem);
   const Eigen::MatrixXd A = (M + 0.5 * h * D + 0.25 * h * h * K).inverse();

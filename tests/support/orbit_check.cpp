@@ -19,7 +19,7 @@ class Follower {
         W_(contact_directions(problem)),
         g_(contact_gaps(problem)),
         n_(problem.size()) {
-    M_ = Eigen::MatrixXd(problem.mass).inverse();
+    M_ = Eigen::MatrixXd(problem.mass()).inverse();
     if (const auto* law = std::get_if<Restitution>(&problem.law)) e_ = law->e;
     if (const auto* law = std::get_if<Penalty>(&problem.law)) springs_ = law->stiffness;
   }
@@ -67,8 +67,8 @@ class Follower {
   void form(const std::vector<bool>& closed) {
     const Eigen::Index N = z_.size();
     Eigen::MatrixXd rate = Eigen::MatrixXd::Zero(n_, N);
-    rate.leftCols(n_) = -Eigen::MatrixXd(problem_.stiffness);
-    rate.middleCols(n_, n_) = -Eigen::MatrixXd(problem_.damping);
+    rate.leftCols(n_) = -Eigen::MatrixXd(problem_.stiffness());
+    rate.middleCols(n_, n_) = -Eigen::MatrixXd(problem_.damping());
     generator_ = Eigen::MatrixXd::Zero(N, N);
     for (std::size_t k = 0; k < problem_.force.size(); ++k) {
       const ForceTerm& term = problem_.force[k];
@@ -95,7 +95,7 @@ class Follower {
     rate += W * multiplier_;
     generator_.block(0, n_, n_, n_).setIdentity();
     generator_.middleRows(n_, n_) = M_ * rate;
-    force_scale_ = problem_.stiffness.coeff(0, 0) * x_scale_;
+    force_scale_ = problem_.stiffness().coeff(0, 0) * x_scale_;
     for (const double spring : springs_) force_scale_ = std::max(force_scale_, spring * x_scale_);
   }
 

@@ -36,9 +36,9 @@ class Random {
 Eigen::VectorXd free_amplitudes(const Problem& problem) {
   const std::complex<double> iw(0.0, problem.frequency);
   const Eigen::MatrixXcd Z =
-      Eigen::MatrixXcd((problem.stiffness - problem.frequency * problem.frequency * problem.mass)
+      Eigen::MatrixXcd((problem.stiffness() - problem.frequency * problem.frequency * problem.mass())
                            .cast<std::complex<double>>() +
-                       (iw * problem.damping.cast<std::complex<double>>()));
+                       (iw * problem.damping().cast<std::complex<double>>()));
   return Z.fullPivLu().solve(load_harmonic(problem, 1)).cwiseAbs();
 }
 
@@ -77,9 +77,7 @@ std::vector<Problem> chain_population(int count, unsigned long seed) {
     Problem problem;
     problem.name = "random-chain";
     problem.kind = "chain";
-    problem.mass = structure.mass;
-    problem.damping = structure.damping;
-    problem.stiffness = structure.stiffness;
+    problem.structure = std::make_shared<const Structure>(structure);
     problem.frequency = random.uniform(0.3, 2.5);
     problem.force = {{.dof = random.below(masses), .harmonic = 1, .cos = 1.0, .sin = 0.0}};
     const Eigen::VectorXd amplitude = free_amplitudes(problem);
@@ -105,9 +103,11 @@ std::vector<Problem> beam_population(int count, unsigned long seed) {
     Problem problem;
     problem.name = "random-beam";
     problem.kind = "beam";
-    problem.mass = structure.mass;
-    problem.damping = damping_matrix(ModalDamping{{ratio}}, structure.mass, structure.stiffness);
-    problem.stiffness = structure.stiffness;
+    problem.edit_structure([&](Structure& s) {
+      s.mass = structure.mass;
+      s.damping = damping_matrix(ModalDamping{{ratio}}, structure.mass, structure.stiffness);
+      s.stiffness = structure.stiffness;
+    });
     problem.frequency = kFirstFrequency * random.uniform(0.4, 7.0);
     problem.force = {{.dof = 2 * kElements - 2, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
     const Eigen::VectorXd amplitude = free_amplitudes(problem);

@@ -44,9 +44,9 @@ Json write_problem(const Problem& problem) {
     contacts.push_back({{"normal", contact.normal}, {"gap", contact.gap}});
   return {{"name", problem.name},
           {"size", problem.size()},
-          {"mass", write_matrix(problem.mass)},
-          {"damping", write_matrix(problem.damping)},
-          {"stiffness", write_matrix(problem.stiffness)},
+          {"mass", write_matrix(problem.mass())},
+          {"damping", write_matrix(problem.damping())},
+          {"stiffness", write_matrix(problem.stiffness())},
           {"frequency", problem.frequency},
           {"subharmonic", problem.subharmonic},
           {"period", problem.period()},

@@ -25,8 +25,8 @@ Problem altered(Problem problem, Flaw flaw) {
   const int last = problem.size() - 1;
   switch (flaw) {
     case Flaw::depends_on_numbering: {
-      const double first = problem.stiffness.coeff(0, 0);
-      widen_gaps(problem, first / (first + 2.0 * problem.stiffness.coeff(last, last)));
+      const double first = problem.stiffness().coeff(0, 0);
+      widen_gaps(problem, first / (first + 2.0 * problem.stiffness().coeff(last, last)));
       return problem;
     }
     case Flaw::depends_on_the_time_origin: {
@@ -35,7 +35,7 @@ Problem altered(Problem problem, Flaw flaw) {
       return problem;
     }
     case Flaw::depends_on_the_unit_of_force:
-      widen_gaps(problem, 1.0 / (1.0 + problem.stiffness.diagonal().sum()));
+      widen_gaps(problem, 1.0 / (1.0 + problem.stiffness().diagonal().sum()));
       return problem;
     case Flaw::depends_on_the_unit_of_length:
       for (Contact& contact : problem.contacts) contact.gap += kSlight;

@@ -66,7 +66,7 @@ FieldWork field_work(const Problem& problem, const HarmonicForce& force) {
     const Eigen::VectorXcd v = Complex(0.0, w) * stiffness.solve(load + W * lambda).col(0);
     work.load += 2.0 * force.period() * load.dot(v).real();
     work.contacts += 2.0 * force.period() * lambda.conjugate().cwiseProduct(W.transpose() * v).real();
-    work.dissipation += 2.0 * force.period() * v.dot(problem.damping * v).real();
+    work.dissipation += 2.0 * force.period() * v.dot(problem.damping() * v).real();
   }
   return work;
 }
@@ -110,7 +110,7 @@ TEST(ContactResponse, OfALargeStructureIsThatOfItsField) {
 TEST(ContactResponse, OfALargeStructureWithOtherDampingIsThatOfItsField) {
   Problem problem = test::to_problem(
       test::ElasticBlock{.nx = 9, .ny = 8, .nz = 8, .side = 1, .beta = 0.02, .frequency = 0.2});
-  problem.damping.coeffRef(0, 0) += 1.0;
+  problem.edit_structure([&](Structure& s) { s.damping.coeffRef(0, 0) += 1.0; });
   expect_what_the_field_shows(problem, HarmonicForce(problem.period(), coefficients(3, 1)), 1e-12);
 }
 

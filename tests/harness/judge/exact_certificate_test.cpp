@@ -94,8 +94,10 @@ TEST(ExactOrbits, LeaveTheStabilityOpenOnTheUnitCircle) {
 TEST(ExactOrbits, SayWhyAStructureHasNone) {
   Problem loose = test::to_problem(kStop);
   const auto answer = coarse_answer(loose);
-  loose.stiffness.coeffRef(0, 0) = 0.0;
-  loose.damping.coeffRef(0, 0) = 0.0;
+  loose.edit_structure([&](Structure& s) {
+    s.stiffness.coeffRef(0, 0) = 0.0;
+    s.damping.coeffRef(0, 0) = 0.0;
+  });
   const CheckedOrbit orbit = exact_orbits()({.problem = loose, .answer = *answer});
   EXPECT_EQ(orbit.orbit, nullptr);
   EXPECT_FALSE(orbit.reason.empty());

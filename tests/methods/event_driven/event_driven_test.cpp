@@ -62,7 +62,8 @@ TEST(EventDriven, RepresentsTheLawOfTheSceneAndRefusesAMassMatrixThatIsSingular)
   EXPECT_TRUE(method.supports(massless).ok);
   EXPECT_TRUE(law_matches(method.law(massless), massless.law));
   problem.law = Restitution{0.5};
-  problem.mass = Eigen::MatrixXd(Eigen::Matrix2d::Ones()).sparseView();
+  problem.edit_structure(
+      [&](Structure& s) { s.mass = Eigen::MatrixXd(Eigen::Matrix2d::Ones()).sparseView(); });
   EXPECT_FALSE(method.supports(problem).ok);
   EXPECT_NE(method.supports(problem).reason.find("singular"), std::string::npos);
 }
@@ -76,9 +77,9 @@ TEST(EventDriven, ReturnsTheLinearResponseOfASceneWithoutContact) {
   const FlowState& start = test::trajectory_of(solution).start();
   for (const int h : {0, 1, 3}) {
     const std::complex<double> iw(0.0, 0.9 * h);
-    const Eigen::MatrixXcd Z = Eigen::MatrixXcd(problem.stiffness.cast<std::complex<double>>()) +
-                               iw * Eigen::MatrixXcd(problem.damping.cast<std::complex<double>>()) +
-                               iw * iw * Eigen::MatrixXcd(problem.mass.cast<std::complex<double>>());
+    const Eigen::MatrixXcd Z = Eigen::MatrixXcd(problem.stiffness().cast<std::complex<double>>()) +
+                               iw * Eigen::MatrixXcd(problem.damping().cast<std::complex<double>>()) +
+                               iw * iw * Eigen::MatrixXcd(problem.mass().cast<std::complex<double>>());
     const Eigen::VectorXcd response =
         std::exp(iw * start.time) * Z.partialPivLu().solve(load_harmonic(problem, h));
     u += response;
@@ -196,9 +197,11 @@ TEST(EventDriven, SeparateMassesMoveAsIfAlone) {
   const ImpactOscillator first{.frequency = 2.2, .gap = 0.2, .restitution = 0.8},
       second{.damping = 0.2, .frequency = 2.2, .gap = 0.1, .restitution = 0.8};
   Problem problem = to_problem(first);
-  problem.mass = Eigen::MatrixXd(Eigen::Matrix2d::Identity()).sparseView();
-  problem.stiffness = problem.mass;
-  problem.damping = Eigen::MatrixXd(Eigen::Vector2d(0.1, 0.2).asDiagonal()).sparseView();
+  problem.edit_structure([&](Structure& s) {
+    s.mass = Eigen::MatrixXd(Eigen::Matrix2d::Identity()).sparseView();
+    s.stiffness = s.mass;
+    s.damping = Eigen::MatrixXd(Eigen::Vector2d(0.1, 0.2).asDiagonal()).sparseView();
+  });
   problem.force.push_back({.dof = 1, .harmonic = 1, .cos = -1.0, .sin = 0.0});
   problem.contacts.push_back({.normal = {{1, -1.0}}, .gap = 0.1});
   const Solution solution = solve(problem, {.tolerance = 1e-11});
@@ -349,9 +352,11 @@ TEST(EventDriven, ScalesWithTheScene) {
   EXPECT_LT((small.trajectory->sample(50).x * 1e5 - base.trajectory->sample(50).x).cwiseAbs().maxCoeff(),
             1e-8);
   Problem heavier = plain;
-  heavier.mass *= 1e6;
-  heavier.damping *= 1e6;
-  heavier.stiffness *= 1e6;
+  heavier.edit_structure([&](Structure& s) {
+    s.mass *= 1e6;
+    s.damping *= 1e6;
+    s.stiffness *= 1e6;
+  });
   heavier.force[0].cos *= 1e6;
   const Solution heavy = solve(heavier, {.tolerance = 1e-10});
   ASSERT_EQ(heavy.verdict, Verdict::converged) << heavy.message;

@@ -13,6 +13,7 @@
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
 #include "methods/structure/periodic_response.hpp"
+#include "problems/validation.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/massless_scenes.hpp"
@@ -109,9 +110,11 @@ TEST(MasslessContacts, PeriodicMotionSatisfiesTheEquationsOfTheWholeScene) {
 TEST(MasslessContacts, ANodeOnOneSpringIsThatSpringAsAStop) {
   const double g = 0.2, k = 50.0;
   Problem spring;
-  spring.mass = spring.damping = spring.stiffness = SparseMatrix(1, 1);
-  spring.mass.coeffRef(0, 0) = spring.stiffness.coeffRef(0, 0) = 1.0;
-  spring.damping.coeffRef(0, 0) = 0.1;
+  spring.edit_structure([&](Structure& s) {
+    s.mass = s.damping = s.stiffness = SparseMatrix(1, 1);
+    s.mass.coeffRef(0, 0) = s.stiffness.coeffRef(0, 0) = 1.0;
+    s.damping.coeffRef(0, 0) = 0.1;
+  });
   spring.frequency = 2.2;
   spring.force = {{.dof = 0, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
   spring.contacts = {{.normal = {{0, 1.0}}, .gap = g}};
@@ -183,7 +186,7 @@ TEST(MasslessContacts, TheSameStopTwiceChangesNothingButTheShareOfTheForce) {
 
 TEST(MasslessContacts, DampedOnesAreRefusedWithTheReason) {
   Problem damped = test::massless_node();
-  damped.damping = damped.stiffness;
+  damped.edit_structure([&](Structure& s) { s.damping = s.stiffness; });
   EXPECT_EQ(EventDriven({}).supports(damped).reason,
             "a coordinate without mass is damped: its equation is of first order");
   EXPECT_EQ(ExactOrbitMethod({}).supports(damped).reason, EventDriven({}).supports(damped).reason);

@@ -205,7 +205,7 @@ struct GreensOrbit {
 };
 
 std::vector<GreensOrbit> greens_orbits(const Problem& problem) {
-  const Eigen::MatrixXd M = problem.mass, K = problem.stiffness, D = problem.damping;
+  const Eigen::MatrixXd M = problem.mass(), K = problem.stiffness(), D = problem.damping();
   const Eigen::Index n = M.rows();
   const double w = problem.frequency, T = problem.period(), e = std::get<Restitution>(problem.law).e;
   const double gap = problem.contacts[0].gap;
@@ -338,9 +338,11 @@ TEST(IndependentOrbits, OfTwoMassesAtASpringStopStableAndUnstable) {
   int unstable = 0;
   for (const auto& orbit : data.at("orbits")) {
     Problem problem;
-    problem.mass = sparse(data.at("mass").get<Rows>());
-    problem.stiffness = sparse(data.at("stiffness").get<Rows>());
-    problem.damping = data.at("damping_over_stiffness").get<double>() * problem.stiffness;
+    problem.edit_structure([&](Structure& s) {
+      s.mass = sparse(data.at("mass").get<Rows>());
+      s.stiffness = sparse(data.at("stiffness").get<Rows>());
+      s.damping = data.at("damping_over_stiffness").get<double>() * s.stiffness;
+    });
     problem.frequency = orbit.at("frequency");
     problem.force = {{.dof = 1, .harmonic = 1, .cos = 0.1, .sin = 0.0}};
     problem.contacts = {{.normal = {{0, 1.0}}, .gap = 1.0}};

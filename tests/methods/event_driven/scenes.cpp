@@ -12,9 +12,11 @@ Problem two_masses(double frequency, double restitution) {
   Problem problem;
   problem.name = "two-masses";
   const Eigen::Matrix2d K = (Eigen::Matrix2d() << 2.0, -1.0, -1.0, 1.0).finished();
-  problem.mass = Eigen::MatrixXd(Eigen::Matrix2d::Identity()).sparseView();
-  problem.stiffness = Eigen::MatrixXd(K).sparseView();
-  problem.damping = Eigen::MatrixXd(0.1 * K).sparseView();
+  problem.edit_structure([&](Structure& s) {
+    s.mass = Eigen::MatrixXd(Eigen::Matrix2d::Identity()).sparseView();
+    s.stiffness = Eigen::MatrixXd(K).sparseView();
+    s.damping = Eigen::MatrixXd(0.1 * K).sparseView();
+  });
   problem.frequency = frequency;
   problem.force = {{.dof = 1, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
   problem.contacts = {{.normal = {{1, 1.0}}, .gap = 0.5}};
@@ -30,9 +32,11 @@ Problem free_chain(int count, double frequency) {
     K(i, i) = 2.0;
     if (i > 0) K(i, i - 1) = K(i - 1, i) = -1.0;
   }
-  problem.mass = Eigen::MatrixXd(Eigen::MatrixXd::Identity(count, count)).sparseView();
-  problem.stiffness = K.sparseView();
-  problem.damping = Eigen::MatrixXd(0.05 * K).sparseView();
+  problem.edit_structure([&](Structure& s) {
+    s.mass = Eigen::MatrixXd(Eigen::MatrixXd::Identity(count, count)).sparseView();
+    s.stiffness = K.sparseView();
+    s.damping = Eigen::MatrixXd(0.05 * K).sparseView();
+  });
   problem.frequency = frequency;
   problem.force = {{.dof = count - 1, .harmonic = 1, .cos = 0.7, .sin = 0.4},
                    {.dof = 0, .harmonic = 3, .cos = 0.0, .sin = 0.2},

@@ -23,9 +23,11 @@ void assemble_bar(Problem& problem, int elements) {
   }
   const Eigen::MatrixXd inner_mass = M.bottomRightCorner(elements, elements);
   const Eigen::MatrixXd inner_stiffness = K.bottomRightCorner(elements, elements);
-  problem.mass = inner_mass.sparseView();
-  problem.stiffness = inner_stiffness.sparseView();
-  problem.damping = (0.1 * inner_mass + 0.002 * inner_stiffness).sparseView();
+  problem.edit_structure([&](Structure& s) {
+    s.mass = inner_mass.sparseView();
+    s.stiffness = inner_stiffness.sparseView();
+    s.damping = (0.1 * inner_mass + 0.002 * inner_stiffness).sparseView();
+  });
 }
 
 SteadyStateCase parse(const Json& json) {
@@ -37,9 +39,11 @@ SteadyStateCase parse(const Json& json) {
   problem.frequency = json.at("frequency");
   const double load_size = json.at("load_size");
   if (json.contains("mass")) {
-    problem.mass = sparse(json.at("mass").get<Rows>());
-    problem.damping = sparse(json.at("damping").get<Rows>());
-    problem.stiffness = sparse(json.at("stiffness").get<Rows>());
+    problem.edit_structure([&](Structure& s) {
+      s.mass = sparse(json.at("mass").get<Rows>());
+      s.damping = sparse(json.at("damping").get<Rows>());
+      s.stiffness = sparse(json.at("stiffness").get<Rows>());
+    });
     const auto load = json.at("load").get<std::vector<double>>();
     for (std::size_t i = 0; i < load.size(); ++i) {
       if (load[i] == 0.0) continue;

@@ -26,8 +26,8 @@ TEST(ContactDynamics, AccelerationSolvesTheEquationOfMotionForSmallAndLargeStruc
     const State state = some_state(size);
     Eigen::VectorXd a(size);
     dynamics.acceleration(dynamics.mode({}), 0.7, state.u, state.v, a);
-    const Eigen::VectorXd balance =
-        problem.mass * a + problem.damping * state.v + problem.stiffness * state.u - load_at(problem, 0.7);
+    const Eigen::VectorXd balance = problem.mass() * a + problem.damping() * state.v +
+                                    problem.stiffness() * state.u - load_at(problem, 0.7);
     EXPECT_LT(balance.norm(), 1e-13 * load_at(problem, 0.7).norm() + 1e-13) << size;
   }
 }
@@ -121,8 +121,10 @@ TEST(ContactDynamics, ScalesAreThoseOfTheLimitedMotionNearAResonance) {
 
 TEST(ContactDynamics, RefusesASingularMassMatrix) {
   Problem problem = two_masses(1.0, 0.5);
-  problem.mass = SparseMatrix(2, 2);
-  problem.mass.insert(0, 0) = 1.0;
+  problem.edit_structure([&](Structure& s) {
+    s.mass = SparseMatrix(2, 2);
+    s.mass.insert(0, 0) = 1.0;
+  });
   EXPECT_THROW(ContactDynamics{problem}, std::runtime_error);
 }
 

@@ -135,9 +135,11 @@ TEST(EventFlow, TreatsContactsThatCloseTogetherTogether) {
   // Two equal oscillators side by side hit at the same instant; so does the pair in one scene with both
   // contacts.
   Problem problem;
-  problem.mass = Eigen::MatrixXd(Eigen::Matrix2d::Identity()).sparseView();
-  problem.stiffness = Eigen::MatrixXd((Eigen::Matrix2d() << 2.0, -1.0, -1.0, 2.0).finished()).sparseView();
-  problem.damping = Eigen::MatrixXd(0.1 * Eigen::Matrix2d::Identity()).sparseView();
+  problem.edit_structure([&](Structure& s) {
+    s.mass = Eigen::MatrixXd(Eigen::Matrix2d::Identity()).sparseView();
+    s.stiffness = Eigen::MatrixXd((Eigen::Matrix2d() << 2.0, -1.0, -1.0, 2.0).finished()).sparseView();
+    s.damping = Eigen::MatrixXd(0.1 * Eigen::Matrix2d::Identity()).sparseView();
+  });
   problem.frequency = 1.0;
   problem.force = {{.dof = 0, .harmonic = 1, .cos = 1.0, .sin = 0.0},
                    {.dof = 1, .harmonic = 1, .cos = 1.0, .sin = 0.0}};

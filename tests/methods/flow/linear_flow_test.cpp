@@ -151,7 +151,7 @@ TEST(LinearFlow, TheExponentialOfAStiffStructureIsThatOfItsModes) {
   const Problem problem = test::stopped_chain(8, 0.5, 1);
   for (const double stiffer : {1.0, 1e4, 1e8}) {
     Problem stiff = problem;
-    stiff.stiffness.coeffRef(0, 0) += stiffer;
+    stiff.edit_structure([&](Structure& s) { s.stiffness.coeffRef(0, 0) += stiffer; });
     const ContactDynamics dynamics(stiff);
     const LinearFlow modal(dynamics, dynamics.mode({false})),
         exponential(dynamics, dynamics.mode({false}), FlowForm::exponential);

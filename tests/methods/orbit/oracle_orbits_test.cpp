@@ -237,7 +237,7 @@ struct ImpulsiveOracle {
   explicit ImpulsiveOracle(const Problem& problem, double e) {
     const Eigen::Index n = problem.size();
     const double T = problem.period(), w = problem.frequency, g = problem.contacts[0].gap;
-    const Eigen::MatrixXd M(problem.mass), K(problem.stiffness), C(problem.damping);
+    const Eigen::MatrixXd M(problem.mass()), K(problem.stiffness()), C(problem.damping());
     const Eigen::VectorXd b = contact_directions(problem).col(0);
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     A.topRightCorner(n, n).setIdentity();

@@ -128,9 +128,11 @@ TEST(ExactOrbitSearch, MasslessContactsAreTheSpringStopsTheyCondenseTo) {
   // A massless node on a spring k_e before the stop: bilinear with penalty k_e.
   Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2});
   const double spring = 50.0;
-  problem.mass = Eigen::MatrixXd(Eigen::Vector2d(1.0, 0.0).asDiagonal()).sparseView();
-  problem.damping = Eigen::MatrixXd(Eigen::Vector2d(0.1, 0.0).asDiagonal()).sparseView();
-  problem.stiffness =
+  problem.edit_structure([&](Structure& s) {
+    s.mass = Eigen::MatrixXd(Eigen::Vector2d(1.0, 0.0).asDiagonal()).sparseView();
+    s.damping = Eigen::MatrixXd(Eigen::Vector2d(0.1, 0.0).asDiagonal()).sparseView();
+  });
+  problem.stiffness() =
       Eigen::MatrixXd((Eigen::Matrix2d() << 1.0 + spring, -spring, -spring, spring).finished()).sparseView();
   problem.contacts = {{.normal = {{1, 1.0}}, .gap = 0.2}};
   problem.law = Massless{};

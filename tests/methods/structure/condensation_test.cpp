@@ -26,7 +26,7 @@ TEST(Condense, LeavesAStructureWithMassEverywhereAsItIs) {
   const Problem problem = test::stopped_chain(5, 0.5, 2);
   const CondensedStructure condensed = condense(problem);
   EXPECT_EQ(condensed.kept.size(), 5U);
-  EXPECT_EQ(Eigen::MatrixXd(condensed.stiffness - problem.stiffness).norm(), 0.0);
+  EXPECT_EQ(Eigen::MatrixXd(condensed.stiffness - problem.stiffness()).norm(), 0.0);
   EXPECT_EQ(Eigen::MatrixXd(condensed.directions - contact_directions(problem)).norm(), 0.0);
   EXPECT_TRUE(condensed.compliance.isZero(0.0));
   EXPECT_TRUE(condensed.shift.isZero(0.0));
@@ -48,7 +48,7 @@ TEST(Condense, KeepsTheReceptanceOfCoupledAndLoadedContacts) {
     const auto column = static_cast<Eigen::Index>(h);
     const double w = condensed.rates[h];
     const Eigen::FullPivLU<Eigen::MatrixXcd> whole(
-        stiffness(problem.mass, problem.damping, problem.stiffness, w));
+        stiffness(problem.mass(), problem.damping(), problem.stiffness(), w));
     const Eigen::FullPivLU<Eigen::MatrixXcd> reduced(
         stiffness(condensed.mass, condensed.damping, condensed.stiffness, w));
     const Eigen::MatrixXcd C = W.transpose() * whole.solve(W);
@@ -64,21 +64,27 @@ TEST(Condense, KeepsTheReceptanceOfCoupledAndLoadedContacts) {
 
 TEST(Condense, RefusesWhatIsTooLargeToBeFollowedThroughTime) {
   Problem large;
-  large.mass = SparseMatrix(kMostInTime + 1, kMostInTime + 1);
-  large.mass.setIdentity();
-  large.damping = large.stiffness = large.mass;
+  large.edit_structure([&](Structure& s) {
+    s.mass = SparseMatrix(kMostInTime + 1, kMostInTime + 1);
+    s.mass.setIdentity();
+    s.damping = s.stiffness = s.mass;
+  });
   EXPECT_EQ(flow_obstacle(large), "10001 coordinates: at most 10000 are followed through time");
 }
 
 TEST(Condense, SaysWhereItCannotBeDone) {
   Problem damped = test::massless_node();
-  damped.damping = Eigen::MatrixXd((Eigen::Matrix2d() << 0.1, -0.1, -0.1, 0.1).finished()).sparseView();
+  damped.edit_structure([&](Structure& s) {
+    s.damping = Eigen::MatrixXd((Eigen::Matrix2d() << 0.1, -0.1, -0.1, 0.1).finished()).sparseView();
+  });
   EXPECT_EQ(condense(damped).obstacle, "a coordinate without mass is damped: its equation is of first order");
   Problem loose = test::massless_node();
-  loose.stiffness = Eigen::MatrixXd(Eigen::Vector2d(1.0, 0.0).asDiagonal()).sparseView();
+  loose.edit_structure([&](Structure& s) {
+    s.stiffness = Eigen::MatrixXd(Eigen::Vector2d(1.0, 0.0).asDiagonal()).sparseView();
+  });
   EXPECT_EQ(condense(loose).obstacle, "coordinates without mass have no stiffness of their own");
   Problem tied = test::massless_node();  // the sum of both coordinates carries mass, the difference none
-  tied.mass = Eigen::MatrixXd(Eigen::Matrix2d::Ones()).sparseView();
+  tied.edit_structure([&](Structure& s) { s.mass = Eigen::MatrixXd(Eigen::Matrix2d::Ones()).sparseView(); });
   EXPECT_EQ(flow_obstacle(tied), "the mass matrix is singular on the coordinates with mass");
   EXPECT_EQ(flow_obstacle(test::massless_node()), "");
 }

@@ -6,6 +6,7 @@
 
 #include "methods/complementarity/projected_law.hpp"
 #include "problems/assembly/chain.hpp"
+#include "problems/validation.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
 namespace signorini {
@@ -16,18 +17,19 @@ Problem chain_problem(int masses) {
   Problem problem;
   problem.name = "chain";
   problem.kind = "chain";
-  problem.mass = SparseMatrix(masses, masses);
-  problem.damping = SparseMatrix(masses, masses);
-  problem.stiffness = SparseMatrix(masses, masses);
-  for (int i = 0; i < masses; ++i) {
-    problem.mass.insert(i, i) = 1.0 + 0.1 * i;
-    problem.stiffness.insert(i, i) = 2.0 + 0.3 * i;
-    problem.damping.insert(i, i) = 0.02 * (i + 1);
-    if (i + 1 < masses) {
-      problem.stiffness.insert(i, i + 1) = -1.0;
-      problem.stiffness.insert(i + 1, i) = -1.0;
+  problem.edit_structure([&](Structure& s) {
+    s.mass = SparseMatrix(masses, masses);
+    s.damping = SparseMatrix(masses, masses);
+    s.stiffness = SparseMatrix(masses, masses);
+    for (int i = 0; i < masses; ++i) {
+      s.mass.insert(i, i) = 1.0 + 0.1 * i;
+      s.stiffness.insert(i, i) = 2.0 + 0.3 * i;
+      s.damping.insert(i, i) = 0.02 * (i + 1);
+      if (i + 1 == masses) continue;
+      s.stiffness.insert(i, i + 1) = -1.0;
+      s.stiffness.insert(i + 1, i) = -1.0;
     }
-  }
+  });
   problem.frequency = 1.3;
   problem.force = {{0, 1, 1.0, 0.5}, {masses - 1, 3, 0.0, 0.7}, {0, 0, 0.25, 0.0}};
   problem.contacts = {{{{masses - 1, 1.0}}, 0.1}, {{{0, 0.6}, {1, -0.8}}, 0.2}};
@@ -41,9 +43,9 @@ class ReceptanceOfChain : public testing::TestWithParam<int> {};
 TEST_P(ReceptanceOfChain, MatchesTheDenseInverse) {
   const Problem problem = chain_problem(GetParam());
   const ContactReceptance receptance = fourier_receptance(problem, 5);
-  const Eigen::MatrixXcd m = Eigen::MatrixXd(problem.mass).cast<std::complex<double>>();
-  const Eigen::MatrixXcd d = Eigen::MatrixXd(problem.damping).cast<std::complex<double>>();
-  const Eigen::MatrixXcd k = Eigen::MatrixXd(problem.stiffness).cast<std::complex<double>>();
+  const Eigen::MatrixXcd m = Eigen::MatrixXd(problem.mass()).cast<std::complex<double>>();
+  const Eigen::MatrixXcd d = Eigen::MatrixXd(problem.damping()).cast<std::complex<double>>();
+  const Eigen::MatrixXcd k = Eigen::MatrixXd(problem.stiffness()).cast<std::complex<double>>();
   const Eigen::MatrixXcd w = Eigen::MatrixXd(contact_directions(problem)).cast<std::complex<double>>();
   for (int n = 0; n <= 5; ++n) {
     const double omega = 1.3 * n;

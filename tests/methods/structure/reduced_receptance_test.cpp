@@ -51,10 +51,12 @@ Problem uniform_bar(int elements, double beta, double frequency) {
     }
   }
   Problem problem;
-  problem.mass = problem.stiffness = SparseMatrix(elements, elements);
-  problem.mass.setFromTriplets(mass.begin(), mass.end());
-  problem.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
-  problem.damping = beta * problem.stiffness;
+  problem.edit_structure([&](Structure& s) {
+    s.mass = s.stiffness = SparseMatrix(elements, elements);
+    s.mass.setFromTriplets(mass.begin(), mass.end());
+    s.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
+    s.damping = beta * s.stiffness;
+  });
   problem.frequency = frequency;
   problem.contacts = {{{{elements - 1, 1.0}}, 0.1}};
   problem.force = {{elements - 1, 1, 1.0, 0.0}};
@@ -138,8 +140,10 @@ TEST(ReducedReceptance, TakesMasslessContacts) {
   SparseMatrix keep(60, 60);
   keep.setIdentity();
   keep.coeffRef(59, 59) = 0.0;
-  problem.mass = SparseMatrix(keep * problem.mass * keep);
-  problem.damping = 0.01 * problem.stiffness;
+  problem.edit_structure([&](Structure& s) {
+    s.mass = SparseMatrix(keep * s.mass * keep);
+    s.damping = 0.01 * s.stiffness;
+  });
   const auto weights = harmonics_of(problem);
   const auto reduced = reduced_receptance(problem, 10, weights, kTolerance);
   ASSERT_TRUE(reduced);
@@ -191,7 +195,9 @@ TEST(ReducedReceptance, ClaimsNoBoundAmongUndampedResonances) {
 
 TEST(ReducedReceptance, LeavesModalDampingToFactorisations) {
   Problem problem = test::to_problem(test::ElasticBlock{.nx = 3, .ny = 2, .nz = 3, .frequency = 0.2});
-  problem.damping = damping_matrix(ModalDamping{{0.01, 0.03}}, problem.mass, problem.stiffness);
+  problem.edit_structure([&](Structure& s) {
+    s.damping = damping_matrix(ModalDamping{{0.01, 0.03}}, s.mass, s.stiffness);
+  });
   const auto weights = harmonics_of(problem);
   EXPECT_FALSE(reduced_receptance(problem, 4, weights, kTolerance));
   const ContactReceptance fallen_back = contact_receptance(problem, 4, weights, ReceptanceMethod::reduced);
@@ -203,7 +209,7 @@ TEST(ReducedReceptance, LeavesModalDampingToFactorisations) {
 
 // What the rounding of P^{-1} may leave: the bound is one in exact arithmetic.
 double rounding(const Problem& problem) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(Eigen::MatrixXd(problem.stiffness),
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(Eigen::MatrixXd(problem.stiffness()),
                                                              Eigen::EigenvaluesOnly);
   const Eigen::VectorXd& values = modes.eigenvalues();
   return std::numeric_limits<double>::epsilon() * values.tail(1)(0) / values(0);
@@ -231,16 +237,18 @@ Problem random_structure(int seed) {
     structure = assemble(chain);
   }
   Problem problem;
-  problem.mass = structure.mass;
-  problem.stiffness = structure.stiffness;
-  const auto size = static_cast<int>(problem.mass.rows());
+  problem.edit_structure([&](Structure& s) {
+    s.mass = structure.mass;
+    s.stiffness = structure.stiffness;
+  });
+  const auto size = static_cast<int>(problem.mass().rows());
   // The lowest frequency, by a few steps of inverse iteration, tells what is slow and what is little damping.
-  const Eigen::SimplicialLDLT<SparseMatrix> factors(problem.stiffness);
+  const Eigen::SimplicialLDLT<SparseMatrix> factors(problem.stiffness());
   Eigen::VectorXd shape = Eigen::VectorXd::Ones(size);
-  for (int i = 0; i < 30; ++i) shape = factors.solve(problem.mass * shape).normalized();
-  const double lowest = std::sqrt(shape.dot(problem.stiffness * shape) / shape.dot(problem.mass * shape));
-  problem.damping =
-      uniform(0.0, 0.05) * lowest * problem.mass + uniform(0.001, 0.05) / lowest * problem.stiffness;
+  for (int i = 0; i < 30; ++i) shape = factors.solve(problem.mass() * shape).normalized();
+  const double lowest = std::sqrt(shape.dot(problem.stiffness() * shape) / shape.dot(problem.mass() * shape));
+  problem.damping() =
+      uniform(0.0, 0.05) * lowest * problem.mass() + uniform(0.001, 0.05) / lowest * problem.stiffness();
   problem.frequency = lowest * uniform(0.3, 1.5);
   for (int c = 0; c <= among(4); ++c) problem.contacts.push_back({{{(7 * c + among(7)) % size, 1.0}}, 0.1});
   problem.force = {{among(size), 1, 1.0, uniform(-1.0, 1.0)}, {among(size), 2, 0.0, 0.5}};
@@ -271,7 +279,7 @@ TEST(ReducedReceptance, MeetsItsToleranceOnAPopulationOfBeamsAndChains) {
 
 TEST(ReducedReceptance, LeavesOtherDampingToFactorisations) {
   Problem problem = test::to_problem(test::ElasticBlock{.beta = 0.01});
-  problem.damping.coeffRef(0, 0) += 1.0;
+  problem.edit_structure([&](Structure& s) { s.damping.coeffRef(0, 0) += 1.0; });
   EXPECT_FALSE(reduced_receptance(problem, 3, harmonics_of(problem), kTolerance));
   const auto automatic = contact_receptance(problem, 3, harmonics_of(problem));
   EXPECT_EQ(automatic.report.method, ReceptanceMethod::direct);
@@ -279,8 +287,10 @@ TEST(ReducedReceptance, LeavesOtherDampingToFactorisations) {
 
 TEST(ReducedReceptance, RefusesAFreeStructureAtRest) {
   Problem problem = uniform_bar(60, 0.01, 0.9);
-  problem.stiffness.coeffRef(0, 0) = 60.0;  // one spring less: nothing holds the bar
-  problem.damping = 0.01 * problem.stiffness;
+  problem.edit_structure([&](Structure& s) {
+    s.stiffness.coeffRef(0, 0) = 60.0;  // one spring less: nothing holds the bar
+    s.damping = 0.01 * s.stiffness;
+  });
   EXPECT_THROW(reduced_receptance(problem, 3, harmonics_of(problem), kTolerance), SingularStiffness);
 }
 
@@ -298,21 +308,21 @@ TEST(ContactReceptance, OfALargeStructureIsReducedWithoutBeingAsked) {
 
 TEST(SparseCholesky, TellsDefiniteFromIndefiniteAndSolves) {
   const Problem problem = test::to_problem(test::ElasticBlock{});
-  SparseCholesky factors(problem.stiffness);
+  SparseCholesky factors(problem.stiffness());
   EXPECT_GT(factors.smallest_pivot(), 1e-3);
   const Eigen::MatrixXd u = Eigen::MatrixXd::Random(problem.size(), 3);
-  EXPECT_LE((factors.solve(problem.stiffness * u) - u).norm(), 1e-11 * u.norm());
-  const SparseMatrix indefinite = problem.stiffness - 100.0 * problem.mass;
+  EXPECT_LE((factors.solve(problem.stiffness() * u) - u).norm(), 1e-11 * u.norm());
+  const SparseMatrix indefinite = problem.stiffness() - 100.0 * problem.mass();
   EXPECT_LE(SparseCholesky(indefinite).smallest_pivot(), 0.0);
 }
 
 TEST(Definiteness, OfLargeMatricesIsJudgedByCurvature) {
   const Problem problem = test::to_problem({.nx = 9, .ny = 8, .nz = 8});
-  EXPECT_TRUE(is_semidefinite(problem.stiffness));
-  EXPECT_TRUE(is_definite(problem.stiffness));
+  EXPECT_TRUE(is_semidefinite(problem.stiffness()));
+  EXPECT_TRUE(is_definite(problem.stiffness()));
   // The lowest eigenfrequency of the block lies below 1 rad/s: this matrix is indefinite by a single
   // direction or few.
-  EXPECT_FALSE(is_semidefinite(problem.stiffness - 1.0 * problem.mass));
+  EXPECT_FALSE(is_semidefinite(problem.stiffness() - 1.0 * problem.mass()));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "problems/definiteness.hpp"
+#include "problems/invalid_problem.hpp"
 
 namespace signorini {
 namespace {

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "problems/definiteness.hpp"
+#include "problems/invalid_problem.hpp"
 
 namespace signorini {
 namespace {

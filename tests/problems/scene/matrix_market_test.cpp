@@ -196,19 +196,19 @@ class MatrixScene : public testing::Test {
 TEST_F(MatrixScene, FindsItsFilesBesideIt) {
   const Problem problem = load_scene(scene());
   EXPECT_EQ(problem.kind, "matrices");
-  EXPECT_EQ(Eigen::MatrixXd(problem.mass), Eigen::MatrixXd(structure_.mass));
-  EXPECT_EQ(Eigen::MatrixXd(problem.damping), Eigen::MatrixXd(structure_.damping));
-  EXPECT_EQ(Eigen::MatrixXd(problem.stiffness), Eigen::MatrixXd(structure_.stiffness));
+  EXPECT_EQ(Eigen::MatrixXd(problem.mass()), Eigen::MatrixXd(structure_.mass));
+  EXPECT_EQ(Eigen::MatrixXd(problem.damping()), Eigen::MatrixXd(structure_.damping));
+  EXPECT_EQ(Eigen::MatrixXd(problem.stiffness()), Eigen::MatrixXd(structure_.stiffness));
 }
 
 TEST_F(MatrixScene, TakesDampingModelsInsteadOfAFile) {
   const Problem rayleigh = load_scene(scene(7, "rayleigh = { alpha = 0.5, beta = 0.01 }"));
-  EXPECT_EQ(Eigen::MatrixXd(rayleigh.damping), Eigen::MatrixXd(structure_.damping));
+  EXPECT_EQ(Eigen::MatrixXd(rayleigh.damping()), Eigen::MatrixXd(structure_.damping));
 
   const Problem modal = load_scene(scene(7, "modal = [0.02, 0.05]"));
   const SparseMatrix expected =
       damping_matrix(ModalDamping{{0.02, 0.05}}, structure_.mass, structure_.stiffness);
-  EXPECT_EQ(Eigen::MatrixXd(modal.damping), Eigen::MatrixXd(expected));
+  EXPECT_EQ(Eigen::MatrixXd(modal.damping()), Eigen::MatrixXd(expected));
 }
 
 TEST_F(MatrixScene, IsRefusedInOneLineThatNamesTheCulprit) {

@@ -57,9 +57,9 @@ TEST(SceneFamily, GivesEachLevelItsValuesAndItsName) {
   const Problem scene = parse_scene(kFamily, "family.toml", "1e-4");
   EXPECT_EQ(scene.name, "softer@1e-4");
   EXPECT_EQ(scene.title, "A spring that gives way");
-  EXPECT_DOUBLE_EQ(scene.stiffness.coeff(0, 0), 1e-4);
+  EXPECT_DOUBLE_EQ(scene.stiffness().coeff(0, 0), 1e-4);
   EXPECT_DOUBLE_EQ(scene.contacts.at(0).gap, 0.3);
-  EXPECT_DOUBLE_EQ(scene.mass.coeff(0, 0), 1.0);
+  EXPECT_DOUBLE_EQ(scene.mass().coeff(0, 0), 1.0);
   const FamilyLevel expected{.family = "softer",
                              .parameter = "stiffness of the spring [N/m]",
                              .level = 1e-4,
@@ -147,8 +147,8 @@ TEST(ShippedFamilies, DriveAtLeastFiveValidLevelsEach) {
 // All dimensionless numbers of the oscillator are those of the first level.
 TEST(ShippedFamilies, StateOneSceneInSeveralUnits) {
   const auto numbers = [](const Problem& scene) {
-    const double m = scene.mass.coeff(0, 0), w = scene.frequency, gap = scene.contacts.at(0).gap;
-    return Eigen::Vector3d(scene.stiffness.coeff(0, 0) / (m * w * w), scene.damping.coeff(0, 0) / (m * w),
+    const double m = scene.mass().coeff(0, 0), w = scene.frequency, gap = scene.contacts.at(0).gap;
+    return Eigen::Vector3d(scene.stiffness().coeff(0, 0) / (m * w * w), scene.damping().coeff(0, 0) / (m * w),
                            scene.force.at(0).cos / (m * w * w * gap));
   };
   const Eigen::Vector3d expected = numbers(load_scene(find_scene("units@1")));

@@ -171,13 +171,13 @@ TEST(ParseScene, KeepsEveryField) {
   EXPECT_EQ(problem.reference, "nowhere");
   EXPECT_EQ(problem.tags, (std::vector<std::string>{"one", "two words"}));
   EXPECT_EQ(problem.kind, "chain");
-  EXPECT_EQ(Eigen::MatrixXd(problem.mass), Eigen::MatrixXd(Eigen::Vector3d(1.0, 2.5, 4.0).asDiagonal()));
+  EXPECT_EQ(Eigen::MatrixXd(problem.mass()), Eigen::MatrixXd(Eigen::Vector3d(1.0, 2.5, 4.0).asDiagonal()));
   Eigen::Matrix3d D;
   D << 0.5, -0.5, 0, -0.5, 0.75, -0.25, 0, -0.25, 0.25;
-  EXPECT_EQ(Eigen::MatrixXd(problem.damping), D);
+  EXPECT_EQ(Eigen::MatrixXd(problem.damping()), D);
   Eigen::Matrix3d K;
   K << 30, -20, 0, -20, 60, -40, 0, -40, 40;
-  EXPECT_EQ(Eigen::MatrixXd(problem.stiffness), K);
+  EXPECT_EQ(Eigen::MatrixXd(problem.stiffness()), K);
   EXPECT_EQ(problem.frequency, 3.0);
   EXPECT_EQ(problem.subharmonic, 2);
   ASSERT_EQ(problem.force.size(), 3U);
@@ -203,7 +203,7 @@ TEST(ParseScene, FillsInWhatIsLeftOut) {
 
   EXPECT_EQ(problem.kind, "sdof");
   EXPECT_EQ(problem.size(), 1);
-  EXPECT_EQ(problem.damping.coeff(0, 0), 0.1);
+  EXPECT_EQ(problem.damping().coeff(0, 0), 0.1);
   EXPECT_EQ(problem.title + problem.reference, "");
   EXPECT_TRUE(problem.tags.empty());
   EXPECT_EQ(problem.subharmonic, 1);
@@ -221,13 +221,13 @@ TEST(ParseScene, AssemblesBarsAndBeams) {
   const Problem bar = parse_scene(kBar, "bar.toml");
   EXPECT_EQ(bar.kind, "bar");
   EXPECT_EQ(bar.size(), 3);
-  EXPECT_DOUBLE_EQ(bar.stiffness.coeff(0, 0), 6.0);
-  EXPECT_DOUBLE_EQ(bar.mass.coeff(2, 2), 1.0 / 9.0);
-  EXPECT_DOUBLE_EQ(bar.damping.coeff(2, 2), 0.1 / 9.0 + 0.01 * 3.0);
+  EXPECT_DOUBLE_EQ(bar.stiffness().coeff(0, 0), 6.0);
+  EXPECT_DOUBLE_EQ(bar.mass().coeff(2, 2), 1.0 / 9.0);
+  EXPECT_DOUBLE_EQ(bar.damping().coeff(2, 2), 0.1 / 9.0 + 0.01 * 3.0);
 
   const Problem beam = parse_scene(kBeam, "beam.toml");
   EXPECT_EQ(beam.size(), 4);
-  EXPECT_DOUBLE_EQ(beam.stiffness.coeff(2, 2), 12.0 * 8.0);
+  EXPECT_DOUBLE_EQ(beam.stiffness().coeff(2, 2), 12.0 * 8.0);
   EXPECT_TRUE(std::holds_alternative<Massless>(beam.law)) << "implied by contact_mass";
   EXPECT_TRUE(contacts_are_massless(beam));
 }
@@ -253,9 +253,9 @@ TEST(ParseScene, AssemblesAShaft) {
   EXPECT_EQ(shaft.kind, "shaft");
   EXPECT_EQ(shaft.size(), 20);
   EXPECT_EQ(shaft.contact_count(), 5);
-  EXPECT_DOUBLE_EQ(shaft.stiffness.coeff(0, 0), 12.0 * 64.0 + 1.0);
-  EXPECT_DOUBLE_EQ(shaft.damping.coeff(0, 0), 0.1 + 0.01 * (12.0 * 64.0 + 1.0));
-  EXPECT_DOUBLE_EQ(shaft.mass.coeff(10, 10), 1.0 + 2.0 * 156.0 / 420.0 / 4.0);
+  EXPECT_DOUBLE_EQ(shaft.stiffness().coeff(0, 0), 12.0 * 64.0 + 1.0);
+  EXPECT_DOUBLE_EQ(shaft.damping().coeff(0, 0), 0.1 + 0.01 * (12.0 * 64.0 + 1.0));
+  EXPECT_DOUBLE_EQ(shaft.mass().coeff(10, 10), 1.0 + 2.0 * 156.0 / 420.0 / 4.0);
 }
 
 TEST(ParseScene, AssemblesAChainWithGroundAndLinks) {
@@ -264,17 +264,17 @@ TEST(ParseScene, AssemblesAChainWithGroundAndLinks) {
   text.insert(text.find(springs) + springs.size(),
               "ground_springs = [4, 0, 0]\nground_dampers = [0, 0.5, 0]\nlinks = [[0, 2, 3.0, 0.25]]\n");
   const Problem chain = parse_scene(text, "chain.toml");
-  EXPECT_EQ(chain.stiffness.coeff(0, 0), 1.0 + 1.0 + 4.0 + 3.0);
-  EXPECT_EQ(chain.stiffness.coeff(2, 0), -3.0);
-  EXPECT_EQ(chain.damping.coeff(1, 1), 0.1 + 0.5);
-  EXPECT_EQ(chain.damping.coeff(0, 2), -0.25);
+  EXPECT_EQ(chain.stiffness().coeff(0, 0), 1.0 + 1.0 + 4.0 + 3.0);
+  EXPECT_EQ(chain.stiffness().coeff(2, 0), -3.0);
+  EXPECT_EQ(chain.damping().coeff(1, 1), 0.1 + 0.5);
+  EXPECT_EQ(chain.damping().coeff(0, 2), -0.25);
 }
 
 TEST(ParseScene, TakesConsistentMassUnlessToldOtherwise) {
   std::string text(kBar);
   text.erase(text.find("contact_mass"), std::string_view("contact_mass = \"consistent\"\n").size());
-  EXPECT_EQ(Eigen::MatrixXd(parse_scene(text, "bar.toml").mass),
-            Eigen::MatrixXd(parse_scene(kBar, "bar.toml").mass));
+  EXPECT_EQ(Eigen::MatrixXd(parse_scene(text, "bar.toml").mass()),
+            Eigen::MatrixXd(parse_scene(kBar, "bar.toml").mass()));
 }
 
 TEST(ParseScene, GivesEveryContactTheOnePenalty) {

@@ -1,0 +1,15 @@
+#pragma once
+// A linear structure without its loads and contacts: the three matrices of its equation of motion.
+
+#include "problems/sparse_matrix.hpp"
+
+namespace signorini {
+
+/// M u'' + D u' + K u = forces; all three matrices are Nd x Nd.
+struct Structure {
+  SparseMatrix mass;       ///< M, symmetric positive semi-definite [kg]
+  SparseMatrix damping;    ///< D [N s/m]
+  SparseMatrix stiffness;  ///< K, symmetric positive semi-definite [N/m]
+};
+
+}  // namespace signorini

@@ -1,0 +1,27 @@
+#pragma once
+// The invariants of a Problem, checked once so that no method has to.
+
+#include "problems/invalid_problem.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// Whether M, K and the symmetric part of D have to be factorised to know that they are what they must be.
+/// Sums of finite-element matrices are, whatever the mesh: M and K are semi-definite, and a motion without
+/// strain energy carries mass. Factorising them would cost more than everything else about a large scene.
+enum class Definiteness { to_be_checked, by_construction };
+
+/// Checks every invariant that `Problem` states; a Problem that passes is safe for every method.
+/// Sizes agree; all numbers finite; M, K symmetric and positive semi-definite, M not zero;
+/// frequency > 0; dofs in range; normals nonzero; 0 <= e <= 1 exactly where a contact carries mass.
+/// Also: the symmetric part of D is positive semi-definite; M, D and K have no null vector in common;
+/// subharmonic in 1..64, load harmonics in 0..10000, no sine at harmonic 0; unless the law is a penalty, all
+/// contacts carry mass (on every coordinate of their normals) or none does. `name` and `kind` are not looked
+/// at.
+///
+/// With Definiteness::by_construction it is taken for granted that M and K are semi-definite and have no null
+/// vector in common with D. Damping still must be alpha M + beta K with alpha, beta >= 0, or pass the check.
+/// \throws InvalidProblem on the first violation
+void validate(const Problem& problem, Definiteness definiteness = Definiteness::to_be_checked);
+
+}  // namespace signorini
