@@ -14,16 +14,13 @@ constexpr double kDeepPenetration = 0.5;
 
 /// A candidate for the orbit behind an answer, and how far away it is.
 struct Candidate {
-  std::shared_ptr<const Trajectory> orbit;
   Motion motion;
   int shift = 0;
   double distance = 0.0;
 };
 
-Candidate place(const Problem& problem, const Motion& answer, std::shared_ptr<const Trajectory> orbit,
-                bool may_shift) {
-  Candidate candidate{std::move(orbit), {}, 0, 0.0};
-  candidate.motion = sample_motion(problem, *candidate.orbit);
+Candidate place(const Motion& answer, Motion orbit, bool may_shift) {
+  Candidate candidate{.motion = std::move(orbit)};
   if (may_shift) candidate.shift = best_shift(answer, candidate.motion);
   // No norm: the contacts rest where they are, or there are none, and so does the answer or it is off.
   const double otherwise =
@@ -65,7 +62,7 @@ bool take(const Problem& problem, const Motion& answer, const CheckedOrbit& foun
     certificate.reason += fmt::format("the orbit that it leads to is known to {:.1e} only", found.error_bar);
     return false;
   }
-  const Candidate candidate = place(problem, answer, found.orbit, false);
+  Candidate candidate = place(answer, sample_motion(problem, *found.orbit), false);
   if (!certificate.distance || candidate.distance < *certificate.distance)
     certificate.distance = candidate.distance;
   certificate.source = found.source;
@@ -75,16 +72,15 @@ bool take(const Problem& problem, const Motion& answer, const CheckedOrbit& foun
     return false;
   }
   describe_orbit(candidate, found, reference, known, certificate);
-  judgement.orbit = candidate.orbit;
+  judgement.orbit = std::move(candidate.motion);
   return true;
 }
 
 }  // namespace
 
-Judgement certify(const Problem& problem, std::shared_ptr<const Trajectory> answer,
+Judgement certify(const Problem& problem, std::shared_ptr<const Trajectory> answer, const Motion& motion,
                   const Reference& reference, const OrbitTools& tools,
                   std::chrono::steady_clock::time_point deadline) {
-  const Motion motion = sample_motion(problem, *answer);
   Judgement judgement;
   Certificate& certificate = judgement.certificate;
   certificate.status = CertificateStatus::uncertified;
@@ -112,7 +108,7 @@ Judgement certify(const Problem& problem, std::shared_ptr<const Trajectory> answ
       kLargestErrorBar);
   if (take(problem, motion, shot, reference, known, judgement)) return judgement;
   if (known == nullptr) return judgement;
-  const Candidate candidate = place(problem, motion, reference.orbit, true);
+  Candidate candidate = place(motion, *reference_motion, true);
   if (!certificate.distance || candidate.distance < *certificate.distance)
     certificate.distance = candidate.distance;
   if (candidate.distance > kNearOrbit) return judgement;
@@ -120,7 +116,7 @@ Judgement certify(const Problem& problem, std::shared_ptr<const Trajectory> answ
                                .residual = reference.residual,
                                .source = "the motion reached from rest"};
   describe_orbit(candidate, from_rest, reference, known, certificate);
-  judgement.orbit = candidate.orbit;
+  judgement.orbit = std::move(candidate.motion);
   judgement.shift = candidate.shift;
   return judgement;
 }

@@ -4,7 +4,6 @@
 #include <complex>
 
 #include "methods/solvers/constants.hpp"
-#include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
 #include "methods/structure/reduced_receptance.hpp"
 
@@ -57,8 +56,7 @@ struct ContactResponse::Ports {
   Eigen::MatrixXcd load;         // phi
 };
 
-ContactResponse::ContactResponse(const Problem& problem, const Trajectory& trajectory, int max_harmonics) {
-  ForceSeries series = force_series(problem, trajectory, max_harmonics);
+ContactResponse::ContactResponse(const Problem& problem, ForceSeries series) {
   base_frequency_ = series.base_frequency;
   const Ports ports(problem, series);
   lambda_ = std::move(series.lambda);

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "methods/solution.hpp"
+#include "methods/structure/periodic_response.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {
@@ -16,9 +16,9 @@ namespace signorini {
 /// with an error of 1e-10 of their norm; where that is dearer than factorising every Z_n, so it is done.
 class ContactResponse {
  public:
-  /// Arguments and H as for `PeriodicResponse`.
-  /// \throws std::invalid_argument for a foreign period; SingularStiffness if some Z_n is singular
-  ContactResponse(const Problem& problem, const Trajectory& trajectory, int max_harmonics = 512);
+  /// The response to the load and a contact force in H harmonics. \throws SingularStiffness if some Z_n is
+  /// singular
+  ContactResponse(const Problem& problem, ForceSeries series);
 
   /// H.
   [[nodiscard]] int harmonics() const { return static_cast<int>(x_.rows()) - 1; }

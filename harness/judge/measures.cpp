@@ -21,6 +21,8 @@ namespace signorini {
 
 namespace {
 
+/// Coordinates of the largest structure whose field is compared for u_l2.
+constexpr int kLargestField = 10000;
 /// Harmonics and instants of the fields compared for u_l2.
 constexpr int kFieldHarmonics = 512;
 constexpr int kFieldInstants = 2048;
@@ -31,24 +33,24 @@ constexpr double kRounding = 1e-12;
 /// Impacts slower than this share of the largest speed say nothing about restitution.
 constexpr double kSlow = 0.01;
 
-Measure impulse_error(const Problem& problem, const Trajectory& answer, const Trajectory& orbit) {
-  if (answer.contact_count() == 0) return std::nullopt;
-  const Eigen::VectorXd found = impulse_per_forcing_period(problem, answer);
-  const Eigen::VectorXd exact = impulse_per_forcing_period(problem, orbit);
+Measure impulse_error(const Motion& answer, const Motion& orbit) {
+  if (answer.samples.x.cols() == 0) return std::nullopt;
+  const Eigen::VectorXd found = impulse_per_forcing_period(answer);
+  const Eigen::VectorXd exact = impulse_per_forcing_period(orbit);
   const double scale = exact.cwiseAbs().maxCoeff();
   if (scale == 0.0) return std::nullopt;
   return (found - exact).cwiseAbs().maxCoeff() / scale;
 }
 
-Measure field_error(const Problem& problem, const Trajectory& answer, const Trajectory& orbit, int shift) {
-  if (problem.size() <= problem.contact_count() || problem.size() > kMostInTime) return std::nullopt;
+Measure field_error(const Problem& problem, const Motion& answer, const Motion& orbit, int shift) {
+  if (problem.size() <= problem.contact_count() || problem.size() > kLargestField) return std::nullopt;
   try {
-    const auto field = [&](const Trajectory& trajectory) {
+    const auto field = [&](const Motion& at_contacts) {
       Motion motion;
-      motion.forcing_period = problem.forcing_period();
-      motion.order = static_cast<int>(std::lround(trajectory.period() / motion.forcing_period));
-      motion.samples.x =
-          PeriodicResponse(problem, trajectory, kFieldHarmonics).displacement(kFieldInstants * motion.order);
+      motion.forcing_period = at_contacts.forcing_period;
+      motion.order = at_contacts.order;
+      motion.samples.x = PeriodicResponse(problem, force_series(problem, at_contacts, kFieldHarmonics))
+                             .displacement(kFieldInstants * motion.order);
       motion.samples.velocity = Eigen::MatrixXd::Zero(motion.samples.x.rows(), motion.samples.x.cols());
       return motion;
     };
@@ -58,22 +60,12 @@ Measure field_error(const Problem& problem, const Trajectory& answer, const Traj
   }
 }
 
-/// Only its period is known, and that nothing touches.
-class NoForce final : public Trajectory {
- public:
-  explicit NoForce(const Problem& problem) : contacts_(problem.contact_count()), period_(problem.period()) {}
-  [[nodiscard]] int contact_count() const override { return contacts_; }
-  [[nodiscard]] double period() const override { return period_; }
-  [[nodiscard]] Samples sample(int count) const override {
-    const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(count, contacts_);
-    return {zero, zero, zero};
-  }
-  [[nodiscard]] std::optional<int> bandwidth() const override { return 0; }
-
- private:
-  int contacts_;
-  double period_;
-};
+/// Contacts that never push, in as many harmonics as the load has.
+ForceSeries no_contact_force(const Problem& problem) {
+  return {.order = problem.subharmonic,
+          .base_frequency = problem.base_frequency(),
+          .lambda = Eigen::MatrixXcd::Zero(load_bandwidth(problem) + 1, problem.contact_count())};
+}
 
 /// What lengths are measured by: the amplitude, but no less than a tenth of the farthest that the
 /// contact-free motion gets from the stop, so that a contact that hardly moves is not judged by its noise.
@@ -86,7 +78,7 @@ double length_scale(const Problem& problem, const Motion& motion, const Eigen::V
     // An answer may have no response where the load alone has one: its harmonics are more.
     const Eigen::MatrixXd free =
         response ? response->free_displacement(kInstants)
-                 : ContactResponse(problem, NoForce(problem)).free_displacement(kInstants);
+                 : ContactResponse(problem, no_contact_force(problem)).free_displacement(kInstants);
     return std::max(moving, kLeast * (free.rowwise() - gaps.transpose()).cwiseAbs().maxCoeff());
   } catch (const SingularStiffness&) {
     return moving;  // driven at an undamped eigenfrequency: there is no contact-free motion
@@ -142,8 +134,8 @@ Eigen::MatrixXd velocity_jumps(const Problem& problem) {
 
 /// Dissipation beyond harmonic H of velocities that jump by M^-1 W p: with v_n = M^-1 W p_n / (i n w),
 /// W_D = sum over n > H of 2 T v_n^* D v_n.
-double dissipation_tail(const Problem& problem, const Trajectory& answer, int harmonics) {
-  const std::vector<Impulse> impulses = answer.impulses();
+double dissipation_tail(const Problem& problem, const Motion& answer, int harmonics) {
+  const std::vector<Impulse>& impulses = answer.impulses;
   if (impulses.empty()) return 0.0;
   const Eigen::MatrixXd jumps = velocity_jumps(problem);
   const Eigen::MatrixXd weight = jumps.transpose() * (problem.damping() * jumps);
@@ -161,9 +153,9 @@ double dissipation_tail(const Problem& problem, const Trajectory& answer, int ha
 
 /// Response to an answer's contact force, or why there is none.
 struct Response {
-  Response(const Problem& problem, const Trajectory& answer) {
+  Response(const Problem& problem, const Motion& answer) {
     try {
-      found.emplace(problem, answer, kEnergyHarmonics);
+      found.emplace(problem, force_series(problem, answer, kEnergyHarmonics));
     } catch (const std::bad_alloc&) {
       throw;  // the child's memory limit is told apart
     } catch (const std::exception& error) {
@@ -175,7 +167,7 @@ struct Response {
   std::string reason;
 };
 
-EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer,
+EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, const Motion& answer,
                            const Response& response) {
   if (std::holds_alternative<Undetermined>(law)) return {.reason = "the law leaves the impacts open"};
   if (!response.found) return {.reason = response.reason};
@@ -185,10 +177,10 @@ EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, co
     return {.reason = "the load does no work"};
   double lost = response.found->dissipation();
   try {
-    if (!answer.bandwidth()) lost += dissipation_tail(problem, answer, kEnergyHarmonics);
+    if (!answer.bandwidth) lost += dissipation_tail(problem, answer, kEnergyHarmonics);
     const auto* restitution = std::get_if<Restitution>(&law);
     if (restitution != nullptr && restitution->e < 1.0) {
-      lost += expected_loss(sample_motion(problem, answer), restitution->e, delassus_matrix(problem));
+      lost += expected_loss(answer, restitution->e, delassus_matrix(problem));
     }
   } catch (const std::invalid_argument& error) {
     return {.reason = error.what()};  // no Delassus matrix
@@ -198,18 +190,13 @@ EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, co
 
 }  // namespace
 
-Eigen::VectorXd impulse_per_forcing_period(const Problem& problem, const Trajectory& trajectory) {
-  const double forcing_period = problem.forcing_period();
-  return forcing_period * force_spectrum(trajectory, 0).row(0).real().transpose();
-}
-
-Errors measure_errors(const Problem& problem, const Trajectory& answer, const Trajectory& orbit, int shift) {
-  const Distance d = distance(sample_motion(problem, answer), sample_motion(problem, orbit), shift);
+Errors measure_errors(const Problem& problem, const Motion& answer, const Motion& orbit, int shift) {
+  const Distance d = distance(answer, orbit, shift);
   Errors errors;
   errors.x_l2 = d.x_l2;
   errors.x_max = d.x_max;
   errors.velocity_l2 = d.velocity_l2;
-  errors.impulse = impulse_error(problem, answer, orbit);
+  errors.impulse = impulse_error(answer, orbit);
   errors.u_l2 = field_error(problem, answer, orbit, shift);
   return errors;
 }
@@ -241,24 +228,23 @@ double expected_loss(const Motion& motion, double restitution, const Eigen::Matr
   return loss;
 }
 
-EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer) {
+EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, const Motion& answer) {
   return energy_defect(problem, law, answer, Response(problem, answer));
 }
 
-Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer) {
+Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const Motion& answer) {
   Physics physics;
   const Response response(problem, answer);
   EnergyDefect energy = energy_defect(problem, law, answer, response);
   physics.energy_defect = energy.value;
   physics.energy_reason = std::move(energy.reason);
   if (problem.contacts.empty()) return physics;
-  const Motion motion = sample_motion(problem, answer);
   const Eigen::VectorXd gaps = contact_gaps(problem);
-  const double scale = length_scale(problem, motion, gaps, response.found);
-  physics.penetration = penetration(motion, gaps, scale);
-  physics.complementarity = complementarity(motion, gaps, law, contact_stiffness_scale(problem), scale);
-  physics.contact_ratio = contact_ratio(motion);
-  physics.effective_restitution = restitutions(motion);
+  const double scale = length_scale(problem, answer, gaps, response.found);
+  physics.penetration = penetration(answer, gaps, scale);
+  physics.complementarity = complementarity(answer, gaps, law, contact_stiffness_scale(problem), scale);
+  physics.contact_ratio = contact_ratio(answer);
+  physics.effective_restitution = restitutions(answer);
   return physics;
 }
 

@@ -10,15 +10,11 @@
 
 namespace signorini {
 
-/// Impulse per forcing period and contact: force integrated, impulses added, Nc [N s].
-Eigen::VectorXd impulse_per_forcing_period(const Problem& problem, const Trajectory& trajectory);
-
 /// Errors of an answer against an orbit, each relative to the orbit's own norm and absent where that is
 /// zero: x and x' over the common period (root mean square, maximum), the impulse of the worst contact
 /// relative to the largest impulse of a contact, and u over the whole structure where Nc < Nd <= 10 000, both
 /// fields by `PeriodicResponse`. `shift` moves the orbit by whole forcing periods.
-Errors measure_errors(const Problem& problem, const Trajectory& answer, const Trajectory& orbit,
-                      int shift = 0);
+Errors measure_errors(const Problem& problem, const Motion& answer, const Motion& orbit, int shift = 0);
 
 struct EnergyDefect {
   Measure value = {};
@@ -35,10 +31,10 @@ struct EnergyDefect {
 ///   largest speed
 /// - contact_ratio
 ///
-/// The amplitude is half of (largest - least) x, the largest over contacts, but at least a thousandth of the
+/// The amplitude is half of (largest - least) x, the largest over contacts, but at least a tenth of the
 /// farthest that the contact-free motion gets from the stop (a contact that hardly moves). What has no scale,
 /// or cannot be computed on this structure, is absent; of the energy defect it is said why.
-Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer);
+Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const Motion& answer);
 
 /// |W_f - W_D - W_loss| / |W_f|: work of the load, dissipation by damping, and the loss at impacts that the
 /// represented law prescribes for the impulses found:
@@ -48,7 +44,7 @@ Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const
 /// Absent, with a reason, where W_f is zero, the law is undetermined, or the structure has no response or no
 /// Delassus matrix. The response being linear, W_f - W_D is the work done on the stops at every harmonic: the
 /// defect judges the contact force against the law, on large structures and small ones alike.
-EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer);
+EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, const Motion& answer);
 
 /// Loss at impacts per period that a restitution e prescribes for the phases found [J].
 double expected_loss(const Motion& motion, double restitution, const Eigen::MatrixXd& delassus);

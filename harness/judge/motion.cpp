@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
+
+#include "harness/records/sampled_trajectory.hpp"
+#include "methods/solvers/constants.hpp"
 
 namespace signorini {
 
@@ -46,6 +50,21 @@ Difference compare(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen::In
   return gap;
 }
 
+/// Coefficients n = 0..count of the contact force, (count+1) x Nc, from no more instants than they need.
+Eigen::MatrixXcd spectrum_of(const Motion& motion, int count) {
+  if (const Eigen::MatrixXcd& own = motion.force_coefficients; own.size() > 0) {
+    Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(count + 1, own.cols());
+    const Eigen::Index common = std::min(result.rows(), own.rows());
+    result.topRows(common) = own.topRows(common);
+    return result;
+  }
+  const int step = std::max(1, motion.count() / samples_for_spectrum(count));
+  if (step == 1 || motion.count() % step != 0)
+    return force_spectrum(motion.samples.force, motion.impulses, motion.period(), count);
+  return force_spectrum(motion.samples.force(Eigen::seqN(0, motion.count() / step, step), Eigen::all),
+                        motion.impulses, motion.period(), count);
+}
+
 Eigen::Index per_period(const Motion& motion) { return motion.samples.x.rows() / motion.order; }
 
 }  // namespace
@@ -57,7 +76,44 @@ Motion sample_motion(const Problem& problem, const Trajectory& trajectory, int p
   motion.samples = trajectory.sample(per_period * motion.order);
   motion.impulses = trajectory.impulses();
   motion.bandwidth = trajectory.bandwidth();
+  motion.force_coefficients = trajectory.force_coefficients();
   return motion;
+}
+
+SampledAnswer sample_answer(const Problem& problem, const Trajectory& answer) {
+  SampledAnswer sampled;
+  sampled.defect = trajectory_defect(answer, problem.contact_count(), problem.forcing_period());
+  if (!sampled.defect.empty()) return sampled;
+  Motion motion = sample_motion(problem, answer);
+  sampled.defect = samples_defect(motion.samples, kGrid * motion.order, problem.contact_count());
+  if (sampled.defect.empty()) sampled.motion = std::move(motion);
+  return sampled;
+}
+
+Motion thinned(const Motion& motion, int step) {
+  const auto every = [&](const Eigen::MatrixXd& values) -> Eigen::MatrixXd {
+    return values(Eigen::seqN(0, values.rows() / step, step), Eigen::all);
+  };
+  Motion result;
+  result.order = motion.order;
+  result.forcing_period = motion.forcing_period;
+  result.samples = {every(motion.samples.x), every(motion.samples.velocity), every(motion.samples.force)};
+  result.impulses = motion.impulses;
+  result.bandwidth = motion.bandwidth;
+  result.force_coefficients = motion.force_coefficients;
+  return result;
+}
+
+ForceSeries force_series(const Problem& problem, const Motion& motion, int max_harmonics) {
+  const int harmonics = std::max(std::min(motion.bandwidth.value_or(max_harmonics), max_harmonics),
+                                 motion.order * highest_load_harmonic(problem));
+  return {.order = motion.order,
+          .base_frequency = kTwoPi / motion.period(),
+          .lambda = spectrum_of(motion, harmonics)};
+}
+
+Eigen::VectorXd impulse_per_forcing_period(const Motion& motion) {
+  return motion.forcing_period * spectrum_of(motion, 0).row(0).real().transpose();
 }
 
 Distance distance(const Motion& a, const Motion& b, int shift) {

@@ -139,15 +139,14 @@ std::vector<int> polyline(const Eigen::MatrixXd& signals, double tolerance) {
   return kept;
 }
 
-Waveforms draw_waveforms(const Problem& problem, const Trajectory& answer, const Trajectory* orbit,
-                         int shift) {
-  const Motion motion = sample_motion(problem, answer, kDrawnGrid);
+Waveforms draw_waveforms(const Motion& answer, const Motion* orbit, int shift) {
+  const Motion motion = thinned(answer, rows_per_period(answer) / kDrawnGrid);
   Waveforms waveforms{.contacts = busiest(motion)};
   if (orbit == nullptr) {
     waveforms.answer = draw(motion, waveforms.contacts, motion.order, 0);
     return waveforms;
   }
-  const Motion certified = sample_motion(problem, *orbit, kDrawnGrid);
+  const Motion certified = thinned(*orbit, rows_per_period(*orbit) / kDrawnGrid);
   const int periods = std::lcm(motion.order, certified.order);
   waveforms.answer = draw(motion, waveforms.contacts, periods, 0);
   waveforms.orbit = draw(certified, waveforms.contacts, periods, shift);

@@ -1,5 +1,5 @@
 #pragma once
-// Motions as they are drawn: few points, chosen by eye's measure.
+// Motions as they are drawn: the few points of a polyline that looks like the motion.
 
 #include "harness/judge/motion.hpp"
 #include "harness/records/record.hpp"
@@ -16,7 +16,6 @@ std::vector<int> polyline(const Eigen::MatrixXd& signals, double tolerance);
 
 /// An answer and, unless null, the certified orbit behind it, moved by `shift` forcing periods; over the
 /// least period common to both, at the contacts that exchange most impulse.
-Waveforms draw_waveforms(const Problem& problem, const Trajectory& answer, const Trajectory* orbit,
-                         int shift);
+Waveforms draw_waveforms(const Motion& answer, const Motion* orbit, int shift);
 
 }  // namespace signorini

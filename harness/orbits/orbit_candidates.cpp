@@ -56,20 +56,19 @@ void take_search(const OrbitSearch& search, OrbitCandidate& candidate) {
 /// The orbit behind an answer of a method, at the answer's own order.
 void polish_answer(const Problem& problem, const Trajectory& answer, SteadyTime deadline,
                    OrbitCandidate& candidate) {
-  const double forcing_period = problem.forcing_period();
-  const std::string defect = trajectory_defect(answer, problem.contact_count(), forcing_period, kGrid);
-  if (!defect.empty()) {
-    candidate.reason = defect;
+  const SampledAnswer sampled = sample_answer(problem, answer);
+  if (!sampled.defect.empty()) {
+    candidate.reason = sampled.defect;
     return;
   }
-  candidate.order = std::max(1, static_cast<int>(std::lround(answer.period() / forcing_period)));
+  candidate.order = sampled.motion.order;
   const Problem same_order = with_subharmonic(problem, candidate.order);
   OrbitFinder finder(same_order);
   const OrbitSearch search = finder.find(answer, search_options(deadline));
   take_search(search, candidate);
   if (!candidate.orbit) return;
   const Motion orbit = sample_motion(same_order, *search.orbit.trajectory);
-  candidate.near = distance(sample_motion(same_order, answer), orbit).x_l2.value_or(0.0) <= kNearOrbit;
+  candidate.near = distance(sampled.motion, orbit).x_l2.value_or(0.0) <= kNearOrbit;
 }
 
 /// One cold solve. Exceptions of the method leave it: the parent takes note.

@@ -22,14 +22,6 @@ std::string size_defect(const char* name, const Eigen::MatrixXd& values, Eigen::
   return {};
 }
 
-std::string samples_defect(const Samples& samples, Eigen::Index count, Eigen::Index contacts) {
-  for (const auto& [name, values] : {std::pair{"x", &samples.x}, std::pair{"velocity", &samples.velocity},
-                                     std::pair{"force", &samples.force}}) {
-    if (std::string defect = size_defect(name, *values, count, contacts); !defect.empty()) return defect;
-  }
-  return {};
-}
-
 std::string impulses_defect(const std::vector<Impulse>& impulses, int contacts, double period) {
   for (const Impulse& impulse : impulses) {
     if (impulse.contact < 0 || impulse.contact >= contacts) {
@@ -121,7 +113,7 @@ SampledTrajectory repeated(const SampledTrajectory& motion, int periods) {
   return SampledTrajectory(std::move(data));
 }
 
-std::string trajectory_defect(const Trajectory& trajectory, int contacts, double forcing_period, int count) {
+std::string trajectory_defect(const Trajectory& trajectory, int contacts, double forcing_period) {
   if (trajectory.contact_count() != contacts) {
     return fmt::format("the trajectory has {} contacts, the scene {}", trajectory.contact_count(), contacts);
   }
@@ -130,8 +122,15 @@ std::string trajectory_defect(const Trajectory& trajectory, int contacts, double
     return fmt::format("the period {} s is no whole multiple of the forcing period {} s", trajectory.period(),
                        forcing_period);
   }
-  std::string defect = impulses_defect(trajectory.impulses(), contacts, trajectory.period());
-  return defect.empty() ? samples_defect(trajectory.sample(count), count, contacts) : defect;
+  return impulses_defect(trajectory.impulses(), contacts, trajectory.period());
+}
+
+std::string samples_defect(const Samples& samples, Eigen::Index count, Eigen::Index contacts) {
+  for (const auto& [name, values] : {std::pair{"x", &samples.x}, std::pair{"velocity", &samples.velocity},
+                                     std::pair{"force", &samples.force}}) {
+    if (std::string defect = size_defect(name, *values, count, contacts); !defect.empty()) return defect;
+  }
+  return {};
 }
 
 }  // namespace signorini

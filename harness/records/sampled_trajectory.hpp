@@ -42,9 +42,13 @@ SampledTrajectory delayed(const SampledTrajectory& motion, double share);
 /// The same motion with `periods` >= 1 of its periods taken for one.
 SampledTrajectory repeated(const SampledTrajectory& motion, int periods);
 
-/// What is wrong with a trajectory as an answer on `contacts` contacts sampled at `count` instants: wrong
-/// sizes, values that are not finite, a period that is not a whole multiple of `forcing_period`
-/// (to 1e-6 relative), impulses outside the period or at no contact. Empty if nothing is.
-std::string trajectory_defect(const Trajectory& trajectory, int contacts, double forcing_period, int count);
+/// What is wrong with a trajectory as an answer on `contacts` contacts before it is sampled: another number
+/// of contacts, a period that is not a whole multiple of `forcing_period` (to 1e-6 relative), impulses
+/// outside the period or at no contact. Empty if nothing is.
+std::string trajectory_defect(const Trajectory& trajectory, int contacts, double forcing_period);
+
+/// What is wrong with samples of `contacts` contacts at `count` instants: wrong sizes, values that are not
+/// finite. Empty if nothing is.
+std::string samples_defect(const Samples& samples, Eigen::Index count, Eigen::Index contacts);
 
 }  // namespace signorini

@@ -47,32 +47,30 @@ std::optional<long> restart_peak_memory() {
   return status_bytes("VmRSS");
 }
 
-/// Fills in what the first solve says; false where there is no answer to look at.
-bool take_solution(const Trial& trial, const Solution& solution, bool expired, Record& record) {
+/// Fills in what the first solve says. Returns the motion of its answer, sampled once for all that is
+/// measured on it; nothing where there is no answer.
+std::optional<Motion> take_solution(const Trial& trial, const Solution& solution, bool expired,
+                                    Record& record) {
   record.message = solution.message;
   record.work.counts = solution.work;
   record.residual = solution.residual;
   record.condition = solution.condition;
   if (solution.verdict != Verdict::converged) {
     record.status = expired ? Status::timeout : Status::not_converged;
-    return false;
+    return std::nullopt;
   }
-  const Problem& problem = trial.scene.problem;
-  const double forcing_period = problem.forcing_period();
-  std::string defect = "it says converged without a trajectory";
-  if (solution.trajectory) {
-    defect = trajectory_defect(*solution.trajectory, problem.contact_count(), forcing_period, kGrid);
-  }
-  if (!defect.empty()) {
+  SampledAnswer answer{.defect = "it says converged without a trajectory"};
+  if (solution.trajectory) answer = sample_answer(trial.scene.problem, *solution.trajectory);
+  if (!answer.defect.empty()) {
     record.status = Status::invalid_output;
-    record.message = defect;
-    return false;
+    record.message = answer.defect;
+    return std::nullopt;
   }
   record.status = Status::converged;
   record.period = solution.trajectory->period();
   record.answer = answer_digest(*solution.trajectory);
   if (trial.samples > 0) record.trajectory = samples_of(*solution.trajectory, trial.samples);
-  return true;
+  return std::move(answer.motion);
 }
 
 /// What was set up and solved for the first time in this process.
@@ -132,17 +130,17 @@ void take_times(const Trial& trial, const FirstCall& first, Record& record) {
   }
 }
 
-void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory>& answer, Record& record) {
+void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory>& answer,
+                      const Motion& motion, Record& record) {
   const Problem problem = under_law(trial.scene.problem, trial.law);
-  const Judgement judgement =
-      certify(problem, answer, trial.reference, trial.orbits, after(trial.limits.certificate_timeout));
+  const Judgement judgement = certify(problem, answer, motion, trial.reference, trial.orbits,
+                                      after(trial.limits.certificate_timeout));
   record.certificate = judgement.certificate;
-  if (judgement.orbit) record.errors = measure_errors(problem, *answer, *judgement.orbit, judgement.shift);
+  if (judgement.orbit) record.errors = measure_errors(problem, motion, *judgement.orbit, judgement.shift);
   if (trial.waveforms)
-    record.waveforms = draw_waveforms(problem, *answer, judgement.orbit.get(), judgement.shift);
+    record.waveforms = draw_waveforms(motion, judgement.orbit ? &*judgement.orbit : nullptr, judgement.shift);
   if (record.law_matches_scene == false && trial.scene_reference.orbit) {
     const Motion scene_orbit = sample_motion(problem, *trial.scene_reference.orbit);
-    const Motion motion = sample_motion(problem, *answer);
     record.errors.x_l2_scene = distance(motion, scene_orbit, best_shift(motion, scene_orbit)).x_l2;
   }
 }
@@ -176,15 +174,15 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   }
   if (const auto peak = status_bytes("VmHWM"); peak && before)
     record.work.peak_memory_bytes = *peak - *before;
-  const bool answered = take_solution(trial, solution, start.expired(), record);
+  const std::optional<Motion> motion = take_solution(trial, solution, start.expired(), record);
   stage_done(record);
-  if (!answered) return;
+  if (!motion) return;
   take_times(trial, {*method, *prepared, trial.start, setup, solve}, record);
   stage_done(record);
-  record.physics = measure_physics(trial.scene.problem, trial.law, *solution.trajectory);
+  record.physics = measure_physics(trial.scene.problem, trial.law, *motion);
   stage_done(record);
   if (trial.certified) {
-    take_certificate(trial, solution.trajectory, record);
+    take_certificate(trial, solution.trajectory, *motion, record);
   } else {
     record.certificate.reason = "not asked for";
   }

@@ -37,19 +37,26 @@ Eigen::MatrixXcd force_spectrum(const Trajectory& trajectory, int count) {
     result.topRows(common) = own.topRows(common);
     return result;
   }
+  return force_spectrum(trajectory.sample(samples_for_spectrum(count)).force, trajectory.impulses(),
+                        trajectory.period(), count);
+}
+
+int samples_for_spectrum(int count) {
   // At 16 samples per harmonic the aliasing of a force with jumps stays below one part in a hundred of
   // the coefficient at the highest harmonic, and far below that at low ones.
-  const auto samples = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(4096, 16 * count))));
-  const Samples motion = trajectory.sample(samples);
-  RealFft fft(samples);
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(4096, 16 * count))));
+}
+
+Eigen::MatrixXcd force_spectrum(const Eigen::MatrixXd& force, const std::vector<Impulse>& impulses,
+                                double period, int count) {
+  RealFft fft(static_cast<int>(force.rows()));
   Eigen::VectorXcd spectrum(fft.coefficients());
-  Eigen::MatrixXcd result(count + 1, trajectory.contact_count());
-  for (int c = 0; c < trajectory.contact_count(); ++c) {
-    fft.forward(motion.force.col(c), spectrum);
+  Eigen::MatrixXcd result(count + 1, force.cols());
+  for (Eigen::Index c = 0; c < force.cols(); ++c) {
+    fft.forward(force.col(c), spectrum);
     result.col(c) = spectrum.head(count + 1);
   }
-  const double period = trajectory.period();
-  for (const Impulse& impulse : trajectory.impulses()) {
+  for (const Impulse& impulse : impulses) {
     for (int n = 0; n <= count; ++n) {
       result(n, impulse.contact) +=
           impulse.value / period * std::polar(1.0, -kTwoPi * n * impulse.time / period);
@@ -95,8 +102,10 @@ Eigen::MatrixXd sample_series(const Eigen::MatrixXcd& coefficients, int count) {
   return result;
 }
 
-PeriodicResponse::PeriodicResponse(const Problem& problem, const Trajectory& trajectory, int max_harmonics) {
-  const ForceSeries series = force_series(problem, trajectory, max_harmonics);
+PeriodicResponse::PeriodicResponse(const Problem& problem, const Trajectory& trajectory, int max_harmonics)
+    : PeriodicResponse(problem, force_series(problem, trajectory, max_harmonics)) {}
+
+PeriodicResponse::PeriodicResponse(const Problem& problem, const ForceSeries& series) {
   base_frequency_ = series.base_frequency;
   u_.resize(series.lambda.rows(), problem.size());
   const SparseMatrix directions = contact_directions(problem);

@@ -36,6 +36,8 @@ class PeriodicResponse {
   /// H and the period as in `force_series`.
   /// \throws std::invalid_argument for a foreign period; std::runtime_error if some Z_n is singular
   PeriodicResponse(const Problem& problem, const Trajectory& trajectory, int max_harmonics = 512);
+  /// The same to a contact force that is given in harmonics. \throws std::runtime_error as above
+  PeriodicResponse(const Problem& problem, const ForceSeries& series);
 
   /// u and v at any time; v is the mean of its sides where it jumps.
   [[nodiscard]] State at(double time) const;
@@ -51,6 +53,14 @@ class PeriodicResponse {
 /// lambda_n = (1/T) integral over a period of lambda e^{-i n w t}. The trajectory's own coefficients where it
 /// has them, zero beyond its bandwidth; else by a fine transform of its samples.
 Eigen::MatrixXcd force_spectrum(const Trajectory& trajectory, int count);
+
+/// The same of a force sampled at equidistant instants of its period, instants x Nc, and of impulses; better
+/// than a hundredth of each coefficient from `samples_for_spectrum(count)` instants on, jumps included.
+Eigen::MatrixXcd force_spectrum(const Eigen::MatrixXd& force, const std::vector<Impulse>& impulses,
+                                double period, int count);
+
+/// Instants at which a force is sampled for its coefficients n = 0..count: a power of two, 16 per harmonic.
+int samples_for_spectrum(int count);
 
 /// The pressure -lambda >= 0 at `count` equidistant instants in units of `unit` [N] per contact, contact by
 /// contact, count Nc: z of a nearby complementarity problem. An impulse J presses as J count / T on the

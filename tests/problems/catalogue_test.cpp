@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "problems/scene/scene_file.hpp"
+#include "problems/validation.hpp"
 
 namespace signorini {
 namespace {

@@ -20,6 +20,12 @@ std::shared_ptr<const Trajectory> scaled(double factor) {
   return test::free_motion(problem);
 }
 
+Judgement certified(const std::shared_ptr<const Trajectory>& answer, const Reference& reference,
+                    const OrbitTools& tools, std::chrono::steady_clock::time_point deadline) {
+  const Problem problem = test::one_mass();
+  return certify(problem, answer, sample_motion(problem, *answer), reference, tools, deadline);
+}
+
 /// Finds one motion at 1e-11, another at 1e-12.
 OrbitSolver finds(double factor, double tight_factor) {
   return [=](const Problem&, const OrbitRequest& request) {
@@ -59,19 +65,19 @@ TEST(FindOrbit, MarchesAgainWhereShootingFailsAtTheTighterTolerance) {
 
 TEST(Certify, MeasuresTheDistanceToTheOrbitNearby) {
   const Reference reference = compute_reference(test::one_mass(), finds(1.0, 1.0), kNoDeadline);
-  const Judgement judgement = certify(test::one_mass(), scaled(1.1), reference, finds(1.0, 1.0), kNoDeadline);
+  const Judgement judgement = certified(scaled(1.1), reference, finds(1.0, 1.0), kNoDeadline);
   const Certificate& certificate = judgement.certificate;
   EXPECT_EQ(certificate.status, CertificateStatus::certified);
   EXPECT_NEAR(certificate.distance.value(), 0.1, 1e-12);
   EXPECT_EQ(certificate.same_orbit, true);
   EXPECT_EQ(certificate.orbit, reference.fingerprint);
   EXPECT_EQ(certificate.reference, reference.fingerprint);
-  EXPECT_NE(judgement.orbit, nullptr);
+  EXPECT_TRUE(judgement.orbit);
 }
 
 TEST(Certify, TellsAnotherOrbitFromTheReference) {
   const Reference reference = compute_reference(test::one_mass(), finds(1.0, 1.0), kNoDeadline);
-  const Judgement judgement = certify(test::one_mass(), scaled(3.1), reference, finds(3.0, 3.0), kNoDeadline);
+  const Judgement judgement = certified(scaled(3.1), reference, finds(3.0, 3.0), kNoDeadline);
   EXPECT_EQ(judgement.certificate.status, CertificateStatus::certified);
   EXPECT_EQ(judgement.certificate.same_orbit, false);
   EXPECT_NE(judgement.certificate.orbit, reference.fingerprint);
@@ -79,19 +85,19 @@ TEST(Certify, TellsAnotherOrbitFromTheReference) {
 
 TEST(Certify, DoesNotCertifyByAnOrbitFarAway) {
   const Judgement judgement =
-      certify(test::one_mass(), scaled(3.0), {.orbit = {}, .reason = "chaos"}, finds(1.0, 1.0), kNoDeadline);
+      certified(scaled(3.0), {.orbit = {}, .reason = "chaos"}, finds(1.0, 1.0), kNoDeadline);
   EXPECT_EQ(judgement.certificate.status, CertificateStatus::uncertified);
   EXPECT_NEAR(judgement.certificate.distance.value(), 2.0, 1e-12);
   EXPECT_EQ(judgement.certificate.reference_reason, "chaos");
-  EXPECT_EQ(judgement.orbit, nullptr);
+  EXPECT_FALSE(judgement.orbit);
 }
 
 TEST(Certify, FallsBackOnTheReferenceNearby) {
   const Reference reference = compute_reference(test::one_mass(), finds(1.0, 1.0), kNoDeadline);
-  const Judgement near = certify(test::one_mass(), scaled(1.2), reference, fails("diverged"), kNoDeadline);
+  const Judgement near = certified(scaled(1.2), reference, fails("diverged"), kNoDeadline);
   EXPECT_EQ(near.certificate.status, CertificateStatus::certified);
   EXPECT_EQ(near.certificate.source, "the motion reached from rest");
-  const Judgement far = certify(test::one_mass(), scaled(2.0), reference, fails("diverged"), kNoDeadline);
+  const Judgement far = certified(scaled(2.0), reference, fails("diverged"), kNoDeadline);
   EXPECT_EQ(far.certificate.status, CertificateStatus::uncertified);
   EXPECT_EQ(far.certificate.reason, "diverged");
 }

@@ -28,6 +28,12 @@ std::shared_ptr<const Trajectory> scaled(double factor) {
   return test::free_motion(problem);
 }
 
+Judgement certified(const std::shared_ptr<const Trajectory>& answer, const Reference& reference,
+                    const OrbitTools& tools, std::chrono::steady_clock::time_point deadline) {
+  const Problem problem = test::one_mass();
+  return certify(problem, answer, sample_motion(problem, *answer), reference, tools, deadline);
+}
+
 OrbitPolisher polishes_to(double factor, double error_bar) {
   return [=](const PolishRequest&) {
     CheckedOrbit orbit{.orbit = scaled(factor)};
@@ -105,8 +111,7 @@ TEST(ExactOrbits, SayWhyAStructureHasNone) {
 
 TEST(Certify, TakesThePolishedOrbitFirst) {
   const Reference none{.orbit = {}, .reason = "chaos"};
-  const Judgement judgement =
-      certify(test::one_mass(), scaled(1.1), none, {fails(), polishes_to(1.0, 1e-13)}, kNoDeadline);
+  const Judgement judgement = certified(scaled(1.1), none, {fails(), polishes_to(1.0, 1e-13)}, kNoDeadline);
   EXPECT_EQ(judgement.certificate.status, CertificateStatus::certified);
   EXPECT_EQ(judgement.certificate.source, "exact orbit");
   EXPECT_NEAR(judgement.certificate.distance.value(), 0.1, 1e-12);
@@ -114,12 +119,11 @@ TEST(Certify, TakesThePolishedOrbitFirst) {
 
 TEST(Certify, RefusesAnOrbitThatIsNotKnownWellEnough) {
   const Reference none{.orbit = {}, .reason = "chaos"};
-  const Judgement judgement =
-      certify(test::one_mass(), scaled(1.0), none, {fails(), polishes_to(1.0, 1e-4)}, kNoDeadline);
+  const Judgement judgement = certified(scaled(1.0), none, {fails(), polishes_to(1.0, 1e-4)}, kNoDeadline);
   EXPECT_EQ(judgement.certificate.status, CertificateStatus::uncertified);
   EXPECT_NE(judgement.certificate.reason.find("known to 1.0e-04 only"), std::string::npos)
       << judgement.certificate.reason;
-  EXPECT_EQ(judgement.orbit, nullptr);
+  EXPECT_FALSE(judgement.orbit);
 }
 
 TEST(ComputeReference, IsNoneWhereMarchingStoppedAwayFromTheExactOrbit) {

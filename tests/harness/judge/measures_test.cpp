@@ -17,9 +17,13 @@ using test::FormulaMotion;
 constexpr double kPi = std::numbers::pi;
 constexpr double kPeriod = kPi;  // of one_mass(): omega = 2
 
-FormulaMotion sine(double mean, double size) {
-  return {kPeriod, [=](double t) { return mean + size * std::sin(2.0 * t); },
-          [=](double t) { return 2.0 * size * std::cos(2.0 * t); }};
+/// A motion of a problem driven as one_mass() is.
+Motion sampled(const Trajectory& motion) { return sample_motion(test::one_mass(), motion); }
+
+Motion sine(double mean, double size) {
+  return sampled(FormulaMotion(
+      kPeriod, [=](double t) { return mean + size * std::sin(2.0 * t); },
+      [=](double t) { return 2.0 * size * std::cos(2.0 * t); }));
 }
 
 TEST(MeasurePhysics, FindsThePenetrationOfASine) {
@@ -47,7 +51,7 @@ TEST(MeasurePhysics, IsEmptyWithoutContacts) {
   problem.contacts.clear();
   problem.law = std::monostate{};
   const Physics physics =
-      measure_physics(problem, std::monostate{}, FormulaMotion(kPeriod, {}, {}, {}, {}, 1, 0));
+      measure_physics(problem, std::monostate{}, sampled(FormulaMotion(kPeriod, {}, {}, {}, {}, 1, 0)));
   EXPECT_FALSE(physics.penetration.has_value());
   EXPECT_FALSE(physics.complementarity.has_value());
   EXPECT_FALSE(physics.contact_ratio.has_value());
@@ -61,12 +65,13 @@ TEST(MeasurePhysics, JudgesASpringStopByTheSpring) {
   const auto x = [](double t) { return 0.1 + 0.4 * std::sin(2.0 * t); };
   const auto v = [](double t) { return 0.8 * std::cos(2.0 * t); };
   const FormulaMotion exact(kPeriod, x, v, [=](double t) { return -k * std::max(0.0, x(t) - 0.3); });
-  EXPECT_NEAR(measure_physics(
-                  problem, problem.law.index() == 0 ? RepresentedLaw{} : RepresentedLaw{Penalty{{k}}}, exact)
-                  .complementarity.value(),
-              0.0, 1e-14);
+  EXPECT_NEAR(
+      measure_physics(problem, problem.law.index() == 0 ? RepresentedLaw{} : RepresentedLaw{Penalty{{k}}},
+                      sampled(exact))
+          .complementarity.value(),
+      0.0, 1e-14);
   const FormulaMotion half(kPeriod, x, v, [=](double t) { return -0.5 * k * std::max(0.0, x(t) - 0.3); });
-  EXPECT_GT(measure_physics(problem, Penalty{{k}}, half).complementarity.value(), 0.01);
+  EXPECT_GT(measure_physics(problem, Penalty{{k}}, sampled(half)).complementarity.value(), 0.01);
 }
 
 TEST(ImpulsePerForcingPeriod, AddsForceAndImpulses) {
@@ -75,12 +80,12 @@ TEST(ImpulsePerForcingPeriod, AddsForceAndImpulses) {
       kPeriod, [](double) { return 0.0; }, [](double) { return 0.0; },
       [](double t) { return std::min(0.0, -3.0 * std::sin(2.0 * t)); },
       {{.contact = 0, .time = 1.0, .value = -0.25}});
-  EXPECT_NEAR(impulse_per_forcing_period(test::one_mass(), motion)[0], -3.0 - 0.25, 1e-5);
+  EXPECT_NEAR(impulse_per_forcing_period(sampled(motion))[0], -3.0 - 0.25, 1e-5);
 }
 
 TEST(MeasureErrors, AreRelativeToTheOrbit) {
   const Problem problem = test::one_mass();
-  const FormulaMotion orbit = sine(0.0, 0.5);
+  const Motion orbit = sine(0.0, 0.5);
   const Errors errors = measure_errors(problem, sine(0.0, 0.6), orbit);
   EXPECT_NEAR(errors.x_l2.value(), 0.2, 1e-12);
   EXPECT_NEAR(errors.x_max.value(), 0.2, 1e-12);
@@ -92,9 +97,9 @@ TEST(MeasureErrors, AreRelativeToTheOrbit) {
 
 TEST(MeasureErrors, TakeTheImpulseOfTheWorstContact) {
   const auto push = [](double size) {
-    return FormulaMotion(
+    return sampled(FormulaMotion(
         kPeriod, [](double t) { return std::sin(2.0 * t); }, [](double t) { return 2.0 * std::cos(2.0 * t); },
-        [](double) { return 0.0; }, {{.contact = 0, .time = 1.0, .value = size}});
+        [](double) { return 0.0; }, {{.contact = 0, .time = 1.0, .value = size}}));
   };
   EXPECT_NEAR(measure_errors(test::one_mass(), push(-1.5), push(-2.0)).impulse.value(), 0.25, 1e-12);
 }
@@ -103,7 +108,7 @@ TEST(MeasureErrors, CompareTheWholeFieldWhereThereIsMoreThanTheContacts) {
   Problem problem = test::one_mass();
   problem.contacts.clear();
   problem.law = std::monostate{};
-  const FormulaMotion nothing(kPeriod, {}, {}, {}, {}, 1, 0);
+  const Motion nothing = sampled(FormulaMotion(kPeriod, {}, {}, {}, {}, 1, 0));
   const Errors errors = measure_errors(problem, nothing, nothing);
   EXPECT_FALSE(errors.x_l2.has_value());
   EXPECT_EQ(errors.u_l2.value(), 0.0);
@@ -125,7 +130,7 @@ TEST(MeasurePhysics, FindsTheRestitutionOfAListedImpact) {
   const double b = 0.5, c = 0.5 / kPeriod;  // v_- = T, v_+ = -T / 2
   const FormulaMotion motion =
       bounce(0.2, b, c, {{.contact = 0, .time = 0.0, .value = -1.0}}, {}, [](double) { return 0.0; });
-  const Physics physics = measure_physics(test::one_mass(0.2), Restitution{0.5}, motion);
+  const Physics physics = measure_physics(test::one_mass(0.2), Restitution{0.5}, sampled(motion));
   ASSERT_EQ(physics.effective_restitution.size(), 1U);
   EXPECT_NEAR(physics.effective_restitution[0], 0.5, 1e-6);
 }
@@ -135,7 +140,7 @@ TEST(MeasurePhysics, FindsTheRestitutionOfAnImpactSpreadOverTheResolution) {
   const double width = kPeriod / (2.0 * bandwidth);
   const auto force = [=](double t) { return t < 0.5 * width || t > kPeriod - 0.5 * width ? -1.0 : 0.0; };
   const FormulaMotion motion = bounce(0.2, 0.5, 0.5 / kPeriod, {}, bandwidth, force);
-  const Physics physics = measure_physics(test::one_mass(0.2), Restitution{0.5}, motion);
+  const Physics physics = measure_physics(test::one_mass(0.2), Restitution{0.5}, sampled(motion));
   ASSERT_EQ(physics.effective_restitution.size(), 1U);
   // Speeds are means over period / bandwidth beside the contact.
   EXPECT_NEAR(physics.effective_restitution[0], 0.5, 3.0 / bandwidth);
@@ -155,7 +160,7 @@ TEST(ContactPhases, JoinRipplesAndTellImpactsFromLastingContact) {
   const FormulaMotion motion(
       T, [](double t) { return std::sin(2.0 * t); }, [](double t) { return 2.0 * std::cos(2.0 * t); }, force,
       {}, bandwidth);
-  const std::vector<ContactPhase> phases = contact_phases(sample_motion(test::one_mass(), motion));
+  const std::vector<ContactPhase> phases = contact_phases(sampled(motion));
   ASSERT_EQ(phases.size(), 2U);
   EXPECT_TRUE(phases[0].lasting);
   EXPECT_NEAR(phases[0].begin, 0.4 * T, 1e-3 * T);
@@ -168,33 +173,34 @@ TEST(ContactPhases, KnowAContactThatNeverOpens) {
   const FormulaMotion motion(
       kPeriod, [](double) { return 0.2; }, [](double) { return 0.0; },
       [](double t) { return -2.0 + std::cos(2.0 * t); }, {}, 10);
-  const std::vector<ContactPhase> phases = contact_phases(sample_motion(test::one_mass(0.2), motion));
+  const std::vector<ContactPhase> phases = contact_phases(sampled(motion));
   ASSERT_EQ(phases.size(), 1U);
   EXPECT_TRUE(phases[0].lasting);
   EXPECT_NEAR(phases[0].impulse, -2.0 * kPeriod, 1e-9);
-  EXPECT_EQ(contact_ratio(sample_motion(test::one_mass(0.2), motion)), 1.0);
+  EXPECT_EQ(contact_ratio(sampled(motion)), 1.0);
 }
 
 TEST(EnergyDefect, VanishesForTheLinearResponse) {
   const Problem problem = test::one_mass();
-  EXPECT_LT(energy_defect(problem, Restitution{1.0}, *test::free_motion(problem)).value.value(), 1e-13);
+  EXPECT_LT(energy_defect(problem, Restitution{1.0}, sampled(*test::free_motion(problem))).value.value(),
+            1e-13);
 }
 
 TEST(EnergyDefect, IsAbsentWithoutWorkOrLaw) {
   Problem problem = test::one_mass();
-  EXPECT_FALSE(energy_defect(problem, Undetermined{}, *test::free_motion(problem)).value.has_value());
+  EXPECT_FALSE(
+      energy_defect(problem, Undetermined{}, sampled(*test::free_motion(problem))).value.has_value());
   problem.force.front().harmonic = 0;  // a constant load does no work over a period
   const EnergyDefect still = energy_defect(problem, Restitution{1.0}, sine(1.0, 0.0));
   EXPECT_FALSE(still.value.has_value());
   EXPECT_EQ(still.reason, "the load does no work");
 }
 
-FormulaMotion motion_of(const test::SingleImpactOrbit& orbit) {
-  return {orbit.period,
-          [orbit](double t) { return orbit.x(t); },
-          [orbit](double t) { return orbit.velocity(t); },
-          [](double) { return 0.0; },
-          {{.contact = 0, .time = orbit.impact_time, .value = -orbit.impulse}}};
+Motion motion_of(const test::SingleImpactOrbit& orbit, const Problem& problem) {
+  const FormulaMotion motion(
+      orbit.period, [orbit](double t) { return orbit.x(t); }, [orbit](double t) { return orbit.velocity(t); },
+      [](double) { return 0.0; }, {{.contact = 0, .time = orbit.impact_time, .value = -orbit.impulse}});
+  return sample_motion(problem, motion);
 }
 
 class ClosedFormOrbits : public testing::TestWithParam<double> {
@@ -205,12 +211,12 @@ class ClosedFormOrbits : public testing::TestWithParam<double> {
 };
 
 TEST_P(ClosedFormOrbits, BalanceEnergyUnderTheirOwnLaw) {
-  const FormulaMotion motion = motion_of(orbit_);
+  const Motion motion = motion_of(orbit_, problem_);
   EXPECT_LT(energy_defect(problem_, Restitution{GetParam()}, motion).value.value(), 1e-6);
 }
 
 TEST_P(ClosedFormOrbits, MissUnderAnotherLawWhatTheLawsDifferBy) {
-  const FormulaMotion motion = motion_of(orbit_);
+  const Motion motion = motion_of(orbit_, problem_);
   const double e = GetParam();
   const double other = e == 1.0 ? 0.0 : 1.0;
   // (1 - e)/(2 (1 + e)) J^2 / m is what each law loses with this impulse; the work is what damping and the
@@ -232,7 +238,7 @@ TEST_P(ClosedFormOrbits, MissUnderAnotherLawWhatTheLawsDifferBy) {
 }
 
 TEST_P(ClosedFormOrbits, ShowTheirRestitution) {
-  const Physics physics = measure_physics(problem_, Restitution{GetParam()}, motion_of(orbit_));
+  const Physics physics = measure_physics(problem_, Restitution{GetParam()}, motion_of(orbit_, problem_));
   ASSERT_EQ(physics.effective_restitution.size(), 1U);
   EXPECT_NEAR(physics.effective_restitution[0], GetParam(), 1e-5);
   EXPECT_LT(physics.penetration.value(), 1e-6);

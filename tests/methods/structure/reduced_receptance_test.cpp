@@ -247,8 +247,9 @@ Problem random_structure(int seed) {
   Eigen::VectorXd shape = Eigen::VectorXd::Ones(size);
   for (int i = 0; i < 30; ++i) shape = factors.solve(problem.mass() * shape).normalized();
   const double lowest = std::sqrt(shape.dot(problem.stiffness() * shape) / shape.dot(problem.mass() * shape));
-  problem.damping() =
-      uniform(0.0, 0.05) * lowest * problem.mass() + uniform(0.001, 0.05) / lowest * problem.stiffness();
+  problem.edit_structure([&](Structure& s) {
+    s.damping = uniform(0.0, 0.05) * lowest * s.mass + uniform(0.001, 0.05) / lowest * s.stiffness;
+  });
   problem.frequency = lowest * uniform(0.3, 1.5);
   for (int c = 0; c <= among(4); ++c) problem.contacts.push_back({{{(7 * c + among(7)) % size, 1.0}}, 0.1});
   problem.force = {{among(size), 1, 1.0, uniform(-1.0, 1.0)}, {among(size), 2, 0.0, 0.5}};
