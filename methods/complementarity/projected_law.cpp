@@ -27,18 +27,6 @@ double penalty_multiple(const Problem& problem, int harmonics) {
 
 }  // namespace
 
-ContactReceptance fourier_receptance(const Problem& problem, int harmonics) {
-  const double base = problem.base_frequency();
-  return contact_receptance(problem, harmonics, [base](int n) { return exact_weights(n * base); });
-}
-
-Eigen::MatrixXcd contact_motion(const ContactReceptance& receptance, const Eigen::MatrixXcd& lambda) {
-  Eigen::MatrixXcd x = receptance.free_response;
-  for (Eigen::Index n = 0; n < x.rows(); ++n)
-    x.row(n) += (receptance.receptance[static_cast<std::size_t>(n)] * lambda.row(n).transpose()).transpose();
-  return x;
-}
-
 Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance) {
   const int highest = receptance.harmonics();
   const int lowest = (highest + 1) / 2;

@@ -36,12 +36,6 @@ struct EnumNames<Quadrature> {
 /// H where it is left to the method and nothing asks for more.
 constexpr int kDefaultHarmonics = 20;
 
-/// C_n and free response of the undiscretised structure for |n| <= H.
-ContactReceptance fourier_receptance(const Problem& problem, int harmonics);
-
-/// x_n = x_f,n + C_n lambda_n, n = 0..H: the motion at the contacts under their forces, (H+1) x Nc [m].
-Eigen::MatrixXcd contact_motion(const ContactReceptance& receptance, const Eigen::MatrixXcd& lambda);
-
 /// Size of the dynamic stiffness at the highest harmonics kept, per contact: the harmonic mean of
 /// 1 / |C_n| over H/2 <= n <= H, Nc [N/m]. For one mass about m (3 H w / 4)^2.
 Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance);

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "methods/flow/rigid_events.hpp"
-#include "methods/solvers/impact.hpp"
+#include "methods/solvers/small_lcp.hpp"
 
 namespace signorini {
 

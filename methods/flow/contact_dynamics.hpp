@@ -5,7 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <vector>
 
-#include "methods/structure/periodic_response.hpp"
+#include "methods/structure/state.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {

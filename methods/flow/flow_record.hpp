@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "methods/structure/periodic_response.hpp"
+#include "methods/structure/state.hpp"
 
 namespace signorini {
 

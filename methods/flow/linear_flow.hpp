@@ -8,6 +8,7 @@
 
 #include "methods/flow/contact_dynamics.hpp"
 #include "methods/flow/energy_form.hpp"
+#include "methods/solution.hpp"
 
 namespace signorini {
 

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "methods/flow/impact.hpp"
 #include "methods/solvers/constants.hpp"
-#include "methods/solvers/impact.hpp"
+#include "methods/solvers/small_lcp.hpp"
 
 namespace signorini {
 

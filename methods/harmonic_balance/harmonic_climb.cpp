@@ -8,7 +8,7 @@
 
 #include "methods/complementarity/exact_quadrature.hpp"
 #include "methods/discretisation/real_fft.hpp"
-#include "methods/solvers/impact.hpp"
+#include "methods/solvers/small_lcp.hpp"
 
 namespace signorini {
 

@@ -23,23 +23,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-HarmonicWeights scheme_weights(HatScheme scheme, double theta, double step) {
-  if (scheme == HatScheme::backward) {
-    const Complex s = (1.0 - std::polar(1.0, -theta)) / step;
-    return {s * s, s, 1.0, 1.0};
-  }
-  // 1 - cos theta by the half angle, which keeps its digits at low harmonics.
-  const double half = std::sin(0.5 * theta);
-  const double gram = scheme == HatScheme::galerkin ? 1.0 - 2.0 * half * half / 3.0 : 1.0;
-  return {-4.0 * half * half / (step * step), Complex(0.0, std::sin(theta) / step), gram, gram};
-}
-
-/// s_n = (e^{i theta} + e e^{-i theta}) / (1 + e), or 1 where no restitution is imposed.
-Complex restitution_shift(const std::optional<double>& e, double theta) {
-  if (!e) return 1.0;
-  return (std::polar(1.0, theta) + *e * std::polar(1.0, -theta)) / (1.0 + *e);
-}
-
 // Pivots per unknown after which a path counts as long: scenes without chatter need one to two.
 constexpr int kShortPath = 4;
 constexpr int kLongPath = 100;

@@ -2,29 +2,14 @@
 // Hat functions in time with a contact condition at the nodes: the problem behind hat-lcp, and the coarse
 // solve that exact-orbit starts from.
 
-#include <array>
 #include <memory>
 #include <optional>
-#include <string_view>
 
+#include "methods/discretisation/symbols.hpp"
 #include "methods/method.hpp"
 #include "methods/solvers/complementarity_solver.hpp"
 
 namespace signorini {
-
-/// Symbol of the structure at theta = 2 pi n / N, dt = T / N.
-enum class HatScheme {
-  galerkin,  ///< hat functions, Galerkin: -M (2 - 2 cos theta)/dt^2 + i D sin(theta)/dt + K (2 + cos theta)/3
-  nodal,     ///< the same with K and the load lumped at the nodes
-  backward,  ///< backward differences, s = (1 - e^{-i theta})/dt: s^2 M + s D + K; represents restitution 0
-};
-
-/// The values of the option `scheme`.
-template <>
-struct EnumNames<HatScheme> {
-  /// In the order of the enumerators.
-  static constexpr std::array<std::string_view, 3> values{"galerkin", "nodal", "backward"};
-};
 
 /// How a scene is set on nodes, and how its problem is solved.
 struct HatSettings {

@@ -5,15 +5,10 @@
 #include <Eigen/Core>
 
 #include "methods/solution.hpp"
+#include "methods/structure/state.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {
-
-/// State of the whole structure at one instant.
-struct State {
-  Eigen::VectorXd u;  ///< Nd [m]
-  Eigen::VectorXd v;  ///< Nd [m/s]
-};
 
 /// The contact force of a trajectory in harmonics of the trajectory's own period.
 struct ForceSeries {

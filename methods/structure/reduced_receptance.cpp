@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "methods/structure/block_lanczos.hpp"
+#include "methods/structure/dynamic_stiffness.hpp"
 #include "problems/proportional_damping.hpp"
 
 namespace signorini {
@@ -53,7 +54,7 @@ struct LoadColumns {
 class ReducedModel {
  public:
   ReducedModel(const Problem& problem, const ProportionalDamping& damping, int harmonics,
-               const std::function<HarmonicWeights(int)>& weights)
+               const WeightsOfHarmonic& weights)
       : contacts_(problem.contact_count()) {
     gather_loads(problem, harmonics, weights);
     const double lowest = std::abs(weights(std::min(1, harmonics)).mass);
@@ -118,8 +119,7 @@ class ReducedModel {
            (8.0 * real.operations() + 16.0 * contacts_ * real.entries());
   }
 
-  void gather_loads(const Problem& problem, int harmonics,
-                    const std::function<HarmonicWeights(int)>& weights) {
+  void gather_loads(const Problem& problem, int harmonics, const WeightsOfHarmonic& weights) {
     LoadColumns columns;
     std::vector<std::pair<int, int>> places;
     const int loaded = std::min(harmonics, load_bandwidth(problem));
@@ -302,8 +302,7 @@ class ReducedModel {
 }  // namespace
 
 std::optional<ContactReceptance> reduced_receptance(const Problem& problem, int harmonics,
-                                                    const std::function<HarmonicWeights(int)>& weights,
-                                                    double tolerance) {
+                                                    const WeightsOfHarmonic& weights, double tolerance) {
   const auto damping = proportional_damping(problem.mass(), problem.stiffness(), problem.damping());
   if (!damping || problem.contact_count() == 0) return std::nullopt;
   ReducedModel model(problem, *damping, harmonics, weights);

@@ -1,19 +1,16 @@
 #pragma once
 // Contact receptances of large structures from one real factorisation.
 
-#include <functional>
 #include <optional>
 
-#include "methods/structure/receptance.hpp"
+#include "methods/structure/contact_receptance.hpp"
+#include "problems/problem.hpp"
 
 namespace signorini {
 
 /// Error of a projected receptance that may be left, relative to its norm: far below what a truncated series
 /// leaves, and below any defect of energy that says something [-].
 inline constexpr double kReducedTolerance = 1e-10;
-
-/// Coordinates up to which each Z_n is factorised without further ado; beyond, a projection is tried first.
-inline constexpr int kMostFactorised = 2000;
 
 /// `contact_receptance` by projection. With D = alpha M + beta K every dynamic stiffness is a combination of
 /// the same two matrices, Z_n = kappa_n P + mu_n M, P = K + sigma M. On the basis V of the block Krylov space
@@ -39,7 +36,6 @@ inline constexpr int kMostFactorised = 2000;
 ///         factorisation of every Z_n would: the direct solution is the better one
 /// \throws SingularStiffness
 std::optional<ContactReceptance> reduced_receptance(const Problem& problem, int harmonics,
-                                                    const std::function<HarmonicWeights(int)>& weights,
-                                                    double tolerance);
+                                                    const WeightsOfHarmonic& weights, double tolerance);
 
 }  // namespace signorini

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 
+#include "methods/structure/receptance.hpp"
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/chain.hpp"
 #include "problems/assembly/damping.hpp"

@@ -1,4 +1,4 @@
-#include "methods/solvers/impact.hpp"
+#include "methods/solvers/small_lcp.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -150,15 +150,6 @@ std::optional<Eigen::VectorXd> solve_small_lcp(const Eigen::MatrixXd& A, const E
   if (auto z = pivoting.run()) return z;
   const auto basis = lemke_basis(A, q, held);
   return basis ? pivoting.with_basis(*basis) : std::nullopt;
-}
-
-std::optional<Eigen::VectorXd> newton_impulses(const ImpactInput& input) {
-  const Eigen::VectorXd closing = input.approach.cwiseMax(0.0);
-  const Eigen::VectorXd q = -(input.approach + input.restitution.cwiseProduct(closing));
-  const auto z =
-      solve_small_lcp(input.delassus, q, std::vector<bool>(static_cast<std::size_t>(q.size()), false));
-  if (!z) return std::nullopt;
-  return Eigen::VectorXd(-*z);
 }
 
 }  // namespace signorini

@@ -1,0 +1,94 @@
+#include "methods/structure/dynamic_stiffness.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/UmfPackSupport>
+#include <limits>
+
+#include "problems/definiteness.hpp"
+
+namespace signorini {
+
+namespace {
+
+// Below this many coordinates a dense factorisation is the faster one.
+constexpr int kDenseLimit = 32;
+
+}  // namespace
+
+bool prefers_dense(const Problem& problem) { return problem.size() <= kDenseLimit; }
+
+struct DynamicStiffness::Factors {
+  using SparseComplex = Eigen::SparseMatrix<std::complex<double>>;
+
+  // A sparse factorisation goes on over pivots of rounding size: whether K is singular is asked beforehand.
+  Factors(const Problem& problem, bool as_dense)
+      : dense(as_dense), held(as_dense || is_definite(problem.stiffness())) {
+    if (dense) {
+      dense_mass = problem.mass();
+      dense_damping = problem.damping();
+      dense_stiffness = problem.stiffness();
+    } else {
+      mass = problem.mass().cast<std::complex<double>>();
+      damping = problem.damping().cast<std::complex<double>>();
+      stiffness = problem.stiffness().cast<std::complex<double>>();
+      auto& control = sparse_lu.umfpackControl();
+      control(UMFPACK_STRATEGY) = UMFPACK_STRATEGY_SYMMETRIC;
+      if (problem.size() > kMostFactorised) control(UMFPACK_ORDERING) = UMFPACK_ORDERING_METIS;
+      // Diagonal pivots of a well-scaled Z leave residuals of rounding; refining them triples the time of a
+      // solve.
+      control(UMFPACK_IRSTEP) = 0;
+    }
+  }
+
+  void factorise(const HarmonicWeights& weights) {
+    if (weights.mass == 0.0 && weights.damping == 0.0 && !held) throw SingularStiffness();
+    if (dense) {
+      matrix =
+          weights.mass * dense_mass + weights.damping * dense_damping + weights.stiffness * dense_stiffness;
+      lu.compute(matrix);
+      // An exact rcond costs as much as the solve; the estimate is enough to refuse a singular Z.
+      if (!(lu.rcond() > std::numeric_limits<double>::epsilon())) throw SingularStiffness();
+      return;
+    }
+    sparse = weights.mass * mass + weights.damping * damping + weights.stiffness * stiffness;
+    sparse.makeCompressed();
+    if (!analysed) sparse_lu.analyzePattern(sparse);
+    analysed = true;
+    sparse_lu.factorize(sparse);
+    if (sparse_lu.info() != Eigen::Success) throw SingularStiffness();
+  }
+
+  [[nodiscard]] Eigen::MatrixXcd solve(const Eigen::MatrixXcd& rhs) const {
+    if (dense) return lu.solve(rhs);
+    Eigen::MatrixXcd solution = sparse_lu.solve(rhs);
+    if (!solution.allFinite()) throw SingularStiffness();
+    return solution;
+  }
+
+  bool dense;
+  bool held;
+  bool analysed = false;
+  Eigen::MatrixXd dense_mass, dense_damping, dense_stiffness;
+  Eigen::MatrixXcd matrix;
+  Eigen::PartialPivLU<Eigen::MatrixXcd> lu;
+  SparseComplex mass, damping, stiffness, sparse;
+  Eigen::UmfPackLU<SparseComplex> sparse_lu;
+};
+
+DynamicStiffness::DynamicStiffness(const Problem& problem)
+    : factors_(std::make_unique<Factors>(problem, prefers_dense(problem))) {}
+DynamicStiffness::DynamicStiffness(const Problem& problem, bool dense)
+    : factors_(std::make_unique<Factors>(problem, dense)) {}
+DynamicStiffness::~DynamicStiffness() = default;
+
+void DynamicStiffness::factorise(const HarmonicWeights& weights) { factors_->factorise(weights); }
+
+Eigen::MatrixXcd DynamicStiffness::solve(const Eigen::MatrixXcd& rhs) const { return factors_->solve(rhs); }
+
+Eigen::VectorXcd load_coefficient(const Problem& problem, int n) {
+  if (n % problem.subharmonic != 0) return Eigen::VectorXcd::Zero(problem.size());
+  const Eigen::VectorXcd load = load_harmonic(problem, n / problem.subharmonic);
+  return n == 0 ? load : Eigen::VectorXcd(0.5 * load);
+}
+
+}  // namespace signorini
