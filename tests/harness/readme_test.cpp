@@ -9,12 +9,13 @@
 #include "harness/files.hpp"
 #include "harness/records/record_store.hpp"
 #include "harness/report/formats/markdown.hpp"
+#include "tests/support/data_folder.hpp"
 
 namespace signorini {
 namespace {
 
 TEST(Readme, ShowsTheTablesOfTheCommittedRecords) {
-  const std::filesystem::path root = std::string(SIGNORINI_TEST_DATA) + "/../..";
+  const std::filesystem::path root = test::data_folder() / "../..";
   const std::string readme = read_file(root / "README.md");
   for (const std::string run : {"hard", "paper", "quick"}) {
     const std::filesystem::path folder = root / "results" / run;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "methods/discretisation/real_fft.hpp"
+#include "tests/support/data_folder.hpp"
 
 namespace signorini::test {
 
@@ -15,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 
 Json read(const std::string& file) {
-  std::ifstream stream(std::string(SIGNORINI_TEST_DATA) + "/reference/" + file);
+  std::ifstream stream(test::data_folder() / "reference" / file);
   if (!stream) throw std::runtime_error("missing test data: " + file);
   return Json::parse(stream);
 }

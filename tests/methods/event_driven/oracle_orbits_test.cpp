@@ -12,6 +12,7 @@
 #include "methods/flow/period_map.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
 #include "tests/methods/event_driven/steady_state_cases.hpp"
+#include "tests/support/data_folder.hpp"
 
 namespace signorini::test {
 namespace {
@@ -20,7 +21,7 @@ constexpr EventDriven::Steady kMarching = EventDriven::Steady::marching;
 constexpr EventDriven::Steady kShooting = EventDriven::Steady::shooting;
 
 nlohmann::json oracle(const std::string& name) {
-  std::ifstream file(std::string(SIGNORINI_TEST_DATA) + "/oracles/" + name);
+  std::ifstream file(test::data_folder() / "oracles" / name);
   if (!file) throw std::runtime_error("tests/data/oracles/" + name + " is missing");
   return nlohmann::json::parse(file);
 }

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "tests/support/data_folder.hpp"
+
 namespace signorini::test {
 
 namespace {
@@ -102,7 +104,7 @@ SparseMatrix sparse(const Rows& rows) {
 }
 
 std::vector<SteadyStateCase> steady_state_cases(const std::string& family) {
-  std::ifstream file(std::string(SIGNORINI_TEST_DATA) + "/siconos/" + family + ".json");
+  std::ifstream file(test::data_folder() / "siconos" / (family + ".json"));
   if (!file) throw std::runtime_error("tests/data/siconos/" + family + ".json is missing");
   std::vector<SteadyStateCase> cases;
   const Json json = Json::parse(file);
