@@ -59,15 +59,12 @@ function(signorini_module name)
   target_precompile_headers(signorini_${name} REUSE_FROM signorini_precompiled)
 endfunction()
 
-# signorini_method(NAME SOURCES ... TESTS ...): a method in the folder that calls this. Its tests become the target
-# test_method_NAME where tests are built.
+# signorini_method(NAME SOURCES ...): the method in the folder that calls this, methods/NAME. Its tests are in
+# tests/methods/NAME, see signorini_method_test.
 function(signorini_method name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;TESTS")
-  list(TRANSFORM arg_SOURCES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
-  list(TRANSFORM arg_TESTS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES")
   target_sources(signorini_methods PRIVATE ${arg_SOURCES})
   set_property(GLOBAL APPEND PROPERTY SIGNORINI_METHODS ${name})
-  set_property(GLOBAL PROPERTY SIGNORINI_TESTS_OF_${name} ${arg_TESTS})
 endfunction()
 
 # signorini_test(NAME SOURCES ... LINK ... [LABELS ...]): a GoogleTest binary whose cases ctest knows one by one.
@@ -81,4 +78,12 @@ function(signorini_test name)
     set(arg_LABELS unit)
   endif()
   gtest_discover_tests(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 600 DISCOVERY_TIMEOUT 60)
+endfunction()
+
+# signorini_method_test(NAME SOURCES ... [LINK ...] [LABELS ...]): the tests of the method NAME, test_method_NAME, in the
+# folder that calls this, tests/methods/NAME.
+function(signorini_method_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;LABELS")
+  signorini_test(test_method_${name} SOURCES ${arg_SOURCES} LINK signorini::methods signorini_test_support ${arg_LINK}
+                 LABELS ${arg_LABELS})
 endfunction()

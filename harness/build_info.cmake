@@ -1,5 +1,6 @@
 # Run at every build: writes OUTPUT from TEMPLATE if a fact has changed. ROOT: the source tree.
-# LIBRARIES: "name=version" items. Facts that do not exist (no git) stay empty.
+# METHODS: the folders of the methods; LIBRARIES: "name=version" items; both separated by commas. Facts that do not
+# exist (no git) stay empty.
 
 find_package(Git QUIET)
 set(COMMIT "")
@@ -31,10 +32,8 @@ function(hash_sources result without)
   set(${result} ${hash} PARENT_SCOPE)
 endfunction()
 
-# The folders of the methods, as the one list of methods names them; the other folders of methods/ are shared.
-file(STRINGS ${ROOT}/methods/catalogue.cpp folders REGEX "^#include \"methods/[a-z0-9_]+/")
-list(TRANSFORM folders REPLACE "^#include \"methods/([a-z0-9_]+)/.*$" "\\1")
-list(REMOVE_DUPLICATES folders)
+# The folders of the methods; the other folders of methods/ are shared.
+string(REPLACE "," ";" folders "${METHODS}")
 
 # The reference solver (event_driven) changes every record; the other methods, reports and commands change those of others not.
 set(other_methods ${folders})

@@ -69,12 +69,12 @@ table=$copy/results/local-my-method/table.md
 grep -q '^| sdof-far-stop .*| my-method\[harmonics=10\] .*| converged ' "$table" || fail 'the quick table lacks the method'
 grep -q '^| my-method .*| *72 *|' "$table" || fail 'the summary lacks the method'
 hashes >"$folder/after"
-changed=$(diff "$folder/before" "$folder/after" | sed -n 's/^[<>] [0-9a-f]*  //p' | LC_ALL=C sort -u | grep -v '^\./methods/my_method/' || true)
+changed=$(diff "$folder/before" "$folder/after" | sed -n 's/^[<>] [0-9a-f]*  //p' | LC_ALL=C sort -u | grep -v -e '^\./methods/my_method/' -e '^\./tests/methods/my_method/' || true)
 [ "$changed" = ./methods/catalogue.cpp ] || fail "other files changed: $changed"
 lines=$(diff "$tree/methods/catalogue.cpp" "$copy/methods/catalogue.cpp" | grep -c '^[<>]')
 [ "$lines" -eq 2 ] || fail "$lines lines of the catalogue changed"
 if command -v clang-format >/dev/null; then
-  (cd "$copy" && clang-format --dry-run -Werror methods/catalogue.cpp methods/my_method/*.?pp) || fail 'the format of what was written'
+  (cd "$copy" && clang-format --dry-run -Werror methods/catalogue.cpp methods/my_method/*.?pp tests/methods/my_method/*.cpp) || fail 'the format of what was written'
 fi
 echo "a method takes $count commands"
 

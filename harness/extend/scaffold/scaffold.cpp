@@ -43,24 +43,35 @@ void set(Places& places, const std::string& place, const std::string& text) {
   }
 }
 
+/// Makes a folder and those above it that are missing; `made` gets those that were.
+void make_folders(const fs::path& folder, std::vector<fs::path>& made) {
+  if (folder.empty() || fs::exists(folder)) return;
+  make_folders(folder.parent_path(), made);
+  fs::create_directory(folder);
+  made.push_back(folder);
+}
+
 }  // namespace
 
 Scaffold method_in_tree(std::string_view name, const fs::path& tree) {
   const Spellings spellings = spellings_of(name);
   require_no_such_method(name);
   const fs::path folder = tree / "methods" / spellings.folder, catalogue = tree / "methods" / "catalogue.cpp";
+  const fs::path tests = tree / "tests" / "methods" / spellings.folder;
   require_nothing_at(name, folder);
+  require_nothing_at(name, tests);
   if (const auto header = header_declaring(tree, spellings.type))
     refuse_name(name, fmt::format("must give a class name that is free: {} declares {}", header->string(),
                                   spellings.type));
   const Places places = places_of(spellings, fmt::format("methods/{0}/{0}.hpp", spellings.folder));
   Scaffold scaffold;
-  for (const auto& [file, text] : {std::pair{spellings.folder + ".hpp", kMethodHeaderTemplate},
-                                   std::pair{spellings.folder + ".cpp", kMethodSourceTemplate},
-                                   std::pair{spellings.folder + "_test.cpp", kMethodTestTemplate},
-                                   std::pair{std::string("CMakeLists.txt"), kMethodBuildTemplate},
-                                   std::pair{std::string("README.md"), kMethodPageTemplate}})
-    scaffold.fresh.push_back({.path = folder / file, .text = filled(text, places)});
+  for (const auto& [file, text] : {std::pair{folder / (spellings.folder + ".hpp"), kMethodHeaderTemplate},
+                                   std::pair{folder / (spellings.folder + ".cpp"), kMethodSourceTemplate},
+                                   std::pair{folder / "CMakeLists.txt", kMethodBuildTemplate},
+                                   std::pair{folder / "README.md", kMethodPageTemplate},
+                                   std::pair{tests / (spellings.folder + "_test.cpp"), kMethodTestTemplate},
+                                   std::pair{tests / "CMakeLists.txt", kMethodTestBuildTemplate}})
+    scaffold.fresh.push_back({.path = file, .text = filled(text, places)});
   scaffold.changed.push_back({.path = catalogue, .text = with_entry(read_file(catalogue), spellings)});
   scaffold.next = {
       fmt::format("cmake --build build/release --target signorini test_method_{}", spellings.folder),
@@ -113,8 +124,7 @@ void write(const Scaffold& scaffold) {
   std::vector<fs::path> made;
   try {
     for (const ScaffoldFile& file : scaffold.fresh) {
-      if (const fs::path folder = file.path.parent_path(); !folder.empty() && fs::create_directories(folder))
-        made.push_back(folder);
+      make_folders(file.path.parent_path(), made);
       made.push_back(file.path);
       write_whole(file.path, file.text);
     }

@@ -20,9 +20,9 @@ struct Scaffold {
   std::vector<std::string> next = {};  ///< what to do now, a command or a sentence each
 };
 
-/// A method in a folder of its own, methods/NAME, with header, source, test, build and page;
-/// methods/catalogue.cpp gets two lines. \throws UsageError for a bad name, or one that a method, a folder or
-/// a class already has
+/// A method as all those of the tree are: methods/NAME with header, source, build and page,
+/// tests/methods/NAME with a test and its build, and two lines in methods/catalogue.cpp. \throws UsageError
+/// for a bad name, or one that a method, a folder or a class already has
 Scaffold method_in_tree(std::string_view name, const std::filesystem::path& tree);
 
 /// A method in the folder `parent`/NAME that is built as a plugin against an installed signorini.

@@ -1,5 +1,5 @@
 #pragma once
-// The files of harness/templates as strings, and how their places are filled.
+// The files below templates/ as strings, and how their places are filled.
 
 #include <string>
 #include <string_view>
@@ -11,6 +11,7 @@ namespace signorini {
 extern const std::string_view kMethodHeaderTemplate;
 extern const std::string_view kMethodSourceTemplate;
 extern const std::string_view kMethodTestTemplate;
+extern const std::string_view kMethodTestBuildTemplate;
 extern const std::string_view kMethodBuildTemplate;
 extern const std::string_view kMethodPageTemplate;
 extern const std::string_view kPluginBuildTemplate;

@@ -87,20 +87,37 @@ TEST(WithEntry, RefusesACatalogueWithoutAList) {
       std::string::npos);
 }
 
-TEST(NewMethod, WritesAFolderOfItsOwnAndTwoLinesElsewhere) {
+TEST(NewMethod, WritesItsFolderThatOfItsTestsAndTwoLinesElsewhere) {
   const fs::path tree = small_tree("new-method");
   const std::size_t before = files_below(tree);
   write(method_in_tree("my-method", tree));
-  EXPECT_EQ(files_below(tree), before + 5);
+  EXPECT_EQ(files_below(tree), before + 6);
   for (const char* file :
-       {"my_method.hpp", "my_method.cpp", "my_method_test.cpp", "CMakeLists.txt", "README.md"}) {
-    const std::string text = read_file(tree / "methods" / "my_method" / file);
+       {"methods/my_method/my_method.hpp", "methods/my_method/my_method.cpp",
+        "methods/my_method/CMakeLists.txt", "methods/my_method/README.md",
+        "tests/methods/my_method/my_method_test.cpp", "tests/methods/my_method/CMakeLists.txt"}) {
+    const std::string text = read_file(tree / file);
     EXPECT_EQ(text.find("{{"), std::string::npos) << file;
     EXPECT_TRUE(text.ends_with('\n') && !text.ends_with("\n\n")) << file;
     EXPECT_EQ(text.find("plugin"), std::string::npos) << file;
   }
   const std::string catalogue = read_file(tree / "methods" / "catalogue.cpp");
   EXPECT_EQ(std::count(catalogue.begin(), catalogue.end(), '\n'), 8 + 2);
+}
+
+/// Text of a CMakeLists.txt with the name of its method replaced by NAME.
+std::string build_of(const fs::path& tree, const std::string& folder, const std::string& method) {
+  std::string text = read_file(tree / folder / method / "CMakeLists.txt");
+  for (std::size_t at = text.find(method); at != std::string::npos; at = text.find(method))
+    text.replace(at, method.size(), "NAME");
+  return text;
+}
+
+TEST(NewMethod, IsBuiltAsTheShippedMethodsAre) {
+  const fs::path tree = small_tree("as-shipped"), shipped = SIGNORINI_SOURCE_TREE;
+  write(method_in_tree("my-method", tree));
+  for (const char* folder : {"methods", "tests/methods"})
+    EXPECT_EQ(build_of(tree, folder, "my_method"), build_of(shipped, folder, "hat_lcp")) << folder;
 }
 
 TEST(NewMethod, RefusesWhatIsTakenAndWritesNothing) {
@@ -121,6 +138,7 @@ TEST(NewMethod, TakesBackWhatItWroteIfTheListCannotBeChanged) {
   scaffold.changed.front().path = tree / "no-such-folder" / "catalogue.cpp";
   EXPECT_NE(refusal([&] { write(scaffold); }), "accepted");
   EXPECT_FALSE(fs::exists(tree / "methods" / "my_method"));
+  EXPECT_FALSE(fs::exists(tree / "tests"));
 }
 
 TEST(NewMethod, OutOfTreeIsAPluginThatFindsAnInstalledSignorini) {
