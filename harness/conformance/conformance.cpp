@@ -50,7 +50,7 @@ void ask_all(std::vector<Question>& questions, double limit) {
     IsolationLimits limits{.stage_seconds = stages, .memory_mb = kMemory};
     limits.stage_seconds.push_back(kEndSeconds);
     const ChildEnd end = run_isolated(
-        [&](const Send& send) {
+        [&](const LineSender& send) {
           for (std::size_t i = next; i < questions.size(); ++i)
             send(to_json(questions[i].ask()).dump(-1, ' ', false, Json::error_handler_t::replace));
         },
@@ -137,7 +137,7 @@ class Examination {
 
   /// Whether the steps of its ladder can be made without harm to this process, as check_declaration tells.
   [[nodiscard]] bool can_be_made() const {
-    const auto make = [this](const Send&) {
+    const auto make = [this](const LineSender&) {
       for (const Settings& settings : usable_ladder(entry_)) (void)entry_.make(settings)->options();
     };
     return run_isolated(make, {.stage_seconds = {kEndSeconds}, .memory_mb = kMemory}).kind ==

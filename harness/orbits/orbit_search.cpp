@@ -149,7 +149,7 @@ class Census {
 void run_units(const std::vector<CandidateUnit>& units, SteadyTime deadline, Census& census) {
   std::vector<IsolatedWork> work;
   for (const CandidateUnit& unit : units) {
-    work.push_back([&unit, deadline](const Send& send) {
+    work.push_back([&unit, deadline](const LineSender& send) {
       unit.work(
           [&send](const OrbitCandidate& candidate) {
             send(to_json(candidate).dump(-1, ' ', false, Json::error_handler_t::replace));

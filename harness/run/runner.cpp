@@ -9,6 +9,7 @@
 
 #include "harness/interrupt.hpp"
 #include "harness/judge/certificate.hpp"
+#include "harness/plan/deadline.hpp"
 #include "harness/run/timing.hpp"
 
 namespace signorini {
@@ -52,7 +53,7 @@ Survey read_survey(const std::string& line) {
   return survey;
 }
 
-void send_survey(const Scene& scene, const Case& run, const Send& send) {
+void send_survey(const Scene& scene, const Case& run, const LineSender& send) {
   const std::unique_ptr<Method> method = run.choice.make();
   const Support support = method->supports(scene.problem);
   Json json{{"ok", support.ok}, {"reason", support.reason}};
@@ -155,7 +156,7 @@ std::vector<Survey> Runner::survey(const Scene& scene, std::span<const Case* con
   while (surveys.size() < cases.size() && !interrupted()) {
     const auto rest = cases.subspan(surveys.size());
     const ChildEnd end = run_isolated(
-        [&](const Send& send) {
+        [&](const LineSender& send) {
           for (const Case* run : rest) send_survey(scene, *run, send);
         },
         {.stage_seconds = {kQuickSeconds}, .memory_mb = limits_.memory_mb});
@@ -175,11 +176,9 @@ void Runner::compute_references(const Scene& scene, std::span<const Survey> surv
     const std::string key = law_key(scene.problem, law);
     if (references_.contains(key) || std::find(keys.begin(), keys.end(), key) != keys.end()) return;
     keys.push_back(key);
-    work.push_back([this, &scene, law](const Send& send) {
-      const auto limit = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-          std::chrono::duration<double>(limits_.reference_timeout));
+    work.push_back([this, &scene, law](const LineSender& send) {
       send(as_line(to_json(compute_reference(under_law(scene.problem, law), orbits_,
-                                             std::chrono::steady_clock::now() + limit))));
+                                             deadline_after(limits_.reference_timeout)))));
     });
   };
   const auto runs = [](const Survey& survey) { return survey.ok; };
@@ -297,7 +296,7 @@ void Runner::run_first(const Scene& scene, std::span<const Job> jobs, int parall
       continue;
     }
     places.push_back(i);
-    work.push_back([this, &scene, &job = jobs[i], &extras](const Send& send) {
+    work.push_back([this, &scene, &job = jobs[i], &extras](const LineSender& send) {
       run_trial(trial_of(scene, job, extras), blank(scene, *job.run, *job.survey),
                 [&](const Record& so_far) { send(as_line(to_json(so_far))); });
     });
@@ -323,7 +322,7 @@ void Runner::run_later(const Scene& scene, std::span<const Job> jobs, std::span<
                        int parallel, const TakeRecord& take, const SolveExtras& extras) const {
   std::vector<IsolatedWork> work;
   for (const Job& job : jobs) {
-    work.push_back([this, &scene, &job, &extras](const Send& send) {
+    work.push_back([this, &scene, &job, &extras](const LineSender& send) {
       // A run that is resumed may find no orbit this time.
       if (const std::string obstacle = start_obstacle(scene, job); !obstacle.empty())
         return send(repeat_line({.times = {}, .message = obstacle}));

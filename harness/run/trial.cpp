@@ -10,6 +10,7 @@
 #include "harness/judge/certificate.hpp"
 #include "harness/judge/measures.hpp"
 #include "harness/judge/waveform.hpp"
+#include "harness/plan/deadline.hpp"
 #include "harness/records/answer_digest.hpp"
 #include "harness/records/trajectory_json.hpp"
 #include "harness/run/method_failure.hpp"
@@ -20,10 +21,6 @@ namespace signorini {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-Clock::time_point after(double seconds) {
-  return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-}
 
 template <class Work>
 double seconds_of(const Work& work) {
@@ -103,7 +100,7 @@ Round round_from(const FirstCall& first, const std::string& name, const Problem&
     return seconds_of([&] { fresh = first.method.prepare(problem); });
   };
   const auto solve = [&] {
-    const Start start{.guess = first.start, .deadline = after(limits.timeout)};
+    const Start start{.guess = first.start, .deadline = deadline_after(limits.timeout)};
     Solution solution;
     const double seconds = seconds_of([&] { solution = first.prepared.solve(start); });
     latest = std::move(solution);
@@ -134,7 +131,7 @@ void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory
                       const Motion& motion, Record& record) {
   const Problem problem = under_law(trial.scene.problem, trial.law);
   const Judgement judgement = certify(problem, answer, motion, trial.reference, trial.orbits,
-                                      after(trial.limits.certificate_timeout));
+                                      deadline_after(trial.limits.certificate_timeout));
   record.certificate = judgement.certificate;
   if (judgement.orbit) record.errors = measure_errors(problem, motion, *judgement.orbit, judgement.shift);
   if (trial.waveforms)
@@ -152,7 +149,7 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   std::unique_ptr<PreparedMethod> prepared;
   Solution solution;
   const std::optional<long> before = restart_peak_memory();
-  const Start start{.guess = trial.start, .deadline = after(trial.limits.timeout)};
+  const Start start{.guess = trial.start, .deadline = deadline_after(trial.limits.timeout)};
   double setup = 0.0;
   try {
     setup = seconds_of([&] { prepared = method->prepare(trial.scene.problem); });
@@ -195,7 +192,7 @@ RepeatedSolve repeat_solve(const Scene& scene, const Case& run, const Limits& li
   std::unique_ptr<PreparedMethod> prepared;
   Solution solution;
   const double setup = seconds_of([&] { prepared = method->prepare(scene.problem); });
-  const Start begin{.guess = start, .deadline = after(limits.timeout)};
+  const Start begin{.guess = start, .deadline = deadline_after(limits.timeout)};
   const double solve = seconds_of([&] { solution = prepared->solve(begin); });
   const std::string answer = digest_of(solution);
   if (answer.empty()) return {.times = {}, .message = solution.message};

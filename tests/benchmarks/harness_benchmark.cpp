@@ -34,7 +34,7 @@ BENCHMARK(planning_ten_thousand_cases)->Unit(benchmark::kMillisecond);
 
 /// A process that does nothing.
 void empty_process(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(run_isolated([](const Send&) {}, {}));
+  for (auto _ : state) benchmark::DoNotOptimize(run_isolated([](const LineSender&) {}, {}));
 }
 BENCHMARK(empty_process)->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -1,11 +1,12 @@
 #pragma once
 // An executable that is given text and prints text.
 
-#include <chrono>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "harness/plan/deadline.hpp"
 
 namespace signorini {
 
@@ -18,11 +19,10 @@ struct CommandEnd {
   std::string last_words = {};     ///< last line on its stderr
 };
 
-/// Runs `words`, a program and its arguments, with `input` on stdin, in a process group of its own that is
-/// killed at the end, whatever is left of it. Libraries for linear algebra are told to use one thread, as all
-/// methods do. The command dies with the calling process.
-/// \throws std::system_error if no process can be made
-CommandEnd run_command(const std::vector<std::string>& words, std::string_view input,
-                       std::chrono::steady_clock::time_point deadline);
+/// Runs `words`, a program and its arguments, with `input` on stdin. At the end or at the deadline its
+/// process group is killed, with all that the command has started in it. Libraries for linear algebra are
+/// told to use one thread, as all methods do. The command dies with the calling process. \throws
+/// std::system_error if no process can be made
+CommandEnd run_command(const std::vector<std::string>& words, std::string_view input, Deadline deadline);
 
 }  // namespace signorini

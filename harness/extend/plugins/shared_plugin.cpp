@@ -122,7 +122,7 @@ void try_plugin(const fs::path& file) {
 std::vector<MethodEntry> load_shared_plugin(const fs::path& file) {
   const std::string hash = sha256_of_file(file);
   const ChildEnd end =
-      run_isolated([&](const Send&) { try_plugin(file); }, {.stage_seconds = {kProbeSeconds}});
+      run_isolated([&](const LineSender&) { try_plugin(file); }, {.stage_seconds = {kProbeSeconds}});
   if (end.kind == ChildEnd::Kind::threw) throw UsageError(end.detail);
   if (end.kind != ChildEnd::Kind::finished)
     refuse(file, "must load and make its methods; in a trial " + describe(end));

@@ -22,7 +22,7 @@ constexpr IsolationLimits quick() { return {.stage_seconds = {5.0}, .grace = 0.1
 TEST(RunIsolated, HandsOverEveryLineWhole) {
   const std::string large(3'000'000, 'x');
   const ChildEnd end = run_isolated(
-      [&](const Send& send) {
+      [&](const LineSender& send) {
         send("first");
         send(large);
         send("");
@@ -37,7 +37,7 @@ TEST(RunIsolated, HandsOverEveryLineWhole) {
 
 TEST(RunIsolated, KeepsWhatWasSentBeforeACrash) {
   const ChildEnd end = run_isolated(
-      [](const Send& send) {
+      [](const LineSender& send) {
         send("one");
         std::abort();
       },
@@ -49,7 +49,7 @@ TEST(RunIsolated, KeepsWhatWasSentBeforeACrash) {
 
 TEST(RunIsolated, ReportsTheLastWordsOfACrash) {
   const ChildEnd end = run_isolated(
-      [](const Send&) {
+      [](const LineSender&) {
         const std::string words = "something\nassertion failed: x > 0\n";
         if (write(STDERR_FILENO, words.data(), words.size()) < 0) _exit(9);
         std::raise(SIGSEGV);
@@ -60,7 +60,7 @@ TEST(RunIsolated, ReportsTheLastWordsOfACrash) {
 }
 
 TEST(RunIsolated, GivesEachStageItsOwnTime) {
-  const auto work = [](const Send& send) {
+  const auto work = [](const LineSender& send) {
     for (int i = 0; i < 4; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(120));
       send("stage");
@@ -74,7 +74,7 @@ TEST(RunIsolated, GivesEachStageItsOwnTime) {
 
 TEST(RunIsolated, LeavesNoProcessBehind) {
   const ChildEnd end = run_isolated(
-      [](const Send& send) {
+      [](const LineSender& send) {
         const pid_t grandchild = fork();
         if (grandchild == 0) {
           std::signal(SIGTERM, SIG_IGN);
@@ -93,7 +93,7 @@ TEST(RunIsolated, LeavesNoProcessBehind) {
 
 TEST(RunIsolated, EndsAGrandchildThatLeftTheProcessGroup) {
   const ChildEnd end = run_isolated(
-      [](const Send& send) {
+      [](const LineSender& send) {
         std::array<int, 2> ready{};
         if (pipe(ready.data()) != 0) std::abort();
         const pid_t grandchild = fork();
@@ -120,7 +120,7 @@ TEST(RunIsolated, AllowsEachStageTheProcessorTimeOfOneThread) {
     return processor.rlim_cur;
   };
   const ChildEnd end = run_isolated(
-      [&](const Send& send) {
+      [&](const LineSender& send) {
         send(std::to_string(limit()));
         while (limit() <= 4) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         send(std::to_string(limit()));
@@ -130,7 +130,7 @@ TEST(RunIsolated, AllowsEachStageTheProcessorTimeOfOneThread) {
 }
 
 TEST(RunIsolated, TellsWhoUsedUpTheProcessorTime) {
-  const ChildEnd end = run_isolated([](const Send&) { std::raise(SIGXCPU); }, quick());
+  const ChildEnd end = run_isolated([](const LineSender&) { std::raise(SIGXCPU); }, quick());
   EXPECT_EQ(end.kind, Kind::out_of_processor_time);
   EXPECT_NE(describe(end).find("processor time"), std::string::npos);
 }
@@ -139,7 +139,7 @@ TEST(RunIsolated, ClosesTheFilesOfTheParent) {
   const int file = dup(STDERR_FILENO);
   ASSERT_GE(file, 0);
   const ChildEnd end = run_isolated(
-      [file](const Send& send) { send(write(file, "x", 1) < 0 && errno == EBADF ? "closed" : "open"); },
+      [file](const LineSender& send) { send(write(file, "x", 1) < 0 && errno == EBADF ? "closed" : "open"); },
       quick());
   close(file);
   EXPECT_EQ(end.lines, (std::vector<std::string>{"closed"}));
@@ -147,7 +147,7 @@ TEST(RunIsolated, ClosesTheFilesOfTheParent) {
 
 TEST(RunIsolated, DoesNotWaitForAGrandchildThatHoldsThePipe) {
   const ChildEnd end = run_isolated(
-      [](const Send& send) {
+      [](const LineSender& send) {
         if (fork() == 0) {
           for (;;) pause();
         }
@@ -159,7 +159,7 @@ TEST(RunIsolated, DoesNotWaitForAGrandchildThatHoldsThePipe) {
 
 TEST(RunIsolated, SurvivesAChildThatTalksWithoutEnd) {
   const ChildEnd end = run_isolated(
-      [](const Send& send) {
+      [](const LineSender& send) {
         const std::string chatter(1U << 16U, 'y');
         for (int i = 0; i < 100; ++i) {
           if (write(STDOUT_FILENO, chatter.data(), chatter.size()) < 0) break;  // cut off, not killed
@@ -174,7 +174,7 @@ TEST(RunIsolated, SurvivesAChildThatTalksWithoutEnd) {
 TEST(RunIsolatedTogether, KeepsTheOrderOfTheWork) {
   std::vector<IsolatedWork> work;
   for (int i = 0; i < 7; ++i) {
-    work.push_back([i](const Send& send) {
+    work.push_back([i](const LineSender& send) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10 * (7 - i)));
       if (i == 3) std::abort();
       send(std::to_string(i));
