@@ -19,7 +19,7 @@
 #include "harness/records/shards.hpp"
 #include "harness/report/formats/markdown.hpp"
 #include "harness/report/report.hpp"
-#include "harness/run/campaign.hpp"
+#include "harness/run/suite_run.hpp"
 #include "problems/scene/scene_file.hpp"
 
 namespace signorini {
@@ -61,7 +61,7 @@ Limits limits_of(const RunArguments& arguments, const Suite& suite) {
 }
 
 void print_plan(const Plan& plan) {
-  for (const Case& run : plan.cases) fmt::print("{}\n", run.id);
+  for (const Case& planned_case : plan.cases) fmt::print("{}\n", planned_case.id);
   fmt::print(stderr, "{} cases on {} scenes\n", plan.cases.size(), plan.scenes.size());
 }
 
@@ -76,8 +76,8 @@ Plan plan_of(const RunArguments& arguments, const Suite& suite) {
 nlohmann::ordered_json manifest_of(const RunArguments& arguments, const Suite& suite, const Limits& limits,
                                    const Plan& plan) {
   nlohmann::ordered_json manifest = make_manifest(suite, limits, arguments.schedule, arguments.words);
-  for (const Case& run : plan.cases) {
-    const MethodEntry& entry = *run.choice.entry;
+  for (const Case& planned_case : plan.cases) {
+    const MethodEntry& entry = *planned_case.choice.entry;
     if (!entry.plugin.empty()) manifest["plugins"][entry.name] = entry.plugin;
   }
   if (arguments.shard) manifest["shard"] = *arguments.shard;
@@ -136,7 +136,7 @@ int run_suite(const RunArguments& arguments) {
                arguments.resume);
   if (!build_may_be_timed()) fmt::print(stderr, "this is not a Release build: no times are recorded\n");
   watch_interrupts();
-  const CampaignResult result = run_campaign(plan, runner, store, arguments.schedule, print_scene);
+  const SuiteRunResult result = run_plan(plan, runner, store, arguments.schedule, print_scene);
   if (result.interrupted) {
     fmt::print(stderr,
                "interrupted after {} of {} cases; the same command with --resume --out {} does the rest\n",
@@ -179,7 +179,7 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
   command->add_flag("--waveforms", arguments->waveforms,
                     "keep the motions in the records, for the figures of report; doubles their size");
   command
-      ->add_option("--seed", arguments->schedule.seed, "of the order of cases, a Latin square for each scene")
+      ->add_option("--seed", arguments->schedule.seed, "of the random order of a scene's cases in each round")
       ->check(not_negative)
       ->capture_default_str();
   command

@@ -71,10 +71,11 @@ void print_report(const Record& record) {
 
 int solve(const SolveArguments& arguments) {
   const Scene scene = read_scene(find_scene(arguments.scene));
-  const Case run = make_case(scene, 0, {&find_method(arguments.method), parse_settings(arguments.settings)});
+  const std::vector cases{
+      make_case(scene, 0, {&find_method(arguments.method), parse_settings(arguments.settings)})};
   SolveExtras extras{.samples = arguments.samples};
   if (!arguments.start.empty()) extras.start = start_from_file(arguments.start);
-  if (extras.start && run.choice.start())
+  if (extras.start && cases.front().choice.start())
     throw UsageError("set = start (must be left out: --start names the motion to start from)");
   if (extras.start && extras.start->contact_count() != scene.problem.contact_count()) {
     throw UsageError(fmt::format("start = {} (must have {} contacts as the scene has, not {})",
@@ -83,11 +84,10 @@ int solve(const SolveArguments& arguments) {
   }
   watch_interrupts();
   Runner runner{Limits{}};
-  const Case* const cases[] = {&run};
-  const std::vector<Survey> surveys = runner.survey(scene, cases);
+  const std::vector<Job> jobs = runner.make_jobs(scene, cases);
   if (interrupted()) return kInterrupted;
-  runner.compute_references(scene, surveys);
-  const std::optional<Record> record = runner.run(scene, {.run = &run, .survey = &surveys.front()}, extras);
+  runner.compute_references(scene, jobs);
+  const std::optional<Record> record = runner.run(scene, jobs.front(), extras);
   if (!record) return kInterrupted;
   if (arguments.json) {
     fmt::print("{}\n",

@@ -40,6 +40,22 @@ Case case_of(const Record& record, const Scene& scene, std::span<const MethodEnt
   return make_case(scene, 0, choices.front());
 }
 
+/// Keeps the complete records of a rerun.
+class RerunObserver final : public RoundObserver {
+ public:
+  RerunObserver(std::vector<std::optional<Record>>& records,
+                const std::function<void(const std::string&)>& news)
+      : records_(records), news_(news) {}
+  void begins(const std::string& what) override {
+    if (news_) news_(what);
+  }
+  void case_done(std::size_t index, const Record& record) override { records_[index] = record; }
+
+ private:
+  std::vector<std::optional<Record>>& records_;
+  const std::function<void(const std::string&)>& news_;
+};
+
 /// One scene's records again.
 class SceneRerun {
  public:
@@ -57,20 +73,14 @@ class SceneRerun {
     }
     std::vector<Case> cases;
     for (const Record* record : kept) cases.push_back(case_of(*record, scene, catalogue));
-    std::vector<const Case*> pointers;
-    for (const Case& one : cases) pointers.push_back(&one);
     Runner runner(limits);
     if (news_) news_(scene.problem.name + ": references");
-    const std::vector<Survey> surveys = runner.survey(scene, pointers);
+    const std::vector<Job> jobs = runner.make_jobs(scene, cases);
     if (interrupted()) return;
-    runner.compute_references(scene, surveys);
-    std::vector<Job> jobs;
-    for (std::size_t i = 0; i < cases.size(); ++i) jobs.push_back({.run = &cases[i], .survey = &surveys[i]});
+    runner.compute_references(scene, jobs);
     std::vector<std::optional<Record>> now(cases.size());
-    run_rounds(runner, scene, jobs, now, {},
-               {.begin = news_, .unfinished = {}, .complete = [&](std::size_t i, const Record& record) {
-                  now[i] = record;
-                }});
+    RerunObserver observer(now, news_);
+    run_rounds(runner, scene, jobs, now, {}, observer);
     for (std::size_t i = 0; i < cases.size(); ++i) {
       if (now[i]) take(*kept[i], *now[i]);
     }

@@ -151,12 +151,9 @@ class Examination {
     ladder.ladder = usable_ladder(entry_);
     std::vector<Case> cases;
     for (const Settings& settings : ladder.ladder) cases.push_back(make_case(scene, 0, {&entry_, settings}));
-    std::vector<const Case*> pointers;
-    for (const Case& one : cases) pointers.push_back(&one);
     Runner runner(Limits{.timeout = quest_.timeout, .memory_mb = kMemory, .repetitions = 1});
-    const std::vector<Survey> surveys = runner.survey(scene, pointers);
-    for (std::size_t i = 0; i < surveys.size(); ++i) {
-      const auto record = runner.run(scene, {.run = &cases[i], .survey = &surveys[i]}, {.timed = false});
+    for (const Job& job : runner.make_jobs(scene, cases)) {
+      const auto record = runner.run(scene, job, {.timed = false});
       if (!record) return std::nullopt;
       ladder.records.push_back(*record);
     }

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "harness/interrupt.hpp"
+#include "harness/isolation/isolation.hpp"
 #include "harness/judge/exact_certificate.hpp"
 #include "harness/judge/orbit.hpp"
 #include "harness/records/record.hpp"
-#include "harness/run/isolation.hpp"
 #include "methods/structure/condensation.hpp"
 
 namespace signorini {

@@ -79,7 +79,7 @@ Json make_manifest(const Suite& suite, const Limits& limits, const Schedule& sch
           {"suite", suite.name},
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
           {"command_line", command_line},
-          {"order", "scene by scene, rounds in Latin squares"},
+          {"order", "scene by scene, rounds in random order"},
           {"seed", schedule.seed},
           {"jobs", schedule.together()},
           {"times_comparable", build_may_be_timed() && schedule.together() == 1},

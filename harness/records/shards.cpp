@@ -73,7 +73,7 @@ std::vector<int> balance(std::span<const double> seconds, int parts) {
 
 Plan take_shard(const Plan& plan, const Shard& shard, const Durations& durations) {
   std::vector<double> seconds(plan.scenes.size(), 0.0);
-  for (const Case& run : plan.cases) seconds[run.scene] += durations.of(run.id);
+  for (const Case& planned_case : plan.cases) seconds[planned_case.scene] += durations.of(planned_case.id);
   const std::vector<int> part_of = balance(seconds, shard.count);
   Plan part;
   std::vector<std::size_t> place(plan.scenes.size());
@@ -82,10 +82,10 @@ Plan take_shard(const Plan& plan, const Shard& shard, const Durations& durations
     place[i] = part.scenes.size();
     part.scenes.push_back(plan.scenes[i]);
   }
-  for (const Case& run : plan.cases) {
-    if (part_of[run.scene] != shard.index - 1) continue;
-    part.cases.push_back(run);
-    part.cases.back().scene = place[run.scene];
+  for (const Case& planned_case : plan.cases) {
+    if (part_of[planned_case.scene] != shard.index - 1) continue;
+    part.cases.push_back(planned_case);
+    part.cases.back().scene = place[planned_case.scene];
   }
   return part;
 }

@@ -113,7 +113,7 @@ Round round_from(const FirstCall& first, const std::string& name, const Problem&
 }
 
 void take_times(const Trial& trial, const FirstCall& first, Record& record) {
-  const std::string& untimed = trial.run.choice.entry->untimed;
+  const std::string& untimed = trial.planned_case.choice.entry->untimed;
   if (!trial.timed) {
     record.not_timed = "not asked for";
   } else if (!untimed.empty()) {
@@ -145,7 +145,7 @@ void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory
 }  // namespace
 
 void run_trial(const Trial& trial, Record record, const std::function<void(const Record&)>& stage_done) {
-  const std::unique_ptr<Method> method = trial.run.choice.make();
+  const std::unique_ptr<Method> method = trial.planned_case.choice.make();
   std::unique_ptr<PreparedMethod> prepared;
   Solution solution;
   const std::optional<long> before = restart_peak_memory();
@@ -186,9 +186,9 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   stage_done(record);
 }
 
-RepeatedSolve repeat_solve(const Scene& scene, const Case& run, const Limits& limits,
+RepeatedSolve repeat_solve(const Scene& scene, const Case& planned_case, const Limits& limits,
                            const std::shared_ptr<const Trajectory>& start) {
-  const std::unique_ptr<Method> method = run.choice.make();
+  const std::unique_ptr<Method> method = planned_case.choice.make();
   std::unique_ptr<PreparedMethod> prepared;
   Solution solution;
   const double setup = seconds_of([&] { prepared = method->prepare(scene.problem); });
@@ -196,8 +196,10 @@ RepeatedSolve repeat_solve(const Scene& scene, const Case& run, const Limits& li
   const double solve = seconds_of([&] { solution = prepared->solve(begin); });
   const std::string answer = digest_of(solution);
   if (answer.empty()) return {.times = {}, .message = solution.message};
-  return {.times = round_from({*method, *prepared, start, setup, solve}, run.id, scene.problem, limits).times,
-          .answer = answer};
+  return {
+      .times =
+          round_from({*method, *prepared, start, setup, solve}, planned_case.id, scene.problem, limits).times,
+      .answer = answer};
 }
 
 }  // namespace signorini

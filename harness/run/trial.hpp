@@ -1,5 +1,5 @@
 #pragma once
-// What happens in the child process of one run: solve, time, measure, certify.
+// What the child process of one case does in its first round: solve, time, measure, certify.
 
 #include <functional>
 #include <memory>
@@ -10,12 +10,12 @@
 
 namespace signorini {
 
-/// One run. What it points to must outlive it.
+/// What a first round is given. What it refers to must outlive it.
 struct Trial {
   const Scene& scene;
-  const Case& run;
+  const Case& planned_case;
   const Limits& limits;
-  RepresentedLaw law = {};           ///< the method's on this scene
+  RepresentedLaw law = {};           ///< that the method represents on this scene
   const Reference& reference;        ///< of the scene under that law
   const Reference& scene_reference;  ///< of the scene under its own
   const OrbitTools& orbits;
@@ -26,12 +26,12 @@ struct Trial {
   bool waveforms = false;  ///< keep the answer and its orbit as they are drawn
 };
 
-/// Stages of a trial, its first round of timing among them; after each the record known so far is handed over
-/// whole.
+/// Stages of a trial, in order; its first round of timing is one of them.
 enum class TrialStage { solved, timed, measured, certified };
 
-/// Runs a trial into `record`, which already names scene, method and law. Stops after the stage `solved`
-/// where there is no answer. Exceptions of the method leave it.
+/// Runs a trial into `record`, which already names scene, method and law, and calls `stage_done` with it
+/// after each stage. Stops after the stage `solved` where there is no answer. Does not catch what the method
+/// throws.
 void run_trial(const Trial& trial, Record record, const std::function<void(const Record&)>& stage_done);
 
 /// One more round of timing: its times, or why there are none.
@@ -42,8 +42,8 @@ struct RepeatedSolve {
 };
 
 /// Sets up and solves anew from the same start, for the times and to see whether the answer is the same.
-/// Exceptions of the method leave it.
-RepeatedSolve repeat_solve(const Scene& scene, const Case& run, const Limits& limits,
+/// Does not catch what the method throws.
+RepeatedSolve repeat_solve(const Scene& scene, const Case& planned_case, const Limits& limits,
                            const std::shared_ptr<const Trajectory>& start);
 
 }  // namespace signorini

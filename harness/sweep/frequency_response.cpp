@@ -63,14 +63,12 @@ class Sweep {
     scene_.problem.frequency = frequency;
     std::shared_ptr<const Trajectory> start;
     if (last_) start = stretched(*last_, last_frequency_ / frequency);
-    const Case run = make_case(scene_, 0, method_);
-    const Case* const cases[] = {&run};
-    const std::vector<Survey> surveys = runner_.survey(scene_, cases);
-    if (surveys.empty()) return std::nullopt;
+    const std::vector cases{make_case(scene_, 0, method_)};
+    const std::vector<Job> jobs = runner_.make_jobs(scene_, cases);
+    if (jobs.empty()) return std::nullopt;
     const SolveExtras extras{
         .start = start, .samples = kSweepInstants, .timed = false, .certified = limits_.certified};
-    const std::optional<Record> record =
-        runner_.run(scene_, {.run = &run, .survey = &surveys.front()}, extras);
+    const std::optional<Record> record = runner_.run(scene_, jobs.front(), extras);
     if (!record) return std::nullopt;
     if (leads_on(*record)) {
       last_ = *record;

@@ -6,7 +6,7 @@
 
 #include "harness/records/run_folder.hpp"
 #include "harness/records/shards.hpp"
-#include "harness/run/campaign.hpp"
+#include "harness/run/rounds.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
 
@@ -38,6 +38,21 @@ void empty_process(benchmark::State& state) {
 }
 BENCHMARK(empty_process)->Unit(benchmark::kMillisecond)->UseRealTime();
 
+/// Appends every record under a key of its own.
+class AppendingObserver final : public RoundObserver {
+ public:
+  explicit AppendingObserver(RecordStore& store) : store_(store) {}
+  void case_done(std::size_t, const Record& record) override {
+    Record fresh = record;
+    fresh.key = std::to_string(++count_);
+    store_.append(fresh);
+  }
+
+ private:
+  RecordStore& store_;
+  long count_ = 0;
+};
+
 /// A case of a method that gives up at once: its process, its record, its line on the disk. What remains of a
 /// case is the method's and the judge's.
 void overhead_per_case(benchmark::State& state) {
@@ -45,19 +60,11 @@ void overhead_per_case(benchmark::State& state) {
   const Scene scene = test::one_mass_scene();
   Runner runner({}, test::free_orbits());
   RecordStore store(folder, false);
-  const Case run = test::fake_case(scene, "give_up");
-  const std::array<const Case*, 1> cases{&run};
-  const std::vector<Survey> surveys = runner.survey(scene, cases);
-  runner.compute_references(scene, surveys);
-  const std::array jobs{Job{.run = &run, .survey = &surveys.front()}};
-  long count = 0;
-  for (auto _ : state) {
-    run_rounds(runner, scene, jobs, {std::nullopt}, {},
-               {.begin = {}, .unfinished = {}, .complete = [&](std::size_t, Record record) {
-                  record.key = std::to_string(++count);
-                  store.append(record);
-                }});
-  }
+  const std::vector cases{test::fake_case(scene, "give_up")};
+  const std::vector<Job> jobs = runner.make_jobs(scene, cases);
+  runner.compute_references(scene, jobs);
+  AppendingObserver observer(store);
+  for (auto _ : state) run_rounds(runner, scene, jobs, {std::nullopt}, {}, observer);
 }
 BENCHMARK(overhead_per_case)->Unit(benchmark::kMillisecond)->UseRealTime();
 

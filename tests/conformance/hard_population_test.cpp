@@ -27,13 +27,13 @@ struct Tally {
 
 Record run(const MethodEntry& entry, const test::ImpactOscillator& oscillator) {
   const Scene scene{.problem = test::to_problem(oscillator)};
-  const Case run = make_case(scene, 0, {.entry = &entry});
+  const Case planned_case = make_case(scene, 0, {.entry = &entry});
   const Limits limits{.timeout = 20.0, .certificate_timeout = 20.0};
   const Reference none{.reason = "not asked for"};
   const OrbitTools orbits = orbit_tools();
   const RepresentedLaw law = entry.make({})->law(scene.problem);
   const Trial trial{.scene = scene,
-                    .run = run,
+                    .planned_case = planned_case,
                     .limits = limits,
                     .law = law,
                     .reference = none,

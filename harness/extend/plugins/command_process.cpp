@@ -14,7 +14,7 @@
 #include <cstring>
 #include <utility>
 
-#include "harness/run/child_process.hpp"
+#include "harness/isolation/child_process.hpp"
 
 namespace signorini {
 

@@ -11,8 +11,8 @@
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
+#include "harness/isolation/isolation.hpp"
 #include "harness/plan/selection.hpp"
-#include "harness/run/isolation.hpp"
 #include "methods/plugin/plugin.hpp"
 
 namespace signorini {

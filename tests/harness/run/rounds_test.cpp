@@ -19,7 +19,7 @@ constexpr Limits kLimits{.timeout = 2.0,
                          .reference_timeout = 5.0};
 
 /// What became of cases "behaviour=good,level=k" for k = 1..count on the scene of one mass.
-class Rounds : public testing::Test {
+class Rounds : public testing::Test, public RoundObserver {
  protected:
   void SetUp() override {
     if (!build_may_be_timed()) GTEST_SKIP() << "nothing is timed in this build";
@@ -32,23 +32,17 @@ class Rounds : public testing::Test {
 
   void run(const Schedule& schedule, std::vector<std::optional<Record>> begun = {}) {
     Runner runner(kLimits, test::free_orbits(), [](std::string_view) { return std::string("v"); });
-    std::vector<const Case*> pointers;
-    for (const Case& one : cases_) pointers.push_back(&one);
-    const std::vector<Survey> surveys = runner.survey(scene_, pointers);
-    runner.compute_references(scene_, surveys);
-    std::vector<Job> jobs;
-    for (std::size_t i = 0; i < cases_.size(); ++i)
-      jobs.push_back({.run = pointers[i], .survey = &surveys[i]});
+    const std::vector<Job> jobs = runner.make_jobs(scene_, cases_);
+    runner.compute_references(scene_, jobs);
     begun.resize(cases_.size());
-    EXPECT_TRUE(
-        run_rounds(runner, scene_, jobs, begun, schedule,
-                   {.begin = [&](const std::string& what) { begun_.push_back(what); },
-                    .unfinished = [&](std::size_t i, const Record& r) { unfinished_[i].push_back(r); },
-                    .complete =
-                        [&](std::size_t i, const Record& r) {
-                          EXPECT_FALSE(complete_.contains(i)) << "told twice";
-                          complete_[i] = r;
-                        }}));
+    EXPECT_TRUE(run_rounds(runner, scene_, jobs, begun, schedule, *this));
+  }
+
+  void begins(const std::string& what) override { begun_.push_back(what); }
+  void round_done(std::size_t index, const Record& record) override { unfinished_[index].push_back(record); }
+  void case_done(std::size_t index, const Record& record) override {
+    EXPECT_FALSE(complete_.contains(index)) << "told twice";
+    complete_[index] = record;
   }
 
   Scene scene_ = test::one_mass_scene();
@@ -133,30 +127,6 @@ TEST_F(Rounds, SayWhereOthersRanAtTheSameTime) {
     EXPECT_EQ(complete_.at(i).seconds->rounds.size(), 3U);
   }
   EXPECT_EQ(complete_.at(3).status, Status::not_applicable);
-}
-
-TEST(TakeRound, CountsTheFailureOfALaterRoundAgainstTheCase) {
-  Record record = test::good_record("s", "m", "n=1", 0.1, 0.1);
-  record.seconds->rounds = {{0.01, 0.09}};
-  const Record begun = record;
-  take_round({.kind = ChildEnd::Kind::signalled, .code = 6}, record);
-  EXPECT_EQ(record.status, Status::crashed);
-  EXPECT_EQ(record.signal, 6);
-  EXPECT_EQ(record.message.rfind("in a repeated solve: ", 0), 0U) << record.message;
-  EXPECT_FALSE(record.seconds.has_value());
-
-  record = begun;
-  take_round({.lines = {R"({"message": "stalled"})"}}, record);
-  EXPECT_EQ(record.status, Status::not_converged);
-  EXPECT_EQ(record.message, "in a repeated solve: stalled");
-
-  record = begun;
-  record.elapsed = 1.0;
-  take_round({.lines = {R"({"setup": 0.03, "solve": 0.07, "answer": "0123"})"}, .seconds = 0.5}, record);
-  EXPECT_EQ(record.status, Status::converged);
-  EXPECT_EQ(record.seconds.value().repetitions, 2);
-  EXPECT_EQ(record.seconds->setup, 0.02);
-  EXPECT_EQ(record.elapsed, 1.5);
 }
 
 }  // namespace

@@ -16,11 +16,10 @@ constexpr Limits kLimits{
 Record run_fake(const std::string& behaviour, const Scene& scene = test::one_mass_scene(),
                 OrbitSolver solver = test::free_orbits()) {
   Runner runner(kLimits, std::move(solver), [](std::string_view) { return std::string("v"); });
-  const Case run = test::fake_case(scene, behaviour);
-  const Case* const cases[] = {&run};
-  const std::vector<Survey> surveys = runner.survey(scene, cases);
-  runner.compute_references(scene, surveys);
-  return runner.run(scene, {.run = &run, .survey = &surveys.front()}).value();
+  const std::vector cases{test::fake_case(scene, behaviour)};
+  const std::vector<Job> jobs = runner.make_jobs(scene, cases);
+  runner.compute_references(scene, jobs);
+  return runner.run(scene, jobs.front()).value();
 }
 
 struct Misdeed {
@@ -99,12 +98,11 @@ TEST(Runner, MeasuresACertifiedAnswer) {
 Record run_late(const std::string& late, const OrbitSolver& solver,
                 const Scene& scene = test::one_mass_scene()) {
   Runner runner(kLimits, solver, [](std::string_view) { return std::string("v"); });
-  const Case run =
-      make_case(scene, 0, {&test::fake_catalogue().front(), {{"behaviour", "hand_back"}, {"start", late}}});
-  const Case* const cases[] = {&run};
-  const std::vector<Survey> surveys = runner.survey(scene, cases);
-  runner.compute_references(scene, surveys);
-  return runner.run(scene, {.run = &run, .survey = &surveys.front()}, {.samples = 8}).value();
+  const std::vector cases{
+      make_case(scene, 0, {&test::fake_catalogue().front(), {{"behaviour", "hand_back"}, {"start", late}}})};
+  const std::vector<Job> jobs = runner.make_jobs(scene, cases);
+  runner.compute_references(scene, jobs);
+  return runner.run(scene, jobs.front(), {.samples = 8}).value();
 }
 
 TEST(Runner, StartsACaseFromTheReferenceOrbitLateByItsShareOfThePeriod) {
@@ -232,21 +230,6 @@ TEST(Runner, SeesWhetherARepetitionGivesTheSameBits) {
 
 TEST(Runner, EndsTheProcessesThatAMethodLeavesBehind) {
   EXPECT_EQ(run_fake("orphan").status, Status::converged);
-}
-
-TEST(Runner, AsksTheOthersAgainAfterOneCrashedWhenAsked) {
-  const Scene scene = test::one_mass_scene();
-  const Case first = test::fake_case(scene, "good");
-  const Case second = test::fake_case(scene, "crash_when_asked");
-  const Case third = test::fake_case(scene, "unsupported");
-  const Case* const cases[] = {&first, &second, &third};
-  const Runner runner(kLimits, test::free_orbits());
-  const std::vector<Survey> surveys = runner.survey(scene, cases);
-  ASSERT_EQ(surveys.size(), 3U);
-  EXPECT_TRUE(surveys[0].ok);
-  EXPECT_TRUE(surveys[1].failure.has_value());
-  EXPECT_FALSE(surveys[2].ok);
-  EXPECT_EQ(surveys[2].reason, "it is Tuesday");
 }
 
 }  // namespace

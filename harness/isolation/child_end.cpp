@@ -1,4 +1,4 @@
-#include "harness/run/child_end.hpp"
+#include "harness/isolation/child_end.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "harness/run/isolation.hpp"
+#include "harness/isolation/isolation.hpp"
 
 #include <fmt/format.h>
 #include <poll.h>

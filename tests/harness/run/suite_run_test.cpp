@@ -1,4 +1,4 @@
-#include "harness/run/campaign.hpp"
+#include "harness/run/suite_run.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ std::string timeless(Record record) {
   return to_json(record).dump();
 }
 
-TEST(RunCampaign, LeavesOneRightRecordPerCaseWhateverTheOthersDo) {
+TEST(RunPlan, LeavesOneRightRecordPerCaseWhateverTheOthersDo) {
   const std::map<std::string, Status> expected{{"segfault", Status::crashed},
                                                {"spin", Status::timeout},
                                                {"allocate", Status::out_of_memory},
@@ -65,12 +65,12 @@ TEST(RunCampaign, LeavesOneRightRecordPerCaseWhateverTheOthersDo) {
     healthy.cases.push_back(good);
   }
   Runner runner({.timeout = 1.0, .memory_mb = 256, .repetitions = 2}, test::free_orbits());
-  RecordStore store(test::fresh_folder("campaign"), false);
-  const CampaignResult result = run_campaign(plan, runner, store);
+  RecordStore store(test::fresh_folder("suite-run"), false);
+  const SuiteRunResult result = run_plan(plan, runner, store);
   EXPECT_EQ(result.ran, 14U);
   EXPECT_FALSE(result.interrupted);
-  RecordStore quiet(test::fresh_folder("campaign-healthy"), false);
-  run_campaign(healthy, runner, quiet);
+  RecordStore quiet(test::fresh_folder("suite-run-healthy"), false);
+  run_plan(healthy, runner, quiet);
 
   const auto records = records_by_case(store);
   ASSERT_EQ(records.size(), 14U);
@@ -87,64 +87,64 @@ TEST(RunCampaign, LeavesOneRightRecordPerCaseWhateverTheOthersDo) {
   }
 }
 
-TEST(RunCampaign, KeepsNothingUnfinishedOnceAllIsComplete) {
+TEST(RunPlan, KeepsNothingUnfinishedOnceAllIsComplete) {
   const auto folder = test::fresh_folder("finished");
   Runner runner({.timeout = 1.0, .memory_mb = 1024, .repetitions = 3}, test::free_orbits());
   {
     RecordStore store(folder, false);
-    EXPECT_EQ(run_campaign(plan_of({"good", "give_up"}), runner, store).ran, 2U);
+    EXPECT_EQ(run_plan(plan_of({"good", "give_up"}), runner, store).ran, 2U);
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "unfinished.jsonl"));
 }
 
-TEST(RunCampaign, ResumesExactlyWhatIsMissing) {
+TEST(RunPlan, ResumesExactlyWhatIsMissing) {
   const auto folder = test::fresh_folder("resume");
   Runner runner = runner_of();
   {
     RecordStore store(folder, false);
-    EXPECT_EQ(run_campaign(plan_of({"good", "give_up"}), runner, store).ran, 2U);
+    EXPECT_EQ(run_plan(plan_of({"good", "give_up"}), runner, store).ran, 2U);
   }
   const std::string before = read_file(folder / "records.jsonl");
   {
     RecordStore store(folder, true);
-    const CampaignResult again = run_campaign(plan_of({"good", "give_up"}), runner, store);
+    const SuiteRunResult again = run_plan(plan_of({"good", "give_up"}), runner, store);
     EXPECT_EQ(again.ran, 0U);
     EXPECT_EQ(again.present, 2U);
   }
   EXPECT_EQ(read_file(folder / "records.jsonl"), before);
   RecordStore store(folder, true);
-  EXPECT_EQ(run_campaign(plan_of({"good", "throw_error", "give_up"}), runner, store).ran, 1U);
+  EXPECT_EQ(run_plan(plan_of({"good", "throw_error", "give_up"}), runner, store).ran, 1U);
   EXPECT_EQ(read_records(store.file()).size(), 3U);
 }
 
-TEST(RunCampaign, RunsAgainWhatAnotherVersionOfTheCodeDid) {
+TEST(RunPlan, RunsAgainWhatAnotherVersionOfTheCodeDid) {
   const auto folder = test::fresh_folder("stale");
   Runner old = runner_of("old");
   Runner fresh = runner_of("new");
   RecordStore store(folder, false);
-  EXPECT_EQ(run_campaign(plan_of({"give_up"}), old, store).ran, 1U);
-  EXPECT_EQ(run_campaign(plan_of({"give_up"}), fresh, store).ran, 1U);
+  EXPECT_EQ(run_plan(plan_of({"give_up"}), old, store).ran, 1U);
+  EXPECT_EQ(run_plan(plan_of({"give_up"}), fresh, store).ran, 1U);
 }
 
-TEST(RunCampaign, TellsOfTheRecordsOfASceneInTheOrderOfThePlan) {
+TEST(RunPlan, HandsOverTheRecordsOfASceneInTheOrderOfThePlan) {
   const Plan plan = plan_of({"good", "give_up", "throw_error"});
   RecordStore store(test::fresh_folder("told"), false);
   Runner runner = runner_of();
   std::vector<std::string> told;
-  run_campaign(plan, runner, store, {}, [&](const std::vector<Record>& records) {
+  run_plan(plan, runner, store, {}, [&](const std::vector<Record>& records) {
     for (const Record& record : records) told.push_back(record.case_id);
   });
   std::vector<std::string> planned;
-  for (const Case& run : plan.cases) planned.push_back(run.id);
+  for (const Case& planned_case : plan.cases) planned.push_back(planned_case.id);
   EXPECT_EQ(told, planned);
 }
 
-TEST(RunCampaign, RunsACaseSpeltTwoWaysOnce) {
+TEST(RunPlan, RunsACaseSpeltTwoWaysOnce) {
   Plan plan = plan_of({"good"});
   plan.cases.push_back(make_case(plan.scenes[0], 0, {&test::fake_catalogue().front(), {}}));
   RecordStore store(test::fresh_folder("twice"), false);
   Runner runner = runner_of();
-  EXPECT_EQ(run_campaign(plan, runner, store).ran, 1U);
+  EXPECT_EQ(run_plan(plan, runner, store).ran, 1U);
 }
 
 TEST(UnexpectedFailures, LeaveOutWhatIsExpectedAndWhatDoesNotApply) {

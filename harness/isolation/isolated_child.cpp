@@ -1,4 +1,4 @@
-#include "harness/run/isolated_child.hpp"
+#include "harness/isolation/isolated_child.hpp"
 
 #include <sys/mman.h>
 #include <sys/resource.h>

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/isolation/child_end.hpp"
+#include "harness/isolation/child_process.hpp"
 #include "harness/plan/deadline.hpp"
-#include "harness/run/child_end.hpp"
-#include "harness/run/child_process.hpp"
 
 namespace signorini {
 

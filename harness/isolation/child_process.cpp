@@ -1,4 +1,4 @@
-#include "harness/run/child_process.hpp"
+#include "harness/isolation/child_process.hpp"
 
 #include <fcntl.h>
 #include <sys/prctl.h>

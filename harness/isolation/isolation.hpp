@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "harness/run/child_end.hpp"
-#include "harness/run/isolated_child.hpp"
+#include "harness/isolation/child_end.hpp"
+#include "harness/isolation/isolated_child.hpp"
 
 namespace signorini {
 

@@ -1,4 +1,4 @@
-#include "harness/run/isolation.hpp"
+#include "harness/isolation/isolation.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,0 +1,115 @@
+#include "harness/run/round_messages.hpp"
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "harness/judge/certificate.hpp"
+#include "harness/records/json_line.hpp"
+#include "harness/run/timing.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kRepeated = "in a repeated solve: ";
+
+/// A child that died after its answer had arrived. While it timed the method or destroyed its objects that is
+/// a failure of the method, between the two one of the harness.
+void take_late_end(const ChildEnd& end, Record& record) {
+  if (end.kind == ChildEnd::Kind::finished) return;
+  const auto last = static_cast<TrialStage>(end.lines.size() - 1);
+  if (last == TrialStage::solved || last == TrialStage::certified) {
+    take_failure(end, record);
+    record.message = (last == TrialStage::solved ? kRepeated : "in its clean-up: ") + record.message;
+    return;
+  }
+  record.certificate.status = CertificateStatus::uncertified;
+  record.certificate.reason = "the harness's own check ended by " + describe(end);
+}
+
+}  // namespace
+
+FirstRoundSender::FirstRoundSender(const LineSender& send, const Record& blank)
+    : send_(send), known_(to_json(blank)) {}
+
+void FirstRoundSender::operator()(const Record& so_far) {
+  const Json record = to_json(so_far);
+  Json changes = Json::object();
+  for (const auto& [key, value] : record.items()) {
+    if (known_.contains(key) && known_[key] == value) continue;
+    changes[key] = value;
+    known_[key] = value;
+  }
+  send_(json_line(changes));
+}
+
+Record received_first_round(const Record& blank, const ChildEnd& end) {
+  Record record = blank;
+  if (end.lines.empty()) {
+    take_failure(end, record);
+  } else {
+    Json json = to_json(blank);
+    for (const std::string& line : end.lines) json.update(Json::parse(line));
+    record = record_from_json(json);
+    take_late_end(end, record);
+    apply_verdict(record);
+  }
+  record.elapsed = end.seconds;
+  return record;
+}
+
+void send_later_round(const RepeatedSolve& repeat, const LineSender& send) {
+  if (!repeat.times) return send(json_line({{"message", repeat.message}}));
+  send(
+      json_line({{"setup", repeat.times->setup}, {"solve", repeat.times->solve}, {"answer", repeat.answer}}));
+}
+
+void take_later_round(const ChildEnd& end, Record& record) {
+  record.elapsed = record.elapsed.value_or(0.0) + end.seconds;
+  const Json json = end.lines.empty() ? Json::object() : Json::parse(end.lines.back());
+  if (json.contains("setup")) {
+    std::vector<TimedRound> rounds = record.seconds->rounds;
+    rounds.push_back({.setup = json.at("setup"), .solve = json.at("solve")});
+    record.seconds = summarise(rounds);
+    count_repeat(json.at("answer"), record);
+    return;
+  }
+  if (json.contains("message")) {
+    record.status = Status::not_converged;
+    record.message = json.at("message");
+  } else {
+    take_failure(end, record);
+  }
+  record.message = kRepeated + record.message;
+  record.seconds.reset();
+}
+
+void take_failure(const ChildEnd& end, Record& record) {
+  record.message = describe(end);
+  switch (end.kind) {
+    case ChildEnd::Kind::threw:
+      record.status = Status::exception;
+      record.message = end.detail;
+      break;
+    case ChildEnd::Kind::out_of_memory:
+      record.status = Status::out_of_memory;
+      break;
+    case ChildEnd::Kind::timed_out:
+    case ChildEnd::Kind::out_of_processor_time:
+      record.status = Status::timeout;
+      break;
+    case ChildEnd::Kind::signalled:
+      record.signal = end.code;
+      record.status = Status::crashed;
+      break;
+    case ChildEnd::Kind::exited:
+    case ChildEnd::Kind::finished:
+    case ChildEnd::Kind::interrupted:
+      record.status = Status::crashed;
+      break;
+  }
+}
+
+}  // namespace signorini

@@ -1,0 +1,39 @@
+#pragma once
+// What the processes of a case send of its rounds, and what becomes of it in the record.
+
+#include <nlohmann/json.hpp>
+
+#include "harness/isolation/child_end.hpp"
+#include "harness/isolation/isolated_child.hpp"
+#include "harness/records/record.hpp"
+#include "harness/run/trial.hpp"
+
+namespace signorini {
+
+/// In the child of a first round: after each stage of the trial, sends the keys of the record that the stage
+/// has added or changed.
+class FirstRoundSender {
+ public:
+  /// \param blank  what the parent knows of the record already
+  FirstRoundSender(const LineSender& send, const Record& blank);
+  void operator()(const Record& so_far);
+
+ private:
+  const LineSender& send_;
+  nlohmann::ordered_json known_;
+};
+
+/// In the parent: `blank` with all that the stages sent, its verdict, and the failure of a child that ended
+/// early.
+Record received_first_round(const Record& blank, const ChildEnd& end);
+
+/// In the child of a later round: sends its times, or why there are none.
+void send_later_round(const RepeatedSolve& repeat, const LineSender& send);
+
+/// In the parent: adds a later round's times to the record; its failure is the failure of the case.
+void take_later_round(const ChildEnd& end, Record& record);
+
+/// Status, signal and message of a case whose child ended before there was an answer.
+void take_failure(const ChildEnd& end, Record& record);
+
+}  // namespace signorini
