@@ -13,19 +13,20 @@ namespace signorini {
 
 namespace {
 
-void print_table(const std::vector<Finding>& findings) {
+void print_table(const std::vector<MachineProperty>& properties) {
   Table table{{"what", "found", "times", "why, and what to do"}, {}};
-  for (const Finding& one : findings) {
+  for (const MachineProperty& one : properties) {
     const std::string verdict = !one.known ? "not told" : one.good ? "good" : "unreliable";
     table.rows.push_back({one.name, one.value, verdict, one.advice.empty() ? "nothing" : one.advice});
   }
-  const auto bad = std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return !f.good; });
-  fmt::print("{}\n{} of {} things make times unreliable here\n", to_markdown(table), bad, findings.size());
+  const auto bad =
+      std::count_if(properties.begin(), properties.end(), [](const MachineProperty& f) { return !f.good; });
+  fmt::print("{}\n{} of {} things make times unreliable here\n", to_markdown(table), bad, properties.size());
 }
 
-void print_json(const std::vector<Finding>& findings) {
+void print_json(const std::vector<MachineProperty>& properties) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Finding& one : findings) {
+  for (const MachineProperty& one : properties) {
     nlohmann::ordered_json item{{"name", one.name}, {"value", one.value}, {"good", one.good}};
     if (!one.advice.empty()) item["advice"] = one.advice;
     list.push_back(std::move(item));
@@ -42,10 +43,10 @@ void add_doctor_command(CLI::App& app, int& exit_code) {
   const auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "print a JSON array");
   command->callback([json, &exit_code] {
-    std::vector<Finding> findings = examine_system();
-    const std::vector<Finding> running = examine_running();
-    findings.insert(findings.end(), running.begin(), running.end());
-    *json ? print_json(findings) : print_table(findings);
+    std::vector<MachineProperty> properties = examine_system();
+    const std::vector<MachineProperty> running = examine_running();
+    properties.insert(properties.end(), running.begin(), running.end());
+    *json ? print_json(properties) : print_table(properties);
     exit_code = kDone;
   });
 }

@@ -30,87 +30,89 @@ std::string first_line(const fs::path& file) {
   return line;
 }
 
-Finding finding(std::string name, std::string value, bool good, std::string advice) {
+MachineProperty property(std::string name, std::string value, bool good, std::string advice) {
   return {.name = std::move(name),
           .value = std::move(value),
           .good = good,
           .advice = good ? "" : std::move(advice)};
 }
 
-Finding untold(std::string name) { return {.name = std::move(name), .value = "unknown", .known = false}; }
-
-Finding governor(const fs::path& root) {
-  const std::string value = clock_governor(root);
-  if (value.empty()) return untold("governor");
-  return finding("governor", value, value == "performance",
-                 "the clock frequency follows the load; set the governor to performance");
+MachineProperty unknown(std::string name) {
+  return {.name = std::move(name), .value = "unknown", .known = false};
 }
 
-Finding turbo(const fs::path& root) {
+MachineProperty governor(const fs::path& root) {
+  const std::string value = clock_governor(root);
+  if (value.empty()) return unknown("governor");
+  return property("governor", value, value == "performance",
+                  "the clock frequency follows the load; set the governor to performance");
+}
+
+MachineProperty turbo(const fs::path& root) {
   const std::string intel = first_line(root / "sys/devices/system/cpu/intel_pstate/no_turbo");
   const std::string boost = first_line(root / "sys/devices/system/cpu/cpufreq/boost");
-  if (intel.empty() && boost.empty()) return untold("turbo");
+  if (intel.empty() && boost.empty()) return unknown("turbo");
   const bool on = intel.empty() ? boost == "1" : intel == "0";
-  return finding("turbo", on ? "on" : "off", !on,
-                 "the clock frequency depends on temperature and on the other cores; switch turbo off");
+  return property("turbo", on ? "on" : "off", !on,
+                  "the clock frequency depends on temperature and on the other cores; switch turbo off");
 }
 
-Finding simultaneous_threads(const fs::path& root) {
+MachineProperty simultaneous_threads(const fs::path& root) {
   const std::string active = first_line(root / "sys/devices/system/cpu/smt/active");
-  if (active.empty()) return untold("simultaneous threads");
-  return finding("simultaneous threads", active == "1" ? "on" : "off", active != "1",
-                 "two threads share a core and its caches; leave every second one idle");
+  if (active.empty()) return unknown("simultaneous threads");
+  return property("simultaneous threads", active == "1" ? "on" : "off", active != "1",
+                  "two threads share a core and its caches; leave every second one idle");
 }
 
-Finding clock_source(const fs::path& root) {
+MachineProperty clock_source(const fs::path& root) {
   const std::string value =
       first_line(root / "sys/devices/system/clocksource/clocksource0/current_clocksource");
-  if (value.empty()) return untold("clock source");
+  if (value.empty()) return unknown("clock source");
   const bool good = value == "tsc" || value == "kvm-clock" || value == "arch_sys_counter";
-  return finding("clock source", value, good, "reading the clock is slow with this one");
+  return property("clock source", value, good, "reading the clock is slow with this one");
 }
 
-Finding hypervisor(const fs::path& root) {
+MachineProperty hypervisor(const fs::path& root) {
   std::ifstream info(root / "proc/cpuinfo");
   for (std::string line; std::getline(info, line);) {
     if (line.starts_with("flags") && (line + " ").find(" hypervisor ") != std::string::npos)
-      return finding("virtual machine", "yes", false,
-                     "its neighbours on the host may take processor and cache at any moment");
+      return property("virtual machine", "yes", false,
+                      "its neighbours on the host may take processor and cache at any moment");
   }
-  return finding("virtual machine", "no", true, "");
+  return property("virtual machine", "no", true, "");
 }
 
 /// Time in which a virtual processor had to wait for a real one, since the start of the system.
-Finding stolen_time(const fs::path& root) {
+MachineProperty stolen_time(const fs::path& root) {
   std::istringstream line(first_line(root / "proc/stat"));
   std::string cpu;
   line >> cpu;
   std::vector<double> ticks;
   for (double value = 0.0; line >> value;) ticks.push_back(value);
   constexpr std::size_t kSteal = 7;
-  if (ticks.size() <= kSteal) return untold("stolen time");
+  if (ticks.size() <= kSteal) return unknown("stolen time");
   double all = 0.0;
   for (std::size_t i = 0; i <= kSteal; ++i) all += ticks[i];
   const double percent = all > 0.0 ? 100.0 * ticks[kSteal] / all : 0.0;
-  return finding("stolen time", fmt::format("{:.1f} %", percent), percent < 1.0,
-                 "the host gave the processor to others; use another host or more rounds");
+  return property("stolen time", fmt::format("{:.1f} %", percent), percent < 1.0,
+                  "the host gave the processor to others; use another host or more rounds");
 }
 
-Finding load(const fs::path& root) {
+MachineProperty load(const fs::path& root) {
   const std::string line = first_line(root / "proc/loadavg");
-  if (line.empty()) return untold("load");
+  if (line.empty()) return unknown("load");
   const double value = std::strtod(line.c_str(), nullptr);
   constexpr double kIdle = 0.3;
-  return finding("load", fmt::format("{:.2f} over the last minute", value), value < kIdle,
-                 "other processes are at work; stop them or wait");
+  return property("load", fmt::format("{:.2f} over the last minute", value), value < kIdle,
+                  "other processes are at work; stop them or wait");
 }
 
-Finding build_type() {
-  return finding("build", std::string(build_info().build_type), build_may_be_timed(),
-                 "times are not recorded by it; build with the preset release");
+MachineProperty build_type() {
+  return property("build", std::string(build_info().build_type), build_may_be_timed(),
+                  "times are not recorded by it; build with the preset release");
 }
 
-Finding clock_resolution() {
+MachineProperty clock_resolution() {
   double least = 1.0;
   for (int i = 0; i < 1000; ++i) {
     const auto begin = Clock::now();
@@ -119,8 +121,8 @@ Finding clock_resolution() {
     least = std::min(least, std::chrono::duration<double>(end - begin).count());
   }
   constexpr double kNanoseconds = 1e9, kCoarse = 1e-6;
-  return finding("clock resolution", fmt::format("{:.0f} ns", kNanoseconds * least), least < kCoarse,
-                 "short work cannot be measured");
+  return property("clock resolution", fmt::format("{:.0f} ns", kNanoseconds * least), least < kCoarse,
+                  "short work cannot be measured");
 }
 
 double seconds_of_fixed_work() {
@@ -130,21 +132,21 @@ double seconds_of_fixed_work() {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-Finding repeatability() {
+MachineProperty repeatability() {
   std::vector<double> seconds;
   for (int i = 0; i < 100; ++i) seconds.push_back(seconds_of_fixed_work());
   const double deviation = median_deviation(seconds) / median(seconds);
   constexpr double kQuiet = 0.02;
-  return finding("repeatability", fmt::format("{:.1f} % of 1 ms of fixed work", 100.0 * deviation),
-                 deviation < kQuiet, "equal work takes unequal times; see the other lines");
+  return property("repeatability", fmt::format("{:.1f} % of 1 ms of fixed work", 100.0 * deviation),
+                  deviation < kQuiet, "equal work takes unequal times; see the other lines");
 }
 
-Finding usable_processors() {
+MachineProperty usable_processors() {
   cpu_set_t set;
   const int usable = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
-  return finding("processors", fmt::format("{} of {} may be used", usable, sysconf(_SC_NPROCESSORS_ONLN)),
-                 usable > 1,
-                 "the harness and the system disturb what is timed; leave them a processor of their own");
+  return property("processors", fmt::format("{} of {} may be used", usable, sysconf(_SC_NPROCESSORS_ONLN)),
+                  usable > 1,
+                  "the harness and the system disturb what is timed; leave them a processor of their own");
 }
 
 struct ProcessTime {
@@ -173,7 +175,7 @@ std::map<int, ProcessTime> process_times() {
   return times;
 }
 
-Finding other_work() {
+MachineProperty other_work() {
   constexpr std::chrono::milliseconds kWatch(500);
   const auto before = process_times();
   std::this_thread::sleep_for(kWatch);
@@ -191,21 +193,21 @@ Finding other_work() {
   const double seconds = static_cast<double>(all) / static_cast<double>(sysconf(_SC_CLK_TCK));
   const double share = seconds / std::chrono::duration<double>(kWatch).count();
   constexpr double kQuiet = 0.05;
-  return finding("other processes",
-                 busiest.empty()
-                     ? "idle"
-                     : fmt::format("{:.0f} % of a processor, most of it {}", 100.0 * share, busiest),
-                 share < kQuiet, "they take processor, cache and memory; stop them");
+  return property("other processes",
+                  busiest.empty()
+                      ? "idle"
+                      : fmt::format("{:.0f} % of a processor, most of it {}", 100.0 * share, busiest),
+                  share < kQuiet, "they take processor, cache and memory; stop them");
 }
 
 }  // namespace
 
-std::vector<Finding> examine_system(const fs::path& root) {
+std::vector<MachineProperty> examine_system(const fs::path& root) {
   return {governor(root),    turbo(root), simultaneous_threads(root), clock_source(root), hypervisor(root),
           stolen_time(root), load(root)};
 }
 
-std::vector<Finding> examine_running() {
+std::vector<MachineProperty> examine_running() {
   return {build_type(), usable_processors(), clock_resolution(), repeatability(), other_work()};
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What of this machine makes times unreliable.
+// Properties of this machine that make times unreliable.
 
 #include <filesystem>
 #include <string>
@@ -7,21 +7,21 @@
 
 namespace signorini {
 
-/// One thing looked at.
-struct Finding {
+/// A property of the machine and whether it disturbs times.
+struct MachineProperty {
   std::string name = {};    ///< "governor"
-  std::string value = {};   ///< what was found; "unknown" where the system does not tell
-  bool known = true;        ///< the system tells
-  bool good = true;         ///< nothing here disturbs times, as far as is known
-  std::string advice = {};  ///< what it does to times and what to do about it; empty if good
+  std::string value = {};   ///< "unknown" where the system does not provide it
+  bool known = true;        ///< the system provides it
+  bool good = true;         ///< as far as is known, it does not disturb times
+  std::string advice = {};  ///< its effect on times and a remedy; empty if good
 };
 
-/// What the files of the system below `root` say (/proc, /sys): governor, turbo, simultaneous threads, clock,
-/// hypervisor, stolen time, load.
-std::vector<Finding> examine_system(const std::filesystem::path& root = "/");
+/// Properties that the system's files below `root` give (/proc, /sys): governor, turbo, simultaneous threads,
+/// clock, hypervisor, stolen time, load.
+std::vector<MachineProperty> examine_system(const std::filesystem::path& root = "/");
 
 /// Build type, processors that may be used, resolution of the clock, how well a fixed piece of work repeats,
 /// and work of other processes; takes about a second.
-std::vector<Finding> examine_running();
+std::vector<MachineProperty> examine_running();
 
 }  // namespace signorini

@@ -13,7 +13,7 @@
 #include "harness/plan/deadline.hpp"
 #include "harness/records/answer_digest.hpp"
 #include "harness/records/trajectory_json.hpp"
-#include "harness/run/method_failure.hpp"
+#include "harness/run/command_failure.hpp"
 #include "harness/run/timing.hpp"
 
 namespace signorini {
@@ -162,7 +162,7 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   double solve = 0.0;
   try {
     solve = seconds_of([&] { solution = prepared->solve(start); });
-  } catch (const MethodFailure& failure) {
+  } catch (const CommandFailure& failure) {
     record.status = failure.status;
     record.message = failure.what();
     record.signal = failure.signal;

@@ -9,7 +9,7 @@
 
 #include "harness/records/record.hpp"
 #include "harness/records/trajectory_json.hpp"
-#include "harness/run/method_failure.hpp"
+#include "harness/run/command_failure.hpp"
 #include "problems/scene/toml_tree.hpp"
 
 namespace signorini {
@@ -56,7 +56,7 @@ Json write_problem(const Problem& problem) {
 }
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw MethodFailure(Status::invalid_output, "the command's answer: " + what);
+  throw CommandFailure(Status::invalid_output, "the command's answer: " + what);
 }
 
 void allow_only(const Json& json) {

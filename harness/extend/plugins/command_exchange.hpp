@@ -16,7 +16,7 @@ nlohmann::ordered_json command_request(const Problem& problem, const std::vector
 std::string command_input(nlohmann::ordered_json request, const Start& start);
 
 /// The answer printed. \param period  of the motion looked for, where the answer names none [s]
-/// \throws MethodFailure (Status::invalid_output) for what is no answer; whether sizes and period fit the
+/// \throws CommandFailure (Status::invalid_output) for what is no answer; whether sizes and period fit the
 /// scene
 ///         is judged later, as for every method
 Solution read_command_answer(const std::string& output, double period);

@@ -10,7 +10,7 @@
 #include "harness/failure.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/plan/selection.hpp"
-#include "harness/run/method_failure.hpp"
+#include "harness/run/command_failure.hpp"
 #include "problems/scene/toml_tree.hpp"
 
 namespace signorini {
@@ -52,7 +52,7 @@ class PreparedCommand final : public PreparedMethod {
     if (end.expired) return {.message = "the command was stopped at the time limit"};
     if (!end.failure.empty()) {
       const std::string words = end.last_words.empty() ? "" : ": " + one_line(end.last_words, 400);
-      throw MethodFailure(Status::crashed, end.failure + words, end.signal);
+      throw CommandFailure(Status::crashed, end.failure + words, end.signal);
     }
     return read_command_answer(end.output, period_);
   }

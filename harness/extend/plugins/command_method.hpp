@@ -18,7 +18,7 @@ class CommandMethod final : public Method {
   [[nodiscard]] std::vector<OptionEcho> options() const override;
   [[nodiscard]] Support supports(const Problem& problem) const override;
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
-  /// `solve` throws MethodFailure where the command crashes or prints no answer.
+  /// `solve` throws CommandFailure where the command crashes or prints no answer.
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
 
  private:

@@ -21,14 +21,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// To load a plugin and make its methods takes no time worth speaking of [s].
+/// Limit of loading a plugin and making its methods, which usually takes milliseconds [s].
 constexpr double kProbeSeconds = 20.0;
 
 [[noreturn]] void refuse(const fs::path& file, std::string_view requirement) {
   throw UsageError(fmt::format("plugin = {} ({})", file.string(), requirement));
 }
 
-/// Takes the text up to the separator, which is dropped, off the front.
+/// Removes the text up to the separator, and the separator, from the front. \return that text
 std::string_view take(std::string_view& text, char separator) {
   const std::string_view part = text.substr(0, text.find(separator));
   text.remove_prefix(std::min(text.size(), part.size() + 1));

@@ -18,11 +18,11 @@ class Machines : public testing::Test {
     std::ofstream(root_ / file) << text << "\n";
   }
 
-  [[nodiscard]] Finding find(const std::string& name) const {
-    const std::vector<Finding> findings = examine_system(root_);
-    const auto found =
-        std::find_if(findings.begin(), findings.end(), [&](const Finding& one) { return one.name == name; });
-    if (found == findings.end()) return {.value = "not looked at"};
+  [[nodiscard]] MachineProperty find(const std::string& name) const {
+    const std::vector<MachineProperty> properties = examine_system(root_);
+    const auto found = std::find_if(properties.begin(), properties.end(),
+                                    [&](const MachineProperty& one) { return one.name == name; });
+    if (found == properties.end()) return {.value = "not looked at"};
     return *found;
   }
 
@@ -37,7 +37,7 @@ TEST_F(Machines, AreFoundGoodWhereTheyAreQuiet) {
   put("proc/cpuinfo", "flags\t\t: fpu vme de pse tsc");
   put("proc/stat", "cpu 1000 0 1000 98000 0 0 0 0 0 0");
   put("proc/loadavg", "0.05 0.10 0.10 1/100 1234");
-  for (const Finding& one : examine_system(root_)) {
+  for (const MachineProperty& one : examine_system(root_)) {
     EXPECT_TRUE(one.good) << one.name << " = " << one.value;
     EXPECT_TRUE(one.advice.empty()) << one.name;
     EXPECT_NE(one.value, "unknown") << one.name;
@@ -52,7 +52,7 @@ TEST_F(Machines, AreFoundUnreliableForEachReason) {
   put("proc/cpuinfo", "flags\t\t: fpu tsc hypervisor");
   put("proc/stat", "cpu 1000 0 1000 88000 0 0 0 10000 0 0");
   put("proc/loadavg", "1.97 0.10 0.10 1/100 1234");
-  for (const Finding& one : examine_system(root_)) {
+  for (const MachineProperty& one : examine_system(root_)) {
     EXPECT_FALSE(one.good) << one.name << " = " << one.value;
     EXPECT_FALSE(one.advice.empty()) << one.name;
   }
@@ -68,7 +68,7 @@ TEST_F(Machines, SayWhatTheSystemDoesNotTell) {
 
 TEST(ExamineRunning, LooksAtEverythingThatMoves) {
   std::vector<std::string> names;
-  for (const Finding& one : examine_running()) {
+  for (const MachineProperty& one : examine_running()) {
     names.push_back(one.name);
     EXPECT_FALSE(one.value.empty()) << one.name;
     EXPECT_EQ(one.good, one.advice.empty()) << one.name;

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/files.hpp"
-#include "harness/progress.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
 
@@ -156,13 +155,6 @@ TEST(UnexpectedFailures, LeaveOutWhatIsExpectedAndWhatDoesNotApply) {
   const std::vector<std::string> rest = unexpected_failures(records, suite);
   EXPECT_EQ(rest.size(), 6U);
   EXPECT_EQ(std::count(rest.begin(), rest.end(), "scene-a/method-a[timeout]"), 0);
-}
-
-TEST(ProgressLine, EstimatesTheRestFromWhatIsDone) {
-  EXPECT_EQ(progress_line(0.0, 4, 0.0, "x"), "[0/4] 0 % x");
-  EXPECT_EQ(progress_line(1.0, 4, 30.0, "x"), "[1/4] 25 % ETA 1:30 x");
-  EXPECT_EQ(progress_line(0.5, 4, 10.0, "x"), "[0/4] 12 % ETA 1:10 x");
-  EXPECT_EQ(progress_line(4.0 - 1e-12, 4, 10.0, "x"), "[4/4] 100 % ETA 0:00 x");
 }
 
 }  // namespace

@@ -8,8 +8,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "harness/extend/scaffold/names.hpp"
-#include "harness/extend/scaffold/source_tree.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/plan/plan.hpp"
@@ -52,39 +50,6 @@ std::size_t files_below(const fs::path& folder) {
   std::size_t count = 0;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) count += entry.is_regular_file() ? 1 : 0;
   return count;
-}
-
-TEST(Spellings, OfANameAreItsFolderAndItsClass) {
-  const Spellings spellings = spellings_of("my-2nd-method");
-  EXPECT_EQ(spellings.folder, "my_2nd_method");
-  EXPECT_EQ(spellings.type, "My2ndMethod");
-}
-
-TEST(Spellings, RefuseWhatIsNoKebabCase) {
-  for (const char* name : {"", "-a", "a-", "a--b", "A", "a_b", "2a", "a b", "a/b", "..", "é"})
-    EXPECT_NE(refusal([&] { (void)spellings_of(name); }).find("must be lower-kebab-case"), std::string::npos)
-        << name;
-  EXPECT_NE(refusal([&] { (void)spellings_of(std::string(61, 'a')); }).find("at most 60"), std::string::npos);
-}
-
-TEST(WithEntry, AddsTwoLinesInTheirPlaces) {
-  EXPECT_EQ(with_entry(kCatalogue, spellings_of("my-method")),
-            "#include \"methods/catalogue.hpp\"\n\n"
-            "#include \"methods/aft_hbm/aft_hbm.hpp\"\n"
-            "#include \"methods/my_method/my_method.hpp\"\n"
-            "#include \"methods/penalty_hbm/penalty_hbm.hpp\"\n\n"
-            "      method_entry<AftHbm>(),\n"
-            "      method_entry<PenaltyHbm>(),\n"
-            "      method_entry<MyMethod>(),\n"
-            "  };\n");
-  const std::string last = with_entry(kCatalogue, spellings_of("zz"));
-  EXPECT_NE(last.find("penalty_hbm.hpp\"\n#include \"methods/zz/zz.hpp\"\n\n"), std::string::npos) << last;
-}
-
-TEST(WithEntry, RefusesACatalogueWithoutAList) {
-  EXPECT_NE(
-      refusal([] { (void)with_entry("int main() {}\n", spellings_of("my-method")); }).find("catalogue = "),
-      std::string::npos);
 }
 
 TEST(NewMethod, WritesItsFolderThatOfItsTestsAndTwoLinesElsewhere) {

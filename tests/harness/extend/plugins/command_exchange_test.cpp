@@ -1,0 +1,92 @@
+#include "harness/extend/plugins/command_exchange.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "harness/run/command_failure.hpp"
+#include "tests/harness/fake_method.hpp"
+
+namespace signorini {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kPeriod = 2.0;  // [s]
+
+/// A motion of one contact at two instants.
+Json answer() {
+  return {{"verdict", "converged"},
+          {"residual", 1e-12},
+          {"work", {{"iterations", 7}}},
+          {"trajectory",
+           {{"t", {0.0, 1.0}}, {"x", {{0.1, 0.2}}}, {"velocity", {{0.0, 0.0}}}, {"force", {{0.0, -1.0}}}}}};
+}
+
+std::string refusal(const Json& json) {
+  try {
+    static_cast<void>(read_command_answer(json.dump(), kPeriod));
+  } catch (const CommandFailure& failure) {
+    EXPECT_EQ(failure.status, Status::invalid_output);
+    return failure.what();
+  }
+  return "accepted";
+}
+
+TEST(CommandRequest, HoldsTheWholeProblem) {
+  const Problem problem = test::one_mass();
+  const Json request = command_request(problem, {{"level", 3L, "[-]", "a level"}});
+  EXPECT_EQ(request.at("schema"), 1);
+  EXPECT_EQ(request.at("options"), (Json{{"level", 3}}));
+  EXPECT_EQ(request.at("problem").at("size"), 1);
+  EXPECT_EQ(request.at("problem").at("stiffness").at("value"), Json({1.0}));
+  EXPECT_EQ(request.at("problem").at("contacts").at(0).at("gap"), 10.0);
+  EXPECT_EQ(request.at("problem").at("law"), (Json{{"restitution", 1.0}}));
+}
+
+TEST(CommandInput, NamesTheTimeLeftOnlyWhereThereIsADeadline) {
+  const Json request = command_request(test::one_mass(), {});
+  EXPECT_FALSE(Json::parse(command_input(request, {})).contains("seconds"));
+  const Start start{.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5)};
+  const double seconds = Json::parse(command_input(request, start)).at("seconds");
+  EXPECT_GT(seconds, 4.0);
+  EXPECT_LE(seconds, 5.0);
+}
+
+TEST(ReadCommandAnswer, ReadsWhatTheCommandFound) {
+  const Solution solution = read_command_answer(answer().dump(), kPeriod);
+  EXPECT_EQ(solution.verdict, Verdict::converged);
+  EXPECT_EQ(solution.residual, 1e-12);
+  EXPECT_EQ(solution.work.iterations, 7);
+  EXPECT_FALSE(solution.work.unknowns.has_value());
+  ASSERT_NE(solution.trajectory, nullptr);
+  EXPECT_EQ(solution.trajectory->period(), kPeriod);
+  EXPECT_EQ(solution.trajectory->sample(2).x(1, 0), 0.2);
+  EXPECT_EQ(solution.trajectory->sample(2).force(1, 0), -1.0);
+}
+
+TEST(ReadCommandAnswer, MayBeOfAnotherPeriod) {
+  Json json = answer();
+  json["period"] = 4.0;
+  json["trajectory"]["t"] = {0.0, 2.0};
+  EXPECT_EQ(read_command_answer(json.dump(), kPeriod).trajectory->period(), 4.0);
+}
+
+TEST(ReadCommandAnswer, RefusesWhatIsNoAnswer) {
+  Json json = answer();
+  json["colour"] = "red";
+  EXPECT_NE(refusal(json).find("colour = unknown"), std::string::npos) << refusal(json);
+  json = answer();
+  json["verdict"] = "perhaps";
+  EXPECT_NE(refusal(json).find("verdict = perhaps"), std::string::npos) << refusal(json);
+  json = answer();
+  json["trajectory"]["t"] = {0.0, 0.5};
+  EXPECT_NE(refusal(json).find("trajectory.t[1]"), std::string::npos) << refusal(json);
+  json = answer();
+  json["trajectory"]["x"] = {{0.1}};
+  EXPECT_NE(refusal(json).find("uneven"), std::string::npos) << refusal(json);
+  EXPECT_NE(refusal(Json::array({1, 2})).find("no JSON object"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,83 @@
+#include "harness/plan/suite.hpp"
+
+#include <gtest/gtest.h>
+
+#include "harness/failure.hpp"
+#include "problems/scene/scene_file.hpp"
+
+namespace signorini {
+namespace {
+
+struct BadSuite {
+  const char* text;
+  const char* complaint;
+};
+
+void PrintTo(const BadSuite& suite, std::ostream* stream) { *stream << suite.complaint; }
+
+class ParseSuiteRefuses : public testing::TestWithParam<BadSuite> {};
+
+TEST_P(ParseSuiteRefuses, WithOneLineThatNamesFileLineAndField) {
+  try {
+    parse_suite(GetParam().text, "x.toml");
+    FAIL() << "must be refused";
+  } catch (const SceneError& error) {
+    EXPECT_EQ(std::string(error.what()).rfind(GetParam().complaint, 0), 0U) << error.what();
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EveryMistake, ParseSuiteRefuses,
+    testing::Values(
+        BadSuite{"schema = 2\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]", "x.toml:1: schema = 2 (must be 1)"},
+        BadSuite{"schema = 1\ntitle=\"t\"\nscenes=[\"*\"]", "x.toml:1: name = missing"},
+        BadSuite{"schema = 1\nname=\"Bad Name\"\ntitle=\"t\"\nscenes=[\"*\"]",
+                 "x.toml:2: name = \"Bad Name\""},
+        BadSuite{"schema = 1\nname=\"s\"\nscenes=[\"*\"]", "x.toml:1: title = missing"},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"", "x.toml:1: scenes = missing"},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=\"*\"", "x.toml:4: scenes = \"*\""},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]\nwithout_tags=\"x\"",
+                 "x.toml:5: without_tags = \"x\""},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[1]", "x.toml:4: scenes[0] = 1"},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]\nfoo = 1", "x.toml:5: foo = 1"},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]\n[limits]\ntimeout = 0",
+                 "x.toml:6: limits.timeout = 0"},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]\n[limits]\nmemory = 1.5",
+                 "x.toml:6: limits.memory = 1.5"},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]\n[[expected_failure]]\ncase = \"a\"",
+                 "x.toml:5: expected_failure[0].reason = missing"},
+        BadSuite{"schema = 1\nname = ", "x.toml:2: "}));
+
+TEST(ParseSuite, ReadsLimitsAndExpectedFailures) {
+  const Suite suite = parse_suite(
+      "schema = 1\nname = \"s\"\ntitle = \"t\"\n"
+      "scenes = [\"a*\"]\n[limits]\ntimeout = 5\nrepetitions = 7\n[[expected_failure]]\ncase = "
+      "\"a/*\"\nreason = \"hard\"\n",
+      "s.toml");
+  EXPECT_EQ(suite.limits.timeout, 5.0);
+  EXPECT_EQ(suite.limits.repetitions, 7);
+  EXPECT_EQ(suite.limits.memory_mb, Limits{}.memory_mb);
+  ASSERT_EQ(suite.expected_failures.size(), 1U);
+  EXPECT_EQ(suite.expected_failures[0].reason, "hard");
+}
+
+TEST(CatalogueSuites, CanAllBeReadUnderTheirFileNames) {
+  ASSERT_GE(catalogue_suites().size(), 2U);
+  for (const auto& file : catalogue_suites()) EXPECT_EQ(load_suite(file.string()).name, file.stem().string());
+}
+
+TEST(LoadSuite, NamesTheSuitesThereAreWhereThereIsNone) {
+  EXPECT_EQ(load_suite("quick").name, "quick");
+  try {
+    load_suite("no-such-suite");
+    FAIL() << "must be refused";
+  } catch (const UsageError& error) {
+    const std::string what = error.what();
+    EXPECT_TRUE(what.starts_with("suite = no-such-suite (must be a TOML file or one of ")) << what;
+    EXPECT_NE(what.find("quick"), std::string::npos) << what;
+  }
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,82 @@
+#include "harness/run/trial.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/harness/fake_method.hpp"
+
+namespace signorini {
+namespace {
+
+/// The records of a trial of the fake method after each of its stages, in this process.
+std::vector<Record> stages_of(const std::string& behaviour, bool certified = true, int samples = 0) {
+  const Scene scene = test::one_mass_scene();
+  const Case planned_case = test::fake_case(scene, behaviour);
+  const Limits limits{.timeout = 5.0, .repetitions = 1, .certificate_timeout = 5.0};
+  const Reference none{.reason = "not asked for"};
+  const OrbitTools orbits(test::free_orbits());
+  const Trial trial{.scene = scene,
+                    .planned_case = planned_case,
+                    .limits = limits,
+                    .law = as_represented(scene.problem.law),
+                    .reference = none,
+                    .scene_reference = none,
+                    .orbits = orbits,
+                    .samples = samples,
+                    .timed = false,
+                    .certified = certified};
+  std::vector<Record> records;
+  Record record;
+  record.law = trial.law;
+  run_trial(trial, record, [&](const Record& so_far) { records.push_back(so_far); });
+  return records;
+}
+
+TEST(RunTrial, AddsToTheRecordStageByStage) {
+  const std::vector<Record> stages = stages_of("good");
+  ASSERT_EQ(stages.size(), 4U);
+  const auto stage = [&](TrialStage which) { return stages[static_cast<std::size_t>(which)]; };
+  EXPECT_EQ(stage(TrialStage::solved).status, Status::converged);
+  EXPECT_FALSE(stage(TrialStage::solved).answer.empty());
+  EXPECT_EQ(stage(TrialStage::solved).not_timed, "");
+  EXPECT_EQ(stage(TrialStage::timed).not_timed, "not asked for");
+  EXPECT_FALSE(stage(TrialStage::timed).physics.penetration.has_value());
+  EXPECT_EQ(stage(TrialStage::measured).physics.penetration, 0.0);
+  EXPECT_EQ(stage(TrialStage::measured).certificate.status, CertificateStatus::none);
+  EXPECT_EQ(stage(TrialStage::certified).certificate.status, CertificateStatus::certified);
+}
+
+TEST(RunTrial, StopsAfterTheSolveWhereThereIsNoAnswer) {
+  for (const char* behaviour : {"give_up", "no_trajectory", "singular"}) {
+    const std::vector<Record> stages = stages_of(behaviour);
+    ASSERT_EQ(stages.size(), 1U) << behaviour;
+    EXPECT_NE(stages[0].status, Status::converged) << behaviour;
+    EXPECT_NE(stages[0].message, "") << behaviour;
+  }
+}
+
+TEST(RunTrial, DoesNotCatchWhatTheMethodThrows) {
+  EXPECT_THROW(stages_of("throw_error"), std::exception);
+  EXPECT_THROW(stages_of("throw_number"), int);
+}
+
+TEST(RunTrial, KeepsSamplesAndLeavesOutTheCertificateOnRequest) {
+  const Record record = stages_of("good", false, 16).back();
+  EXPECT_EQ(record.trajectory.value().t.size(), 16U);
+  EXPECT_EQ(record.certificate.status, CertificateStatus::none);
+  EXPECT_EQ(record.certificate.reason, "not asked for");
+}
+
+TEST(RepeatSolve, GivesTheDigestOfTheFirstSolve) {
+  const Scene scene = test::one_mass_scene();
+  const Limits limits{.timeout = 5.0, .repetitions = 1};
+  const RepeatedSolve repeat = repeat_solve(scene, test::fake_case(scene, "good"), limits, nullptr);
+  EXPECT_EQ(repeat.answer, stages_of("good").front().answer);
+  ASSERT_TRUE(repeat.times.has_value());
+  EXPECT_GT(repeat.times->solve, 0.0);
+  const RepeatedSolve failed = repeat_solve(scene, test::fake_case(scene, "give_up"), limits, nullptr);
+  EXPECT_FALSE(failed.times.has_value());
+  EXPECT_NE(failed.message, "");
+}
+
+}  // namespace
+}  // namespace signorini
