@@ -52,7 +52,7 @@ std::string shown(const fs::path& path) {
 }
 
 void write_and_tell(const Scaffold& scaffold) {
-  write(scaffold);
+  write_scaffold(scaffold);
   for (const ScaffoldFile& file : scaffold.fresh) fmt::print("new      {}\n", shown(file.path));
   for (const ScaffoldFile& file : scaffold.changed) fmt::print("changed  {}\n", shown(file.path));
   fmt::print("next:\n");

@@ -27,7 +27,7 @@ constexpr off_t kLastWordsBytes = 400;
 
 void write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) _exit(EXIT_FAILURE);  // the parent reads no longer
     bytes.remove_prefix(static_cast<std::size_t>(written));

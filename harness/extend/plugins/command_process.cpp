@@ -49,7 +49,7 @@ class BrokenPipesIgnored {
   arguments.push_back(nullptr);
   execvp(arguments[0], arguments.data());
   const std::string reason = words[0] + ": " + std::strerror(errno) + "\n";
-  static_cast<void>(!write(STDERR_FILENO, reason.data(), reason.size()));
+  static_cast<void>(!::write(STDERR_FILENO, reason.data(), reason.size()));
   constexpr int kNotExecuted = 127;  // as a shell says
   _exit(kNotExecuted);
 }
@@ -103,7 +103,7 @@ class RunningCommand {
   void write_input() {
     while (in_.write.is_open()) {
       if (input_.empty()) return in_.write.reset();
-      const ssize_t written = write(in_.write.number(), input_.data(), input_.size());
+      const ssize_t written = ::write(in_.write.number(), input_.data(), input_.size());
       if (written < 0 && (errno == EAGAIN || errno == EINTR)) return;
       if (written < 0) return in_.write.reset();  // it reads no more
       input_.remove_prefix(static_cast<std::size_t>(written));

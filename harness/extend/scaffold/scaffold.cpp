@@ -120,7 +120,7 @@ Scaffold scene_out_of_tree(std::string_view name, const fs::path& folder) {
   return scaffold;
 }
 
-void write(const Scaffold& scaffold) {
+void write_scaffold(const Scaffold& scaffold) {
   std::vector<fs::path> made;
   try {
     for (const ScaffoldFile& file : scaffold.fresh) {

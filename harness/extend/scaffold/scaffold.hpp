@@ -37,6 +37,6 @@ Scaffold scene_out_of_tree(std::string_view name, const std::filesystem::path& f
 
 /// Writes it; what was written is taken back if something cannot be. \throws
 /// std::filesystem::filesystem_error
-void write(const Scaffold& scaffold);
+void write_scaffold(const Scaffold& scaffold);
 
 }  // namespace signorini

@@ -55,7 +55,7 @@ std::size_t files_below(const fs::path& folder) {
 TEST(NewMethod, WritesItsFolderThatOfItsTestsAndTwoLinesElsewhere) {
   const fs::path tree = small_tree("new-method");
   const std::size_t before = files_below(tree);
-  write(method_in_tree("my-method", tree));
+  write_scaffold(method_in_tree("my-method", tree));
   EXPECT_EQ(files_below(tree), before + 6);
   for (const char* file :
        {"methods/my_method/my_method.hpp", "methods/my_method/my_method.cpp",
@@ -80,7 +80,7 @@ std::string build_of(const fs::path& tree, const std::string& folder, const std:
 
 TEST(NewMethod, IsBuiltAsTheShippedMethodsAre) {
   const fs::path tree = small_tree("as-shipped"), shipped = SIGNORINI_SOURCE_TREE;
-  write(method_in_tree("my-method", tree));
+  write_scaffold(method_in_tree("my-method", tree));
   for (const char* folder : {"methods", "tests/methods"})
     EXPECT_EQ(build_of(tree, folder, "my_method"), build_of(shipped, folder, "hat_lcp")) << folder;
 }
@@ -88,7 +88,9 @@ TEST(NewMethod, IsBuiltAsTheShippedMethodsAre) {
 TEST(NewMethod, RefusesWhatIsTakenAndWritesNothing) {
   const fs::path tree = small_tree("taken");
   const std::size_t before = files_below(tree);
-  const auto refused = [&](const char* name) { return refusal([&] { write(method_in_tree(name, tree)); }); };
+  const auto refused = [&](const char* name) {
+    return refusal([&] { write_scaffold(method_in_tree(name, tree)); });
+  };
   EXPECT_NE(refused("solvers").find("solvers is there already"), std::string::npos);
   EXPECT_NE(refused("trajectory").find("methods/solution.hpp declares Trajectory"), std::string::npos);
   EXPECT_NE(refused("hat-lcp").find("a method has this name"), std::string::npos);
@@ -101,14 +103,14 @@ TEST(NewMethod, TakesBackWhatItWroteIfTheListCannotBeChanged) {
   const fs::path tree = small_tree("half");
   Scaffold scaffold = method_in_tree("my-method", tree);
   scaffold.changed.front().path = tree / "no-such-folder" / "catalogue.cpp";
-  EXPECT_NE(refusal([&] { write(scaffold); }), "accepted");
+  EXPECT_NE(refusal([&] { write_scaffold(scaffold); }), "accepted");
   EXPECT_FALSE(fs::exists(tree / "methods" / "my_method"));
   EXPECT_FALSE(fs::exists(tree / "tests"));
 }
 
 TEST(NewMethod, OutOfTreeIsAPluginThatFindsAnInstalledSignorini) {
   const fs::path folder = test::fresh_folder("plugin");
-  write(method_out_of_tree("my-method", folder));
+  write_scaffold(method_out_of_tree("my-method", folder));
   const std::string build = read_file(folder / "my-method" / "CMakeLists.txt");
   EXPECT_NE(build.find("find_package(signorini REQUIRED)\n"
                        "signorini_add_plugin(my-method SOURCES my_method.cpp)\n"),
@@ -124,7 +126,7 @@ TEST(NewMethod, OutOfTreeIsAPluginThatFindsAnInstalledSignorini) {
 
 TEST(NewScene, IsValidAndSaysWhatItsKeysAre) {
   const fs::path folder = test::fresh_folder("scene");
-  write(scene_out_of_tree("my-scene", folder));
+  write_scaffold(scene_out_of_tree("my-scene", folder));
   const Scene scene = read_scene(folder / "my-scene.toml");
   EXPECT_EQ(scene.problem.name, "my-scene");
   EXPECT_EQ(scene.problem.contact_count(), 1);
@@ -132,7 +134,7 @@ TEST(NewScene, IsValidAndSaysWhatItsKeysAre) {
 
 TEST(NewScene, GoesToTheCatalogueOfATreeUnlessItsNameIsTaken) {
   const fs::path tree = small_tree("scenes");
-  write(scene_in_tree("my-scene", tree));
+  write_scaffold(scene_in_tree("my-scene", tree));
   EXPECT_TRUE(fs::exists(tree / "problems" / "catalogue" / "my-scene.toml"));
   EXPECT_NE(refusal([&] { (void)scene_in_tree("my-scene", tree); }).find("is there already"),
             std::string::npos);
