@@ -22,7 +22,7 @@ if(SIGNORINI_SANITIZE)
 endif()
 
 # The headers that most files include, parsed once: a quarter of the time of a build. Tests add GoogleTest's. Off
-# for lint, where each file stands on its own includes. With the preset release eight files at a time are compiled as
+# for lint, whose clang cannot read them. With the presets release and lint eight files at a time are compiled as
 # one (CMAKE_UNITY_BUILD), which makes a fresh build half as long.
 set(common_headers <Eigen/Dense> <Eigen/SparseCore> <algorithm> <cmath> <complex> <functional>
     <map> <memory> <numbers> <optional> <stdexcept> <string> <utility> <vector>)
