@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "harness/commands/command_line.hpp"
-#include "harness/conformance/conformance.hpp"
+#include "harness/conformance/check_runner.hpp"
 #include "harness/conformance/review.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
@@ -24,7 +24,7 @@ struct CheckArguments {
   std::string suite = "easy";
   std::optional<std::string> scenes;
   std::string checks = "*";
-  double timeout = ConformanceQuest{}.timeout;
+  double timeout = CheckOptions{}.timeout;
   bool json = false;
 };
 
@@ -47,39 +47,39 @@ std::vector<Scene> scenes_of(const CheckArguments& arguments) {
   const Suite all{.name = "of all that ship", .scenes = {"*"}};
   std::vector<Scene> scenes =
       choose_scenes(arguments.scenes ? all : load_suite(arguments.suite), arguments.scenes, shipped_scenes());
-  // The name by which the commands that show a finding again will know it.
+  // The commands that show a failure again must find the scene by this name.
   if (arguments.scenes && names_scene_file(*arguments.scenes))
     scenes.front().problem.name = *arguments.scenes;
   return scenes;
 }
 
-void add_json(const MethodEntry& entry, const std::vector<CheckFinding>& findings,
+void add_json(const MethodEntry& entry, const std::vector<CheckResult>& results,
               nlohmann::ordered_json& list) {
-  for (const CheckFinding& finding : findings) {
+  for (const CheckResult& result : results) {
     nlohmann::ordered_json json{{"method", entry.name}};
-    json.update(to_json(finding));
+    json.update(to_json(result));
     list.push_back(std::move(json));
   }
 }
 
 int check(const CheckArguments& arguments) {
   const std::vector<const MethodEntry*> methods = methods_of(arguments);
-  const ConformanceQuest quest{
+  const CheckOptions options{
       .scenes = scenes_of(arguments), .checks = arguments.checks, .timeout = arguments.timeout};
   watch_interrupts();
   bool failed = false;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   Progress progress(methods.size());
   for (const MethodEntry* entry : methods) {
-    const std::vector<CheckFinding> findings =
-        check_method(*entry, quest, [&](const std::string& what) { progress.begin(what); });
+    const std::vector<CheckResult> results =
+        check_method(*entry, options, [&](const std::string& what) { progress.begin(what); });
     if (interrupted()) break;
-    failed = failed || any_failed(findings);
+    failed = failed || any_failed(results);
     progress.advance();
     if (arguments.json) {
-      add_json(*entry, findings, list);
+      add_json(*entry, results, list);
     } else {
-      fmt::print("{}{}", entry == methods.front() ? "" : "\n", review_text(*entry, findings));
+      fmt::print("{}{}", entry == methods.front() ? "" : "\n", review_text(*entry, results));
       std::fflush(stdout);
     }
   }

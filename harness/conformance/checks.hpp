@@ -1,61 +1,65 @@
 #pragma once
-// What every method of the catalogue must pass, on its own and on a scene. One entry per promise of the
-// plugin interface; the same functions are called by `signorini check` and by the tests.
+// The checks that every method must pass, alone and on a scene: one for each promise of the plugin interface.
+// `signorini check` and the tests of the project call the same functions.
 
 #include <span>
 #include <string_view>
 
-#include "harness/conformance/finding.hpp"
-#include "harness/conformance/subject.hpp"
+#include "harness/conformance/check_result.hpp"
+#include "harness/conformance/checked_method.hpp"
 
 namespace signorini {
 
-/// A promise of the method itself. `examine` may throw what the method throws.
+/// A promise of the method alone. `examine` may throw what the method throws.
 struct MethodCheck {
   std::string_view name;     ///< "declaration"
-  std::string_view promise;  ///< what is asked, as a sentence about "it"
+  std::string_view promise;  ///< what is asked for, a predicate whose subject is the method
   CheckResult (*examine)(const MethodEntry& entry);
 };
 
-/// A promise about a method on a scene.
+/// A promise of the method on a scene. `examine` may throw what the method throws.
 struct SceneCheck {
-  std::string_view name;
-  std::string_view promise;
-  CheckResult (*examine)(const Subject& subject);
+  std::string_view name;     ///< "load-scaling"
+  std::string_view promise;  ///< what is asked for, a predicate whose subject is the method or its answer
+  CheckResult (*examine)(const CheckedMethod& checked);
 };
 
-/// Name, title, laws and ladder are there, the ladder's settings are accepted, and the options that all
-/// methods have are among its own, each with unit and meaning.
+/// The method declares name, title, laws and ladder; it accepts the settings of the ladder; it has the
+/// options that all methods have; and every option has a unit and a meaning.
 CheckResult check_declaration(const MethodEntry& entry);
-/// What is set is what is echoed: numbers of the ladder, and every default that is a word.
+/// Options are echoed as they were set: the settings of the ladder, and every default that is a word.
 CheckResult check_echo(const MethodEntry& entry);
-/// Unknown options and values that cannot be are refused in one line that names them.
+/// Unknown options and impossible values are refused with a message of one line that names the option.
 CheckResult check_refusals(const MethodEntry& entry);
 
-/// A refusal has its reason; a scene that is accepted has a law that fits it, and can be set up.
-CheckResult check_applicability(const Subject& subject);
-/// The answer has a message, sizes, a period that fits the load, finite values, forces that never pull,
-/// ordered impulses, and the same values at common instants however it is sampled.
-CheckResult check_trajectory(const Subject& subject);
-/// Two solves of one set-up and a third of another give the same bits.
-CheckResult check_determinism(const Subject& subject);
-/// With no time left it ends within Terms::patience, by itself and with a sound answer or none.
-CheckResult check_time_budget(const Subject& subject);
-/// f and g times a factor multiply x and lambda.
-CheckResult check_load_scaling(const Subject& subject);
-/// M, D, K, f and a spring stop times a factor multiply lambda and leave x.
-CheckResult check_structure_scaling(const Subject& subject);
-/// Another unit of time changes nothing but velocities and impulses.
-CheckResult check_time_scaling(const Subject& subject);
-/// Coordinates numbered backwards change nothing.
-CheckResult check_numbering(const Subject& subject);
-/// A load that comes later by whole steps of the grid moves the answer by as much.
-CheckResult check_time_shift(const Subject& subject);
-/// With the stops out of reach there is no force, and x is the linear response: exactly, or with an error
-/// that falls along the ladder.
-CheckResult check_contact_free(const Subject& subject);
+/// A refusal of the scene has a reason. On a scene that it accepts, the method represents a law that fits the
+/// scene, and can be set up.
+CheckResult check_applicability(const CheckedMethod& checked);
+/// The answer has a message, matrices of the right size, a period that is a whole number of periods of the
+/// load, finite values, forces <= 0, impulses in the order of time, and equal values at common instants of
+/// two samplings.
+CheckResult check_trajectory(const CheckedMethod& checked);
+/// Two solves of one set-up and a solve of a second set-up give the same bits.
+CheckResult check_determinism(const CheckedMethod& checked);
+/// A solve whose deadline has passed returns within CheckSettings::patience, with a sound answer or none.
+CheckResult check_time_budget(const CheckedMethod& checked);
+/// f and g times a factor: x and lambda times the same factor.
+CheckResult check_load_scaling(const CheckedMethod& checked);
+/// M, D, K, f and the stiffness of a spring stop times a factor: lambda times the same factor, the same x.
+CheckResult check_structure_scaling(const CheckedMethod& checked);
+/// Another unit of time: the same x and lambda at the same part of the period.
+CheckResult check_time_scaling(const CheckedMethod& checked);
+/// Coordinates in reverse order: the same answer.
+CheckResult check_numbering(const CheckedMethod& checked);
+/// A load that is delayed by whole steps of the grid: the answer is delayed by as much.
+CheckResult check_time_shift(const CheckedMethod& checked);
+/// With all stops out of reach the contact force is zero and x is the linear response: to rounding, or with
+/// an error that decays along the ladder.
+CheckResult check_contact_free(const CheckedMethod& checked);
 
+/// The checks of a method alone, in the order of a review.
 std::span<const MethodCheck> method_checks();
+/// The checks of a method on a scene, in the order of a review.
 std::span<const SceneCheck> scene_checks();
 
 }  // namespace signorini

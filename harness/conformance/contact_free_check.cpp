@@ -1,4 +1,4 @@
-// With the stops out of reach every method must find the linear response.
+// The check that with all stops out of reach a method finds the linear response.
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/conformance/answers.hpp"
 #include "harness/conformance/checks.hpp"
-#include "harness/conformance/fall.hpp"
+#include "harness/conformance/resolution_series.hpp"
+#include "harness/conformance/transformations.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
 
@@ -17,14 +17,14 @@ namespace signorini {
 namespace {
 
 constexpr int kInstants = 1024;  // of a period of the load
-/// Relative to the response: what solves by iteration may stop here.
+/// Relative error of x at which no decay is asked for: the residual of an iterative solve [-].
 constexpr double kExact = 1e-8;
-/// Of a force that must not be there, relative to the load.
+/// Largest contact force without contact, relative to the load [-].
 constexpr double kNoForce = 1e-9;
-/// Stops stand at this many times the largest displacement.
+/// Distance of the stops in units of the largest displacement [-].
 constexpr double kOutOfReach = 10.0;
 
-/// x at the contacts without contact over a period of the load, kInstants x Nc [m]. \throws SingularStiffness
+/// Linear response x at the contacts over a period of the load, kInstants x Nc [m]. \throws SingularStiffness
 Eigen::MatrixXd linear_response(const Problem& problem) {
   Problem linear = problem;
   linear.subharmonic = 1;
@@ -33,20 +33,21 @@ Eigen::MatrixXd linear_response(const Problem& problem) {
   return sample_series(receptance.free_response, kInstants);
 }
 
-/// Periods of the load in that of the answer, at least 1.
+/// Number of periods of the load in the period of the answer, at least 1.
 int load_periods(const Problem& problem, const Trajectory& answer) {
   return std::max(
       1, static_cast<int>(std::lround(answer.period() * problem.frequency / (2.0 * std::numbers::pi))));
 }
 
-/// The relative error of one resolution, or what is wrong with its answer.
-struct Reached {
+/// The relative error of x at one resolution, or what is wrong with the answer.
+struct LinearAnswer {
   std::optional<double> error = {};
   std::string defect = {};
 };
 
-Reached reached(const Subject& subject, const Problem& open, const Eigen::MatrixXd& response) {
-  const Solution solution = subject.solve(open);
+LinearAnswer linear_answer(const CheckedMethod& checked, const Problem& open,
+                           const Eigen::MatrixXd& response) {
+  const Solution solution = checked.solve(open);
   if (solution.verdict != Verdict::converged || !solution.trajectory)
     return {.defect = "with the stops out of reach it does not converge: " + solution.message};
   const int periods = load_periods(open, *solution.trajectory);
@@ -63,31 +64,31 @@ Reached reached(const Subject& subject, const Problem& open, const Eigen::Matrix
 
 }  // namespace
 
-CheckResult check_contact_free(const Subject& subject) {
-  if (auto refusal = why_not(subject)) return *refusal;
-  if (subject.problem().contacts.empty()) return not_applicable("there is no contact to look at");
+CheckResult check_contact_free(const CheckedMethod& checked) {
+  if (auto refusal = unless_supported(checked)) return *refusal;
+  if (checked.problem().contacts.empty()) return not_applicable("there is no contact to look at");
   Eigen::MatrixXd response;
   try {
-    response = linear_response(subject.problem());
+    response = linear_response(checked.problem());
   } catch (const SingularStiffness&) {
     return not_applicable("without its stops the structure has no periodic response");
   }
   const double largest = response.cwiseAbs().maxCoeff();
   if (!(largest > 0.0)) return not_applicable("without contact nothing moves");
-  const Problem open = with_stops_at(subject.problem(), kOutOfReach * largest);
-  const std::vector<Settings> ladder = usable_ladder(subject.entry());
-  for (const LadderBranch& branch : branches_of(ladder)) {
-    std::vector<LadderStep> steps;
-    for (std::size_t i = 0; i < branch.places.size(); ++i) {
-      const Settings& settings = ladder[branch.places[i]];
-      const Subject resolved = subject.with(settings);
+  const Problem open = with_stops_at(checked.problem(), kOutOfReach * largest);
+  const std::vector<Settings> ladder = usable_ladder(checked.entry());
+  for (const ResolutionSeries& series : resolution_series(ladder)) {
+    std::vector<ResolutionStep> steps;
+    for (std::size_t i = 0; i < series.places.size(); ++i) {
+      const Settings& settings = ladder[series.places[i]];
+      const CheckedMethod resolved = checked.with(settings);
       if (!resolved.support().ok) continue;
-      const Reached one = reached(resolved, open, response);
-      const std::string label = MethodChoice{&subject.entry(), settings}.label();
+      const LinearAnswer one = linear_answer(resolved, open, response);
+      const std::string label = MethodChoice{&checked.entry(), settings}.label();
       if (!one.error) return failed(label + ": " + one.defect);
-      steps.push_back({.size = branch.sizes[i], .error = *one.error});
+      steps.push_back({.size = series.sizes[i], .error = *one.error});
     }
-    CheckResult result = judge_fall(steps, subject.entry().order, kExact);
+    CheckResult result = check_error_decay(steps, checked.entry().order, kExact);
     if (result.outcome == CheckOutcome::failed) result.why = "with the stops out of reach, " + result.why;
     if (result.outcome != CheckOutcome::passed) return result;
   }

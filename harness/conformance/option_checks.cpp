@@ -1,4 +1,4 @@
-// Options of a method: declared, echoed, and no value whatever does worse than be refused.
+// Checks of the options of a method: they are declared and echoed, and any bad value is refused, not worse.
 
 #include <fmt/format.h>
 

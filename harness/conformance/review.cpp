@@ -3,25 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 namespace signorini {
 
 namespace {
 
-std::size_t count_of(std::span<const CheckFinding> findings, CheckOutcome outcome) {
-  return static_cast<std::size_t>(
-      std::count_if(findings.begin(), findings.end(),
-                    [&](const CheckFinding& finding) { return finding.result.outcome == outcome; }));
+std::size_t count_of(std::span<const CheckResult> results, CheckOutcome outcome) {
+  return static_cast<std::size_t>(std::count_if(
+      results.begin(), results.end(), [&](const CheckResult& result) { return result.outcome == outcome; }));
 }
 
 std::string scenes_text(std::size_t count) { return fmt::format("{} scene{}", count, count == 1 ? "" : "s"); }
 
 /// "passed on 7 scenes, nothing to look at on 2".
-std::string summary(std::span<const CheckFinding> findings) {
-  if (findings.front().scene.empty()) return std::string(outcome_name(findings.front().result.outcome));
-  const std::size_t failed = count_of(findings, CheckOutcome::failed);
-  const std::size_t nothing = count_of(findings, CheckOutcome::not_applicable);
-  const std::size_t passed = findings.size() - failed - nothing;
+std::string summary(std::span<const CheckResult> results) {
+  if (results.front().scene.empty()) return std::string(outcome_name(results.front().outcome));
+  const std::size_t failed = count_of(results, CheckOutcome::failed);
+  const std::size_t nothing = count_of(results, CheckOutcome::not_applicable);
+  const std::size_t passed = results.size() - failed - nothing;
   std::string text;
   const auto add = [&](std::string part) { text += (text.empty() ? "" : ", ") + part; };
   if (failed > 0) add("FAILED on " + scenes_text(failed));
@@ -30,26 +30,25 @@ std::string summary(std::span<const CheckFinding> findings) {
   return text;
 }
 
-std::string reproduction(const MethodEntry& entry, const CheckFinding& finding) {
-  if (!finding.result.reproduce.empty()) return finding.result.reproduce;
-  const std::string scene = finding.scene.empty() ? "" : " --scenes " + finding.scene;
-  return fmt::format("signorini check {} --checks {}{}", entry.name, finding.check, scene);
+std::string reproduction(const MethodEntry& entry, const CheckResult& result) {
+  if (!result.reproduce.empty()) return result.reproduce;
+  const std::string scene = result.scene.empty() ? "" : " --scenes " + result.scene;
+  return fmt::format("signorini check {} --checks {}{}", entry.name, result.check, scene);
 }
 
-std::string remark(const MethodEntry& entry, const CheckFinding& finding) {
-  const std::string where = finding.scene.empty() ? "" : finding.scene + ": ";
-  std::string text = fmt::format("    {}{}\n", where, finding.result.why);
-  if (finding.result.outcome == CheckOutcome::failed)
-    text += fmt::format("      {}\n", reproduction(entry, finding));
+std::string remark(const MethodEntry& entry, const CheckResult& result) {
+  const std::string where = result.scene.empty() ? "" : result.scene + ": ";
+  std::string text = fmt::format("    {}{}\n", where, result.why);
+  if (result.outcome == CheckOutcome::failed) text += fmt::format("      {}\n", reproduction(entry, result));
   return text;
 }
 
-std::string paragraph(const MethodEntry& entry, std::span<const CheckFinding> findings) {
+std::string paragraph(const MethodEntry& entry, std::span<const CheckResult> results) {
   std::string text =
-      fmt::format("  {:<18} {}: {}\n", findings.front().check, findings.front().promise, summary(findings));
+      fmt::format("  {:<18} {}: {}\n", results.front().check, results.front().promise, summary(results));
   for (const CheckOutcome outcome : {CheckOutcome::failed, CheckOutcome::remarked}) {
-    for (const CheckFinding& finding : findings) {
-      if (finding.result.outcome == outcome) text += remark(entry, finding);
+    for (const CheckResult& result : results) {
+      if (result.outcome == outcome) text += remark(entry, result);
     }
   }
   return text;
@@ -57,9 +56,9 @@ std::string paragraph(const MethodEntry& entry, std::span<const CheckFinding> fi
 
 }  // namespace
 
-std::string review_text(const MethodEntry& entry, const std::vector<CheckFinding>& findings) {
+std::string review_text(const MethodEntry& entry, const std::vector<CheckResult>& results) {
   std::string text = fmt::format("{}: {}\n", entry.name, entry.title);
-  const std::span all(findings);
+  const std::span all(results);
   for (std::size_t begin = 0; begin < all.size();) {
     std::size_t end = begin;
     while (end < all.size() && all[end].check == all[begin].check) ++end;

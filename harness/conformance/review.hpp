@@ -1,17 +1,17 @@
 #pragma once
-// Findings as a review that a person reads.
+// The results of the checks of a method as text.
 
-#include <span>
 #include <string>
 #include <vector>
 
-#include "harness/conformance/finding.hpp"
+#include "harness/conformance/check_result.hpp"
 #include "methods/catalogue.hpp"
 
 namespace signorini {
 
-/// A paragraph per check: what was asked, on how many scenes it holds; what failed or deserves a remark, why,
-/// and the command that shows it again. A line with the sum of it ends the review.
-std::string review_text(const MethodEntry& entry, const std::vector<CheckFinding>& findings);
+/// One paragraph per check: what it asks for and on how many scenes it passed; then, for each failure and
+/// each remark, the reason, and the command that shows the failure. The last line counts the outcomes. \param
+/// results  those of one check in succession, as check_method returns them
+std::string review_text(const MethodEntry& entry, const std::vector<CheckResult>& results);
 
 }  // namespace signorini

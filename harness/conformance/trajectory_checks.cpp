@@ -1,4 +1,4 @@
-// What every answer must look like, and how solves end.
+// Checks of what a method answers on a scene, and of when its solve ends.
 
 #include <fmt/format.h>
 
@@ -8,15 +8,15 @@
 #include <numbers>
 #include <numeric>
 
-#include "harness/conformance/answers.hpp"
 #include "harness/conformance/checks.hpp"
 
 namespace signorini {
 
 namespace {
 
+/// Numbers of samples per period at which answers are compared.
 constexpr std::array kCounts{1, 2, 7, 64, 1000};
-/// Of the period against a whole number of periods of the load [-].
+/// Relative deviation of the period of an answer from a whole number of periods of the load [-].
 constexpr double kPeriodTolerance = 1e-9;
 
 std::string size_defect(const Problem& problem, const Samples& samples, int count) {
@@ -64,7 +64,7 @@ double largest_deviation(const Eigen::MatrixXd& coarse, const Eigen::MatrixXd& f
   return worst;
 }
 
-/// Values at the instants that two sampling rates share.
+/// What differs at the instants that two samplings of a trajectory have in common.
 std::string sampling_defect(const Trajectory& trajectory, int few, int many, double scale, double tolerance) {
   const Samples coarse = trajectory.sample(few), fine = trajectory.sample(many);
   const double velocity_scale = scale * 2.0 * std::numbers::pi / trajectory.period() * many;
@@ -93,7 +93,7 @@ std::string consistency_defect(const Problem& problem, const Trajectory& traject
   return {};
 }
 
-/// What is wrong with a solution apart from its being right.
+/// What is wrong with the form of a solution; whether it is right is not asked here.
 std::string solution_defect(const Problem& problem, const Solution& solution) {
   if (solution.message.empty()) return "its message is empty";
   if (!solution.trajectory)
@@ -140,39 +140,39 @@ struct LawDefect {
 
 }  // namespace
 
-CheckResult check_applicability(const Subject& subject) {
-  const Support& support = subject.support();
+CheckResult check_applicability(const CheckedMethod& checked) {
+  const Support& support = checked.support();
   if (support.ok && !support.reason.empty())
     return failed(fmt::format("it applies, and gives a reason why not: {}", support.reason));
   if (!support.ok) return support.reason.empty() ? failed("it refuses the scene without a reason") : passed();
-  const RepresentedLaw law = subject.method().law(subject.problem());
-  if (std::string defect = std::visit(LawDefect{subject.problem()}, law); !defect.empty())
+  const RepresentedLaw law = checked.method().law(checked.problem());
+  if (std::string defect = std::visit(LawDefect{checked.problem()}, law); !defect.empty())
     return failed(defect);
-  (void)subject.method().prepare(subject.problem());
+  (void)checked.method().prepare(checked.problem());
   return passed();
 }
 
-CheckResult check_trajectory(const Subject& subject) {
-  if (const auto refusal = why_not(subject)) return *refusal;
-  const Solution& solution = subject.answer();
-  if (std::string defect = solution_defect(subject.problem(), solution); !defect.empty())
+CheckResult check_trajectory(const CheckedMethod& checked) {
+  if (const auto refusal = unless_supported(checked)) return *refusal;
+  const Solution& solution = checked.answer();
+  if (std::string defect = solution_defect(checked.problem(), solution); !defect.empty())
     return failed(defect);
   if (!solution.trajectory) return not_applicable("there is no iterate: " + solution.message);
   const std::string defect =
-      consistency_defect(subject.problem(), *solution.trajectory, subject.terms().identity);
+      consistency_defect(checked.problem(), *solution.trajectory, checked.settings().identity);
   return defect.empty() ? passed() : failed(defect);
 }
 
-CheckResult check_time_budget(const Subject& subject) {
-  if (const auto refusal = why_not(subject)) return *refusal;
+CheckResult check_time_budget(const CheckedMethod& checked) {
+  if (const auto refusal = unless_supported(checked)) return *refusal;
   using Clock = std::chrono::steady_clock;
-  const std::unique_ptr<PreparedMethod> prepared = subject.method().prepare(subject.problem());
+  const std::unique_ptr<PreparedMethod> prepared = checked.method().prepare(checked.problem());
   const auto begin = Clock::now();
   const Solution solution = prepared->solve({.guess = {}, .deadline = begin - std::chrono::hours(1)});
   const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  if (seconds > subject.terms().patience)
+  if (seconds > checked.settings().patience)
     return failed(fmt::format("it went on for {:.1f} s after its time was up", seconds));
-  const std::string defect = solution_defect(subject.problem(), solution);
+  const std::string defect = solution_defect(checked.problem(), solution);
   return defect.empty() ? passed() : failed("with its time up, " + defect);
 }
 

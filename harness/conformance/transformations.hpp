@@ -1,5 +1,5 @@
 #pragma once
-// Problems equivalent to a given one, and what becomes of the answer.
+// Problems that are equivalent to a given one, and the map from its answers to theirs.
 
 #include <memory>
 
@@ -8,39 +8,39 @@
 
 namespace signorini {
 
-/// f and g times `factor`: x and lambda scale with them, whatever the law (the contact conditions are a
-/// cone).
+/// f and g times `factor`: x and lambda scale by the same factor under every law, because the contact
+/// conditions are a cone.
 Problem with_load_scaled(Problem problem, double factor);
 
-/// M, D, K, f and a spring stop times `factor`: lambda scales, x stays.
+/// M, D, K, f and the stiffness of a spring stop times `factor`: lambda scales by it, x is the same.
 Problem with_structure_scaled(Problem problem, double factor);
 
-/// Time measured in a unit `factor` times smaller: M s^2, D s, omega / s. x and lambda stay over t / T.
+/// Another unit of time, M s^2, D s, omega / s with s = `factor`: x and lambda are the same functions of t /
+/// T.
 Problem with_time_scaled(Problem problem, double factor);
 
-/// f(t - shift): the answer comes `shift` later.
+/// f(t - shift): the answer is x(t - shift).
 Problem with_load_delayed(Problem problem, double shift);
 
-/// Coordinates numbered backwards: nothing changes at the contacts.
+/// Coordinates in reverse order: x and lambda at the contacts are the same.
 Problem with_coordinates_reversed(const Problem& problem);
 
-/// Stops at `gap`, where the motion does not come if it stays within less: the linear structure is left.
+/// All stops at `gap`. If the linear response stays within it, it is the answer.
 Problem with_stops_at(Problem problem, double gap);
 
-/// What an equivalent problem does to a motion: factors on x, on forces and on the unit of time, and a delay
-/// by whole steps of the period's `grid` parts.
+/// From the answer of a problem to that of an equivalent one: (x, lambda)(t) -> (a x, b lambda)((t - d) / s).
 struct MotionMap {
-  double displacement = 1.0;
-  double force = 1.0;
-  double time = 1.0;
-  int delay = 0;
-  int grid = 1;
+  double displacement = 1.0;  ///< a [-]
+  double force = 1.0;         ///< b [-]
+  double time = 1.0;          ///< factor of the period [-]
+  int delay = 0;              ///< d in steps of T / grid
+  int grid = 1;               ///< steps in a period
 
-  /// The map that undoes this one.
+  /// The inverse map.
   [[nodiscard]] MotionMap inverse() const;
 };
 
-/// A motion seen through a map; exact at any number of samples.
+/// The image of a motion under a map, without interpolation at any number of samples.
 class MappedMotion final : public Trajectory {
  public:
   MappedMotion(std::shared_ptr<const Trajectory> motion, const MotionMap& map)

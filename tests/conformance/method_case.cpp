@@ -39,40 +39,41 @@ std::vector<MethodCase> all_cases() {
   return pairs;
 }
 
-Terms terms_of(const std::string& method) {
+CheckSettings check_settings(const std::string& method) {
   // A hang becomes a failure; nothing here takes as long.
   constexpr double kTimeout = 300.0, kPatience = 60.0;
-  const auto terms = [](std::vector<OptionSetting> settings, int grid) {
-    return Terms{.settings = std::move(settings), .grid = grid, .timeout = kTimeout, .patience = kPatience};
+  const auto settings = [](std::vector<OptionSetting> resolution, int grid) {
+    return CheckSettings{
+        .resolution = std::move(resolution), .grid = grid, .timeout = kTimeout, .patience = kPatience};
   };
   const std::vector<OptionSetting> fourier{{"harmonics", "8"}, {"samples", "128"}};
-  if (method == "hat-lcp") return terms({{"samples", "64"}}, 64);
-  if (method == "fourier-lipschitz" || method == "penalty-hbm") return terms(fourier, 128);
+  if (method == "hat-lcp") return settings({{"samples", "64"}}, 64);
+  if (method == "fourier-lipschitz" || method == "penalty-hbm") return settings(fourier, 128);
   if (method == "aft-hbm") {
-    // A path of its homotopy that wanders costs a linear solve per switch: cut short.
-    return terms({fourier[0], fourier[1], {"max_iterations", "1500"}}, 128);
+    // Each switch on the path of its homotopy costs a linear solve: long paths are cut short.
+    return settings({fourier[0], fourier[1], {"max_iterations", "1500"}}, 128);
   }
-  if (method == "exact-orbit") return terms({}, 64);
+  if (method == "exact-orbit") return settings({}, 64);
   if (method == "event-driven") {
     // Equivalent problems are integrated with different steps: they agree to the tolerance of the
     // integration, amplified by the slowest decay of the scenes (1 / (1 - 0.96) periods).
-    Terms integrated = terms({{"tolerance", "1e-7"}}, 64);
+    CheckSettings integrated = settings({{"tolerance", "1e-7"}}, 64);
     integrated.agreement = 2e-4;
     return integrated;
   }
-  Terms declared = signorini::terms_of(find_method(method));
+  CheckSettings declared = check_settings_of(find_method(method));
   declared.timeout = kTimeout;
   declared.patience = kPatience;
   return declared;
 }
 
-const Subject& subject_of(const MethodCase& pair) {
-  static std::map<std::string, Subject> subjects;
-  const auto found = subjects.find(pair.name());
-  if (found != subjects.end()) return found->second;
-  return subjects
+const CheckedMethod& checked_method(const MethodCase& pair) {
+  static std::map<std::string, CheckedMethod> made;
+  const auto found = made.find(pair.name());
+  if (found != made.end()) return found->second;
+  return made
       .try_emplace(pair.name(), find_method(pair.method), load_scene(find_scene(pair.scene)),
-                   terms_of(pair.method))
+                   check_settings(pair.method))
       .first->second;
 }
 

@@ -30,11 +30,11 @@ struct CaseName {
   }
 };
 
-/// Terms of a method in this suite, tighter than those that it gets from what it says of itself; a method
-/// that the suite has not met yet has those.
-Terms terms_of(const std::string& method);
+/// How a method is checked in this suite: stricter than by check_settings_of for the methods that the suite
+/// knows.
+CheckSettings check_settings(const std::string& method);
 
-/// A pair ready to be checked, made once per process, as is its answer.
-const Subject& subject_of(const MethodCase& pair);
+/// The method of a pair on its scene; made once per process, and so is its answer.
+const CheckedMethod& checked_method(const MethodCase& pair);
 
 }  // namespace signorini::test

@@ -21,6 +21,7 @@
 #include "methods/event_driven/event_driven.hpp"
 #include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
+#include "tests/support/expected_failure.hpp"
 #include "tests/support/massless_scenes.hpp"
 #include "tests/support/random_springs.hpp"
 
@@ -288,12 +289,13 @@ TEST(PressedContacts, RestOnSprings) {
 }
 
 // The state in which a converged period begins lies further from a stop that holds it than what counts as
-// touching: the contact begins open, falls, and hits. An impulse of 1e-5 that is not there, and no force at t
-// = 0. To be enabled when a period begins closed.
-TEST(PressedContacts, DISABLED_AreClosedWhereAPeriodBegins) {
+// touching: the contact begins open, falls, and hits.
+TEST(PressedContacts, AreOpenWhereAPeriodBegins) {
   const Problem problem = pressed_structure(11, Restitution{0.0}, 0.0);
-  expect_held_motion(problem, "event-driven");
-  EXPECT_TRUE(solve_soon(*method_named("event-driven"), problem).trajectory->impulses().empty());
+  test::expect_failure("an impulse of 1e-5 that is not there, and no force at t = 0", [&] {
+    expect_held_motion(problem, "event-driven");
+    EXPECT_TRUE(solve_soon(*method_named("event-driven"), problem).trajectory->impulses().empty());
+  });
 }
 
 /// Two masses on springs of their own, pressed alike, that come to rest one after the other.
@@ -336,9 +338,10 @@ TEST(PressedPair, ComesToRestInTheClosedFormFlow) {
 }
 
 // Each impact lifts the other contact, G_12 > 0, at a speed that shrinks by the ratio G_12^2 / (G_11 G_22): a
-// chatter of two, which is not carried to its limit.
-TEST(PressedPair, DISABLED_ComesToRestWhereEachImpactLiftsTheOtherMass) {
-  expect_rest(0.2, 0.0, Integrator::cvode);
+// chatter of two.
+TEST(PressedPair, DoesNotComeToRestWhereEachImpactLiftsTheOtherMass) {
+  test::expect_failure("a chatter of two contacts is not carried to its limit",
+                       [] { expect_rest(0.2, 0.0, Integrator::cvode); });
 }
 
 // Restitution 1, a constant load, one contact closed and the other one out of reach.
@@ -357,8 +360,10 @@ TEST(PressedPair, RestsBesideAnOpenContact) {
   for (const char* name : {"fourier-lipschitz", "penalty-hbm", "aft-hbm"}) expect_one_at_rest(name);
 }
 
-// The pivots of an elastic mass at rest on its stop do not end.
-TEST(PressedPair, DISABLED_RestsBesideAnOpenContactOnHatFunctions) { expect_one_at_rest("hat-lcp"); }
+TEST(PressedPair, DoesNotRestBesideAnOpenContactOnHatFunctions) {
+  test::expect_failure("the pivots of an elastic mass at rest on its stop do not end",
+                       [] { expect_one_at_rest("hat-lcp"); });
+}
 
 }  // namespace
 }  // namespace signorini

@@ -1,4 +1,4 @@
-#include "harness/conformance/subject.hpp"
+#include "harness/conformance/checked_method.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -14,13 +14,14 @@ namespace signorini {
 namespace {
 
 constexpr double kSmallest = std::numeric_limits<double>::min();
-/// A perturbation dies out in so many periods that what a solve leaves is multiplied by this.
+/// Assumed bound of 1 / (1 - |multiplier|) on all scenes: what a solve leaves of its periodicity condition,
+/// times this, is the error of its orbit.
 constexpr double kAmplification = 2000.0;
 constexpr int kCoarsestGrid = 128;
 constexpr int kFinestGrid = 8192;
 constexpr int kCoarsestOwn = 16;
 
-/// The value of an option as a number, if it is there and is one.
+/// The value of a numerical option; empty if the method has none of this name.
 std::optional<double> number_of(const Method& method, std::string_view name) {
   for (const OptionEcho& option : method.options()) {
     if (option.name != name) continue;
@@ -30,14 +31,15 @@ std::optional<double> number_of(const Method& method, std::string_view name) {
   return std::nullopt;
 }
 
-bool leaves_to_itself(const Method& method, std::string_view name) {
+/// Whether the method has this option and chooses its value itself ("auto").
+bool chooses_itself(const Method& method, std::string_view name) {
   const std::vector<OptionEcho> options = method.options();
   return std::any_of(options.begin(), options.end(), [&](const OptionEcho& option) {
     return option.name == name && std::holds_alternative<std::monostate>(option.value);
   });
 }
 
-/// The coarsest grid that the method accepts beside its settings.
+/// The coarsest number of `samples` that the method accepts with these settings.
 std::optional<int> fixed_grid(const MethodEntry& entry, const Settings& settings) {
   for (int samples = kCoarsestGrid; samples <= kFinestGrid; samples *= 2) {
     Settings fixed = settings;
@@ -51,11 +53,11 @@ std::optional<int> fixed_grid(const MethodEntry& entry, const Settings& settings
   return std::nullopt;
 }
 
-/// The number of instants that the method computes at, as far as it tells: its `samples`, or the whole number
-/// that its ladder refines, be it called steps or nodes.
-std::optional<int> own_grid(const Method& method, const Terms& terms) {
+/// Number of instants per period of the method's own grid: its `samples`, or the whole number that its ladder
+/// refines, whether it is called steps or nodes.
+std::optional<int> own_grid(const Method& method, const Settings& resolution) {
   std::vector<std::string> names{"samples"};
-  for (const OptionSetting& setting : terms.settings) names.push_back(setting.first);
+  for (const OptionSetting& setting : resolution) names.push_back(setting.first);
   for (const std::string& name : names) {
     const std::optional<double> number = number_of(method, name);
     if (number && *number >= kCoarsestOwn && *number <= kFinestGrid && *number == std::floor(*number))
@@ -77,43 +79,56 @@ std::vector<Settings> usable_ladder(const MethodEntry& entry) {
   return {Settings{}};
 }
 
-Terms terms_of(const MethodEntry& entry) {
-  Terms terms;
-  terms.settings = usable_ladder(entry).front();
-  if (leaves_to_itself(*entry.make(terms.settings), "samples")) {
-    if (const std::optional<int> samples = fixed_grid(entry, terms.settings))
-      terms.settings.emplace_back("samples", std::to_string(*samples));
+CheckSettings check_settings_of(const MethodEntry& entry) {
+  CheckSettings result;
+  result.resolution = usable_ladder(entry).front();
+  if (chooses_itself(*entry.make(result.resolution), "samples")) {
+    if (const std::optional<int> samples = fixed_grid(entry, result.resolution))
+      result.resolution.emplace_back("samples", std::to_string(*samples));
   }
-  const std::unique_ptr<Method> method = entry.make(terms.settings);
-  terms.grid = own_grid(*method, terms).value_or(terms.grid);
+  const std::unique_ptr<Method> method = entry.make(result.resolution);
+  result.grid = own_grid(*method, result.resolution).value_or(result.grid);
   if (const auto tolerance = number_of(*method, "tolerance"))
-    terms.agreement = std::clamp(kAmplification * *tolerance, terms.agreement, 0.1);
-  return terms;
+    result.agreement = std::clamp(kAmplification * *tolerance, result.agreement, 0.1);
+  return result;
 }
 
-Subject::Subject(const MethodEntry& entry, Problem problem, Terms terms)
+CheckedMethod::CheckedMethod(const MethodEntry& entry, Problem problem, CheckSettings settings)
     : entry_(entry),
       problem_(std::move(problem)),
-      terms_(std::move(terms)),
-      method_(entry.make(terms_.settings)),
+      settings_(std::move(settings)),
+      method_(entry.make(settings_.resolution)),
       support_(method_->supports(problem_)) {}
 
-const Solution& Subject::answer() const {
+const Solution& CheckedMethod::answer() const {
   if (!answer_) answer_ = solve(problem_);
   return *answer_;
 }
 
-Solution Subject::solve(const Problem& problem, std::shared_ptr<const Trajectory> guess) const {
+Solution CheckedMethod::solve(const Problem& problem, std::shared_ptr<const Trajectory> guess) const {
   const auto limit = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-      std::chrono::duration<double>(terms_.timeout));
+      std::chrono::duration<double>(settings_.timeout));
   const std::unique_ptr<PreparedMethod> prepared = method_->prepare(problem);
   return prepared->solve({.guess = std::move(guess), .deadline = std::chrono::steady_clock::now() + limit});
 }
 
-Subject Subject::with(const Settings& settings) const {
-  Terms terms = terms_;
-  terms.settings = settings;
-  return {entry_, problem_, terms};
+CheckedMethod CheckedMethod::with(const Settings& resolution) const {
+  CheckSettings settings = settings_;
+  settings.resolution = resolution;
+  return {entry_, problem_, settings};
+}
+
+std::optional<CheckResult> unless_supported(const CheckedMethod& checked) {
+  if (checked.support().ok) return std::nullopt;
+  return not_applicable("the method does not apply: " + checked.support().reason);
+}
+
+std::optional<CheckResult> unless_answered(const CheckedMethod& checked) {
+  if (auto refusal = unless_supported(checked)) return refusal;
+  const Solution& answer = checked.answer();
+  if (answer.verdict != Verdict::converged) return not_applicable("there is no answer: " + answer.message);
+  if (!answer.trajectory) return not_applicable("the answer has no trajectory");
+  return std::nullopt;
 }
 
 double displacement_scale(const Problem& problem, const Samples& samples) {

@@ -1,4 +1,4 @@
-#include "harness/conformance/finding.hpp"
+#include "harness/conformance/check_result.hpp"
 
 #include <array>
 #include <nlohmann/json.hpp>
@@ -11,12 +11,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 4> kOutcomes{"passed", "remarked", "not-applicable", "failed"};
-
-void add_result(const CheckResult& result, Json& json) {
-  json["outcome"] = outcome_name(result.outcome);
-  if (!result.why.empty()) json["why"] = result.why;
-  if (!result.reproduce.empty()) json["reproduce"] = result.reproduce;
-}
 
 }  // namespace
 
@@ -31,11 +25,19 @@ CheckResult not_applicable(std::string why) {
 
 Json to_json(const CheckResult& result) {
   Json json;
-  add_result(result, json);
+  const auto add = [&json](const char* key, std::string_view text) {
+    if (!text.empty()) json[key] = text;
+  };
+  add("check", result.check);
+  add("promise", result.promise);
+  add("scene", result.scene);
+  add("outcome", outcome_name(result.outcome));
+  add("why", result.why);
+  add("reproduce", result.reproduce);
   return json;
 }
 
-CheckResult result_from_json(const Json& json) {
+CheckResult check_result_from_json(const Json& json) {
   CheckResult result;
   const std::string name = json.at("outcome");
   for (std::size_t i = 0; i < kOutcomes.size(); ++i) {
@@ -43,14 +45,10 @@ CheckResult result_from_json(const Json& json) {
   }
   result.why = json.value("why", "");
   result.reproduce = json.value("reproduce", "");
+  result.check = json.value("check", "");
+  result.promise = json.value("promise", "");
+  result.scene = json.value("scene", "");
   return result;
-}
-
-Json to_json(const CheckFinding& finding) {
-  Json json{{"check", finding.check}, {"promise", finding.promise}};
-  if (!finding.scene.empty()) json["scene"] = finding.scene;
-  add_result(finding.result, json);
-  return json;
 }
 
 }  // namespace signorini

@@ -1,0 +1,73 @@
+#pragma once
+// A method on a scene while it is checked.
+
+#include <memory>
+#include <optional>
+
+#include "harness/conformance/check_result.hpp"
+#include "harness/plan/selection.hpp"
+#include "methods/catalogue.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// How a method is run by the checks, and how far two of its answers may differ.
+struct CheckSettings {
+  Settings resolution = {};  ///< options of the method: a cheap resolution
+  int grid = 64;  ///< instants of a period at which answers are compared; the method's own grid if it has one
+  double agreement = 1e-8;  ///< of answers to equivalent problems, relative to the largest x and force [-]
+  double identity = 1e-9;   ///< of one trajectory with itself at common instants, relative [-]
+  double timeout = 10.0;    ///< wall time of one solve [s]
+  double patience = 1.0;    ///< allowed from the end of the time budget to the end of the solve [s]
+};
+
+/// The ladder of resolutions that the method declares. If it cannot be read or the method refuses it, which
+/// check_declaration reports, the method's defaults alone.
+std::vector<Settings> usable_ladder(const MethodEntry& entry);
+
+/// Settings from what a method declares: the first step of its ladder; `samples` fixed where the method would
+/// choose it, because a delay by whole steps needs a known grid; and an agreement of its `tolerance` times
+/// the amplification by the slowest decay of any scene.
+CheckSettings check_settings_of(const MethodEntry& entry);
+
+/// A method on a scene, and its answer from a cold start, computed when it is first asked for.
+class CheckedMethod {
+ public:
+  /// \throws InvalidOption if the method refuses the settings
+  CheckedMethod(const MethodEntry& entry, Problem problem, CheckSettings settings);
+
+  [[nodiscard]] const MethodEntry& entry() const { return entry_; }
+  [[nodiscard]] const Method& method() const { return *method_; }
+  [[nodiscard]] const Problem& problem() const { return problem_; }
+  [[nodiscard]] const CheckSettings& settings() const { return settings_; }
+  [[nodiscard]] const Support& support() const { return support_; }
+  /// The answer on the scene from a cold start. Requires support().ok.
+  [[nodiscard]] const Solution& answer() const;
+  /// The answer on any problem, within settings().timeout.
+  [[nodiscard]] Solution solve(const Problem& problem, std::shared_ptr<const Trajectory> guess = {}) const;
+  /// The same method and scene with another resolution. \throws InvalidOption
+  [[nodiscard]] CheckedMethod with(const Settings& resolution) const;
+
+ private:
+  const MethodEntry& entry_;
+  Problem problem_;
+  CheckSettings settings_;
+  std::unique_ptr<Method> method_;
+  Support support_;
+  mutable std::optional<Solution> answer_;
+};
+
+/// The result of a check that needs the method to apply, if it does not.
+std::optional<CheckResult> unless_supported(const CheckedMethod& checked);
+
+/// The result of a check that needs a converged trajectory, if there is none. That the method should have
+/// converged is the business of check_convergence.
+std::optional<CheckResult> unless_answered(const CheckedMethod& checked);
+
+/// Scale of displacements: the largest |x| and |gap| [m].
+double displacement_scale(const Problem& problem, const Samples& samples);
+
+/// Scale of forces: the largest term of the load [N].
+double load_scale(const Problem& problem);
+
+}  // namespace signorini

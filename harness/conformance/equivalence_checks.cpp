@@ -1,0 +1,163 @@
+// Checks that need no oracle: equivalent problems must have equivalent answers, and equal problems equal
+// ones.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "harness/conformance/checks.hpp"
+#include "harness/conformance/transformations.hpp"
+#include "harness/records/answer_digest.hpp"
+#include "problems/validation.hpp"
+
+namespace signorini {
+
+namespace {
+
+// No powers of two: every product is rounded.
+constexpr double kLoad = 3.7;
+constexpr double kStructure = 0.23;
+constexpr double kTime = 1.9;
+
+/// Sum of the listed impulses of a period, per contact [N s].
+Eigen::VectorXd listed_impulse(const Trajectory& trajectory, int contacts) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(contacts);
+  for (const Impulse& impulse : trajectory.impulses()) {
+    if (impulse.contact >= 0 && impulse.contact < contacts) sum[impulse.contact] += impulse.value;
+  }
+  return sum;
+}
+
+/// Largest deviation of the listed impulses per period, relative to the larger of the impulse itself and the
+/// impulse of the load over a period [-].
+double impulse_deviation(const CheckedMethod& checked, const Trajectory& before, const Trajectory& after,
+                         const MotionMap& map) {
+  const int contacts = checked.problem().contact_count();
+  const Eigen::VectorXd expected = listed_impulse(before, contacts);
+  const Eigen::VectorXd found = listed_impulse(after, contacts) / (map.force * map.time);
+  const double scale = load_scale(checked.problem()) * checked.problem().period();
+  double worst = 0.0;
+  for (int c = 0; c < contacts; ++c)
+    worst = std::max(worst, std::abs(found[c] - expected[c]) / std::max(scale, std::abs(expected[c])));
+  return worst;
+}
+
+/// Largest deviation of `after` from what `map` makes of `before`, at settings().grid instants: of x relative
+/// to the displacement scale, of the contact force relative to the larger of the largest force and the load
+/// scale, of the impulses as above [-].
+double deviation(const CheckedMethod& checked, const Trajectory& before, const Trajectory& after,
+                 const MotionMap& map) {
+  const int count = checked.settings().grid;
+  const Samples expected = before.sample(count), found = after.sample(count);
+  if (expected.x.cols() != found.x.cols()) return std::numeric_limits<double>::infinity();
+  if (found.x.cols() == 0) return 0.0;
+  const double x_scale = displacement_scale(checked.problem(), expected);
+  // Forces on the scale of the load: a contact that barely presses is judged by what could press it.
+  const double f_scale = std::max(expected.force.cwiseAbs().maxCoeff(), load_scale(checked.problem()));
+  double worst = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const int j = ((i + map.delay) % count + count) % count;
+    const auto x = (found.x.row(j) / map.displacement - expected.x.row(i)).cwiseAbs().maxCoeff();
+    const auto force = (found.force.row(j) / map.force - expected.force.row(i)).cwiseAbs().maxCoeff();
+    worst = std::max({worst, x / x_scale, force / f_scale});
+  }
+  return std::max(worst, impulse_deviation(checked, before, after, map));
+}
+
+/// Whether `motion` is a solution of the scene: a solve that starts from it stays there. The forces follow
+/// from x.
+bool is_solution(const CheckedMethod& checked, const std::shared_ptr<const Trajectory>& motion) {
+  const Solution again = checked.solve(checked.problem(), motion);
+  if (again.verdict != Verdict::converged || !again.trajectory) return false;
+  const int count = checked.settings().grid;
+  const Samples given = motion->sample(count), kept = again.trajectory->sample(count);
+  return (given.x - kept.x).cwiseAbs().maxCoeff() <=
+         checked.settings().agreement * displacement_scale(checked.problem(), given);
+}
+
+/// Whether the method answers `problem`, which `map` makes of its scene, with what the map makes of its
+/// answer. A different answer is accepted with a remark if, mapped back, it is a solution of the scene.
+/// `shifts`: number of equal parts of the period by any whole number of which the answer may come later
+/// still.
+CheckResult compare(const CheckedMethod& checked, const Problem& problem, const MotionMap& map,
+                    int shifts = 1) {
+  if (auto no_answer = unless_answered(checked)) return *no_answer;
+  validate(problem);
+  const Solution found = checked.solve(problem);
+  if (found.verdict != Verdict::converged || !found.trajectory)
+    return failed("the equivalent problem is not solved: " + found.message);
+  const Trajectory& answer = *checked.answer().trajectory;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int shift = 0; shift < shifts; ++shift) {
+    MotionMap shifted = map;
+    shifted.delay += shift * map.grid / shifts;
+    nearest = std::min(nearest, deviation(checked, answer, *found.trajectory, shifted));
+  }
+  const double allowed = checked.settings().agreement;
+  if (nearest <= allowed) return passed();
+  if (is_solution(checked, std::make_shared<MappedMotion>(found.trajectory, map.inverse())))
+    return remarked(
+        fmt::format("the equivalent problem gets another solution of the scene, {:.1e} away", nearest));
+  return failed(
+      fmt::format("the answers to equivalent problems differ by {:.1e} of their scale (must be <= {:.1e})",
+                  nearest, allowed));
+}
+
+/// Names what differs between two solutions; empty if their bits are equal.
+std::string difference(const Solution& a, const Solution& b) {
+  if (a.verdict != b.verdict) return "their verdicts";
+  if (a.message != b.message) return fmt::format("their messages, '{}' and '{}'", a.message, b.message);
+  if (a.residual != b.residual) return "their residuals";
+  if (a.condition != b.condition) return "their condition estimates";
+  if ((a.trajectory == nullptr) != (b.trajectory == nullptr)) return "their having a trajectory";
+  if (!a.trajectory) return {};
+  if (answer_digest(*a.trajectory) == answer_digest(*b.trajectory)) return {};
+  constexpr int kCount = 50;
+  const Samples x = a.trajectory->sample(kCount), y = b.trajectory->sample(kCount);
+  const double largest = x.x.size() > 0 ? (x.x - y.x).cwiseAbs().maxCoeff() : 0.0;
+  return fmt::format("their trajectories, x by {:.1e} m", largest);
+}
+
+}  // namespace
+
+CheckResult check_determinism(const CheckedMethod& checked) {
+  if (auto refusal = unless_answered(checked)) return *refusal;
+  const auto prepared = checked.method().prepare(checked.problem());
+  const Solution first = prepared->solve({});
+  const Solution again = prepared->solve({});
+  if (const std::string what = difference(first, again); !what.empty())
+    return failed("two solves of one set-up differ in " + what);
+  if (const std::string what = difference(first, checked.method().prepare(checked.problem())->solve({}));
+      !what.empty())
+    return failed("the solves of two set-ups differ in " + what);
+  return passed();
+}
+
+CheckResult check_load_scaling(const CheckedMethod& checked) {
+  return compare(checked, with_load_scaled(checked.problem(), kLoad),
+                 {.displacement = kLoad, .force = kLoad});
+}
+
+CheckResult check_structure_scaling(const CheckedMethod& checked) {
+  return compare(checked, with_structure_scaled(checked.problem(), kStructure), {.force = kStructure});
+}
+
+CheckResult check_time_scaling(const CheckedMethod& checked) {
+  return compare(checked, with_time_scaled(checked.problem(), kTime), {.time = kTime});
+}
+
+CheckResult check_numbering(const CheckedMethod& checked) {
+  return compare(checked, with_coordinates_reversed(checked.problem()), {});
+}
+
+CheckResult check_time_shift(const CheckedMethod& checked) {
+  const Problem& problem = checked.problem();
+  const int grid = checked.settings().grid, steps = 5 * grid / 16 + 1;
+  const Problem delayed = with_load_delayed(problem, steps * problem.period() / grid);
+  // A subharmonic motion may come any number of forcing periods later still.
+  return compare(checked, delayed, {.delay = steps, .grid = grid}, problem.subharmonic);
+}
+
+}  // namespace signorini
