@@ -1,0 +1,41 @@
+// `signorini orbits`.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/harness/program.hpp"
+
+namespace signorini {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using test::Outcome;
+
+Outcome run(const std::string& arguments) { return test::run_program(arguments); }
+
+TEST(CommandOrbits, ListsTheOrbitsOfAScene) {
+  const Outcome table = run("orbits sdof-subharmonic --starts 8 --subharmonics 2");
+  EXPECT_EQ(table.code, 0) << table.err;
+  EXPECT_NE(table.out.find("| orbit"), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("unstable"), std::string::npos) << table.out;
+  const Outcome outcome = run("orbits sdof-subharmonic --starts 8 --subharmonics 2 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json orbits = Json::parse(outcome.out);
+  ASSERT_GE(orbits.size(), 2U);
+  for (const char* key : {"orbit", "order", "period", "amplitude", "impacts", "error_bar", "floquet",
+                          "stable", "events", "found_by", "starts", "from_rest"}) {
+    EXPECT_TRUE(orbits[0].contains(key)) << key;
+  }
+  EXPECT_EQ(orbits[0]["order"], 1);
+}
+
+TEST(CommandOrbits, ExitsWithOneWhereNoOrbitIsFound) {
+  const Outcome outcome = run("orbits sdof-stop --starts 0 --timeout 1e-9");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("no certified orbit"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace signorini

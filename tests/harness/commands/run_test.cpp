@@ -1,0 +1,133 @@
+// `signorini run`.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "harness/files.hpp"
+#include "harness/records/record_store.hpp"
+#include "problems/scene/scene_file.hpp"
+#include "tests/harness/fake_method.hpp"
+#include "tests/harness/program.hpp"
+
+namespace signorini {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using test::Outcome;
+
+Outcome run(const std::string& arguments) { return test::run_program(arguments); }
+
+TEST(CommandRun, PrintsThePlanWithoutRunningIt) {
+  const Outcome outcome =
+      run("run quick --scenes sdof-stop --methods 'penalty-hbm[harmonics=31,penalty=1e4|1e6]' --dry-run");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(
+      outcome.out,
+      "sdof-stop/penalty-hbm[harmonics=31,penalty=1e4]\nsdof-stop/penalty-hbm[harmonics=31,penalty=1e6]\n");
+}
+
+TEST(CommandRun, RunsASceneFileInPlaceOfTheSuites) {
+  const std::filesystem::path folder = test::fresh_folder("own-scene");
+  std::string text = read_file(problems_folder() / "catalogue" / "sdof-stop.toml");
+  text.replace(text.find("\"sdof-stop\""), 11, "\"my-stop\"");
+  std::ofstream(folder / "own.toml") << text;
+  const Outcome outcome = run("run quick --methods 'hat-lcp[samples=64]' --scenes " +
+                              (folder / "own.toml").string() + " --dry-run");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "my-stop/hat-lcp[samples=64]\n");
+}
+
+TEST(CommandRun, RunsASuiteReportsAndResumesIt) {
+  const auto folder = test::fresh_folder("run");
+  const std::string command =
+      "run smoke --scenes sdof-stop --methods 'hat-lcp[samples=64]:fourier-lipschitz[harmonics=5]' --out " +
+      folder.string();
+  const Outcome first = run(command);
+  ASSERT_EQ(first.code, 0) << first.err << first.out;
+  EXPECT_NE(first.out.find("| scene"), std::string::npos);
+  EXPECT_NE(first.out.find(folder.string()), std::string::npos);
+  EXPECT_EQ(read_records(folder / "records.jsonl").size(), 2U);
+  const std::string records = read_file(folder / "records.jsonl");
+  const std::string table = read_file(folder / "table.md");
+  const std::string csv = read_file(folder / "table.csv");
+  const Json manifest = Json::parse(read_file(folder / "manifest.json"));
+  for (const char* key : {"date", "command_line", "seed", "limits", "build", "machine"}) {
+    EXPECT_TRUE(manifest.contains(key)) << key;
+  }
+  EXPECT_TRUE(manifest["build"].contains("compiler"));
+
+  const Outcome again = run(command + " --resume");
+  EXPECT_EQ(again.code, 0);
+  EXPECT_EQ(read_file(folder / "records.jsonl"), records);
+  EXPECT_NE(again.out.find("0 cases run, 2 already there"), std::string::npos);
+
+  EXPECT_EQ(
+      run("run smoke --scenes sdof-stop --methods 'hat-lcp[samples=64]' --resume --out " + folder.string())
+          .code,
+      0);
+  EXPECT_EQ(Json::parse(run("status --json " + folder.string()).out)[0]["planned"], 2);
+  EXPECT_EQ(read_file(folder / "table.md"), table);
+
+  EXPECT_EQ(run("report " + folder.string()).code, 0);
+  EXPECT_EQ(read_file(folder / "table.md"), table);
+  EXPECT_EQ(read_file(folder / "table.csv"), csv);
+}
+
+TEST(CommandRun, ExitsWithOneWhereSomethingFailedThatWasNotExpectedTo) {
+  const auto folder = test::fresh_folder("failing");
+  const std::string case_line =
+      "run smoke --scenes sdof-stop --methods "
+      "'fourier-lipschitz[harmonics=5,max_iterations=1,solver=newton]' --out ";
+  EXPECT_EQ(run(case_line + folder.string()).code, 1);
+  EXPECT_EQ(read_records(folder / "records.jsonl").size(), 1U);
+}
+
+TEST(CommandRun, RefusesASeedAShardAndDurationsThatMeanNothing) {
+  for (const char* words : {"--seed -1", "--shard ''", "--durations nope"}) {
+    const Outcome outcome = run(std::string("run smoke --dry-run ") + words);
+    EXPECT_EQ(outcome.code, 2) << words;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+TEST(CommandRun, StopsAtAnInterruptAndCompletesTheRunLater) {
+  const auto folder = test::fresh_folder("interrupt");
+  const std::string binary = SIGNORINI_BINARY, out = folder.string();
+  const pid_t child = fork();
+  if (child == 0) {
+    if (freopen("/dev/null", "w", stdout) == nullptr || freopen("/dev/null", "w", stderr) == nullptr)
+      _exit(99);
+    execl(binary.c_str(), binary.c_str(), "run", "smoke", "--out", out.c_str(), nullptr);
+    _exit(98);
+  }
+  // Not before a first record is there, so that the interrupt comes in the middle.
+  std::error_code none;
+  for (int i = 0; i < 6000; ++i) {
+    const auto size = std::filesystem::file_size(folder / "records.jsonl", none);
+    if (!none && size > 0) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  const std::size_t before = read_records(folder / "records.jsonl").size();
+  EXPECT_GE(before, 1U);
+  const Outcome rest = run("run smoke --resume --out " + folder.string());
+  EXPECT_NE(rest.code, 130);
+  EXPECT_NE(rest.out.find(std::to_string(before) + " already there"), std::string::npos) << rest.out;
+}
+
+}  // namespace
+}  // namespace signorini
