@@ -51,10 +51,11 @@ Eigen::MatrixXcd force_spectrum(const Eigen::MatrixXd& force, const std::vector<
                                 double period, int count) {
   RealFft fft(static_cast<int>(force.rows()));
   Eigen::VectorXcd spectrum(fft.coefficients());
-  Eigen::MatrixXcd result(count + 1, force.cols());
+  const Eigen::Index known = std::min<Eigen::Index>(count + 1, spectrum.size());
+  Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(count + 1, force.cols());
   for (Eigen::Index c = 0; c < force.cols(); ++c) {
     fft.forward(force.col(c), spectrum);
-    result.col(c) = spectrum.head(count + 1);
+    result.col(c).head(known) = spectrum.head(known);
   }
   for (const Impulse& impulse : impulses) {
     for (int n = 0; n <= count; ++n) {

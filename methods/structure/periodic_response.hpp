@@ -49,8 +49,9 @@ class PeriodicResponse {
 /// has them, zero beyond its bandwidth; else by a fine transform of its samples.
 Eigen::MatrixXcd force_spectrum(const Trajectory& trajectory, int count);
 
-/// The same of a force sampled at equidistant instants of its period, instants x Nc, and of impulses; better
-/// than a hundredth of each coefficient from `samples_for_spectrum(count)` instants on, jumps included.
+/// Fourier coefficients n = 0..count of a force sampled at equidistant instants of its period, instants x Nc,
+/// and of impulses. From `samples_for_spectrum(count)` instants on each is better than a hundredth, jumps of the
+/// force included; beyond half the instants only the impulses have a part in them.
 Eigen::MatrixXcd force_spectrum(const Eigen::MatrixXd& force, const std::vector<Impulse>& impulses,
                                 double period, int count);
 

@@ -11,7 +11,7 @@
 
 #include "methods/flow/period_map.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
-#include "tests/methods/event_driven/steady_state_cases.hpp"
+#include "tests/methods/flow/steady_state_cases.hpp"
 #include "tests/support/data_folder.hpp"
 
 namespace signorini::test {

@@ -1,4 +1,4 @@
-#include "methods/event_driven/steady_state.hpp"
+#include "methods/flow/steady_state.hpp"
 
 #include <fmt/format.h>
 
