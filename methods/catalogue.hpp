@@ -19,6 +19,9 @@ struct MethodEntry {
   std::string title;   ///< one line for people
   std::string laws;    ///< laws it can represent, for `list`
   std::string ladder;  ///< resolutions a benchmark runs, "key=v1|v2|v3"
+  /// Settings, "key=v1|v2", from which cold starts lead to orbits that no step of the ladder leads to: tried
+  /// in searches for all orbits of a scene only; empty: none
+  std::string starts = {};
   /// p of error of x ~ h^p, h the step that the ladder refines, on motions with impacts; empty: none is
   /// claimed [-]
   std::optional<double> order = {};
@@ -45,6 +48,13 @@ constexpr std::optional<double> claimed_order() {
   return std::nullopt;
 }
 
+/// The further starts of a method class, its member `kStarts`, if it has one.
+template <class M>
+constexpr std::string_view further_starts() {
+  if constexpr (requires { M::kStarts; }) return M::kStarts;
+  return {};
+}
+
 /// The catalogue entry of a method class: its constructor validates the options it is given.
 template <RegistrableMethod M>
 MethodEntry method_entry() {
@@ -52,6 +62,7 @@ MethodEntry method_entry() {
           .title = std::string(M::kTitle),
           .laws = std::string(M::kLaws),
           .ladder = std::string(M::kLadder),
+          .starts = std::string(further_starts<M>()),
           .order = claimed_order<M>(),
           .make = [](std::span<const OptionSetting> settings) -> std::unique_ptr<Method> {
             typename M::Options options;

@@ -136,7 +136,7 @@ double relative_distance(const Trajectory& a, const Trajectory& b, int instants,
   return difference / std::max({x_a.norm(), x_b.norm(), least * std::sqrt(static_cast<double>(instants))});
 }
 
-bool near_by(double distance) { return distance <= 0.5; }
+bool near_by(double distance) { return distance <= kNearOrbit; }
 
 void add_effort(const Work& part, Work& whole) {
   if (part.pivots) whole.pivots = whole.pivots.value_or(0) + *part.pivots;

@@ -57,6 +57,11 @@ using WorthChecking = std::function<bool(const Solution&)>;
 std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, std::string symbol,
                                                      WorthChecking worth_checking, double least);
 
+/// A motion farther from another than this, relative root mean square of x over the period, is not an
+/// approximation of it: the judge certifies no answer by an orbit so far away, and a method claims no motion
+/// so far from the one on the next coarser grid.
+inline constexpr double kNearOrbit = 0.5;
+
 /// |x_a - x_b| over the largest of |x_a|, |x_b| and `least` [m], root mean squares at so many instants [-].
 double relative_distance(const Trajectory& a, const Trajectory& b, int instants, double least = 0.0);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a structural matrix must be: symmetric and positive semi-definite, up to rounding.
+// Symmetry and definiteness of structural matrices, up to rounding.
 
 #include "problems/sparse_matrix.hpp"
 

@@ -95,12 +95,12 @@ struct Problem {
   [[nodiscard]] double base_frequency() const { return frequency / subharmonic; }
 };
 
-/// The same problem, asked for motions of period `order` * 2 pi / omega.
+/// `problem` with motions of period `order` * 2 pi / omega sought.
 Problem with_subharmonic(Problem problem, int order);
 
 /// W, Nd x Nc: column j holds the normal of contact j, so that x = W^T u [-].
 SparseMatrix contact_directions(const Problem& problem);
-/// The same of any list of contacts on a structure of `size` coordinates, size x contacts.size() [-].
+/// The directions of any list of contacts on a structure of `size` coordinates, size x contacts.size() [-].
 SparseMatrix contact_directions(const std::vector<Contact>& contacts, int size);
 
 /// g, Nc [m].
@@ -113,8 +113,8 @@ Eigen::VectorXcd load_harmonic(const Problem& problem, int harmonic);
 /// Highest harmonic of the forcing frequency present in the load; 0 when the load is constant.
 int highest_load_harmonic(const Problem& problem);
 
-/// The same counted in harmonics of the motion looked for, of base frequency omega / subharmonic: the least
-/// number of harmonics with which a Fourier series over problem.period() represents the load.
+/// highest_load_harmonic in harmonics of the motion sought, whose base frequency is omega / subharmonic: the
+/// least number of harmonics with which a Fourier series over problem.period() represents the load.
 int load_bandwidth(const Problem& problem);
 
 /// f(t), Nd [N].

@@ -43,7 +43,7 @@ void check_symmetric(const SparseMatrix& A, const std::string& field, Definitene
 
 // Coordinates alone are looked at where combinations of them need not be: numbers too small to be told from 0
 // leave nothing of an element.
-bool nothing_is_loose(const SparseMatrix& all, Definiteness definiteness) {
+bool every_motion_is_resisted(const SparseMatrix& all, Definiteness definiteness) {
   if (definiteness == Definiteness::to_be_checked) return is_definite(all);
   return (all.diagonal().array() > 0.0).all();
 }
@@ -68,7 +68,7 @@ void check_matrices(const Problem& problem, Definiteness definiteness) {
   for (const SparseMatrix* A : {&dissipative, &problem.stiffness()}) {
     if (const double scale = largest_entry(*A); scale > 0.0) all += *A / scale;
   }
-  require(nothing_is_loose(all, definiteness), "system", "structure with a loose coordinate",
+  require(every_motion_is_resisted(all, definiteness), "system", "structure with a loose coordinate",
           "every motion must meet a mass, a damper or a spring");
 }
 

@@ -13,7 +13,7 @@ class App;
 
 namespace signorini {
 
-struct OrbitQuest;
+struct OrbitSearchOptions;
 
 /// Exit codes of the program.
 enum ExitCode : int {
@@ -53,7 +53,7 @@ void add_verify_command(CLI::App& app, int& exit_code);
 void add_plugin_options(CLI::App& app, const std::shared_ptr<std::vector<std::string>>& plugins);
 
 /// --starts, --subharmonics, --seed, --timeout: of the commands that search for orbits.
-void add_search_options(CLI::App& command, OrbitQuest& quest, std::optional<int>& subharmonics);
+void add_search_options(CLI::App& command, OrbitSearchOptions& options, std::optional<int>& subharmonics);
 
 /// `key=value` as --set takes it, any number. \throws UsageError
 std::vector<std::pair<std::string, std::string>> parse_settings(const std::vector<std::string>& texts);

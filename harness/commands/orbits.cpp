@@ -17,7 +17,7 @@ namespace {
 
 struct OrbitsArguments {
   std::string scene;
-  OrbitQuest quest;
+  OrbitSearchOptions options;
   std::optional<int> subharmonics;
   bool json = false;
 };
@@ -37,65 +37,65 @@ Table orbit_table(const std::vector<FoundOrbit>& orbits) {
   table.header = {"orbit",     "order",     "impacts", "contact phases", "amplitude [m]", "multiplier",
                   "stability", "error bar", "starts",  "found cold by",  "from rest"};
   for (const FoundOrbit& orbit : orbits) {
-    const CheckedOrbit& certificate = orbit.certificate;
+    const CertifiedOrbit& certified = orbit.certified;
     const std::optional<double> multiplier = orbit.largest_multiplier();
-    const bool chatter = certificate.source.find("chatter") != std::string::npos;
+    const bool chatter = certified.source.find("chatter") != std::string::npos;
     table.rows.push_back({orbit.fingerprint, std::to_string(orbit.order),
                           std::to_string(orbit.impacts()) + (chatter ? ", then chatter" : ""),
                           std::to_string(orbit.contact_phases()), fmt::format("{:.6g}", orbit.amplitude),
                           multiplier ? fmt::format("{:.6g}", *multiplier) : "-",
-                          !certificate.stable   ? "-"
-                          : *certificate.stable ? "stable"
-                                                : "unstable",
-                          fmt::format("{:.1e}", certificate.error_bar), std::to_string(orbit.starts),
+                          !certified.stable   ? "-"
+                          : *certified.stable ? "stable"
+                                              : "unstable",
+                          fmt::format("{:.1e}", certified.error_bar), std::to_string(orbit.starts),
                           method_names(orbit.cold), orbit.from_rest ? "yes" : "-"});
   }
   return table;
 }
 
-void print_remarks(const OrbitCensus& census, const OrbitQuest& quest) {
+void print_remarks(const SceneOrbits& found, const OrbitSearchOptions& options) {
   int failed = 0;
-  for (const auto& [reason, count] : census.failures) failed += count;
-  fmt::print(stderr, "{} starts, {} of them without a certified orbit\n", census.searches, failed);
-  for (const auto& [reason, count] : census.failures) fmt::print(stderr, "  {} x {}\n", count, reason);
-  for (const std::string& loss : census.losses) fmt::print(stderr, "  lost: {}\n", loss);
-  if (census.expired)
-    fmt::print(stderr, "the time limit of {:g} s cut the search short: there may be more\n", quest.timeout);
-  if (census.interrupted) fmt::print(stderr, "interrupted: there may be more\n");
+  for (const auto& [reason, count] : found.failures) failed += count;
+  fmt::print(stderr, "{} starts, {} of them without a certified orbit\n", found.searches, failed);
+  for (const auto& [reason, count] : found.failures) fmt::print(stderr, "  {} x {}\n", count, reason);
+  for (const std::string& loss : found.losses) fmt::print(stderr, "  lost: {}\n", loss);
+  if (found.expired)
+    fmt::print(stderr, "the time limit of {:g} s cut the search short: there may be more\n", options.timeout);
+  if (found.interrupted) fmt::print(stderr, "interrupted: there may be more\n");
 }
 
 int list_orbits(const OrbitsArguments& arguments) {
   const Scene scene = read_scene(find_scene(arguments.scene));
-  OrbitQuest quest = arguments.quest;
-  quest.subharmonics = arguments.subharmonics.value_or(default_subharmonics(scene.problem));
+  OrbitSearchOptions options = arguments.options;
+  options.subharmonics = arguments.subharmonics.value_or(default_subharmonics(scene.problem));
   watch_interrupts();
-  const OrbitCensus census = find_all_orbits(scene.problem, quest);
+  const SceneOrbits found = find_all_orbits(scene.problem, options);
   if (arguments.json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const FoundOrbit& orbit : census.orbits) list.push_back(to_json(orbit));
+    for (const FoundOrbit& orbit : found.orbits) list.push_back(to_json(orbit));
     fmt::print("{}\n", list.dump());
-  } else if (!census.orbits.empty()) {
-    fmt::print("{}", to_markdown(orbit_table(census.orbits)));
+  } else if (!found.orbits.empty()) {
+    fmt::print("{}", to_markdown(orbit_table(found.orbits)));
   }
-  print_remarks(census, quest);
-  if (census.interrupted) return kInterrupted;
-  if (!census.orbits.empty()) return kDone;
+  print_remarks(found, options);
+  if (found.interrupted) return kInterrupted;
+  if (!found.orbits.empty()) return kDone;
   fmt::print(stderr, "no certified orbit\n");
   return kUnexpectedFailure;
 }
 
 }  // namespace
 
-void add_search_options(CLI::App& command, OrbitQuest& quest, std::optional<int>& subharmonics) {
-  command.add_option("--starts", quest.starts, "random states to start from, at each order")
+void add_search_options(CLI::App& command, OrbitSearchOptions& options, std::optional<int>& subharmonics) {
+  command.add_option("--starts", options.starts, "random states to start from, at each order")
       ->check(CLI::Range(0, 100000))
       ->capture_default_str();
   command
       .add_option("--subharmonics", subharmonics,
                   "search periods of 1 to this many forcing periods; if absent 3, or the scene's own if more")
       ->check(CLI::Range(1, 64));
-  command.add_option("--seed", quest.seed, "of the random states")->capture_default_str();
-  command.add_option("--timeout", quest.timeout, "wall time of the search of one scene [s]")
+  command.add_option("--seed", options.seed, "of the random states")->capture_default_str();
+  command.add_option("--timeout", options.timeout, "wall time of the search of one scene [s]")
       ->check(positive_seconds)
       ->capture_default_str();
 }
@@ -106,7 +106,7 @@ void add_orbits_command(CLI::App& app, int& exit_code) {
       "All certified orbits of a scene under its own law, stable or not; exit code 1 if none is found.");
   const auto arguments = std::make_shared<OrbitsArguments>();
   command->add_option("scene", arguments->scene, "a scene of the catalogue, or a scene file")->required();
-  add_search_options(*command, arguments->quest, arguments->subharmonics);
+  add_search_options(*command, arguments->options, arguments->subharmonics);
   command->add_flag("--json", arguments->json, "print the orbits as a JSON array, events included");
   command->callback([arguments, &exit_code] { exit_code = list_orbits(*arguments); });
 }

@@ -31,7 +31,7 @@ struct VerifyArguments {
   std::optional<std::string> folder;
   std::optional<std::string> scenes;
   std::string cases = "*";
-  OrbitQuest quest;
+  OrbitSearchOptions options;
   std::optional<int> subharmonics;
   bool update = false;
 };
@@ -107,23 +107,23 @@ std::vector<std::string> scenes_to_verify(const VerifyArguments& arguments, cons
 }
 
 /// A search; an incomplete one would prove nothing.
-std::optional<OrbitFile> search(const Scene& scene, const OrbitQuest& quest,
+std::optional<OrbitFile> search(const Scene& scene, const OrbitSearchOptions& options,
                                 std::vector<std::string>& differences) {
-  const OrbitCensus census = find_all_orbits(scene.problem, quest);
-  if (census.interrupted) return std::nullopt;
-  if (census.expired) {
+  const SceneOrbits orbits = find_all_orbits(scene.problem, options);
+  if (orbits.interrupted) return std::nullopt;
+  if (orbits.expired) {
     differences.push_back(fmt::format("{}: the search did not end within {:g} s (--timeout)",
-                                      scene.problem.name, quest.timeout));
+                                      scene.problem.name, options.timeout));
     return std::nullopt;
   }
-  return make_orbit_file(scene, quest, census);
+  return make_orbit_file(scene, options, orbits);
 }
 
 void update_scene(const VerifyArguments& arguments, const fs::path& file, const Scene& scene,
                   std::vector<std::string>& differences) {
-  OrbitQuest quest = arguments.quest;
-  quest.subharmonics = arguments.subharmonics.value_or(default_subharmonics(scene.problem));
-  const auto found = search(scene, quest, differences);
+  OrbitSearchOptions options = arguments.options;
+  options.subharmonics = arguments.subharmonics.value_or(default_subharmonics(scene.problem));
+  const auto found = search(scene, options, differences);
   if (!found) return;
   const std::string text = print_orbit_file(*found);
   const bool same = fs::exists(file) && read_file(file) == text;
@@ -158,11 +158,11 @@ void verify_scene(const VerifyArguments& arguments, const fs::path& file, const 
   OrbitDifferences result;
   std::vector<std::string> failures;
   if (kept.scene_sha256 != scene.sha256) {  // before the search: it would be in vain
-    result = compare_orbits(kept, make_orbit_file(scene, kept.quest, {}));
+    result = compare_orbits(kept, make_orbit_file(scene, kept.options, {}));
   } else {
-    OrbitQuest quest = kept.quest;
-    quest.timeout = arguments.quest.timeout;
-    auto now = search(scene, quest, failures);
+    OrbitSearchOptions options = kept.options;
+    options.timeout = arguments.options.timeout;
+    auto now = search(scene, options, failures);
     if (interrupted()) return;
     if (now) {
       add_missed(scene, kept, *now);
@@ -283,7 +283,7 @@ void add_verify_command(CLI::App& app, int& exit_code) {
       "--update", arguments->update,
       "search, and keep what is found, instead of comparing; --starts, --subharmonics and --seed "
       "are for this, a comparison searches as the files say");
-  add_search_options(*command, arguments->quest, arguments->subharmonics);
+  add_search_options(*command, arguments->options, arguments->subharmonics);
   command->callback([arguments, &exit_code] { exit_code = verify(*arguments); });
 }
 

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <utility>
+
 #include "harness/judge/orbit.hpp"
+#include "methods/resolutions.hpp"
 
 namespace signorini {
 
@@ -12,113 +16,129 @@ namespace {
 constexpr double kLargestErrorBar = 1e-6;
 constexpr double kDeepPenetration = 0.5;
 
-/// A candidate for the orbit behind an answer, and how far away it is.
-struct Candidate {
+/// An orbit shifted to where it is nearest to an answer.
+struct PlacedOrbit {
   Motion motion;
-  int shift = 0;
-  double distance = 0.0;
+  int shift = 0;          ///< [forcing periods]
+  double distance = 0.0;  ///< relative x_l2 [-]
 };
 
-Candidate place(const Motion& answer, Motion orbit, bool may_shift) {
-  Candidate candidate{.motion = std::move(orbit)};
-  if (may_shift) candidate.shift = best_shift(answer, candidate.motion);
+PlacedOrbit place(const Motion& answer, Motion orbit, int shift) {
   // No norm: the contacts rest where they are, or there are none, and so does the answer or it is off.
   const double otherwise =
       answer.samples.x.size() == 0 || answer.samples.x.cwiseAbs().maxCoeff() == 0.0 ? 0.0 : 1.0;
-  candidate.distance = distance(answer, candidate.motion, candidate.shift).x_l2.value_or(otherwise);
-  return candidate;
+  const double apart = distance(answer, orbit, shift).x_l2.value_or(otherwise);
+  return {.motion = std::move(orbit), .shift = shift, .distance = apart};
 }
 
-/// `of` is the certificate of the candidate: for the reference what is known of it.
-void describe_orbit(const Candidate& candidate, const CheckedOrbit& of, const Reference& reference,
-                    const Motion* reference_motion, Certificate& certificate) {
-  certificate.status = CertificateStatus::certified;
-  certificate.reason.clear();
-  certificate.source = of.source;
-  certificate.error_bar = of.error_bar;
-  certificate.residual = of.residual;
-  certificate.order = least_order(candidate.motion);
-  certificate.events = of.events.empty() ? orbit_events(candidate.motion) : of.events;
-  certificate.return_distance = of.return_distance;
-  certificate.floquet = of.floquet;
-  certificate.stable = of.stable;
-  certificate.orbit = fingerprint(candidate.motion);
-  if (reference_motion == nullptr) return;
-  certificate.same_orbit = same_orbit(candidate.motion, *reference_motion);
-  if (*certificate.same_orbit) certificate.orbit = reference.fingerprint;
+void add_reason(const std::string& reason, Certificate& certificate) {
+  if (!certificate.reason.empty()) certificate.reason += "; ";
+  certificate.reason += reason;
 }
 
-/// Tries one way to an orbit; true if it certifies the answer.
-bool take(const Problem& problem, const Motion& answer, const CheckedOrbit& found, const Reference& reference,
-          const Motion* known, Judgement& judgement) {
-  Certificate& certificate = judgement.certificate;
-  if (!found.orbit) {
-    if (!certificate.reason.empty()) certificate.reason += "; ";
-    certificate.reason += found.reason;
-    return false;
+/// The attempts to certify one answer, each true where it succeeds.
+class Attempts {
+ public:
+  Attempts(const Problem& problem, const Motion& motion, const Reference& reference)
+      : problem_(problem), motion_(motion), reference_(reference) {
+    Certificate& certificate = result.certificate;
+    certificate.status = CertificateStatus::uncertified;
+    if (reference.orbit) {
+      from_rest_ = sample_motion(problem, *reference.orbit);
+      certificate.reference = reference.fingerprint;
+    } else {
+      certificate.reference_reason = reference.reason;
+    }
   }
-  if (!(found.error_bar <= kLargestErrorBar)) {
-    if (!certificate.reason.empty()) certificate.reason += "; ";
-    certificate.reason += fmt::format("the orbit that it leads to is known to {:.1e} only", found.error_bar);
-    return false;
+
+  /// By an orbit found from the answer, at the answer's own phase.
+  bool take(const CertifiedOrbit& found) {
+    Certificate& certificate = result.certificate;
+    if (!found.motion) {
+      add_reason(found.reason, certificate);
+      return false;
+    }
+    if (!(found.error_bar <= kLargestErrorBar)) {
+      add_reason(fmt::format("the orbit that it leads to is known to {:.1e} only", found.error_bar),
+                 certificate);
+      return false;
+    }
+    PlacedOrbit orbit = place(motion_, sample_motion(problem_, *found.motion), 0);
+    note_distance(orbit);
+    certificate.source = found.source;
+    if (orbit.distance > kNearOrbit) {
+      certificate.reason =
+          fmt::format("the orbit that it leads to ({}) is {:.2g} away", found.source, orbit.distance);
+      return false;
+    }
+    accept(std::move(orbit), found);
+    return true;
   }
-  Candidate candidate = place(answer, sample_motion(problem, *found.orbit), false);
-  if (!certificate.distance || candidate.distance < *certificate.distance)
-    certificate.distance = candidate.distance;
-  certificate.source = found.source;
-  if (candidate.distance > kNearOrbit) {
-    certificate.reason =
-        fmt::format("the orbit that it leads to ({}) is {:.2g} away", found.source, candidate.distance);
-    return false;
+
+  /// By the motion reached from rest, at the phase nearest to the answer's.
+  bool take_reference() {
+    if (!from_rest_) return false;
+    PlacedOrbit orbit = place(motion_, *from_rest_, best_shift(motion_, *from_rest_));
+    note_distance(orbit);
+    if (orbit.distance > kNearOrbit) return false;
+    accept(std::move(orbit), {.error_bar = reference_.error_bar,
+                              .residual = reference_.residual,
+                              .source = "the motion reached from rest"});
+    return true;
   }
-  describe_orbit(candidate, found, reference, known, certificate);
-  judgement.orbit = std::move(candidate.motion);
-  return true;
-}
+
+  CertifiedAnswer result;
+
+ private:
+  void note_distance(const PlacedOrbit& orbit) {
+    std::optional<double>& nearest = result.certificate.distance;
+    if (!nearest || orbit.distance < *nearest) nearest = orbit.distance;
+  }
+
+  void accept(PlacedOrbit orbit, const CertifiedOrbit& known) {
+    Certificate& certificate = result.certificate;
+    certificate.status = CertificateStatus::certified;
+    certificate.reason.clear();
+    certificate.source = known.source;
+    certificate.error_bar = known.error_bar;
+    certificate.residual = known.residual;
+    certificate.order = least_order(orbit.motion);
+    certificate.events = known.events.empty() ? orbit_events(orbit.motion) : known.events;
+    certificate.return_distance = known.return_distance;
+    certificate.floquet = known.floquet;
+    certificate.stable = known.stable;
+    certificate.orbit = fingerprint(orbit.motion);
+    if (from_rest_) {
+      certificate.same_orbit = same_orbit(orbit.motion, *from_rest_);
+      // Two computations of one orbit may round its fingerprint differently.
+      if (*certificate.same_orbit) certificate.orbit = reference_.fingerprint;
+    }
+    result.shift = orbit.shift;
+    result.orbit = std::move(orbit.motion);
+  }
+
+  const Problem& problem_;
+  const Motion& motion_;
+  const Reference& reference_;
+  std::optional<Motion> from_rest_;
+};
 
 }  // namespace
 
-Judgement certify(const Problem& problem, std::shared_ptr<const Trajectory> answer, const Motion& motion,
-                  const Reference& reference, const OrbitTools& tools,
-                  std::chrono::steady_clock::time_point deadline) {
-  Judgement judgement;
-  Certificate& certificate = judgement.certificate;
-  certificate.status = CertificateStatus::uncertified;
-  std::optional<Motion> reference_motion;
-  if (reference.orbit) {
-    reference_motion = sample_motion(problem, *reference.orbit);
-    certificate.reference = reference.fingerprint;
-  } else {
-    certificate.reference_reason = reference.reason;
-  }
-  const Motion* known = reference_motion ? &*reference_motion : nullptr;
-
+CertifiedAnswer certify(const Problem& problem, std::shared_ptr<const Trajectory> answer,
+                        const Motion& motion, const Reference& reference, const OrbitTools& tools,
+                        Deadline deadline) {
+  Attempts attempts(problem, motion, reference);
   const Problem same_order = with_subharmonic(problem, motion.order);
-  if (tools.polish && take(problem, motion,
-                           tools.polish({.problem = same_order,
-                                         .answer = *answer,
-                                         .confirmed = reference.confirmed,
-                                         .deadline = deadline}),
-                           reference, known, judgement)) {
-    return judgement;
-  }
-  const CheckedOrbit shot = find_orbit(
-      same_order, tools.solver,
-      {.tolerance = kOrbitTolerance, .shooting = true, .guess = std::move(answer), .deadline = deadline},
-      kLargestErrorBar);
-  if (take(problem, motion, shot, reference, known, judgement)) return judgement;
-  if (known == nullptr) return judgement;
-  Candidate candidate = place(motion, *reference_motion, true);
-  if (!certificate.distance || candidate.distance < *certificate.distance)
-    certificate.distance = candidate.distance;
-  if (candidate.distance > kNearOrbit) return judgement;
-  const CheckedOrbit from_rest{.error_bar = reference.error_bar,
-                               .residual = reference.residual,
-                               .source = "the motion reached from rest"};
-  describe_orbit(candidate, from_rest, reference, known, certificate);
-  judgement.orbit = std::move(candidate.motion);
-  judgement.shift = candidate.shift;
-  return judgement;
+  const auto polished = [&] {
+    return tools.polish && attempts.take(tools.polish(same_order, *answer, reference.confirmed, deadline));
+  };
+  const auto shot = [&] {
+    return attempts.take(find_orbit(same_order, tools.solver, shooting_options(),
+                                    {.guess = answer, .deadline = deadline}, kLargestErrorBar));
+  };
+  if (!polished() && !shot()) attempts.take_reference();
+  return std::move(attempts.result);
 }
 
 void apply_verdict(Record& record) {

@@ -26,7 +26,7 @@ Eigen::VectorXd work(const Eigen::MatrixXcd& force, const Eigen::MatrixXcd& disp
 
 }  // namespace
 
-/// Where forces act. Each column of F has unit length, so that loads and contacts weigh alike.
+/// Where forces act. Each column of F has unit length: the projection gives loads and contacts equal weight.
 struct ContactResponse::Ports {
   Ports(const Problem& problem, const ForceSeries& series)
       : contacts(problem.contact_count()), load(series.lambda.rows(), 0) {

@@ -1,5 +1,5 @@
 #pragma once
-// What a periodic contact force does to the structure, seen from its contacts and its load: no field is kept.
+// The response of the structure to a periodic contact force, at the coordinates where forces act.
 
 #include <Eigen/Core>
 
@@ -13,7 +13,7 @@ namespace signorini {
 /// Z_n; Nf, the number of columns of F, is at most twice the number of harmonics in the load.
 ///
 /// Beyond 2000 coordinates x and q come from the receptances of [W, F] by projection (`reduced_receptance`),
-/// with an error of 1e-10 of their norm; where that is dearer than factorising every Z_n, so it is done.
+/// with an error of 1e-10 of their norm, unless factorising every Z_n costs less.
 class ContactResponse {
  public:
   /// The response to the load and a contact force in H harmonics. \throws SingularStiffness if some Z_n is
@@ -24,11 +24,11 @@ class ContactResponse {
   [[nodiscard]] int harmonics() const { return static_cast<int>(x_.rows()) - 1; }
   /// x at count instants of the period, count x Nc [m].
   [[nodiscard]] Eigen::MatrixXd displacement(int count) const;
-  /// The same of the structure under its load alone, without contact force.
+  /// x under the load alone, without contact force, count x Nc [m].
   [[nodiscard]] Eigen::MatrixXd free_displacement(int count) const;
   /// Work of the load per period, integral of f^T u' dt [J].
   [[nodiscard]] double work_of_load() const;
-  /// What bounds its absolute value: loads and displacements of this size, in whatever phase [J].
+  /// Upper bound of |work_of_load()|: that of loads and displacements of these magnitudes in any phase [J].
   [[nodiscard]] double largest_work_of_load() const;
   /// Work of the contact force per period and contact, integral of lambda_j x_j' dt [J], Nc.
   [[nodiscard]] Eigen::VectorXd contact_work() const;

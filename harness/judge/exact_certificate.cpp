@@ -57,7 +57,7 @@ double relative_error_bar(const ExactOrbit& orbit, const Trajectory& motion, dou
   return norm > 0.0 ? orbit.error_bar * displacement_scale / norm : orbit.error_bar;
 }
 
-/// Whether small disturbances die out; open where no multiplier is defined or round-off would decide.
+/// True if small disturbances decay; empty where no multiplier is defined or round-off would decide.
 std::optional<bool> stability(const ExactOrbit& orbit) {
   constexpr double kUndecided = 1e-9;
   if (orbit.multipliers.size() == 0) return std::nullopt;
@@ -66,9 +66,9 @@ std::optional<bool> stability(const ExactOrbit& orbit) {
   return largest < 1.0;
 }
 
-/// Whether two orbits have the same events, each within the error bars of both: times in periods, impulses
+/// True if two orbits have the same events, each within the error bars of both: times in periods, impulses
 /// against the largest. The instants of weak events are known some hundred times less well than the motion.
-bool same_events(const CheckedOrbit& orbit, const Certificate& other, double period) {
+bool same_events(const CertifiedOrbit& orbit, const Certificate& other, double period) {
   constexpr double kErrorBars = 100.0;
   const double allowed = kErrorBars * (orbit.error_bar + other.error_bar.value_or(0.0));
   double largest = 0.0;
@@ -84,33 +84,35 @@ bool same_events(const CheckedOrbit& orbit, const Certificate& other, double per
 
 /// How far away CVODE returned on an orbit confirmed before. Between its events a motion is linear, so that
 /// two orbits with the same events are one; without events, nothing names it.
-std::optional<double> known_return(const CheckedOrbit& orbit, const PolishRequest& request) {
+std::optional<double> known_return(const CertifiedOrbit& orbit, std::span<const Certificate> confirmed,
+                                   double period) {
   if (orbit.events.empty()) return std::nullopt;
-  for (const Certificate& other : request.confirmed) {
-    if (same_events(orbit, other, request.problem.period())) return other.return_distance;
+  for (const Certificate& other : confirmed) {
+    if (same_events(orbit, other, period)) return other.return_distance;
   }
   return std::nullopt;
 }
 
-CheckedOrbit polish(const PolishRequest& request) {
-  const auto expired = [&request] { return Start{.guess = {}, .deadline = request.deadline}.expired(); };
-  OrbitFinder finder(request.problem);
+CertifiedOrbit polish(const Problem& problem, const Trajectory& answer,
+                      std::span<const Certificate> confirmed, Deadline deadline) {
+  const auto expired = [deadline] { return Start{.guess = {}, .deadline = deadline}.expired(); };
+  OrbitFinder finder(problem);
   SearchOptions options;
   options.polish.second_evaluation = true;
   options.expired = expired;
-  const OrbitSearch search = finder.find(request.answer, options);
+  const OrbitSearch search = finder.find(answer, options);
   const ExactOrbit& found = search.orbit;
   if (!found.certified()) {
     return {.reason = found.reason.empty() ? describe(found.outcome)
                                            : describe(found.outcome) + ": " + found.reason};
   }
   const ContactDynamics& dynamics = finder.model()->dynamics;
-  CheckedOrbit orbit{.orbit = found.trajectory, .residual = found.residual};
+  CertifiedOrbit orbit{.motion = found.trajectory, .residual = found.residual};
   orbit.error_bar = relative_error_bar(found, *found.trajectory, dynamics.scales().displacement);
   orbit.source =
       found.outcome == OrbitOutcome::chatter ? "exact orbit with a complete chatter" : "exact orbit";
   orbit.events = events_of(*found.trajectory);
-  orbit.return_distance = known_return(orbit, request);
+  orbit.return_distance = known_return(orbit, confirmed, problem.period());
   if (!orbit.return_distance) {
     const ReturnCheck check = cvode_return(dynamics, *found.trajectory, expired);
     if (!check.returned) {
@@ -130,9 +132,10 @@ CheckedOrbit polish(const PolishRequest& request) {
 }  // namespace
 
 OrbitPolisher exact_orbits() {
-  return [](const PolishRequest& request) -> CheckedOrbit {
+  return [](const Problem& problem, const Trajectory& answer, std::span<const Certificate> confirmed,
+            Deadline deadline) -> CertifiedOrbit {
     try {
-      return polish(request);
+      return polish(problem, answer, confirmed, deadline);
     } catch (const std::bad_alloc&) {
       throw;                                 // the child's memory limit is told apart
     } catch (const std::exception& error) {  // a singular structure, a flow that fails
@@ -141,6 +144,6 @@ OrbitPolisher exact_orbits() {
   };
 }
 
-OrbitTools orbit_tools() { return {event_driven_orbits(), exact_orbits()}; }
+OrbitTools orbit_tools() { return {flow_orbits(), exact_orbits()}; }
 
 }  // namespace signorini

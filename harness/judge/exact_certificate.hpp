@@ -1,7 +1,7 @@
 #pragma once
 // The exact orbit behind an answer, and its check by another integrator.
 
-#include "harness/judge/reference.hpp"
+#include "harness/judge/orbit_solver.hpp"
 
 namespace signorini {
 

@@ -67,8 +67,8 @@ ForceSeries no_contact_force(const Problem& problem) {
           .lambda = Eigen::MatrixXcd::Zero(load_bandwidth(problem) + 1, problem.contact_count())};
 }
 
-/// What lengths are measured by: the amplitude, but no less than a tenth of the farthest that the
-/// contact-free motion gets from the stop, so that a contact that hardly moves is not judged by its noise.
+/// The scale of lengths: the amplitude, but at least a tenth of the largest distance of the contact-free
+/// motion from the stop, so that a contact that hardly moves is not judged by its noise.
 double length_scale(const Problem& problem, const Motion& motion, const Eigen::VectorXd& gaps,
                     const std::optional<ContactResponse>& response) {
   constexpr int kInstants = 512;

@@ -1,5 +1,5 @@
 #pragma once
-// What the harness measures on an answer. No method computes any of this on itself.
+// The measures of an answer: its errors and its physics. The harness takes them; no method measures itself.
 
 #include <string>
 
@@ -32,7 +32,7 @@ struct EnergyDefect {
 /// - contact_ratio
 ///
 /// The amplitude is half of (largest - least) x, the largest over contacts, but at least a tenth of the
-/// farthest that the contact-free motion gets from the stop (a contact that hardly moves). What has no scale,
+/// largest distance of the contact-free motion from the stop (a contact may hardly move). What has no scale,
 /// or cannot be computed on this structure, is absent; of the energy defect it is said why.
 Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const Motion& answer);
 

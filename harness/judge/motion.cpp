@@ -34,7 +34,7 @@ Difference compare(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen::In
   const Eigen::Index common = std::lcm(a.rows(), b.rows());
   Eigen::Index i = 0;
   Eigen::Index j = offset % b.rows();
-  // Whole blocks in which neither motion wraps around.
+  // Block by block, so that neither motion wraps around within one: Eigen then vectorises the sums.
   for (Eigen::Index done = 0; done < common;) {
     const Eigen::Index block = std::min({a.rows() - i, b.rows() - j, common - done});
     const auto own = b.middleRows(j, block).array();

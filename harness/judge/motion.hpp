@@ -35,7 +35,7 @@ struct Motion {
 /// Samples a trajectory whose period is a whole multiple of the forcing period.
 Motion sample_motion(const Problem& problem, const Trajectory& trajectory, int per_period = kGrid);
 
-/// What a method returned, as far as it can be judged.
+/// The motion of what a method returned, or why it is none.
 struct SampledAnswer {
   std::string defect = {};  ///< why it cannot: see `trajectory_defect` and `samples_defect`; else empty
   Motion motion = {};       ///< on kGrid, unless there is a defect

@@ -1,5 +1,5 @@
 #pragma once
-// What identifies a periodic orbit: its events and its fingerprint.
+// The identity of a periodic orbit: its events and its fingerprint.
 
 #include <string>
 #include <vector>

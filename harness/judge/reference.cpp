@@ -1,14 +1,11 @@
 #include "harness/judge/reference.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "harness/judge/motion.hpp"
 #include "harness/judge/orbit.hpp"
 #include "harness/records/record.hpp"
 #include "harness/records/trajectory_json.hpp"
-#include "methods/event_driven/event_driven.hpp"
 
 namespace signorini {
 
@@ -16,22 +13,12 @@ namespace {
 
 /// Two computations of a scene's reference must agree to this, relative.
 constexpr double kReferenceErrorBar = 1e-9;
-constexpr int kShootingSteps = 50;
-constexpr int kMarchedPeriods = 20000;
 
 struct LawSetter {
   Law scene;
   Law operator()(Undetermined) const { return scene; }
   Law operator()(const auto& law) const { return law; }
 };
-
-bool found(const Solution& solution) {
-  return solution.verdict == Verdict::converged && solution.trajectory != nullptr;
-}
-
-std::string reason_of(const Solution& solution) {
-  return solution.message.empty() ? "no orbit was found" : solution.message;
-}
 
 /// Polishing at most sheds the error of the integration: a motion farther away is another one.
 bool stays(const Problem& problem, const Trajectory& marched, const Trajectory& polished) {
@@ -40,90 +27,35 @@ bool stays(const Problem& problem, const Trajectory& marched, const Trajectory& 
   return distance(from, sample_motion(problem, polished)).x_l2.value_or(0.0) <= kDrift;
 }
 
-Solution event_driven(const Problem& problem, const OrbitRequest& request) {
-  EventDriven::Options options;
-  options.tolerance = request.tolerance;
-  options.steady = request.shooting ? EventDriven::Steady::shooting : EventDriven::Steady::marching;
-  options.max_iterations = request.shooting ? kShootingSteps : kMarchedPeriods;
-  const EventDriven method(options);
-  const Support support = method.supports(problem);
-  if (!support.ok) return Solution{.message = support.reason};
-  return method.prepare(problem)->solve({.guess = request.guess, .deadline = request.deadline});
-}
-
-/// What `solver` found at kOrbitTolerance, found again at the tighter one (see find_orbit).
-CheckedOrbit confirm_orbit(const Problem& problem, const OrbitSolver& solver, const OrbitRequest& request,
-                           const Solution& first, double largest_error_bar) {
-  if (!found(first)) return {.reason = reason_of(first)};
-  // Continued at the order that was found, which marching may find to be several forcing periods.
-  const Motion motion = sample_motion(problem, *first.trajectory);
-  const Problem continued = with_subharmonic(problem, motion.order);
-  OrbitRequest again = request;
-  again.tolerance = kTightOrbitTolerance;
-  again.shooting = true;
-  again.guess = first.trajectory;
-  Solution second = solver(continued, again);
-  if (!found(second) && !request.shooting) {
-    again.shooting = false;
-    again.guess = request.guess;
-    second = solver(problem, again);
-  }
-  if (!found(second)) {
-    return {.reason = fmt::format("found at tolerance {:g} but not at {:g}: {}", kOrbitTolerance,
-                                  kTightOrbitTolerance, second.message)};
-  }
-  const Motion tight = sample_motion(problem, *second.trajectory);
-  // Two searches from one guess may stay at it alike: no orbit is known better than they integrate.
-  const double error_bar =
-      std::max(kOrbitTolerance, distance(motion, tight, best_shift(motion, tight)).x_l2.value_or(0.0));
-  if (error_bar > largest_error_bar) {
-    return {.reason = fmt::format("two tolerances give orbits that differ by {:.1e}", error_bar)};
-  }
-  return {.orbit = second.trajectory,
-          .error_bar = error_bar,
-          .residual = second.residual,
-          .source = request.shooting ? "shooting from the answer" : "marching"};
-}
-
 }  // namespace
 
-OrbitSolver event_driven_orbits() { return event_driven; }
-
-CheckedOrbit find_orbit(const Problem& problem, const OrbitSolver& solver, OrbitRequest request,
-                        double largest_error_bar) {
-  request.tolerance = kOrbitTolerance;
-  return confirm_orbit(problem, solver, request, solver(problem, request), largest_error_bar);
-}
-
-Reference compute_reference(const Problem& problem, const OrbitTools& tools,
-                            std::chrono::steady_clock::time_point deadline) {
-  const OrbitRequest request{
-      .tolerance = kOrbitTolerance, .shooting = false, .guess = {}, .deadline = deadline};
-  const Solution marched = tools.solver(problem, request);
-  if (!found(marched)) return {.reason = reason_of(marched)};
-  CheckedOrbit checked;
-  if (tools.polish) {
-    const Problem same_order = with_subharmonic(problem, sample_motion(problem, *marched.trajectory).order);
-    checked = tools.polish({.problem = same_order, .answer = *marched.trajectory, .deadline = deadline});
-    if (checked.orbit && !stays(problem, *marched.trajectory, *checked.orbit)) {
+Reference compute_reference(const Problem& problem, const OrbitTools& tools, Deadline deadline) {
+  const Start from_rest{.guess = {}, .deadline = deadline};
+  const Solution marched = tools.solver(problem, marching_options(), from_rest);
+  CertifiedOrbit orbit;
+  if (tools.polish && marched.verdict == Verdict::converged && marched.trajectory) {
+    const int order = sample_motion(problem, *marched.trajectory).order;
+    orbit = tools.polish(with_subharmonic(problem, order), *marched.trajectory, {}, deadline);
+    if (orbit.motion && !stays(problem, *marched.trajectory, *orbit.motion)) {
       return {.reason =
                   "marching from rest has not settled: the exact orbit nearest to where it ended is farther "
                   "away than its error bar allows"};
     }
   }
-  if (!checked.orbit || checked.error_bar > kReferenceErrorBar)
-    checked = confirm_orbit(problem, tools.solver, request, marched, kReferenceErrorBar);
-  if (!checked.orbit) return {.reason = checked.reason};
-  const Motion motion = sample_motion(problem, *checked.orbit);
-  Reference reference{.orbit = std::make_shared<SampledTrajectory>(*checked.orbit, motion.count()),
+  if (!orbit.motion || orbit.error_bar > kReferenceErrorBar) {
+    orbit = confirm_orbit(problem, tools.solver, marching_options(), from_rest, marched, kReferenceErrorBar);
+  }
+  if (!orbit.motion) return {.reason = orbit.reason};
+  const Motion motion = sample_motion(problem, *orbit.motion);
+  Reference reference{.orbit = std::make_shared<SampledTrajectory>(*orbit.motion, motion.count()),
                       .reason = {},
-                      .error_bar = checked.error_bar,
-                      .residual = checked.residual,
+                      .error_bar = orbit.error_bar,
+                      .residual = orbit.residual,
                       .fingerprint = fingerprint(motion)};
-  if (checked.return_distance) {
-    reference.confirmed.push_back({.error_bar = checked.error_bar,
-                                   .events = std::move(checked.events),
-                                   .return_distance = checked.return_distance});
+  if (orbit.return_distance) {
+    reference.confirmed.push_back({.error_bar = orbit.error_bar,
+                                   .events = std::move(orbit.events),
+                                   .return_distance = orbit.return_distance});
   }
   return reference;
 }

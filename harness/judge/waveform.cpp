@@ -12,7 +12,7 @@ namespace {
 
 /// Instants per forcing period among which those that are kept are chosen.
 constexpr int kDrawnGrid = 2048;
-/// Of each signal's range.
+/// Largest distance of a polyline from its signal, share of the signal's range.
 constexpr double kDrawnTolerance = 0.005;
 
 enum Signal : Eigen::Index { kX, kVelocity, kForce, kImpulse, kSignals };
@@ -89,8 +89,8 @@ Waveform draw(const Motion& motion, const std::vector<int>& contacts, int period
   return waveform;
 }
 
-/// Those that exchange most impulse, in the scene's order.
-std::vector<int> busiest(const Motion& motion) {
+/// The contacts that exchange most impulse, at most kDrawnContacts, in the scene's order.
+std::vector<int> contacts_drawn(const Motion& motion) {
   std::vector<int> contacts(static_cast<std::size_t>(motion.samples.x.cols()));
   std::iota(contacts.begin(), contacts.end(), 0);
   if (contacts.size() <= kDrawnContacts) return contacts;
@@ -107,7 +107,7 @@ std::vector<int> busiest(const Motion& motion) {
 }  // namespace
 
 std::vector<int> polyline(const Eigen::MatrixXd& signals, double tolerance) {
-  // What moves by round-off only does not move.
+  // A signal that changes by round-off only counts as constant.
   constexpr double kRoundOff = 1e-9;
   const Eigen::RowVectorXd range = (signals.colwise().maxCoeff() - signals.colwise().minCoeff())
                                        .cwiseMax(kRoundOff * signals.cwiseAbs().colwise().maxCoeff());
@@ -141,7 +141,7 @@ std::vector<int> polyline(const Eigen::MatrixXd& signals, double tolerance) {
 
 Waveforms draw_waveforms(const Motion& answer, const Motion* orbit, int shift) {
   const Motion motion = thinned(answer, rows_per_period(answer) / kDrawnGrid);
-  Waveforms waveforms{.contacts = busiest(motion)};
+  Waveforms waveforms{.contacts = contacts_drawn(motion)};
   if (orbit == nullptr) {
     waveforms.answer = draw(motion, waveforms.contacts, motion.order, 0);
     return waveforms;

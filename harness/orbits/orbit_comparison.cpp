@@ -14,7 +14,7 @@ namespace signorini {
 
 namespace {
 
-/// How far two orbits are apart in units of what is allowed, and the worst place in words.
+/// The largest difference of two orbits in units of the tolerance, and where it is.
 struct Gap {
   double size = 0.0;
   std::string where = {};
@@ -27,16 +27,16 @@ struct Gap {
 };
 
 double allowed(const FoundOrbit& a, const FoundOrbit& b) {
-  return kErrorBars * (a.certificate.error_bar + b.certificate.error_bar) + kInstantFloor;
+  return kErrorBars * (a.certified.error_bar + b.certified.error_bar) + kInstantFloor;
 }
 
 /// The events strong enough to be compared, shifted in time; in order.
 std::vector<OrbitEvent> strong_events(const FoundOrbit& orbit, double shift) {
   double largest = 0.0;
-  for (const OrbitEvent& event : orbit.certificate.events)
+  for (const OrbitEvent& event : orbit.certified.events)
     largest = std::max(largest, std::abs(event.value.value_or(0.0)));
   std::vector<OrbitEvent> events;
-  for (OrbitEvent event : orbit.certificate.events) {
+  for (OrbitEvent event : orbit.certified.events) {
     if (event.kind == "impact" && std::abs(event.value.value_or(0.0)) < kWeakEvent * largest) continue;
     event.time = std::fmod(event.time + shift, orbit.period);
     events.push_back(event);
@@ -108,15 +108,15 @@ Gap gap_between(const FoundOrbit& kept, const FoundOrbit& now) {
 /// of them zero, which are known to the root of the round-off only.
 std::string multiplier_difference(const FoundOrbit& kept, const FoundOrbit& now) {
   constexpr double kRoot = 1e-6;
-  if (!kept.certificate.floquet || !now.certificate.floquet) {
-    return kept.certificate.floquet.has_value() == now.certificate.floquet.has_value()
+  if (!kept.certified.floquet || !now.certified.floquet) {
+    return kept.certified.floquet.has_value() == now.certified.floquet.has_value()
                ? ""
                : "multipliers are there in one of the two only";
   }
-  auto left = *now.certificate.floquet;
-  if (left.size() != kept.certificate.floquet->size()) return "another number of multipliers";
+  auto left = *now.certified.floquet;
+  if (left.size() != kept.certified.floquet->size()) return "another number of multipliers";
   const double tolerance = allowed(kept, now) + kRoot;
-  for (const auto& [re, im] : *kept.certificate.floquet) {
+  for (const auto& [re, im] : *kept.certified.floquet) {
     const std::complex<double> one(re, im);
     const auto distance = [&](const auto& other) {
       return std::abs(std::complex<double>(other.first, other.second) - one);
@@ -133,11 +133,11 @@ std::string multiplier_difference(const FoundOrbit& kept, const FoundOrbit& now)
 }
 
 std::string stability(const FoundOrbit& orbit) {
-  if (!orbit.certificate.stable) return "of unknown stability";
-  return *orbit.certificate.stable ? "stable" : "unstable";
+  if (!orbit.certified.stable) return "of unknown stability";
+  return *orbit.certified.stable ? "stable" : "unstable";
 }
 
-/// What differs between an orbit kept and the one found again.
+/// Adds a line for each difference between an orbit kept and the one found again.
 void compare_pair(const std::string& name, const FoundOrbit& kept, const FoundOrbit& now,
                   std::vector<std::string>& differences) {
   const auto differ = [&](const std::string& what) { differences.push_back(name + ": " + what); };
@@ -147,14 +147,13 @@ void compare_pair(const std::string& name, const FoundOrbit& kept, const FoundOr
     differ("fingerprint became " + now.fingerprint);
   }
   if (const std::string text = multiplier_difference(kept, now); !text.empty()) differ(text);
-  if (kept.certificate.stable != now.certificate.stable)
-    differ(stability(kept) + " became " + stability(now));
+  if (kept.certified.stable != now.certified.stable) differ(stability(kept) + " became " + stability(now));
   if (kept.from_rest != now.from_rest)
     differ(kept.from_rest ? "is no longer the one reached from rest" : "became the one reached from rest");
 }
 
-/// The orbit that is meant by `kept`: the nearest of its order if it is near, else the one that has its
-/// fingerprint.
+/// The orbit found that corresponds to `kept`: the nearest of its order within the tolerance, else the one
+/// with its fingerprint.
 std::vector<FoundOrbit>::iterator counterpart(const FoundOrbit& kept, std::vector<FoundOrbit>& found) {
   auto best = found.end();
   double least = 1.0;

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a new search of a scene gives the orbits that were kept.
+// Comparison of the orbits that a new search finds with those that were kept.
 
 #include <string>
 #include <vector>

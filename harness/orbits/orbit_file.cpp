@@ -45,14 +45,14 @@ FoundOrbit orbit_from_json(const Json& json) {
                    .starts = json.at("starts"),
                    .cold = json.at("found_by").get<std::vector<std::string>>(),
                    .from_rest = json.at("from_rest")};
-  CheckedOrbit& certificate = orbit.certificate;
-  certificate.source = json.at("source");
-  certificate.error_bar = json.at("error_bar");
-  get(json, "residual", certificate.residual);
-  get(json, "return_distance", certificate.return_distance);
-  get(json, "floquet", certificate.floquet);
-  get(json, "stable", certificate.stable);
-  certificate.events = events_from_json(json.at("events"));
+  CertifiedOrbit& certified = orbit.certified;
+  certified.source = json.at("source");
+  certified.error_bar = json.at("error_bar");
+  get(json, "residual", certified.residual);
+  get(json, "return_distance", certified.return_distance);
+  get(json, "floquet", certified.floquet);
+  get(json, "stable", certified.stable);
+  certified.events = events_from_json(json.at("events"));
   return orbit;
 }
 
@@ -63,9 +63,9 @@ OrbitFile file_from_json(const Json& json) {
   OrbitFile file{.scene = json.at("scene"),
                  .scene_sha256 = json.at("scene_sha256"),
                  .law = law_from_json(json.at("law")),
-                 .quest = {.starts = search.at("starts"),
-                           .subharmonics = search.at("subharmonics"),
-                           .seed = search.at("seed")}};
+                 .options = {.starts = search.at("starts"),
+                             .subharmonics = search.at("subharmonics"),
+                             .seed = search.at("seed")}};
   for (const Json& orbit : json.at("orbits")) file.orbits.push_back(orbit_from_json(orbit));
   return file;
 }
@@ -78,34 +78,35 @@ std::string without_code(const std::string& message) {
 
 }  // namespace
 
-OrbitFile make_orbit_file(const Scene& scene, const OrbitQuest& quest, const OrbitCensus& census) {
+OrbitFile make_orbit_file(const Scene& scene, const OrbitSearchOptions& options, const SceneOrbits& found) {
   return {.scene = scene.problem.name,
           .scene_sha256 = scene.sha256,
           .law = as_represented(scene.problem.law),
-          .quest = quest,
-          .orbits = census.orbits};
+          .options = options,
+          .orbits = found.orbits};
 }
 
 Json to_json(const FoundOrbit& orbit) {
-  const CheckedOrbit& certificate = orbit.certificate;
-  Json json{{"orbit", orbit.fingerprint},   {"order", orbit.order},
-            {"period", orbit.period},       {"amplitude", orbit.amplitude},
-            {"impacts", orbit.impacts()},   {"contact_phases", orbit.contact_phases()},
-            {"source", certificate.source}, {"error_bar", certificate.error_bar}};
-  put(json, "residual", certificate.residual);
-  put(json, "return_distance", certificate.return_distance);
-  put(json, "floquet", certificate.floquet);
-  put(json, "stable", certificate.stable);
+  const CertifiedOrbit& certified = orbit.certified;
+  Json json{{"orbit", orbit.fingerprint}, {"order", orbit.order},
+            {"period", orbit.period},     {"amplitude", orbit.amplitude},
+            {"impacts", orbit.impacts()}, {"contact_phases", orbit.contact_phases()},
+            {"source", certified.source}, {"error_bar", certified.error_bar}};
+  put(json, "residual", certified.residual);
+  put(json, "return_distance", certified.return_distance);
+  put(json, "floquet", certified.floquet);
+  put(json, "stable", certified.stable);
   json["from_rest"] = orbit.from_rest;
   json["starts"] = orbit.starts;
   json["found_by"] = orbit.cold;
-  json["events"] = events_to_json(certificate.events);
+  json["events"] = events_to_json(certified.events);
   return json;
 }
 
 std::string print_orbit_file(const OrbitFile& file) {
-  const Json search{
-      {"starts", file.quest.starts}, {"subharmonics", file.quest.subharmonics}, {"seed", file.quest.seed}};
+  const Json search{{"starts", file.options.starts},
+                    {"subharmonics", file.options.subharmonics},
+                    {"seed", file.options.seed}};
   std::string text = fmt::format(
       "{{\n\"schema\": {},\n\"scene\": {},\n\"scene_sha256\": {},\n\"law\": {},\n\"search\": "
       "{},\n\"orbits\": [",

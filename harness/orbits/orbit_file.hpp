@@ -15,13 +15,13 @@ namespace signorini {
 struct OrbitFile {
   std::string scene = {};
   std::string scene_sha256 = {};
-  RepresentedLaw law = {};  ///< the scene's own
-  OrbitQuest quest = {};    ///< its time limit is not kept
+  RepresentedLaw law = {};          ///< the scene's own
+  OrbitSearchOptions options = {};  ///< its time limit is not kept
   std::vector<FoundOrbit> orbits = {};
 };
 
-/// What a search of a scene found, ready to be kept.
-OrbitFile make_orbit_file(const Scene& scene, const OrbitQuest& quest, const OrbitCensus& census);
+/// The file of what a search of a scene found.
+OrbitFile make_orbit_file(const Scene& scene, const OrbitSearchOptions& options, const SceneOrbits& found);
 
 /// One orbit; absent keys are notions that it does not have.
 nlohmann::ordered_json to_json(const FoundOrbit& orbit);

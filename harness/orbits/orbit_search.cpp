@@ -12,6 +12,7 @@
 #include "harness/isolation/isolation.hpp"
 #include "harness/judge/exact_certificate.hpp"
 #include "harness/judge/orbit.hpp"
+#include "harness/orbits/candidate_units.hpp"
 #include "harness/records/record.hpp"
 #include "methods/structure/condensation.hpp"
 
@@ -37,9 +38,9 @@ OrbitGuess first_period(OrbitGuess orbit, double period) {
 }
 
 /// A certified orbit of least period `order`.
-FoundOrbit describe_orbit(const Problem& problem, int order, CheckedOrbit checked) {
-  const Motion whole = sample_motion(problem, *checked.orbit);
-  return {.certificate = std::move(checked),
+FoundOrbit describe_orbit(const Problem& problem, int order, CertifiedOrbit checked) {
+  const Motion whole = sample_motion(problem, *checked.motion);
+  return {.certified = std::move(checked),
           .fingerprint = fingerprint(whole),
           .order = order,
           .period = whole.period(),
@@ -66,9 +67,9 @@ class ImpulseTrain final : public Trajectory {
   std::vector<Impulse> impulses_;
 };
 
-class Census {
+class OrbitCollection {
  public:
-  Census(const Problem& problem, const OrbitPolisher& polish, SteadyTime deadline)
+  OrbitCollection(const Problem& problem, const OrbitPolisher& polish, Deadline deadline)
       : problem_(problem), polish_(polish), deadline_(deadline) {}
 
   void add(const OrbitCandidate& candidate) {
@@ -94,7 +95,7 @@ class Census {
     take_new(search, motion, candidate);
   }
 
-  OrbitCensus result;
+  SceneOrbits result;
 
  private:
   OrbitSearch solve(const OrbitGuess& guess, int order) {
@@ -113,18 +114,17 @@ class Census {
       const double period = order * motion.forcing_period;
       least = solve(first_period(search.orbit.trajectory->orbit(), period), order);
     }
-    CheckedOrbit checked{.reason = "the orbit does not close after its least period"};
+    CertifiedOrbit checked{.reason = "the orbit does not close after its least period"};
     if (least.orbit.certified()) {
-      const Problem at_order = with_subharmonic(problem_, order);
-      checked = polish_({.problem = at_order, .answer = *least.orbit.trajectory, .deadline = deadline_});
+      checked = polish_(with_subharmonic(problem_, order), *least.orbit.trajectory, {}, deadline_);
     }
-    if (!checked.orbit) {
+    if (!checked.motion) {
       ++result.failures[checked.reason];
       refused_.emplace_back(motion, checked.reason);
       return;
     }
     FoundOrbit found = describe_orbit(problem_, order, std::move(checked));
-    motions_.push_back(sample_motion(problem_, *found.certificate.orbit, kCompared));
+    motions_.push_back(sample_motion(problem_, *found.certified.motion, kCompared));
     credit(found, candidate);
     result.orbits.push_back(std::move(found));
   }
@@ -139,14 +139,14 @@ class Census {
 
   const Problem& problem_;
   const OrbitPolisher& polish_;
-  SteadyTime deadline_;
+  Deadline deadline_;
   std::map<int, std::unique_ptr<OrbitFinder>> finders_;
   std::vector<Motion> motions_;  // of result.orbits
   std::vector<std::pair<Motion, std::string>> refused_;
 };
 
 /// Runs the units side by side and takes in what they found, in their order.
-void run_units(const std::vector<CandidateUnit>& units, SteadyTime deadline, Census& census) {
+void run_units(const std::vector<CandidateUnit>& units, Deadline deadline, OrbitCollection& collection) {
   std::vector<IsolatedWork> work;
   for (const CandidateUnit& unit : units) {
     work.push_back([&unit, deadline](const LineSender& send) {
@@ -160,15 +160,16 @@ void run_units(const std::vector<CandidateUnit>& units, SteadyTime deadline, Cen
   const std::vector<ChildEnd> ends =
       run_isolated_together(work, {.stage_seconds = {kLineSeconds}, .memory_mb = kMemoryMb}, kProcesses);
   for (std::size_t i = 0; i < units.size(); ++i) {
-    for (const std::string& line : ends[i].lines) census.add(orbit_candidate_from_json(Json::parse(line)));
+    for (const std::string& line : ends[i].lines)
+      collection.add(orbit_candidate_from_json(Json::parse(line)));
     if (ends[i].kind != ChildEnd::Kind::finished && ends[i].kind != ChildEnd::Kind::interrupted)
-      census.result.losses.push_back(fmt::format("{}: {}", units[i].name, describe(ends[i])));
+      collection.result.losses.push_back(fmt::format("{}: {}", units[i].name, describe(ends[i])));
   }
 }
 
 void sort_orbits(std::vector<FoundOrbit>& orbits) {
   const auto rank = [](const FoundOrbit& orbit) {
-    return std::tuple(orbit.order, !orbit.certificate.stable.value_or(false), -orbit.amplitude);
+    return std::tuple(orbit.order, !orbit.certified.stable.value_or(false), -orbit.amplitude);
   };
   std::stable_sort(orbits.begin(), orbits.end(),
                    [&](const FoundOrbit& a, const FoundOrbit& b) { return rank(a) < rank(b); });
@@ -177,59 +178,58 @@ void sort_orbits(std::vector<FoundOrbit>& orbits) {
 }  // namespace
 
 int default_subharmonics(const Problem& problem) {
-  return std::max(OrbitQuest{}.subharmonics, problem.subharmonic);
+  return std::max(OrbitSearchOptions{}.subharmonics, problem.subharmonic);
 }
 
 int FoundOrbit::impacts() const {
-  return static_cast<int>(std::count_if(certificate.events.begin(), certificate.events.end(),
+  return static_cast<int>(std::count_if(certified.events.begin(), certified.events.end(),
                                         [](const OrbitEvent& event) { return event.kind == "impact"; }));
 }
 
 int FoundOrbit::contact_phases() const {
-  return static_cast<int>(std::count_if(certificate.events.begin(), certificate.events.end(),
+  return static_cast<int>(std::count_if(certified.events.begin(), certified.events.end(),
                                         [](const OrbitEvent& event) { return event.kind == "open"; }));
 }
 
 std::optional<double> FoundOrbit::largest_multiplier() const {
-  if (!certificate.floquet || certificate.floquet->empty()) return std::nullopt;
+  if (!certified.floquet || certified.floquet->empty()) return std::nullopt;
   double largest = 0.0;
-  for (const auto& [re, im] : *certificate.floquet) largest = std::max(largest, std::hypot(re, im));
+  for (const auto& [re, im] : *certified.floquet) largest = std::max(largest, std::hypot(re, im));
   return largest;
 }
 
-OrbitCensus find_all_orbits(const Problem& problem, const OrbitQuest& quest, const OrbitPolisher& polish,
-                            const SearchNews& news) {
-  const SteadyTime deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                                 std::chrono::duration<double>(quest.timeout));
+SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& options,
+                            const OrbitPolisher& polish, const SearchProgress& progress) {
+  const Deadline deadline = deadline_after(options.timeout);
   const OrbitPolisher certify = polish ? polish : exact_orbits();
-  Census census(problem, certify, deadline);
+  OrbitCollection collection(problem, certify, deadline);
   if (problem.size() > kMostInTime) {
-    census.result.failures[flow_obstacle(problem)] = 1;
-    return std::move(census.result);
+    collection.result.failures[flow_obstacle(problem)] = 1;
+    return std::move(collection.result);
   }
-  for (int order = 1; order <= quest.subharmonics; ++order) {
+  for (int order = 1; order <= options.subharmonics; ++order) {
     if (interrupted() || Clock::now() > deadline) break;
-    if (news) news(order);
-    run_units(candidate_units(problem, order, quest.starts, quest.seed), deadline, census);
+    if (progress) progress(order);
+    run_units(candidate_units(problem, order, options.starts, options.seed), deadline, collection);
   }
-  census.result.interrupted = interrupted();
-  census.result.expired = Clock::now() > deadline;
-  sort_orbits(census.result.orbits);
-  return std::move(census.result);
+  collection.result.interrupted = interrupted();
+  collection.result.expired = Clock::now() > deadline;
+  sort_orbits(collection.result.orbits);
+  return std::move(collection.result);
 }
 
 std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit& kept,
                                         const OrbitPolisher& polish) {
   std::vector<Impulse> impulses;
-  for (const OrbitEvent& event : kept.certificate.events) {
+  for (const OrbitEvent& event : kept.certified.events) {
     if (event.kind != "impact" || !event.value) return std::nullopt;
     impulses.push_back({event.contact, event.time, *event.value});
   }
   const Problem at_order = with_subharmonic(problem, kept.order);
   const OrbitPolisher certify = polish ? polish : exact_orbits();
   const ImpulseTrain train(problem.contact_count(), at_order.period(), std::move(impulses));
-  CheckedOrbit checked = certify({.problem = at_order, .answer = train});
-  if (!checked.orbit) return std::nullopt;
+  CertifiedOrbit checked = certify(at_order, train, {}, Deadline::max());
+  if (!checked.motion) return std::nullopt;
   FoundOrbit found = describe_orbit(problem, kept.order, std::move(checked));
   found.from_rest = kept.from_rest;  // not asked here
   return found;

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "harness/judge/motion.hpp"
-#include "harness/judge/reference.hpp"
-#include "harness/orbits/orbit_candidates.hpp"
+#include "harness/judge/orbit_solver.hpp"
+#include "harness/orbits/orbit_candidate.hpp"
 
 namespace signorini {
 
-/// What to search.
-struct OrbitQuest {
+/// Extent and limits of a search.
+struct OrbitSearchOptions {
   int starts = 48;         ///< random states at each order
   int subharmonics = 3;    ///< orders 1..this are searched [forcing periods]
   unsigned seed = 1;       ///< of the random states
@@ -26,13 +26,13 @@ int default_subharmonics(const Problem& problem);
 
 /// One orbit, with all that the harness knows of it.
 struct FoundOrbit {
-  CheckedOrbit certificate = {};       ///< over the least period; events in [0, period)
+  CertifiedOrbit certified = {};       ///< over the least period; events in [0, period)
   std::string fingerprint = {};        ///< equal for equal orbits
   int order = 1;                       ///< least period in forcing periods
   double period = 0.0;                 ///< [s]
   double amplitude = 0.0;              ///< half of largest minus least x, the largest over contacts [m]
   int starts = 0;                      ///< searches that ended here
-  std::vector<std::string> cold = {};  ///< methods that came to it by themselves, within kNearOrbit
+  std::vector<std::string> cold = {};  ///< methods whose cold start is within kNearOrbit of it
   bool from_rest = false;              ///< it is the one that marching from rest reaches
 
   /// Impacts in one period; contact phases: closings in one period, 1 for a contact that never opens.
@@ -42,8 +42,8 @@ struct FoundOrbit {
   [[nodiscard]] std::optional<double> largest_multiplier() const;
 };
 
-/// What came of a search.
-struct OrbitCensus {
+/// The orbits that a search of a scene found, and what became of all its starts.
+struct SceneOrbits {
   std::vector<FoundOrbit> orbits = {};       ///< by order, stable ones first, then by amplitude, larger first
   int searches = 0;                          ///< starts that reported back
   std::map<std::string, int> failures = {};  ///< why starts led to no certified orbit, and how many
@@ -52,18 +52,18 @@ struct OrbitCensus {
   bool interrupted = false;                  ///< SIGINT did
 };
 
-/// Told before each batch of processes: order, batches begun at it.
-using SearchNews = std::function<void(int order)>;
+/// Called before the starts of an order are searched from.
+using SearchProgress = std::function<void(int order)>;
 
 /// Searches order by order: every start of `candidate_units` in a process of its own, two at a time; each
 /// admissible orbit found is compared with those known (`same_orbit`: shifts by forcing periods and
 /// repetitions at multiples of an order are the same), brought to its least period, and certified by `polish`
 /// (exact, confirmed by CVODE). What is not certified is not listed, but counted in `failures`.
 ///
-/// Deterministic for given quest, scene and program as long as no time limit strikes (10 s for a method's
-/// solve, 2 s for a random state, the quest's for all).
-OrbitCensus find_all_orbits(const Problem& problem, const OrbitQuest& quest, const OrbitPolisher& polish = {},
-                            const SearchNews& news = {});
+/// Deterministic for given options, scene and program as long as no time limit strikes (10 s for a method's
+/// solve, 2 s for a random state, that of the options for all).
+SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& options,
+                            const OrbitPolisher& polish = {}, const SearchProgress& progress = {});
 
 /// Polishes and certifies an orbit of impacts anew from nothing but its events as they were kept. Empty if it
 /// has other events, or leads to none.

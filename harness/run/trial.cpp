@@ -130,12 +130,12 @@ void take_times(const Trial& trial, const FirstCall& first, Record& record) {
 void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory>& answer,
                       const Motion& motion, Record& record) {
   const Problem problem = under_law(trial.scene.problem, trial.law);
-  const Judgement judgement = certify(problem, answer, motion, trial.reference, trial.orbits,
-                                      deadline_after(trial.limits.certificate_timeout));
-  record.certificate = judgement.certificate;
-  if (judgement.orbit) record.errors = measure_errors(problem, motion, *judgement.orbit, judgement.shift);
+  const CertifiedAnswer certified = certify(problem, answer, motion, trial.reference, trial.orbits,
+                                            deadline_after(trial.limits.certificate_timeout));
+  record.certificate = certified.certificate;
+  if (certified.orbit) record.errors = measure_errors(problem, motion, *certified.orbit, certified.shift);
   if (trial.waveforms)
-    record.waveforms = draw_waveforms(motion, judgement.orbit ? &*judgement.orbit : nullptr, judgement.shift);
+    record.waveforms = draw_waveforms(motion, certified.orbit ? &*certified.orbit : nullptr, certified.shift);
   if (record.law_matches_scene == false && trial.scene_reference.orbit) {
     const Motion scene_orbit = sample_motion(problem, *trial.scene_reference.orbit);
     record.errors.x_l2_scene = distance(motion, scene_orbit, best_shift(motion, scene_orbit)).x_l2;

@@ -10,7 +10,7 @@
 
 namespace signorini {
 
-/// What is swept. Frequencies are those of the forcing, omega [rad/s].
+/// The frequencies of a sweep: those of the forcing, omega [rad/s].
 struct SweepRange {
   double from = 1.0;
   double to = 2.0;  ///< above or below `from`
@@ -23,7 +23,7 @@ struct SweepRange {
 /// different
 std::vector<double> sweep_frequencies(const SweepRange& range);
 
-/// One point of a response; what there is none of is absent.
+/// One point of a response; a quantity that does not exist there is absent.
 struct SweepPoint {
   double frequency = 0.0;  ///< [rad/s]
   bool back = false;       ///< on the way back
@@ -40,7 +40,7 @@ struct SweepLimits {
   bool certified = false;  ///< look for the orbit behind each answer: its stability, and whether it is one
 };
 
-/// Told of each point as it comes.
+/// Called with each point as soon as it is solved.
 using TakePoint = std::function<void(const SweepPoint& point)>;
 
 /// Solves scene after scene in processes of their own. A solve starts from the last answer that was found,

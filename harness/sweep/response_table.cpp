@@ -13,7 +13,7 @@ Cell number_cell(const Measure& value) {
   return value ? Cell(fmt::format("{:.6g}", *value), *value) : Cell("-");
 }
 
-/// Of the contact that has most of it.
+/// The largest value over the contacts; absent without contacts.
 Measure largest(const std::vector<double>& values) {
   return values.empty() ? Measure{} : *std::max_element(values.begin(), values.end());
 }

@@ -22,6 +22,7 @@ class ExactOrbitMethod final : public Method {
   static constexpr std::string_view kTitle = "Coarse pivoting, then Newton on the exact flow between events";
   static constexpr std::string_view kLaws = "restitution 0..1, penalty, massless";
   static constexpr std::string_view kLadder = "samples=64|256";
+  static constexpr std::string_view kStarts = "samples=16|32|128|1024";
 
   struct Options {
     int samples = 64;          ///< N >= 8 nodes of the coarse solve per period [-]

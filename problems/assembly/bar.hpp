@@ -25,7 +25,7 @@ struct Bar {
 /// kept. \throws InvalidProblem (system.contact_mass) if too few nodes are left to carry the mass
 Structure assemble(const Bar& bar);
 
-/// The same M before clamping, elements + 1 square: coordinate i is node i.
+/// M before clamping, elements + 1 square: coordinate i is node i.
 SparseMatrix unclamped_mass(const Bar& bar);
 
 }  // namespace signorini

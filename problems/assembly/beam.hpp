@@ -31,7 +31,7 @@ struct Beam {
 /// massless
 Structure assemble(const Beam& beam);
 
-/// The same M of a single beam before clamping, 2 (elements + 1) square: coordinates 2 i and 2 i + 1 are
+/// M of a single beam before clamping, 2 (elements + 1) square: coordinates 2 i and 2 i + 1 are
 /// those of node i. `contacts` are counted as if the beam were clamped.
 SparseMatrix unclamped_mass(const Beam& beam);
 

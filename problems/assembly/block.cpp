@@ -97,7 +97,7 @@ BrickMatrix brick_mass(const Block& block) {
   });
 }
 
-// What the bricks that hold both nodes make of them together: rows of `row`, columns of `column`.
+// The sum over the bricks that hold both nodes of their element matrices: rows of `row`, columns of `column`.
 Eigen::Matrix3d coupling(const BlockMesh& mesh, const BrickMatrix& brick, const Node& row,
                          const Node& column) {
   Node first;  // lowest corners of the first and the last brick

@@ -29,10 +29,10 @@ struct Block {
 /// \throws InvalidProblem (system.contact_mass) if such a line has less than two nodes left
 Structure assemble(const Block& block);
 
-/// The same M before clamping: the nodes at x = 0 come first, numbered like the others.
+/// M before clamping: the nodes at x = 0 come first, numbered like the others.
 SparseMatrix unclamped_mass(const Block& block);
 
-/// The same K before clamping.
+/// K before clamping, in the same order.
 SparseMatrix unclamped_stiffness(const Block& block);
 
 }  // namespace signorini

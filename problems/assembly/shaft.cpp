@@ -21,7 +21,7 @@ SparseMatrix in_two_planes(const SparseMatrix& A) {
   return both;
 }
 
-// Of one plane: `value` on the deflections of these nodes.
+// The matrix of one plane with `value` at the deflections of these nodes.
 SparseMatrix on_nodes(const std::vector<int>& nodes, double value, Eigen::Index size) {
   std::vector<Eigen::Triplet<double>> entries;
   for (const int node : nodes) entries.emplace_back(2 * node, 2 * node, value);

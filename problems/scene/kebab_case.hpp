@@ -10,7 +10,7 @@ namespace signorini {
 /// Longest name in lower-kebab-case.
 inline constexpr std::size_t kLongestName = 64;
 
-/// Whether a name is in lower-kebab-case: letters a-z, digits and single dashes between them, at most
+/// True if a name is in lower-kebab-case: letters a-z, digits and single dashes between them, at most
 /// kLongestName in all.
 inline bool is_lower_kebab_case(std::string_view name) {
   const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };

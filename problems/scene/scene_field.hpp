@@ -30,9 +30,9 @@ class SceneField {
   [[nodiscard]] bool is_table() const;
   [[nodiscard]] bool is_array() const;
   [[nodiscard]] const std::string& path() const { return path_; }
-  /// The same under another path: of a part that was taken out of its document.
+  /// This field under another path, for a part that was taken out of its document.
   [[nodiscard]] SceneField named(std::string path) const { return {node_, std::move(path), line_, file_}; }
-  /// What stands here; only where something does.
+  /// The value. Requires given().
   [[nodiscard]] const TomlNode& node() const { return *node_; }
   /// Keys of a table in the order of the file; none of anything else.
   [[nodiscard]] std::vector<std::string> keys() const;
@@ -53,8 +53,9 @@ class SceneField {
   /// A string without line breaks and other control characters.
   [[nodiscard]] std::string text(std::string_view requirement) const;
 
+  /// \throws SceneError with the value found, or `missing`
   [[noreturn]] void refuse(std::string_view requirement) const;
-  /// The same with another account of what was found.
+  /// Refuses the field with `found` in place of its value.
   [[noreturn]] void refuse(std::string_view found, std::string_view requirement) const;
 
  private:

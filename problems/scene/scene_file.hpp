@@ -29,7 +29,7 @@ struct SceneSource {
   bool operator==(const SceneSource&) const = default;
 };
 
-/// What a scene says of itself.
+/// The description at the head of a scene file.
 struct SceneHeader {
   std::string name = {};                   ///< "sdof-stop"; of a family's scene "grazing@1e-4"
   std::string title = {};                  ///< one line for people
@@ -37,7 +37,7 @@ struct SceneHeader {
   std::vector<std::string> tags = {};      ///< free words
   std::optional<FamilyLevel> family = {};  ///< where the scene is one of a family
 
-  /// Whether the tag is among its own.
+  /// True if the scene has this tag.
   [[nodiscard]] bool carries(std::string_view tag) const;
 };
 
@@ -53,7 +53,7 @@ std::vector<std::string> load_levels(const std::filesystem::path& path);
 ///         out of range, or a Problem that `validate` refuses; the line points at the culprit.
 Problem load_scene(const SceneSource& source);
 
-/// The same from text already in memory; `name` stands for the file in messages; the files
+/// Reads and validates a scene from text in memory; `name` stands for the file in messages; the files
 /// of matrices that the scene names are looked for in its folder; `level` chooses the scene of a family.
 Problem parse_scene(std::string_view text, const std::string& name, std::string_view level = {});
 
@@ -64,7 +64,7 @@ struct SceneWithSources {
   std::vector<std::filesystem::path> matrix_files = {};  ///< that its system is read from
 };
 
-/// The same, with what it was made from.
+/// parse_scene, with the sources of the scene.
 SceneWithSources parse_scene_with_sources(std::string_view text, const std::string& name,
                                           std::string_view level = {});
 

@@ -116,7 +116,7 @@ SparseMatrix read_matrix(const SceneField& field, Eigen::Index size) {
   return A;
 }
 
-// What validate() refuses has no modes: it is left undamped here, and the complaint to validate().
+// A system that validate() will refuse may have no modes: it is left undamped here, for validate() to refuse.
 bool has_modes(const Structure& structure) {
   const double inertia = largest_entry(structure.mass);
   const double springs = largest_entry(structure.stiffness);

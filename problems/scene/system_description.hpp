@@ -1,5 +1,5 @@
 #pragma once
-// What every kind of [system] table is read into.
+// The result of reading a [system] table, of whatever kind.
 
 #include <filesystem>
 #include <functional>

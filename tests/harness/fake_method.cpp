@@ -194,7 +194,7 @@ Scene one_mass_scene(double gap, double e) { return {one_mass(gap, e), "0123abcd
 std::shared_ptr<const Trajectory> free_motion(const Problem& problem) { return scaled_motion(problem, 1.0); }
 
 OrbitSolver free_orbits() {
-  return [](const Problem& problem, const OrbitRequest&) {
+  return [](const Problem& problem, const PeriodicMotionOptions&, const Start&) {
     return Solution{
         .verdict = Verdict::converged, .message = {}, .trajectory = free_motion(problem), .residual = 1e-14};
   };

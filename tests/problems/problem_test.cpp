@@ -4,69 +4,24 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <functional>
-#include <limits>
+#include <memory>
+#include <numbers>
 #include <random>
 
-#include "problems/assembly/chain.hpp"
-#include "problems/definiteness.hpp"
-#include "problems/validation.hpp"
+#include "tests/problems/chain_problems.hpp"
 
 namespace signorini {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using test::chain_problem;
+using test::massless_tip;
+using test::three_masses;
 
 SparseMatrix sparse(const Eigen::MatrixXd& A) { return A.sparseView(); }
 
 Eigen::MatrixXd random_matrix(int rows, int columns, std::mt19937& random) {
   std::normal_distribution<double> normal;
   return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
-}
-
-Problem chain_problem(const Chain& chain) {
-  const Structure structure = assemble(chain);
-  Problem problem;
-  problem.structure = std::make_shared<const Structure>(structure);
-  problem.frequency = 2.0;
-  problem.force = {{.dof = 0, .harmonic = 1, .cos = 1.0, .sin = 0.5}};
-  return problem;
-}
-
-Problem three_masses() {
-  Problem problem =
-      chain_problem({.masses = {1.0, 2.0, 4.0}, .dampers = {0.1, 0.1, 0.1}, .springs = {10.0, 20.0, 40.0}});
-  problem.contacts = {{.normal = {{2, 1.0}}, .gap = 0.5}};
-  problem.law = Restitution{0.8};
-  return problem;
-}
-
-Problem massless_tip() {
-  Problem problem =
-      chain_problem({.masses = {1.0, 2.0, 0.0}, .dampers = {0.1, 0.1, 0.0}, .springs = {10.0, 20.0, 40.0}});
-  problem.contacts = {{.normal = {{2, 1.0}}, .gap = 0.5}};
-  problem.law = Massless{};
-  return problem;
-}
-
-// A change of the matrices alone.
-std::function<void(Problem&)> to_structure(const std::function<void(Structure&)>& edit) {
-  return [edit](Problem& problem) { problem.edit_structure(edit); };
-}
-
-// What validate() says, "" if nothing.
-std::string complaint(const Problem& problem) {
-  try {
-    validate(problem);
-    return "";
-  } catch (const InvalidProblem& error) {
-    return error.what();
-  }
-}
-
-std::string complaint_after(const std::function<void(Problem&)>& spoil, Problem problem = three_masses()) {
-  spoil(problem);
-  return complaint(problem);
 }
 
 TEST(Problem, PeriodFollowsTheSubharmonic) {
@@ -76,6 +31,20 @@ TEST(Problem, PeriodFollowsTheSubharmonic) {
 
   EXPECT_DOUBLE_EQ(problem.period(), 3.0 * std::numbers::pi / 2.0);
   EXPECT_DOUBLE_EQ(problem.base_frequency(), 4.0 / 3.0);
+  EXPECT_DOUBLE_EQ(problem.forcing_period(), std::numbers::pi / 2.0);
+}
+
+TEST(Problem, CopiesShareTheirStructureUntilOneIsEdited) {
+  const Problem problem = three_masses();
+  Problem other = with_subharmonic(problem, 5);
+  EXPECT_EQ(other.subharmonic, 5);
+  EXPECT_EQ(problem.subharmonic, 1);
+  EXPECT_EQ(&other.stiffness(), &problem.stiffness()) << "no matrix is copied";
+
+  other.edit_structure([](Structure& s) { s.stiffness.coeffRef(0, 0) = 7.0; });
+  EXPECT_EQ(other.stiffness().coeff(0, 0), 7.0);
+  EXPECT_EQ(problem.stiffness().coeff(0, 0), 30.0);
+  EXPECT_EQ(Eigen::MatrixXd(other.mass()), Eigen::MatrixXd(problem.mass()));
 }
 
 TEST(Problem, DirectionsAndGapsAreThoseOfTheContacts) {
@@ -96,6 +65,7 @@ TEST(Problem, LoadIsTheSumOfItsHarmonics) {
                    {.dof = 1, .harmonic = 3, .sin = 4.0},
                    {.dof = 1, .harmonic = 9}};
   EXPECT_EQ(highest_load_harmonic(problem), 3) << "a term of size 0 is no load";
+  EXPECT_EQ(load_bandwidth(with_subharmonic(problem, 4)), 12);
 
   for (const double time : {0.0, 0.3, 1.7}) {
     const double a = problem.frequency * time;
@@ -115,6 +85,12 @@ TEST(Problem, ConstantOrAbsentLoadHasHighestHarmonicZero) {
   problem.force.clear();
   EXPECT_EQ(highest_load_harmonic(problem), 0);
   EXPECT_EQ(load_at(problem, 1.0), Eigen::VectorXd::Zero(3));
+}
+
+TEST(ContactDirections, OfAnyListOfContactsAreItsNormals) {
+  const SparseMatrix W = contact_directions({{.normal = {{1, -1.0}}, .gap = 0.3}}, 4);
+  EXPECT_EQ(Eigen::MatrixXd(W), -Eigen::MatrixXd(Eigen::Vector4d::Unit(1)));
+  EXPECT_EQ(contact_directions({}, 4).cols(), 0);
 }
 
 TEST(DelassusMatrix, MatchesTheDenseInverse) {
@@ -172,210 +148,7 @@ TEST(ContactsAreMassless, WhereNoContactMeetsMass) {
   Problem both = massless_tip();
   both.contacts.push_back({.normal = {{0, 1.0}}, .gap = 0.1});
   EXPECT_FALSE(contacts_are_massless(both));
-}
-
-TEST(Definiteness, DoesNotDependOnUnits) {
-  std::mt19937 random(11);
-  for (int trial = 0; trial < 50; ++trial) {
-    const int size = 2 + trial % 9;
-    const Eigen::MatrixXd B = random_matrix(size, size - 1, random);  // B B^T: one null direction
-    const Eigen::MatrixXd semidefinite = B * B.transpose();
-    const Eigen::VectorXd null =
-        Eigen::FullPivLU<Eigen::MatrixXd>(B.transpose()).kernel().col(0).normalized();
-    const Eigen::VectorXd units =
-        random_matrix(size, 1, random).unaryExpr([](double x) { return std::pow(10.0, 3.0 * x); });
-    const Eigen::MatrixXd E = units.asDiagonal();
-    const auto in_units = [&](const Eigen::MatrixXd& A) {
-      return sparse((0.5 * E * (A + A.transpose()) * E).eval());
-    };
-    const double curvature = 1e-3 * semidefinite.diagonal().minCoeff();
-    const Eigen::MatrixXd nn = curvature * null * null.transpose();
-
-    EXPECT_TRUE(is_semidefinite(in_units(semidefinite))) << trial;
-    EXPECT_FALSE(is_definite(in_units(semidefinite))) << trial;
-    EXPECT_TRUE(is_definite(in_units(semidefinite + nn))) << trial;
-    EXPECT_FALSE(is_semidefinite(in_units(semidefinite - nn))) << trial;
-  }
-}
-
-TEST(Definiteness, SeesCouplingToACoordinateWithoutDiagonal) {
-  Eigen::Matrix2d A;
-  A << 1.0, 0.1, 0.1, 0.0;
-  EXPECT_FALSE(is_semidefinite(sparse(A)));
-  A << 1.0, 0.0, 0.0, 0.0;
-  EXPECT_TRUE(is_semidefinite(sparse(A)));
-  EXPECT_FALSE(is_definite(sparse(A)));
-  A << 1.0, 0.0, 0.0, -1e-3;
-  EXPECT_FALSE(is_semidefinite(sparse(A)));
-  EXPECT_TRUE(is_semidefinite(SparseMatrix(3, 3))) << "the zero matrix";
-}
-
-TEST(Validate, AcceptsEveryKindOfLaw) {
-  EXPECT_EQ(complaint(three_masses()), "");
-  EXPECT_EQ(complaint(massless_tip()), "");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Penalty{{1e4}}; }), "");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Penalty{{1e4}}; }, massless_tip()), "");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.contacts.clear(), p.law = {}; }), "");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.contacts.front().gap = -0.5; }), "");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.force.clear(); }), "") << "no load is a load";
-}
-
-TEST(Validate, AcceptsARigidBodyModeAndUnsymmetricDamping) {
-  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.stiffness = SparseMatrix(3, 3); })), "");
-  EXPECT_EQ(complaint_after(to_structure(
-                [](Structure& s) { s.damping.coeffRef(0, 1) = 7.0, s.damping.coeffRef(1, 0) = -7.0; })),
-            "")
-      << "gyroscopic";
-}
-
-TEST(Validate, AcceptsAHundredThousandCoordinates) {
-  const std::vector<double> ones(100000, 1.0);
-  Problem problem = chain_problem({.masses = ones, .dampers = ones, .springs = ones});
-  problem.contacts = {{.normal = {{99999, 1.0}}, .gap = 0.1}};
-  problem.law = Restitution{1.0};
-  EXPECT_EQ(complaint(problem), "");
-}
-
-TEST(Validate, RefusesMatricesThatDoNotFit) {
-  EXPECT_EQ(complaint(Problem{}), "system.mass = 0 x 0 matrix (must have at least one coordinate)");
-  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.stiffness = SparseMatrix(2, 2); })),
-            "system.stiffness = 2 x 2 matrix (must be 3 x 3)");
-  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.damping = SparseMatrix(3, 4); })),
-            "system.damping = 3 x 4 matrix (must be 3 x 3)");
-  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.mass.coeffRef(1, 1) = kNaN; })),
-            "system.mass = nan (must be a finite number)");
-  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.damping.coeffRef(0, 1) = INFINITY; })),
-            "system.damping = inf (must be a finite number)");
-}
-
-TEST(Validate, RefusesMatricesOfNoStructure) {
-  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.mass = SparseMatrix(3, 3); })),
-            "system.mass = 0 (some coordinate must carry mass)");
-  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.mass.coeffRef(0, 1) = 1e-3; })),
-            "system.mass = unsymmetric matrix (must be symmetric to 1e-12 of its largest entry)");
-  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.stiffness.coeffRef(1, 0) += 1e-9; })),
-            "system.stiffness = unsymmetric matrix (must be symmetric to 1e-12 of its largest entry)");
-  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.stiffness.coeffRef(2, 2) = 10.0; })),
-            "system.stiffness = indefinite matrix (must be positive semi-definite)");
-  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.mass.coeffRef(1, 1) = -2.0; })),
-            "system.mass = indefinite matrix (must be positive semi-definite)");
-  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.damping.coeffRef(0, 0) = -0.1; })),
-            "system.damping = matrix that feeds energy (its symmetric part must be positive semi-definite)");
-  EXPECT_EQ(
-      complaint(chain_problem({.masses = {1.0, 0.0}, .dampers = {0.1, 0.0}, .springs = {1.0, 0.0}})),
-      "system = structure with a loose coordinate (every motion must meet a mass, a damper or a spring)");
-}
-
-// A trusted matrix is not factorised; everything else about it is checked.
-TEST(Validate, TakesForGrantedWhatHoldsByConstructionAndNoMore) {
-  const auto trusted = [](const std::function<void(Problem&)>& change) {
-    Problem problem = three_masses();
-    change(problem);
-    validate(problem, Definiteness::by_construction);
-  };
-  EXPECT_NO_THROW(trusted(to_structure([](Structure& s) { s.stiffness.coeffRef(2, 2) = 10.0; })));
-  EXPECT_THROW(trusted(to_structure([](Structure& s) { s.stiffness.coeffRef(1, 0) += 1e-9; })),
-               InvalidProblem);
-  EXPECT_THROW(trusted(to_structure([](Structure& s) { s.stiffness.coeffRef(0, 0) = kNaN; })),
-               InvalidProblem);
-  EXPECT_THROW(trusted(to_structure([](Structure& s) { s.damping.coeffRef(0, 0) = -0.1; })), InvalidProblem);
-  EXPECT_THROW(trusted([](Problem& p) { p.frequency = 0.0; }), InvalidProblem);
-  EXPECT_THROW(validate(chain_problem({.masses = {1.0, 0.0}, .dampers = {0.1, 0.0}, .springs = {1.0, 0.0}}),
-                        Definiteness::by_construction),
-               InvalidProblem)
-      << "a coordinate that nothing holds";
-}
-
-TEST(Validate, RefusesForcingOutOfRange) {
-  const auto frequency = [](double value) {
-    return complaint_after([=](Problem& p) { p.frequency = value; });
-  };
-  EXPECT_EQ(frequency(0.0), "forcing.frequency = 0 (must be a positive number [rad/s])");
-  EXPECT_EQ(frequency(-1.0), "forcing.frequency = -1 (must be a positive number [rad/s])");
-  EXPECT_EQ(frequency(kNaN), "forcing.frequency = nan (must be a positive number [rad/s])");
-  EXPECT_EQ(frequency(1e-320), "forcing.frequency = 1e-320 (must be a positive number [rad/s])");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.subharmonic = 0; }),
-            "forcing.subharmonic = 0 (must be a whole number, 1..64)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.subharmonic = 65; }),
-            "forcing.subharmonic = 65 (must be a whole number, 1..64)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.force[0].dof = 3; }),
-            "forcing.term[0].dof = 3 (must be a coordinate of the system, 0..2)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.force[0].harmonic = -1; }),
-            "forcing.term[0].harmonic = -1 (must be a whole number, 0..10000)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.force[0].cos = kNaN; }),
-            "forcing.term[0].cos = nan (must be a finite number)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.force[0].harmonic = 0; }),
-            "forcing.term[0].sin = 0.5 (must be 0 or absent: at harmonic 0 a sine is nothing)");
-}
-
-TEST(Validate, RefusesContactsWithoutDirection) {
-  const auto normal = [](const std::vector<std::pair<int, double>>& value) {
-    return complaint_after([&](Problem& p) { p.contacts[0].normal = value; });
-  };
-  EXPECT_EQ(normal({}), "contact[0].normal = [] (needs a nonzero coefficient)");
-  EXPECT_EQ(normal({{0, 0.0}, {1, 0.0}}), "contact[0].normal = zero vector (needs a nonzero coefficient)");
-  EXPECT_EQ(normal({{0, 1.0}, {3, 1.0}}),
-            "contact[0].normal[1][0] = 3 (must be a coordinate of the system, 0..2)");
-  EXPECT_EQ(normal({{-1, 1.0}}), "contact[0].normal[0][0] = -1 (must be a coordinate of the system, 0..2)");
-  EXPECT_EQ(normal({{1, 1.0}, {1, 2.0}}), "contact[0].normal[1][0] = 1 (must name each coordinate once)");
-  EXPECT_EQ(normal({{1, kNaN}}), "contact[0].normal[0][1] = nan (must be a finite number)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.contacts[0].gap = INFINITY; }),
-            "contact[0].gap = inf (must be a finite number)");
-}
-
-TEST(Validate, WantsAnImpactLawExactlyWhereAContactCarriesMass) {
-  const std::string missing =
-      "law.restitution = missing (required, in 0..1, unless a penalty is given: the contact coordinates "
-      "carry mass)";
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = {}; }), missing);
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Massless{}; }), missing);
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Restitution{1.1}; }),
-            "law.restitution = 1.1 (must be in 0..1)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Restitution{-0.1}; }),
-            "law.restitution = -0.1 (must be in 0..1)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Restitution{kNaN}; }),
-            "law.restitution = nan (must be in 0..1)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Restitution{0.5}; }, massless_tip()),
-            "law.restitution = 0.5 (must be absent: no contact coordinate carries mass)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = {}; }, massless_tip()),
-            "law = none (must be massless: no contact coordinate carries mass)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.contacts.clear(); }),
-            "law = given (must be absent: the scene has no contact)");
-}
-
-TEST(Validate, RefusesRigidContactsOfWhichOnlySomeCarryMass) {
-  const auto add_massive = [](Problem& p) { p.contacts.push_back({.normal = {{0, 1.0}}, .gap = 0.1}); };
-  EXPECT_EQ(complaint_after(add_massive, massless_tip()),
-            "contact[0] = massless (beside contacts that carry mass only a penalty law will do: all or none "
-            "must carry "
-            "mass)");
-  EXPECT_EQ(complaint_after(
-                [&](Problem& p) {
-                  add_massive(p);
-                  p.law = Penalty{{100.0, 100.0}};
-                },
-                massless_tip()),
-            "");
-  EXPECT_EQ(
-      complaint_after(
-          [](Problem& p) {
-            p.contacts[0].normal = {{0, 1.0}, {2, -1.0}};
-            p.law = Restitution{1.0};
-          },
-          massless_tip()),
-      "contact[0].normal = partly massless (under a restitution law every coordinate of a normal must carry "
-      "mass)");
-}
-
-TEST(Validate, WantsOnePositivePenaltyPerContact) {
-  EXPECT_EQ(complaint_after([](Problem& p) {
-              p.law = Penalty{{1.0, 2.0}};
-            }),
-            "law.penalty = 2 values (must be one number, or one per contact: 1)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Penalty{{0.0}}; }),
-            "law.penalty[0] = 0 (must be a positive number [N/m])");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Penalty{{INFINITY}}; }),
-            "law.penalty[0] = inf (must be a positive number [N/m])");
+  EXPECT_EQ(contacts_with_mass(both), (std::vector<bool>{false, true}));
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/judge/impacts.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
@@ -145,39 +144,6 @@ TEST(MeasurePhysics, FindsTheRestitutionOfAnImpactSpreadOverTheResolution) {
   // Speeds are means over period / bandwidth beside the contact.
   EXPECT_NEAR(physics.effective_restitution[0], 0.5, 3.0 / bandwidth);
   EXPECT_NEAR(physics.contact_ratio.value(), 0.5 / bandwidth, 2.0 / kGrid);
-}
-
-TEST(ContactPhases, JoinRipplesAndTellImpactsFromLastingContact) {
-  const int bandwidth = 20;
-  const double T = kPeriod;
-  const double smear_time = T / (2.0 * bandwidth);
-  // Two lobes half a smear apart, across the period's end; and a push of a fifth of the period.
-  const auto force = [=](double t) {
-    const bool lobe = t > T - 0.6 * smear_time || (t > 0.2 * smear_time && t < 0.8 * smear_time);
-    const bool push = t > 0.4 * T && t < 0.6 * T;
-    return lobe ? -2.0 : (push ? -1.0 : 0.0);
-  };
-  const FormulaMotion motion(
-      T, [](double t) { return std::sin(2.0 * t); }, [](double t) { return 2.0 * std::cos(2.0 * t); }, force,
-      {}, bandwidth);
-  const std::vector<ContactPhase> phases = contact_phases(sampled(motion));
-  ASSERT_EQ(phases.size(), 2U);
-  EXPECT_TRUE(phases[0].lasting);
-  EXPECT_NEAR(phases[0].begin, 0.4 * T, 1e-3 * T);
-  EXPECT_NEAR(phases[0].impulse, -0.2 * T, 1e-3 * T);
-  EXPECT_FALSE(phases[1].lasting);
-  EXPECT_NEAR(phases[1].impulse, -2.0 * 1.2 * smear_time, 1e-3 * T);
-}
-
-TEST(ContactPhases, KnowAContactThatNeverOpens) {
-  const FormulaMotion motion(
-      kPeriod, [](double) { return 0.2; }, [](double) { return 0.0; },
-      [](double t) { return -2.0 + std::cos(2.0 * t); }, {}, 10);
-  const std::vector<ContactPhase> phases = contact_phases(sampled(motion));
-  ASSERT_EQ(phases.size(), 1U);
-  EXPECT_TRUE(phases[0].lasting);
-  EXPECT_NEAR(phases[0].impulse, -2.0 * kPeriod, 1e-9);
-  EXPECT_EQ(contact_ratio(sampled(motion)), 1.0);
 }
 
 TEST(EnergyDefect, VanishesForTheLinearResponse) {

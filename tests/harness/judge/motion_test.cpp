@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
-#include "harness/judge/orbit.hpp"
-#include "harness/records/sampled_trajectory.hpp"
-#include "harness/records/trajectory_json.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini {
@@ -49,8 +47,6 @@ TEST(BestShift, UndoesAShiftByForcingPeriods) {
   EXPECT_NEAR(distance(original, late).x_l2.value(), 1.0 / std::sqrt(1.25), 1e-12);
   EXPECT_EQ(best_shift(original, late), 1);
   EXPECT_LT(distance(original, late, 1).x_l2.value(), 1e-12);
-  EXPECT_TRUE(same_orbit(original, late));
-  EXPECT_FALSE(same_orbit(original, motion(2, 0.4)));
 }
 
 TEST(LeastOrder, FindsTheTruePeriod) {
@@ -60,108 +56,81 @@ TEST(LeastOrder, FindsTheTruePeriod) {
   EXPECT_EQ(least_order(motion(2, 0.5)), 2);
 }
 
-TEST(Fingerprint, IsEqualForEqualOrbits) {
-  const std::vector<Impulse> once{{0, 1.0, -0.5}};
-  const std::vector<Impulse> late{{0, 1.0 + kPeriod, -0.5}};
-  const std::vector<Impulse> twice{{0, 1.0, -0.5}, {0, 1.0 + 2.0 * kPeriod, -0.5}};
-  const std::string print = fingerprint(motion(2, 0.5, 0, once));
-  EXPECT_EQ(print.size(), 8U);
-  EXPECT_EQ(print, fingerprint(motion(2, 0.5, 1, late)));   // one forcing period later
-  EXPECT_EQ(print, fingerprint(motion(4, 0.5, 0, twice)));  // written over two of its periods
+TEST(SampleAnswer, SaysWhatIsWrongWithIt) {
+  const Problem problem = test::one_mass();
+  const FormulaMotion::Formula zero = [](double) { return 0.0; };
+  const auto defect = [&](const FormulaMotion& answer) { return sample_answer(problem, answer).defect; };
+  EXPECT_EQ(defect(FormulaMotion(kPeriod, zero, zero)), "");
+  EXPECT_EQ(defect(FormulaMotion(3.0 * kPeriod, zero, zero)), "");
+  EXPECT_NE(defect(FormulaMotion(1.5 * kPeriod, zero, zero)).find("no whole multiple"), std::string::npos);
+  EXPECT_NE(defect(FormulaMotion(kPeriod, zero, zero, zero, {}, {}, 2)).find("2 contacts"),
+            std::string::npos);
+  EXPECT_NE(defect(FormulaMotion(
+                       kPeriod, [](double) { return std::nan(""); }, zero))
+                .find("not finite"),
+            std::string::npos);
+  EXPECT_NE(defect(FormulaMotion(kPeriod, zero, zero, zero, {{0, 2.0 * kPeriod, -1.0}})).find("outside"),
+            std::string::npos);
 }
 
-TEST(Fingerprint, DiffersForOtherOrbits) {
-  const std::string print = fingerprint(motion(2, 0.5, 0, {{0, 1.0, -0.5}}));
-  EXPECT_NE(print, fingerprint(motion(2, 0.5, 0, {{0, 1.0, -0.6}})));
-  EXPECT_NE(print, fingerprint(motion(2, 0.51, 0, {{0, 1.0, -0.5}})));
-  EXPECT_NE(print, fingerprint(motion(2, 0.5, 0, {{0, 1.0, -0.25}, {0, 2.0, -0.25}})));
-  EXPECT_NE(print, fingerprint(motion(1, 0.0)));
+TEST(SampleAnswer, GivesTheMotionOfASoundAnswer) {
+  const auto answer = test::free_motion(test::one_mass());
+  const SampledAnswer sampled = sample_answer(test::one_mass(), *answer);
+  EXPECT_EQ(sampled.motion.samples.x, answer->sample(kGrid).x);
+  EXPECT_EQ(sampled.motion.bandwidth, answer->bandwidth());
 }
 
-TEST(OrbitEvents, ListImpactsAndPlaceClosingAndOpening) {
-  // The stop's spring pushes between asin(0.5) and pi - asin(0.5) of the phase.
-  const auto x = [](double t) { return std::sin(2.0 * t); };
-  const FormulaMotion spring(
-      kPeriod, x, [](double t) { return 2.0 * std::cos(2.0 * t); },
-      [=](double t) { return -3.0 * std::max(0.0, x(t) - 0.5); });
-  const std::vector<OrbitEvent> events = orbit_events(sample_motion(test::one_mass(), spring));
-  ASSERT_EQ(events.size(), 2U);
-  EXPECT_EQ(events[0].kind, "close");
-  EXPECT_NEAR(events[0].time, std::numbers::pi / 12.0, 1e-6);
-  EXPECT_EQ(events[1].kind, "open");
-  EXPECT_NEAR(events[1].time, 5.0 * std::numbers::pi / 12.0, 1e-6);
-  EXPECT_FALSE(events[1].value.has_value());
-  const std::vector<OrbitEvent> impacts = orbit_events(motion(1, 0.0, 0, {{0, 1.0, -0.5}}));
-  ASSERT_EQ(impacts.size(), 1U);
-  EXPECT_EQ(impacts[0].kind, "impact");
-  EXPECT_EQ(impacts[0].value, -0.5);
+TEST(Thinned, KeepsEveryStepThInstantAndTheImpulses) {
+  const Motion all = motion(2, 0.5, 0, {{0, 1.0, -0.5}});
+  const Motion few = thinned(all, 16);
+  ASSERT_EQ(few.count(), 2 * kGrid / 16);
+  EXPECT_EQ(few.order, 2);
+  EXPECT_EQ(few.period(), all.period());
+  for (const int i : {0, 1, 100}) EXPECT_EQ(few.samples.velocity(i, 0), all.samples.velocity(16 * i, 0));
+  EXPECT_EQ(few.impulses.size(), 1U);
 }
 
-TEST(SampledTrajectory, GivesBackItsSamplesBitByBit) {
-  const auto source = test::free_motion(test::one_mass());
-  const SampledTrajectory sampled(*source, 512);
-  const Samples stored = sampled.data().samples;
-  EXPECT_EQ(sampled.sample(512).x, stored.x);
-  const Samples thinned = sampled.sample(128);
-  for (int i = 0; i < 128; ++i) EXPECT_EQ(thinned.x(i, 0), stored.x(4 * i, 0));
+/// Force -(2 + cos 4t) N, the second harmonic of the load, and an impulse of -3 N s at a quarter of the
+/// period.
+Motion pushing(int order, std::optional<int> bandwidth = {}) {
+  const FormulaMotion::Formula zero = [](double) { return 0.0; };
+  return sample_motion(test::one_mass(),
+                       FormulaMotion(
+                           order * kPeriod, zero, zero, [](double t) { return -2.0 - std::cos(4.0 * t); },
+                           {{0, 0.25 * order * kPeriod, -3.0}}, bandwidth));
 }
 
-TEST(SampledTrajectory, InterpolatesAtFourthOrder) {
-  const auto source = test::free_motion(test::one_mass());
-  const auto error = [&](int stored) {
-    return (SampledTrajectory(*source, stored).sample(3000).x - source->sample(3000).x).cwiseAbs().maxCoeff();
-  };
-  const double order = std::log2(error(64) / error(128));
-  EXPECT_NEAR(order, 4.0, 0.2);
+TEST(ForceSeries, OfAMotionAreTheCoefficientsOfForceAndImpulses) {
+  for (const int order : {1, 3}) {
+    const ForceSeries series = force_series(test::one_mass(), pushing(order), 20);
+    const double period = order * kPeriod;
+    EXPECT_EQ(series.order, order);
+    EXPECT_NEAR(series.base_frequency, 2.0 / order, 1e-15);
+    ASSERT_EQ(series.lambda.rows(), 21);
+    for (int n = 0; n <= 20; ++n) {
+      std::complex<double> expected = -3.0 / period * std::polar(1.0, -0.5 * std::numbers::pi * n);
+      if (n == 0) expected -= 2.0;
+      if (n == 2 * order) expected -= 0.5;
+      EXPECT_LT(std::abs(series.lambda(n, 0) - expected), 1e-13) << n << " of order " << order;
+    }
+  }
 }
 
-TEST(SampledTrajectory, RefusesWhatIsNoMotion) {
-  const auto source = test::free_motion(test::one_mass());
-  SampledTrajectory::Data data{source->period(), source->sample(16), {}, {}};
-  data.samples.force(3, 0) = std::nan("");
-  EXPECT_THROW(SampledTrajectory{data}, std::invalid_argument);
-  data = {0.0, source->sample(16), {}, {}};
-  EXPECT_THROW(SampledTrajectory{data}, std::invalid_argument);
-  data = {1.0, source->sample(16), {{.contact = 2, .time = 0.0, .value = -1.0}}, {}};
-  EXPECT_THROW(SampledTrajectory{data}, std::invalid_argument);
+TEST(ForceSeries, EndsAtTheBandwidthButNotBelowTheLoad) {
+  EXPECT_EQ(force_series(test::one_mass(), pushing(1, 7), 20).lambda.rows(), 8);
+  EXPECT_EQ(force_series(test::one_mass(), pushing(3, 1), 20).lambda.rows(), 4);
 }
 
-TEST(TrajectoryJson, ComesBackAsItWent) {
-  const auto source = test::free_motion(test::one_mass());
-  const SampledTrajectory sampled(*source, 32);
-  const auto back = trajectory_of(source->period(), samples_of(sampled, 32));
-  EXPECT_EQ(back->sample(32).x, sampled.sample(32).x);
-  EXPECT_EQ(back->bandwidth(), source->bandwidth());
-  TrajectorySamples uneven = samples_of(sampled, 32);
-  uneven.force[0].pop_back();
-  EXPECT_THROW(trajectory_of(1.0, uneven), BadRecord);
+TEST(ImpulsePerForcingPeriod, IsTheMeanOverTheOrder) {
+  EXPECT_NEAR(impulse_per_forcing_period(pushing(1))[0], -2.0 * kPeriod - 3.0, 1e-12);
+  EXPECT_NEAR(impulse_per_forcing_period(pushing(3))[0], -2.0 * kPeriod - 1.0, 1e-12);
 }
 
-SampledTrajectory with_an_impulse() {
-  SampledTrajectory::Data data{.period = 2.0,
-                               .samples = {},
-                               .impulses = {{.contact = 0, .time = 1.75, .value = -3.0}},
-                               .bandwidth = 5};
-  data.samples.x = Eigen::Vector4d(0.0, 1.0, 2.0, 3.0);
-  data.samples.velocity = data.samples.force = -data.samples.x;
-  return SampledTrajectory(std::move(data));
-}
-
-TEST(Delayed, MovesSamplesAndImpulsesBackInTime) {
-  const SampledTrajectory late = delayed(with_an_impulse(), 0.25);
-  EXPECT_EQ(late.sample(4).x.col(0), Eigen::Vector4d(3.0, 0.0, 1.0, 2.0));
-  EXPECT_EQ(late.sample(4).force.col(0), Eigen::Vector4d(-3.0, 0.0, -1.0, -2.0));
-  EXPECT_DOUBLE_EQ(late.impulses().front().time, 0.25);
-  EXPECT_EQ(delayed(with_an_impulse(), 0.0).impulses().front().time, 1.75);
-}
-
-TEST(Repeated, TakesSeveralPeriodsForOne) {
-  const SampledTrajectory twice = repeated(with_an_impulse(), 2);
-  EXPECT_EQ(twice.period(), 4.0);
-  EXPECT_EQ(twice.sample(8).x(5, 0), 1.0);
-  EXPECT_EQ(twice.bandwidth(), 10);
-  ASSERT_EQ(twice.impulses().size(), 2U);
-  EXPECT_EQ(twice.impulses()[1].time, 3.75);
+TEST(Amplitude, IsThatOfTheContactThatMovesMost) {
+  Motion two = motion(1, 0.0);
+  two.samples.x.conservativeResize(Eigen::NoChange, 2);
+  two.samples.x.col(1) = 5.0 + 3.0 * two.samples.x.col(0).array();
+  EXPECT_NEAR(amplitude(two), 3.0, 1e-12);
 }
 
 }  // namespace

@@ -2,31 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/failure.hpp"
+#include "tests/harness/orbits/sample_orbits.hpp"
 
 namespace signorini {
 namespace {
 
-FoundOrbit sample_orbit() {
-  FoundOrbit orbit{.fingerprint = "0badcafe",
-                   .order = 2,
-                   .period = 4.0,
-                   .amplitude = 0.5,
-                   .starts = 3,
-                   .cold = {"hat-lcp[samples=64]"}};
-  orbit.certificate.source = "exact orbit";
-  orbit.certificate.error_bar = 1e-14;
-  orbit.certificate.residual = 1e-15;
-  orbit.certificate.return_distance = 1e-12;
-  orbit.certificate.floquet = FloquetMultipliers{{0.5, 0.25}, {0.5, -0.25}};
-  orbit.certificate.stable = true;
-  orbit.certificate.events = {{0.5, 0, "impact", -1.0}, {1.5, 1, "close", {}}, {1.75, 1, "open", {}}};
-  return orbit;
-}
-
-OrbitFile sample_file() {
-  return {.scene = "some-scene", .scene_sha256 = "hash", .law = Restitution{0.8}, .orbits = {sample_orbit()}};
-}
+using test::sample_file;
+using test::sample_orbit;
 
 std::string only_difference(const OrbitFile& kept, const OrbitFile& now) {
   const OrbitDifferences result = compare_orbits(kept, now);
@@ -50,36 +32,36 @@ TEST(CompareOrbits, FindsNoDifferenceInTheSame) {
 
 TEST(CompareOrbits, TakesShiftsByAForcingPeriodForTheSame) {
   OrbitFile now = sample_file();
-  now.orbits.front().certificate.events = {
+  now.orbits.front().certified.events = {
       {2.5, 0, "impact", -1.0}, {3.5, 1, "close", {}}, {3.75, 1, "open", {}}};
   EXPECT_TRUE(compare_orbits(sample_file(), now).differences.empty());
-  for (OrbitEvent& event : now.orbits.front().certificate.events) event.time -= 1.0;  // half a forcing period
+  for (OrbitEvent& event : now.orbits.front().certified.events) event.time -= 1.0;  // half a forcing period
   EXPECT_FALSE(compare_orbits(sample_file(), now).differences.empty());
 }
 
 TEST(CompareOrbits, AllowsWhatTheErrorBarsAllow) {
   OrbitFile now = sample_file();
-  now.orbits.front().certificate.events.front().time += 0.5 * kInstantFloor * 4.0;
+  now.orbits.front().certified.events.front().time += 0.5 * kInstantFloor * 4.0;
   EXPECT_TRUE(compare_orbits(sample_file(), now).differences.empty());
-  now.orbits.front().certificate.events.front().time += 1e-5;
+  now.orbits.front().certified.events.front().time += 1e-5;
   EXPECT_FALSE(compare_orbits(sample_file(), now).differences.empty());
-  now.orbits.front().certificate.error_bar = 1e-6;
+  now.orbits.front().certified.error_bar = 1e-6;
   EXPECT_TRUE(compare_orbits(sample_file(), now).differences.empty());
 }
 
 TEST(CompareOrbits, NamesWhatWasTamperedWith) {
-  expect_difference([](FoundOrbit& o) { o.certificate.events[0].time += 1e-6; },
+  expect_difference([](FoundOrbit& o) { o.certified.events[0].time += 1e-6; },
                     "event 1 (impact at contact 0): time 0.5 s");
-  expect_difference([](FoundOrbit& o) { o.certificate.events[0].value = -1.01; },
+  expect_difference([](FoundOrbit& o) { o.certified.events[0].value = -1.01; },
                     "impulse -1 N s became -1.01 N s");
-  expect_difference([](FoundOrbit& o) { o.certificate.events.pop_back(); }, "3 events became 2");
-  expect_difference([](FoundOrbit& o) { o.certificate.events[1].contact = 0; },
+  expect_difference([](FoundOrbit& o) { o.certified.events.pop_back(); }, "3 events became 2");
+  expect_difference([](FoundOrbit& o) { o.certified.events[1].contact = 0; },
                     "event 2 (close at contact 1) is gone");
-  expect_difference([](FoundOrbit& o) { o.certificate.stable = false; }, "stable became unstable");
-  expect_difference([](FoundOrbit& o) { o.certificate.stable.reset(); }, "of unknown stability");
+  expect_difference([](FoundOrbit& o) { o.certified.stable = false; }, "stable became unstable");
+  expect_difference([](FoundOrbit& o) { o.certified.stable.reset(); }, "of unknown stability");
   expect_difference(
       [](FoundOrbit& o) {
-        (*o.certificate.floquet)[1] = {0.5, -0.3};
+        (*o.certified.floquet)[1] = {0.5, -0.3};
       },
       "multiplier 0.5-0.25i became 0.5-0.3i");
   expect_difference([](FoundOrbit& o) { o.amplitude = 0.6; }, "amplitude 0.5 m became 0.6 m");
@@ -99,7 +81,7 @@ TEST(CompareOrbits, MissesAnOrbitThatIsGoneAndReportsANewOne) {
 
 TEST(CompareOrbits, LeavesTheWeakImpactsOfAChatterAlone) {
   OrbitFile kept = sample_file(), now = sample_file();
-  kept.orbits.front().certificate.events.push_back({1.7, 0, "impact", -1e-4});
+  kept.orbits.front().certified.events.push_back({1.7, 0, "impact", -1e-4});
   EXPECT_TRUE(compare_orbits(kept, now).differences.empty());
 }
 
@@ -111,27 +93,6 @@ TEST(CompareOrbits, HasOneLineForAnotherSceneOrLaw) {
   now = sample_file();
   now.law = Restitution{0.7};
   EXPECT_NE(only_difference(sample_file(), now).find("law became"), std::string::npos);
-}
-
-TEST(OrbitFiles, ComeBackAsTheyWereWritten) {
-  const std::string text = print_orbit_file(sample_file());
-  const OrbitFile back = parse_orbit_file(text, "file");
-  EXPECT_EQ(print_orbit_file(back), text);
-  EXPECT_TRUE(compare_orbits(sample_file(), back).differences.empty());
-}
-
-TEST(OrbitFiles, AreRefusedWithTheirNameInOneLine) {
-  for (const std::string& text : {std::string("{"), std::string("[]"), std::string("{\"schema\": 7}"),
-                                  std::string("{\"schema\": 1, \"scene\": 3}")}) {
-    try {
-      parse_orbit_file(text, "some.json");
-      ADD_FAILURE() << text;
-    } catch (const UsageError& error) {
-      const std::string line = error.what();
-      EXPECT_EQ(line.rfind("some.json: ", 0), 0U) << line;
-      EXPECT_EQ(line.find('\n'), std::string::npos) << line;
-    }
-  }
 }
 
 }  // namespace

@@ -28,14 +28,14 @@ Problem coexisting() {
       "pair.toml");
 }
 
-const OrbitCensus& census_of_pair() {
+const SceneOrbits& orbits_of_pair() {
   static const Problem problem = coexisting();
-  static const OrbitCensus census = find_all_orbits(problem, {.starts = 16, .subharmonics = 2});
-  return census;
+  static const SceneOrbits found = find_all_orbits(problem, {.starts = 16, .subharmonics = 2});
+  return found;
 }
 
-const FoundOrbit* single_impact(const OrbitCensus& census, int order) {
-  for (const FoundOrbit& orbit : census.orbits) {
+const FoundOrbit* single_impact(const SceneOrbits& found, int order) {
+  for (const FoundOrbit& orbit : found.orbits) {
     if (orbit.order == order && orbit.impacts() == 1) return &orbit;
   }
   return nullptr;
@@ -43,37 +43,37 @@ const FoundOrbit* single_impact(const OrbitCensus& census, int order) {
 
 std::complex<double> trace(const FoundOrbit& orbit) {
   std::complex<double> sum = 0.0;
-  for (const auto& [re, im] : *orbit.certificate.floquet) sum += std::complex(re, im);
+  for (const auto& [re, im] : *orbit.certified.floquet) sum += std::complex(re, im);
   return sum;
 }
 
 std::complex<double> determinant(const FoundOrbit& orbit) {
   std::complex<double> product = 1.0;
-  for (const auto& [re, im] : *orbit.certificate.floquet) product *= std::complex(re, im);
+  for (const auto& [re, im] : *orbit.certified.floquet) product *= std::complex(re, im);
   return product;
 }
 
 /// Impulse p = -m (1 + e) v of an impact at speed v.
-double impact_speed(const FoundOrbit& orbit) { return -orbit.certificate.events.front().value.value() / 1.8; }
+double impact_speed(const FoundOrbit& orbit) { return -orbit.certified.events.front().value.value() / 1.8; }
 
 TEST(FindAllOrbits, FindsTheStableSubharmonicOfAKnownPair) {
-  const FoundOrbit* orbit = single_impact(census_of_pair(), 2);
+  const FoundOrbit* orbit = single_impact(orbits_of_pair(), 2);
   ASSERT_NE(orbit, nullptr);
-  EXPECT_EQ(orbit->certificate.stable, true);
+  EXPECT_EQ(orbit->certified.stable, true);
   EXPECT_NEAR(impact_speed(*orbit), 1.245271157551, 1e-11);
   EXPECT_NEAR(trace(*orbit).real(), 1.4561967318, 1e-9);
   EXPECT_NEAR(determinant(*orbit).real(), 0.6019466424, 1e-9);
   EXPECT_NEAR(trace(*orbit).imag(), 0.0, 1e-9);
   // Impacts at 0.624435604230 s after a period of the load began, whichever of the two.
   const double forcing_period = orbit->period / 2;
-  EXPECT_NEAR(std::remainder(orbit->certificate.events.front().time - 0.624435604230, forcing_period), 0.0,
+  EXPECT_NEAR(std::remainder(orbit->certified.events.front().time - 0.624435604230, forcing_period), 0.0,
               1e-11);
 }
 
 TEST(FindAllOrbits, FindsTheUnstableOrbitThatCoexists) {
-  const FoundOrbit* orbit = single_impact(census_of_pair(), 1);
+  const FoundOrbit* orbit = single_impact(orbits_of_pair(), 1);
   ASSERT_NE(orbit, nullptr);
-  EXPECT_EQ(orbit->certificate.stable, false);
+  EXPECT_EQ(orbit->certified.stable, false);
   EXPECT_NEAR(impact_speed(*orbit), 0.056924256179, 1e-11);
   // Whatever the orbit, an impact multiplies areas by e^2 and the flow by exp(-c T / m).
   EXPECT_NEAR(determinant(*orbit).real(), 0.64 * std::exp(-0.02 * orbit->period), 1e-9);
@@ -81,50 +81,50 @@ TEST(FindAllOrbits, FindsTheUnstableOrbitThatCoexists) {
 }
 
 TEST(FindAllOrbits, ListsEveryOrbitOnceWhateverItsOrderAndShift) {
-  const OrbitCensus& census = census_of_pair();
+  const SceneOrbits& found = orbits_of_pair();
   std::set<std::string> names;
   int hits = 0;
-  for (const FoundOrbit& orbit : census.orbits) {
+  for (const FoundOrbit& orbit : found.orbits) {
     EXPECT_TRUE(names.insert(orbit.fingerprint).second) << orbit.fingerprint;
     EXPECT_NEAR(orbit.period, orbit.order * 2.0 * std::numbers::pi / 4.1, 1e-12);
     hits += orbit.starts;
   }
   int failures = 0;
-  for (const auto& [reason, count] : census.failures) failures += count;
-  EXPECT_EQ(hits + failures, census.searches);
+  for (const auto& [reason, count] : found.failures) failures += count;
+  EXPECT_EQ(hits + failures, found.searches);
   // Starts at order 2 lead to the orbit of order 1 as well, and to both shifts of the subharmonic.
-  EXPECT_GT(hits, static_cast<int>(census.orbits.size()));
+  EXPECT_GT(hits, static_cast<int>(found.orbits.size()));
 }
 
 TEST(FindAllOrbits, CertifiesEveryOrbitByASecondIntegrator) {
-  for (const FoundOrbit& orbit : census_of_pair().orbits) {
-    ASSERT_TRUE(orbit.certificate.return_distance.has_value());
-    EXPECT_LT(orbit.certificate.error_bar, 1e-9);
-    EXPECT_LT(orbit.certificate.residual.value(), 1e-11);
+  for (const FoundOrbit& orbit : orbits_of_pair().orbits) {
+    ASSERT_TRUE(orbit.certified.return_distance.has_value());
+    EXPECT_LT(orbit.certified.error_bar, 1e-9);
+    EXPECT_LT(orbit.certified.residual.value(), 1e-11);
   }
 }
 
 TEST(FindAllOrbits, IsTheSameForTheSameSeed) {
   const Problem problem = coexisting();
-  const OrbitQuest quest{.starts = 16, .subharmonics = 2};
-  const OrbitCensus again = find_all_orbits(problem, quest);
+  const OrbitSearchOptions options{.starts = 16, .subharmonics = 2};
+  const SceneOrbits again = find_all_orbits(problem, options);
   const Scene scene{problem, "hash"};
-  EXPECT_EQ(print_orbit_file(make_orbit_file(scene, quest, again)),
-            print_orbit_file(make_orbit_file(scene, quest, census_of_pair())));
-  EXPECT_EQ(again.failures, census_of_pair().failures);
+  EXPECT_EQ(print_orbit_file(make_orbit_file(scene, options, again)),
+            print_orbit_file(make_orbit_file(scene, options, orbits_of_pair())));
+  EXPECT_EQ(again.failures, orbits_of_pair().failures);
 }
 
 TEST(FindAllOrbits, NamesTheMotionFromRestAndTheMethodsThatFindAnOrbitCold) {
-  const OrbitCensus& census = census_of_pair();
-  const auto from_rest = std::count_if(census.orbits.begin(), census.orbits.end(),
+  const SceneOrbits& found = orbits_of_pair();
+  const auto from_rest = std::count_if(found.orbits.begin(), found.orbits.end(),
                                        [](const FoundOrbit& orbit) { return orbit.from_rest; });
   EXPECT_EQ(from_rest, 1);
-  for (const FoundOrbit& orbit : census.orbits) {
+  for (const FoundOrbit& orbit : found.orbits) {
     // Marching goes to stable motions only.
     if (orbit.from_rest) {
-      EXPECT_EQ(orbit.certificate.stable, true);
+      EXPECT_EQ(orbit.certified.stable, true);
     }
-    if (orbit.certificate.stable == false) {
+    if (orbit.certified.stable == false) {
       for (const std::string& label : orbit.cold) EXPECT_EQ(label.find("event-driven"), std::string::npos);
     }
   }
@@ -132,39 +132,38 @@ TEST(FindAllOrbits, NamesTheMotionFromRestAndTheMethodsThatFindAnOrbitCold) {
 
 TEST(CertifyAgain, ComesBackToAnOrbitFromItsEventsAlone) {
   const Problem problem = coexisting();
-  for (const FoundOrbit& orbit : census_of_pair().orbits) {
+  for (const FoundOrbit& orbit : orbits_of_pair().orbits) {
     FoundOrbit kept = orbit;
-    kept.certificate.orbit = nullptr;
-    kept.certificate.events.front().time += 1e-4;
+    kept.certified.motion = nullptr;
+    kept.certified.events.front().time += 1e-4;
     const std::optional<FoundOrbit> again = certify_again(problem, kept);
     ASSERT_TRUE(again.has_value());
     EXPECT_EQ(again->fingerprint, orbit.fingerprint);
-    EXPECT_NEAR(again->certificate.events.front().time, orbit.certificate.events.front().time, 1e-11);
-    EXPECT_EQ(again->certificate.stable, orbit.certificate.stable);
+    EXPECT_NEAR(again->certified.events.front().time, orbit.certified.events.front().time, 1e-11);
+    EXPECT_EQ(again->certified.stable, orbit.certified.stable);
   }
 }
 
 TEST(CertifyAgain, LeavesContactPhasesToTheSearch) {
-  FoundOrbit kept = census_of_pair().orbits.front();
-  kept.certificate.events.front().kind = "close";
+  FoundOrbit kept = orbits_of_pair().orbits.front();
+  kept.certified.events.front().kind = "close";
   EXPECT_FALSE(certify_again(coexisting(), kept).has_value());
 }
 
 TEST(FindAllOrbits, LeavesOutWhatIsNotCertified) {
   const Problem problem = coexisting();
-  const OrbitPolisher refuse = [](const PolishRequest&) -> CheckedOrbit {
-    return {.reason = "no second integrator"};
-  };
-  const OrbitCensus census = find_all_orbits(problem, {.starts = 0, .subharmonics = 1}, refuse);
-  EXPECT_TRUE(census.orbits.empty());
-  EXPECT_GT(census.failures.at("no second integrator"), 0);
+  const OrbitPolisher refuse = [](const Problem&, const Trajectory&, std::span<const Certificate>,
+                                  Deadline) -> CertifiedOrbit { return {.reason = "no second integrator"}; };
+  const SceneOrbits found = find_all_orbits(problem, {.starts = 0, .subharmonics = 1}, refuse);
+  EXPECT_TRUE(found.orbits.empty());
+  EXPECT_GT(found.failures.at("no second integrator"), 0);
 }
 
 TEST(FindAllOrbits, StopsAtItsTimeLimit) {
   const Problem problem = coexisting();
-  const OrbitCensus census = find_all_orbits(problem, {.starts = 8, .timeout = 1e-6});
-  EXPECT_TRUE(census.expired);
-  EXPECT_FALSE(census.interrupted);
+  const SceneOrbits found = find_all_orbits(problem, {.starts = 8, .timeout = 1e-6});
+  EXPECT_TRUE(found.expired);
+  EXPECT_FALSE(found.interrupted);
 }
 
 TEST(OrbitCandidates, SurviveTheWayBetweenProcesses) {

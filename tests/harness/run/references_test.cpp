@@ -12,10 +12,10 @@ constexpr Limits kLimits{.memory_mb = 512, .reference_timeout = 5.0};
 Applicability method_with(const RepresentedLaw& law) { return {.applies = true, .law = law}; }
 
 /// Finds an orbit under a restitution of 1 only.
-Solution elastic_orbits(const Problem& problem, const OrbitRequest& request) {
+Solution elastic_orbits(const Problem& problem, const PeriodicMotionOptions& options, const Start& start) {
   const auto* restitution = std::get_if<Restitution>(&problem.law);
   if (restitution == nullptr || restitution->e != 1.0) return {.message = "not elastic"};
-  return test::free_orbits()(problem, request);
+  return test::free_orbits()(problem, options, start);
 }
 
 Scene elastic_scene() {
@@ -54,7 +54,9 @@ TEST(References, AreNotComputedWhereNoMethodApplies) {
 
 TEST(References, SayHowTheirComputationDied) {
   const Scene scene = elastic_scene();
-  const OrbitSolver crash = [](const Problem&, const OrbitRequest&) -> Solution { std::abort(); };
+  const OrbitSolver crash = [](const Problem&, const PeriodicMotionOptions&, const Start&) -> Solution {
+    std::abort();
+  };
   References references;
   references.compute(scene, std::vector{method_with(Restitution{1.0})}, OrbitTools(crash), kLimits);
   const std::string& reason = references.under(Restitution{1.0}, scene.problem).reason;

@@ -127,7 +127,7 @@ TEST(Runner, RepeatsAnOrbitToStartFromWhereTheSceneAsksForMorePeriods) {
 }
 
 TEST(Runner, DoesNotStartFromAnOrbitOfAnotherPeriod) {
-  const OrbitSolver halves = [](const Problem& problem, const OrbitRequest&) {
+  const OrbitSolver halves = [](const Problem& problem, const PeriodicMotionOptions&, const Start&) {
     Problem twice = problem;
     twice.frequency *= 0.5;  // a motion of two forcing periods
     return Solution{.verdict = Verdict::converged,
@@ -141,7 +141,9 @@ TEST(Runner, DoesNotStartFromAnOrbitOfAnotherPeriod) {
 }
 
 TEST(Runner, SaysSoWhereThereIsNoOrbitToStartFrom) {
-  const auto none = [](const Problem&, const OrbitRequest&) { return Solution{.message = "it wanders"}; };
+  const auto none = [](const Problem&, const PeriodicMotionOptions&, const Start&) {
+    return Solution{.message = "it wanders"};
+  };
   const Record record = run_late("0.25", OrbitSolver(none));
   EXPECT_EQ(record.status, Status::not_applicable);
   EXPECT_NE(record.message.find("no orbit to start from: "), std::string::npos) << record.message;
@@ -169,10 +171,11 @@ TEST(Runner, LetsASoftStopBePenetrated) {
 }
 
 TEST(Runner, CertifiesByTheReferenceWhereTheShootingFails) {
-  const OrbitSolver marching_only = [](const Problem& problem, const OrbitRequest& request) {
+  const OrbitSolver marching_only = [](const Problem& problem, const PeriodicMotionOptions& options,
+                                       const Start& start) {
     // Continued from the reference's own marching, but not from an answer, which never is a guess at 1e-11.
-    if (request.shooting && request.tolerance > 5e-12) return Solution{.message = "Newton's method failed"};
-    return test::free_orbits()(problem, request);
+    if (options.shooting && options.tolerance > 5e-12) return Solution{.message = "Newton's method failed"};
+    return test::free_orbits()(problem, options, start);
   };
   const Record record = run_fake("good", test::one_mass_scene(), marching_only);
   EXPECT_EQ(record.status, Status::converged);
@@ -181,7 +184,9 @@ TEST(Runner, CertifiesByTheReferenceWhereTheShootingFails) {
 }
 
 TEST(Runner, SaysWhyAnAnswerIsUncertified) {
-  const OrbitSolver none = [](const Problem&, const OrbitRequest&) { return Solution{.message = "chaos"}; };
+  const OrbitSolver none = [](const Problem&, const PeriodicMotionOptions&, const Start&) {
+    return Solution{.message = "chaos"};
+  };
   const Record record = run_fake("good", test::one_mass_scene(), none);
   EXPECT_EQ(record.status, Status::converged);
   EXPECT_EQ(record.certificate.status, CertificateStatus::uncertified);
@@ -191,7 +196,9 @@ TEST(Runner, SaysWhyAnAnswerIsUncertified) {
 }
 
 TEST(Runner, KeepsTheAnswerWhereItsOwnReferenceCrashes) {
-  const OrbitSolver crash = [](const Problem&, const OrbitRequest&) -> Solution { std::abort(); };
+  const OrbitSolver crash = [](const Problem&, const PeriodicMotionOptions&, const Start&) -> Solution {
+    std::abort();
+  };
   const Record record = run_fake("good", test::one_mass_scene(), crash);
   EXPECT_EQ(record.status, Status::converged);
   EXPECT_EQ(record.certificate.status, CertificateStatus::uncertified);

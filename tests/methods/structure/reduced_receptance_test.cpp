@@ -13,7 +13,6 @@
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/chain.hpp"
 #include "problems/assembly/damping.hpp"
-#include "problems/definiteness.hpp"
 #include "problems/sparse_cholesky.hpp"
 #include "tests/support/elastic_block.hpp"
 
@@ -306,25 +305,6 @@ TEST(ContactReceptance, OfALargeStructureIsReducedWithoutBeingAsked) {
   const ContactReceptance direct = contact_receptance(problem, 5, weights, ReceptanceMethod::direct);
   EXPECT_EQ(direct.report.method, ReceptanceMethod::direct);
   EXPECT_LE(difference(automatic, direct), kTolerance);
-}
-
-TEST(SparseCholesky, TellsDefiniteFromIndefiniteAndSolves) {
-  const Problem problem = test::to_problem(test::ElasticBlock{});
-  SparseCholesky factors(problem.stiffness());
-  EXPECT_GT(factors.smallest_pivot(), 1e-3);
-  const Eigen::MatrixXd u = Eigen::MatrixXd::Random(problem.size(), 3);
-  EXPECT_LE((factors.solve(problem.stiffness() * u) - u).norm(), 1e-11 * u.norm());
-  const SparseMatrix indefinite = problem.stiffness() - 100.0 * problem.mass();
-  EXPECT_LE(SparseCholesky(indefinite).smallest_pivot(), 0.0);
-}
-
-TEST(Definiteness, OfLargeMatricesIsJudgedByCurvature) {
-  const Problem problem = test::to_problem({.nx = 9, .ny = 8, .nz = 8});
-  EXPECT_TRUE(is_semidefinite(problem.stiffness()));
-  EXPECT_TRUE(is_definite(problem.stiffness()));
-  // The lowest eigenfrequency of the block lies below 1 rad/s: this matrix is indefinite by a single
-  // direction or few.
-  EXPECT_FALSE(is_semidefinite(problem.stiffness() - 1.0 * problem.mass()));
 }
 
 }  // namespace

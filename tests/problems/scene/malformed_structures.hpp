@@ -2,7 +2,7 @@
 // Networks of masses, bars, beams, blocks, rotors, shafts, faces and rings of contacts that must be refused,
 // and the one line that refuses each.
 
-#include "tests/problems/malformed_scenes.hpp"
+#include "tests/problems/scene/malformed_scenes.hpp"
 
 namespace signorini::test {
 

@@ -1,19 +1,15 @@
 #pragma once
-// Where the search for all orbits of a scene starts from.
+// One start of a search for orbits and the orbit that it led to, as it crosses from one process to another.
 
-#include <chrono>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "methods/catalogue.hpp"
+#include "harness/judge/orbit_solver.hpp"
 #include "methods/orbit/exact_orbit.hpp"
 
 namespace signorini {
-
-using SteadyTime = std::chrono::steady_clock::time_point;
 
 /// One start of a search and what it led to.
 struct OrbitCandidate {
@@ -31,6 +27,14 @@ struct OrbitCandidate {
   std::string reason = {};               ///< why there is none
 };
 
+/// Takes over the orbit of a search, or the reason why it found none.
+void take_search(const OrbitSearch& search, OrbitCandidate& candidate);
+
+/// Options of a search that ends at the deadline.
+SearchOptions search_until(Deadline deadline);
+
+/// Keys `origin`, `source`, `order`, `near`, `reason` and, where there is one, `orbit`; numbers keep every
+/// bit.
 nlohmann::ordered_json to_json(const OrbitCandidate& candidate);
 OrbitCandidate orbit_candidate_from_json(const nlohmann::ordered_json& json);  ///< \throws BadRecord
 
@@ -39,21 +43,7 @@ OrbitCandidate orbit_candidate_from_json(const nlohmann::ordered_json& json);  /
 struct CandidateUnit {
   using Deliver = std::function<void(const OrbitCandidate& candidate)>;
   std::string name = {};
-  std::function<void(const Deliver& deliver, SteadyTime deadline)> work = {};
+  std::function<void(const Deliver& deliver, Deadline deadline)> work = {};
 };
-
-/// Starts at period `order` forcing periods, in a fixed order:
-///
-/// 1. at order 1: marching from rest on the closed-form flow
-/// 2. every method of the catalogue that supports the scene and represents its law, with its default options
-///    and each step of its ladder; exact-orbit on further grids
-/// 3. hat functions on two coarse grids along waved covering vectors (HatSettings::cover_amplitude)
-/// 4. `starts` random states: log-uniform magnitudes of 0.1 to 10 scales of the motion, random phase of the
-///    forcing, followed for 0 to 20 periods before the search takes over; each by a generator of its own
-///    seeded with (seed, order, number), so that the same ones come first whatever `starts` is
-///
-/// \param problem  must outlive the units
-std::vector<CandidateUnit> candidate_units(const Problem& problem, int order, int starts, unsigned seed,
-                                           std::span<const MethodEntry> catalogue = method_catalogue());
 
 }  // namespace signorini

@@ -1,0 +1,76 @@
+#pragma once
+// How the harness finds the orbits that it judges answers by, and what it knows of one that it has found.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "harness/plan/deadline.hpp"
+#include "harness/records/record.hpp"
+#include "methods/flow/periodic_motion.hpp"
+#include "methods/method.hpp"
+
+namespace signorini {
+
+/// A periodic orbit whose error is known: exact, or found at two tolerances.
+struct CertifiedOrbit {
+  std::shared_ptr<const Trajectory> motion = {};  ///< null: none was found
+  std::string reason = {};                        ///< why there is none
+  double error_bar = 0.0;                         ///< relative x_l2 [-]
+  std::optional<double> residual = {};            ///< of the orbit solver's own equations [-]
+  std::string source = {};                        ///< how it was found
+  std::vector<OrbitEvent> events = {};            ///< exact orbits only, as is what follows
+  std::optional<double> return_distance = {};     ///< of one period by CVODE, in the scales of the motion [-]
+  std::optional<FloquetMultipliers> floquet = {};
+  std::optional<bool> stable = {};
+};
+
+/// Follows the flow of a problem under its own law to a periodic motion, as `find_periodic_motion` does.
+/// Replaced in tests.
+using OrbitSolver =
+    std::function<Solution(const Problem& problem, const PeriodicMotionOptions& options, const Start& start)>;
+
+/// `find_periodic_motion` with CVODE. Where a structure cannot be followed through time (`flow_obstacle`),
+/// the message says why.
+OrbitSolver flow_orbits();
+
+/// Polishes an answer to the exact orbit behind it, if there is one. `confirmed` are certificates of orbits
+/// of the same problem that CVODE has followed for a period already: an orbit with the events of one of them
+/// need not be followed again, which on a stiff structure costs more than all else.
+using OrbitPolisher =
+    std::function<CertifiedOrbit(const Problem& problem, const Trajectory& answer,
+                                 std::span<const Certificate> confirmed, Deadline deadline)>;
+
+/// The harness's ways to orbits. Without a polisher, everything is left to the solver at two tolerances.
+struct OrbitTools {
+  OrbitTools(OrbitSolver flow, OrbitPolisher polisher = {})
+      : solver(std::move(flow)), polish(std::move(polisher)) {}
+  OrbitSolver solver;
+  OrbitPolisher polish;
+};
+
+/// Tolerances of the two computations whose difference is an orbit's error bar.
+inline constexpr double kOrbitTolerance = 1e-11;
+inline constexpr double kTightOrbitTolerance = 1e-12;
+
+/// Options of a search for orbits at kOrbitTolerance: by marching, up to 20 000 periods, or by shooting, up
+/// to 50 Newton steps.
+PeriodicMotionOptions marching_options();
+PeriodicMotionOptions shooting_options();
+
+/// Confirms what `solver` found with `options` from `start`: computes it again from there by shooting at the
+/// tighter tolerance (by marching from `start` again if that fails and marching was asked for). The error bar
+/// is the distance of the two; an orbit whose error bar exceeds `largest_error_bar` is none.
+CertifiedOrbit confirm_orbit(const Problem& problem, const OrbitSolver& solver,
+                             const PeriodicMotionOptions& options, const Start& start, const Solution& found,
+                             double largest_error_bar);
+
+/// Searches with `solver`, then confirms what it found.
+CertifiedOrbit find_orbit(const Problem& problem, const OrbitSolver& solver,
+                          const PeriodicMotionOptions& options, const Start& start, double largest_error_bar);
+
+}  // namespace signorini

@@ -1,0 +1,69 @@
+#include "harness/records/sampled_trajectory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/harness/fake_method.hpp"
+
+namespace signorini {
+namespace {
+
+TEST(SampledTrajectory, GivesBackItsSamplesBitByBit) {
+  const auto source = test::free_motion(test::one_mass());
+  const SampledTrajectory sampled(*source, 512);
+  const Samples stored = sampled.data().samples;
+  EXPECT_EQ(sampled.sample(512).x, stored.x);
+  const Samples thinned = sampled.sample(128);
+  for (int i = 0; i < 128; ++i) EXPECT_EQ(thinned.x(i, 0), stored.x(4 * i, 0));
+}
+
+TEST(SampledTrajectory, InterpolatesAtFourthOrder) {
+  const auto source = test::free_motion(test::one_mass());
+  const auto error = [&](int stored) {
+    return (SampledTrajectory(*source, stored).sample(3000).x - source->sample(3000).x).cwiseAbs().maxCoeff();
+  };
+  const double order = std::log2(error(64) / error(128));
+  EXPECT_NEAR(order, 4.0, 0.2);
+}
+
+TEST(SampledTrajectory, RefusesWhatIsNoMotion) {
+  const auto source = test::free_motion(test::one_mass());
+  SampledTrajectory::Data data{source->period(), source->sample(16), {}, {}};
+  data.samples.force(3, 0) = std::nan("");
+  EXPECT_THROW(SampledTrajectory{data}, std::invalid_argument);
+  data = {0.0, source->sample(16), {}, {}};
+  EXPECT_THROW(SampledTrajectory{data}, std::invalid_argument);
+  data = {1.0, source->sample(16), {{.contact = 2, .time = 0.0, .value = -1.0}}, {}};
+  EXPECT_THROW(SampledTrajectory{data}, std::invalid_argument);
+}
+
+SampledTrajectory with_an_impulse() {
+  SampledTrajectory::Data data{.period = 2.0,
+                               .samples = {},
+                               .impulses = {{.contact = 0, .time = 1.75, .value = -3.0}},
+                               .bandwidth = 5};
+  data.samples.x = Eigen::Vector4d(0.0, 1.0, 2.0, 3.0);
+  data.samples.velocity = data.samples.force = -data.samples.x;
+  return SampledTrajectory(std::move(data));
+}
+
+TEST(Delayed, MovesSamplesAndImpulsesBackInTime) {
+  const SampledTrajectory late = delayed(with_an_impulse(), 0.25);
+  EXPECT_EQ(late.sample(4).x.col(0), Eigen::Vector4d(3.0, 0.0, 1.0, 2.0));
+  EXPECT_EQ(late.sample(4).force.col(0), Eigen::Vector4d(-3.0, 0.0, -1.0, -2.0));
+  EXPECT_DOUBLE_EQ(late.impulses().front().time, 0.25);
+  EXPECT_EQ(delayed(with_an_impulse(), 0.0).impulses().front().time, 1.75);
+}
+
+TEST(Repeated, TakesSeveralPeriodsForOne) {
+  const SampledTrajectory twice = repeated(with_an_impulse(), 2);
+  EXPECT_EQ(twice.period(), 4.0);
+  EXPECT_EQ(twice.sample(8).x(5, 0), 1.0);
+  EXPECT_EQ(twice.bandwidth(), 10);
+  ASSERT_EQ(twice.impulses().size(), 2U);
+  EXPECT_EQ(twice.impulses()[1].time, 3.75);
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,50 @@
+#include "problems/assembly/contact_mass.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+namespace signorini {
+namespace {
+
+TEST(NearestFreeNodes, AreOneOnEitherSideWhereThereAre) {
+  const std::vector<bool> contact{false, true, true, false, false};
+  EXPECT_EQ(nearest_free_nodes(contact, 1), std::pair(0, 3));
+  EXPECT_EQ(nearest_free_nodes(contact, 2), std::pair(0, 3));
+}
+
+TEST(NearestFreeNodes, AreTwoOnOneSideAtAnEnd) {
+  EXPECT_EQ(nearest_free_nodes({false, false, true}, 2), std::pair(1, 0));
+  EXPECT_EQ(nearest_free_nodes({true, true, false, false}, 0), std::pair(2, 3));
+}
+
+TEST(NearestFreeNodes, SayWhereThereAreFewer) {
+  EXPECT_EQ(nearest_free_nodes({false, true}, 1), std::pair(0, -1));
+  EXPECT_EQ(nearest_free_nodes({true, true}, 0), std::pair(-1, -1));
+}
+
+// Three bar elements; the last node follows the two before it by linear extrapolation, u_3 = 2 u_2 - u_1.
+TEST(Redistributed, KeepsTheMomentsOfTheMassThatItsRuleReproduces) {
+  Eigen::Matrix4d M;
+  M << 2, 1, 0, 0, 1, 4, 1, 0, 0, 1, 4, 1, 0, 0, 1, 2;
+  const SparseMatrix moved =
+      redistributed(SparseMatrix(M.sparseView()), {{.dof = 3, .leaders = {{2, 2.0}, {1, -1.0}}}});
+  const Eigen::Matrix4d R(moved);
+  EXPECT_EQ(R.row(3), Eigen::RowVector4d::Zero()) << "the follower carries no mass";
+  EXPECT_EQ(R, R.transpose());
+  const Eigen::Vector4d one = Eigen::Vector4d::Ones(), place(0, 1, 2, 3);
+  EXPECT_NEAR(one.dot(R * one), one.dot(M * one), 1e-14);
+  EXPECT_NEAR(one.dot(R * place), one.dot(M * place), 1e-14);
+  EXPECT_NEAR(place.dot(R * place), place.dot(M * place), 1e-13);
+  // Of no other motion: the second moment of squares changes.
+  const Eigen::Vector4d square(0, 1, 4, 9);
+  EXPECT_GT(std::abs(square.dot(R * square) - square.dot(M * square)), 1.0);
+}
+
+TEST(Redistributed, WithoutFollowersIsTheMassItself) {
+  const SparseMatrix M = Eigen::MatrixXd(Eigen::Vector2d(1.0, 3.0).asDiagonal()).sparseView();
+  EXPECT_EQ(Eigen::MatrixXd(redistributed(M, {})), Eigen::MatrixXd(M));
+}
+
+}  // namespace
+}  // namespace signorini

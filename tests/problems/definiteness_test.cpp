@@ -1,0 +1,99 @@
+#include "problems/definiteness.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+namespace signorini {
+namespace {
+
+SparseMatrix sparse(const Eigen::MatrixXd& A) { return A.sparseView(); }
+
+Eigen::MatrixXd random_matrix(int rows, int columns, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
+}
+
+/// 2 on the diagonal, -1 beside it, less a shift: its lowest eigenvalue is 4 sin^2(pi / (2 (n + 1))) - shift.
+SparseMatrix second_difference(int size, double shift) {
+  SparseMatrix A(size, size);
+  for (int i = 0; i < size; ++i) {
+    A.insert(i, i) = 2.0 - shift;
+    if (i == 0) continue;
+    A.insert(i, i - 1) = -1.0;
+    A.insert(i - 1, i) = -1.0;
+  }
+  return A;
+}
+
+TEST(LargestEntry, IsThatOfTheMagnitudesAndShowsNaN) {
+  EXPECT_EQ(largest_entry(SparseMatrix(3, 3)), 0.0);
+  SparseMatrix A = second_difference(3, 5.0);  // -3 on the diagonal
+  EXPECT_EQ(largest_entry(A), 3.0);
+  A.coeffRef(0, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(largest_entry(A)));
+}
+
+TEST(IsSymmetric, ToRoundingOfTheLargestEntry) {
+  SparseMatrix A = second_difference(4, 0.0);
+  EXPECT_TRUE(is_symmetric(A));
+  A.coeffRef(0, 1) += 1e-12;
+  EXPECT_TRUE(is_symmetric(A));
+  A.coeffRef(0, 1) += 1e-11;
+  EXPECT_FALSE(is_symmetric(A));
+}
+
+// Factorised by Eigen and by CHOLMOD.
+TEST(Definiteness, OfSmallAndLargeMatricesIsJudgedByTheLowestEigenvalue) {
+  for (const int size : {50, 3000}) {
+    const double sine = std::sin(0.5 * std::numbers::pi / (size + 1));
+    const double lowest = 4.0 * sine * sine;
+    EXPECT_TRUE(is_definite(second_difference(size, 0.5 * lowest))) << size;
+    EXPECT_TRUE(is_semidefinite(second_difference(size, 0.5 * lowest))) << size;
+    EXPECT_FALSE(is_semidefinite(second_difference(size, 2.0 * lowest))) << size;
+    EXPECT_FALSE(is_definite(second_difference(size, 2.0 * lowest))) << size;
+  }
+}
+
+TEST(Definiteness, DoesNotDependOnUnits) {
+  std::mt19937 random(11);
+  for (int trial = 0; trial < 50; ++trial) {
+    const int size = 2 + trial % 9;
+    const Eigen::MatrixXd B = random_matrix(size, size - 1, random);  // B B^T: one null direction
+    const Eigen::MatrixXd semidefinite = B * B.transpose();
+    const Eigen::VectorXd null =
+        Eigen::FullPivLU<Eigen::MatrixXd>(B.transpose()).kernel().col(0).normalized();
+    const Eigen::VectorXd units =
+        random_matrix(size, 1, random).unaryExpr([](double x) { return std::pow(10.0, 3.0 * x); });
+    const Eigen::MatrixXd E = units.asDiagonal();
+    const auto in_units = [&](const Eigen::MatrixXd& A) {
+      return sparse((0.5 * E * (A + A.transpose()) * E).eval());
+    };
+    const double curvature = 1e-3 * semidefinite.diagonal().minCoeff();
+    const Eigen::MatrixXd nn = curvature * null * null.transpose();
+
+    EXPECT_TRUE(is_semidefinite(in_units(semidefinite))) << trial;
+    EXPECT_FALSE(is_definite(in_units(semidefinite))) << trial;
+    EXPECT_TRUE(is_definite(in_units(semidefinite + nn))) << trial;
+    EXPECT_FALSE(is_semidefinite(in_units(semidefinite - nn))) << trial;
+  }
+}
+
+TEST(Definiteness, SeesCouplingToACoordinateWithoutDiagonal) {
+  Eigen::Matrix2d A;
+  A << 1.0, 0.1, 0.1, 0.0;
+  EXPECT_FALSE(is_semidefinite(sparse(A)));
+  A << 1.0, 0.0, 0.0, 0.0;
+  EXPECT_TRUE(is_semidefinite(sparse(A)));
+  EXPECT_FALSE(is_definite(sparse(A)));
+  A << 1.0, 0.0, 0.0, -1e-3;
+  EXPECT_FALSE(is_semidefinite(sparse(A)));
+  EXPECT_TRUE(is_semidefinite(SparseMatrix(3, 3))) << "the zero matrix";
+}
+
+}  // namespace
+}  // namespace signorini

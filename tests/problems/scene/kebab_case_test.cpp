@@ -1,0 +1,26 @@
+#include "problems/scene/kebab_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace signorini {
+namespace {
+
+TEST(IsLowerKebabCase, AcceptsLettersDigitsAndSingleDashesBetweenThem) {
+  for (const std::string_view name : {"a", "7", "sdof-stop", "chain2-stop", "a-1-b"})
+    EXPECT_TRUE(is_lower_kebab_case(name)) << name;
+}
+
+TEST(IsLowerKebabCase, RefusesEverythingElse) {
+  for (const std::string_view name : {"", "-a", "a-", "a--b", "A", "a_b", "a b", "a.b", "\u00e9", "../a"})
+    EXPECT_FALSE(is_lower_kebab_case(name)) << name;
+}
+
+TEST(IsLowerKebabCase, EndsAtTheLongestName) {
+  EXPECT_TRUE(is_lower_kebab_case(std::string(kLongestName, 'a')));
+  EXPECT_FALSE(is_lower_kebab_case(std::string(kLongestName + 1, 'a')));
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,209 @@
+#include "problems/validation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "tests/problems/chain_problems.hpp"
+
+namespace signorini {
+namespace {
+
+using test::chain_problem;
+using test::massless_tip;
+using test::three_masses;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+// A change of the matrices alone.
+std::function<void(Problem&)> to_structure(const std::function<void(Structure&)>& edit) {
+  return [edit](Problem& problem) { problem.edit_structure(edit); };
+}
+
+// What validate() says, "" if nothing.
+std::string complaint(const Problem& problem) {
+  try {
+    validate(problem);
+    return "";
+  } catch (const InvalidProblem& error) {
+    return error.what();
+  }
+}
+
+std::string complaint_after(const std::function<void(Problem&)>& spoil, Problem problem = three_masses()) {
+  spoil(problem);
+  return complaint(problem);
+}
+
+TEST(Validate, AcceptsEveryKindOfLaw) {
+  EXPECT_EQ(complaint(three_masses()), "");
+  EXPECT_EQ(complaint(massless_tip()), "");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Penalty{{1e4}}; }), "");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Penalty{{1e4}}; }, massless_tip()), "");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.contacts.clear(), p.law = {}; }), "");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.contacts.front().gap = -0.5; }), "");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.force.clear(); }), "") << "no load is a load";
+}
+
+TEST(Validate, AcceptsARigidBodyModeAndUnsymmetricDamping) {
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.stiffness = SparseMatrix(3, 3); })), "");
+  EXPECT_EQ(complaint_after(to_structure(
+                [](Structure& s) { s.damping.coeffRef(0, 1) = 7.0, s.damping.coeffRef(1, 0) = -7.0; })),
+            "")
+      << "gyroscopic";
+}
+
+TEST(Validate, AcceptsAHundredThousandCoordinates) {
+  const std::vector<double> ones(100000, 1.0);
+  Problem problem = chain_problem({.masses = ones, .dampers = ones, .springs = ones});
+  problem.contacts = {{.normal = {{99999, 1.0}}, .gap = 0.1}};
+  problem.law = Restitution{1.0};
+  EXPECT_EQ(complaint(problem), "");
+}
+
+TEST(Validate, RefusesMatricesThatDoNotFit) {
+  EXPECT_EQ(complaint(Problem{}), "system.mass = 0 x 0 matrix (must have at least one coordinate)");
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.stiffness = SparseMatrix(2, 2); })),
+            "system.stiffness = 2 x 2 matrix (must be 3 x 3)");
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.damping = SparseMatrix(3, 4); })),
+            "system.damping = 3 x 4 matrix (must be 3 x 3)");
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.mass.coeffRef(1, 1) = kNaN; })),
+            "system.mass = nan (must be a finite number)");
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.damping.coeffRef(0, 1) = INFINITY; })),
+            "system.damping = inf (must be a finite number)");
+}
+
+TEST(Validate, RefusesMatricesOfNoStructure) {
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.mass = SparseMatrix(3, 3); })),
+            "system.mass = 0 (some coordinate must carry mass)");
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.mass.coeffRef(0, 1) = 1e-3; })),
+            "system.mass = unsymmetric matrix (must be symmetric to 1e-12 of its largest entry)");
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.stiffness.coeffRef(1, 0) += 1e-9; })),
+            "system.stiffness = unsymmetric matrix (must be symmetric to 1e-12 of its largest entry)");
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.stiffness.coeffRef(2, 2) = 10.0; })),
+            "system.stiffness = indefinite matrix (must be positive semi-definite)");
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.mass.coeffRef(1, 1) = -2.0; })),
+            "system.mass = indefinite matrix (must be positive semi-definite)");
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.damping.coeffRef(0, 0) = -0.1; })),
+            "system.damping = matrix that feeds energy (its symmetric part must be positive semi-definite)");
+  EXPECT_EQ(
+      complaint(chain_problem({.masses = {1.0, 0.0}, .dampers = {0.1, 0.0}, .springs = {1.0, 0.0}})),
+      "system = structure with a loose coordinate (every motion must meet a mass, a damper or a spring)");
+}
+
+// A trusted matrix is not factorised; everything else about it is checked.
+TEST(Validate, TakesForGrantedWhatHoldsByConstructionAndNoMore) {
+  const auto trusted = [](const std::function<void(Problem&)>& change) {
+    Problem problem = three_masses();
+    change(problem);
+    validate(problem, Definiteness::by_construction);
+  };
+  EXPECT_NO_THROW(trusted(to_structure([](Structure& s) { s.stiffness.coeffRef(2, 2) = 10.0; })));
+  EXPECT_THROW(trusted(to_structure([](Structure& s) { s.stiffness.coeffRef(1, 0) += 1e-9; })),
+               InvalidProblem);
+  EXPECT_THROW(trusted(to_structure([](Structure& s) { s.stiffness.coeffRef(0, 0) = kNaN; })),
+               InvalidProblem);
+  EXPECT_THROW(trusted(to_structure([](Structure& s) { s.damping.coeffRef(0, 0) = -0.1; })), InvalidProblem);
+  EXPECT_THROW(trusted([](Problem& p) { p.frequency = 0.0; }), InvalidProblem);
+  EXPECT_THROW(validate(chain_problem({.masses = {1.0, 0.0}, .dampers = {0.1, 0.0}, .springs = {1.0, 0.0}}),
+                        Definiteness::by_construction),
+               InvalidProblem)
+      << "a coordinate that nothing holds";
+}
+
+TEST(Validate, RefusesForcingOutOfRange) {
+  const auto frequency = [](double value) {
+    return complaint_after([=](Problem& p) { p.frequency = value; });
+  };
+  EXPECT_EQ(frequency(0.0), "forcing.frequency = 0 (must be a positive number [rad/s])");
+  EXPECT_EQ(frequency(-1.0), "forcing.frequency = -1 (must be a positive number [rad/s])");
+  EXPECT_EQ(frequency(kNaN), "forcing.frequency = nan (must be a positive number [rad/s])");
+  EXPECT_EQ(frequency(1e-320), "forcing.frequency = 1e-320 (must be a positive number [rad/s])");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.subharmonic = 0; }),
+            "forcing.subharmonic = 0 (must be a whole number, 1..64)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.subharmonic = 65; }),
+            "forcing.subharmonic = 65 (must be a whole number, 1..64)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.force[0].dof = 3; }),
+            "forcing.term[0].dof = 3 (must be a coordinate of the system, 0..2)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.force[0].harmonic = -1; }),
+            "forcing.term[0].harmonic = -1 (must be a whole number, 0..10000)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.force[0].cos = kNaN; }),
+            "forcing.term[0].cos = nan (must be a finite number)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.force[0].harmonic = 0; }),
+            "forcing.term[0].sin = 0.5 (must be 0 or absent: at harmonic 0 a sine is nothing)");
+}
+
+TEST(Validate, RefusesContactsWithoutDirection) {
+  const auto normal = [](const std::vector<std::pair<int, double>>& value) {
+    return complaint_after([&](Problem& p) { p.contacts[0].normal = value; });
+  };
+  EXPECT_EQ(normal({}), "contact[0].normal = [] (needs a nonzero coefficient)");
+  EXPECT_EQ(normal({{0, 0.0}, {1, 0.0}}), "contact[0].normal = zero vector (needs a nonzero coefficient)");
+  EXPECT_EQ(normal({{0, 1.0}, {3, 1.0}}),
+            "contact[0].normal[1][0] = 3 (must be a coordinate of the system, 0..2)");
+  EXPECT_EQ(normal({{-1, 1.0}}), "contact[0].normal[0][0] = -1 (must be a coordinate of the system, 0..2)");
+  EXPECT_EQ(normal({{1, 1.0}, {1, 2.0}}), "contact[0].normal[1][0] = 1 (must name each coordinate once)");
+  EXPECT_EQ(normal({{1, kNaN}}), "contact[0].normal[0][1] = nan (must be a finite number)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.contacts[0].gap = INFINITY; }),
+            "contact[0].gap = inf (must be a finite number)");
+}
+
+TEST(Validate, WantsAnImpactLawExactlyWhereAContactCarriesMass) {
+  const std::string missing =
+      "law.restitution = missing (required, in 0..1, unless a penalty is given: the contact coordinates "
+      "carry mass)";
+  EXPECT_EQ(complaint_after([](Problem& p) { p.law = {}; }), missing);
+  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Massless{}; }), missing);
+  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Restitution{1.1}; }),
+            "law.restitution = 1.1 (must be in 0..1)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Restitution{-0.1}; }),
+            "law.restitution = -0.1 (must be in 0..1)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Restitution{kNaN}; }),
+            "law.restitution = nan (must be in 0..1)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Restitution{0.5}; }, massless_tip()),
+            "law.restitution = 0.5 (must be absent: no contact coordinate carries mass)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.law = {}; }, massless_tip()),
+            "law = none (must be massless: no contact coordinate carries mass)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.contacts.clear(); }),
+            "law = given (must be absent: the scene has no contact)");
+}
+
+TEST(Validate, RefusesRigidContactsOfWhichOnlySomeCarryMass) {
+  const auto add_massive = [](Problem& p) { p.contacts.push_back({.normal = {{0, 1.0}}, .gap = 0.1}); };
+  EXPECT_EQ(complaint_after(add_massive, massless_tip()),
+            "contact[0] = massless (beside contacts that carry mass only a penalty law will do: all or none "
+            "must carry "
+            "mass)");
+  EXPECT_EQ(complaint_after(
+                [&](Problem& p) {
+                  add_massive(p);
+                  p.law = Penalty{{100.0, 100.0}};
+                },
+                massless_tip()),
+            "");
+  EXPECT_EQ(
+      complaint_after(
+          [](Problem& p) {
+            p.contacts[0].normal = {{0, 1.0}, {2, -1.0}};
+            p.law = Restitution{1.0};
+          },
+          massless_tip()),
+      "contact[0].normal = partly massless (under a restitution law every coordinate of a normal must carry "
+      "mass)");
+}
+
+TEST(Validate, WantsOnePositivePenaltyPerContact) {
+  EXPECT_EQ(complaint_after([](Problem& p) {
+              p.law = Penalty{{1.0, 2.0}};
+            }),
+            "law.penalty = 2 values (must be one number, or one per contact: 1)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Penalty{{0.0}}; }),
+            "law.penalty[0] = 0 (must be a positive number [N/m])");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Penalty{{INFINITY}}; }),
+            "law.penalty[0] = inf (must be a positive number [N/m])");
+}
+
+}  // namespace
+}  // namespace signorini
