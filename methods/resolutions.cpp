@@ -12,31 +12,6 @@ namespace signorini {
 
 namespace {
 
-class RefinedUntilConverged final : public PreparedMethod {
- public:
-  RefinedUntilConverged(Resolutions resolutions, std::string symbol)
-      : resolutions_(std::move(resolutions)), symbol_(std::move(symbol)) {
-    resolutions_.at(0);
-  }
-
-  Solution solve(const Start& start) override {
-    resolutions_.forget_from(1);
-    Solution solution = resolutions_.at(0).solve(start);
-    for (std::size_t finer = 1; finer < resolutions_.count(); ++finer) {
-      if (solution.verdict == Verdict::converged || start.expired()) break;
-      const Work spent = solution.work;
-      solution = resolutions_.solve_at(finer, start);
-      add_effort(spent, solution.work);
-      solution.message += fmt::format("; {} = {}", symbol_, resolutions_.value(finer));
-    }
-    return solution;
-  }
-
- private:
-  Resolutions resolutions_;
-  std::string symbol_;
-};
-
 class RefinedUntilAgreed final : public PreparedMethod {
  public:
   RefinedUntilAgreed(Resolutions resolutions, std::string symbol, WorthChecking worth_checking, double least)
@@ -116,10 +91,6 @@ Solution Resolutions::solve_at(std::size_t k, const Start& start) {
 
 void Resolutions::forget_from(std::size_t k) {
   for (; k < prepared_.size(); ++k) prepared_[k].reset();
-}
-
-std::unique_ptr<PreparedMethod> refined_until_converged(Resolutions resolutions, std::string symbol) {
-  return std::make_unique<RefinedUntilConverged>(std::move(resolutions), std::move(symbol));
 }
 
 std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, std::string symbol,

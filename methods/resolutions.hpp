@@ -41,19 +41,15 @@ class Resolutions {
   std::vector<std::unique_ptr<PreparedMethod>> prepared_;
 };
 
-/// Solves at one resolution after another until one converges. The first is prepared at once, the others anew
-/// in every solve, whose part they are. The message says where it is not the first; the work is that of all.
-/// `symbol` is that of the resolution, for the message: "N", "H".
-std::unique_ptr<PreparedMethod> refined_until_converged(Resolutions resolutions, std::string symbol);
-
 /// Whether an answer is worth the next resolution.
 using WorthChecking = std::function<bool(const Solution&)>;
 
 /// Solves at one resolution after another until two that converge agree: their motions are within 5 % of
 /// their size of each other. Where none do, the finest answer is claimed unless it is nowhere near the one
 /// before (`near_by`); an answer that is not worth the next resolution is taken as it is; one that could not
-/// be checked because the time was up is not claimed. The answer is the finest found. Prepared, counted and
-/// named as by refined_until_converged. Motions smaller than `least` [m] are at rest.
+/// be checked because the time was up is not claimed. The answer is the finest found. The first resolution is
+/// prepared at once, the others anew in every solve, whose part they are; the work is that of all. The message
+/// names the resolution of the answer by its `symbol`, "N". Motions smaller than `least` [m] are at rest.
 std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, std::string symbol,
                                                      WorthChecking worth_checking, double least);
 
@@ -65,7 +61,7 @@ inline constexpr double kNearOrbit = 0.5;
 /// |x_a - x_b| over the largest of |x_a|, |x_b| and `least` [m], root mean squares at so many instants [-].
 double relative_distance(const Trajectory& a, const Trajectory& b, int instants, double least = 0.0);
 
-/// Whether motions at this relative distance may be the same one, found with different errors. Coarse answers
+/// Whether motions at this relative distance may be the same one, found with different errors: coarse answers
 /// may be off by 0.3 and are near the same orbit all the same.
 bool near_by(double distance);
 

@@ -94,15 +94,15 @@ class ContactLaw:
             samples = 32 * harmonics
         gaps = np.array([contact["gap"] for contact in problem["contacts"]])
         if "penalty" in problem["law"]:
-            stiffness, relief = np.array(problem["law"]["penalty"]), 0.0
+            stiffness, weight = np.array(problem["law"]["penalty"]), 0.0
         else:
-            stiffness, relief = options["c"] / np.abs(np.diagonal(receptance[-1])), 1.0
+            stiffness, weight = options["c"] / np.abs(np.diagonal(receptance[-1])), 1.0
         self.to_time = np.kron(basis(harmonics, samples)[0], np.eye(contacts))
         self.to_harmonics = self.to_time.T * (2.0 / samples)
         self.to_harmonics[:contacts] *= 0.5
         scale = np.tile(stiffness, 2 * harmonics + 1)[:, None]
         size = len(scale)
-        self.slope = self.to_time @ (scale * real_receptance(receptance) - relief * np.eye(size))
+        self.slope = self.to_time @ (scale * real_receptance(receptance) - weight * np.eye(size))
         self.offset = self.to_time @ (scale[:, 0] * to_real(free)) - np.tile(stiffness * gaps, samples)
 
     def widest(self, free_force):

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "methods/complementarity/projected_law.hpp"
+#include "methods/harmonic_balance/harmonic_options.hpp"
 #include "methods/method.hpp"
 
 namespace signorini {
@@ -34,40 +34,27 @@ class AftHbm final : public Method {
   static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 
   struct Options {
-    std::optional<int> harmonics = {};  ///< H >= 1 [-]
-    std::optional<int> samples = {};    ///< N >= 2 H + 1 [-]
+    HarmonicOptions common = {};
     ContactLaw law = ContactLaw::dlft;
     std::optional<double> c = {};        ///< of dlft: > 0, times contact_stiffness_scale [-]
     std::optional<Scaled> penalty = {};  ///< of penalty: eps > 0 [N/m], or times contact_stiffness_scale
-    std::optional<Quadrature> quadrature = {};
-    std::optional<bool> compensate = {};
-    std::optional<bool> homotopy = {};  ///< false: Newton alone
-    double tolerance = 1e-10;           ///< on |R|_2 / max(|P max(0, y)|_2, |load on the constraint|_2) [-]
-    int max_iterations = 0;             ///< Newton steps plus pivots; 0: 100 and 6000 + 10 N Nc [-]
-    bool plain = false;
+    std::optional<bool> homotopy = {};   ///< false: Newton alone
 
     void visit(auto&& field) {
-      field("harmonics", harmonics, "[-]",
-            "highest harmonic H kept, 1..100000; auto: 20, where that fails twice as many, up to 160");
-      field("samples", samples, "[-]",
-            "N per period, >= 2 H + 1; auto: no grid beyond 20 harmonics, else 8 H or finer (sampled: 32 H)");
-      field("law", law, "[-]", "dlft (dynamic Lagrangian) | penalty");
-      field("c", c, "[-]",
-            "dlft: constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H, "
-            "compensated 32x");
-      field("penalty", penalty, "[N/m]",
-            "penalty: stiffness of the stop, 1e6 or 100x; auto: the scene's, else 8x (compensated 64x) the "
-            "dynamic one near H, stiffer if massless");
-      field("quadrature", quadrature, "[-]",
-            "exact: contact integral between its edges | sampled: on the N samples; auto: exact, sampled if "
-            "plain");
-      field("compensate", compensate, "[-]",
-            "impacts right with all harmonics, the integral being exact: true | false; auto: unless plain");
-      field("homotopy", homotopy, "[-]",
-            "follow the gap homotopy where Newton fails: true | false; auto: unless plain");
-      field("tolerance", tolerance, "[-]", "relative residual accepted, in (0, 1e-2]");
-      field("max_iterations", max_iterations, "[-]", "limit on Newton steps and pivots; 0: the solver's own");
-      field("plain", plain, "[-]", "true: as the literature does it; sets what is left at auto");
+      const auto contact_law = [&] {
+        field("law", law, "[-]", "dlft (dynamic Lagrangian) | penalty");
+        field("c", c, "[-]",
+              "dlft: constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H, "
+              "compensated 32x");
+        field("penalty", penalty, "[N/m]",
+              "penalty: stiffness of the stop, 1e6 or 100x; auto: the scene's, else 8x (compensated 64x) the "
+              "dynamic one near H, stiffer if massless");
+      };
+      const auto solver = [&] {
+        field("homotopy", homotopy, "[-]",
+              "follow the gap homotopy where Newton fails: true | false; auto: unless plain");
+      };
+      common.visit(field, contact_law, solver);
     }
   };
 

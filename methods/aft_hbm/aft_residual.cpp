@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 #include "methods/discretisation/free_penetration.hpp"
 #include "methods/discretisation/harmonic_vector.hpp"
 
 namespace signorini {
 
-AftResidual::AftResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
-                         const ProjectedLaw& law, int samples)
-    : symbol_(receptance, law),
+AftResidual::AftResidual(const ProjectedEquations& equations, int samples)
+    : symbol_(equations.receptance, equations.law),
       samples_(samples),
-      free_(free_penetration(receptance.free_response, gap, symbol_.root(), samples)),
+      free_(free_penetration(equations.receptance.free_response, equations.gap, symbol_.root(), samples)),
       fft_(samples) {
   load_scale_ = std::sqrt(free_.cwiseMax(0.0).squaredNorm() / samples_);
 }
@@ -35,28 +33,35 @@ Eigen::VectorXd AftResidual::project(const Eigen::VectorXd& signal) {
   return pack_harmonics(spectrum);
 }
 
-Eigen::VectorXd AftResidual::residual(const Eigen::VectorXd& lambda, std::vector<char>& contact) {
+Eigen::VectorXd AftResidual::residual(const Eigen::VectorXd& lambda) {
   const Eigen::VectorXd y = free_ + gap_rate(lambda);
-  contact.resize(static_cast<std::size_t>(y.size()));
-  for (Eigen::Index i = 0; i < y.size(); ++i) contact[static_cast<std::size_t>(i)] = y[i] > 0.0 ? 1 : 0;
+  in_contact_ = y.array() > 0.0;
   return lambda + project(y.cwiseMax(0.0));
 }
 
-Eigen::VectorXd AftResidual::product(const std::vector<char>& contact, const Eigen::VectorXd& v) {
+Eigen::VectorXd AftResidual::product(const Eigen::VectorXd& v) {
   Eigen::VectorXd signal = gap_rate(v);
-  for (Eigen::Index i = 0; i < signal.size(); ++i) {
-    if (contact[static_cast<std::size_t>(i)] == 0) signal[i] = 0.0;
-  }
+  signal = in_contact_.select(signal, 0.0);
   return v + project(signal);
 }
 
-LastingContactInverse AftResidual::lasting_inverse(const std::vector<char>& contact) const {
+LastingContactInverse AftResidual::lasting_inverse() const {
   Eigen::VectorXd duty(contacts());
   for (int c = 0; c < contacts(); ++c) {
-    const auto first = contact.begin() + static_cast<std::ptrdiff_t>(c) * samples_;
-    duty[c] = static_cast<double>(std::count(first, first + samples_, 1)) / samples_;
+    duty[c] = static_cast<double>(in_contact_.segment(c * samples_, samples_).count()) / samples_;
   }
   return {symbol_, duty};
+}
+
+KrylovSolve AftResidual::solve_jacobian(const Eigen::VectorXd& r) {
+  constexpr double kLinearTolerance = 1e-12;
+  const LastingContactInverse lasting = lasting_inverse();
+  return solve_by_gmres([this](const Eigen::VectorXd& v) { return product(v); },
+                        [&lasting](const Eigen::VectorXd& v) { return lasting * v; }, r, kLinearTolerance);
+}
+
+double AftResidual::scale(const Eigen::VectorXd& lambda, const Eigen::VectorXd& r) const {
+  return std::max(load_scale_, (r - lambda).norm());
 }
 
 Eigen::MatrixXcd AftResidual::coefficients(const Eigen::VectorXd& lambda) const {

@@ -25,7 +25,7 @@ ContactSymbol::ContactSymbol(const ContactReceptance& receptance, const Projecte
   blocks_.reserve(receptance.receptance.size());
   for (const Eigen::MatrixXcd& c : receptance.receptance) {
     blocks_.emplace_back(root_.asDiagonal() * c * root_.asDiagonal());
-    blocks_.back().diagonal() -= law.relief;
+    blocks_.back().diagonal() -= law.multiplier_weight;
   }
 }
 

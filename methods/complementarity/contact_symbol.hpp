@@ -10,9 +10,9 @@
 
 namespace signorini {
 
-/// B_n = sqrt(c) C_n sqrt(c) - relief, n = 0..H: how y = c (x - g) - relief lambda answers to lambda, both
-/// per contact in units of sqrt(c). The projected equations lambda + P max(0, y) = 0 have the Jacobian 1 + P
-/// chi B, chi the indicator of contact.
+/// B_n = sqrt(c) C_n sqrt(c) - alpha, n = 0..H: how y = c (x - g) - alpha lambda answers to lambda, both per
+/// contact in units of sqrt(c). The projected equations lambda + P max(0, y) = 0 have the Jacobian 1 + P chi
+/// B, chi the indicator of contact.
 class ContactSymbol {
  public:
   /// B_n of these C_n under this law.

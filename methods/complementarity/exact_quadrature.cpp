@@ -1,6 +1,5 @@
 #include "methods/complementarity/exact_quadrature.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -8,13 +7,9 @@
 #include <numbers>
 #include <utility>
 
-#include "methods/complementarity/contact_symbol.hpp"
-#include "methods/discretisation/harmonic_vector.hpp"
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/discretisation/trigonometric_jet.hpp"
-#include "methods/solvers/condition_estimate.hpp"
 #include "methods/solvers/constants.hpp"
-#include "methods/solvers/gmres.hpp"
 
 namespace signorini {
 
@@ -89,113 +84,6 @@ std::vector<Sign> signs_of(const RaisedPolynomial& y, const Eigen::VectorXd& val
     std::sort(signs.begin(), signs.end(), [](const Sign& a, const Sign& b) { return a.t < b.t; });
   return signs;
 }
-
-class ExactResidual {
- public:
-  ExactResidual(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
-                int samples, const StopShifts& shifts)
-      : harmonics_(receptance.harmonics()),
-        samples_(samples),
-        symbol_(receptance, law),
-        shifts_(shifts.empty() ? StopShifts(static_cast<std::size_t>(receptance.contacts())) : shifts) {
-    free_ = receptance.free_response;
-    free_.row(0) -= gap.transpose();
-    free_ = free_ * root().asDiagonal();
-    scale_ = pack_harmonics(free_).norm();
-  }
-
-  [[nodiscard]] const Eigen::VectorXd& root() const { return symbol_.root(); }
-  [[nodiscard]] double load_scale() const { return scale_; }
-
-  /// R at lambda (scaled by sqrt(c)); keeps the contact intervals for `product`.
-  Eigen::VectorXd operator()(const Eigen::VectorXd& lambda) {
-    const Eigen::MatrixXcd y = free_ + symbol_.rate(lambda);
-    Eigen::MatrixXcd pressed(harmonics_ + 1, y.cols());
-    indicators_.clear();
-    for (Eigen::Index c = 0; c < y.cols(); ++c) {
-      const std::vector<StopShift>& shifts = shifts_[static_cast<std::size_t>(c)];
-      const auto intervals = positive_intervals(y.col(c), samples_, shifts, root()[c]);
-      indicators_.emplace_back(intervals, harmonics_);
-      pressed.col(c) = indicators_.back().restrict(y.col(c));
-      if (shifts.empty()) continue;
-      for (const ContactInterval& interval : intervals) {
-        pressed.col(c) += root()[c] * shift_spectrum(interval, shifts, harmonics_);
-      }
-    }
-    return lambda + pack_harmonics(pressed);
-  }
-
-  /// J^{-1} r at the intervals of the last residual, J = 1 + P chi B; empty if that is not to be had.
-  [[nodiscard]] KrylovSolve solve_jacobian(const Eigen::VectorXd& r) const {
-    if (r.size() <= kDense) {
-      const Eigen::PartialPivLU<Eigen::MatrixXd> lu(jacobian());
-      return {.x = lu.solve(r), .condition = condition_from(lu.rcond())};
-    }
-    Eigen::VectorXd duty(root().size());
-    for (Eigen::Index c = 0; c < duty.size(); ++c) duty[c] = indicators_[static_cast<std::size_t>(c)].duty();
-    const LastingContactInverse lasting(symbol_, duty);
-    return solve_by_gmres([this](const Eigen::VectorXd& v) { return product(v); },
-                          [&lasting](const Eigen::VectorXd& v) { return lasting * v; }, r, kLinearTolerance);
-  }
-
- private:
-  static constexpr Eigen::Index kDense = 100;        // unknowns up to which factorising is the cheaper step
-  static constexpr double kLinearTolerance = 1e-12;  // of each GMRES solve, relative to its right-hand side
-
-  [[nodiscard]] Eigen::MatrixXd jacobian() const {
-    const Eigen::Index stride = 2 * harmonics_ + 1;
-    const Eigen::Index contacts = root().size();
-    Eigen::MatrixXd matrix(stride * contacts, stride * contacts);
-    for (Eigen::Index row = 0; row < contacts; ++row) {
-      for (Eigen::Index column = 0; column < contacts; ++column) {
-        fill_block(row, column, matrix.block(row * stride, column * stride, stride, stride));
-      }
-    }
-    matrix.diagonal().array() += 1.0;
-    return matrix;
-  }
-
-  [[nodiscard]] Eigen::VectorXd product(const Eigen::VectorXd& v) const {
-    Eigen::MatrixXcd signal = symbol_.rate(v);
-    for (Eigen::Index c = 0; c < signal.cols(); ++c) {
-      signal.col(c) = indicators_[static_cast<std::size_t>(c)].restrict(signal.col(c));
-    }
-    return v + pack_harmonics(signal);
-  }
-
-  /// What unit harmonics of one contact's lambda press at another one's samples in contact, in the packing
-  /// of harmonic_vector.hpp: a cosine of harmonic m drives s_m = B_m / sqrt 2, and (chi s)_n =
-  /// chi_{n-m} s_m + chi_{n+m} conj(s_m) is packed with a factor sqrt 2.
-  void fill_block(Eigen::Index row, Eigen::Index column, Eigen::Ref<Eigen::MatrixXd> block) const {
-    const Eigen::VectorXcd& chi = indicators_[static_cast<std::size_t>(row)].spectrum();
-    for (Eigen::Index m = 0; m <= harmonics_; ++m) {
-      const Complex b = symbol_.block(m)(row, column);
-      for (int part = 0; part < (m == 0 ? 1 : 2); ++part) {
-        const Complex s = part == 0 ? b : Complex(0.0, 1.0) * b;
-        const Eigen::Index place = m == 0 ? 0 : 2 * m - 1 + part;
-        for (Eigen::Index n = 0; n <= harmonics_; ++n) {
-          const Complex below = n >= m ? chi[n - m] : std::conj(chi[m - n]);
-          Complex pressed = m == 0 ? below * b.real() : below * s + chi[n + m] * std::conj(s);
-          if (n == 0) {
-            block(0, place) = pressed.real() * (m == 0 ? 1.0 : std::numbers::sqrt2 / 2.0);
-            continue;
-          }
-          if (m == 0) pressed *= std::numbers::sqrt2;
-          block(2 * n - 1, place) = pressed.real();
-          block(2 * n, place) = pressed.imag();
-        }
-      }
-    }
-  }
-
-  int harmonics_;
-  int samples_;
-  ContactSymbol symbol_;
-  Eigen::MatrixXcd free_;  // of sqrt(c) (x_f - g)
-  double scale_ = 0.0;
-  StopShifts shifts_;
-  std::vector<ContactIndicator> indicators_;
-};
 
 }  // namespace
 
@@ -278,42 +166,6 @@ Eigen::VectorXcd ContactIndicator::restrict(const Eigen::VectorXcd& s) const {
   Eigen::VectorXcd spectrum(fft.coefficients());
   fft.forward(values, spectrum);
   return spectrum.head(s.size());
-}
-
-ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
-                                const ProjectedLaw& law, const Eigen::MatrixXcd& lambda, int samples,
-                                double tolerance, const StopShifts& shifts, const Start& start) {
-  constexpr int kSteps = 40;
-  constexpr int kHalvings = 10;
-  ExactResidual residual(receptance, gap, law, samples, shifts);
-  ExactProjection result;
-  Eigen::VectorXd unknown = pack_harmonics(lambda * residual.root().cwiseInverse().asDiagonal());
-  Eigen::VectorXd r = residual(unknown);
-  // Short contacts press little on the mean, and much less than the load would: the force is the scale. Below
-  // it lies the rounding of y, in which the load and the response to the force cancel.
-  const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * residual.load_scale();
-  while (true) {
-    const double scale = std::max(unknown.norm(), rounding / tolerance);
-    result.residual = scale > 0.0 ? r.norm() / scale : 0.0;
-    result.converged = result.residual <= tolerance;
-    if (result.converged || result.iterations == kSteps || start.expired()) break;
-    const auto [step, condition] = residual.solve_jacobian(r);
-    if (step.size() == 0 || !step.allFinite()) break;
-    ++result.iterations;
-    result.condition = condition;
-    // Far from the solution a full step may lose a contact; a shorter one keeps it.
-    double length = 1.0;
-    Eigen::VectorXd trial = residual(unknown - step);
-    for (int k = 0; k < kHalvings && !(trial.norm() < (1.0 - 1e-4 * length) * r.norm()); ++k) {
-      length *= 0.5;
-      trial = residual(unknown - length * step);
-    }
-    if (!(trial.norm() < r.norm())) break;
-    unknown -= length * step;
-    r = trial;
-  }
-  result.lambda = unpack_harmonics(unknown, receptance.harmonics()) * residual.root().asDiagonal();
-  return result;
 }
 
 }  // namespace signorini

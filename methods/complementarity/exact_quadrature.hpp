@@ -1,13 +1,10 @@
 #pragma once
-// The projected contact equations with the contact integral taken exactly, not sampled.
+// Integrals over contact, taken exactly between the instants where it begins and ends.
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
-#include "methods/complementarity/projected_law.hpp"
 #include "methods/discretisation/stop_shift.hpp"
-#include "methods/structure/receptance.hpp"
 
 namespace signorini {
 
@@ -17,6 +14,9 @@ struct ContactInterval {
   double begin = 0.0;  ///< [-]
   double end = 0.0;    ///< [-]
 };
+
+/// Samples per harmonic that tell every extremum of a polynomial of that degree.
+inline constexpr int kResolvingSamples = 16;
 
 /// Where y(t) = scale * shift(t) + sum_{|n| <= H} y_n e^{2 pi i n t} > 0. Sign changes are bracketed on
 /// `samples` equidistant instants and the extrema near zero between them, so that contacts shorter than a
@@ -52,29 +52,5 @@ class ContactIndicator {
   Eigen::VectorXcd spectrum_;
   Eigen::VectorXd values_;  // of the spectrum, on a grid that tells products of degree 3 H from their mirrors
 };
-
-/// What project_exactly came to.
-struct ExactProjection {
-  bool converged = false;  ///< the residual is below the tolerance
-  int iterations = 0;      ///< Newton steps
-  double residual = 0.0;   ///< |R|_2 / |lambda|_2, or of rounding where that is larger [-]
-  std::optional<double> condition =
-      {};                   ///< estimate for the Jacobian of the last step; empty: none taken [-]
-  Eigen::MatrixXcd lambda;  ///< (H+1) x Nc [N]
-};
-
-/// Solves lambda + P max(0, y) = 0, y = c (x - g) - relief lambda, x = x_f + C lambda, with P exact, by
-/// Newton from a sampled solution `lambda`. With exact P the contact force does no net work at every
-/// contact, to rounding, whatever H and c (docs/theory.md); sampling leaves O(N^-2) of it, irregularly.
-/// The edges of contact move with lambda, where y = 0: the residual is continuously differentiable, and
-/// Newton converges quadratically where no contact is born or lost. Steps by a dense factorisation of the
-/// (2 H + 1) Nc unknowns up to a few hundred of them, beyond by GMRES with products of O(H log H Nc + H
-/// Nc^2), preconditioned by LastingContactInverse. \param samples instants on which sign changes are
-/// bracketed  \param start  whose deadline ends it between steps  \param shifts  the stops stand at g -
-/// shift(t); while that is constant during each contact, the contact still does no net work, and with a speed
-/// it does speed J / T of it on the structure
-ExactProjection project_exactly(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
-                                const ProjectedLaw& law, const Eigen::MatrixXcd& lambda, int samples,
-                                double tolerance, const StopShifts& shifts = {}, const Start& start = {});
 
 }  // namespace signorini

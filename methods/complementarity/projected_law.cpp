@@ -1,10 +1,7 @@
 #include "methods/complementarity/projected_law.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace signorini {
 
@@ -38,15 +35,19 @@ Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance) {
   return mean.cwiseInverse();
 }
 
+ProjectedLaw with_stiffness_factor(const ProjectedLaw& law, double factor) {
+  return {factor * law.constant, (1.0 - factor * (1.0 - law.multiplier_weight.array())).matrix()};
+}
+
 ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& c,
                            const ContactReceptance& receptance) {
   ProjectedLaw law;
   law.constant = c ? Eigen::VectorXd(*c * contact_stiffness_scale(problem))
                    : Eigen::VectorXd(kConstantMultiple * highest_dynamic_stiffness(receptance));
-  law.relief = Eigen::VectorXd::Ones(law.constant.size());
+  law.multiplier_weight = Eigen::VectorXd::Ones(law.constant.size());
   if (const auto* stop = std::get_if<Penalty>(&problem.law)) {
     for (Eigen::Index j = 0; j < law.constant.size(); ++j) {
-      law.relief[j] -= law.constant[j] / stop->stiffness[static_cast<std::size_t>(j)];
+      law.multiplier_weight[j] -= law.constant[j] / stop->stiffness[static_cast<std::size_t>(j)];
     }
   }
   return law;
@@ -64,7 +65,7 @@ ProjectedLaw penalty_law(const Problem& problem, const std::optional<Scaled>& pe
   } else {
     law.constant = penalty_multiple(problem, receptance.harmonics()) * highest_dynamic_stiffness(receptance);
   }
-  law.relief = Eigen::VectorXd::Zero(problem.contact_count());
+  law.multiplier_weight = Eigen::VectorXd::Zero(problem.contact_count());
   return law;
 }
 
@@ -77,20 +78,6 @@ RepresentedLaw projected_method_law(const Problem& problem, const std::optional<
     return asked;
   }
   return std::visit([](const auto& law) -> RepresentedLaw { return law; }, problem.law);
-}
-
-Support supports_harmonics(const Problem& problem, int harmonics, const std::optional<int>& samples) {
-  const int needed = load_bandwidth(problem);
-  if (samples && *samples < 2 * harmonics + 1) {
-    return {
-        false,
-        fmt::format("the load reaches harmonic {} of the motion's base frequency: samples = {} are too few",
-                    needed, *samples)};
-  }
-  if (needed <= harmonics) return {};
-  return {false,
-          fmt::format("the load reaches harmonic {} of the motion's base frequency, beyond harmonics = {}",
-                      needed, harmonics)};
 }
 
 }  // namespace signorini

@@ -1,10 +1,9 @@
 #pragma once
-// The contact law as the harmonic-balance methods impose it, and the options they have in common.
+// The contact law as the harmonic-balance methods impose it.
 
 #include <Eigen/Core>
-#include <array>
+#include <functional>
 #include <optional>
-#include <string_view>
 
 #include "methods/method.hpp"
 #include "methods/structure/receptance.hpp"
@@ -13,28 +12,31 @@ namespace signorini {
 
 /// The contact law in projected form, per contact:
 ///
-///     lambda = -P z,   z = max(0, y),   y = c (x - g) - relief * lambda,
+///     lambda = -P z,   z = max(0, y),   y = c (x - g) - alpha lambda,
 ///
-/// P the projection on harmonics |n| <= H. relief = 1 is Signorini's condition (seed eq. 4), relief =
-/// 1 - c / k_p a stop of stiffness k_p; c = k_p with relief = 0 is the penalty law (seed eq. 47).
+/// P the projection on harmonics |n| <= H, y the augmented multiplier [alart1991]. Weight alpha = 1 is
+/// Signorini's condition (seed eq. 4), alpha = 1 - c / k_p a stop of stiffness k_p; c = k_p with alpha = 0 is
+/// the penalty law (seed eq. 47).
 struct ProjectedLaw {
-  Eigen::VectorXd constant;  ///< c, Nc, > 0 [N/m]
-  Eigen::VectorXd relief;    ///< Nc [-]
+  Eigen::VectorXd constant;           ///< c, Nc, > 0 [N/m]
+  Eigen::VectorXd multiplier_weight;  ///< alpha, Nc, <= 1 [-]
 };
 
-/// How the contact integral is taken: on the grid of N samples, or exactly between the instants where
-/// contact begins and ends, starting from the sampled solution.
-enum class Quadrature { exact, sampled };
+/// The law that a method imposes on a structure of so many harmonics: its constant may grow with them.
+using LawAt = std::function<ProjectedLaw(const ContactReceptance&)>;
 
-/// The values of the option `quadrature`.
-template <>
-struct EnumNames<Quadrature> {
-  /// In the order of the enumerators.
-  static constexpr std::array<std::string_view, 2> values{"exact", "sampled"};
+/// The projected equations of a scene, x = x_f + C lambda with the law above. Refers to its parts, which must
+/// outlive it.
+struct ProjectedEquations {
+  const ContactReceptance& receptance;  ///< C_n and x_f for n = 0..H
+  const Eigen::VectorXd& gap;           ///< g, Nc [m]
+  const ProjectedLaw& law;              ///< of each contact
 };
 
-/// H where it is left to the method and nothing asks for more.
-constexpr int kDefaultHarmonics = 20;
+/// The law with `factor` times its constant that is the same in continuous time:
+/// y = s c (x - g) - (1 - s (1 - alpha)) lambda. After projection a contact is s^{-1/2} times as long, and
+/// fewer samples resolve it.
+ProjectedLaw with_stiffness_factor(const ProjectedLaw& law, double factor);
 
 /// Size of the dynamic stiffness at the highest harmonics kept, per contact: the harmonic mean of
 /// 1 / |C_n| over H/2 <= n <= H, Nc [N/m]. For one mass about m (3 H w / 4)^2.
@@ -55,54 +57,5 @@ ProjectedLaw penalty_law(const Problem& problem, const std::optional<Scaled>& pe
 /// where the scene is rigid, for the projected force does no net work (docs/theory.md). On a scene whose
 /// stop is a spring, a penalty asked for replaces the spring's stiffness.
 RepresentedLaw projected_method_law(const Problem& problem, const std::optional<Scaled>& penalty = {});
-
-/// Refused where the load has harmonics beyond H, or the samples asked for do not carry H.
-Support supports_harmonics(const Problem& problem, int harmonics, const std::optional<int>& samples);
-
-/// The contact integral asked for: exact, but sampled if `plain`.
-template <class Options>
-Quadrature quadrature_of(const Options& options) {
-  return options.quadrature.value_or(options.plain ? Quadrature::sampled : Quadrature::exact);
-}
-
-/// Whether impacts are compensated: unless `plain`, if not asked for; only with the exact contact integral.
-template <class Options>
-bool compensates(const Options& options) {
-  return options.compensate.value_or(!options.plain) && quadrature_of(options) == Quadrature::exact;
-}
-
-/// Factor by which the law's constant grows once impacts are compensated: the harder the law, the nearer the
-/// force is to an impulse, and the error to that of truncation alone (docs/decisions/0011). 1 where the user
-/// chose the constant.
-template <class Options>
-double hardening_of(const Options& options) {
-  constexpr double kHardening = 8.0;
-  bool chosen = false;
-  if constexpr (requires { options.c; }) chosen = chosen || options.c.has_value();
-  if constexpr (requires { options.penalty; }) chosen = chosen || options.penalty.has_value();
-  return chosen ? 1.0 : kHardening;
-}
-
-/// N asked for; else 32 H if `plain`, and empty (what the solve needs) otherwise.
-template <class Options>
-std::optional<int> samples_of(const Options& options, int harmonics) {
-  constexpr int kPlain = 32;
-  return options.plain ? options.samples.value_or(kPlain * harmonics) : options.samples;
-}
-
-/// Ranges of the options that all harmonic-balance methods share. \throws InvalidOption
-template <class Options>
-void validate_harmonic_options(const Options& options) {
-  const int harmonics = options.harmonics.value_or(kDefaultHarmonics);
-  require_option(harmonics >= 1 && harmonics <= 100000, "harmonics", options.harmonics,
-                 "must be from 1 to 100000, or auto");
-  require_option(!options.samples || *options.samples >= 2 * harmonics + 1, "samples", options.samples,
-                 "must be at least 2 * harmonics + 1, or auto");
-  require_option(!options.samples || *options.samples <= 10000000, "samples", options.samples,
-                 "must be at most 10000000");
-  require_option(options.tolerance > 0.0 && options.tolerance <= 1e-2, "tolerance", options.tolerance,
-                 "must be in (0, 1e-2]");
-  require_option(options.max_iterations >= 0, "max_iterations", options.max_iterations, "must be 0 or more");
-}
 
 }  // namespace signorini

@@ -49,9 +49,15 @@ Samples FourierTrajectory::sample(int count) const {
       const double t = static_cast<double>(i) / count;
       overlap[i] += shift_at(data_.shifts[static_cast<std::size_t>(c)], t).at(t);
     }
-    samples.force.col(c) = -(data_.stiffness[c] * overlap - data_.relief[c] * lambda.array()).max(0.0);
+    samples.force.col(c) =
+        -(data_.stiffness[c] * overlap - data_.multiplier_weight[c] * lambda.array()).max(0.0);
   }
   return samples;
+}
+
+StopShifts stop_shifts(const Trajectory& motion) {
+  const auto* series = dynamic_cast<const FourierTrajectory*>(&motion);
+  return series == nullptr ? StopShifts{} : series->data().shifts;
 }
 
 Samples NodalTrajectory::sample(int count) const {

@@ -10,7 +10,7 @@ namespace signorini {
 
 /// Truncated Fourier series of displacement and force, with the unprojected complementary force
 ///
-///     x(t) = sum_{|n|<=H} x_n e^{i n w t},   force(t) = -max(0, stiffness (x(t) - g(t)) - relief lambda(t)),
+///     x(t) = sum_{|n|<=H} x_n e^{i n w t},   force(t) = -max(0, stiffness (x(t) - g(t)) - alpha lambda(t)),
 ///
 /// w = 2 pi / period, g(t) = gap less the shift of the stop. The projection of `force` on |n| <= H is
 /// lambda(t) up to quadrature, and unlike lambda(t) it is never positive (no Gibbs ripple between contacts).
@@ -23,8 +23,9 @@ class FourierTrajectory final : public Trajectory {
     Eigen::MatrixXcd lambda;    ///< (H+1) x Nc [N]
     Eigen::VectorXd gap;        ///< Nc [m]
     Eigen::VectorXd stiffness;  ///< Nc, > 0 [N/m]: c, or the penalty
-    Eigen::VectorXd relief;     ///< Nc [-]: 1 for a rigid stop, 1 - c / k_p for a stop of stiffness k_p
-    StopShifts shifts = {};     ///< of the stops that the series meets (impact_compensation.hpp)
+    /// alpha, Nc [-]: 1 for a rigid stop, 1 - c / k_p for a stop of stiffness k_p
+    Eigen::VectorXd multiplier_weight;
+    StopShifts shifts = {};  ///< of the stops that the series meets (impact_compensation.hpp)
   };
 
   /// Sizes must agree.
@@ -42,6 +43,10 @@ class FourierTrajectory final : public Trajectory {
  private:
   Data data_;
 };
+
+/// The shifts of the stops behind a motion that harmonic balance found with compensated impacts; empty for
+/// any other.
+StopShifts stop_shifts(const Trajectory& motion);
 
 /// Nodal values on N equidistant instants joined by straight lines (periodic hat functions); velocity
 /// is the slope of the element to the right. The force at a node acts over one time step, so that

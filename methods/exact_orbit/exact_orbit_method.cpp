@@ -11,7 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "methods/harmonic_balance/projected_contact.hpp"
+#include "methods/complementarity/projected_law.hpp"
+#include "methods/harmonic_balance/lcp_grid_solver.hpp"
+#include "methods/harmonic_balance/strategy.hpp"
 #include "methods/hat_functions/hat_contact.hpp"
 #include "methods/orbit/exact_orbit.hpp"
 #include "methods/structure/condensation.hpp"
@@ -107,8 +109,9 @@ class PreparedExactOrbit final : public PreparedMethod {
     const auto law = [this, spring](const ContactReceptance& receptance) {
       return spring ? penalty_law(problem_, {}, receptance) : lipschitz_law(problem_, {}, receptance);
     };
-    return ProjectedContact(contact_gaps(problem_), fourier_receptance(problem_, harmonics), law, {})
-        .solve(cold(start));
+    return prepare_harmonic_balance(problem_, {.harmonics = harmonics, .compensate = false},
+                                    {.law_at = law, .grid_solver = lcp_grid_solver({})})
+        ->solve(cold(start));
   }
 
   [[nodiscard]] SearchOptions settings(const Start& start) const {

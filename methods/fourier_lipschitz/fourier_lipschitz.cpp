@@ -2,29 +2,33 @@
 
 #include <utility>
 
-#include "methods/harmonic_balance/harmonics_option.hpp"
-#include "methods/harmonic_balance/projected_contact.hpp"
+#include "methods/complementarity/projected_law.hpp"
+#include "methods/harmonic_balance/lcp_grid_solver.hpp"
+#include "methods/harmonic_balance/strategy.hpp"
 
 namespace signorini {
 
 FourierLipschitz::FourierLipschitz(const Options& options) : options_(options) {
-  validate_harmonic_options(options_);
+  validate(options_.common);
   require_option(!options_.c || *options_.c > 0.0, "c", options_.c, "must be positive, or auto");
 }
 
 Support FourierLipschitz::supports(const Problem& problem) const {
-  return supports_harmonics(problem, first_harmonics(options_.harmonics, problem), options_.samples);
+  return supports_harmonics(problem, options_.common);
 }
 
 RepresentedLaw FourierLipschitz::law(const Problem& problem) const { return projected_method_law(problem); }
 
 std::unique_ptr<PreparedMethod> FourierLipschitz::prepare(const Problem& problem) const {
-  const auto law = [&problem, c = options_.c](const ContactReceptance& receptance) {
+  LawAt law_at = [&problem, c = options_.c](const ContactReceptance& receptance) {
     return lipschitz_law(problem, c, receptance);
   };
-  return prepare_harmonics(options_, problem, [&problem, law, options = options_](int harmonics) {
-    return projected_contact(problem, harmonics, law, options);
-  });
+  return prepare_harmonic_balance(
+      problem, options_.common,
+      {.law_at = std::move(law_at),
+       .grid_solver = lcp_grid_solver(lcp_settings(options_.common, options_.solver)),
+       .constant_is_chosen = options_.c.has_value(),
+       .solver_is_open = leaves_solver_open(options_.common, options_.solver)});
 }
 
 }  // namespace signorini

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "methods/complementarity/projected_law.hpp"
+#include "methods/harmonic_balance/harmonic_options.hpp"
 #include "methods/method.hpp"
 #include "methods/solvers/complementarity_solver.hpp"
 
@@ -31,32 +31,20 @@ class FourierLipschitz final : public Method {
   static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 
   struct Options {
-    std::optional<int> harmonics = {};  ///< H >= 1 [-]
-    std::optional<int> samples = {};    ///< N >= 2 H + 1 [-]
-    std::optional<double> c = {};       ///< > 0, times contact_stiffness_scale [-]
-    std::optional<Quadrature> quadrature = {};
-    std::optional<bool> compensate = {};
+    HarmonicOptions common = {};
+    std::optional<double> c = {};  ///< > 0, times contact_stiffness_scale [-]
     ComplementaritySolver solver = ComplementaritySolver::automatic;
-    double tolerance = 1e-10;  ///< on LcpResult::residual [-]
-    int max_iterations = 0;    ///< pivots or Newton steps; 0: the solver's own limit [-]
-    bool plain = false;
 
     void visit(auto&& field) {
-      field("harmonics", harmonics, "[-]",
-            "highest harmonic H kept, 1..100000; auto: 20, where that fails twice as many, up to 160");
-      field("samples", samples, "[-]",
-            "N per period, >= 2 H + 1; auto: no grid beyond 20 harmonics, else 8 H or finer (sampled: 32 H)");
-      field("c", c, "[-]",
+      const auto law = [&] {
+        field(
+            "c", c, "[-]",
             "constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H, compensated 32x");
-      field("quadrature", quadrature, "[-]",
-            "exact: contact integral between its edges | sampled: on the N samples; auto: exact, sampled if "
-            "plain");
-      field("compensate", compensate, "[-]",
-            "impacts right with all harmonics, the integral being exact: true | false; auto: unless plain");
-      field("solver", solver, "[-]", "auto (pivoting with restarts; newton if plain) | pivoting | newton");
-      field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
-      field("max_iterations", max_iterations, "[-]", "limit on pivots or Newton steps; 0: the solver's own");
-      field("plain", plain, "[-]", "true: as the literature does it; sets what is left at auto");
+      };
+      const auto own_solver = [&] {
+        field("solver", solver, "[-]", "auto (pivoting with restarts; newton if plain) | pivoting | newton");
+      };
+      common.visit(field, law, own_solver);
     }
   };
 

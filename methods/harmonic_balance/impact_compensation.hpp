@@ -4,10 +4,9 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "methods/complementarity/exact_quadrature.hpp"
+#include "methods/complementarity/exact_projection.hpp"
 #include "methods/complementarity/projected_law.hpp"
 #include "methods/discretisation/stop_shift.hpp"
-#include "methods/method.hpp"
 #include "methods/structure/periodic_green_function.hpp"
 #include "methods/structure/receptance.hpp"
 
@@ -21,51 +20,49 @@ namespace signorini {
 /// |C_n|, and stopping the series at the gap is what limits harmonic balance to an error of 1/H
 /// (docs/theory.md). So the impact law is asked of the motion with all harmonics instead,
 ///
-///     X(t) = x_f(t) + C lambda_rest - sum_l J_l G(t - t_l),   X(t_k) = g,   X'(t_k) = 0,
+///     X(t) = x_f(t) + C lambda_lasting - sum_l J_l G(t - t_l),   X(t_k) = g,   X'(t_k) = 0,
 ///
 /// X' being the mean of both sides,
-/// lambda_rest the force outside impacts, and the stop that the series meets at impact k is moved, x <= g -
-/// distance - speed (t - t_k), until it is so. With a compliant stop for a rigid one the same takes back the
-/// penetration of the spring. The answer remains a series of H harmonics: its error is that of the best one
-/// of so many, but for terms of second order in the duration of the force. In X the contact does no net work;
-/// in the series it does what the harmonics beyond H dissipate, of order 1/H and of the damping.
+/// lambda_lasting the force outside impacts, and the stop that the series meets at impact k is moved, x <= g
+/// - distance - speed (t - t_k), until it is so. With a compliant stop for a rigid one the same takes back
+/// the penetration of the spring. The answer remains a series of H harmonics: its error is that of the best
+/// one of so many, but for terms of second order in the duration of the force. In X the contact does no net
+/// work; in the series it does what the harmonics beyond H dissipate, of order 1/H and of the damping.
 ///
-/// An impact is contact of at most 2.5 / H of the period, and a quarter of it, on a coordinate that answers
-/// like a mass beyond H. Contact that lasts longer, is compliant, or has modes beyond H behind it is left
-/// alone.
+/// What counts as an impact is in contact_episodes.hpp: contact that lasts longer, is compliant, or has modes
+/// beyond H behind it is left alone.
 class ImpactCompensation {
  public:
   /// \param extended  C_n for n = 0..L, L > H; L = 2 H will do
   explicit ImpactCompensation(ContactReceptance extended);
 
-  /// What a compensation came to.
+  /// The end of a compensation.
   struct Result {
-    bool converged = false;       ///< the stops stand right; true where there is no impact
+    bool converged = false;       ///< the impact law holds; true where there is no impact
     bool exact = false;           ///< the projected equations have a solution near the one handed in
     int impacts = 0;              ///< per period
     int iterations = 0;           ///< Newton steps on the projected equations, all of them
-    double largest = 0.0;         ///< largest distance of a stop from its place [m]
+    double largest = 0.0;         ///< largest distance of a stop from its place while an impact acts [m]
     ExactProjection series = {};  ///< of the projected equations with the stops there; none unless converged
     StopShifts shifts = {};       ///< empty where nothing is shifted
   };
 
   /// From a solution `lambda` of the exactly projected equations with the stops at `shifts`, or near one.
-  /// Each round solves X(t_k) = g, X'(t_k) = 0 for instants and impulses (Newton, two unknowns per impact),
-  /// takes the series' contacts there with the stops that keep their shape, and lets project_exactly settle
-  /// them. Not converged where an impact comes or goes on the way, or its equations have no solution near by.
-  /// \param samples, tolerance  as of project_exactly
-  [[nodiscard]] Result operator()(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
-                                  const ProjectedLaw& law, const Eigen::MatrixXcd& lambda,
-                                  const StopShifts& shifts, int samples, double tolerance,
-                                  const Start& start) const;
+  /// Each round solves X(t_k) = g, X'(t_k) = 0 for instants and impulses (ImpactEquations), takes the series'
+  /// contacts there with stops that let each keep its shape, and solves the projected equations anew
+  /// (project_exactly). Not converged where an impact comes or goes on the way, or the projected equations
+  /// have no solution near by. \param settings  as of project_exactly; its tolerance is also that of the law
+  /// of impact, relative to the motion
+  [[nodiscard]] Result operator()(const ProjectedEquations& equations, const Eigen::MatrixXcd& lambda,
+                                  const StopShifts& shifts, const ExactProjectionSettings& settings) const;
 
  private:
   PeriodicGreenFunction response_;
 };
 
 /// The compensation for a scene; nothing where there is none to offer: the stops are compliant or no contact
-/// has mass (the force is then a function of time), or none answers like a mass from H to 2 H. \param
-/// receptance  of the scene, n = 0..H
+/// has mass (the force is then a function of time), or none answers like a mass from H to 2 H.
+/// \param receptance  of the scene, n = 0..H
 std::optional<ImpactCompensation> impact_compensation(const Problem& problem,
                                                       const ContactReceptance& receptance);
 

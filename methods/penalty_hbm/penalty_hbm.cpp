@@ -2,19 +2,20 @@
 
 #include <utility>
 
-#include "methods/harmonic_balance/harmonics_option.hpp"
-#include "methods/harmonic_balance/projected_contact.hpp"
+#include "methods/complementarity/projected_law.hpp"
+#include "methods/harmonic_balance/lcp_grid_solver.hpp"
+#include "methods/harmonic_balance/strategy.hpp"
 
 namespace signorini {
 
 PenaltyHbm::PenaltyHbm(const Options& options) : options_(options) {
-  validate_harmonic_options(options_);
+  validate(options_.common);
   require_option(!options_.penalty || options_.penalty->value > 0.0, "penalty", options_.penalty,
                  "must be positive, or auto");
 }
 
 Support PenaltyHbm::supports(const Problem& problem) const {
-  return supports_harmonics(problem, first_harmonics(options_.harmonics, problem), options_.samples);
+  return supports_harmonics(problem, options_.common);
 }
 
 RepresentedLaw PenaltyHbm::law(const Problem& problem) const {
@@ -22,12 +23,15 @@ RepresentedLaw PenaltyHbm::law(const Problem& problem) const {
 }
 
 std::unique_ptr<PreparedMethod> PenaltyHbm::prepare(const Problem& problem) const {
-  const auto law = [&problem, penalty = options_.penalty](const ContactReceptance& receptance) {
+  LawAt law_at = [&problem, penalty = options_.penalty](const ContactReceptance& receptance) {
     return penalty_law(problem, penalty, receptance);
   };
-  return prepare_harmonics(options_, problem, [&problem, law, options = options_](int harmonics) {
-    return projected_contact(problem, harmonics, law, options);
-  });
+  return prepare_harmonic_balance(
+      problem, options_.common,
+      {.law_at = std::move(law_at),
+       .grid_solver = lcp_grid_solver(lcp_settings(options_.common, options_.solver)),
+       .constant_is_chosen = options_.penalty.has_value(),
+       .solver_is_open = leaves_solver_open(options_.common, options_.solver)});
 }
 
 }  // namespace signorini

@@ -11,16 +11,16 @@ namespace signorini {
 /// v + t s; damped_newton decides on lengths t and on when to end.
 template <class Equations>
 concept NewtonEquations = requires(Equations& equations, double length) {
-  /// Whether v counts as a solution.
+  // Whether v counts as a solution.
   { equations.solved() } -> std::convertible_to<bool>;
-  /// A norm of F at v, which every step must reduce.
+  // A norm of F at v, which every step must reduce.
   { equations.merit() } -> std::convertible_to<double>;
-  /// Finds s = -J^{-1} F at v and returns the longest t to try: 1, or less where v + s lies outside the
-  /// domain of F. Nothing where there is no such step: J is singular, or the equations refuse it.
+  // Finds s = -J^{-1} F at v and returns the longest t to try: 1, or less where v + s lies outside the
+  // domain of F. Nothing where there is no such step: J is singular, or the equations refuse it.
   { equations.find_step() } -> std::convertible_to<std::optional<double>>;
-  /// The norm of F at the trial v + t s; nothing where F is not defined there.
+  // The norm of F at the trial v + t s; nothing where F is not defined there.
   { equations.merit_at(length) } -> std::convertible_to<std::optional<double>>;
-  /// Makes the last trial the iterate.
+  // Makes the last trial the iterate.
   equations.accept();
 };
 
@@ -50,10 +50,10 @@ struct DampedNewtonResult {
   int steps = 0;                     ///< Newton steps found, one that stalls included
 };
 
-/// Solves F(v) = 0 by v <- v + t s, where s is the Newton step and t the first of the longest length, its
-/// half, its quarter, ... that reduces the merit sufficiently. Where F is differentiable and J regular, such
-/// a t exists; for the piecewise smooth equations of contact it may not, and then the end is `stalled`.
-/// Source: [kelley1995, chapter 8].
+/// Solves F(v) = 0 by replacing v with v + t s, where s is the Newton step and t the first of the longest
+/// length, its half, its quarter, ... that reduces the merit sufficiently. Where F is differentiable and J
+/// regular, such a t exists; for the piecewise smooth equations of contact it may not, and then the end is
+/// `stalled`. Source: [kelley1995, chapter 8].
 template <NewtonEquations Equations>
 DampedNewtonResult damped_newton(Equations& equations, const DampedNewtonLimits& limits) {
   constexpr auto kNoDeadline = std::chrono::steady_clock::time_point::max();

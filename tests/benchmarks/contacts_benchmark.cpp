@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "methods/complementarity/exact_quadrature.hpp"
+#include "methods/complementarity/exact_projection.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/damping.hpp"
@@ -39,7 +39,8 @@ void newton_step(benchmark::State& state, int harmonics, int contacts) {
   const Problem problem = beam_on_obstacle(contacts);
   const ContactReceptance receptance = fourier_receptance(problem, harmonics);
   const ProjectedLaw law = lipschitz_law(problem, {}, receptance);
-  const FourierLipschitz method({.harmonics = harmonics});
+  const Eigen::VectorXd gap = contact_gaps(problem);
+  const FourierLipschitz method({{.harmonics = harmonics}});
   const Solution solution = method.prepare(problem)->solve({});
   if (solution.verdict != Verdict::converged) {
     state.SkipWithError(solution.message.c_str());
@@ -49,7 +50,7 @@ void newton_step(benchmark::State& state, int harmonics, int contacts) {
   long steps = 0;
   for (auto _ : state) {
     const ExactProjection exact =
-        project_exactly(receptance, contact_gaps(problem), law, near, 16 * harmonics, 1e-10);
+        project_exactly({receptance, gap, law}, near, {.samples = 16 * harmonics, .tolerance = 1e-10});
     if (!exact.converged) {
       state.SkipWithError("did not converge");
       return;
@@ -85,7 +86,7 @@ BENCHMARK(newton_against_contacts)
 /// The whole cold solve, receptances included.
 void cold_solve(benchmark::State& state) {
   const Problem problem = beam_on_obstacle(static_cast<int>(state.range(0)));
-  const FourierLipschitz method({.harmonics = 20});
+  const FourierLipschitz method({{.harmonics = 20}});
   long pivots = 0;
   for (auto _ : state) {
     const Solution solution = method.prepare(problem)->solve({});

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "methods/complementarity/forms.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
-#include "methods/harmonic_balance/projected_contact.hpp"
 #include "methods/solvers/pivoting.hpp"
 #include "methods/solvers/updated_qr.hpp"
 #include "tests/support/population.hpp"
@@ -18,10 +18,9 @@ namespace {
 void pivoting_on_population(benchmark::State& state) {
   const auto harmonics = static_cast<int>(state.range(0));
   const auto samples = static_cast<int>(state.range(1));
-  const FourierLipschitz method({.harmonics = harmonics,
-                                 .samples = samples,
-                                 .quadrature = Quadrature::sampled,
-                                 .solver = ComplementaritySolver::pivoting});
+  const FourierLipschitz method(
+      {.common = {.harmonics = harmonics, .samples = samples, .quadrature = Quadrature::sampled},
+       .solver = ComplementaritySolver::pivoting});
   std::vector<Problem> scenes;
   for (const auto& oscillator : test::contact_population(200)) scenes.push_back(test::to_problem(oscillator));
   std::vector<std::unique_ptr<PreparedMethod>> prepared;

@@ -139,11 +139,10 @@ TEST(Population, PivotingSolvesFourierLipschitzEveryTime) {
   Tally pivoting;
   for (const ImpactOscillator& o : population()) {
     SCOPED_TRACE(testing::Message() << "d = " << o.damping << ", g = " << o.gap << ", w = " << o.frequency);
-    const Solution solution =
-        test::solve<FourierLipschitz>(test::to_problem(o), {.harmonics = kHarmonics,
-                                                            .samples = kSamples,
-                                                            .quadrature = Quadrature::sampled,
-                                                            .solver = ComplementaritySolver::pivoting});
+    const Solution solution = test::solve<FourierLipschitz>(
+        test::to_problem(o),
+        {.common = {.harmonics = kHarmonics, .samples = kSamples, .quadrature = Quadrature::sampled},
+         .solver = ComplementaritySolver::pivoting});
     pivoting.add(solution);
     EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
     if (solution.verdict == Verdict::converged) expect_fourier_solution(o, *solution.trajectory);
@@ -174,7 +173,7 @@ TEST(Population, TheGapHomotopyOfAftHbmConverges) {
     SCOPED_TRACE(testing::Message() << "d = " << o.damping << ", g = " << o.gap << ", w = " << o.frequency);
     const Solution solution = test::solve<AftHbm>(
         test::to_problem(o),
-        {.harmonics = kHarmonics, .samples = kSamples, .quadrature = Quadrature::sampled});
+        {{.harmonics = kHarmonics, .samples = kSamples, .quadrature = Quadrature::sampled}});
     homotopy.add(solution);
     if (solution.verdict == Verdict::converged) expect_fourier_solution(o, *solution.trajectory);
   }
@@ -221,11 +220,9 @@ TEST(BeamPopulation, PivotingConvergesOnEveryScene) {
   Tally tally;
   for (const Problem& beam : test::beam_population(kScenes)) {
     SCOPED_TRACE(testing::Message() << beam.contact_count() << " stops, w = " << beam.frequency);
-    const Solution solution =
-        test::solve<FourierLipschitz>(beam, {.harmonics = kHarmonics,
-                                             .samples = kSamples,
-                                             .quadrature = Quadrature::sampled,
-                                             .solver = ComplementaritySolver::pivoting});
+    const Solution solution = test::solve<FourierLipschitz>(
+        beam, {.common = {.harmonics = kHarmonics, .samples = kSamples, .quadrature = Quadrature::sampled},
+               .solver = ComplementaritySolver::pivoting});
     tally.add(solution);
     ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
     expect_fourier_solution(beam, *solution.trajectory);
@@ -244,7 +241,7 @@ TEST(BeamPopulation, HatLcpConvergesForEveryRestitution) {
 TEST(BeamPopulation, TheExactContactIntegralIsFoundOnEveryScene) {
   Tally tally;
   for (const Problem& beam : test::beam_population(kScenes)) {
-    const Solution solution = test::solve<FourierLipschitz>(beam, {.harmonics = 2 * kHarmonics});
+    const Solution solution = test::solve<FourierLipschitz>(beam, {{.harmonics = 2 * kHarmonics}});
     tally.add(solution);
     EXPECT_EQ(solution.verdict, Verdict::converged) << beam.contact_count() << " stops: " << solution.message;
   }

@@ -57,31 +57,6 @@ TEST(Resolutions, RiseUpToTheFinest) {
   EXPECT_EQ(rising_resolutions(300, 4, 1000), (std::vector<int>{300}));
 }
 
-TEST(RefinedUntilConverged, AsksForNoMoreThanItNeeds) {
-  std::vector<int> asked;
-  const Solution solution =
-      refined_until_converged(three({{10, 1.0}, {20, 1.0}, {40, 1.0}}, asked), "N")->solve({});
-  EXPECT_EQ(solution.verdict, Verdict::converged);
-  EXPECT_EQ(asked, (std::vector<int>{10}));
-  EXPECT_EQ(solution.message, "solved");
-}
-
-TEST(RefinedUntilConverged, GoesOnWhereThereIsNoAnswerAndAddsUpTheWork) {
-  std::vector<int> asked;
-  const Solution solution =
-      refined_until_converged(three({{10, 0.0}, {20, -1.0}, {40, 2.0}}, asked), "H")->solve({});
-  EXPECT_EQ(solution.verdict, Verdict::converged);
-  EXPECT_EQ(amplitude(solution), 2.0);
-  EXPECT_EQ(solution.work.pivots, 10 + 40);
-  EXPECT_EQ(solution.message, "solved; H = 40");
-}
-
-TEST(RefinedUntilConverged, ThrowsAtTheFirstResolutionOnly) {
-  std::vector<int> asked;
-  EXPECT_THROW(refined_until_converged(three({{10, -1.0}, {20, 1.0}, {40, 1.0}}, asked), "N"),
-               SingularStiffness);
-}
-
 TEST(RefinedUntilAgreed, TakesTheFinerOfTwoThatAgree) {
   std::vector<int> asked;
   const Solution solution =

@@ -118,11 +118,11 @@ TEST(AssembledOscillators, HaveTheDiscreteSolutionsOfEachAlone) {
           << name << ", oscillator " << i;
     }
   };
-  const FourierLipschitz::Options fourier{.harmonics = 20, .c = 200.0};
+  const FourierLipschitz::Options fourier{.common = {.harmonics = 20}, .c = 200.0};
   compare(
       solve<FourierLipschitz>(whole, fourier),
       [&](const Problem& one) { return solve<FourierLipschitz>(one, fourier); }, "fourier-lipschitz");
-  const PenaltyHbm::Options penalty{.harmonics = 20, .penalty = Scaled{200.0, true}};
+  const PenaltyHbm::Options penalty{.common = {.harmonics = 20}, .penalty = Scaled{200.0, true}};
   compare(
       solve<PenaltyHbm>(whole, penalty), [&](const Problem& one) { return solve<PenaltyHbm>(one, penalty); },
       "penalty-hbm");

@@ -6,8 +6,10 @@
 
 #include <cmath>
 
+#include "methods/discretisation/trajectories.hpp"
 #include "methods/event_driven/event_driven.hpp"
-#include "methods/harmonic_balance/projected_contact.hpp"
+#include "methods/harmonic_balance/lcp_grid_solver.hpp"
+#include "methods/harmonic_balance/strategy.hpp"
 #include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
 
@@ -43,12 +45,16 @@ TEST(DistortionlessBar, CharacteristicsGiveTheKnownMotion) {
 Solution projected(int harmonics) {
   const auto law = [](const ContactReceptance& receptance) {
     return ProjectedLaw{.constant = 4.0 * highest_dynamic_stiffness(receptance),
-                        .relief = Eigen::VectorXd::Ones(1)};
+                        .multiplier_weight = Eigen::VectorXd::Ones(1)};
   };
   const DistortionlessBar bar;
-  return ProjectedContact(Eigen::VectorXd::Constant(1, bar.gap), test::tip_receptance(bar, harmonics), law,
-                          {})
-      .solve({});
+  const ContactReceptance receptance = test::tip_receptance(bar, harmonics);
+  HarmonicSetup setup{.receptance = receptance,
+                      .gap = Eigen::VectorXd::Constant(1, bar.gap),
+                      .law_at = law,
+                      .law = law(receptance),
+                      .grid_solver = lcp_grid_solver({})};
+  return solve_by_harmonic_balance(setup, {});
 }
 
 // Relative L2 distance of samples from a grid function of as many points.

@@ -113,8 +113,8 @@ TEST_P(ManufacturedContact, IsApproachedByHarmonicBalanceAtTheRateOfItsSmoothnes
   for (const int harmonics : {10, 14, 20, 28, 40, 57}) {
     const Problem problem = chain_.problem(harmonics);
     ASSERT_NO_THROW(validate(problem));
-    lipschitz.add(harmonics, solve<FourierLipschitz>(problem, {.harmonics = harmonics}), chain_);
-    aft.add(harmonics, solve<AftHbm>(problem, {.harmonics = harmonics}), chain_);
+    lipschitz.add(harmonics, solve<FourierLipschitz>(problem, {{.harmonics = harmonics}}), chain_);
+    aft.add(harmonics, solve<AftHbm>(problem, {{.harmonics = harmonics}}), chain_);
   }
   for (const Convergence& found : {lipschitz, aft}) {
     EXPECT_NEAR(found.x_order(), rate_, 0.2);
@@ -128,11 +128,13 @@ TEST_P(ManufacturedContact, IsApproachedByPenaltiesAsTheyStiffen) {
   for (const int harmonics : {10, 14, 20, 28, 40}) {
     const Problem problem = chain_.problem(harmonics);
     const Scaled stiffness{0.05 * harmonics * harmonics, true};
-    penalty.add(harmonics, solve<PenaltyHbm>(problem, {.harmonics = harmonics, .penalty = stiffness}),
+    penalty.add(harmonics,
+                solve<PenaltyHbm>(problem, {.common = {.harmonics = harmonics}, .penalty = stiffness}),
                 chain_);
     aft.add(harmonics,
-            solve<AftHbm>(problem,
-                          {.harmonics = harmonics, .law = AftHbm::ContactLaw::penalty, .penalty = stiffness}),
+            solve<AftHbm>(problem, {.common = {.harmonics = harmonics},
+                                    .law = AftHbm::ContactLaw::penalty,
+                                    .penalty = stiffness}),
             chain_);
   }
   for (const Convergence& found : {penalty, aft}) {

@@ -20,18 +20,14 @@ using test::solve;
 constexpr double kSameOrbit = 1e-8;
 
 PenaltyHbm::Options penalty_options(const ReferenceMotion& row, ComplementaritySolver solver) {
-  return {.harmonics = row.harmonics(),
-          .samples = row.samples,
-          .quadrature = Quadrature::sampled,
+  return {.common = {.harmonics = row.harmonics(), .samples = row.samples, .quadrature = Quadrature::sampled},
           .solver = solver};
 }
 
 // Newton alone, so that a warm start stays on the branch it was given.
 AftHbm::Options aft_options(const ReferenceMotion& row) {
-  return {.harmonics = row.harmonics(),
-          .samples = row.samples,
+  return {.common = {.harmonics = row.harmonics(), .samples = row.samples, .quadrature = Quadrature::sampled},
           .law = AftHbm::ContactLaw::penalty,
-          .quadrature = Quadrature::sampled,
           .homotopy = false};
 }
 

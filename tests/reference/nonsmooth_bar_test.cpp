@@ -12,7 +12,8 @@
 
 #include "methods/flow/event_trajectory.hpp"
 #include "methods/flow/flow.hpp"
-#include "methods/harmonic_balance/projected_contact.hpp"
+#include "methods/harmonic_balance/lcp_grid_solver.hpp"
+#include "methods/harmonic_balance/strategy.hpp"
 #include "problems/assembly/bar.hpp"
 #include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
@@ -79,18 +80,27 @@ double energy_at_mid_contact(const Eigen::MatrixXcd& lambda, double period) {
 
 LawAt constant(double c) {
   return [c](const ContactReceptance&) {
-    return ProjectedLaw{.constant = Eigen::VectorXd::Constant(1, c), .relief = Eigen::VectorXd::Ones(1)};
+    return ProjectedLaw{.constant = Eigen::VectorXd::Constant(1, c),
+                        .multiplier_weight = Eigen::VectorXd::Ones(1)};
   };
 }
 
+HarmonicSetup setup_of(const NonsmoothBar& bar, int harmonics, const LawAt& law,
+                       const SolverSettings& solver = {}) {
+  const ContactReceptance receptance = tip_receptance(bar, harmonics);
+  return {.receptance = receptance,
+          .gap = Eigen::VectorXd::Constant(1, bar.gap),
+          .law_at = law,
+          .law = law(receptance),
+          .grid_solver = lcp_grid_solver(solver)};
+}
+
 // Without a load rest is a solution too: the search starts from the motion, its force made wrong by `factor`.
-Solution from_the_mode(const NonsmoothBar& bar, int harmonics, const LawAt& law,
-                       const ProjectedOptions& options, double factor = 1.0) {
+Solution from_the_mode(const NonsmoothBar& bar, HarmonicSetup setup, double factor = 1.0) {
   const auto guess = std::make_shared<test::GivenMotion>(
       bar.period, [bar](double t) { return bar.u(1.0, t); },
       [bar, factor](double t) { return factor * bar.force(t); });
-  return ProjectedContact(Eigen::VectorXd::Constant(1, bar.gap), tip_receptance(bar, harmonics), law, options)
-      .solve({.guess = guess});
+  return solve_by_harmonic_balance(setup, {.guess = guess});
 }
 
 // Oracle 1e1: the energies of independent computations with c = 4 and 20 samples per harmonic, and how near
@@ -104,11 +114,10 @@ TEST(NonsmoothBar, HarmonicBalanceHasTheKnownEnergies) {
   for (const auto& [period, harmonics, known, bound] : cases) {
     const NonsmoothBar bar{.period = period};
     for (const double factor : {0.7, 1.0, 1.3}) {
-      const Solution solution = from_the_mode(bar, harmonics, constant(4.0),
-                                              {.samples = 20 * harmonics,
-                                               .quadrature = Quadrature::sampled,
-                                               .solver = {.solver = ComplementaritySolver::newton}},
-                                              factor);
+      HarmonicSetup setup =
+          setup_of(bar, harmonics, constant(4.0), {.solver = ComplementaritySolver::newton});
+      setup.settings = {.samples = 20 * harmonics, .quadrature = Quadrature::sampled, .without_grid = false};
+      const Solution solution = from_the_mode(bar, std::move(setup), factor);
       ASSERT_EQ(solution.verdict, Verdict::converged) << "T " << period << ": " << solution.message;
       const double energy = energy_at_mid_contact(solution.trajectory->force_coefficients(), period);
       EXPECT_NEAR(energy, known, 1e-3 * known) << "T " << period;
@@ -126,7 +135,7 @@ TEST(NonsmoothBar, HarmonicBalanceTendsToItAtTheRateOfItsKinks) {
   };
   std::vector<double> steps, errors;
   for (const int harmonics : {10, 14, 20, 28, 40, 57, 80}) {
-    const Solution solution = from_the_mode(bar, harmonics, law, {});
+    const Solution solution = from_the_mode(bar, setup_of(bar, harmonics, law));
     ASSERT_EQ(solution.verdict, Verdict::converged) << harmonics << ": " << solution.message;
     steps.push_back(1.0 / harmonics);
     errors.push_back(test::relative_error(*solution.trajectory, [bar](double t) { return bar.u(1.0, t); }));
@@ -137,9 +146,8 @@ TEST(NonsmoothBar, HarmonicBalanceTendsToItAtTheRateOfItsKinks) {
 
 TEST(NonsmoothBar, RestIsWhatAColdStartFinds) {
   const NonsmoothBar bar;
-  const Solution solution =
-      ProjectedContact(Eigen::VectorXd::Constant(1, bar.gap), tip_receptance(bar, 20), constant(4.0), {})
-          .solve({});
+  HarmonicSetup setup = setup_of(bar, 20, constant(4.0));
+  const Solution solution = solve_by_harmonic_balance(setup, {});
   ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
   EXPECT_EQ(solution.trajectory->force_coefficients().norm(), 0.0);
 }

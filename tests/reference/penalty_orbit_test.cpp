@@ -47,7 +47,7 @@ std::vector<double> errors_of(const ReferenceMotion& motion, const std::vector<i
   std::vector<double> errors;
   for (const int harmonics : levels) {
     const Solution solution =
-        solve<PenaltyHbm>(problem, {.harmonics = harmonics}, test::start_from(motion, problem));
+        solve<PenaltyHbm>(problem, {{.harmonics = harmonics}}, test::start_from(motion, problem));
     EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
     errors.push_back(test::relative_l2(test::coefficients_of(solution), exact, kTail));
   }
@@ -140,13 +140,13 @@ TEST_F(SoftStop, RootMeanSquareErrorIsTheKnownOne) {
     double error;  // rms of x - exact [m]; sampled at N = 1024 the first was known as 1.31e-5 before
   } levels[] = {{20, 1.340e-5}, {40, 8.75e-7}, {80, 8.55e-8}};
   for (const auto& [harmonics, error] : levels) {
-    const Solution solution = solve<PenaltyHbm>(problem_, {.harmonics = harmonics});
+    const Solution solution = solve<PenaltyHbm>(problem_, {{.harmonics = harmonics}});
     ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
     EXPECT_NEAR(test::relative_l2(test::coefficients_of(solution), exact_, kTail) * rms_, error,
                 5e-3 * error);
   }
   const Solution sampled =
-      solve<PenaltyHbm>(problem_, {.harmonics = 20, .samples = 1024, .quadrature = Quadrature::sampled});
+      solve<PenaltyHbm>(problem_, {{.harmonics = 20, .samples = 1024, .quadrature = Quadrature::sampled}});
   EXPECT_NEAR(test::relative_l2(test::coefficients_of(sampled), exact_, kTail) * rms_, 1.31e-5, 1e-7);
 }
 
@@ -156,16 +156,17 @@ TEST_F(SoftStop, SamplingTheContactLeavesAFloorThatExactQuadratureDoesNot) {
     EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
     return test::relative_l2(test::coefficients_of(solution), exact_, kTail);
   };
-  const double exact = error({.harmonics = 80});
-  const double coarse = error({.harmonics = 80, .samples = 1024, .quadrature = Quadrature::sampled});
-  const double fine = error({.harmonics = 80, .samples = 4096, .quadrature = Quadrature::sampled});
+  const double exact = error({{.harmonics = 80}});
+  const double coarse = error({{.harmonics = 80, .samples = 1024, .quadrature = Quadrature::sampled}});
+  const double fine = error({{.harmonics = 80, .samples = 4096, .quadrature = Quadrature::sampled}});
   EXPECT_GE(coarse, 5.0 * fine);
   EXPECT_GE(fine, 1.2 * exact);
 }
 
 TEST_F(SoftStop, AftHbmHasTheSameErrorAsPenaltyHbm) {
-  const Solution penalty = solve<PenaltyHbm>(problem_, {.harmonics = 20});
-  const Solution aft = solve<AftHbm>(problem_, {.harmonics = 20, .law = AftHbm::ContactLaw::penalty});
+  const Solution penalty = solve<PenaltyHbm>(problem_, {{.harmonics = 20}});
+  const Solution aft =
+      solve<AftHbm>(problem_, {.common = {.harmonics = 20}, .law = AftHbm::ContactLaw::penalty});
   ASSERT_EQ(penalty.verdict, Verdict::converged) << penalty.message;
   ASSERT_EQ(aft.verdict, Verdict::converged) << aft.message;
   // Two Newton iterations stopped at 1e-10 of the contact force.

@@ -134,7 +134,7 @@ std::shared_ptr<const Trajectory> start_from(const ReferenceMotion& motion, cons
   data.gap = contact_gaps(problem);
   const auto& stop = std::get<Penalty>(problem.law).stiffness;
   data.stiffness = Eigen::Map<const Eigen::VectorXd>(stop.data(), data.gap.size());
-  data.relief = Eigen::VectorXd::Zero(data.gap.size());
+  data.multiplier_weight = Eigen::VectorXd::Zero(data.gap.size());
   // Known of the motion is x alone; the spring's force follows from it.
   constexpr int kSamples = 4096;
   const Samples samples = FourierTrajectory(data).sample(kSamples);

@@ -49,7 +49,7 @@ std::shared_ptr<const Trajectory> truncated(const SingleImpactOrbit& orbit, cons
   }
   data.gap = contact_gaps(problem);
   data.stiffness = law.constant;
-  data.relief = law.relief;
+  data.multiplier_weight = law.multiplier_weight;
   return std::make_shared<FourierTrajectory>(std::move(data));
 }
 
@@ -89,12 +89,12 @@ TEST(FourierLipschitz, ApproachesTheExactOrbitsOfRestitutionOneAtFirstOrder) {
     std::vector<double> steps, errors, impulse_errors, compensated_errors;
     for (const int harmonics : {10, 20, 40, 80, 160}) {
       const auto guess = truncated(orbit, problem, harmonics);
-      FourierLipschitz::Options options{.harmonics = harmonics, .samples = 32 * harmonics};
+      FourierLipschitz::Options options{{.harmonics = harmonics, .samples = 32 * harmonics}};
       const Solution compensated = solve<FourierLipschitz>(problem, options, guess);
       ASSERT_EQ(compensated.verdict, Verdict::converged) << compensated.message;
       compensated_errors.push_back(
           test::relative_error(*compensated.trajectory, [&](double t) { return orbit.x(t); }));
-      options.compensate = false;
+      options.common.compensate = false;
       const Solution solution = solve<FourierLipschitz>(problem, options, guess);
       ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
       const auto& data = dynamic_cast<const FourierTrajectory&>(*solution.trajectory).data();

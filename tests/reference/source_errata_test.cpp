@@ -108,7 +108,8 @@ TEST_F(ContactEquation, AsPrintedIsSolvedByAMassHeldInPlace) {
 TEST_F(ContactEquation, AsPrintedIsNotSolvedByTheContactMotion) {
   const Solution solution = test::solve<FourierLipschitz>(
       test::to_problem(oscillator_),
-      {.harmonics = kHarmonics, .samples = kSamples, .c = kConstant, .quadrature = Quadrature::sampled});
+      {.common = {.harmonics = kHarmonics, .samples = kSamples, .quadrature = Quadrature::sampled},
+       .c = kConstant});
   ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
   const auto& data = dynamic_cast<const FourierTrajectory&>(*solution.trajectory).data();
   const VectorXd u = in_basis(data.x.col(0)), lambda = in_basis(data.lambda.col(0));

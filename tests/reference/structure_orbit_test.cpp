@@ -22,10 +22,11 @@ using test::solve;
 // Newton alone: stays on the branch of its guess where motions coexist. A fine grid keeps the sampled
 // equations it begins with close to smooth.
 Solution solve_nearby(const Problem& problem, int harmonics, std::shared_ptr<const Trajectory> guess) {
-  return solve<AftHbm>(
-      problem,
-      {.harmonics = harmonics, .samples = 4096, .law = AftHbm::ContactLaw::penalty, .homotopy = false},
-      std::move(guess));
+  return solve<AftHbm>(problem,
+                       {.common = {.harmonics = harmonics, .samples = 4096},
+                        .law = AftHbm::ContactLaw::penalty,
+                        .homotopy = false},
+                       std::move(guess));
 }
 
 // |first harmonic| of coordinate `dof`, from the harmonics of the contact force by a dense solve.
@@ -50,9 +51,9 @@ TEST(TwoMassesOneStop, AmplitudeIsTheKnownOneAtEachNumberOfHarmonics) {
     double amplitude;
   } known[] = {{7, 1024, 0.70408033}, {21, 1024, 0.69376537}, {60, 0, 0.69311365}};
   for (const auto& [harmonics, samples, amplitude] : known) {
-    PenaltyHbm::Options options{.harmonics = harmonics};
-    if (samples > 0) options.samples = samples;
-    if (samples > 0) options.quadrature = Quadrature::sampled;
+    PenaltyHbm::Options options{{.harmonics = harmonics}};
+    if (samples > 0) options.common.samples = samples;
+    if (samples > 0) options.common.quadrature = Quadrature::sampled;
     const Solution solution = solve<PenaltyHbm>(problem, options);
     ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
     EXPECT_NEAR(first_harmonic(problem, solution, 1), amplitude, 2e-8) << "H = " << harmonics;
@@ -95,13 +96,12 @@ TEST(TwoMassesOneStop, AmplitudeOnTheImpactingBranchIsTheKnownOne) {
           continue;
         }
         // These were computed on a grid of 1024.
-        const Solution sampled = solve<AftHbm>(problem,
-                                               {.harmonics = harmonics,
-                                                .samples = 1024,
-                                                .law = AftHbm::ContactLaw::penalty,
-                                                .quadrature = Quadrature::sampled,
-                                                .homotopy = false},
-                                               guess);
+        const Solution sampled = solve<AftHbm>(
+            problem,
+            {.common = {.harmonics = harmonics, .samples = 1024, .quadrature = Quadrature::sampled},
+             .law = AftHbm::ContactLaw::penalty,
+             .homotopy = false},
+            guess);
         ASSERT_EQ(sampled.verdict, Verdict::converged) << sampled.message;
         EXPECT_NEAR(first_harmonic(problem, sampled, 1), amplitude, 1e-6);
       }
@@ -151,7 +151,7 @@ TEST_P(StructureOrbit, IsApproachedAsHarmonicsAreAdded) {
     for (const auto& [harmonics, bound] : GetParam().levels) {
       // A coarser grid to start from may lead to a neighbouring branch.
       const Solution solution =
-          solve<PenaltyHbm>(structure.problem, {.harmonics = harmonics, .samples = 32 * harmonics}, exact);
+          solve<PenaltyHbm>(structure.problem, {{.harmonics = harmonics, .samples = 32 * harmonics}}, exact);
       ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
       EXPECT_LE(test::relative_l2(test::coefficients_of(solution), motion.x, motion.harmonics()), bound)
           << "H = " << harmonics;

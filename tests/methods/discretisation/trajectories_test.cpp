@@ -22,7 +22,7 @@ FourierTrajectory::Data some_series() {
   }
   data.gap = Eigen::Vector2d(0.2, -0.1);
   data.stiffness = Eigen::Vector2d(3.0, 5.0);
-  data.relief = Eigen::Vector2d(1.0, 0.4);
+  data.multiplier_weight = Eigen::Vector2d(1.0, 0.4);
   return data;
 }
 
@@ -49,7 +49,7 @@ TEST_P(FourierTrajectorySampled, EqualsDirectSumsHoweverCoarse) {
       EXPECT_NEAR(samples.x(i, c), x, 1e-13);
       EXPECT_NEAR(samples.velocity(i, c),
                   2.0 * std::numbers::pi / 2.5 * direct_sum(data.x.col(c), phase, true), 1e-12);
-      const double y = data.stiffness[c] * (x - data.gap[c]) - data.relief[c] * lambda;
+      const double y = data.stiffness[c] * (x - data.gap[c]) - data.multiplier_weight[c] * lambda;
       EXPECT_NEAR(samples.force(i, c), -std::max(0.0, y), 1e-12);
     }
   }

@@ -149,7 +149,7 @@ TEST(MasslessContacts, FourierAndHatFunctionsTendToTheExactOrbit) {
   ASSERT_EQ(exact.verdict, Verdict::converged) << exact.message;
   std::vector<double> per_harmonic, fourier, step, hat;
   for (const int harmonics : {10, 20, 40, 80}) {
-    const Solution solution = solve<FourierLipschitz>(problem, {.harmonics = harmonics});
+    const Solution solution = solve<FourierLipschitz>(problem, {{.harmonics = harmonics}});
     ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
     per_harmonic.push_back(1.0 / harmonics);
     fourier.push_back(test::relative_distance(*solution.trajectory, *exact.trajectory));

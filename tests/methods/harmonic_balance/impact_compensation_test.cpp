@@ -56,8 +56,8 @@ class Compensation : public testing::TestWithParam<OneImpact> {
   template <class Method>
   double gain(int harmonics) {
     const Problem problem = test::to_problem(GetParam().oscillator);
-    const Solution plain = solve<Method>(problem, {.harmonics = harmonics, .compensate = false});
-    const Solution found = solve<Method>(problem, {.harmonics = harmonics});
+    const Solution plain = solve<Method>(problem, {{.harmonics = harmonics, .compensate = false}});
+    const Solution found = solve<Method>(problem, {{.harmonics = harmonics}});
     EXPECT_EQ(plain.verdict, Verdict::converged) << plain.message;
     EXPECT_EQ(found.verdict, Verdict::converged) << found.message;
     EXPECT_TRUE(compensated(found)) << found.message;
@@ -77,7 +77,7 @@ TEST_P(Compensation, MakesTheErrorEightTimesSmallerAtEveryOrder) {
 
 TEST_P(Compensation, LeavesLittleMoreThanWhatTheSeriesCutsOff) {
   const ImpactOscillator& oscillator = GetParam().oscillator;
-  const Solution found = solve<FourierLipschitz>(test::to_problem(oscillator), {.harmonics = 40});
+  const Solution found = solve<FourierLipschitz>(test::to_problem(oscillator), {{.harmonics = 40}});
   ASSERT_EQ(found.verdict, Verdict::converged) << found.message;
   double best = HUGE_VAL;
   for (const auto& orbit : test::single_impact_orbits(oscillator)) {
@@ -105,22 +105,22 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Compensated, ImpulseIsTheExactOne) {
   const auto orbit = test::single_impact_orbits(kStop).front();
-  const Solution found = solve<FourierLipschitz>(test::to_problem(kStop), {.harmonics = 20});
+  const Solution found = solve<FourierLipschitz>(test::to_problem(kStop), {{.harmonics = 20}});
   const double impulse = -found.trajectory->force_coefficients()(0, 0).real() * orbit.period;
   EXPECT_NEAR(impulse, orbit.impulse, 1e-4 * orbit.impulse);
 }
 
 TEST(Compensated, SolutionsOfTheTwoSolversAreOne) {
   const Problem problem = test::to_problem(kStop);
-  const Solution a = solve<FourierLipschitz>(problem, {.harmonics = 20});
-  const Solution b = solve<AftHbm>(problem, {.harmonics = 20});
+  const Solution a = solve<FourierLipschitz>(problem, {{.harmonics = 20}});
+  const Solution b = solve<AftHbm>(problem, {{.harmonics = 20}});
   EXPECT_LE(relative_distance(*a.trajectory, *b.trajectory), 1e-8);
 }
 
 /// Distance from the exact orbit behind `answer`, with and without compensation, for a multi-impact scene.
 void expect_nearer(const Problem& problem, int harmonics, double gain) {
-  const Solution plain = solve<FourierLipschitz>(problem, {.harmonics = harmonics, .compensate = false});
-  const Solution found = solve<FourierLipschitz>(problem, {.harmonics = harmonics});
+  const Solution plain = solve<FourierLipschitz>(problem, {{.harmonics = harmonics, .compensate = false}});
+  const Solution found = solve<FourierLipschitz>(problem, {{.harmonics = harmonics}});
   ASSERT_EQ(found.verdict, Verdict::converged) << found.message;
   ASSERT_TRUE(compensated(found)) << found.message;
   const Solution orbit = solve<ExactOrbitMethod>(problem, {}, found.trajectory);
@@ -133,7 +133,7 @@ void expect_nearer(const Problem& problem, int harmonics, double gain) {
 TEST(Compensated, EachOfTwoImpactsOnOneStopHasItsOwnShift) {
   const Problem problem = test::to_problem({.damping = 0.207321, .frequency = 1.0777, .gap = -0.277671});
   expect_nearer(problem, 20, 8.0);
-  const Solution found = solve<FourierLipschitz>(problem, {.harmonics = 20});
+  const Solution found = solve<FourierLipschitz>(problem, {{.harmonics = 20}});
   const auto& shifts = dynamic_cast<const FourierTrajectory&>(*found.trajectory).data().shifts;
   ASSERT_EQ(shifts.size(), 1U);
   ASSERT_EQ(shifts[0].size(), 2U) << found.message;
@@ -154,8 +154,8 @@ TEST(Compensated, ContactThatLastsIsLeftAlone) {
     const auto guess = std::make_shared<test::GivenMotion>(
         problem.period(), [](double) { return -1.5; }, [](double) { return -1.5; });
     const auto start = problem.contacts[0].gap < 0.0 ? guess : nullptr;
-    const Solution plain = solve<FourierLipschitz>(problem, {.harmonics = 20, .compensate = false}, start);
-    const Solution found = solve<FourierLipschitz>(problem, {.harmonics = 20}, start);
+    const Solution plain = solve<FourierLipschitz>(problem, {{.harmonics = 20, .compensate = false}}, start);
+    const Solution found = solve<FourierLipschitz>(problem, {{.harmonics = 20}}, start);
     EXPECT_EQ(relative_distance(*plain.trajectory, *found.trajectory), 0.0) << found.message;
     EXPECT_EQ(plain.message, found.message);
   }
@@ -168,7 +168,7 @@ TEST(Compensated, AMotionThatTouchesNowhereIsLeftAlone) {
 
 // The stop of the series' own force moves with the compensation: force and lambda belong together.
 TEST(Compensated, ForceProjectsToTheCoefficients) {
-  const Solution found = solve<FourierLipschitz>(test::to_problem(kStop), {.harmonics = 20});
+  const Solution found = solve<FourierLipschitz>(test::to_problem(kStop), {{.harmonics = 20}});
   const double mean = found.trajectory->sample(1 << 18).force.col(0).mean();
   const double expected = found.trajectory->force_coefficients()(0, 0).real();
   EXPECT_NEAR(mean, expected, 1e-6 * std::abs(expected));
@@ -182,18 +182,18 @@ TEST(Plain, GivesTheErrorsOfTheUncompensatedEquations) {
     double lipschitz, penalty;
   } levels[] = {{10, 1.817e-1, 1.879e-1}, {40, 5.507e-2, 5.717e-2}};
   for (const auto& level : levels) {
-    FourierLipschitz::Options lipschitz{.harmonics = level.harmonics};
-    lipschitz.quadrature = Quadrature::exact;
+    FourierLipschitz::Options lipschitz{{.harmonics = level.harmonics}};
+    lipschitz.common.quadrature = Quadrature::exact;
     lipschitz.solver = ComplementaritySolver::pivoting;
-    lipschitz.plain = true;
+    lipschitz.common.plain = true;
     EXPECT_NEAR(orbit_error(kStop, solve<FourierLipschitz>(problem, lipschitz)), level.lipschitz, 1e-4);
-    PenaltyHbm::Options penalty{.harmonics = level.harmonics};
-    penalty.quadrature = Quadrature::exact;
+    PenaltyHbm::Options penalty{{.harmonics = level.harmonics}};
+    penalty.common.quadrature = Quadrature::exact;
     penalty.solver = ComplementaritySolver::pivoting;
-    penalty.plain = true;
+    penalty.common.plain = true;
     EXPECT_NEAR(orbit_error(kStop, solve<PenaltyHbm>(problem, penalty)), level.penalty, 1e-4);
     // Sampled, as plain has it by itself: the same but for the quadrature.
-    lipschitz.quadrature.reset();
+    lipschitz.common.quadrature.reset();
     const Solution sampled = solve<FourierLipschitz>(problem, lipschitz);
     EXPECT_NE(sampled.message.find("N = " + std::to_string(32 * level.harmonics)), std::string::npos);
     EXPECT_NEAR(orbit_error(kStop, sampled), level.lipschitz, 0.05 * level.lipschitz);
@@ -202,9 +202,9 @@ TEST(Plain, GivesTheErrorsOfTheUncompensatedEquations) {
 
 TEST(Plain, SolvesAsTheLiteratureDoes) {
   const Problem problem = test::to_problem(kStop);
-  const Solution newton = solve<FourierLipschitz>(problem, {.harmonics = 10, .plain = true});
+  const Solution newton = solve<FourierLipschitz>(problem, {{.harmonics = 10, .plain = true}});
   EXPECT_FALSE(newton.work.pivots.has_value());
-  const Solution frequency_time = solve<AftHbm>(problem, {.harmonics = 10, .plain = true});
+  const Solution frequency_time = solve<AftHbm>(problem, {{.harmonics = 10, .plain = true}});
   EXPECT_FALSE(frequency_time.work.pivots.has_value());
   EXPECT_TRUE(std::holds_alternative<Undetermined>(HatLcp({.plain = true}).law(problem)));
   HatLcp::Options options{.samples = 64, .restitution = HatLcp::ImpactLaw::none};

@@ -108,7 +108,7 @@ TEST(ExactOrbitSearch, EveryMethodsAnswerLeadsToTheSameOrbit) {
   const Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2});
   const auto exact = test::single_impact_orbits({.damping = 0.1, .frequency = 2.2, .gap = 0.2}).front();
   std::vector<Solution> coarse{test::solve<HatLcp>(problem, {.samples = 48}),
-                               test::solve<FourierLipschitz>(problem, {.harmonics = 12}),
+                               test::solve<FourierLipschitz>(problem, {{.harmonics = 12}}),
                                test::solve<EventDriven>(problem, {.tolerance = 1e-6})};
   for (const Solution& solution : coarse) {
     ASSERT_EQ(solution.verdict, Verdict::converged);

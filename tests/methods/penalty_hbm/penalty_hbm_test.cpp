@@ -21,7 +21,7 @@ const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2,
 TEST(PenaltyHbm, ItsForceIsTheSpringsOwn) {
   Problem problem = test::to_problem(kStop);
   problem.law = Penalty{{80.0}};
-  const Solution solution = solve<PenaltyHbm>(problem, {.harmonics = 12});
+  const Solution solution = solve<PenaltyHbm>(problem, {{.harmonics = 12}});
   ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
   const Samples samples = solution.trajectory->sample(100);
   for (int i = 0; i < 100; ++i) {
@@ -32,7 +32,7 @@ TEST(PenaltyHbm, ItsForceIsTheSpringsOwn) {
 TEST(PenaltyHbm, IsExactWithOneHarmonicWhereNothingTouches) {
   const Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 3.0});
   const std::complex<double> amplitude = 1.0 / std::complex<double>(1.0 - 2.2 * 2.2, 0.1 * 2.2);
-  const Solution solution = solve<PenaltyHbm>(problem, {.harmonics = 1});
+  const Solution solution = solve<PenaltyHbm>(problem, {{.harmonics = 1}});
   EXPECT_LE(test::relative_error(*solution.trajectory,
                                  [&](double t) { return (amplitude * std::polar(1.0, 2.2 * t)).real(); }),
             1e-14);
@@ -42,7 +42,7 @@ TEST(PenaltyHbm, OnARigidStopApproachesTheRestitutionOneOrbit) {
   const auto orbit = test::single_impact_orbits(kStop).front();
   std::vector<double> errors;
   for (const int harmonics : {10, 40, 160}) {
-    const Solution solution = solve<PenaltyHbm>(test::to_problem(kStop), {.harmonics = harmonics});
+    const Solution solution = solve<PenaltyHbm>(test::to_problem(kStop), {{.harmonics = harmonics}});
     ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
     errors.push_back(test::relative_error(*solution.trajectory, [&](double t) { return orbit.x(t); }));
   }
@@ -54,8 +54,10 @@ TEST(PenaltyHbm, OnARigidStopApproachesTheRestitutionOneOrbit) {
 TEST(PenaltyHbm, TakesThePenaltyAbsoluteOrRelative) {
   const Problem problem =
       test::to_problem({.damping = 0.1, .stiffness = 2.0, .frequency = 2.2, .gap = 0.2, .restitution = 1.0});
-  const Solution absolute = solve<PenaltyHbm>(problem, {.harmonics = 10, .penalty = Scaled{200.0, false}});
-  const Solution relative = solve<PenaltyHbm>(problem, {.harmonics = 10, .penalty = Scaled{100.0, true}});
+  const Solution absolute =
+      solve<PenaltyHbm>(problem, {.common = {.harmonics = 10}, .penalty = Scaled{200.0, false}});
+  const Solution relative =
+      solve<PenaltyHbm>(problem, {.common = {.harmonics = 10}, .penalty = Scaled{100.0, true}});
   EXPECT_EQ(test::relative_distance(*absolute.trajectory, *relative.trajectory), 0.0);
 }
 
@@ -72,7 +74,7 @@ TEST(PenaltyHbm, ContactDoesNoNetWork) {
     problem.law = Penalty{{stiffness}};
     for (const int harmonics : {10, 20}) {
       const Solution solution =
-          solve<PenaltyHbm>(problem, {.harmonics = harmonics, .samples = 64 * harmonics});
+          solve<PenaltyHbm>(problem, {{.harmonics = harmonics, .samples = 64 * harmonics}});
       ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
       const auto& data = dynamic_cast<const FourierTrajectory&>(*solution.trajectory).data();
       double contact = 0.0;
@@ -92,7 +94,7 @@ TEST(PenaltyHbm, OnAMasslessContactGainsFromMoreHarmonics) {
   const Solution exact = test::solve<ExactOrbitMethod>(problem, {});
   ASSERT_EQ(exact.verdict, Verdict::converged) << exact.message;
   const auto error = [&](int harmonics) {
-    const Solution solution = test::solve<PenaltyHbm>(problem, {.harmonics = harmonics});
+    const Solution solution = test::solve<PenaltyHbm>(problem, {{.harmonics = harmonics}});
     EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
     return test::relative_distance(*solution.trajectory, *exact.trajectory);
   };
@@ -104,7 +106,7 @@ TEST(PenaltyHbm, OnAMasslessContactGainsFromMoreHarmonics) {
 TEST(PenaltyHbm, RefusesOptionsOutOfRange) {
   EXPECT_THROW(PenaltyHbm({.penalty = Scaled{0.0, false}}), InvalidOption);
   EXPECT_THROW(PenaltyHbm({.penalty = Scaled{-3.0, true}}), InvalidOption);
-  EXPECT_THROW(PenaltyHbm({.harmonics = -1}), InvalidOption);
+  EXPECT_THROW(PenaltyHbm({{.harmonics = -1}}), InvalidOption);
 }
 
 }  // namespace

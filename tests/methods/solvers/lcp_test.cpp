@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <random>
 
-#include "methods/harmonic_balance/projected_contact.hpp"
+#include "methods/complementarity/forms.hpp"
 #include "methods/solvers/complementarity_solver.hpp"
 #include "methods/solvers/newton.hpp"
 #include "methods/solvers/pivoting.hpp"

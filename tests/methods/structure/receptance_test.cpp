@@ -4,7 +4,6 @@
 
 #include <Eigen/LU>
 
-#include "methods/complementarity/projected_law.hpp"
 #include "problems/assembly/chain.hpp"
 #include "problems/validation.hpp"
 #include "tests/support/impact_oscillator.hpp"
@@ -78,21 +77,6 @@ TEST(ContactReceptance, OfASubharmonicMotionCarriesTheLoadAtItsOwnHarmonic) {
 TEST(ContactReceptance, RefusesAnUndampedResonance) {
   Problem problem = test::to_problem({.damping = 0.0, .frequency = 1.0, .gap = 0.1});
   EXPECT_THROW(fourier_receptance(problem, 2), std::runtime_error);
-}
-
-TEST(HighestDynamicStiffness, OfOneMassIsItsInertiaAtThreeQuartersOfTheHighestHarmonics) {
-  const Problem problem = test::to_problem({.mass = 2.0, .frequency = 3.0, .gap = 0.1});
-  const double scale = highest_dynamic_stiffness(fourier_receptance(problem, 40))[0];
-  // Mean of 1/(m n^2 w^2) over n from 20 to 40 is close to 1/(m w^2 20 40).
-  EXPECT_NEAR(scale / (2.0 * 9.0 * 20 * 40), 1.0, 0.05);
-}
-
-TEST(LipschitzLaw, OfASpringStopRelievesTheConditionByItsCompliance) {
-  Problem problem = test::to_problem({.stiffness = 4.0, .frequency = 3.0, .gap = 0.1});
-  problem.law = Penalty{{100.0}};
-  const ProjectedLaw law = lipschitz_law(problem, 10.0, fourier_receptance(problem, 3));
-  EXPECT_DOUBLE_EQ(law.constant[0], 40.0);
-  EXPECT_DOUBLE_EQ(law.relief[0], 1.0 - 40.0 / 100.0);
 }
 
 }  // namespace

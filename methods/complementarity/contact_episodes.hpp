@@ -1,0 +1,56 @@
+#pragma once
+// A solution of the projected equations taken apart into impacts and contact that lasts.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "methods/complementarity/exact_quadrature.hpp"
+#include "methods/complementarity/projected_law.hpp"
+#include "methods/discretisation/stop_shift.hpp"
+#include "methods/discretisation/trigonometric_jet.hpp"
+#include "methods/structure/periodic_green_function.hpp"
+
+namespace signorini {
+
+/// Contact without a break, or with breaks that the series cannot tell from none (shorter than 1 / H).
+struct ContactEpisode {
+  int contact = 0;                              ///< in [0, Nc)
+  std::vector<ContactInterval> intervals = {};  ///< in rising order, at least one
+  Eigen::VectorXcd lambda = {};                 ///< its part of lambda, n = 0..H [N]
+  bool impact = false;  ///< whether it stands for an impact; what follows is of impacts
+  double centre = 0.0;  ///< of the force, share of the period [-]
+  double force = 0.0;   ///< its mean over the period, J / T > 0 [N]
+  Jet load = {};        ///< y at the centre, the shift of the stop included, and its slope per period [N]
+
+  /// From the first instant to the last, share of the period [-].
+  [[nodiscard]] double width() const { return intervals.back().end - intervals.front().begin; }
+  /// Half way between them [-].
+  [[nodiscard]] double middle() const { return 0.5 * (intervals.back().end + intervals.front().begin); }
+};
+
+/// The episodes behind a solution.
+struct ContactEpisodes {
+  std::vector<ContactEpisode> impacts = {};  ///< contact by contact, in rising order
+  std::vector<ContactEpisode> lasting = {};  ///< all others
+  Eigen::MatrixXcd lasting_force = {};       ///< lambda outside impacts, (H+1) x Nc [N]
+  double motion = 0.0;                       ///< root mean square of x over contacts and period [m]
+  bool lasting_is_shifted = false;           ///< a stop is moved for a contact that is no impact
+};
+
+/// Intervals of one contact joined to episodes, each still without its part of lambda. An episode may end
+/// beyond the period's end. \param intervals  in rising order within one period
+std::vector<ContactEpisode> join_intervals(const std::vector<ContactInterval>& intervals, int contact,
+                                           int harmonics);
+
+/// Takes a solution apart. An episode is an impact if it lasts for at most 2.5 / H of the period, and a
+/// quarter of it, on a coordinate that answers like a mass beyond H. \param response  of the structure,
+/// beyond H too \param lambda    a solution with the stops at `shifts`, or near one, (H+1) x Nc [N] \param
+/// samples   as of positive_intervals
+ContactEpisodes contact_episodes(const ProjectedEquations& equations, const PeriodicGreenFunction& response,
+                                 const Eigen::MatrixXcd& lambda, const StopShifts& shifts, int samples);
+
+/// y = c (x - g) - alpha lambda of one contact, its stop in its place, n = 0..H [N].
+Eigen::VectorXcd augmented_multiplier(const ProjectedEquations& equations, int contact,
+                                      const Eigen::MatrixXcd& x, const Eigen::MatrixXcd& lambda);
+
+}  // namespace signorini

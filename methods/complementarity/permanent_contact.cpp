@@ -1,0 +1,80 @@
+#include "methods/complementarity/permanent_contact.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "methods/complementarity/exact_quadrature.hpp"
+#include "methods/discretisation/real_fft.hpp"
+#include "methods/solvers/small_lcp.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// The contacts that the mean of the load alone closes, in rising order: the static complementarity problem
+/// of x_0 = x_f,0 + C_0 lambda_0 with the compliance of the stop, 1 / k_p = (1 - alpha) / c.
+std::vector<int> closed_under_mean_load(const ProjectedEquations& equations) {
+  const auto& [receptance, gap, law] = equations;
+  Eigen::MatrixXd compliance = receptance.receptance[0].real();
+  compliance.diagonal().array() += (1.0 - law.multiplier_weight.array()) / law.constant.array();
+  const Eigen::VectorXd open = gap - receptance.free_response.row(0).real().transpose();
+  const std::vector<bool> none(static_cast<std::size_t>(gap.size()), false);
+  std::vector<int> closed;
+  if (const auto pressure = solve_small_lcp(compliance, open, none)) {
+    for (int c = 0; c < gap.size(); ++c) {
+      if ((*pressure)[c] > 0.0) closed.push_back(c);
+    }
+  }
+  return closed;
+}
+
+/// lambda with these contacts closed throughout and the others open, n = 0..H.
+Eigen::MatrixXcd force_on_closed(const ProjectedEquations& equations, const std::vector<int>& closed) {
+  const auto& [receptance, gap, law] = equations;
+  Eigen::MatrixXcd lambda = Eigen::MatrixXcd::Zero(receptance.harmonics() + 1, receptance.contacts());
+  for (int n = 0; n <= receptance.harmonics(); ++n) {
+    Eigen::VectorXcd free = receptance.free_response.row(n).transpose();
+    if (n == 0) free -= gap;
+    // Where closed y = -lambda throughout: c (x_f - g) + (c C + 1 - alpha) lambda = 0.
+    Eigen::MatrixXcd block = law.constant.asDiagonal() * receptance.receptance[static_cast<std::size_t>(n)];
+    block.diagonal() += (1.0 - law.multiplier_weight.array()).matrix();
+    const Eigen::MatrixXcd held = block(closed, closed);
+    const Eigen::VectorXcd load = law.constant.cwiseProduct(free)(closed);
+    const Eigen::VectorXcd force = -held.partialPivLu().solve(load);
+    lambda(n, closed) = force.transpose();
+  }
+  return lambda;
+}
+
+/// Whether the closed contacts press and the others stay open at every sample.
+bool is_consistent(const ProjectedEquations& equations, const std::vector<int>& closed,
+                   const Eigen::MatrixXcd& lambda, int samples) {
+  Eigen::MatrixXcd penetration = contact_motion(equations.receptance, lambda);
+  penetration.row(0) -= equations.gap.transpose();
+  RealFft fft(samples);
+  Eigen::VectorXd signal(samples);
+  for (int c = 0; c < equations.receptance.contacts(); ++c) {
+    // Negative at all times: the force of a contact that presses, the penetration of one that is open.
+    const bool presses = std::binary_search(closed.begin(), closed.end(), c);
+    const Eigen::MatrixXcd& negative = presses ? lambda : penetration;
+    fft.inverse(negative.col(c), signal);
+    if (signal.maxCoeff() >= 0.0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+ExactProjection solve_permanent_contact(const ProjectedEquations& equations, double tolerance) {
+  const std::vector<int> closed = closed_under_mean_load(equations);
+  if (closed.empty()) return {};
+  const Eigen::MatrixXcd lambda = force_on_closed(equations, closed);
+  if (!lambda.allFinite()) return {};
+  const int samples = kResolvingSamples * std::max(1, equations.receptance.harmonics());
+  if (!is_consistent(equations, closed, lambda, samples)) return {};
+  return project_exactly(equations, lambda, {.samples = samples, .tolerance = tolerance});
+}
+
+}  // namespace signorini

@@ -1,0 +1,77 @@
+#pragma once
+// The options that all methods of harmonic balance share, and what they mean for a scene.
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "methods/method.hpp"
+#include "methods/options.hpp"
+
+namespace signorini {
+
+/// How the contact integral is taken: on the grid of N samples, or exactly between the instants where
+/// contact begins and ends, starting from the sampled solution.
+enum class Quadrature { exact, sampled };
+
+/// The values of the option `quadrature`.
+template <>
+struct EnumNames<Quadrature> {
+  /// In the order of the enumerators.
+  static constexpr std::array<std::string_view, 2> values{"exact", "sampled"};
+};
+
+/// H where it is left to the method and nothing asks for more.
+inline constexpr int kDefaultHarmonics = 20;
+/// Harmonics beyond which none are tried unasked.
+inline constexpr int kMostHarmonics = 160;
+
+/// Options of every method of harmonic balance. A method adds those of its contact law and of its solver.
+struct HarmonicOptions {
+  std::optional<int> harmonics = {};          ///< H >= 1 [-]
+  std::optional<int> samples = {};            ///< N >= 2 H + 1 [-]
+  std::optional<Quadrature> quadrature = {};  ///< of the contact integral
+  std::optional<bool> compensate = {};        ///< impacts right with all harmonics
+  double tolerance = 1e-10;                   ///< on the relative residual of the method's equations [-]
+  int max_iterations = 0;  ///< pivots and Newton steps in all; 0: the solver's own limit [-]
+  bool plain = false;      ///< as the literature does it
+
+  /// Visits all options in the order in which users see them; `law` and `solver` visit the method's own.
+  void visit(auto&& field, auto&& law, auto&& solver) {
+    field("harmonics", harmonics, "[-]",
+          "highest harmonic H kept, 1..100000; auto: 20, where that fails twice as many, up to 160");
+    field("samples", samples, "[-]",
+          "N per period, >= 2 H + 1; auto: no grid beyond 20 harmonics, else 8 H or finer (sampled: 32 H)");
+    law();
+    field("quadrature", quadrature, "[-]",
+          "exact: contact integral between its edges | sampled: on the N samples; auto: exact, sampled if "
+          "plain");
+    field("compensate", compensate, "[-]",
+          "impacts right with all harmonics, the integral being exact: true | false; auto: unless plain");
+    solver();
+    field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
+    field("max_iterations", max_iterations, "[-]", "limit on pivots or Newton steps; 0: the solver's own");
+    field("plain", plain, "[-]", "true: as the literature does it; sets what is left at auto");
+  }
+
+  /// The contact integral to take: the one asked for; else exact, sampled if `plain`.
+  [[nodiscard]] Quadrature contact_integral() const;
+  /// Whether impacts are compensated: as asked for, else unless `plain`; only with the exact contact
+  /// integral.
+  [[nodiscard]] bool compensates_impacts() const;
+  /// N to solve on with H harmonics: the one asked for; else 32 H if `plain`, and empty (as fine as the solve
+  /// turns out to need) otherwise.
+  [[nodiscard]] std::optional<int> fixed_samples(int harmonics) const;
+  /// H to begin with: the one asked for; else 20, doubled until the load's harmonics are kept, at most 160.
+  [[nodiscard]] int first_harmonics(const Problem& problem) const;
+  /// Whether nothing that depends on the grid or on the number of steps is fixed by the user.
+  [[nodiscard]] bool grid_is_open(int harmonics) const;
+};
+
+/// Ranges of the shared options. \throws InvalidOption
+void validate(const HarmonicOptions& options);
+
+/// Refuses scenes whose load has harmonics beyond H, and samples that do not carry H.
+Support supports_harmonics(const Problem& problem, const HarmonicOptions& options);
+
+}  // namespace signorini

@@ -1,0 +1,73 @@
+#include "methods/harmonic_balance/lcp_grid_solver.hpp"
+
+#include <algorithm>
+
+#include "methods/complementarity/forms.hpp"
+#include "methods/structure/periodic_response.hpp"
+
+namespace signorini {
+
+namespace {
+
+class LcpGridSolver final : public GridSolver {
+ public:
+  explicit LcpGridSolver(const SolverSettings& settings) : settings_(settings) {}
+
+  [[nodiscard]] GridSolution solve(const ProjectedEquations& equations, int samples,
+                                   const Eigen::MatrixXcd& /*previous*/, const Start& start,
+                                   Work& work) const override {
+    const auto& [receptance, gap, law] = equations;
+    Lcp lcp = projected_lcp(receptance, gap, law, samples);
+    const Eigen::VectorXd guess =
+        start.guess ? pressure_samples(*start.guess, samples, law.constant.cwiseSqrt()) : Eigen::VectorXd{};
+    const LcpResult result = solve_lcp(lcp, remaining(start, work), guess);
+    work.unknowns = lcp.matrix.size();
+    count(result, work);
+    const bool solved = result.status == LcpStatus::solved;
+    return {.solved = solved,
+            // More samples repair a ray or a coarse quadrature, not a Newton iteration that has lost its way.
+            .finer_may_help = (solved || !newton()) && result.status != LcpStatus::interrupted,
+            .lambda = force_coefficients(law, result.z, samples, receptance.harmonics()),
+            .residual = result.residual,
+            .condition = result.condition,
+            .message = describe(result.status)};
+  }
+
+ private:
+  [[nodiscard]] bool newton() const { return settings_.solver == ComplementaritySolver::newton; }
+
+  [[nodiscard]] SolverSettings remaining(const Start& start, const Work& work) const {
+    SolverSettings settings = settings_;
+    settings.deadline = start.deadline;
+    const long spent = work.pivots.value_or(0) + work.iterations.value_or(0);
+    if (settings.max_iterations > 0)
+      settings.max_iterations = static_cast<int>(std::max(1L, settings.max_iterations - spent));
+    return settings;
+  }
+
+  void count(const LcpResult& result, Work& work) const {
+    if (newton()) {
+      work.iterations = work.iterations.value_or(0) + result.iterations;
+      work.factorisations = work.factorisations.value_or(0) + result.factorisations;
+    } else {
+      work.pivots = work.pivots.value_or(0) + result.pivots;
+    }
+  }
+
+  SolverSettings settings_;
+};
+
+}  // namespace
+
+std::unique_ptr<GridSolver> lcp_grid_solver(const SolverSettings& settings) {
+  return std::make_unique<LcpGridSolver>(settings);
+}
+
+SolverSettings lcp_settings(const HarmonicOptions& options, ComplementaritySolver solver) {
+  const bool papers = options.plain && solver == ComplementaritySolver::automatic;
+  return {.solver = papers ? ComplementaritySolver::newton : solver,
+          .tolerance = options.tolerance,
+          .max_iterations = options.max_iterations};
+}
+
+}  // namespace signorini

@@ -1,0 +1,178 @@
+// The strategy of a Fourier solve. `solve_with_harmonics` is the list of its attempts, in their order. The
+// functions before it are those attempts that take a few lines; the others stand in the units included below.
+// Why these, and in this order: docs/theory.md, section 4.
+
+#include "methods/harmonic_balance/strategy.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "methods/complementarity/exact_projection.hpp"
+#include "methods/complementarity/permanent_contact.hpp"
+#include "methods/harmonic_balance/compensated_answer.hpp"
+#include "methods/harmonic_balance/harmonic_continuation.hpp"
+#include "methods/harmonic_balance/hat_agreement.hpp"
+#include "methods/harmonic_balance/sample_grids.hpp"
+#include "methods/harmonic_balance/series_solution.hpp"
+#include "methods/resolutions.hpp"
+#include "methods/structure/periodic_response.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Newton's method on the exactly projected equations from the guess (exact_projection). In a sweep this is
+/// all that most solves need.
+std::optional<Solution> newton_from_guess(const HarmonicSetup& setup, const Start& start, Work& work) {
+  if (!start.guess || !setup.settings.without_grid || !setup.settings.newton_from_guess) return std::nullopt;
+  const int harmonics = setup.receptance.harmonics();
+  const ExactProjection near =
+      project_exactly(setup.equations(), force_spectrum(*start.guess, harmonics),
+                      {.samples = kCoarseSampling * std::max(harmonics, kFewestOnGrid),
+                       .tolerance = setup.settings.tolerance});
+  count_iterations(near.iterations, work);
+  if (!near.converged) return std::nullopt;
+  return exact_solution(setup.equations(), near, "Newton from the guess");
+}
+
+/// Contact that never opens (permanent_contact): one small solve per harmonic and a look at signs. It comes
+/// before any path of pivots, which starts with every gap open and would meet rattling motions first.
+std::optional<Solution> permanent_contact(const HarmonicSetup& setup, const Start& start) {
+  if (start.guess || !setup.settings.without_grid) return std::nullopt;
+  const ExactProjection closed = solve_permanent_contact(setup.equations(), setup.settings.tolerance);
+  if (!closed.converged) return std::nullopt;
+  return exact_solution(setup.equations(), closed, "permanent contact");
+}
+
+/// The first harmonics alone and a softer law, with nothing that stands beside a solve.
+HarmonicSetup with_few_harmonics(const HarmonicSetup& setup, const ContinuationPoint& few) {
+  ContactReceptance receptance = truncated(setup.receptance, few.harmonics);
+  ProjectedLaw law = with_stiffness_factor(setup.law_at(receptance), few.stiffness_factor);
+  return {.receptance = std::move(receptance),
+          .gap = setup.gap,
+          .law_at = setup.law_at,
+          .law = std::move(law),
+          .grid_solver = setup.grid_solver,
+          .settings = setup.settings};
+}
+
+/// Continuation in harmonics (harmonic_continuation): few of them are solved as permanent contact or on
+/// grids, and Newton's method carries that solution up to all. A path of pivots gets long with the grid,
+/// while the equations themselves change little from H to 2 H.
+std::optional<Solution> continuation_in_harmonics(const HarmonicSetup& setup, const Start& start,
+                                                  Work& work) {
+  if (start.guess || !setup.settings.without_grid) return std::nullopt;
+  const ContinuationPoint first = continuation_start(setup.receptance);
+  if (first.harmonics == 0) return std::nullopt;
+  const HarmonicSetup few = with_few_harmonics(setup, first);
+  Work spent = setup.grid_solver->initial_counts();
+  std::optional<Solution> base = permanent_contact(few, start);
+  if (!base) base = solve_on_grids(few, start, spent);
+  add_effort(spent, work);
+  if (base->verdict != Verdict::converged) return std::nullopt;
+  const HarmonicContinuation continuation =
+      continue_in_harmonics(setup.receptance, setup.gap, setup.law_at, first,
+                            base->trajectory->force_coefficients(), setup.settings.tolerance, start);
+  count_iterations(continuation.iterations, work);
+  if (!continuation.solution.converged) return std::nullopt;
+  return exact_solution(setup.equations(), continuation.solution,
+                        fmt::format("{} harmonics first, Newton from there", first.harmonics));
+}
+
+/// One solve with the harmonics of the setup. Each attempt is asked only where those before it gave nothing.
+Solution solve_with_harmonics(HarmonicSetup& setup, const Start& start, Work& work) {
+  // A guess whose impacts are compensated already needs Newton's method alone.
+  if (std::optional<Solution> answer = compensated_from_guess(setup, start, work)) return *std::move(answer);
+
+  // A solution of the projected equations, its impacts as the series has them.
+  std::optional<Solution> series = newton_from_guess(setup, start, work);
+  if (!series) series = permanent_contact(setup, start);
+  if (!series) series = continuation_in_harmonics(setup, start, work);
+  if (!series) series = solve_on_grids(setup, start, work);  // the method's own solver; always ends with one
+
+  if (!setup.compensation) return *std::move(series);
+
+  // Its impacts compensated, which brings an error of 1/H down to that of truncation.
+  CompensatedSeries compensated;
+  if (series->verdict == Verdict::converged) compensated = compensate_series(setup, *series, start, work);
+  if (compensated.answer) return *std::move(compensated.answer);
+
+  // Few harmonics have solutions that rattle and are near no orbit; their impacts cannot be compensated. Hat
+  // functions come to their motion by another way: it may lead to an answer, or bear this one out.
+  HatAgreement agreement = compare_with_hat_functions(setup, *series, start, work);
+  if (agreement.answer) return *std::move(agreement.answer);
+  return claim_if_borne_out(*std::move(series), compensated.exact, agreement);
+}
+
+class HarmonicBalance final : public PreparedMethod {
+ public:
+  HarmonicBalance(const Problem& problem, const HarmonicOptions& options, HarmonicMethod method)
+      : problem_(problem),
+        options_(options),
+        method_(std::move(method)),
+        first_(options.first_harmonics(problem)),
+        setup_(harmonic_setup(problem, first_, options_, method_)) {}
+
+  /// With the first number of harmonics, and with twice as many where so many do not converge.
+  Solution solve(const Start& start) override {
+    Solution solution = solve_by_harmonic_balance(setup_, start);
+    for (int harmonics = 2 * first_; harmonics <= most(); harmonics *= 2) {
+      if (solution.verdict == Verdict::converged || start.expired()) break;
+      const Work spent = solution.work;
+      solution = prepare_and_solve(harmonics, start);
+      add_effort(spent, solution.work);
+      solution.message += fmt::format("; H = {}", harmonics);
+    }
+    return solution;
+  }
+
+ private:
+  /// Where more harmonics cannot be prepared, an undamped resonance lying among them or memory being short,
+  /// there is no motion.
+  [[nodiscard]] Solution prepare_and_solve(int harmonics, const Start& start) const {
+    try {
+      HarmonicSetup setup = harmonic_setup(problem_, harmonics, options_, method_);
+      return solve_by_harmonic_balance(setup, start);
+    } catch (const std::exception& error) {
+      return {.message = error.what()};
+    }
+  }
+
+  /// The largest number of harmonics to be tried.
+  [[nodiscard]] int most() const {
+    const bool left_open =
+        !options_.harmonics && !options_.plain && method_.solver_is_open && options_.grid_is_open(first_);
+    return left_open ? kMostHarmonics : first_;
+  }
+
+  const Problem& problem_;
+  HarmonicOptions options_;
+  HarmonicMethod method_;
+  int first_;
+  HarmonicSetup setup_;
+};
+
+}  // namespace
+
+Solution solve_by_harmonic_balance(HarmonicSetup& setup, const Start& start) {
+  const ContactReceptance& receptance = setup.receptance;
+  if (receptance.contacts() == 0) return contact_free_response(receptance);
+  Work work = setup.grid_solver->initial_counts();
+  work.unknowns = (2L * receptance.harmonics() + 1) * receptance.contacts();
+  Solution solution = solve_with_harmonics(setup, start, work);
+  solution.work = work;
+  return solution;
+}
+
+std::unique_ptr<PreparedMethod> prepare_harmonic_balance(const Problem& problem,
+                                                         const HarmonicOptions& options,
+                                                         HarmonicMethod method) {
+  return std::make_unique<HarmonicBalance>(problem, options, std::move(method));
+}
+
+}  // namespace signorini

@@ -1,0 +1,125 @@
+#include "methods/harmonic_balance/strategy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
+#include "tests/support/accuracy.hpp"
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+// The oscillator "S-A" with restitution 1: one impact per period, stable.
+const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 1.0};
+
+/// Never solves; notes on how many harmonics it was asked.
+class FailingSolver final : public GridSolver {
+ public:
+  [[nodiscard]] GridSolution solve(const ProjectedEquations& equations, int /*samples*/,
+                                   const Eigen::MatrixXcd& /*previous*/, const Start& /*start*/,
+                                   Work& work) const override {
+    const ContactReceptance& receptance = equations.receptance;
+    harmonics.push_back(receptance.harmonics());
+    work.pivots = work.pivots.value_or(0) + 1;
+    return {.finer_may_help = false,
+            .lambda = Eigen::MatrixXcd::Zero(receptance.harmonics() + 1, receptance.contacts()),
+            .message = "failed"};
+  }
+  mutable std::vector<int> harmonics;
+};
+
+HarmonicMethod method_of(std::shared_ptr<const GridSolver> solver, bool open) {
+  return {.law_at =
+              [](const ContactReceptance& level) {
+                return ProjectedLaw{4.0 * highest_dynamic_stiffness(level),
+                                    Eigen::VectorXd::Ones(level.contacts())};
+              },
+          .grid_solver = std::move(solver),
+          .solver_is_open = open};
+}
+
+bool begins(const Solution& solution, const std::string& words) { return solution.message.find(words) == 0; }
+
+TEST(Strategy, DoublesHarmonicsUpTo160WhereNothingConverges) {
+  const auto solver = std::make_shared<FailingSolver>();
+  const Problem problem = test::to_problem(kStop);
+  const Solution solution =
+      prepare_harmonic_balance(problem, {.compensate = false}, method_of(solver, true))->solve({});
+  EXPECT_EQ(solution.verdict, Verdict::not_converged);
+  // Beyond 20 harmonics the start of the continuation is asked before the grids of all of them.
+  EXPECT_EQ(solver->harmonics, (std::vector<int>{20, 20, 40, 20, 80, 20, 160}));
+  EXPECT_EQ(solution.work.pivots, 7);
+  EXPECT_NE(solution.message.find("; H = 160"), std::string::npos) << solution.message;
+}
+
+TEST(Strategy, StaysWithTheHarmonicsOfAUserWhoSetsThemOrTheSolver) {
+  const Problem problem = test::to_problem(kStop);
+  const auto asked = [&](const HarmonicOptions& options, bool open) {
+    const auto solver = std::make_shared<FailingSolver>();
+    (void)prepare_harmonic_balance(problem, options, method_of(solver, open))->solve({});
+    return solver->harmonics;
+  };
+  EXPECT_EQ(asked({.harmonics = 40, .compensate = false}, true), (std::vector<int>{20, 40}));
+  EXPECT_EQ(asked({.compensate = false}, false), (std::vector<int>{20}));
+  EXPECT_EQ(asked({.compensate = false, .max_iterations = 100}, true), (std::vector<int>{20}));
+  EXPECT_EQ(asked({.harmonics = 40, .samples = 512, .compensate = false}, true), (std::vector<int>{40}));
+}
+
+TEST(Strategy, EndsWithItsTimeBudget) {
+  const auto solver = std::make_shared<FailingSolver>();
+  const Problem problem = test::to_problem(kStop);
+  const Start late{.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1)};
+  (void)prepare_harmonic_balance(problem, {.compensate = false}, method_of(solver, true))->solve(late);
+  EXPECT_EQ(solver->harmonics, (std::vector<int>{20}));
+}
+
+TEST(Strategy, ThrowsOnlyWhereTheFirstHarmonicsCannotBePrepared) {
+  // Undamped, resonant at harmonic 30: the first 20 can be factorised, 40 cannot.
+  Problem problem = test::to_problem({.damping = 0.0, .frequency = 1.0 / 30.0, .gap = 0.2});
+  const auto solver = std::make_shared<FailingSolver>();
+  const auto prepared = prepare_harmonic_balance(problem, {.compensate = false}, method_of(solver, true));
+  const Solution solution = prepared->solve({});
+  EXPECT_EQ(solution.verdict, Verdict::not_converged);
+  EXPECT_EQ(solver->harmonics, (std::vector<int>{20}));
+  EXPECT_NE(solution.message.find("singular"), std::string::npos) << solution.message;
+  EXPECT_THROW((void)prepare_harmonic_balance(problem, {.harmonics = 40, .compensate = false},
+                                              method_of(solver, true)),
+               std::runtime_error);
+}
+
+TEST(Strategy, AsksNoSolverWhereContactIsPermanentOrAbsent) {
+  const auto solver = std::make_shared<FailingSolver>();
+  const Problem pressed =
+      test::to_problem({.damping = 0.1, .frequency = 0.6, .gap = -1.5, .restitution = 1.0});
+  const Solution closed = prepare_harmonic_balance(pressed, {}, method_of(solver, true))->solve({});
+  EXPECT_EQ(closed.verdict, Verdict::converged) << closed.message;
+  EXPECT_TRUE(begins(closed, "permanent contact")) << closed.message;
+  Problem free = test::to_problem(kStop);
+  free.contacts.clear();
+  const Solution linear = prepare_harmonic_balance(free, {}, method_of(solver, true))->solve({});
+  EXPECT_TRUE(begins(linear, "no contact in the scene")) << linear.message;
+  EXPECT_TRUE(solver->harmonics.empty());
+}
+
+TEST(Strategy, TakesAGuessUpByNewtonAtOnce) {
+  const Problem problem = test::to_problem(kStop);
+  for (const bool compensate : {false, true}) {
+    const FourierLipschitz::Options options{{.harmonics = 40, .compensate = compensate}};
+    const Solution cold = test::solve<FourierLipschitz>(problem, options);
+    EXPECT_TRUE(begins(cold, "20 harmonics first, Newton from there")) << cold.message;
+    const Solution warm = test::solve<FourierLipschitz>(problem, options, cold.trajectory);
+    ASSERT_EQ(warm.verdict, Verdict::converged) << warm.message;
+    EXPECT_TRUE(begins(warm, "Newton from the guess")) << warm.message;
+    EXPECT_FALSE(warm.work.pivots.has_value());
+    EXPECT_LE(warm.work.iterations.value(), 1);
+    EXPECT_LE(test::relative_distance(*cold.trajectory, *warm.trajectory), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace signorini
