@@ -11,6 +11,7 @@
 #include <set>
 
 #include "harness/judge/exact_certificate.hpp"
+#include "harness/orbits/candidate_units.hpp"
 #include "harness/orbits/orbit_file.hpp"
 #include "problems/scene/scene_file.hpp"
 
@@ -164,27 +165,6 @@ TEST(FindAllOrbits, StopsAtItsTimeLimit) {
   const SceneOrbits found = find_all_orbits(problem, {.starts = 8, .timeout = 1e-6});
   EXPECT_TRUE(found.expired);
   EXPECT_FALSE(found.interrupted);
-}
-
-TEST(OrbitCandidates, SurviveTheWayBetweenProcesses) {
-  OrbitCandidate candidate{
-      .origin = OrbitCandidate::Origin::method, .source = "m[a=1]", .order = 3, .near = true};
-  candidate.orbit =
-      OrbitGuess{.start = {.time = 0.1,
-                           .state = {.u = Eigen::Vector2d(1.0 / 3.0, 2), .v = Eigen::Vector2d(3, 4)},
-                           .closed = {true, false}},
-                 .events = {{.kind = ContactEvent::Kind::open,
-                             .contact = 1,
-                             .time = 0.2,
-                             .pushed = {0},
-                             .restitution = {0.5},
-                             .closed = {false, true}}},
-                 .origin = "here"};
-  const OrbitCandidate back = orbit_candidate_from_json(to_json(candidate));
-  EXPECT_EQ(to_json(back), to_json(candidate));
-  EXPECT_EQ(back.orbit->start.state.u, candidate.orbit->start.state.u);
-  EXPECT_EQ(back.orbit->events.front().kind, ContactEvent::Kind::open);
-  EXPECT_THROW(orbit_candidate_from_json(nlohmann::ordered_json::object()), BadRecord);
 }
 
 TEST(OrbitCandidates, AreTheSameStatesFirstWhateverTheirNumber) {
