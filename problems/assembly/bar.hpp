@@ -11,12 +11,12 @@ namespace signorini {
 /// A straight bar of equal elements, clamped at x = 0. Coordinate i is the displacement along x of node i +
 /// 1, at x = (i + 1) length / elements; the last one is the free end.
 struct Bar {
-  int elements = 1;      ///< >= 1; Nd = elements
-  double length = 1.0;   ///< > 0 [m]
-  double area = 1.0;     ///< > 0 [m^2]
-  double young = 1.0;    ///< > 0 [N/m^2]
-  double density = 1.0;  ///< > 0 [kg/m^3]
-  ContactMass contact_mass = ContactMass::consistent;
+  int elements = 1;                                    ///< >= 1; Nd = elements
+  double length = 1.0;                                 ///< > 0 [m]
+  double area = 1.0;                                   ///< > 0 [m^2]
+  double young = 1.0;                                  ///< > 0 [N/m^2]
+  double density = 1.0;                                ///< > 0 [kg/m^3]
+  ContactMass contact_mass = ContactMass::consistent;  ///< how mass is spread over the nodes
   std::vector<int> contacts = {};  ///< coordinates that contacts touch; of use for ContactMass::massless only
 };
 

@@ -12,14 +12,14 @@ namespace signorini {
 /// coordinates: 2 i its deflection w [m], 2 i + 1 its rotation dw/dx [rad]. There may be several such beams,
 /// side by side, that nothing but contacts joins: the coordinates of beam b start at 2 elements b.
 struct Beam {
-  int elements = 1;      ///< of each beam, >= 1; Nd = 2 elements count
-  int count = 1;         ///< of equal beams, >= 1
-  double length = 1.0;   ///< > 0 [m]
-  double area = 1.0;     ///< of the cross-section, > 0 [m^2]
-  double inertia = 1.0;  ///< second moment of area, > 0 [m^4]
-  double young = 1.0;    ///< > 0 [N/m^2]
-  double density = 1.0;  ///< > 0 [kg/m^3]
-  ContactMass contact_mass = ContactMass::consistent;
+  int elements = 1;                                    ///< of each beam, >= 1; Nd = 2 elements count
+  int count = 1;                                       ///< of equal beams, >= 1
+  double length = 1.0;                                 ///< > 0 [m]
+  double area = 1.0;                                   ///< of the cross-section, > 0 [m^2]
+  double inertia = 1.0;                                ///< second moment of area, > 0 [m^4]
+  double young = 1.0;                                  ///< > 0 [N/m^2]
+  double density = 1.0;                                ///< > 0 [kg/m^3]
+  ContactMass contact_mass = ContactMass::consistent;  ///< how mass is spread over the nodes
   std::vector<int> contacts = {};  ///< coordinates that contacts touch; of use for ContactMass::massless only
 };
 

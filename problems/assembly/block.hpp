@@ -13,11 +13,11 @@ namespace signorini {
 /// The bricks are plain trilinear ones: they bend too stiffly where they are long compared to the waves of
 /// the motion, and as `poisson` nears 0.5 they lock.
 struct Block {
-  BlockMesh mesh;
-  double young = 1.0;    ///< > 0 [N/m^2]
-  double poisson = 0.0;  ///< between -1 and 0.5 [-]
-  double density = 1.0;  ///< > 0 [kg/m^3]
-  ContactMass contact_mass = ContactMass::consistent;
+  BlockMesh mesh;                                      ///< its bricks, which give lengths and coordinates
+  double young = 1.0;                                  ///< > 0 [N/m^2]
+  double poisson = 0.0;                                ///< between -1 and 0.5 [-]
+  double density = 1.0;                                ///< > 0 [kg/m^3]
+  ContactMass contact_mass = ContactMass::consistent;  ///< how mass is spread over the nodes
   std::vector<int> contacts = {};  ///< coordinates that contacts touch; of use for ContactMass::massless only
 };
 

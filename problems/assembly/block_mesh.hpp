@@ -46,8 +46,8 @@ void for_each_node(const Node& first, const Node& last, Visit visit) {
 
 /// A face of a box: the lower or the upper end of an axis.
 struct Face {
-  int axis = 0;
-  bool upper = true;
+  int axis = 0;       ///< 0, 1 or 2, to which the face is normal
+  bool upper = true;  ///< whether it is the end at the larger coordinate
 
   /// The two axes within the face, rising.
   [[nodiscard]] std::array<int, 2> axes() const;

@@ -9,8 +9,8 @@ namespace signorini {
 
 /// A spring and a damper between two masses.
 struct Link {
-  int first = 0;
-  int second = 0;       ///< another mass
+  int first = 0;        ///< one mass
+  int second = 0;       ///< another one
   double spring = 0.0;  ///< >= 0 [N/m]
   double damper = 0.0;  ///< >= 0 [N s/m]
 };
@@ -25,7 +25,7 @@ struct Chain {
   std::vector<double> springs;              ///< [N/m]
   std::vector<double> ground_dampers = {};  ///< empty, or one per mass [N s/m]
   std::vector<double> ground_springs = {};  ///< empty, or one per mass [N/m]
-  std::vector<Link> links = {};
+  std::vector<Link> links = {};             ///< elements between any two masses
 };
 
 /// M = diag(m); a spring k between masses i and j adds k (u_i - u_j)^2 / 2 to the quadratic form of K, one

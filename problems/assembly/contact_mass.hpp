@@ -16,7 +16,7 @@ enum class ContactMass {
 
 /// A coordinate whose mass is to move as others do: u[dof] stands for sum of weight * u[leader].
 struct Follower {
-  int dof = 0;
+  int dof = 0;                                  ///< the coordinate that follows
   std::vector<std::pair<int, double>> leaders;  ///< (dof, weight [-]), none of them a follower
 };
 
