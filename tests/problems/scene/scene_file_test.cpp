@@ -111,44 +111,44 @@ TEST(ParseScene, NeverFallsOverNoise) {
   EXPECT_GT(refused, 250) << "most of it is damage";
 }
 
-TEST(ParseScene, KeepsEveryField) {
-  const Problem problem = parse_scene(R"(
-    schema = 1
-    name = "all-fields2"
-    title = "Everything at once"
-    reference = "nowhere"
-    tags = ["one", "two words"]
-    [system]
-    kind = "chain"
-    masses = [1, 2.5, 4]
-    dampers = [0.0, 0.5, 0.25]
-    springs = [10, 20, 40.0]
-    [forcing]
-    frequency = 3
-    subharmonic = 2
-    [[forcing.term]]
-    dof = 2
-    harmonic = 0
-    cos = -1
-    [[forcing.term]]
-    dof = 0
-    sin = 0.5
-    [[forcing.term]]
-    dof = 1
-    harmonic = 5
-    cos = 2.0
-    sin = -3
-    [[contact]]
-    dof = 1
-    gap = 0
-    [[contact]]
-    normal = [[2, 0.8], [0, -0.6]]
-    gap = -0.25
-    [law]
-    penalty = [1e3, 2000]
-  )",
-                                      "all.toml");
+constexpr const char* kEveryField = R"(
+  schema = 1
+  name = "all-fields2"
+  title = "Everything at once"
+  reference = "nowhere"
+  tags = ["one", "two words"]
+  [system]
+  kind = "chain"
+  masses = [1, 2.5, 4]
+  dampers = [0.0, 0.5, 0.25]
+  springs = [10, 20, 40.0]
+  [forcing]
+  frequency = 3
+  subharmonic = 2
+  [[forcing.term]]
+  dof = 2
+  harmonic = 0
+  cos = -1
+  [[forcing.term]]
+  dof = 0
+  sin = 0.5
+  [[forcing.term]]
+  dof = 1
+  harmonic = 5
+  cos = 2.0
+  sin = -3
+  [[contact]]
+  dof = 1
+  gap = 0
+  [[contact]]
+  normal = [[2, 0.8], [0, -0.6]]
+  gap = -0.25
+  [law]
+  penalty = [1e3, 2000]
+)";
 
+TEST(ParseScene, KeepsEveryField) {
+  const Problem problem = parse_scene(kEveryField, "all.toml");
   EXPECT_EQ(problem.name, "all-fields2");
   EXPECT_EQ(problem.title, "Everything at once");
   EXPECT_EQ(problem.reference, "nowhere");
