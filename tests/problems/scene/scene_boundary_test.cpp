@@ -71,7 +71,7 @@ TEST(ReadContacts, RefusesWhatContradictsItself) {
   EXPECT_EQ(refusal([] { contacts("[[contact]]\ndof = 5\ngap = 0"); }),
             "scene.toml:2: contact[0].dof = 5 (must be a coordinate of the system, 0..4)");
   EXPECT_EQ(refusal([] { contacts("[[contact]]\ndof = 1\nnormal = [[1, 1.0]]\ngap = 0"); }),
-            "scene.toml:3: contact[0].normal = [[1, 1.0]] (must be absent: dof is given)");
+            "scene.toml:3: contact[0].normal = [[1, 1]] (must be absent: dof is given)");
   EXPECT_EQ(refusal([] { contacts("[[contact]]\nface = \"z+\"\ngap = 0"); }),
             "scene.toml:2: contact[0].face = \"z+\" (must be absent: only a block has faces)");
   EXPECT_NE(refusal([] { contacts("[[contact]]\nface = \"x-\"\ngap = 0", block()); }).find("x- is clamped"),
