@@ -1,0 +1,64 @@
+#include "methods/harmonic_balance/harmonic_setup.hpp"
+
+#include <gtest/gtest.h>
+
+#include "methods/harmonic_balance/lcp_grid_solver.hpp"
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2};
+
+HarmonicSetup setup_of(const Problem& problem, const HarmonicOptions& options, bool solver_is_open = true,
+                       bool constant_is_chosen = false) {
+  const LawAt law = [&problem](const ContactReceptance& level) { return lipschitz_law(problem, {}, level); };
+  return harmonic_setup(problem, 20, options,
+                        {.law_at = law,
+                         .grid_solver = lcp_grid_solver({}),
+                         .constant_is_chosen = constant_is_chosen,
+                         .solver_is_open = solver_is_open});
+}
+
+TEST(HarmonicSetup, HoldsTheEquationsOfTheScene) {
+  const Problem problem = test::to_problem(kStop);
+  const HarmonicSetup setup = setup_of(problem, {});
+  EXPECT_EQ(setup.receptance.harmonics(), 20);
+  EXPECT_EQ(setup.gap[0], 0.2);
+  EXPECT_EQ(&setup.equations().law, &setup.law);
+  EXPECT_EQ(setup.law.constant, setup.law_at(setup.receptance).constant);
+}
+
+TEST(HarmonicSetup, CompensatesImpactsOfAMassOnARigidStop) {
+  const Problem rigid = test::to_problem(kStop);
+  EXPECT_TRUE(setup_of(rigid, {}).compensation);
+  EXPECT_FALSE(setup_of(rigid, {.compensate = false}).compensation);
+  EXPECT_FALSE(setup_of(rigid, {.plain = true}).compensation);
+  Problem spring = rigid;
+  spring.law = Penalty{{100.0}};
+  EXPECT_FALSE(setup_of(spring, {}).compensation);
+}
+
+TEST(HarmonicSetup, AsksHatFunctionsOnlyWhereTheSolverIsOpenAndImpactsAreCompensated) {
+  const Problem problem = test::to_problem(kStop);
+  EXPECT_TRUE(setup_of(problem, {}).hat_grids);
+  EXPECT_FALSE(setup_of(problem, {}, false).hat_grids);
+  EXPECT_FALSE(setup_of(problem, {.compensate = false}).hat_grids);
+}
+
+TEST(HarmonicSetup, SolvesWithoutAGridOnlyWhereNothingFixesIt) {
+  const Problem problem = test::to_problem(kStop);
+  EXPECT_TRUE(setup_of(problem, {}).settings.without_grid);
+  EXPECT_FALSE(setup_of(problem, {}, false).settings.without_grid);
+  EXPECT_FALSE(setup_of(problem, {.samples = 640}).settings.without_grid);
+  EXPECT_EQ(setup_of(problem, {.samples = 640}).settings.samples, 640);
+}
+
+TEST(HarmonicSetup, LeavesAConstantThatTheUserChose) {
+  const Problem problem = test::to_problem(kStop);
+  EXPECT_EQ(setup_of(problem, {}).settings.compensated_stiffness, 8.0);
+  EXPECT_EQ(setup_of(problem, {}, true, true).settings.compensated_stiffness, 1.0);
+}
+
+}  // namespace
+}  // namespace signorini
