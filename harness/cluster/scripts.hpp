@@ -7,7 +7,7 @@
 
 namespace signorini {
 
-/// What is to be run in shards.
+/// A benchmark that is to be run in shards.
 struct Submission {
   std::filesystem::path program = {};  ///< this program
   std::filesystem::path folder = {};   ///< absolute; shards go to shard-I below it, the whole to `merged`
@@ -17,24 +17,24 @@ struct Submission {
   std::vector<std::string> sbatch_words = {};  ///< further options of sbatch, as "--time=60"
 };
 
-/// The command of one shard in the job array; `index` is its number, or what the shell replaces by it.
+/// The command of one shard in the job array. \param index  its number, or a shell variable with that value
 std::string slurm_run_command(const Submission& submission, const std::string& index);
 
-/// The same of a shard that GNU parallel starts.
+/// The command of one shard that GNU parallel starts. \param index  as above
 std::string parallel_run_command(const Submission& submission, const std::string& index);
 
 /// A job array with one task for each shard; a task that is requeued resumes. Tasks take whole nodes unless
 /// `sbatch_words` say otherwise, so that nothing else disturbs their times.
 std::string slurm_array_script(const Submission& submission);
 
-/// The job that merges them when all have ended, in whatever way.
+/// The job that merges the shards when all of them have ended, whether they succeeded or failed.
 std::string slurm_merge_script(const Submission& submission);
 
-/// Submits the two, the second after the first, and prints their numbers.
+/// Submits the job array, and the merge to run after it, and prints the numbers of both jobs.
 std::string slurm_submit_script(const Submission& submission);
 
-/// Shards by GNU parallel, then the merge. Cases of several shards at once disturb each other, which their
-/// manifests say.
+/// Runs the shards by GNU parallel, then merges them. Shards that run at the same time disturb each other's
+/// times; their manifests say so.
 std::string parallel_script(const Submission& submission);
 
 /// The text as one word of a POSIX shell.

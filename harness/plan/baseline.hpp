@@ -1,11 +1,12 @@
 #pragma once
+// The case whose time the times of others are divided by in tables.
 
 #include <string_view>
 
 namespace signorini {
 
-/// What times are set beside: time marching to six digits, as most would do it; the part of a case after the
-/// scene.
+/// Time marching to six digits, the usual way to solve such problems. This is the part of the case's name
+/// after the scene.
 inline constexpr std::string_view kTimeBaseline = "event-driven[flow=cvode,tolerance=1e-6]";
 
 }  // namespace signorini

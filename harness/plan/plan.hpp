@@ -1,5 +1,5 @@
 #pragma once
-// What a run does, in order: scene x method x settings.
+// The cases of a run, in order: scene x method x settings.
 
 #include <filesystem>
 #include <functional>
@@ -43,13 +43,13 @@ struct Plan {
 /// One case; validates the settings. \throws InvalidOption
 Case make_case(const Scene& scene, std::size_t index, MethodChoice choice);
 
-/// What a user narrows a suite to.
+/// The part of a suite that a user asks for.
 struct Narrowing {
   std::optional<std::string> methods = {};  ///< filter with optional settings in brackets
   std::optional<std::string> scenes = {};   ///< filter on scene names, or one scene file
 };
 
-/// Whether a filter is no filter but a scene file, "own.toml" or of a family "own.toml@1e-4".
+/// Whether a filter on scenes names a scene file instead, "own.toml" or of a family "own.toml@1e-4".
 bool names_scene_file(const std::string& filter);
 
 /// The scenes of a suite that the filter takes, in the order of `sources`; or the scene file that it names,
@@ -62,9 +62,9 @@ std::vector<Scene> choose_scenes(const Suite& suite, const std::optional<std::st
 Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const MethodEntry> catalogue,
                std::span<const SceneSource> sources);
 
-/// What makes two runs the same: SHA-256 of scene file, method, complete options, limits and code version,
+/// Identifies a run for --resume: SHA-256 of scene file, method, complete options, limits and code version,
 /// with the files of the plugin that the method comes from, if any.
-std::string case_key(const Scene& scene, const Case& run, const Limits& limits,
+std::string case_key(const Scene& scene, const Case& planned_case, const Limits& limits,
                      std::string_view code_version);
 
 /// An option's value as text, "auto" where the method chooses.

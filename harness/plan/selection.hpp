@@ -31,7 +31,7 @@ struct MethodChoice {
   [[nodiscard]] std::optional<double> start() const;
 };
 
-/// A setting of every method that the harness itself heeds, see MethodChoice::start.
+/// A setting that the harness applies to any method, see MethodChoice::start.
 inline constexpr std::string_view kStartSetting = "start";
 
 /// The cross product of the alternatives, the last key varying fastest:

@@ -16,13 +16,13 @@ struct TimingBudget {
   double total_seconds = 5.0;   ///< slower work gets fewer rounds, never less than one
 };
 
-/// Rounds that work gets whose first call took this long [s], that call included.
+/// Number of rounds of work whose first call took `first` seconds; that call counts as one.
 int rounds_for(double first, const TimingBudget& budget);
 
-/// Least time of one call in one round [s]. Google Benchmark chooses how many calls the round has; a call's
-/// time is read within `timed`, which returns it, so that clean-up stays outside. A first call that alone
-/// fills a round is the round; where it barely does, a second call must do so too, for the first may only
-/// have been interrupted. \param first  time of the first call, already made
+/// Least time of one call in one round [s]. Google Benchmark chooses how many calls the round has. Each call
+/// of `timed` returns its own time, so that clean-up is not counted. A first call that lasts as long as a
+/// round is the round; unless it lasts ten times as long, a second call must confirm that, because an
+/// interruption may have prolonged the first. \param first  time of the first call, already made [s]
 double time_round(const std::string& name, const std::function<double()>& timed, double first,
                   const TimingBudget& budget);
 

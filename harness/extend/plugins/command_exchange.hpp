@@ -1,5 +1,5 @@
 #pragma once
-// What a command method reads and prints: docs/plugins.md has every key.
+// The JSON that a command method reads and prints: docs/plugins.md has every key.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -12,7 +12,7 @@ namespace signorini {
 /// Problem and options, all that is known before a solve.
 nlohmann::ordered_json command_request(const Problem& problem, const std::vector<OptionEcho>& options);
 
-/// The text for stdin: the request, with the motion to start from and the seconds that are left.
+/// The text for stdin: the request, with the motion to start from and the seconds until the deadline.
 std::string command_input(nlohmann::ordered_json request, const Start& start);
 
 /// The answer printed. \param period  of the motion looked for, where the answer names none [s]

@@ -1,5 +1,5 @@
 #pragma once
-// Methods from outside the tree, made equal to those of the catalogue.
+// Methods from outside the tree, added to the catalogue.
 
 #include <string>
 #include <vector>

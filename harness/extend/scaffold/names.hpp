@@ -1,5 +1,5 @@
 #pragma once
-// A new name in the three spellings that it needs.
+// The three spellings of a new name.
 
 #include <string>
 #include <string_view>

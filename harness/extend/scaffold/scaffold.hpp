@@ -1,5 +1,5 @@
 #pragma once
-// What `signorini new` writes, known whole before anything is written.
+// The files that `signorini new` writes, all of them known before the first is written.
 
 #include <filesystem>
 #include <string>
@@ -17,7 +17,7 @@ struct ScaffoldFile {
 struct Scaffold {
   std::vector<ScaffoldFile> fresh = {};
   std::vector<ScaffoldFile> changed = {};
-  std::vector<std::string> next = {};  ///< what to do now, a command or a sentence each
+  std::vector<std::string> next = {};  ///< the user's next steps, a command or a sentence each
 };
 
 /// A method as all those of the tree are: methods/NAME with header, source, build and page,
@@ -35,7 +35,7 @@ Scaffold scene_in_tree(std::string_view name, const std::filesystem::path& tree)
 /// A scene NAME.toml in `folder`. \throws UsageError for a bad name, or one that is taken
 Scaffold scene_out_of_tree(std::string_view name, const std::filesystem::path& folder);
 
-/// Writes it; what was written is taken back if something cannot be. \throws
+/// Writes the files, or none of them: removes those written if one cannot be. \throws
 /// std::filesystem::filesystem_error
 void write_scaffold(const Scaffold& scaffold);
 

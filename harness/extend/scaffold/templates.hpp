@@ -18,11 +18,11 @@ extern const std::string_view kPluginBuildTemplate;
 extern const std::string_view kPluginPageTemplate;
 extern const std::string_view kSceneTemplate;
 
-/// What stands for each `{{place}}`.
+/// The text for each `{{place}}`.
 using Places = std::vector<std::pair<std::string, std::string>>;
 
-/// The template with every `{{place}}` filled; one newline at the end. A place without a value is our own
-/// mistake.
+/// The template with every `{{place}}` filled and one line break at its end. Precondition: each place has a
+/// value.
 std::string filled(std::string_view text, const Places& places);
 
 }  // namespace signorini
