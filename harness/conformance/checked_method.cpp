@@ -1,13 +1,13 @@
 #include "harness/conformance/checked_method.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "harness/failure.hpp"
+#include "harness/plan/deadline.hpp"
 
 namespace signorini {
 
@@ -106,10 +106,8 @@ const Solution& CheckedMethod::answer() const {
 }
 
 Solution CheckedMethod::solve(const Problem& problem, std::shared_ptr<const Trajectory> guess) const {
-  const auto limit = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-      std::chrono::duration<double>(settings_.timeout));
   const std::unique_ptr<PreparedMethod> prepared = method_->prepare(problem);
-  return prepared->solve({.guess = std::move(guess), .deadline = std::chrono::steady_clock::now() + limit});
+  return prepared->solve({.guess = std::move(guess), .deadline = deadline_after(settings_.timeout)});
 }
 
 CheckedMethod CheckedMethod::with(const Settings& resolution) const {
