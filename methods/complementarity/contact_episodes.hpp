@@ -22,7 +22,7 @@ struct ContactEpisode {
   double force = 0.0;   ///< its mean over the period, J / T > 0 [N]
   Jet load = {};        ///< y at the centre, the shift of the stop included, and its slope per period [N]
 
-  /// From the first instant to the last, share of the period [-].
+  /// Time between the first instant and the last, share of the period [-].
   [[nodiscard]] double width() const { return intervals.back().end - intervals.front().begin; }
   /// Half way between them [-].
   [[nodiscard]] double middle() const { return 0.5 * (intervals.back().end + intervals.front().begin); }

@@ -109,6 +109,7 @@ std::vector<ContactInterval> positive_intervals(const Eigen::VectorXcd& y, int s
     const bool last = i + 1 == signs.size();
     const Sign then = last ? Sign{signs.front().t + 1.0, signs.front().positive} : signs[i + 1];
     if (now.positive == then.positive) continue;
+    // Between two instants of different sign y has one zero: its extrema near zero are among the instants.
     (then.positive ? rises : falls).push_back(polish_root(value, now.t, then.t, then.positive));
   }
   if (rises.empty())
@@ -141,6 +142,8 @@ Eigen::VectorXcd shift_spectrum(const ContactInterval& interval, const std::vect
                                 int count) {
   const double middle = 0.5 * (interval.begin + interval.end);
   const double half = 0.5 * (interval.end - interval.begin);
+  // On the interval the shift is a straight line, distance + speed (t - t_k): its value in the middle times
+  // the indicator, and its slope times the first moment of e^{-2 pi i n t}.
   const StopShift shift = shift_at(shifts, middle);
   Eigen::VectorXcd spectrum = shift.at(middle) * indicator_spectrum({interval}, count);
   // The integral of s e^{-2 pi i n s} over |s| < half.
@@ -162,7 +165,7 @@ Eigen::VectorXcd ContactIndicator::restrict(const Eigen::VectorXcd& s) const {
   RealFft fft(static_cast<int>(values_.size()));
   Eigen::VectorXd values(fft.samples());
   fft.inverse(s, values);
-  values.array() *= values_.array();
+  values.array() *= values_.array();  // the convolution of the spectra, as a product in time
   Eigen::VectorXcd spectrum(fft.coefficients());
   fft.forward(values, spectrum);
   return spectrum.head(s.size());

@@ -37,7 +37,7 @@ Eigen::VectorXcd shift_spectrum(const ContactInterval& interval, const std::vect
 /// The indicator function chi of intervals of contact, as polynomials of degree H meet it.
 class ContactIndicator {
  public:
-  /// Of the union of the intervals, to meet polynomials of degree H = `harmonics`.
+  /// Takes the union of the intervals, for polynomials of degree H = `harmonics`.
   ContactIndicator(const std::vector<ContactInterval>& intervals, int harmonics);
 
   /// chi_n, n = 0..2 H.

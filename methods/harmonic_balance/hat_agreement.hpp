@@ -7,11 +7,11 @@
 
 namespace signorini {
 
-/// How far hat functions bear out an answer, or what they lead to instead.
+/// Whether the motion on hat functions confirms a series, or which answer it leads to instead.
 struct HatAgreement {
   bool asked = false;                   ///< a grid of hat functions carries the harmonics
   std::optional<Solution> answer = {};  ///< with compensated impacts, from the motion on a grid
-  /// Of the series from the motion on the finest grid, relative; empty where there is none of both, or the
+  /// Distance of the series from the motion on the finest grid; empty where one of them is missing, or the
   /// time was up before it was found [-].
   std::optional<double> distance = {};
 };

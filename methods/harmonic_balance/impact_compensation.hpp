@@ -12,7 +12,7 @@
 
 namespace signorini {
 
-/// Where the stops must stand for the series to move right.
+/// Moves the stops that a truncated series meets, so that its motion obeys the law of impact.
 ///
 /// A series of H harmonics rounds the kink of an impact off and spreads its impulse J over 1/H of the period.
 /// From some distance in time both are invisible: the motion is that of an impulse J at the centre t_k of the
@@ -22,12 +22,12 @@ namespace signorini {
 ///
 ///     X(t) = x_f(t) + C lambda_lasting - sum_l J_l G(t - t_l),   X(t_k) = g,   X'(t_k) = 0,
 ///
-/// X' being the mean of both sides,
-/// lambda_lasting the force outside impacts, and the stop that the series meets at impact k is moved, x <= g
-/// - distance - speed (t - t_k), until it is so. With a compliant stop for a rigid one the same takes back
-/// the penetration of the spring. The answer remains a series of H harmonics: its error is that of the best
-/// one of so many, but for terms of second order in the duration of the force. In X the contact does no net
-/// work; in the series it does what the harmonics beyond H dissipate, of order 1/H and of the damping.
+/// X' being the mean of both sides and lambda_lasting the force outside impacts. The stop that the series
+/// meets at impact k is moved, x <= g - distance - speed (t - t_k), until these equations hold. With a
+/// penalty spring for a rigid stop the same takes back the penetration of the spring. The answer remains a
+/// series of H harmonics: its error is that of the best one of so many, but for terms of second order in the
+/// duration of the force. In X the contact does no net work; in the series it does what the harmonics beyond
+/// H dissipate, of order 1/H and of the damping.
 ///
 /// What counts as an impact is in contact_episodes.hpp: contact that lasts longer, is compliant, or has modes
 /// beyond H behind it is left alone.
@@ -47,9 +47,9 @@ class ImpactCompensation {
     StopShifts shifts = {};       ///< empty where nothing is shifted
   };
 
-  /// From a solution `lambda` of the exactly projected equations with the stops at `shifts`, or near one.
-  /// Each round solves X(t_k) = g, X'(t_k) = 0 for instants and impulses (ImpactEquations), takes the series'
-  /// contacts there with stops that let each keep its shape, and solves the projected equations anew
+  /// Begins at a solution `lambda` of the exactly projected equations with the stops at `shifts`, or near
+  /// one. Each round solves X(t_k) = g, X'(t_k) = 0 for instants and impulses (ImpactEquations), takes the
+  /// series' contacts there with stops that let each keep its shape, and solves the projected equations anew
   /// (project_exactly). Not converged where an impact comes or goes on the way, or the projected equations
   /// have no solution near by. \param settings  as of project_exactly; its tolerance is also that of the law
   /// of impact, relative to the motion
