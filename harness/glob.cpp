@@ -1,5 +1,7 @@
 #include "harness/glob.hpp"
 
+#include <fnmatch.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -21,27 +23,13 @@ bool pieces_match(std::string_view filter, std::string_view name,
 }  // namespace
 
 bool glob_match(std::string_view pattern, std::string_view text) {
-  // Backtracks to the last star only: enough, since a later star makes earlier choices irrelevant.
-  std::size_t p = 0;
-  std::size_t t = 0;
-  std::size_t star = std::string_view::npos;
-  std::size_t resume = 0;
-  while (t < text.size()) {
-    if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      resume = t;
-    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == text[t])) {
-      ++p;
-      ++t;
-    } else if (star != std::string_view::npos) {
-      p = star + 1;
-      t = ++resume;
-    } else {
-      return false;
-    }
+  // Brackets hold options in names of cases: to fnmatch they would be sets of characters.
+  std::string shell_pattern;
+  for (const char c : pattern) {
+    if (c == '[' || c == '\\') shell_pattern += '\\';
+    shell_pattern += c;
   }
-  return std::all_of(pattern.begin() + static_cast<std::ptrdiff_t>(p), pattern.end(),
-                     [](char c) { return c == '*'; });
+  return fnmatch(shell_pattern.c_str(), std::string(text).c_str(), 0) == 0;
 }
 
 GlobPieces split_globs(std::string_view filter) {

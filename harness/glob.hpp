@@ -7,7 +7,8 @@
 
 namespace signorini {
 
-/// True if the whole text matches; `*` is any run of characters, `?` any one, all else itself.
+/// True if the whole text matches; `*` is any run of characters, `?` any one, all else itself, brackets too.
+/// By fnmatch(3), whose sets of characters no filter needs.
 bool glob_match(std::string_view pattern, std::string_view text);
 
 /// The pieces of a filter: POSITIVE[:POSITIVE...][-NEGATIVE[:NEGATIVE...]].

@@ -1,6 +1,8 @@
 #include "harness/compare/noise.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -16,7 +18,7 @@ constexpr double kNormalMad = 1.4826;
 /// Standard error of a median of n over that of a mean, large n: sqrt(pi / 2).
 constexpr double kMedianError = 1.2533;
 
-/// Relative standard error of the median of rounds; 0 where one round tells nothing.
+/// Relative standard error of the median of rounds; 0 for a single round, which has no spread.
 double relative_error(const Seconds& seconds) {
   return kNormalMad * kMedianError * seconds.mad / seconds.median / std::sqrt(seconds.repetitions);
 }
@@ -67,24 +69,14 @@ struct Signs {
 }  // namespace
 
 double binomial_tail(std::size_t n, std::size_t k) {
-  double sum = 0.0;
-  const double log_half = std::log(0.5);
-  const auto log_factorial = [](std::size_t m) { return std::lgamma(static_cast<double>(m) + 1.0); };
-  for (std::size_t i = k; i <= n; ++i) {
-    sum += std::exp(log_factorial(n) - log_factorial(i) - log_factorial(n - i) +
-                    static_cast<double>(n) * log_half);
-  }
-  return std::min(1.0, sum);
+  if (k == 0) return 1.0;
+  if (k > n) return 0.0;
+  const boost::math::binomial coins(static_cast<double>(n), 0.5);
+  return cdf(complement(coins, static_cast<double>(k) - 1.0));  // of more than k - 1 heads
 }
 
 double normal_quantile(double p) {
-  double low = 0.0, high = 40.0;
-  constexpr int kHalvings = 80;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    (std::erfc(middle / std::sqrt(2.0)) > p ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  return quantile(complement(boost::math::normal(), 0.5 * p));  // half of p in each tail
 }
 
 std::vector<TimeChange> judge_cases(std::span<const TimePair> pairs) {
