@@ -1,4 +1,5 @@
 #pragma once
+// The progress of a long command on a terminal.
 
 #include <chrono>
 #include <cstddef>
@@ -15,11 +16,11 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Makes room for other output.
+  /// Clears the line for other output.
   void clear() const;
-  /// What is under way.
+  /// Prints the line with what is being done.
   void begin(const std::string& what);
-  /// This many cases more are done, or a share of one.
+  /// Counts this many cases, or a share of one, as done.
   void advance(double cases = 1.0) { done_ += cases; }
 
  private:

@@ -1,4 +1,5 @@
 #pragma once
+// Robust statistics of a sample.
 
 #include <vector>
 

@@ -1,4 +1,5 @@
 #pragma once
+// Tables of text and numbers, and their Markdown and CSV.
 
 #include <cstddef>
 #include <optional>
@@ -9,12 +10,11 @@
 
 namespace signorini {
 
-/// What stands in one place of a table, and what stands behind it.
+/// One cell: its text, and the number or the record that the text stands for.
 struct Cell {
   std::string text = {};
-  std::optional<double> value = {};  ///< of a number: what it is sorted by, infinite where there is none
-  std::optional<std::size_t> record =
-      {};  ///< the record that the text comes from, by its place in the report
+  std::optional<double> value = {};        ///< that the cell is sorted by; infinite where a number is missing
+  std::optional<std::size_t> record = {};  ///< that the text comes from, by its place in the report
 
   Cell() = default;
   Cell(std::string words) : text(std::move(words)) {}  // NOLINT(google-explicit-constructor)
@@ -23,6 +23,7 @@ struct Cell {
       : text(std::move(words)), value(number), record(source) {}
 };
 
+/// A header and rows of cells.
 struct Table {
   std::vector<std::string> header;
   std::vector<std::vector<Cell>> rows;  ///< each as long as the header

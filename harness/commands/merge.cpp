@@ -10,6 +10,7 @@
 #include "harness/compare/rerun.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
+#include "harness/records/record_json.hpp"
 #include "harness/records/status.hpp"
 #include "harness/report/report.hpp"
 

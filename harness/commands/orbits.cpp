@@ -9,6 +9,7 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/orbits/orbit_file.hpp"
+#include "harness/plan/case_name.hpp"
 #include "harness/table.hpp"
 
 namespace signorini {
@@ -26,7 +27,7 @@ struct OrbitsArguments {
 std::string method_names(const std::vector<std::string>& labels) {
   std::vector<std::string> names;
   for (const std::string& label : labels) {
-    const std::string name = label.substr(0, label.find('['));
+    const std::string name = parse_method_label(label).method;
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return names.empty() ? "-" : fmt::format("{}", fmt::join(names, ", "));

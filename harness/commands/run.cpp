@@ -19,6 +19,8 @@
 #include "harness/records/shards.hpp"
 #include "harness/report/formats/markdown.hpp"
 #include "harness/report/report.hpp"
+#include "harness/report/sections/case_sections.hpp"
+#include "harness/report/sections/sections.hpp"
 #include "harness/run/suite_run.hpp"
 #include "problems/scene/scene_file.hpp"
 
@@ -111,7 +113,7 @@ std::vector<Section> closing_sections(const Evaluation& evaluation, bool rows_pr
   std::vector<Section> sections = sections_of(evaluation);
   if (!rows_printed) return sections;
   for (Section& section : sections) {
-    if (section.id != kCasesId) continue;
+    if (section.kind != SectionKind::cases) continue;
     section.title = "How to read the cases";
     section.text = std::exchange(section.note, {});
     section.table = {};

@@ -7,6 +7,7 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
+#include "harness/records/record_json.hpp"
 #include "harness/records/trajectory_json.hpp"
 #include "harness/report/document/cells.hpp"
 #include "harness/run/runner.hpp"

@@ -57,7 +57,7 @@ std::optional<CaseChange> accuracy_change(const Record& before, const Record& af
   return std::nullopt;
 }
 
-/// Counts do not depend on the machine's mood: they tell where a change of time comes from.
+/// Changes of the counts of work, which are free of noise and explain a change of time.
 std::string work_remark(const Record& before, const Record& after) {
   constexpr std::array kCounts{std::pair{"iterations", &Work::iterations}, std::pair{"pivots", &Work::pivots},
                                std::pair{"right-hand sides", &Work::rhs_evaluations},

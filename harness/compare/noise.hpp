@@ -10,18 +10,16 @@
 
 namespace signorini {
 
-/// A case faster or slower by less than this factor is never told, however sure the measurement; the second
-/// where a run has fewer rounds than kManyRounds, all of which other work on the machine may have slowed.
+/// A smaller change of a single case is never reported, however small its standard error; the second factor
+/// applies to runs of fewer rounds than kManyRounds, all of which other processes may have slowed.
 inline constexpr double kCaseFactor = 1.10;
 inline constexpr double kCaseFactorFewRounds = 1.50;
 inline constexpr int kManyRounds = 5;
-/// Fewer rounds in a run, or rounds without any spread, say nothing of noise: no single case is judged by
-/// them.
+/// No single case is judged by fewer rounds, or by rounds without any spread: they do not show the noise.
 inline constexpr int kFewestRounds = 3;
 /// The same for a method as a whole.
 inline constexpr double kMethodFactor = 1.05;
-/// Probability that a comparison of a program with itself tells of a difference, all cases and methods taken
-/// together.
+/// Probability that a comparison of a program with itself reports a difference, over all cases and methods.
 inline constexpr double kFalseAlarm = 0.01;
 
 /// Times of one case in two runs.

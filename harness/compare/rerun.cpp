@@ -24,20 +24,14 @@ bool decided_by_time(const Record& kept, const Record& now) {
   return kept.status != now.status && (kept.status == Status::timeout || now.status == Status::timeout);
 }
 
-/// The method with its settings, the part of a case after the scene.
-std::string method_label(const Record& record) {
-  const std::size_t slash = record.case_id.find('/');
-  return slash == std::string::npos ? record.method : record.case_id.substr(slash + 1);
-}
-
 /// The case that a record came from.
 Case case_of(const Record& record, const Scene& scene, std::span<const MethodEntry> catalogue) {
-  const std::string label = method_label(record);
-  const std::vector<MethodChoice> choices =
-      select_methods(label, catalogue, [](const MethodEntry&) { return std::vector<Settings>(1); });
-  if (choices.size() != 1)
-    throw UsageError(fmt::format("case = {} (must name one method with one set of options)", record.case_id));
-  return make_case(scene, 0, choices.front());
+  const auto entry = std::find_if(catalogue.begin(), catalogue.end(),
+                                  [&](const MethodEntry& one) { return one.name == record.method; });
+  if (entry == catalogue.end())
+    throw NothingMatched(
+        fmt::format("methods = {} (matches no method; see `signorini list methods`)", resolution_of(record)));
+  return make_case(scene, 0, {&*entry, record.settings});
 }
 
 /// Keeps the complete records of a rerun.
@@ -114,14 +108,14 @@ std::vector<RelativeTime> relative_times(const std::vector<const Record*>& kept,
   };
   std::map<std::string, std::size_t> baselines;  // by scene
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (method_label(*kept[i]) == kTimeBaseline && timed(i)) baselines[kept[i]->scene] = i;
+    if (resolution_of(*kept[i]) == kTimeBaseline && timed(i)) baselines[kept[i]->scene] = i;
   }
   std::vector<RelativeTime> times;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     const auto baseline = baselines.find(kept[i]->scene);
     if (baseline == baselines.end() || !timed(i)) continue;
     const std::size_t y = baseline->second;
-    times.push_back({.method = method_label(*kept[i]),
+    times.push_back({.method = resolution_of(*kept[i]),
                      .kept = kept[i]->seconds->median / kept[y]->seconds->median,
                      .now = now[i]->seconds->median / now[y]->seconds->median});
   }

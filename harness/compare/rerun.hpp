@@ -26,7 +26,8 @@ struct RelativeTime {
   double kept = 0.0, now = 0.0;
 };
 
-/// Of the cases timed in both runs, on scenes where both have the baseline; `now[i]` is kept[i] run again.
+/// Relative times of the cases timed in both runs, on scenes where both timed the baseline; `now[i]` is
+/// kept[i] run again.
 std::vector<RelativeTime> relative_times(const std::vector<const Record*>& kept,
                                          const std::vector<std::optional<Record>>& now);
 
@@ -43,7 +44,7 @@ struct Rerun {
 /// \throws UsageError if it is unreadable
 Limits limits_of_run(const std::filesystem::path& folder);
 
-/// Runs every case again whose name matches the filter, scene by scene; told of each before it begins.
+/// Runs every case again whose name matches the filter, scene by scene; calls `news` before each.
 /// Cases of scenes whose file has changed are one difference each. \throws UsageError, SceneError for cases
 /// that cannot be run
 Rerun rerun_records(const std::vector<Record>& kept, const Limits& limits, const std::string& filter,

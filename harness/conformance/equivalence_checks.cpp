@@ -9,7 +9,7 @@
 
 #include "harness/conformance/checks.hpp"
 #include "harness/conformance/transformations.hpp"
-#include "harness/records/answer_digest.hpp"
+#include "harness/run/answer_digest.hpp"
 #include "problems/validation.hpp"
 
 namespace signorini {

@@ -5,6 +5,7 @@
 #include "harness/judge/motion.hpp"
 #include "harness/judge/orbit.hpp"
 #include "harness/records/record.hpp"
+#include "harness/records/record_json.hpp"
 #include "harness/records/trajectory_json.hpp"
 
 namespace signorini {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "harness/records/record.hpp"
+#include "harness/records/record_json.hpp"
 
 namespace signorini {
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/records/record.hpp"
+#include "harness/records/record_json.hpp"
 
 namespace signorini {
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "harness/failure.hpp"
-#include "harness/records/json_fields.hpp"
-#include "harness/records/record.hpp"
+#include "harness/records/record_fields.hpp"
+#include "harness/records/record_json.hpp"
 
 namespace signorini {
 
@@ -16,26 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kOrbitSchema = 1;
-
-Json events_to_json(const std::vector<OrbitEvent>& events) {
-  Json list = Json::array();
-  for (const OrbitEvent& event : events) {
-    Json item{{"time", event.time}, {"contact", event.contact}, {"kind", event.kind}};
-    put(item, "value", event.value);
-    list.push_back(std::move(item));
-  }
-  return list;
-}
-
-std::vector<OrbitEvent> events_from_json(const Json& list) {
-  std::vector<OrbitEvent> events;
-  for (const Json& item : list) {
-    OrbitEvent event{item.at("time"), item.at("contact"), item.at("kind"), {}};
-    get(item, "value", event.value);
-    events.push_back(std::move(event));
-  }
-  return events;
-}
 
 FoundOrbit orbit_from_json(const Json& json) {
   FoundOrbit orbit{.fingerprint = json.at("orbit"),
@@ -48,11 +28,11 @@ FoundOrbit orbit_from_json(const Json& json) {
   CertifiedOrbit& certified = orbit.certified;
   certified.source = json.at("source");
   certified.error_bar = json.at("error_bar");
-  get(json, "residual", certified.residual);
-  get(json, "return_distance", certified.return_distance);
-  get(json, "floquet", certified.floquet);
-  get(json, "stable", certified.stable);
-  certified.events = events_from_json(json.at("events"));
+  read_field(json, Field{"residual"}, certified.residual);
+  read_field(json, Field{"return_distance"}, certified.return_distance);
+  read_field(json, Field{"floquet"}, certified.floquet);
+  read_field(json, Field{"stable"}, certified.stable);
+  read_field(json, required("events"), certified.events);
   return orbit;
 }
 
@@ -92,14 +72,14 @@ Json to_json(const FoundOrbit& orbit) {
             {"period", orbit.period},     {"amplitude", orbit.amplitude},
             {"impacts", orbit.impacts()}, {"contact_phases", orbit.contact_phases()},
             {"source", certified.source}, {"error_bar", certified.error_bar}};
-  put(json, "residual", certified.residual);
-  put(json, "return_distance", certified.return_distance);
-  put(json, "floquet", certified.floquet);
-  put(json, "stable", certified.stable);
+  write_field(json, Field{"residual"}, certified.residual);
+  write_field(json, Field{"return_distance"}, certified.return_distance);
+  write_field(json, Field{"floquet"}, certified.floquet);
+  write_field(json, Field{"stable"}, certified.stable);
   json["from_rest"] = orbit.from_rest;
   json["starts"] = orbit.starts;
   json["found_by"] = orbit.cold;
-  json["events"] = events_to_json(certified.events);
+  write_field(json, Field{"events", "", Presence::always}, certified.events);
   return json;
 }
 

@@ -50,11 +50,7 @@ Piece parse_piece(const std::string& text) {
 
 }  // namespace
 
-std::string MethodChoice::label() const {
-  std::string inside;
-  for (const auto& [key, value] : settings) inside += (inside.empty() ? "" : ",") + key + "=" + value;
-  return inside.empty() ? std::string(entry->name) : fmt::format("{}[{}]", entry->name, inside);
-}
+std::string MethodChoice::label() const { return method_label(entry->name, settings); }
 
 std::unique_ptr<Method> MethodChoice::make() const {
   Settings own = settings;

@@ -9,11 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/plan/case_name.hpp"
 #include "methods/catalogue.hpp"
 
 namespace signorini {
-
-using Settings = std::vector<OptionSetting>;
 
 /// One method with one set of settings.
 struct MethodChoice {

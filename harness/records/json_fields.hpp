@@ -1,44 +1,173 @@
 #pragma once
-// Fields of JSON objects: absent rather than empty, null or not finite.
+// JSON objects and the structs that they hold: every visited struct is written and read by the functions
+// here.
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
-#include <utility>
+#include <vector>
+
+#include "harness/records/fields.hpp"
+#include "methods/options.hpp"
 
 namespace signorini {
 
-/// Writes a value if there is one; of numbers, if it is finite.
+/// A file or a line that does not hold what it should; what() is one line for the user.
+class BadRecord : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The JSON of a type that is neither number nor text, list of these, enumeration nor visited struct:
+/// specialised with `static nlohmann::ordered_json write(const T&)` and
+/// `static T read(const nlohmann::ordered_json&)`.
 template <class T>
-void put(nlohmann::ordered_json& json, const char* key, const std::optional<T>& value) {
-  if constexpr (std::is_same_v<T, double>) {
-    if (value && !std::isfinite(*value)) return;
+struct JsonForm;
+
+/// The name of an enumerator, by EnumNames.
+template <class Enum>
+std::string_view enum_name(Enum value) {
+  return EnumNames<Enum>::values[static_cast<std::size_t>(value)];
+}
+
+/// The enumerator of a name, by EnumNames. \throws BadRecord that names the field
+template <class Enum>
+Enum enum_from_name(std::string_view field, std::string_view name) {
+  const auto& names = EnumNames<Enum>::values;
+  std::string known;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == name) return static_cast<Enum>(i);
+    known += (known.empty() ? "" : ", ") + std::string(names[i]);
   }
-  if (value) json[key] = *value;
+  throw BadRecord(std::string(field) + " = " + std::string(name) + " (must be one of " + known + ")");
 }
 
-/// Writes a text unless it is empty.
-inline void put(nlohmann::ordered_json& json, const char* key, const std::string& text) {
-  if (!text.empty()) json[key] = text;
-}
-
-/// Writes an object unless it is empty.
-inline void put_object(nlohmann::ordered_json& json, const char* key, nlohmann::ordered_json object) {
-  if (!object.empty()) json[key] = std::move(object);
-}
-
-/// Reads a value if the key is there. Throws nlohmann's exceptions on wrong types.
+/// A visited struct as a JSON object, its fields in the order of the visit.
 template <class T>
-void get(const nlohmann::ordered_json& json, const char* key, std::optional<T>& value) {
-  if (const auto found = json.find(key); found != json.end()) value = found->template get<T>();
+nlohmann::ordered_json write_fields(const T& object);
+
+/// Reads the fields of a visited struct that the object holds; others keep their values.
+/// Throws nlohmann's exceptions on missing keys and wrong types. \throws BadRecord for unknown names
+template <class T>
+void read_fields(const nlohmann::ordered_json& json, T& object);
+
+namespace json_detail {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+concept Special = requires(const T& value) {
+  JsonForm<T>::write(value);
+};
+
+template <class T>
+concept Named = std::is_enum_v<T> && requires {
+  EnumNames<T>::values;
+};
+
+template <class T>
+inline constexpr bool kIsOptional = false;
+template <class T>
+inline constexpr bool kIsOptional<std::optional<T>> = true;
+
+/// Lists whose entries the JSON library does not know.
+template <class T>
+inline constexpr bool kIsList = false;
+template <class T>
+inline constexpr bool kIsList<std::vector<T>> = Visited<T> || Special<T>;
+
+template <class T>
+bool is_empty(const T& value) {
+  if constexpr (std::is_same_v<T, std::optional<double>>) {
+    return !value || !std::isfinite(*value);
+  } else if constexpr (kIsOptional<T>) {
+    return !value;
+  } else if constexpr (requires { value.empty(); }) {
+    return value.empty();
+  } else {
+    return false;
+  }
 }
 
-/// Reads a value if the key is there, and leaves it alone otherwise.
 template <class T>
-void get(const nlohmann::ordered_json& json, const char* key, T& value) {
-  if (const auto found = json.find(key); found != json.end()) value = found->template get<T>();
+Json written(const T& value) {
+  if constexpr (kIsOptional<T>) {
+    return written(*value);
+  } else if constexpr (Special<T>) {
+    return JsonForm<T>::write(value);
+  } else if constexpr (Named<T>) {
+    return enum_name(value);
+  } else if constexpr (Visited<T>) {
+    return write_fields(value);
+  } else if constexpr (kIsList<T>) {
+    Json list = Json::array();
+    for (const auto& item : value) list.push_back(written(item));
+    return list;
+  } else {
+    return value;
+  }
+}
+
+template <class T>
+void read_into(std::string_view field, const Json& json, T& value) {
+  if constexpr (kIsOptional<T>) {
+    read_into(field, json, value.emplace());
+  } else if constexpr (Special<T>) {
+    value = JsonForm<T>::read(json);
+  } else if constexpr (Named<T>) {
+    value = enum_from_name<T>(field, json.get<std::string>());
+  } else if constexpr (Visited<T>) {
+    read_fields(json, value);
+  } else if constexpr (kIsList<T>) {
+    for (const Json& item : json) read_into(field, item, value.emplace_back());
+  } else {
+    value = json.get<T>();
+  }
+}
+
+}  // namespace json_detail
+
+/// Adds a field to an object, unless it is empty and may be absent.
+template <class T>
+void write_field(nlohmann::ordered_json& json, const Field& field, const T& value) {
+  const bool optional = field.presence == Presence::unless_empty;
+  if (optional && json_detail::is_empty(value)) return;
+  nlohmann::ordered_json written = json_detail::written(value);
+  // A group of which nothing is known is as empty as a value that is not there.
+  if constexpr (Visited<T>) {
+    if (optional && written.empty()) return;
+  }
+  json[field.name] = std::move(written);
+}
+
+/// Reads a field if the object holds it. Throws nlohmann's exceptions where a required one is missing.
+template <class T>
+void read_field(const nlohmann::ordered_json& json, const Field& field, T& value) {
+  const auto found = json.find(field.name);
+  if (found == json.end()) {
+    if (field.presence == Presence::required) static_cast<void>(json.at(field.name));
+    return;
+  }
+  if constexpr (Visited<T>) {
+    if (found->empty()) return;
+  }
+  json_detail::read_into(field.name, *found, value);
+}
+
+template <class T>
+nlohmann::ordered_json write_fields(const T& object) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  visit_fields(object, [&](const Field& field, const auto& value) { write_field(json, field, value); });
+  return json;
+}
+
+template <class T>
+void read_fields(const nlohmann::ordered_json& json, T& object) {
+  visit_fields(object, [&](const Field& field, auto& value) { read_field(json, field, value); });
 }
 
 }  // namespace signorini

@@ -35,10 +35,10 @@ std::string cpu_model() {
 
 Json machine() {
   Json json = Json::object();
-  put(json, "cpu", cpu_model());
+  write_field(json, Field{"cpu"}, cpu_model());
   json["processors"] = std::thread::hardware_concurrency();
-  put(json, "governor", clock_governor());
-  put(json, "kernel", kernel_release());
+  write_field(json, Field{"governor"}, clock_governor());
+  write_field(json, Field{"kernel"}, kernel_release());
   std::array<double, 3> load{};
   if (getloadavg(load.data(), 3) == 3) json["load"] = load;
   return json;
@@ -57,7 +57,7 @@ Json build() {
   json["timings_count"] = build_may_be_timed();
   json["libraries"] = Json::object();
   for (const auto& [name, version] : info.libraries)
-    put(json["libraries"], std::string(name).c_str(), std::string(version));
+    write_field(json["libraries"], Field{std::string(name).c_str()}, std::string(version));
   json["sources"] = Json::object();
   for (const auto& [name, hash] : info.sources)
     json["sources"][name.empty() ? "common" : std::string(name)] = hash;

@@ -1,5 +1,5 @@
 #pragma once
-// DIR/manifest.json: what a run's records come from.
+// DIR/manifest.json: the build, the machine and the limits that records come from.
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
@@ -11,7 +11,7 @@
 
 namespace signorini {
 
-/// Build, machine, date, limits and command line. What cannot be found out is absent.
+/// Build, machine, date, limits and command line. What the system does not tell is absent.
 nlohmann::ordered_json make_manifest(const Suite& suite, const Limits& limits, const Schedule& schedule,
                                      const std::vector<std::string>& command_line);
 

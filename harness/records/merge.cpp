@@ -80,7 +80,7 @@ void add_records(const RunFolder& part, std::map<std::string, std::string>& keys
   }
 }
 
-/// The shard that a manifest tells of, or of a merge those of its parts.
+/// The shard of a run by its manifest; of a merge, the shards of its parts.
 std::vector<Shard> shards_of(const RunFolder& part) {
   std::vector<Shard> shards;
   const auto add = [&](const Json& manifest) {

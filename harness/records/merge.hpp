@@ -1,4 +1,5 @@
 #pragma once
+// Runs joined into one, and whether they may be.
 
 #include <optional>
 #include <span>

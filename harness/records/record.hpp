@@ -1,15 +1,16 @@
 #pragma once
 // One run of one method on one scene, as it is kept: docs/records.md gives every key.
 
-#include <nlohmann/json_fwd.hpp>
+#include <array>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "harness/plan/case_name.hpp"
 #include "methods/method.hpp"
+#include "methods/options.hpp"
 #include "problems/scene/scene_family.hpp"
 
 namespace signorini {
@@ -24,6 +25,15 @@ enum class Status {
   crashed,
   exception,
   invalid_output
+};
+
+/// As files spell them.
+template <>
+struct EnumNames<Status> {
+  /// In order.
+  static constexpr std::array<std::string_view, 9> values{"converged",      "inaccurate", "not-converged",
+                                                          "not-applicable", "timeout",    "out-of-memory",
+                                                          "crashed",        "exception",  "invalid-output"};
 };
 
 /// "not-converged" and so on; the words of records.
@@ -60,6 +70,13 @@ struct Seconds {
 inline constexpr double kUnstable = 0.05;
 
 enum class CertificateStatus { none, uncertified, certified };
+
+/// As files spell them.
+template <>
+struct EnumNames<CertificateStatus> {
+  /// In order.
+  static constexpr std::array<std::string_view, 3> values{"none", "uncertified", "certified"};
+};
 
 /// "none", "uncertified", "certified"; the words of records.
 std::string_view certificate_name(CertificateStatus status);
@@ -134,13 +151,17 @@ struct Repeats {
   int identical = 0;
 };
 
+/// Complete options of a method: name and value.
+using RecordedOptions = std::vector<std::pair<std::string, OptionValue>>;
+
 struct Record {
-  std::string case_id = {};  ///< "scene/method[settings]"
+  std::string case_id = {};  ///< "scene/method[settings]", the name for people
   std::string key = {};      ///< identifies the run for --resume
   std::string scene = {}, scene_sha256 = {}, method = {};
   std::string plugin = {};                 ///< MethodEntry::plugin
   std::optional<FamilyLevel> family = {};  ///< of a scene that is one of a family
-  std::vector<std::pair<std::string, OptionValue>> options = {};
+  Settings settings = {};                  ///< options as asked for; the rest of `options` are defaults
+  RecordedOptions options = {};
   Status status = Status::not_converged;
   std::string message = {};
   std::optional<int> signal = {};  ///< that ended a crashed run
@@ -160,31 +181,14 @@ struct Record {
   std::optional<Waveforms> waveforms = {};
 };
 
+/// The case without its scene: "fourier-lipschitz[harmonics=40]".
+std::string resolution_of(const Record& record);
+
 /// Counts one more solve of the case, whose answer has this digest.
 void count_repeat(const std::string& answer, Record& record);
 
 /// Ten error bars of the certified orbit: an error below this is not measured but bounded.
 double measurable_error(const Record& record);
-
-/// A line that is no record of a known schema.
-class BadRecord : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Exactly the keys of docs/records.md, absent where a notion is; numbers that are not finite are absent.
-nlohmann::ordered_json to_json(const Record& record);
-
-/// \throws BadRecord
-Record record_from_json(const nlohmann::ordered_json& json);
-
-nlohmann::ordered_json law_to_json(const RepresentedLaw& law);
-RepresentedLaw law_from_json(const nlohmann::ordered_json& json);  ///< \throws BadRecord
-
-/// An option's value, "auto" where the method chooses.
-nlohmann::ordered_json option_to_json(const OptionValue& value);
-/// Counts of work, each of them optional. Throws nlohmann's exceptions on wrong types.
-WorkDone work_from_json(const nlohmann::ordered_json& json);
 
 /// The law of a scene as the law of a method that represents it.
 RepresentedLaw as_represented(const Law& law);

@@ -16,6 +16,7 @@
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
+#include "harness/records/record_json.hpp"
 
 namespace signorini {
 
@@ -57,8 +58,9 @@ Contents read_contents(const fs::path& file) {
   return contents;
 }
 
-/// Records of a file that may not exist; a torn last line is cut off.
-std::vector<Record> whole_records(const fs::path& file) {
+/// Cuts off a last line that a kill tore, so that the next record begins a line of its own. Returns the
+/// records that are left; none where there is no file.
+std::vector<Record> repair_file(const fs::path& file) {
   if (!fs::exists(file)) return {};
   Contents contents = read_contents(file);
   std::error_code ignored;  // of a folder that cannot be written opening complains next
@@ -138,8 +140,8 @@ RecordStore::RecordStore(const fs::path& folder, bool resume)
   lock_ = lock_folder(folder);
   if (fs::exists(file_) && !resume) fs::rename(file_, folder / "records.previous.jsonl", failure);
   if (!resume) fs::remove(unfinished_file_, failure);
-  for (const Record& record : whole_records(file_)) keys_.insert(record.key);
-  for (Record& record : whole_records(unfinished_file_)) {
+  for (const Record& record : repair_file(file_)) keys_.insert(record.key);
+  for (Record& record : repair_file(unfinished_file_)) {
     if (!contains(record.key)) unfinished_.insert_or_assign(record.key, record);
   }
   records_ = open_to_append(file_);

@@ -1,5 +1,5 @@
 #pragma once
-// What a run that resumes another takes over from it.
+// Plans of a run that resumes another.
 
 #include <vector>
 

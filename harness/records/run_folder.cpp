@@ -25,7 +25,8 @@ std::vector<PlannedCase> read_plan(const fs::path& file) {
     const std::size_t space = line.find(' ');
     if (space == std::string::npos)
       throw UsageError(fmt::format("{}: case = {} (must be a key and a name)", file.string(), line));
-    plan.push_back({.key = line.substr(0, space), .case_id = line.substr(space + 1)});
+    const std::string name = line.substr(space + 1);
+    plan.push_back({.key = line.substr(0, space), .case_id = name, .method = parse_case_name(name).method});
   }
   return plan;
 }
@@ -46,7 +47,7 @@ std::unordered_set<std::string> keys_that_count(const RunFolder& run) {
   return keys;
 }
 
-/// What commands compute with must be of its type, so that they need not look again.
+/// Checks the types of the entries that commands compute with.
 void check_types(const nlohmann::ordered_json& manifest, const fs::path& file) {
   const auto check = [&](const char* field, bool (*is_right)(const nlohmann::ordered_json&),
                          const char* requirement) {

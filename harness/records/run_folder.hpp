@@ -1,5 +1,5 @@
 #pragma once
-// What a run left in its folder, read again: manifest.json, plan.txt and records.jsonl.
+// The folder of a run, read: manifest.json, plan.txt and records.jsonl.
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -14,6 +14,7 @@ namespace signorini {
 struct PlannedCase {
   std::string key = {};
   std::string case_id = {};
+  std::string method = {};
 };
 
 struct RunFolder {

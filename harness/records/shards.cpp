@@ -12,12 +12,6 @@ namespace signorini {
 
 namespace {
 
-/// "hat-lcp" of "sdof-stop/hat-lcp[samples=64]".
-std::string method_of(const std::string& case_id) {
-  const std::size_t begin = case_id.find('/') + 1;
-  return case_id.substr(begin, case_id.find('[', begin) - begin);
-}
-
 /// The whole text as a positive number; 0 if it is none.
 int positive(std::string_view text) {
   int value = 0;
@@ -42,16 +36,16 @@ Durations::Durations(std::span<const Record> records) {
   for (const Record& record : records) {
     if (!record.elapsed) continue;
     cases_[record.case_id] = *record.elapsed;
-    for (Mean* mean : {&methods_[method_of(record.case_id)], &all_}) {
+    for (Mean* mean : {&methods_[record.method], &all_}) {
       mean->sum += *record.elapsed;
       ++mean->count;
     }
   }
 }
 
-double Durations::of(const std::string& case_id) const {
+double Durations::of(const std::string& case_id, std::string_view method_name) const {
   if (const auto known = cases_.find(case_id); known != cases_.end()) return known->second;
-  const auto method = methods_.find(method_of(case_id));
+  const auto method = methods_.find(method_name);
   const Mean& mean = method == methods_.end() ? all_ : method->second;
   return mean.count == 0 ? 1.0 : mean.sum / mean.count;
 }
@@ -73,7 +67,9 @@ std::vector<int> balance(std::span<const double> seconds, int parts) {
 
 Plan take_shard(const Plan& plan, const Shard& shard, const Durations& durations) {
   std::vector<double> seconds(plan.scenes.size(), 0.0);
-  for (const Case& planned_case : plan.cases) seconds[planned_case.scene] += durations.of(planned_case.id);
+  for (const Case& planned_case : plan.cases) {
+    seconds[planned_case.scene] += durations.of(planned_case.id, planned_case.choice.entry->name);
+  }
   const std::vector<int> part_of = balance(seconds, shard.count);
   Plan part;
   std::vector<std::size_t> place(plan.scenes.size());

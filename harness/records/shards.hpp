@@ -1,9 +1,11 @@
 #pragma once
 // A plan cut into parts of about equal length, all cases of one scene in one part.
 
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/plan/plan.hpp"
@@ -20,14 +22,14 @@ struct Shard {
 /// Reads "I/N". \throws UsageError unless 1 <= I <= N
 Shard parse_shard(const std::string& text);
 
-/// What cases are expected to take [s], from records of cases that have run.
+/// Expected wall times of cases [s], from records of cases that have run.
 class Durations {
  public:
   Durations() = default;
   explicit Durations(std::span<const Record> records);
 
   /// The case's own time if it is known, else the mean of its method, else that of all, else one second.
-  [[nodiscard]] double of(const std::string& case_id) const;
+  [[nodiscard]] double of(const std::string& case_id, std::string_view method) const;
 
  private:
   struct Mean {
@@ -35,7 +37,7 @@ class Durations {
     int count = 0;
   };
   std::map<std::string, double> cases_;
-  std::map<std::string, Mean> methods_;
+  std::map<std::string, Mean, std::less<>> methods_;
   Mean all_;
 };
 

@@ -47,7 +47,7 @@ RunStatus status_of(const RunFolder& run) {
   const double jobs = run.manifest.value("jobs", 1.0);
   double seconds = 0.0;
   for (const PlannedCase& one : run.plan) {
-    if (!present.contains(one.key)) seconds += durations.of(one.case_id) / jobs;
+    if (!present.contains(one.key)) seconds += durations.of(one.case_id, one.method) / jobs;
   }
   status.remaining_seconds = seconds;
   return status;

@@ -1,4 +1,5 @@
 #pragma once
+// How many cases of a run are done, and how long the rest will take.
 
 #include <optional>
 
@@ -21,14 +22,14 @@ struct RunStatus {
   std::size_t stale = 0;               ///< records of other code, limits, options or scenes than the plan's
   std::vector<Failure> failures = {};  ///< failed and inaccurate cases
   bool running = false;                ///< a process works on it
-  /// What pending cases are expected to take [s], by their own time in a record of before, their method's
-  /// mean or the mean of all; empty if nothing is known.
+  /// Expected time of the pending cases [s], see Durations; empty if nothing is known.
   std::optional<double> remaining_seconds = {};
 };
 
 RunStatus status_of(const RunFolder& run);
 
-/// Sums; running if one of them is, and then the rest is what the slowest needs, for they run side by side.
+/// The status of runs side by side: sums of the counts, running if one of them is, and the longest of the
+/// remaining times.
 RunStatus together(const std::vector<RunStatus>& parts);
 
 }  // namespace signorini

@@ -6,6 +6,8 @@
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
+#include "harness/records/record_fields.hpp"
+#include "harness/records/record_json.hpp"
 
 namespace signorini {
 
@@ -34,31 +36,11 @@ Eigen::MatrixXd matrix(const std::vector<std::vector<double>>& lists, std::size_
 
 }  // namespace
 
-Json to_json(const TrajectorySamples& trajectory) {
-  Json json{{"t", trajectory.t},
-            {"x", trajectory.x},
-            {"velocity", trajectory.velocity},
-            {"force", trajectory.force}};
-  json["impulses"] = Json::array();
-  for (const Impulse& impulse : trajectory.impulses) {
-    json["impulses"].push_back(
-        {{"contact", impulse.contact}, {"time", impulse.time}, {"value", impulse.value}});
-  }
-  if (trajectory.bandwidth) json["bandwidth"] = *trajectory.bandwidth;
-  return json;
-}
+Json to_json(const TrajectorySamples& trajectory) { return write_fields(trajectory); }
 
 TrajectorySamples trajectory_samples_from_json(const Json& json) {
-  using Lists = std::vector<std::vector<double>>;
-  TrajectorySamples trajectory{.t = json.at("t").get<std::vector<double>>(),
-                               .x = json.at("x").get<Lists>(),
-                               .velocity = json.at("velocity").get<Lists>(),
-                               .force = json.at("force").get<Lists>()};
-  if (json.contains("impulses")) {
-    for (const Json& item : json["impulses"])
-      trajectory.impulses.push_back({item.at("contact"), item.at("time"), item.at("value")});
-  }
-  if (json.contains("bandwidth")) trajectory.bandwidth = json["bandwidth"].get<int>();
+  TrajectorySamples trajectory;
+  read_fields(json, trajectory);
   return trajectory;
 }
 

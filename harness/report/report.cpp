@@ -4,12 +4,14 @@
 #include <map>
 
 #include "harness/files.hpp"
-#include "harness/report/document/section.hpp"
 #include "harness/report/figures/gnuplot.hpp"
+#include "harness/report/figures/motion_figures.hpp"
+#include "harness/report/figures/work_precision_figure.hpp"
 #include "harness/report/formats/latex.hpp"
 #include "harness/report/formats/markdown.hpp"
 #include "harness/report/formats/page.hpp"
 #include "harness/report/formats/record_csv.hpp"
+#include "harness/report/sections/sections.hpp"
 
 namespace signorini {
 

@@ -1,5 +1,5 @@
 #pragma once
-// What is written into the folder of a run: pure functions of what is in it.
+// The report of a run: files that are pure functions of its records and manifest.
 
 #include <filesystem>
 #include <memory>

@@ -5,6 +5,7 @@
 
 #include "harness/judge/certificate.hpp"
 #include "harness/records/json_line.hpp"
+#include "harness/records/record_json.hpp"
 #include "harness/run/timing.hpp"
 
 namespace signorini {

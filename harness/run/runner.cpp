@@ -5,6 +5,7 @@
 
 #include "harness/interrupt.hpp"
 #include "harness/judge/certificate.hpp"
+#include "harness/records/record_json.hpp"
 #include "harness/run/round_messages.hpp"
 #include "harness/run/time_limits.hpp"
 #include "harness/run/timing.hpp"
@@ -60,6 +61,7 @@ Record Runner::blank(const Scene& scene, const Job& job) const {
   const MethodEntry& entry = *planned_case.choice.entry;
   Record record;
   record.case_id = planned_case.id;
+  record.settings = planned_case.choice.settings;
   record.key = key_of(scene, planned_case);
   record.scene = scene.problem.name;
   record.scene_sha256 = scene.sha256;

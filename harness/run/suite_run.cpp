@@ -80,7 +80,9 @@ std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner) {
   std::unordered_set<std::string> keys;
   for (const Case& planned_case : plan.cases) {
     const std::string key = runner.key_of(plan.scenes[planned_case.scene], planned_case);
-    if (keys.insert(key).second) cases.push_back({.key = key, .case_id = planned_case.id});
+    if (keys.insert(key).second)
+      cases.push_back(
+          {.key = key, .case_id = planned_case.id, .method = std::string(planned_case.choice.entry->name)});
   }
   return cases;
 }

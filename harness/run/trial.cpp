@@ -11,8 +11,8 @@
 #include "harness/judge/measures.hpp"
 #include "harness/judge/waveform.hpp"
 #include "harness/plan/deadline.hpp"
-#include "harness/records/answer_digest.hpp"
 #include "harness/records/trajectory_json.hpp"
+#include "harness/run/answer_digest.hpp"
 #include "harness/run/command_failure.hpp"
 #include "harness/run/timing.hpp"
 

@@ -10,6 +10,14 @@
 namespace signorini {
 namespace {
 
+TEST(BuildInfo, NamesCompilerFlagsAndLibraries) {
+  const BuildInfo& info = build_info();
+  EXPECT_FALSE(info.version.empty());
+  EXPECT_NE(info.compiler.find(' '), std::string_view::npos) << "name and version";
+  ASSERT_FALSE(info.libraries.empty());
+  for (const auto& [name, version] : info.libraries) EXPECT_FALSE(version.empty()) << name;
+}
+
 // Two lists of methods, that of the catalogue and that of the folders built, must agree: a method whose
 // folder is not found would keep its old records when its code changes.
 TEST(BuildInfo, HashesTheSourcesOfEveryMethodOfTheCatalogueApart) {

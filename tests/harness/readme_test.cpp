@@ -9,6 +9,7 @@
 #include "harness/files.hpp"
 #include "harness/records/record_store.hpp"
 #include "harness/report/formats/markdown.hpp"
+#include "harness/report/sections/sections.hpp"
 #include "tests/support/data_folder.hpp"
 
 namespace signorini {

@@ -53,6 +53,7 @@ Record good_record(const std::string& scene, const std::string& method, const st
                    double error, double seconds) {
   Record record;
   record.case_id = scene + "/" + method + "[" + resolution + "]";
+  record.settings = parse_case_name(record.case_id).settings;
   record.key = "key of " + record.case_id;
   record.scene = scene;
   record.scene_sha256 = "abc";
@@ -100,7 +101,8 @@ std::vector<Record> records_of_every_status() {
     Record record;
     record.scene = "scene-a";
     record.method = "method-a";
-    record.case_id = "scene-a/method-a[" + std::string(status_name(status)) + "]";
+    record.settings = {{"ends", std::string(status_name(status))}};
+    record.case_id = "scene-a/" + resolution_of(record);
     record.key = record.case_id;
     record.status = status;
     record.message = "because of " + std::string(status_name(status));
@@ -108,6 +110,45 @@ std::vector<Record> records_of_every_status() {
     records.push_back(record);
   }
   return records;
+}
+
+std::vector<Record> records_of_a_run() {
+  std::vector<Record> records = records_of_every_status();
+  for (const char* scene : {"scene-b", "scene-c"}) {
+    for (const char* method : {"method-b", "method-c"}) {
+      records.push_back(good_record(scene, method, "n=1", 0.1, 1e-3));
+      records.push_back(good_record(scene, method, "n=2", 1e-3, 1e-2));
+      records.back().waveforms = full_record().waveforms;
+    }
+  }
+  records.back().law_matches_scene = false;
+  return records;
+}
+
+std::vector<Record> records_of_two_methods() {
+  std::vector<Record> records;
+  for (const char* scene : {"s1", "s2"}) {
+    for (const char* method : {"a", "b"}) {
+      records.push_back(good_record(scene, method, "n=1", 0.1, 1e-3));
+      records.push_back(good_record(scene, method, "n=2", 1e-3, 1e-2));
+    }
+  }
+  return records;
+}
+
+RunFolder part_of_a_run(const std::string& path, const std::vector<std::string>& resolutions) {
+  RunFolder run{.path = path};
+  run.manifest = {{"suite", "quick"},
+                  {"date", path},
+                  {"limits", {{"timeout_s", 1.0}}},
+                  {"jobs", 1},
+                  {"build", {{"commit", "abc"}, {"sources", {{"common", "1"}}}}},
+                  {"machine", {{"cpu", "x"}, {"processors", 2}, {"load", {0.0}}}}};
+  for (const std::string& resolution : resolutions) {
+    run.records.push_back(good_record("s", "m", resolution, 0.1, 0.1));
+    run.plan.push_back({run.records.back().key, run.records.back().case_id, "m"});
+  }
+  return run;
 }
 
 }  // namespace signorini::test

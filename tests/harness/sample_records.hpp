@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "harness/records/record.hpp"
+#include "harness/records/run_folder.hpp"
 
 namespace signorini::test {
 
@@ -16,5 +17,15 @@ Record good_record(const std::string& scene, const std::string& method, const st
 
 /// One record of each status, two of converged: certified and not.
 std::vector<Record> records_of_every_status();
+
+/// Records of every status, and two methods at two resolutions on two more scenes; the last of them
+/// represents another law.
+std::vector<Record> records_of_a_run();
+
+/// Methods a and b at two resolutions on s1 and s2, all solved.
+std::vector<Record> records_of_two_methods();
+
+/// A run in this folder with good records of the scene s and the method m at these resolutions.
+RunFolder part_of_a_run(const std::string& path, const std::vector<std::string>& resolutions);
 
 }  // namespace signorini::test

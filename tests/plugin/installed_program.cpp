@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "harness/files.hpp"
+#include "harness/records/record_json.hpp"
 
 namespace signorini::test {
 

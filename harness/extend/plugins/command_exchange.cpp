@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/records/record.hpp"
+#include "harness/records/record_json.hpp"
 #include "harness/records/trajectory_json.hpp"
 #include "harness/run/command_failure.hpp"
 #include "problems/scene/toml_tree.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// What one record says, as tables print it.
+// The cells of one record in tables.
 
 #include <string>
 
@@ -14,7 +14,7 @@ Cell count_cell(int count);
 /// Whether there is a motion to look at: converged, or inaccurate.
 bool answered(const Record& record);
 
-/// What a cell says where the run gave nothing to show: "(timeout)".
+/// The status in parentheses, for cells of a run without an answer: "(timeout)".
 std::string in_place(const Record& record);
 
 /// "e = 0.8", "k = 1e+06 N/m", "massless", "undetermined", "no contact".
@@ -36,7 +36,7 @@ std::string energy_text(const Record& record);
 /// "0.31 ms" and so on.
 std::string time_text(double seconds);
 
-/// Least or median time; only what converged in the harness's eyes has one: a fast wrong answer is no answer.
+/// Least or median time of a converged run; a wrong answer has no time. Else the status or the reason.
 std::string time_cell(const Record& record, double Seconds::*which);
 
 /// "12 p, 3 it": pivots and iterations.

@@ -7,7 +7,7 @@
 
 namespace signorini {
 
-/// Shift of geometric means unless said otherwise [s].
+/// Default shift of geometric means [s].
 inline constexpr double kMeanShift = 0.010;
 /// Shifts between which an order must not change to be one [s].
 inline constexpr std::array kMeanShifts{0.001, kMeanShift, 0.100};

@@ -25,23 +25,24 @@ std::vector<Record> sorted(std::vector<Record> records) {
 Evaluation::Evaluation(std::vector<Record> records, const Limits& limits)
     : records_(sorted(std::move(records))),
       time_limit_(limits.timeout),
-      ladders_(ladders_of(records_)),
-      contests_(contests_of(ladders_)) {
-  for (const Ladder& ladder : ladders_) {
-    contestants_.push_back(ladder.contestant);
-    if (scenes_.empty() || scenes_.back() != ladder.scene) scenes_.push_back(ladder.scene);
+      studies_(resolution_studies(records_)),
+      groups_(ranking_groups(studies_)) {
+  for (const ResolutionStudy& study : studies_) {
+    configurations_.push_back(study.configuration);
+    if (scenes_.empty() || scenes_.back() != study.scene) scenes_.push_back(study.scene);
   }
-  std::sort(contestants_.begin(), contestants_.end());
-  contestants_.erase(std::unique(contestants_.begin(), contestants_.end()), contestants_.end());
+  std::sort(configurations_.begin(), configurations_.end());
+  configurations_.erase(std::unique(configurations_.begin(), configurations_.end()), configurations_.end());
 }
 
 std::size_t Evaluation::place_of(const Record& record) const {
   return static_cast<std::size_t>(&record - records_.data());
 }
 
-std::size_t Evaluation::place_of(const std::string& contestant) const {
-  return static_cast<std::size_t>(std::lower_bound(contestants_.begin(), contestants_.end(), contestant) -
-                                  contestants_.begin());
+std::size_t Evaluation::place_of(const std::string& configuration) const {
+  return static_cast<std::size_t>(
+      std::lower_bound(configurations_.begin(), configurations_.end(), configuration) -
+      configurations_.begin());
 }
 
 }  // namespace signorini

@@ -1,46 +1,46 @@
 #pragma once
-// All that a report is made of: a run's records, and what follows from them.
+// The records of a run with everything that reports derive from them.
 
 #include <string>
 #include <vector>
 
 #include "harness/plan/suite.hpp"
 #include "harness/records/record.hpp"
-#include "harness/report/evaluation/contest.hpp"
+#include "harness/report/evaluation/ranking_group.hpp"
 
 namespace signorini {
 
-/// A run, evaluated. The same whatever the order of its records.
+/// The same whatever the order of the records.
 class Evaluation {
  public:
   /// \param limits  those of the run: its time limit stands for failures in means
   explicit Evaluation(std::vector<Record> records, const Limits& limits = {});
-  // What it holds points into its records.
+  // Studies and groups point into the records.
   Evaluation(const Evaluation&) = delete;
   Evaluation& operator=(const Evaluation&) = delete;
 
   /// By scene, method and case.
   [[nodiscard]] const std::vector<Record>& records() const { return records_; }
-  [[nodiscard]] const std::vector<Ladder>& ladders() const { return ladders_; }
-  [[nodiscard]] const std::vector<Contest>& contests() const { return contests_; }
-  /// Of set-up and first solve [s].
+  [[nodiscard]] const std::vector<ResolutionStudy>& studies() const { return studies_; }
+  [[nodiscard]] const std::vector<RankingGroup>& groups() const { return groups_; }
+  /// Time limit of set-up and first solve [s].
   [[nodiscard]] double time_limit() const { return time_limit_; }
 
-  /// All contestants, sorted.
-  [[nodiscard]] const std::vector<std::string>& contestants() const { return contestants_; }
+  /// All configurations, sorted.
+  [[nodiscard]] const std::vector<std::string>& configurations() const { return configurations_; }
   /// All scenes, sorted.
   [[nodiscard]] const std::vector<std::string>& scenes() const { return scenes_; }
   /// Where a record of this evaluation stands among its records.
   [[nodiscard]] std::size_t place_of(const Record& record) const;
-  /// Where a contestant stands among all.
-  [[nodiscard]] std::size_t place_of(const std::string& contestant) const;
+  /// Where a configuration stands among all.
+  [[nodiscard]] std::size_t place_of(const std::string& configuration) const;
 
  private:
   std::vector<Record> records_;
   double time_limit_;
-  std::vector<Ladder> ladders_;
-  std::vector<Contest> contests_;
-  std::vector<std::string> contestants_, scenes_;
+  std::vector<ResolutionStudy> studies_;
+  std::vector<RankingGroup> groups_;
+  std::vector<std::string> configurations_, scenes_;
 };
 
 }  // namespace signorini

@@ -21,8 +21,8 @@ double ratio(double cost, double least) {
 
 }  // namespace
 
-double PerformanceProfile::share(std::size_t contestant, double factor) const {
-  const std::vector<double>& sorted = ratios[contestant];
+double PerformanceProfile::share(std::size_t configuration, double factor) const {
+  const std::vector<double>& sorted = ratios[configuration];
   const auto within = std::upper_bound(sorted.begin(), sorted.end(), factor) - sorted.begin();
   return scenes == 0 ? 0.0 : static_cast<double>(within) / static_cast<double>(scenes);
 }

@@ -4,27 +4,27 @@
 
 namespace signorini {
 
-std::vector<CurvePoint> pareto_curve(const Ladder& ladder, const CostAxis& axis) {
-  std::vector<CurvePoint> runs;
-  for (const Rung& rung : ladder.rungs) {
-    const std::optional<double> cost = axis.cost(*rung.record);
-    if (rung.error && cost) runs.push_back({*cost, &rung});
+std::vector<CurvePoint> pareto_curve(const ResolutionStudy& study, const CostAxis& axis) {
+  std::vector<CurvePoint> points;
+  for (const ScoredRun& run : study.runs) {
+    const std::optional<double> cost = axis.cost(*run.record);
+    if (run.error && cost) points.push_back({*cost, &run});
   }
-  std::stable_sort(runs.begin(), runs.end(), [](const CurvePoint& a, const CurvePoint& b) {
-    return a.cost != b.cost ? a.cost < b.cost : *a.rung->error < *b.rung->error;
+  std::stable_sort(points.begin(), points.end(), [](const CurvePoint& a, const CurvePoint& b) {
+    return a.cost != b.cost ? a.cost < b.cost : *a.run->error < *b.run->error;
   });
   std::vector<CurvePoint> curve;
-  for (const CurvePoint& run : runs) {
-    const bool better = curve.empty() || (*run.rung->error < *curve.back().rung->error &&
-                                          !(run.rung->bounded && curve.back().rung->bounded));
-    if (better) curve.push_back(run);
+  for (const CurvePoint& point : points) {
+    const bool better = curve.empty() || (*point.run->error < *curve.back().run->error &&
+                                          !(point.run->bounded && curve.back().run->bounded));
+    if (better) curve.push_back(point);
   }
   return curve;
 }
 
-CurvePoint cost_to_error(const Ladder& ladder, const CostAxis& axis, double error) {
-  for (const CurvePoint& point : pareto_curve(ladder, axis)) {
-    if (*point.rung->error <= error) return point;
+CurvePoint cost_to_error(const ResolutionStudy& study, const CostAxis& axis, double error) {
+  for (const CurvePoint& point : pareto_curve(study, axis)) {
+    if (*point.run->error <= error) return point;
   }
   return {kNeverReached, nullptr};
 }

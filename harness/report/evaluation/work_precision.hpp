@@ -1,11 +1,12 @@
 #pragma once
-// Error against cost along a ladder.
+// Work-precision curves: error against cost over the resolutions of a study.
 
 #include <array>
 #include <limits>
 #include <vector>
 
-#include "harness/report/evaluation/ladder.hpp"
+#include "harness/report/evaluation/cost_axis.hpp"
+#include "harness/report/evaluation/resolution_study.hpp"
 
 namespace signorini {
 
@@ -18,15 +19,15 @@ inline constexpr double kNeverReached = std::numeric_limits<double>::infinity();
 /// A run on the curve of error against cost.
 struct CurvePoint {
   double cost = 0.0;
-  const Rung* rung = nullptr;
+  const ScoredRun* run = nullptr;
 };
 
-/// Those runs of a ladder that no other beats in both cost and error, by rising cost. Of runs whose errors
+/// Those runs of a study that no other beats in both cost and error, by rising cost. Of runs whose errors
 /// are bounds only the cheapest is there: below ten error bars nothing is better than anything.
-std::vector<CurvePoint> pareto_curve(const Ladder& ladder, const CostAxis& axis);
+std::vector<CurvePoint> pareto_curve(const ResolutionStudy& study, const CostAxis& axis);
 
 /// The least cost among the runs whose error is at most `error`, and that run; infinite, and none, where no
 /// run reached it. Nothing is inter- or extrapolated.
-CurvePoint cost_to_error(const Ladder& ladder, const CostAxis& axis, double error);
+CurvePoint cost_to_error(const ResolutionStudy& study, const CostAxis& axis, double error);
 
 }  // namespace signorini

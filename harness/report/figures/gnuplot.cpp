@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What gnuplot has to say; kept where it fails.
+/// The standard error of gnuplot; kept where it fails.
 constexpr const char* kLog = "gnuplot.log";
 
 /// Runs gnuplot in the folder; its exit code, or that it could not be started.

@@ -1,11 +1,10 @@
+#include "harness/report/figures/motion_figures.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "harness/report/document/figure.hpp"
-#include "harness/report/document/section.hpp"
 
 namespace signorini {
 
@@ -13,25 +12,25 @@ namespace {
 
 using Signals = std::vector<std::vector<double>> Waveform::*;
 
-/// What is drawn of one method: its coarsest answer with a certified orbit.
+/// A study and the record drawn of it: the coarsest answer with a certified orbit.
 struct Drawn {
-  const Ladder* ladder = nullptr;
+  const ResolutionStudy* study = nullptr;
   const Record* record = nullptr;
 };
 
-const Record* coarsest(const Ladder& ladder) {
-  for (const Rung& rung : ladder.rungs) {
-    const auto& waveforms = rung.record->waveforms;
-    if (rung.error && waveforms && waveforms->orbit && !waveforms->contacts.empty()) return rung.record;
+const Record* coarsest(const ResolutionStudy& study) {
+  for (const ScoredRun& run : study.runs) {
+    const auto& waveforms = run.record->waveforms;
+    if (run.error && waveforms && waveforms->orbit && !waveforms->contacts.empty()) return run.record;
   }
   return nullptr;
 }
 
 std::vector<Drawn> drawn_on(const Evaluation& evaluation, const std::string& scene) {
   std::vector<Drawn> found;
-  for (const Ladder& ladder : evaluation.ladders()) {
-    if (ladder.scene != scene || ladder.standing != Standing::competes) continue;
-    if (const Record* record = coarsest(ladder)) found.push_back({&ladder, record});
+  for (const ResolutionStudy& study : evaluation.studies()) {
+    if (study.scene != scene || study.eligibility != Eligibility::ranked) continue;
+    if (const Record* record = coarsest(study)) found.push_back({&study, record});
   }
   return found;
 }
@@ -69,7 +68,7 @@ std::string curves(const Evaluation& evaluation, const std::vector<Drawn>& drawn
   std::string plots = fmt::format("data index 0 using {}:{} with lines {} {}", abscissa, ordinate,
                                   kOrbitStyle, titled ? "title 'certified orbit'" : "notitle");
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const LineStyle style = line_style(evaluation.place_of(drawn[i].ladder->contestant));
+    const LineStyle style = line_style(evaluation.place_of(drawn[i].study->configuration));
     plots += fmt::format(", \\\n  data index {} using {}:{} with lines {} {}", i + 1, abscissa, ordinate,
                          style.line,
                          titled ? fmt::format("title '{}'", resolution_of(*drawn[i].record)) : "notitle");
@@ -107,7 +106,7 @@ Figure waveform_figure(const Evaluation& evaluation, const std::vector<Drawn>& d
   }
   std::vector<KeyEntry> keys{{std::string(kOrbitStyle) + " pt -1", "certified orbit"}};
   for (const Drawn& one : drawn) {
-    const LineStyle style = line_style(evaluation.place_of(one.ladder->contestant));
+    const LineStyle style = line_style(evaluation.place_of(one.study->configuration));
     keys.push_back({style.line + " pt -1", resolution_of(*one.record)});
   }
   figure.script += key_panel(keys, 0.18, 2) + "unset multiplot\n";

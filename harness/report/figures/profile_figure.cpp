@@ -1,9 +1,9 @@
+#include "harness/report/figures/profile_figure.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "harness/report/document/figure.hpp"
-#include "harness/report/document/section.hpp"
 #include "harness/report/evaluation/performance_profile.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
 
@@ -28,11 +28,11 @@ unset key
 )";
 
 /// The steps of one curve up to the right end of the panel.
-std::string steps(const PerformanceProfile& profile, std::size_t contestant, double end) {
-  std::string lines = fmt::format("1 {:.6f}\n", profile.share(contestant, 1.0));
-  for (const double ratio : profile.ratios[contestant])
-    lines += fmt::format("{:.6e} {:.6f}\n", ratio, profile.share(contestant, ratio));
-  return lines + fmt::format("{:.6e} {:.6f}\n\n\n", end, profile.share(contestant, end));
+std::string steps(const PerformanceProfile& profile, std::size_t configuration, double end) {
+  std::string lines = fmt::format("1 {:.6f}\n", profile.share(configuration, 1.0));
+  for (const double ratio : profile.ratios[configuration])
+    lines += fmt::format("{:.6e} {:.6f}\n", ratio, profile.share(configuration, ratio));
+  return lines + fmt::format("{:.6e} {:.6f}\n\n\n", end, profile.share(configuration, end));
 }
 
 double largest_ratio(const std::vector<PerformanceProfile>& profiles) {
@@ -48,10 +48,10 @@ double largest_ratio(const std::vector<PerformanceProfile>& profiles) {
 }  // namespace
 
 std::vector<Figure> profile_figures(const Evaluation& evaluation, std::size_t number) {
-  const Contest& contest = evaluation.contests()[number];
+  const RankingGroup& group = evaluation.groups()[number];
   std::vector<PerformanceProfile> profiles;
   for (const double error : kProfileErrors)
-    profiles.push_back(performance_profile(costs_to_error(contest, time_axis(), error)));
+    profiles.push_back(performance_profile(costs_to_error(group, time_axis(), error)));
   const double end = 1.5 * largest_ratio(profiles);
   Figure figure{.name = fmt::format("profile-{}", number + 1), .width = 18.0, .height = 9.0};
   figure.caption = fmt::format(
@@ -59,15 +59,15 @@ std::vector<Figure> profile_figures(const Evaluation& evaluation, std::size_t nu
       "the "
       "panel within a factor of the time of the fastest. A failure is infinitely slow; a scene that nobody "
       "solves counts.",
-      contest.scenes.size());
+      group.scenes.size());
   figure.script = fmt::format(kProfilePanels, kProfileErrors.size(), end);
   int block = 0;
   for (std::size_t p = 0; p < profiles.size(); ++p) {
     std::string plots;
-    for (std::size_t c = 0; c < contest.contestants.size(); ++c) {
-      figure.data += fmt::format("# {}, error {:.0e}\n{}", contest.contestants[c], kProfileErrors[p],
+    for (std::size_t c = 0; c < group.configurations.size(); ++c) {
+      figure.data += fmt::format("# {}, error {:.0e}\n{}", group.configurations[c], kProfileErrors[p],
                                  steps(profiles[p], c, end));
-      const LineStyle style = line_style(evaluation.place_of(contest.contestants[c]));
+      const LineStyle style = line_style(evaluation.place_of(group.configurations[c]));
       plots +=
           fmt::format("{}data index {} with steps {} notitle, data index {} with points {} ps 0.6 notitle",
                       plots.empty() ? "" : ", \\\n  ", block, style.line, block, style.filled);
@@ -77,9 +77,9 @@ std::vector<Figure> profile_figures(const Evaluation& evaluation, std::size_t nu
         fmt::format("set title 'error {:.0e}'\nplot {}\nset format y ''\n", kProfileErrors[p], plots);
   }
   std::vector<KeyEntry> keys;
-  for (const std::string& contestant : contest.contestants) {
-    const LineStyle style = line_style(evaluation.place_of(contestant));
-    keys.push_back({style.line + " " + style.mark, contestant});
+  for (const std::string& configuration : group.configurations) {
+    const LineStyle style = line_style(evaluation.place_of(configuration));
+    keys.push_back({style.line + " " + style.mark, configuration});
   }
   figure.script += key_panel(keys, 0.20, 4);
   figure.script += "unset multiplot\n";

@@ -1,17 +1,17 @@
+#include "harness/report/figures/work_precision_figure.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "harness/report/document/cells.hpp"
-#include "harness/report/document/figure.hpp"
-#include "harness/report/document/section.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
 
 namespace signorini {
 
 namespace {
 
-/// Blocks of data, and what has been plotted of them.
+/// Blocks of data with their plot commands and the ranges of the axes.
 struct Canvas {
   std::string data = {};
   std::string plots = {};
@@ -32,42 +32,43 @@ void stretch(double cost, double error, Canvas& canvas) {
   canvas.largest_error = std::max(canvas.largest_error, error);
 }
 
-/// Its curve, its runs, and those of them that are bounds.
-void add_ladder(const Ladder& ladder, const LineStyle& style, const std::string& label, Canvas& canvas) {
+/// Adds the work-precision curve of a study, its runs, and the runs whose errors are bounds.
+void add_study(const ResolutionStudy& study, const LineStyle& style, const std::string& label,
+               Canvas& canvas) {
   std::string curve, runs, bounds;
-  for (const CurvePoint& point : pareto_curve(ladder, time_axis()))
-    curve += fmt::format("{:.6e} {:.6e}\n", point.cost, *point.rung->error);
+  for (const CurvePoint& point : pareto_curve(study, time_axis()))
+    curve += fmt::format("{:.6e} {:.6e}\n", point.cost, *point.run->error);
   if (curve.empty()) return;
-  for (const Rung& rung : ladder.rungs) {
-    const std::optional<double> seconds = time_axis().cost(*rung.record);
-    if (!rung.error || !seconds) continue;
-    stretch(*seconds, *rung.error, canvas);
-    std::string& list = rung.bounded ? bounds : runs;
-    list += fmt::format("{:.6e} {:.6e}  # {}\n", *seconds, *rung.error, resolution_of(*rung.record));
+  for (const ScoredRun& run : study.runs) {
+    const std::optional<double> seconds = time_axis().cost(*run.record);
+    if (!run.error || !seconds) continue;
+    stretch(*seconds, *run.error, canvas);
+    std::string& list = run.bounded ? bounds : runs;
+    list += fmt::format("{:.6e} {:.6e}  # {}\n", *seconds, *run.error, resolution_of(*run.record));
   }
-  add_block(ladder.contestant + ", curve", curve, "lines " + style.line, canvas);
-  add_block(ladder.contestant + ", runs", runs, fmt::format("points {} ps 1.1", style.filled), canvas);
-  add_block(ladder.contestant + ", runs below ten error bars", bounds,
+  add_block(study.configuration + ", curve", curve, "lines " + style.line, canvas);
+  add_block(study.configuration + ", runs", runs, fmt::format("points {} ps 1.1", style.filled), canvas);
+  add_block(study.configuration + ", runs below ten error bars", bounds,
             fmt::format("points {} ps 1.1", style.hollow), canvas);
   canvas.plots +=
       fmt::format(", \\\n  keyentry with linespoints {} {} title '{}'", style.line, style.mark, label);
 }
 
 /// Ten error bars of the least certain orbit.
-double floor_of(const std::vector<const Ladder*>& ladders) {
+double floor_of(const std::vector<const ResolutionStudy*>& studies) {
   double floor = 0.0;
-  for (const Ladder* ladder : ladders) {
-    for (const Rung& rung : ladder->rungs) {
-      if (rung.error) floor = std::max(floor, measurable_error(*rung.record));
+  for (const ResolutionStudy* study : studies) {
+    for (const ScoredRun& run : study->runs) {
+      if (run.error) floor = std::max(floor, measurable_error(*run.record));
     }
   }
   return floor;
 }
 
-std::string label_of(const Ladder& ladder) {
-  const Record& record = *ladder.rungs.front().record;
-  if (ladder.standing != Standing::another_law || !record.law) return ladder.contestant;
-  return fmt::format("{} ({})", ladder.contestant, law_text(*record.law));
+std::string label_of(const ResolutionStudy& study) {
+  const Record& record = *study.runs.front().record;
+  if (study.eligibility != Eligibility::another_law || !record.law) return study.configuration;
+  return fmt::format("{} ({})", study.configuration, law_text(*record.law));
 }
 
 constexpr std::string_view kAxes = R"(set logscale xy
@@ -83,13 +84,13 @@ set key outside right top vertical Left reverse samplen 3 spacing 1.2 noenhanced
 floor = {:.6e}  # ten error bars of the least certain orbit
 )";
 
-Figure figure_of(const Evaluation& evaluation, const std::vector<const Ladder*>& ladders,
+Figure figure_of(const Evaluation& evaluation, const std::vector<const ResolutionStudy*>& studies,
                  const std::string& name, const std::string& error_label) {
   Canvas canvas;
-  for (const Ladder* ladder : ladders)
-    add_ladder(*ladder, line_style(evaluation.place_of(ladder->contestant)), label_of(*ladder), canvas);
+  for (const ResolutionStudy* study : studies)
+    add_study(*study, line_style(evaluation.place_of(study->configuration)), label_of(*study), canvas);
   if (canvas.blocks == 0) return {};
-  const double floor = floor_of(ladders);
+  const double floor = floor_of(studies);
   constexpr double kMargin = 3.0;
   Figure figure{.name = name, .data = canvas.data, .width = 17.0};
   figure.script =
@@ -103,10 +104,10 @@ Figure figure_of(const Evaluation& evaluation, const std::vector<const Ladder*>&
 }  // namespace
 
 std::vector<Figure> work_precision_figures(const Evaluation& evaluation, const std::string& scene) {
-  std::vector<const Ladder*> competing, others;
-  for (const Ladder& ladder : evaluation.ladders()) {
-    if (ladder.scene == scene)
-      (ladder.standing == Standing::another_law ? others : competing).push_back(&ladder);
+  std::vector<const ResolutionStudy*> competing, others;
+  for (const ResolutionStudy& study : evaluation.studies()) {
+    if (study.scene == scene)
+      (study.eligibility == Eligibility::another_law ? others : competing).push_back(&study);
   }
   std::vector<Figure> figures{
       figure_of(evaluation, competing, scene + "-work-precision", "error of x [-]"),

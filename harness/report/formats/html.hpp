@@ -14,7 +14,7 @@ std::string html_escaped(const std::string& text);
 /// Plain text as paragraphs' content, `code` between backquotes.
 std::string html_text(const std::string& text);
 
-/// Where the record of this place stands on the page.
+/// The anchor of the record at this place.
 std::string record_anchor(std::size_t place);
 
 /// A table whose numbers carry their value for sorting and link to their record; names of scenes link to the

@@ -1,4 +1,5 @@
 #pragma once
+// Sections as LaTeX tables.
 
 #include <string>
 

@@ -1,4 +1,5 @@
 #pragma once
+// Sections as Markdown.
 
 #include <span>
 #include <string>

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
+#include "harness/records/record_json.hpp"
 #include "harness/report/document/cells.hpp"
 #include "harness/report/formats/html.hpp"
 
@@ -15,8 +16,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What must not come after all scenes: overview first, the long tables last.
-bool is_overview(const Section& section) { return section.id != "cases" && section.id != "otherwise"; }
+/// Sections that come before the scenes; the long tables come after them.
+bool is_overview(const Section& section) {
+  return section.kind == SectionKind::overview || section.kind == SectionKind::scenes;
+}
 
 std::string navigation(std::span<const Section> sections, std::span<const SceneFigures> scenes) {
   std::string text = "<nav><p class=\"brand\">signorini</p>\n<ul>\n";
@@ -24,7 +27,7 @@ std::string navigation(std::span<const Section> sections, std::span<const SceneF
     return fmt::format("<li><a href=\"#{}\">{}</a></li>\n", html_escaped(target), html_escaped(title));
   };
   const auto short_title = [](const Section& section) {
-    // Of two contests' sections the first names the matter.
+    // Of two groups' sections the first names the matter.
     return section.title.substr(0, section.title.find(':'));
   };
   std::string last;
@@ -53,7 +56,7 @@ std::string section_of(const Section& section, const std::map<std::string, std::
   return text + "</section>\n";
 }
 
-/// The orbit reached from rest, as the first record that found it knows it.
+/// The orbit reached from rest, from the first record that found it.
 std::string orbit_facts(const Evaluation& evaluation, const std::string& scene) {
   const auto& records = evaluation.records();
   const auto found = std::find_if(records.begin(), records.end(), [&](const Record& record) {
@@ -88,7 +91,7 @@ std::string scene_of(const SceneFigures& scene, const Evaluation& evaluation,
                      std::span<const Section> sections, const std::map<std::string, std::string>& svgs) {
   Table laws;
   for (const Section& section : sections) {
-    if (section.id == "scenes" || section.id == "other-laws") add_rows_of_scene(section, scene.scene, laws);
+    if (section.kind == SectionKind::scenes) add_rows_of_scene(section, scene.scene, laws);
   }
   return fmt::format(
              "<section class=\"scene\" id=\"scene-{0}\"><h2>{0}</h2>\n<p>The scene's law: {1}. {2} The "
@@ -124,9 +127,9 @@ std::string records_of(const Evaluation& evaluation) {
 }
 
 std::string header_of(const std::string& title, const RunFacts& facts, const Evaluation& evaluation) {
-  std::string text =
-      fmt::format("<header><h1>{}</h1>\n<p>{} runs: {} methods on {} scenes.</p>\n<dl>", html_escaped(title),
-                  evaluation.records().size(), evaluation.contestants().size(), evaluation.scenes().size());
+  std::string text = fmt::format("<header><h1>{}</h1>\n<p>{} runs: {} methods on {} scenes.</p>\n<dl>",
+                                 html_escaped(title), evaluation.records().size(),
+                                 evaluation.configurations().size(), evaluation.scenes().size());
   for (const auto& [name, value] : facts)
     text += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", html_escaped(name), html_escaped(value));
   return text + "</dl></header>\n";

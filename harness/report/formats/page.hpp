@@ -8,16 +8,17 @@
 #include <vector>
 
 #include "harness/report/document/section.hpp"
+#include "harness/report/evaluation/evaluation.hpp"
 
 namespace signorini {
 
-/// What a page says of where its figures come from: "compiler", "GNU 12.2.0".
+/// Facts on the run in the header of a page: name and value, as in {"compiler", "GNU 12.2.0"}.
 using RunFacts = std::vector<std::pair<std::string, std::string>>;
 
 /// Facts from the text of a manifest.json; none if it is empty. \throws UsageError if it is no JSON object
 RunFacts facts_of_manifest(const std::string& text);
 
-/// What is drawn of one scene.
+/// The figures of one scene.
 struct SceneFigures {
   std::string scene = {};
   std::vector<Figure> figures = {};

@@ -2,8 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <concepts>
+#include <map>
+#include <type_traits>
 
+#include "harness/records/json_fields.hpp"
+#include "harness/records/record_fields.hpp"
 #include "harness/report/document/cells.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
 #include "harness/table.hpp"
@@ -12,11 +18,7 @@ namespace signorini {
 
 namespace {
 
-std::string number(const Measure& value) { return value ? fmt::format("{:.9e}", *value) : ""; }
-std::string number(const std::optional<long>& value) { return value ? std::to_string(*value) : ""; }
-std::string yes_no(const std::optional<bool>& value) { return value ? (*value ? "true" : "false") : ""; }
-
-/// Why cells of a row are empty, or what is to be said about it.
+/// Why cells of a row are empty, and other remarks on it.
 std::string csv_reason(const Record& record) {
   if (!answered(record)) return fmt::format("{}: {}", status_name(record.status), record.message);
   std::string text;
@@ -34,105 +36,106 @@ std::string csv_reason(const Record& record) {
   return text;
 }
 
-std::vector<Cell> csv_row(const Record& r) {
-  const auto seconds = [&](double Seconds::*which) {
-    return r.seconds ? number(Measure((*r.seconds).*which)) : "";
-  };
-  const Work& work = r.work.counts;
-  return {r.case_id,
-          r.scene,
-          r.scene_law ? law_text(*r.scene_law) : "",
-          r.method,
-          resolution_of(r),
-          r.law ? law_text(*r.law) : "",
-          yes_no(r.law_matches_scene),
-          std::string(status_name(r.status)),
-          number(r.period),
-          number(r.errors.x_l2),
-          number(r.errors.x_max),
-          number(r.errors.u_l2),
-          number(r.errors.velocity_l2),
-          number(r.errors.impulse),
-          number(r.errors.x_l2_scene),
-          number(r.certificate.error_bar),
-          number(r.physics.penetration),
-          number(r.physics.complementarity),
-          number(r.physics.energy_defect),
-          number(r.physics.contact_ratio),
-          seconds(&Seconds::min),
-          seconds(&Seconds::median),
-          seconds(&Seconds::mad),
-          seconds(&Seconds::setup),
-          seconds(&Seconds::solve),
-          number(work.unknowns),
-          number(work.iterations),
-          number(work.pivots),
-          number(work.rhs_evaluations),
-          number(work.factorisations),
-          number(r.work.peak_memory_bytes),
-          number(r.condition),
-          std::string(certificate_name(r.certificate.status)),
-          r.certificate.orbit.value_or(""),
-          yes_no(r.certificate.same_orbit),
-          yes_no(r.certificate.stable),
-          number(r.certificate.return_distance),
-          csv_reason(r)};
+/// The text of a field that has one: numbers, words, laws; empty where there is none.
+struct FieldText {
+  std::string operator()(const std::string& text) const { return text; }
+  std::string operator()(bool value) const { return value ? "true" : "false"; }
+  std::string operator()(double value) const { return fmt::format("{:.9e}", value); }
+  std::string operator()(std::integral auto value) const { return std::to_string(value); }
+  std::string operator()(const RepresentedLaw& law) const { return law_text(law); }
+  template <class Enum>
+  requires std::is_enum_v<Enum> std::string operator()(Enum value) const {
+    return std::string(enum_name(value));
+  }
+  template <class T>
+  requires std::invocable<FieldText, const T&> std::string operator()(const std::optional<T>& value) const {
+    return value ? (*this)(*value) : std::string();
+  }
+};
+
+/// Adds the texts of an object's fields by their path, "errors.x_l2". Lists and objects without a text of
+/// their own, waveforms say, are left out.
+template <class T>
+void collect_texts(const std::string& path, const T& value, std::map<std::string, std::string>& texts) {
+  if constexpr (Visited<T>) {
+    visit_fields(value, [&](const Field& field, const auto& member) {
+      collect_texts(path.empty() ? field.name : path + "." + field.name, member, texts);
+    });
+  } else if constexpr (std::invocable<FieldText, const T&>) {
+    texts[path] = FieldText{}(value);
+  } else if constexpr (requires {
+                         typename T::value_type;
+                         *value;
+                         value.has_value();
+                       }) {
+    if constexpr (Visited<typename T::value_type>) {
+      if (value) collect_texts(path, *value, texts);
+    }
+  }
 }
 
-std::string_view standing_name(Standing standing) {
-  switch (standing) {
-    case Standing::competes:
-      return "competes";
-    case Standing::another_law:
-      return "another-law";
-    case Standing::not_applicable:
-      return "not-applicable";
-  }
-  return "";
+/// A column: its title, and the path of the field that it shows.
+struct Column {
+  std::string_view title;
+  std::string_view field;
+};
+
+/// Columns of table.csv, in order. Two of them are no fields: kResolution and kReason.
+constexpr std::string_view kResolution = "resolution", kReason = "reason";
+constexpr std::array<Column, 38> kColumns{{{"case", "case"},
+                                           {"scene", "scene"},
+                                           {"scene_law", "scene_law"},
+                                           {"method", "method"},
+                                           {kResolution, kResolution},
+                                           {"law", "law"},
+                                           {"law_matches_scene", "law_matches_scene"},
+                                           {"status", "status"},
+                                           {"period", "period"},
+                                           {"x_l2", "errors.x_l2"},
+                                           {"x_max", "errors.x_max"},
+                                           {"u_l2", "errors.u_l2"},
+                                           {"velocity_l2", "errors.velocity_l2"},
+                                           {"impulse", "errors.impulse"},
+                                           {"x_l2_scene", "errors.x_l2_scene"},
+                                           {"error_bar", "certificate.error_bar"},
+                                           {"penetration", "physics.penetration"},
+                                           {"complementarity", "physics.complementarity"},
+                                           {"energy_defect", "physics.energy_defect"},
+                                           {"contact_ratio", "physics.contact_ratio"},
+                                           {"seconds_min", "seconds.min"},
+                                           {"seconds_median", "seconds.median"},
+                                           {"seconds_mad", "seconds.mad"},
+                                           {"seconds_setup", "seconds.setup"},
+                                           {"seconds_solve", "seconds.solve"},
+                                           {"unknowns", "work.unknowns"},
+                                           {"iterations", "work.iterations"},
+                                           {"pivots", "work.pivots"},
+                                           {"rhs_evaluations", "work.rhs_evaluations"},
+                                           {"factorisations", "work.factorisations"},
+                                           {"peak_memory_bytes", "work.peak_memory_bytes"},
+                                           {"condition", "condition"},
+                                           {"certificate", "certificate.status"},
+                                           {"orbit", "certificate.orbit"},
+                                           {"same_orbit", "certificate.same_orbit"},
+                                           {"stable", "certificate.stable"},
+                                           {"return_distance", "certificate.return_distance"},
+                                           {kReason, kReason}}};
+
+std::vector<Cell> csv_row(const Record& record) {
+  std::map<std::string, std::string> texts;
+  collect_texts("", record, texts);
+  texts.emplace(kResolution, resolution_of(record));
+  texts.emplace(kReason, csv_reason(record));
+  std::vector<Cell> row;
+  for (const Column& column : kColumns) row.emplace_back(texts[std::string(column.field)]);
+  return row;
 }
 
 }  // namespace
 
 std::string csv_report(const Evaluation& evaluation) {
-  Table table{{"case",
-               "scene",
-               "scene_law",
-               "method",
-               "resolution",
-               "law",
-               "law_matches_scene",
-               "status",
-               "period",
-               "x_l2",
-               "x_max",
-               "u_l2",
-               "velocity_l2",
-               "impulse",
-               "x_l2_scene",
-               "error_bar",
-               "penetration",
-               "complementarity",
-               "energy_defect",
-               "contact_ratio",
-               "seconds_min",
-               "seconds_median",
-               "seconds_mad",
-               "seconds_setup",
-               "seconds_solve",
-               "unknowns",
-               "iterations",
-               "pivots",
-               "rhs_evaluations",
-               "factorisations",
-               "peak_memory_bytes",
-               "condition",
-               "certificate",
-               "orbit",
-               "same_orbit",
-               "stable",
-               "return_distance",
-               "reason"},
-              {}};
+  Table table;
+  for (const Column& column : kColumns) table.header.emplace_back(column.title);
   for (const Record& record : evaluation.records()) table.rows.push_back(csv_row(record));
   return to_csv(table);
 }
@@ -140,16 +143,16 @@ std::string csv_report(const Evaluation& evaluation) {
 std::string measures_csv(const Evaluation& evaluation) {
   Table table{{"scene", "contestant", "law", "standing", "runs", "solved"}, {}};
   for (const double error : kErrorLevels) table.header.push_back(fmt::format("seconds_to_{:.0e}", error));
-  for (const Ladder& ladder : evaluation.ladders()) {
-    const Record& first = *ladder.rungs.front().record;
-    std::vector<Cell> row{ladder.scene,
-                          ladder.contestant,
+  for (const ResolutionStudy& study : evaluation.studies()) {
+    const Record& first = *study.runs.front().record;
+    std::vector<Cell> row{study.scene,
+                          study.configuration,
                           first.law ? law_text(*first.law) : "not recorded",
-                          std::string(standing_name(ladder.standing)),
-                          std::to_string(ladder.rungs.size()),
-                          std::to_string(credited_rungs(ladder))};
+                          std::string(enum_name(study.eligibility)),
+                          std::to_string(study.runs.size()),
+                          std::to_string(solved_runs(study))};
     for (const double error : kErrorLevels) {
-      const double seconds = cost_to_error(ladder, time_axis(), error).cost;
+      const double seconds = cost_to_error(study, time_axis(), error).cost;
       row.emplace_back(std::isfinite(seconds) ? fmt::format("{:.9e}", seconds) : "inf");
     }
     table.rows.push_back(std::move(row));

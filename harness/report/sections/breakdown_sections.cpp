@@ -1,4 +1,4 @@
-// Where each method breaks: families of scenes from easy to impossible.
+#include "harness/report/sections/breakdown_sections.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "harness/report/document/cells.hpp"
-#include "harness/report/document/section.hpp"
 
 namespace signorini {
 
@@ -17,7 +16,7 @@ namespace {
 /// Errors of x within which a level counts as solved: the motion is found, and found well [-].
 constexpr std::array kSolvedWithin{1e-1, 1e-3};
 
-/// What a contestant did on one family: its records by severity.
+/// Records of one configuration on one family, by severity.
 using Levels = std::map<int, std::vector<const Record*>>;
 
 /// Contestants by place on every family, families by name.
@@ -27,13 +26,13 @@ Families families_of(const Evaluation& evaluation) {
   Families families;
   for (const Record& record : evaluation.records()) {
     if (!record.family) continue;
-    families[record.family->family][evaluation.place_of(contestant_of(record))][record.family->severity]
+    families[record.family->family][evaluation.place_of(configuration_of(record))][record.family->severity]
         .push_back(&record);
   }
   return families;
 }
 
-/// Any certified orbit will do: which one is not asked here.
+/// Certified within the error. Which orbit it is does not matter here.
 bool is_solved(const Record& record, double error) {
   return record.status == Status::converged && record.certificate.status == CertificateStatus::certified &&
          std::max(record.errors.x_l2.value_or(2.0 * error), measurable_error(record)) <= error;
@@ -74,16 +73,16 @@ Cell breakdown_cell(const Levels& levels, double error) {
   return {text, static_cast<double>(in_a_row)};
 }
 
-/// A row for each family, a column for each contestant.
+/// A row for each family, a column for each configuration.
 template <class MakeCell>
 Table family_table(const Evaluation& evaluation, const Families& families, const MakeCell& cell_of) {
   Table table{.header = {"family"}, .rows = {}};
-  for (const std::string& contestant : evaluation.contestants()) table.header.push_back(contestant);
-  for (const auto& [family, contestants] : families) {
+  for (const std::string& configuration : evaluation.configurations()) table.header.push_back(configuration);
+  for (const auto& [family, configurations] : families) {
     std::vector<Cell> row{family};
-    for (std::size_t place = 0; place < evaluation.contestants().size(); ++place) {
-      const auto found = contestants.find(place);
-      row.push_back(found == contestants.end() ? Cell("not run") : cell_of(found->second));
+    for (std::size_t place = 0; place < evaluation.configurations().size(); ++place) {
+      const auto found = configurations.find(place);
+      row.push_back(found == configurations.end() ? Cell("not run") : cell_of(found->second));
     }
     table.rows.push_back(std::move(row));
   }
@@ -104,14 +103,14 @@ Section breakdown_section(const Evaluation& evaluation, const Families& families
   return section;
 }
 
-/// What drives each family, and through which levels.
+/// The parameter and the levels of each family.
 Section parameter_section(const Families& families) {
   Section section{.id = "families", .title = "Families"};
   section.table.header = {"family", "parameter", "levels, easiest first"};
-  for (const auto& [family, contestants] : families) {
+  for (const auto& [family, configurations] : families) {
     std::map<int, std::string> labels;
     const Record* any = nullptr;
-    for (const auto& [place, levels] : contestants) {
+    for (const auto& [place, levels] : configurations) {
       for (const auto& [severity, records] : levels) {
         any = records.front();
         labels[severity] = level_label(any->family->level);
@@ -124,15 +123,15 @@ Section parameter_section(const Families& families) {
   return section;
 }
 
-/// How often a method says converged, and how often the harness disagrees.
+/// How often a method reports convergence, and how often the harness refutes it.
 Section false_convergence_section(const Evaluation& evaluation) {
   struct Tally {
     int runs = 0, claims = 0, refuted = 0, certified = 0;
   };
-  std::vector<Tally> tallies(evaluation.contestants().size());
+  std::vector<Tally> tallies(evaluation.configurations().size());
   for (const Record& record : evaluation.records()) {
     if (!record.family || record.status == Status::not_applicable) continue;
-    Tally& tally = tallies[evaluation.place_of(contestant_of(record))];
+    Tally& tally = tallies[evaluation.place_of(configuration_of(record))];
     ++tally.runs;
     if (!answered(record)) continue;
     ++tally.claims;
@@ -145,7 +144,7 @@ Section false_convergence_section(const Evaluation& evaluation) {
     const Tally& tally = tallies[place];
     if (tally.runs == 0) continue;
     const double rate = tally.claims > 0 ? 100.0 * tally.refuted / tally.claims : 0.0;
-    section.table.rows.push_back({evaluation.contestants()[place], count_cell(tally.runs),
+    section.table.rows.push_back({evaluation.configurations()[place], count_cell(tally.runs),
                                   count_cell(tally.claims), count_cell(tally.certified),
                                   count_cell(tally.refuted), Cell(fmt::format("{:.1f} %", rate), rate)});
   }

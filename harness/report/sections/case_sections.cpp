@@ -1,7 +1,8 @@
+#include "harness/report/sections/case_sections.hpp"
+
 #include <fmt/format.h>
 
 #include "harness/report/document/cells.hpp"
-#include "harness/report/document/section.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
 
 namespace signorini {
@@ -13,7 +14,7 @@ Cell time_of(const Record& record, double Seconds::*which) {
   return {time_cell(record, which), timed ? (*record.seconds).*which : kNeverReached};
 }
 
-/// What rows are sorted by.
+/// The value by which rows are sorted.
 double error_value(const Record& record) {
   const Measure error = record.errors.x_l2 ? record.errors.x_l2 : record.errors.u_l2;
   return error ? std::max(*error, measurable_error(record)) : kNeverReached;
@@ -48,7 +49,7 @@ polished from each answer and followed by CVODE for a period; where there is non
 method by shooting at tolerance 1e-12. Both methods are so judged by their own kin: exact-orbit by a second
 evaluation of its orbit, and by CVODE to about 1e-10.)";
 
-/// What a run that did not go as hoped has to say; empty for the others.
+/// Why a run did not converge or is not certified; empty for the others.
 std::string remark(const Record& record) {
   const bool uncertified = answered(record) && record.certificate.status != CertificateStatus::certified;
   if (record.status == Status::converged && !uncertified) return {};
@@ -59,7 +60,8 @@ std::string remark(const Record& record) {
 }  // namespace
 
 std::vector<Section> case_sections(const Evaluation& evaluation) {
-  Section section{.id = std::string(kCasesId), .title = "Every case", .note = std::string(kLegend)};
+  Section section{
+      .id = "cases", .kind = SectionKind::cases, .title = "Every case", .note = std::string(kLegend)};
   section.table.header = {"scene",      "law",           "method",   "represents",  "status",
                           "error of x", "energy defect", "time min", "time median", "pivots, iterations",
                           "orbit"};
@@ -69,7 +71,7 @@ std::vector<Section> case_sections(const Evaluation& evaluation) {
 }
 
 std::vector<Section> remark_sections(const Evaluation& evaluation) {
-  Section section{.id = "otherwise", .title = "What went otherwise"};
+  Section section{.id = "otherwise", .kind = SectionKind::remarks, .title = "What went otherwise"};
   section.table.header = {"case", "status", "why"};
   for (const Record& record : evaluation.records()) {
     const std::string why = remark(record);

@@ -1,6 +1,13 @@
+#include "harness/report/sections/sections.hpp"
+
 #include <array>
 
-#include "harness/report/document/section.hpp"
+#include "harness/report/sections/breakdown_sections.hpp"
+#include "harness/report/sections/case_sections.hpp"
+#include "harness/report/sections/ranking_sections.hpp"
+#include "harness/report/sections/scene_sections.hpp"
+#include "harness/report/sections/sensitivity_sections.hpp"
+#include "harness/report/sections/summary_sections.hpp"
 
 namespace signorini {
 

@@ -1,4 +1,4 @@
-// How answers depend on what should not matter: a constant, the samples at fixed harmonics, the repetition.
+#include "harness/report/sections/sensitivity_sections.hpp"
 
 #include <fmt/format.h>
 
@@ -14,8 +14,7 @@
 #include <vector>
 
 #include "harness/report/document/cells.hpp"
-#include "harness/report/document/section.hpp"
-#include "harness/report/evaluation/ladder.hpp"
+#include "harness/report/evaluation/resolution_study.hpp"
 #include "harness/statistics.hpp"
 
 namespace signorini {
@@ -25,7 +24,7 @@ namespace {
 /// A method with all its settings but one: "fourier-lipschitz[harmonics=40]", and the key of that one.
 using Varied = std::pair<std::string, std::string>;
 
-/// Records by the value of what is varied, values in the order in which they ran.
+/// Records by the value of the varied option, values in the order in which they ran.
 struct Variation {
   std::vector<std::string> values = {};
   std::map<std::string, std::vector<const Record*>> records = {};
@@ -38,15 +37,13 @@ constexpr std::size_t kFewestValues = 3;
 std::map<Varied, Variation> variations_of(const Evaluation& evaluation) {
   std::map<Varied, Variation> variations;
   for (const Record& record : evaluation.records()) {
-    const std::vector<std::string> settings = settings_of(record);
-    for (std::size_t varied = 0; varied < settings.size(); ++varied) {
-      std::vector<std::string> others = settings;
+    for (std::size_t varied = 0; varied < record.settings.size(); ++varied) {
+      Settings others = record.settings;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(varied));
-      if (std::none_of(others.begin(), others.end(), is_numeric)) continue;
-      const std::size_t equals = settings[varied].find('=');
-      const std::string value = settings[varied].substr(equals + 1);
-      Variation& variation = variations[{fmt::format("{}[{}]", record.method, fmt::join(others, ",")),
-                                         settings[varied].substr(0, equals)}];
+      const auto numeric = [](const OptionSetting& setting) { return is_numeric(setting.second); };
+      if (std::none_of(others.begin(), others.end(), numeric)) continue;
+      const auto& [option, value] = record.settings[varied];
+      Variation& variation = variations[{method_label(record.method, others), option}];
       std::vector<const Record*>& records = variation.records[value];
       if (records.empty()) variation.values.push_back(value);
       records.push_back(&record);
@@ -93,7 +90,7 @@ std::vector<std::string> in_order(std::vector<std::string> values) {
   return values;
 }
 
-/// What became of one method at one value.
+/// Results of one method at one value.
 struct Outcome {
   int cases = 0, solved = 0, same_orbit = 0, refuted = 0;
   std::vector<double> errors = {};  // infinite where not solved

@@ -1,3 +1,5 @@
+#include "harness/report/sections/summary_sections.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 
 #include "harness/plan/baseline.hpp"
 #include "harness/report/document/cells.hpp"
-#include "harness/report/document/section.hpp"
 #include "harness/statistics.hpp"
 
 namespace signorini {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "harness/records/record_json.hpp"
 #include "tests/harness/judge/fake_orbits.hpp"
 
 namespace signorini {

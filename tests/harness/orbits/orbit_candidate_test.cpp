@@ -5,7 +5,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "harness/records/record.hpp"
+#include "harness/records/record_json.hpp"
 
 namespace signorini {
 namespace {

@@ -13,6 +13,7 @@
 #include "harness/judge/exact_certificate.hpp"
 #include "harness/orbits/candidate_units.hpp"
 #include "harness/orbits/orbit_file.hpp"
+#include "harness/records/record_json.hpp"
 #include "problems/scene/scene_file.hpp"
 
 namespace signorini {

@@ -2,97 +2,45 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-#include <nlohmann/json.hpp>
 #include <set>
-
-#include "tests/harness/sample_records.hpp"
 
 namespace signorini {
 namespace {
 
-using Json = nlohmann::ordered_json;
-using Keys = std::set<std::string>;
-
-Keys keys(const Json& json) {
-  Keys found;
-  for (const auto& [key, value] : json.items()) found.insert(key);
-  return found;
+TEST(Record, HasANameForEveryStatusAndCertificate) {
+  std::set<std::string_view> names;
+  for (int i = 0; i <= static_cast<int>(Status::invalid_output); ++i)
+    names.insert(status_name(static_cast<Status>(i)));
+  EXPECT_EQ(names.size(), EnumNames<Status>::values.size());
+  EXPECT_EQ(status_name(Status::not_applicable), "not-applicable");
+  EXPECT_EQ(status_name(Status::invalid_output), "invalid-output");
+  EXPECT_EQ(certificate_name(CertificateStatus::uncertified), "uncertified");
 }
 
-TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
-  const Json json = to_json(test::full_record());
-  EXPECT_EQ(
-      keys(json),
-      (Keys{"schema",  "case",     "key",         "scene",  "scene_sha256", "method",     "plugin",
-            "options", "status",   "message",     "signal", "law",          "scene_law",  "law_matches_scene",
-            "period",  "residual", "condition",   "work",   "seconds",      "not_timed",  "answer",
-            "repeats", "elapsed",  "certificate", "errors", "physics",      "trajectory", "waveforms"}));
-  EXPECT_EQ(keys(json["work"]), (Keys{"unknowns", "iterations", "pivots", "rhs_evaluations", "factorisations",
-                                      "peak_memory_bytes"}));
-  EXPECT_EQ(keys(json["seconds"]),
-            (Keys{"median", "min", "mad", "repetitions", "setup", "solve", "unstable", "rounds", "jobs"}));
-  EXPECT_EQ(keys(json["certificate"]),
-            (Keys{"status", "reason", "source", "orbit", "order", "error_bar", "residual", "distance",
-                  "reference", "reference_reason", "same_orbit", "events", "floquet", "stable"}));
-  EXPECT_EQ(keys(json["certificate"]["events"][0]), (Keys{"time", "contact", "kind", "value"}));
-  EXPECT_EQ(keys(json["errors"]), (Keys{"x_l2", "x_max", "u_l2", "velocity_l2", "impulse", "x_l2_scene"}));
-  EXPECT_EQ(keys(json["physics"]), (Keys{"penetration", "complementarity", "energy_defect", "energy_reason",
-                                         "effective_restitution", "contact_ratio"}));
-  EXPECT_EQ(keys(json["trajectory"]), (Keys{"t", "x", "velocity", "force", "impulses", "bandwidth"}));
-  EXPECT_EQ(keys(json["waveforms"]), (Keys{"contacts", "answer", "orbit"}));
-  EXPECT_EQ(keys(json["waveforms"]["answer"]), (Keys{"t", "x", "velocity", "force", "impulse"}));
-  EXPECT_EQ(keys(json["waveforms"]["orbit"]), (Keys{"t", "x", "velocity", "force", "impulse"}));
-  EXPECT_EQ(keys(json["trajectory"]["impulses"][0]), (Keys{"contact", "time", "value"}));
+TEST(ResolutionOf, IsTheMethodWithItsSettings) {
+  EXPECT_EQ(resolution_of({.scene = "s", .method = "m", .settings = {{"a", "1"}, {"b", "x"}}}), "m[a=1,b=x]");
+  EXPECT_EQ(resolution_of({.method = "m"}), "m");
 }
 
-TEST(RecordJson, ComesBackAsItWent) {
-  const Json json = to_json(test::full_record());
-  EXPECT_EQ(to_json(record_from_json(json)), json);
-  EXPECT_EQ(to_json(record_from_json(Json::parse(json.dump()))), json);
+TEST(CountRepeat, CountsSolvesWhoseAnswerHasTheSameDigest) {
+  Record record{.answer = "0123"};
+  EXPECT_FALSE(record.repeats.has_value());
+  count_repeat("0123", record);
+  count_repeat("0124", record);
+  EXPECT_EQ(record.repeats->solves, 2);
+  EXPECT_EQ(record.repeats->identical, 1);
 }
 
-TEST(RecordJson, ComesBackAsItWentForEveryStatusAndLaw) {
-  for (const Record& record : test::records_of_every_status()) {
-    const Json json = to_json(record);
-    EXPECT_EQ(to_json(record_from_json(Json::parse(json.dump()))), json) << json.dump();
-  }
-  for (const RepresentedLaw& law : std::vector<RepresentedLaw>{
-           Restitution{0.25}, Penalty{{1.0, 2.0}}, Massless{}, Undetermined{}, std::monostate{}}) {
-    EXPECT_EQ(law_from_json(law_to_json(law)).index(), law.index());
-  }
-  EXPECT_EQ(law_to_json(Restitution{0.8}).dump(), R"({"restitution":0.8})");
-  EXPECT_EQ(law_to_json(Penalty{{1.5}}).dump(), R"({"penalty":[1.5]})");
-  EXPECT_EQ(law_to_json(Massless{}).dump(), R"({"massless":true})");
-}
-
-TEST(RecordJson, LeavesOutWhatDoesNotExist) {
+TEST(MeasurableError, IsTenErrorBarsOfTheOrbit) {
   Record record;
-  record.scene = "s";
-  record.method = "m";
-  record.errors.x_l2 = std::numeric_limits<double>::quiet_NaN();
-  record.period = std::numeric_limits<double>::infinity();
-  const Json json = to_json(record);
-  EXPECT_EQ(keys(json),
-            (Keys{"schema", "scene", "scene_sha256", "method", "options", "status", "certificate"}));
-  EXPECT_EQ(json.dump().find("null"), std::string::npos);
+  EXPECT_EQ(measurable_error(record), 0.0);
+  record.certificate.error_bar = 1e-12;
+  EXPECT_DOUBLE_EQ(measurable_error(record), 1e-11);
 }
 
-TEST(RecordJson, KeepsTheKindOfAnOption) {
-  Record record;
-  record.options = {{"a", true}, {"b", 3L}, {"c", 3.0}, {"d", std::string("x")}, {"e", std::monostate{}}};
-  const Record back = record_from_json(Json::parse(to_json(record).dump()));
-  EXPECT_EQ(back.options, record.options);
-}
-
-TEST(RecordJson, RefusesWhatIsNoRecord) {
-  EXPECT_THROW(record_from_json(Json::parse("{}")), BadRecord);
-  Json json = to_json(test::full_record());
-  json["schema"] = 99;
-  EXPECT_THROW(record_from_json(json), BadRecord);
-  json = to_json(test::full_record());
-  json["status"] = "splendid";
-  EXPECT_THROW(record_from_json(json), BadRecord);
+TEST(AsRepresented, KeepsTheLawAndItsConstant) {
+  EXPECT_EQ(std::get<Restitution>(as_represented(Restitution{0.3})).e, 0.3);
+  EXPECT_TRUE(std::holds_alternative<Massless>(as_represented(Massless{})));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "tests/harness/fake_method.hpp"
 
@@ -63,6 +64,28 @@ TEST(Repeated, TakesSeveralPeriodsForOne) {
   EXPECT_EQ(twice.bandwidth(), 10);
   ASSERT_EQ(twice.impulses().size(), 2U);
   EXPECT_EQ(twice.impulses()[1].time, 3.75);
+}
+
+TEST(TrajectoryDefect, NamesWhatNoAnswerMayHave) {
+  const auto defect = [](int contacts, double forcing_period) {
+    return trajectory_defect(with_an_impulse(), contacts, forcing_period);
+  };
+  EXPECT_EQ(defect(1, 2.0), "");
+  EXPECT_EQ(defect(1, 1.0), "") << "two forcing periods";
+  EXPECT_EQ(defect(2, 2.0), "the trajectory has 1 contacts, the scene 2");
+  EXPECT_NE(defect(1, 3.0).find("no whole multiple"), std::string::npos) << "shorter than the forcing period";
+  EXPECT_NE(defect(1, 1.9).find("no whole multiple"), std::string::npos);
+  EXPECT_EQ(defect(1, 2.0 * (1.0 + 1e-7)), "") << "within a millionth";
+}
+
+TEST(SamplesDefect, NamesWrongSizesAndNumbersThatAreNotFinite) {
+  Samples samples = with_an_impulse().sample(4);
+  EXPECT_EQ(samples_defect(samples, 4, 1), "");
+  EXPECT_EQ(samples_defect(samples, 8, 1), "x has 4 x 1 samples, 8 x 1 were asked for");
+  samples.velocity(2, 0) = std::nan("");
+  EXPECT_EQ(samples_defect(samples, 4, 1), "velocity has values that are not finite");
+  samples.velocity.resize(4, 2);
+  EXPECT_EQ(samples_defect(samples, 4, 1), "velocity has 4 x 2 samples, 4 x 1 were asked for");
 }
 
 }  // namespace

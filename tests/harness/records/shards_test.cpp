@@ -57,7 +57,7 @@ TEST(TakeShard, PutsALongSceneAloneWherePastDurationsAreKnown) {
   const Plan plan = plan_of_scenes(5);
   std::vector<Record> records;
   for (const Case& run : plan.cases) {
-    records.push_back(Record{.case_id = run.id});
+    records.push_back(Record{.case_id = run.id, .method = std::string(run.choice.entry->name)});
     records.back().elapsed = run.scene == 3 ? 100.0 : 1.0;
   }
   const Durations durations(records);
@@ -67,16 +67,17 @@ TEST(TakeShard, PutsALongSceneAloneWherePastDurationsAreKnown) {
 }
 
 TEST(Durations, FallBackToTheMeanOfTheMethodThenOfAll) {
-  std::vector<Record> records{Record{.case_id = "s/m[n=1]"}, Record{.case_id = "s/m[n=2]"},
-                              Record{.case_id = "s/k"}};
+  std::vector<Record> records{Record{.case_id = "s/m[n=1]", .method = "m"},
+                              Record{.case_id = "s/m[n=2]", .method = "m"},
+                              Record{.case_id = "s/k", .method = "k"}};
   records[0].elapsed = 1.0;
   records[1].elapsed = 3.0;
   records[2].elapsed = 8.0;
   const Durations durations(records);
-  EXPECT_EQ(durations.of("s/m[n=2]"), 3.0);
-  EXPECT_EQ(durations.of("t/m[n=1]"), 2.0);
-  EXPECT_EQ(durations.of("t/unknown"), 4.0);
-  EXPECT_EQ(Durations().of("anything"), 1.0);
+  EXPECT_EQ(durations.of("s/m[n=2]", "m"), 3.0);
+  EXPECT_EQ(durations.of("t/m[n=1]", "m"), 2.0);
+  EXPECT_EQ(durations.of("t/unknown", "unknown"), 4.0);
+  EXPECT_EQ(Durations().of("anything", "any"), 1.0);
 }
 
 TEST(Balance, StaysWithinAThirdOfTheBest) {

@@ -7,22 +7,22 @@
 namespace signorini {
 namespace {
 
-/// A ladder of runs of given errors and seconds.
+/// A study of runs of given errors and seconds.
 struct Runs {
   explicit Runs(const std::vector<std::pair<double, double>>& error_and_time) {
     for (const auto& [error, time] : error_and_time) {
       records.push_back(test::good_record("s", "m", "n=" + std::to_string(records.size()), error, time));
       records.back().work.counts.pivots = static_cast<long>(100.0 * time);
     }
-    ladder = ladders_of(records).front();
+    study = resolution_studies(records).front();
   }
   std::vector<Record> records;
-  Ladder ladder;
+  ResolutionStudy study;
 };
 
 TEST(ParetoCurve, LeavesOutWhatAnotherRunBeatsInBoth) {
   const Runs runs({{0.1, 1.0}, {0.2, 2.0}, {0.01, 4.0}, {0.05, 3.0}, {0.01, 5.0}});
-  const std::vector<CurvePoint> curve = pareto_curve(runs.ladder, time_axis());
+  const std::vector<CurvePoint> curve = pareto_curve(runs.study, time_axis());
   ASSERT_EQ(curve.size(), 3U);
   EXPECT_EQ(curve[0].cost, 1.0);
   EXPECT_EQ(curve[1].cost, 3.0);
@@ -32,42 +32,42 @@ TEST(ParetoCurve, LeavesOutWhatAnotherRunBeatsInBoth) {
 TEST(ParetoCurve, RanksNothingBelowTenErrorBars) {
   // Dividing by, or ordering by, errors of 1e-15 and 1e-17 would be ranking noise.
   const Runs runs({{1e-15, 1.0}, {1e-17, 2.0}, {0.0, 3.0}});
-  const std::vector<CurvePoint> curve = pareto_curve(runs.ladder, time_axis());
+  const std::vector<CurvePoint> curve = pareto_curve(runs.study, time_axis());
   ASSERT_EQ(curve.size(), 1U);
   EXPECT_EQ(curve[0].cost, 1.0);
-  EXPECT_DOUBLE_EQ(*curve[0].rung->error, 1e-11);
+  EXPECT_DOUBLE_EQ(*curve[0].run->error, 1e-11);
 }
 
 TEST(CostToError, IsThatOfTheCheapestRunThatReachesItAndNeverExtrapolates) {
   const Runs runs({{0.09, 1.0}, {0.011, 2.0}, {0.009, 8.0}});
-  EXPECT_EQ(cost_to_error(runs.ladder, time_axis(), 0.1).cost, 1.0);
-  EXPECT_EQ(cost_to_error(runs.ladder, time_axis(), 0.05).cost, 2.0);
-  EXPECT_EQ(cost_to_error(runs.ladder, time_axis(), 0.01).cost, 8.0);  // between runs nothing is drawn
-  EXPECT_EQ(cost_to_error(runs.ladder, time_axis(), 1e-3).cost, kNeverReached);
-  EXPECT_EQ(cost_to_error(runs.ladder, time_axis(), 1e-3).rung, nullptr);
+  EXPECT_EQ(cost_to_error(runs.study, time_axis(), 0.1).cost, 1.0);
+  EXPECT_EQ(cost_to_error(runs.study, time_axis(), 0.05).cost, 2.0);
+  EXPECT_EQ(cost_to_error(runs.study, time_axis(), 0.01).cost, 8.0);  // between runs nothing is drawn
+  EXPECT_EQ(cost_to_error(runs.study, time_axis(), 1e-3).cost, kNeverReached);
+  EXPECT_EQ(cost_to_error(runs.study, time_axis(), 1e-3).run, nullptr);
 }
 
 TEST(CostToError, DoesNotReachBelowTheFloorOfTheReference) {
   const Runs runs({{0.0, 1.0}});  // its orbit is known to 1e-12
-  EXPECT_EQ(cost_to_error(runs.ladder, time_axis(), 1e-9).cost, 1.0);
-  EXPECT_EQ(cost_to_error(runs.ladder, time_axis(), 1e-12).cost, kNeverReached);
+  EXPECT_EQ(cost_to_error(runs.study, time_axis(), 1e-9).cost, 1.0);
+  EXPECT_EQ(cost_to_error(runs.study, time_axis(), 1e-12).cost, kNeverReached);
 }
 
 TEST(CostToError, CountsWorkAsItCountsTime) {
   const Runs runs({{0.09, 1.0}, {0.009, 8.0}});
   const CostAxis& pivots = work_axes()[0];
   EXPECT_EQ(pivots.name, "pivots");
-  EXPECT_EQ(cost_to_error(runs.ladder, pivots, 0.01).cost, 800.0);
+  EXPECT_EQ(cost_to_error(runs.study, pivots, 0.01).cost, 800.0);
   const CostAxis& unknowns = work_axes()[4];
-  EXPECT_EQ(cost_to_error(runs.ladder, unknowns, 0.1).cost, kNeverReached);  // not counted
+  EXPECT_EQ(cost_to_error(runs.study, unknowns, 0.1).cost, kNeverReached);  // not counted
 }
 
 TEST(CostToError, DoesNotTakeAFastWrongAnswerForASolution) {
   std::vector<Record> records{test::good_record("s", "m", "n=1", 1e-6, 0.1),
                               test::good_record("s", "m", "n=2", 1e-6, 1.0)};
   records[0].status = Status::inaccurate;
-  const std::vector<Ladder> ladders = ladders_of(records);
-  EXPECT_EQ(cost_to_error(ladders[0], time_axis(), 1e-2).cost, 1.0);
+  const std::vector<ResolutionStudy> studies = resolution_studies(records);
+  EXPECT_EQ(cost_to_error(studies[0], time_axis(), 1e-2).cost, 1.0);
 }
 
 }  // namespace

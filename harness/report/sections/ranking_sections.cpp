@@ -1,3 +1,5 @@
+#include "harness/report/sections/ranking_sections.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,10 +8,10 @@
 #include <numeric>
 
 #include "harness/report/document/cells.hpp"
-#include "harness/report/document/section.hpp"
 #include "harness/report/evaluation/aggregates.hpp"
 #include "harness/report/evaluation/performance_profile.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/figures/profile_figure.hpp"
 #include "harness/statistics.hpp"
 
 namespace signorini {
@@ -24,36 +26,37 @@ constexpr std::array kFactors{1.0, 2.0, 10.0};
 std::string error_title(double error) { return fmt::format("{:.0e}", error); }
 
 /// "14 scenes whose law only event-driven and hat-lcp represent".
-std::string field_of(const Evaluation& evaluation, const Contest& contest) {
+std::string field_of(const Evaluation& evaluation, const RankingGroup& group) {
   const std::string scenes =
-      fmt::format("{} scene{}", contest.scenes.size(), contest.scenes.size() == 1 ? "" : "s");
-  if (contest.contestants == evaluation.contestants()) return scenes + " whose law every method represents";
-  return fmt::format("{} whose law {} represent", scenes, fmt::join(contest.contestants, ", "));
+      fmt::format("{} scene{}", group.scenes.size(), group.scenes.size() == 1 ? "" : "s");
+  if (group.configurations == evaluation.configurations())
+    return scenes + " whose law every method represents";
+  return fmt::format("{} whose law {} represent", scenes, fmt::join(group.configurations, ", "));
 }
 
-/// Whether any run of a contest has a time: a build that may not be timed gives none, and then nobody is
-/// slow.
-bool is_timed(const Contest& contest) {
-  for (const auto& ladders : contest.ladders) {
-    for (const Ladder* ladder : ladders) {
-      for (const Rung& rung : ladder->rungs) {
-        if (rung.record->seconds) return true;
+/// Whether any run of a group has a time: runs of a build that may not be timed have none, and cannot be
+/// ranked.
+bool is_timed(const RankingGroup& group) {
+  for (const auto& studies : group.studies) {
+    for (const ResolutionStudy* study : studies) {
+      for (const ScoredRun& run : study->runs) {
+        if (run.record->seconds) return true;
       }
     }
   }
   return false;
 }
 
-/// One section per contest; `fill` does the rest.
+/// One section per group; `fill` does the rest.
 template <class Fill>
-std::vector<Section> per_contest(const Evaluation& evaluation, const std::string& id,
-                                 const std::string& title, const Fill& fill) {
+std::vector<Section> per_group(const Evaluation& evaluation, const std::string& id, const std::string& title,
+                               const Fill& fill) {
   std::vector<Section> sections;
-  for (std::size_t k = 0; k < evaluation.contests().size(); ++k) {
-    const Contest& contest = evaluation.contests()[k];
+  for (std::size_t k = 0; k < evaluation.groups().size(); ++k) {
+    const RankingGroup& group = evaluation.groups()[k];
     Section section{.id = fmt::format("{}-{}", id, k + 1),
-                    .title = fmt::format("{}: {}", title, field_of(evaluation, contest))};
-    fill(contest, section);
+                    .title = fmt::format("{}: {}", title, field_of(evaluation, group))};
+    fill(group, section);
     sections.push_back(std::move(section));
   }
   return sections;
@@ -69,12 +72,12 @@ Cell reached_cell(const std::vector<double>& costs) {
   return {text, middle};
 }
 
-int runs_on_another_orbit(const std::vector<const Ladder*>& ladders) {
+int runs_on_another_orbit(const std::vector<const ResolutionStudy*>& studies) {
   int runs = 0;
-  for (const Ladder* ladder : ladders) {
-    for (const Rung& rung : ladder->rungs) {
-      const Certificate& certificate = rung.record->certificate;
-      if (rung.record->status == Status::converged && certificate.same_orbit == false) ++runs;
+  for (const ResolutionStudy* study : studies) {
+    for (const ScoredRun& run : study->runs) {
+      const Certificate& certificate = run.record->certificate;
+      if (run.record->status == Status::converged && certificate.same_orbit == false) ++runs;
     }
   }
   return runs;
@@ -102,13 +105,13 @@ bool order_depends_on_shift(const Costs& costs, double failure) {
                      [&](double shift) { return order_by(means_of(costs, shift, failure)) != order; });
 }
 
-void add_mean_rows(const Contest& contest, double error, double limit, Table& table) {
-  const Costs costs = costs_to_error(contest, time_axis(), error);
+void add_mean_rows(const RankingGroup& group, double error, double limit, Table& table) {
+  const Costs costs = costs_to_error(group, time_axis(), error);
   const PerformanceProfile profile = performance_profile(costs);
   for (std::size_t c = 0; c < costs.size(); ++c) {
     const std::size_t solved = solved_count(costs[c]);
     std::vector<Cell> row{
-        Cell(error_title(error), -error), contest.contestants[c],
+        Cell(error_title(error), -error), group.configurations[c],
         Cell(fmt::format("{} of {}", solved, costs[c].size()), static_cast<double>(solved))};
     const auto add_time = [&](double seconds) {
       row.emplace_back(solved == 0 ? "none solved" : time_text(seconds),
@@ -121,10 +124,10 @@ void add_mean_rows(const Contest& contest, double error, double limit, Table& ta
   }
 }
 
-std::string shift_remark(const Contest& contest, double limit) {
+std::string shift_remark(const RankingGroup& group, double limit) {
   std::vector<std::string> changed;
   for (const double error : kErrorLevels) {
-    if (order_depends_on_shift(costs_to_error(contest, time_axis(), error), limit))
+    if (order_depends_on_shift(costs_to_error(group, time_axis(), error), limit))
       changed.push_back(error_title(error));
   }
   if (changed.empty()) return "The order of the means is the same with all three shifts.";
@@ -132,14 +135,15 @@ std::string shift_remark(const Contest& contest, double limit) {
                      fmt::join(changed, ", "));
 }
 
-/// Medians over the scenes; "not counted" where a contestant has no such count on any of them.
-Cell work_cell(const std::vector<const Ladder*>& ladders, const CostAxis& axis, double error) {
+/// Medians over the scenes; "not counted" where a configuration has no such count on any of them.
+Cell work_cell(const std::vector<const ResolutionStudy*>& studies, const CostAxis& axis, double error) {
   std::vector<double> costs;
   bool counted = false;
-  for (const Ladder* ladder : ladders) {
-    costs.push_back(cost_to_error(*ladder, axis, error).cost);
-    counted = counted || std::any_of(ladder->rungs.begin(), ladder->rungs.end(),
-                                     [&](const Rung& rung) { return axis.cost(*rung.record).has_value(); });
+  for (const ResolutionStudy* study : studies) {
+    costs.push_back(cost_to_error(*study, axis, error).cost);
+    counted = counted || std::any_of(study->runs.begin(), study->runs.end(), [&](const ScoredRun& run) {
+                return axis.cost(*run.record).has_value();
+              });
   }
   if (!counted) return "not counted";
   const double middle = median(costs);
@@ -165,43 +169,44 @@ constexpr std::string_view kWorkText =
 scenes: counts that no noise touches. What an iteration or a pivot costs differs between methods; they compare
 runs of one kind.)";
 
-void fill_time_to_error(const Contest& contest, Section& section) {
-  if (!is_timed(contest)) return;
+void fill_time_to_error(const RankingGroup& group, Section& section) {
+  if (!is_timed(group)) return;
   section.text = kTimeToErrorText;
   section.table.header = {"method"};
   for (const double error : kErrorLevels) section.table.header.push_back(error_title(error));
   section.table.header.emplace_back("runs on another orbit");
-  for (std::size_t c = 0; c < contest.contestants.size(); ++c) {
-    std::vector<Cell> row{contest.contestants[c]};
+  for (std::size_t c = 0; c < group.configurations.size(); ++c) {
+    std::vector<Cell> row{group.configurations[c]};
     for (const double error : kErrorLevels)
-      row.push_back(reached_cell(costs_to_error(contest, time_axis(), error)[c]));
-    const int others = runs_on_another_orbit(contest.ladders[c]);
+      row.push_back(reached_cell(costs_to_error(group, time_axis(), error)[c]));
+    const int others = runs_on_another_orbit(group.studies[c]);
     row.emplace_back(std::to_string(others), others);
     section.table.rows.push_back(std::move(row));
   }
 }
 
-void fill_means(const Contest& contest, double limit, Section& section) {
-  if (!is_timed(contest)) return;
+void fill_means(const RankingGroup& group, double limit, Section& section) {
+  if (!is_timed(group)) return;
   section.text = fmt::format(kMeansText, time_text(limit));
   section.table.header = {"error", "method", "solved"};
   for (const double shift : kMeanShifts)
     section.table.header.push_back(fmt::format("mean, shift {}", time_text(shift)));
   section.table.header.insert(section.table.header.end(), {"PAR2", "fastest", "within 2 x", "within 10 x"});
-  for (const double error : kErrorLevels) add_mean_rows(contest, error, limit, section.table);
-  section.note = shift_remark(contest, limit);
+  for (const double error : kErrorLevels) add_mean_rows(group, error, limit, section.table);
+  section.note = shift_remark(group, limit);
 }
 
-void fill_pairs(const Contest& contest, Section& section) {
-  if (!is_timed(contest) || contest.contestants.size() < 3) return;  // of two the joint profile says it all
+void fill_pairs(const RankingGroup& group, Section& section) {
+  if (!is_timed(group) || group.configurations.size() < 3)
+    return;  // the joint profile of two is the pairwise one
   section.text = kPairsText;
   section.table.header = {"error", "method"};
-  section.table.header.insert(section.table.header.end(), contest.contestants.begin(),
-                              contest.contestants.end());
+  section.table.header.insert(section.table.header.end(), group.configurations.begin(),
+                              group.configurations.end());
   for (const double error : kHeadlineErrors) {
-    const Costs costs = costs_to_error(contest, time_axis(), error);
+    const Costs costs = costs_to_error(group, time_axis(), error);
     for (std::size_t a = 0; a < costs.size(); ++a) {
-      std::vector<Cell> row{Cell(error_title(error), -error), contest.contestants[a]};
+      std::vector<Cell> row{Cell(error_title(error), -error), group.configurations[a]};
       for (std::size_t b = 0; b < costs.size(); ++b)
         row.push_back(a == b ? Cell("·") : share_cell(pairwise_profile(costs, a, b).share(0, 1.0)));
       section.table.rows.push_back(std::move(row));
@@ -209,14 +214,14 @@ void fill_pairs(const Contest& contest, Section& section) {
   }
 }
 
-void fill_work(const Contest& contest, Section& section) {
+void fill_work(const RankingGroup& group, Section& section) {
   section.text = kWorkText;
   section.table.header = {"error", "method"};
   for (const CostAxis& axis : work_axes()) section.table.header.emplace_back(axis.name);
   for (const double error : kHeadlineErrors) {
-    for (std::size_t c = 0; c < contest.contestants.size(); ++c) {
-      std::vector<Cell> row{Cell(error_title(error), -error), contest.contestants[c]};
-      for (const CostAxis& axis : work_axes()) row.push_back(work_cell(contest.ladders[c], axis, error));
+    for (std::size_t c = 0; c < group.configurations.size(); ++c) {
+      std::vector<Cell> row{Cell(error_title(error), -error), group.configurations[c]};
+      for (const CostAxis& axis : work_axes()) row.push_back(work_cell(group.studies[c], axis, error));
       section.table.rows.push_back(std::move(row));
     }
   }
@@ -225,24 +230,24 @@ void fill_work(const Contest& contest, Section& section) {
 }  // namespace
 
 std::vector<Section> time_to_error_sections(const Evaluation& evaluation) {
-  return per_contest(evaluation, "time-to-error", "Time to error", fill_time_to_error);
+  return per_group(evaluation, "time-to-error", "Time to error", fill_time_to_error);
 }
 
 std::vector<Section> mean_sections(const Evaluation& evaluation) {
   std::vector<Section> sections =
-      per_contest(evaluation, "means", "Means and profiles", [&](const Contest& contest, Section& section) {
-        fill_means(contest, evaluation.time_limit(), section);
+      per_group(evaluation, "means", "Means and profiles", [&](const RankingGroup& group, Section& section) {
+        fill_means(group, evaluation.time_limit(), section);
       });
   for (std::size_t k = 0; k < sections.size(); ++k) sections[k].figures = profile_figures(evaluation, k);
   return sections;
 }
 
 std::vector<Section> pairwise_sections(const Evaluation& evaluation) {
-  return per_contest(evaluation, "pairs", "Pair by pair", fill_pairs);
+  return per_group(evaluation, "pairs", "Pair by pair", fill_pairs);
 }
 
 std::vector<Section> work_sections(const Evaluation& evaluation) {
-  return per_contest(evaluation, "work", "Work to error", fill_work);
+  return per_group(evaluation, "work", "Work to error", fill_work);
 }
 
 }  // namespace signorini

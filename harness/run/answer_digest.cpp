@@ -1,4 +1,4 @@
-#include "harness/records/answer_digest.hpp"
+#include "harness/run/answer_digest.hpp"
 
 #include <span>
 

@@ -1,10 +1,11 @@
+#include "harness/report/sections/sensitivity_sections.hpp"
+
 // Tables of what should not matter: one option at a time, and solves repeated.
 
 #include <gtest/gtest.h>
 
 #include <tuple>
 
-#include "harness/report/document/section.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini {
@@ -89,16 +90,6 @@ TEST(Repeats, CountCasesWhoseEveryAnswerHadTheSameBits) {
   records[1].repeats = Repeats{.solves = 3, .identical = 2};
   const Evaluation evaluation(records);
   EXPECT_EQ(rows_of(repeat_sections(evaluation).front()), (Rows{{"m", "2", "8", "1 of 2"}}));
-}
-
-TEST(Repeats, CompareTheDigestsOfAnswers) {
-  Record record = test::good_record("a", "m", "h=1", 1e-2, 1.0);
-  record.answer = "0123";
-  EXPECT_FALSE(record.repeats.has_value());
-  count_repeat("0123", record);
-  count_repeat("0124", record);
-  EXPECT_EQ(record.repeats->solves, 2);
-  EXPECT_EQ(record.repeats->identical, 1);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "harness/report/evaluation/contest.hpp"
+#include "harness/report/evaluation/ranking_group.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,35 +21,35 @@ std::vector<Record> three_scenes() {
   return records;
 }
 
-TEST(ContestsOf, NeverRankAMethodWithThoseThatSolveAnotherLaw) {
+TEST(RankingGroups, NeverRankAMethodWithThoseThatSolveAnotherLaw) {
   const std::vector<Record> records = three_scenes();
-  const std::vector<Ladder> ladders = ladders_of(records);
-  const std::vector<Contest> contests = contests_of(ladders);
-  ASSERT_EQ(contests.size(), 2U);
-  EXPECT_EQ(contests[0].scenes, (Names{"s1", "s2"}));
-  EXPECT_EQ(contests[0].contestants, (Names{"a", "b", "c"}));
-  EXPECT_EQ(contests[1].scenes, (Names{"s3"}));
-  EXPECT_EQ(contests[1].contestants, (Names{"a", "c"}));
+  const std::vector<ResolutionStudy> studies = resolution_studies(records);
+  const std::vector<RankingGroup> groups = ranking_groups(studies);
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0].scenes, (Names{"s1", "s2"}));
+  EXPECT_EQ(groups[0].configurations, (Names{"a", "b", "c"}));
+  EXPECT_EQ(groups[1].scenes, (Names{"s3"}));
+  EXPECT_EQ(groups[1].configurations, (Names{"a", "c"}));
 }
 
-TEST(ContestsOf, CountWhatDoesNotApplyAsUnsolvedUnlessItAppliesNowhere) {
+TEST(RankingGroups, CountWhatDoesNotApplyAsUnsolvedUnlessItAppliesNowhere) {
   std::vector<Record> records = three_scenes();
   records[7].law_matches_scene = true;
   records[1].status = Status::not_applicable;  // b on s1
   for (const std::size_t c : {2U, 5U, 8U}) records[c].status = Status::not_applicable;
-  const std::vector<Ladder> ladders = ladders_of(records);
-  const std::vector<Contest> contests = contests_of(ladders);
-  ASSERT_EQ(contests.size(), 1U);
-  EXPECT_EQ(contests[0].contestants, (Names{"a", "b"}));
-  const Costs costs = costs_to_error(contests[0], time_axis(), 1e-2);
+  const std::vector<ResolutionStudy> studies = resolution_studies(records);
+  const std::vector<RankingGroup> groups = ranking_groups(studies);
+  ASSERT_EQ(groups.size(), 1U);
+  EXPECT_EQ(groups[0].configurations, (Names{"a", "b"}));
+  const Costs costs = costs_to_error(groups[0], time_axis(), 1e-2);
   EXPECT_EQ(costs[1], (std::vector<double>{kNeverReached, 1.0, 1.0}));
 }
 
-TEST(ContestsOf, KeepScenesThatNobodySolves) {
+TEST(RankingGroups, KeepScenesThatNobodySolves) {
   std::vector<Record> records = three_scenes();
   for (const std::size_t i : {0U, 1U, 2U}) records[i].status = Status::timeout;
-  const std::vector<Ladder> ladders = ladders_of(records);
-  EXPECT_EQ(contests_of(ladders)[0].scenes, (Names{"s1", "s2"}));
+  const std::vector<ResolutionStudy> studies = resolution_studies(records);
+  EXPECT_EQ(ranking_groups(studies)[0].scenes, (Names{"s1", "s2"}));
 }
 
 }  // namespace

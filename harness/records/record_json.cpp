@@ -1,0 +1,114 @@
+#include "harness/records/record_json.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "harness/records/record_fields.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kRecordSchema = 1;
+
+struct LawWriter {
+  Json operator()(std::monostate) const { return {{"none", true}}; }
+  Json operator()(const Restitution& law) const { return {{"restitution", law.e}}; }
+  Json operator()(const Penalty& law) const { return {{"penalty", law.stiffness}}; }
+  Json operator()(Massless) const { return {{"massless", true}}; }
+  Json operator()(Undetermined) const { return {{"undetermined", true}}; }
+};
+
+struct OptionWriter {
+  Json operator()(std::monostate) const { return "auto"; }
+  template <class T>
+  Json operator()(const T& value) const {
+    return value;
+  }
+};
+
+OptionValue option_from_json(const Json& json) {
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_number_integer()) return json.get<long>();
+  if (json.is_number()) return json.get<double>();
+  const auto text = json.get<std::string>();
+  return text == "auto" ? OptionValue{} : OptionValue{text};
+}
+
+}  // namespace
+
+Json law_to_json(const RepresentedLaw& law) { return std::visit(LawWriter{}, law); }
+
+RepresentedLaw law_from_json(const Json& json) {
+  if (json.contains("restitution")) return Restitution{json["restitution"].get<double>()};
+  if (json.contains("penalty")) return Penalty{json["penalty"].get<std::vector<double>>()};
+  if (json.contains("massless")) return Massless{};
+  if (json.contains("undetermined")) return Undetermined{};
+  if (json.contains("none")) return std::monostate{};
+  throw BadRecord("law = " + json.dump() + " (must be restitution, penalty, massless, undetermined or none)");
+}
+
+Json option_to_json(const OptionValue& value) { return std::visit(OptionWriter{}, value); }
+
+WorkDone work_from_json(const Json& json) {
+  WorkDone work;
+  read_fields(json, work);
+  return work;
+}
+
+Json JsonForm<RepresentedLaw>::write(const RepresentedLaw& law) { return law_to_json(law); }
+
+RepresentedLaw JsonForm<RepresentedLaw>::read(const Json& json) { return law_from_json(json); }
+
+Json JsonForm<RecordedOptions>::write(const RecordedOptions& options) {
+  Json json = Json::object();
+  for (const auto& [name, value] : options) json[name] = option_to_json(value);
+  return json;
+}
+
+RecordedOptions JsonForm<RecordedOptions>::read(const Json& json) {
+  RecordedOptions options;
+  for (const auto& [name, value] : json.items()) options.emplace_back(name, option_from_json(value));
+  return options;
+}
+
+Json JsonForm<Settings>::write(const Settings& settings) {
+  Json json = Json::object();
+  for (const auto& [option, value] : settings) json[option] = value;
+  return json;
+}
+
+Settings JsonForm<Settings>::read(const Json& json) {
+  Settings settings;
+  for (const auto& [option, value] : json.items()) settings.emplace_back(option, value.get<std::string>());
+  return settings;
+}
+
+Json JsonForm<TimedRound>::write(const TimedRound& round) { return {round.setup, round.solve}; }
+
+TimedRound JsonForm<TimedRound>::read(const Json& json) { return {.setup = json.at(0), .solve = json.at(1)}; }
+
+Json to_json(const Record& record) {
+  Json json{{"schema", kRecordSchema}};
+  json.update(write_fields(record));
+  return json;
+}
+
+Record record_from_json(const Json& json) {
+  try {
+    if (json.at("schema").get<int>() != kRecordSchema) throw BadRecord("schema = unknown (must be 1)");
+    Record record;
+    read_fields(json, record);
+    if (!json.contains("settings")) record.settings = parse_case_name(record.case_id).settings;
+    return record;
+  } catch (const nlohmann::json::exception& error) {
+    const std::string what = error.what();  // "[json.exception...] key 'case' not found"
+    throw BadRecord(fmt::format("record = unreadable (must be one as run writes it: {})",
+                                what.substr(what.find("] ") + 2)));
+  }
+}
+
+}  // namespace signorini

@@ -1,0 +1,66 @@
+#include "harness/report/evaluation/ranking_group.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "harness/report/evaluation/work_precision.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// Removes configurations that apply to none of the scenes.
+void drop_inapplicable(RankingGroup& group) {
+  for (std::size_t c = group.configurations.size(); c-- > 0;) {
+    const auto inapplicable = [](const ResolutionStudy* study) {
+      return study->eligibility == Eligibility::not_applicable;
+    };
+    if (!std::all_of(group.studies[c].begin(), group.studies[c].end(), inapplicable)) continue;
+    group.configurations.erase(group.configurations.begin() + static_cast<std::ptrdiff_t>(c));
+    group.studies.erase(group.studies.begin() + static_cast<std::ptrdiff_t>(c));
+  }
+}
+
+}  // namespace
+
+std::vector<RankingGroup> ranking_groups(const std::vector<ResolutionStudy>& studies) {
+  std::map<std::string, std::map<std::string, const ResolutionStudy*>> by_scene;
+  Names scenes;
+  for (const ResolutionStudy& study : studies) {
+    if (scenes.empty() || scenes.back() != study.scene) scenes.push_back(study.scene);
+    if (study.eligibility != Eligibility::another_law) by_scene[study.scene][study.configuration] = &study;
+  }
+  std::map<Names, RankingGroup> by_configurations;
+  for (const std::string& scene : scenes) {
+    Names names;
+    for (const auto& entry : by_scene[scene]) names.push_back(entry.first);
+    if (names.empty()) continue;
+    RankingGroup& group = by_configurations[names];
+    group.configurations = names;
+    group.studies.resize(names.size());
+    group.scenes.push_back(scene);
+    for (std::size_t c = 0; c < names.size(); ++c) group.studies[c].push_back(by_scene[scene][names[c]]);
+  }
+  std::vector<RankingGroup> groups;
+  for (auto& [names, group] : by_configurations) {
+    drop_inapplicable(group);
+    if (!group.configurations.empty()) groups.push_back(std::move(group));
+  }
+  std::stable_sort(groups.begin(), groups.end(), [](const RankingGroup& a, const RankingGroup& b) {
+    return a.scenes.size() > b.scenes.size();
+  });
+  return groups;
+}
+
+Costs costs_to_error(const RankingGroup& group, const CostAxis& axis, double error) {
+  Costs costs;
+  for (const auto& studies : group.studies) {
+    std::vector<double>& row = costs.emplace_back();
+    for (const ResolutionStudy* study : studies) row.push_back(cost_to_error(*study, axis, error).cost);
+  }
+  return costs;
+}
+
+}  // namespace signorini

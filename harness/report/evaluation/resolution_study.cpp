@@ -1,0 +1,69 @@
+#include "harness/report/evaluation/resolution_study.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <utility>
+
+#include "harness/plan/selection.hpp"
+
+namespace signorini {
+
+namespace {
+
+Eligibility eligibility_of(const std::vector<ScoredRun>& runs) {
+  const auto other = [](const ScoredRun& run) { return run.record->law_matches_scene == false; };
+  if (std::any_of(runs.begin(), runs.end(), other)) return Eligibility::another_law;
+  const auto refuses = [](const ScoredRun& run) { return run.record->status == Status::not_applicable; };
+  return std::all_of(runs.begin(), runs.end(), refuses) ? Eligibility::not_applicable : Eligibility::ranked;
+}
+
+}  // namespace
+
+bool is_numeric(const std::string& value) {
+  char* end = nullptr;
+  std::strtod(value.c_str(), &end);
+  return !value.empty() && end == value.c_str() + value.size();
+}
+
+std::string configuration_of(const Record& record) {
+  Settings words = record.settings;
+  std::erase_if(words, [](const OptionSetting& setting) {
+    return setting.first != kStartSetting && is_numeric(setting.second);
+  });
+  return method_label(record.method, words);
+}
+
+ScoredRun scored_run(const Record& record) {
+  ScoredRun run{.record = &record};
+  const Certificate& certificate = record.certificate;
+  const Measure error = record.errors.x_l2 ? record.errors.x_l2 : record.errors.u_l2;
+  if (record.status != Status::converged || certificate.status != CertificateStatus::certified ||
+      certificate.same_orbit == false || !error) {
+    return run;
+  }
+  const double floor = measurable_error(record);
+  run.bounded = *error < floor;
+  run.error = std::max(*error, floor);
+  return run;
+}
+
+std::size_t solved_runs(const ResolutionStudy& study) {
+  return static_cast<std::size_t>(std::count_if(study.runs.begin(), study.runs.end(),
+                                                [](const ScoredRun& run) { return run.error.has_value(); }));
+}
+
+std::vector<ResolutionStudy> resolution_studies(const std::vector<Record>& records) {
+  std::vector<ResolutionStudy> studies;
+  std::map<std::pair<std::string, std::string>, std::size_t> places;
+  for (const Record& record : records) {
+    const std::string configuration = configuration_of(record);
+    const auto [place, fresh] = places.try_emplace({record.scene, configuration}, studies.size());
+    if (fresh) studies.push_back({.scene = record.scene, .configuration = configuration});
+    studies[place->second].runs.push_back(scored_run(record));
+  }
+  for (ResolutionStudy& study : studies) study.eligibility = eligibility_of(study.runs);
+  return studies;
+}
+
+}  // namespace signorini

@@ -1,0 +1,82 @@
+#include "harness/report/document/cells.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/harness/sample_records.hpp"
+
+namespace signorini {
+namespace {
+
+TEST(ErrorText, BoundsAnErrorBelowTheErrorBarOfItsOrbit) {
+  Record record = test::good_record("s", "m", "n=1", 3e-12, 1.0);
+  record.certificate.error_bar = 1e-12;
+  EXPECT_EQ(error_text(record), "<1.0e-11");
+  record.errors.x_l2 = 3e-11;
+  EXPECT_EQ(error_text(record), "3.0e-11");
+  record.errors = {.u_l2 = 0.5};
+  EXPECT_EQ(error_text(record), "5.0e-01 (u)");
+  record.errors = {};
+  EXPECT_EQ(error_text(record), "no scale");
+}
+
+TEST(TimeText, ChoosesTheUnit) {
+  EXPECT_EQ(time_text(1.234e-5), "12.3 us");
+  EXPECT_EQ(time_text(0.0123), "12.3 ms");
+  EXPECT_EQ(time_text(12.34), "12.3 s");
+}
+
+TEST(LawText, NamesEveryLaw) {
+  EXPECT_EQ(law_text(Restitution{0.8}), "e = 0.8");
+  EXPECT_EQ(law_text(Penalty{{1e6, 1e6}}), "k = 1e+06 N/m");
+  EXPECT_EQ(law_text(Penalty{{1.0, 2.0}}), "k = 1, 2 N/m");
+  EXPECT_EQ(law_text(Massless{}), "massless");
+  EXPECT_EQ(law_text(Undetermined{}), "undetermined");
+  EXPECT_EQ(law_text(std::monostate{}), "no contact");
+}
+
+TEST(TimeCell, ShowsNoTimeOfAnAnswerThatIsWrong) {
+  Record record = test::good_record("s", "m", "n=1", 0.1, 0.5);
+  EXPECT_EQ(time_cell(record, &Seconds::median), "500 ms");
+  record.seconds->unstable = true;
+  EXPECT_EQ(time_cell(record, &Seconds::median), "500 ms (unstable)");
+  EXPECT_EQ(time_cell(record, &Seconds::min), "450 ms");
+  record.status = Status::inaccurate;
+  EXPECT_EQ(time_cell(record, &Seconds::median), "(inaccurate)");
+  record.status = Status::converged;
+  record.seconds.reset();
+  EXPECT_EQ(time_cell(record, &Seconds::median), "not timed");
+  record.not_timed = "not a Release build";
+  EXPECT_EQ(time_cell(record, &Seconds::median), "not timed: not a Release build");
+}
+
+TEST(WorkText, NamesTheCountsThatThereAre) {
+  Record record = test::good_record("s", "m", "n=1", 0.1, 0.5);
+  EXPECT_EQ(work_text(record), "12 p");
+  record.work.counts.iterations = 3;
+  EXPECT_EQ(work_text(record), "12 p, 3 it");
+  record.work.counts.pivots.reset();
+  EXPECT_EQ(work_text(record), "3 it");
+  record.work = {};
+  EXPECT_EQ(work_text(record), "not counted");
+  record.status = Status::timeout;
+  EXPECT_EQ(work_text(record), "(timeout)");
+}
+
+TEST(OrbitText, CutsALongReasonBetweenCharacters) {
+  Record record = test::good_record("s", "m", "n=1", 0.1, 0.5);
+  record.certificate = {.status = CertificateStatus::uncertified,
+                        .reason = std::string(59, 'x') + "≠ and more"};
+  EXPECT_EQ(orbit_text(record), "uncertified: " + std::string(59, 'x') + "...");
+  record.certificate.reason.clear();
+  EXPECT_EQ(orbit_text(record), "uncertified: no reason given");
+}
+
+TEST(OrbitText, SaysWhyThereIsNoReference) {
+  Record record = test::good_record("s", "m", "n=1", 0.1, 0.5);
+  record.certificate.same_orbit.reset();
+  record.certificate.reference_reason = "chaos";
+  EXPECT_EQ(orbit_text(record), "0a1b2c3d (no reference: chaos)");
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,52 @@
+#include "harness/report/evaluation/evaluation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/harness/sample_records.hpp"
+
+namespace signorini {
+namespace {
+
+using Names = std::vector<std::string>;
+
+TEST(Evaluation, SortsRecordsBySceneMethodAndCaseInNaturalOrder) {
+  std::vector<Record> records{
+      test::good_record("s10", "a", "n=1", 0.1, 1.0), test::good_record("s9", "b", "n=1", 0.1, 1.0),
+      test::good_record("s9", "a", "n=10", 0.1, 1.0), test::good_record("s9", "a", "n=9", 0.1, 1.0)};
+  const Names expected{"s9/a[n=9]", "s9/a[n=10]", "s9/b[n=1]", "s10/a[n=1]"};
+  std::sort(records.begin(), records.end(),
+            [](const Record& a, const Record& b) { return a.case_id < b.case_id; });
+  do {
+    const Evaluation evaluation(records);
+    Names ids;
+    for (const Record& record : evaluation.records()) ids.push_back(record.case_id);
+    EXPECT_EQ(ids, expected);
+    EXPECT_EQ(evaluation.scenes(), (Names{"s9", "s10"}));
+    EXPECT_EQ(evaluation.configurations(), (Names{"a", "b"}));
+  } while (std::next_permutation(records.begin(), records.end(),
+                                 [](const Record& a, const Record& b) { return a.case_id < b.case_id; }));
+}
+
+TEST(Evaluation, KnowsThePlacesOfItsRecordsAndConfigurations) {
+  const Evaluation evaluation(test::records_of_two_methods(), {.timeout = 12.0});
+  for (std::size_t i = 0; i < evaluation.records().size(); ++i)
+    EXPECT_EQ(evaluation.place_of(evaluation.records()[i]), i);
+  EXPECT_EQ(evaluation.place_of("a"), 0U);
+  EXPECT_EQ(evaluation.place_of("b"), 1U);
+  EXPECT_EQ(evaluation.time_limit(), 12.0);
+}
+
+TEST(Evaluation, PointsIntoItsOwnRecords) {
+  const Evaluation evaluation(test::records_of_two_methods());
+  ASSERT_EQ(evaluation.studies().size(), 4U);
+  for (const ResolutionStudy& study : evaluation.studies()) {
+    for (const ScoredRun& run : study.runs) EXPECT_LT(evaluation.place_of(*run.record), 8U);
+  }
+  ASSERT_EQ(evaluation.groups().size(), 1U);
+  EXPECT_EQ(evaluation.groups()[0].studies[0][0], &evaluation.studies()[0]);
+}
+
+}  // namespace
+}  // namespace signorini

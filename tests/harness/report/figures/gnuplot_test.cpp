@@ -1,0 +1,61 @@
+#include "harness/report/figures/gnuplot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "harness/failure.hpp"
+#include "harness/files.hpp"
+#include "tests/harness/fake_method.hpp"
+
+namespace signorini {
+namespace {
+
+TEST(WithoutDate, ChangesNothingButTheDate) {
+  const std::string pdf = "%PDF /CreationDate (D:20261121213658Z) rest";
+  EXPECT_EQ(without_date(pdf), "%PDF /CreationDate (D:19700101000000Z) rest");
+  EXPECT_EQ(without_date("none"), "none");
+}
+
+Figure parabola() {
+  return {.name = "parabola",
+          .caption = "x^2",
+          .script = "plot data using 1:2 with lines notitle\n",
+          .data = "0 0\n1 1\n2 4\n",
+          .width = 10.0,
+          .height = 5.0};
+}
+
+TEST(WholeScript, MakesBothFormatsOfItsDataInTheSizeOfTheFigure) {
+  const std::string script = whole_script(parabola());
+  EXPECT_NE(script.find("data = 'parabola.dat'\n"), std::string::npos) << script;
+  EXPECT_NE(script.find("svg size 378,189 "), std::string::npos) << "96 pixels an inch: " << script;
+  EXPECT_NE(script.find("pdfcairo size 10.0cm,5.0cm "), std::string::npos) << script;
+  EXPECT_NE(script.find("set output 'parabola.'.format\nplot data"), std::string::npos) << script;
+}
+
+TEST(DrawFigures, LeavesScriptDataAndDrawingsThatGnuplotMakesAgain) {
+  if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  const std::filesystem::path folder = test::fresh_folder("gnuplot");
+  draw_figures(folder, std::vector{parabola()});
+  const std::string svg = read_file(folder / "parabola.svg");
+  EXPECT_NE(svg.find("<svg"), std::string::npos);
+  EXPECT_EQ(read_file(folder / "parabola.pdf").substr(0, 4), "%PDF");
+  EXPECT_EQ(read_file(folder / "parabola.dat"), parabola().data);
+  EXPECT_FALSE(std::filesystem::exists(folder / "gnuplot.log"));
+  EXPECT_EQ(std::system(("cd '" + folder.string() + "' && gnuplot parabola.gp").c_str()), 0);
+  EXPECT_EQ(read_file(folder / "parabola.svg"), svg);
+}
+
+TEST(DrawFigures, KeepsWhatGnuplotComplainsOf) {
+  if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  const std::filesystem::path folder = test::fresh_folder("gnuplot");
+  Figure bad = parabola();
+  bad.script = "plot nonsense nonsense\n";
+  EXPECT_THROW(draw_figures(folder, std::vector{bad}), UsageError);
+  EXPECT_FALSE(read_file(folder / "gnuplot.log").empty());
+}
+
+}  // namespace
+}  // namespace signorini

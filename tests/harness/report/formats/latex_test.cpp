@@ -1,0 +1,60 @@
+#include "harness/report/formats/latex.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "harness/files.hpp"
+#include "harness/report/sections/sections.hpp"
+#include "tests/harness/fake_method.hpp"
+#include "tests/harness/sample_records.hpp"
+
+namespace signorini {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(LatexEscaped, SpellsOutWhatTexTakesForItsOwn) {
+  EXPECT_EQ(latex_escaped("50 % & a_b #1 {x} <2 [n]"), "50 \\% \\& a\\_b \\#1 \\{x\\} $<$2 {[}n]");
+  EXPECT_EQ(latex_escaped("e = 1 ≠ scene"), "e = 1 $\\neq$ scene");
+  EXPECT_EQ(latex_escaped("a → b"), "a ? b");
+}
+
+TEST(ToLatex, HasAsManyCellsInEveryRowAsColumns) {
+  for (const Section& section : sections_of(Evaluation(test::records_of_a_run()))) {
+    const std::string text = to_latex(section);
+    const std::size_t columns = section.table.header.size();
+    for (const char* rule : {"\\toprule", "\\midrule", "\\bottomrule"})
+      EXPECT_NE(text.find(rule), std::string::npos);
+    std::istringstream lines(text);
+    std::size_t rows = 0;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.size() < 2 || line.substr(line.size() - 2) != "\\\\") continue;
+      ++rows;
+      std::size_t cells = 1;
+      for (std::size_t i = 1; i < line.size(); ++i) cells += line[i] == '&' && line[i - 1] != '\\' ? 1 : 0;
+      EXPECT_EQ(cells, columns) << line;
+    }
+    EXPECT_EQ(rows, section.table.rows.size() + 1);
+  }
+}
+
+TEST(ToLatex, IsTypesetWithoutComplaint) {
+  if (std::system("pdflatex --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "pdflatex is not installed";
+  const fs::path folder = test::fresh_folder("latex");
+  std::string document = "\\documentclass{article}\\usepackage{booktabs,longtable}\\begin{document}\\tiny\n";
+  for (const Section& section : sections_of(Evaluation(test::records_of_a_run()))) {
+    std::ofstream(folder / (section.id + ".tex")) << to_latex(section);
+    document += "\\input{" + section.id + ".tex}\n\n";
+  }
+  std::ofstream(folder / "all.tex") << document << "\\end{document}\n";
+  const std::string command =
+      "cd '" + folder.string() + "' && pdflatex -interaction=nonstopmode -halt-on-error all.tex >log 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << read_file(folder / "log");
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,79 @@
+#include "harness/report/sections/ranking_sections.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "harness/report/sections/sections.hpp"
+#include "tests/harness/sample_records.hpp"
+
+namespace signorini {
+namespace {
+
+/// The line of a section's table that begins with these cells.
+std::vector<std::string> row_of(const std::vector<Section>& sections, const std::string& id,
+                                const std::vector<std::string>& begin) {
+  for (const Section& section : sections) {
+    if (section.id != id) continue;
+    for (const auto& row : section.table.rows) {
+      std::vector<std::string> texts;
+      for (const Cell& cell : row) texts.push_back(cell.text);
+      if (std::equal(begin.begin(), begin.end(), texts.begin())) return texts;
+    }
+  }
+  return {};
+}
+
+TEST(RankingSections, SaySuccessBeforeAnyTime) {
+  std::vector<Record> records;
+  for (int i = 0; i < 8; ++i) {
+    Record fragile = test::good_record("s" + std::to_string(i), "fragile", "n=1", 0.001, 1e-3);
+    if (i >= 3) fragile.status = Status::timeout;
+    records.push_back(fragile);
+    records.push_back(test::good_record("s" + std::to_string(i), "robust", "n=1", 0.001, 2.0));
+  }
+  const std::vector<Section> sections = sections_of(Evaluation(records, {.timeout = 10.0}));
+  EXPECT_EQ(row_of(sections, "time-to-error-1", {"fragile"})[1], "3 of 8");
+  EXPECT_EQ(row_of(sections, "time-to-error-1", {"robust"})[1], "8 of 8, 2 s");
+  const std::vector<std::string> means = row_of(sections, "means-1", {"1e-02", "fragile"});
+  ASSERT_EQ(means.size(), 10U);
+  EXPECT_EQ(means[2], "3 of 8");
+  EXPECT_EQ(means[6], "12.5 s");  // PAR2: (3 * 1 ms + 5 * 20 s) / 8
+  EXPECT_EQ(means[7], "38 %");
+  EXPECT_EQ(means[9], "38 %");
+}
+
+TEST(RankingSections, CallNobodySlowWhoWasNotTimed) {
+  Record record = test::good_record("s", "m", "n=1", 0.005, 1.0);
+  record.seconds.reset();
+  record.not_timed = "not a Release build";
+  const std::vector<Section> sections = sections_of(Evaluation({record}));
+  EXPECT_TRUE(row_of(sections, "time-to-error-1", {"m"}).empty());
+  EXPECT_TRUE(row_of(sections, "means-1", {"1e-02"}).empty());
+  EXPECT_EQ(row_of(sections, "work-1", {"1e-02", "m"})[2], "12");
+  const std::vector<std::string> study = row_of(sections, "scenes", {"s"});
+  ASSERT_EQ(study.size(), 9U);
+  EXPECT_EQ(study[5], "not timed");
+  EXPECT_EQ(study[6], "not reached");
+}
+
+TEST(RankingSections, SayWhereTheShiftDecidesTheOrder) {
+  std::vector<Record> records;
+  for (int i = 0; i < 4; ++i) {
+    const std::string scene = "s" + std::to_string(i);
+    records.push_back(test::good_record(scene, "mostly-fast", "n=1", 0.05, i < 3 ? 1e-5 : 0.5));
+    records.push_back(test::good_record(scene, "even", "n=1", 0.05, 0.01));
+  }
+  const auto note = [&] {
+    for (const Section& section : sections_of(Evaluation(records))) {
+      if (section.id == "means-1") return section.note;
+    }
+    return std::string();
+  };
+  EXPECT_NE(note().find("changes with the shift at error 1e-01:"), std::string::npos) << note();
+  for (Record& record : records) record.seconds->median = record.method == "even" ? 1.0 : 2.0;
+  EXPECT_NE(note().find("the same with all three shifts"), std::string::npos) << note();
+}
+
+}  // namespace
+}  // namespace signorini
