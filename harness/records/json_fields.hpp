@@ -1,8 +1,10 @@
 #pragma once
-// JSON objects and the structs that they hold: every visited struct is written and read by the functions
-// here.
+// How the fields of a struct are listed, and their JSON: one `visit_fields` per struct serves writers,
+// readers, tables and tests, as `visit` does for the options of a method. JSON objects and the structs that
+// they hold: every visited struct is written and read by the functions here.
 
 #include <cmath>
+#include <concepts>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -11,10 +13,44 @@
 #include <type_traits>
 #include <vector>
 
-#include "harness/records/fields.hpp"
 #include "methods/options.hpp"
 
 namespace signorini {
+
+/// Whether a file holds a field that is empty: no value, no text, no entry, or no finite number.
+enum class Presence {
+  required,     ///< always written; a file without it is refused
+  always,       ///< always written; a file without it is read
+  unless_empty  ///< left out where it is empty
+};
+
+/// What a field is called in files, and what it is measured in.
+struct Field {
+  const char* name = "";
+  std::string_view unit = "";  ///< SI; empty for what is dimensionless or no number
+  Presence presence = Presence::unless_empty;
+};
+
+/// A field without which there is no such object.
+constexpr Field required(const char* name, std::string_view unit = "") {
+  return {name, unit, Presence::required};
+}
+
+/// `Struct`, constant or not: `visit_fields` serves writers and readers alike.
+template <class T, class Struct>
+concept Either = std::same_as<std::remove_const_t<T>, Struct>;
+
+/// Takes any field; only there to ask whether a struct is visited.
+struct AnyField {
+  void operator()(const Field& /*field*/, const auto& /*value*/) const {}
+};
+
+/// A struct with a `visit_fields(Either<Struct> auto& object, auto&& field)` that calls
+/// `field(Field, member)` for each of its members, in the order of the file.
+template <class T>
+concept Visited = requires(T& object) {
+  visit_fields(object, AnyField{});
+};
 
 /// A file or a line that does not hold what it should; what() is one line for the user.
 class BadRecord : public std::runtime_error {

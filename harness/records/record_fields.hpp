@@ -2,7 +2,7 @@
 // Every field of a record: its name, its unit, and whether it may be absent. docs/records.md has a row for
 // each; a test compares the two.
 
-#include "harness/records/fields.hpp"
+#include "harness/records/json_fields.hpp"
 #include "harness/records/record.hpp"
 
 namespace signorini {
