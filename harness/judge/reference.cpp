@@ -4,7 +4,9 @@
 
 #include "harness/judge/motion.hpp"
 #include "harness/judge/orbit.hpp"
+#include "harness/records/json_fields.hpp"
 #include "harness/records/record.hpp"
+#include "harness/records/record_fields.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/records/trajectory_json.hpp"
 
@@ -26,6 +28,35 @@ bool stays(const Problem& problem, const Trajectory& marched, const Trajectory& 
   constexpr double kDrift = 1e-6;
   const Motion from = sample_motion(problem, marched);
   return distance(from, sample_motion(problem, polished)).x_l2.value_or(0.0) <= kDrift;
+}
+
+/// The orbit of a reference on its way from the process that computed it.
+struct OrbitMessage {
+  double period = 0.0;  ///< [s]
+  TrajectorySamples trajectory = {};
+  double error_bar = 0.0;
+  std::optional<double> residual = {};
+  std::string fingerprint = {};
+  std::vector<Certificate> confirmed = {};
+};
+
+void visit_fields(Either<OrbitMessage> auto& orbit, auto&& field) {
+  field(required("period", "s"), orbit.period);
+  field(required("trajectory"), orbit.trajectory);
+  field(required("error_bar"), orbit.error_bar);
+  field(Field{"residual"}, orbit.residual);
+  field(required("fingerprint"), orbit.fingerprint);
+  field(Field{"confirmed"}, orbit.confirmed);
+}
+
+struct ReferenceMessage {
+  std::string reason = {};  ///< why there is no orbit
+  std::optional<OrbitMessage> orbit = {};
+};
+
+void visit_fields(Either<ReferenceMessage> auto& message, auto&& field) {
+  field(Field{"reason"}, message.reason);
+  field(Field{"orbit"}, message.orbit);
 }
 
 }  // namespace
@@ -62,43 +93,32 @@ Reference compute_reference(const Problem& problem, const OrbitTools& tools, Dea
 }
 
 nlohmann::ordered_json to_json(const Reference& reference) {
-  nlohmann::ordered_json json;
-  if (!reference.orbit) {
-    json["reason"] = reference.reason;
-    return json;
+  ReferenceMessage message{.reason = reference.reason};
+  if (reference.orbit) {
+    const auto count = static_cast<int>(reference.orbit->data().samples.x.rows());
+    message.orbit = OrbitMessage{.period = reference.orbit->period(),
+                                 .trajectory = samples_of(*reference.orbit, count),
+                                 .error_bar = reference.error_bar,
+                                 .residual = reference.residual,
+                                 .fingerprint = reference.fingerprint,
+                                 .confirmed = reference.confirmed};
   }
-  // As a record, so that one reader and writer of trajectories does.
-  Record carrier;
-  carrier.period = reference.orbit->period();
-  carrier.trajectory =
-      samples_of(*reference.orbit, static_cast<int>(reference.orbit->data().samples.x.rows()));
-  if (!reference.confirmed.empty()) carrier.certificate = reference.confirmed.front();
-  json["carrier"] = to_json(carrier);
-  json["error_bar"] = reference.error_bar;
-  if (reference.residual) json["residual"] = *reference.residual;
-  json["fingerprint"] = reference.fingerprint;
-  return json;
+  return write_fields(message);
 }
 
 Reference reference_from_json(const nlohmann::ordered_json& json) {
-  Reference reference;
+  ReferenceMessage message;
   try {
-    if (json.contains("reason")) {
-      reference.reason = json["reason"].get<std::string>();
-      return reference;
-    }
-    const Record carrier = record_from_json(json.at("carrier"));
-    reference.orbit = trajectory_of(carrier.period.value(), carrier.trajectory.value());
-    reference.error_bar = json.at("error_bar");
-    if (json.contains("residual")) reference.residual = json["residual"].get<double>();
-    reference.fingerprint = json.at("fingerprint");
-    if (carrier.certificate.return_distance) reference.confirmed.push_back(carrier.certificate);
-    return reference;
+    read_fields(json, message);
   } catch (const nlohmann::json::exception& error) {
     throw BadRecord(error.what());
-  } catch (const std::bad_optional_access&) {
-    throw BadRecord("reference = incomplete (must hold a trajectory with its period)");
   }
+  if (!message.orbit) return {.reason = message.reason};
+  return {.orbit = trajectory_of(message.orbit->period, message.orbit->trajectory),
+          .error_bar = message.orbit->error_bar,
+          .residual = message.orbit->residual,
+          .fingerprint = message.orbit->fingerprint,
+          .confirmed = std::move(message.orbit->confirmed)};
 }
 
 Problem under_law(const Problem& problem, const RepresentedLaw& law) {
