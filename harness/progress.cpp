@@ -35,7 +35,7 @@ void Progress::clear() const {
 void Progress::begin(const std::string& what) {
   if (!visible_) return;
   const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  // Cut to a usual terminal's width, or the carriage return would not reach the line's beginning.
+  // Cut to the width of a terminal: a carriage return goes back to the beginning of the last line only.
   constexpr std::size_t kWidth = 79;
   fmt::print(stderr, "\r\033[K{}", progress_line(done_, total_, elapsed, what).substr(0, kWidth));
   std::fflush(stderr);

@@ -28,7 +28,7 @@ struct CheckArguments {
   bool json = false;
 };
 
-/// The method named, all of them, or else those that --plugin and the search path brought.
+/// The method that was named; all methods; or else those of plugins.
 std::vector<const MethodEntry*> methods_of(const CheckArguments& arguments) {
   if (arguments.method && !arguments.all) return {&find_method(*arguments.method)};
   std::vector<const MethodEntry*> entries;
@@ -42,7 +42,7 @@ std::vector<const MethodEntry*> methods_of(const CheckArguments& arguments) {
   return entries;
 }
 
-/// The scenes of the suite, or those that a filter takes from all that ship, or one file.
+/// The scenes of the suite, the shipped scenes that match the filter, or one scene file.
 std::vector<Scene> scenes_of(const CheckArguments& arguments) {
   const Suite all{.name = "of all that ship", .scenes = {"*"}};
   std::vector<Scene> scenes =

@@ -36,19 +36,19 @@ int complain(const std::exception& error, int code) {
   return code;
 }
 
-/// A file or folder that is there in another kind than needed, or that must not be read or written.
+/// Reports a path of the wrong kind (a file for a folder) or without the permission that is needed.
 int complain_of_file(const std::filesystem::filesystem_error& error) {
   fmt::print(stderr, "path = {} (must be usable: {})\n", error.path1().string(), error.code().message());
   return kBadUsage;
 }
 
-/// "signorini submit slurm": the program with the commands that were read.
+/// The program with the commands of the command line, "signorini submit slurm".
 std::string command_path(const CLI::App& app) {
   const std::vector<CLI::App*> read = app.get_subcommands();
   return app.get_name() + (read.empty() ? "" : " " + command_path(*read.front()));
 }
 
-/// The command line cannot be read: one line that says why.
+/// Reports in one line why the command line cannot be parsed.
 int complain_usage(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
   std::string line = error.what();
@@ -57,7 +57,8 @@ int complain_usage(const CLI::App& app, const CLI::ParseError& error) {
   return kBadUsage;
 }
 
-/// CLI11 would only say that a command is missing.
+/// Names the commands where the first word is none; CLI11 would only say that a command is missing.
+/// \throws UsageError
 void require_known_command(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   std::string names;
@@ -107,7 +108,8 @@ int run_command_line(int argc, char** argv) {
   CLI::App app{"Compares methods for periodic vibrations of structures with unilateral contact.",
                "signorini"};
   int exit_code = kDone;
-  std::vector<std::string> words{"signorini"};  // not argv[0]: folders of this machine are nobody's business
+  // Not argv[0]: local paths stay out of the manifest.
+  std::vector<std::string> words{"signorini"};
   words.insert(words.end(), argv + std::min(1, argc), argv + argc);
   app.set_version_flag("--version", version_text);
   app.require_subcommand(1);
@@ -130,7 +132,7 @@ int run_command_line(int argc, char** argv) {
   add_man_command(app, exit_code);
   const auto plugins = std::make_shared<std::vector<std::string>>();
   add_plugin_options(app, plugins);
-  app.parse_complete_callback([plugins] { load_plugins(*plugins); });  // before the command's own
+  app.parse_complete_callback([plugins] { load_plugins(*plugins); });  // before the callback of the command
   try {
     require_known_command(app, argc, argv);
     app.parse(argc, argv);

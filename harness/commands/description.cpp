@@ -10,13 +10,13 @@ namespace signorini {
 
 namespace {
 
-/// A command by its whole name, "submit slurm".
+/// A command with its full name, "submit slurm".
 struct Page {
   std::string path;
   const CLI::App* command;
 };
 
-/// As people read them, "submit" before "submit slurm".
+/// All commands in the order of a manual: "submit" before "submit slurm".
 std::vector<Page> pages(const CLI::App& app, const std::string& path = "") {
   std::vector<Page> found;
   for (const CLI::App* command : app.get_subcommands({})) {
@@ -28,7 +28,7 @@ std::vector<Page> pages(const CLI::App& app, const std::string& path = "") {
   return found;
 }
 
-/// As a shell must try them, "submit slurm" before "submit".
+/// All commands in the order in which a shell has to match them: "submit slurm" before "submit".
 std::vector<Page> deepest_first(const CLI::App& app) {
   std::vector<Page> found = pages(app);
   std::reverse(found.begin(), found.end());
@@ -41,7 +41,7 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
-/// What may follow: commands and long options.
+/// The words that may follow a command: its own commands and long options.
 std::vector<std::string> words_after(const CLI::App& app) {
   std::vector<std::string> words = command_names(app);
   for (const CLI::Option* option : app.get_options()) {
@@ -72,7 +72,7 @@ std::string zsh_entries(const CLI::App& app) {
   return entries;
 }
 
-/// Text that troff takes as it is.
+/// Text with the characters escaped that mean something to troff.
 std::string roff(const std::string& text) {
   std::string safe = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
   if (!safe.empty() && (safe.front() == '.' || safe.front() == '\'')) safe.insert(0, "\\&");

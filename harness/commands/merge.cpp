@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A merge may be repeated; a run must not be written over.
+/// Refuses to write over a run; a merge may be repeated.
 void require_no_run(const fs::path& out) {
   const fs::path manifest = out / "manifest.json";
   if (!fs::exists(manifest)) return;

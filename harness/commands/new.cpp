@@ -22,7 +22,7 @@ struct NewArguments {
   bool out_of_tree = false;
 };
 
-/// The tree that is named, or the one around the current folder; empty where nothing is added to a tree.
+/// The source tree that is named, or the one around the current folder; empty for a method outside a tree.
 std::optional<fs::path> tree_of(const NewArguments& arguments) {
   if (arguments.out_of_tree) return std::nullopt;
   if (!arguments.tree) return find_tree(fs::current_path());
@@ -44,7 +44,7 @@ Scaffold new_scene(const NewArguments& arguments) {
   return tree ? scene_in_tree(arguments.name, *tree) : scene_out_of_tree(arguments.name, "");
 }
 
-/// As people type it: from the current folder where it lies below.
+/// The path relative to the current folder if it lies below, as people type it.
 std::string shown(const fs::path& path) {
   const fs::path relative = path.lexically_relative(fs::current_path());
   const bool below = path.is_absolute() && !relative.empty() && *relative.begin() != "..";

@@ -19,7 +19,7 @@ namespace signorini {
 
 namespace {
 
-/// Dense eigenproblems beyond this take too long for a description.
+/// Largest number of coordinates for which eigenfrequencies are shown: the eigenproblem is solved dense.
 constexpr int kMostEigen = 2000;
 constexpr std::ptrdiff_t kMostShown = 12;
 

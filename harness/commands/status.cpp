@@ -23,7 +23,7 @@ struct NamedStatus {
   RunStatus status;
 };
 
-/// The folder itself if a run or a merge wrote it, else the shards below.
+/// The status of the folder if a run or a merge wrote it, else of each shard in it and of all together.
 std::vector<NamedStatus> read_statuses(const fs::path& folder) {
   std::vector<NamedStatus> statuses;
   if (!fs::exists(folder / "manifest.json") && fs::is_directory(folder)) {

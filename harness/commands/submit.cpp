@@ -23,13 +23,13 @@ struct SubmitArguments {
   bool dry_run = false;
 };
 
-/// Exit code of a command line of the shell.
+/// Runs a command line in a shell. \return its exit code
 int shell(const std::string& command) {
   const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): the words are quoted
   return WIFEXITED(status) ? WEXITSTATUS(status) : kInternalError;
 }
 
-/// Lets `run` itself judge the command of a shard: what it refuses must not come to light on a cluster.
+/// Lets `run` check the command of a shard, so that a mistake is reported here and not on the cluster.
 int check_run_command(const std::string& command) {
   return shell(command + " --dry-run 2>&1 >/dev/null | grep -v ' cases on ' >&2; " + command +
                " --dry-run >/dev/null 2>&1");
@@ -40,7 +40,7 @@ struct Script {
   std::string text;
 };
 
-/// What starts the shards, and how.
+/// The launcher of the shards and its settings.
 struct Launcher {
   std::string program;
   std::string (*run_command)(const Submission&, const std::string& index);
@@ -82,7 +82,7 @@ std::vector<Script> slurm_scripts(const Submission& s) {
 
 std::vector<Script> parallel_scripts(const Submission& s) { return {{"parallel.sh", parallel_script(s)}}; }
 
-/// Words of `run`, with the plugins, which this command read for itself, by paths that hold in any folder.
+/// The arguments of `run`, with the plugins by absolute paths: this command has parsed them itself.
 std::vector<std::string> run_words(const CLI::App& command) {
   std::vector<std::string> words = command.remaining();
   for (const std::string& plugin : command.get_option("--plugin")->results()) {

@@ -1,0 +1,173 @@
+// `signorini verify` of a folder of references.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/commands/command_line.hpp"
+#include "harness/commands/verify.hpp"
+#include "harness/failure.hpp"
+#include "harness/files.hpp"
+#include "harness/glob.hpp"
+#include "harness/interrupt.hpp"
+#include "harness/orbits/orbit_comparison.hpp"
+#include "harness/progress.hpp"
+#include "problems/scene/scene_file.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string name_of(const SceneSource& source) {
+  const std::string stem = source.file.stem().string();
+  return source.level.empty() ? stem : stem + "@" + source.level;
+}
+
+/// Whether the orbits of a scene take so long to search that it has to be named.
+bool searched_by_name_only(const SceneSource& source) {
+  if (!source.level.empty()) return true;
+  const SceneHeader header = load_header(source);
+  return header.carries(kLarge) || header.carries(kLongSearch);
+}
+
+/// A family has many levels: only a filter that speaks of levels, as in grazing@*, asks for them.
+bool is_asked_for(const SceneSource& source, const std::optional<std::string>& filter) {
+  if (!filter) return !searched_by_name_only(source);
+  return source.level.empty() || filter->find('@') != std::string::npos;
+}
+
+/// Names of the scenes that have a file in the folder.
+std::vector<std::string> kept_scenes(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  }
+  return names;
+}
+
+/// Scenes that ship and those that have a file in the folder, if the filter takes them.
+std::vector<std::string> scenes_to_verify(const VerifyArguments& arguments, const fs::path& folder) {
+  std::vector<std::string> names, left_out;
+  for (const SceneSource& source : shipped_scenes())
+    (is_asked_for(source, arguments.scenes) ? names : left_out).push_back(name_of(source));
+  if (!arguments.update) {
+    const std::vector<std::string> kept = kept_scenes(folder);
+    if (kept.empty() && !arguments.scenes) refuse_folder(folder);
+    names.insert(names.end(), kept.begin(), kept.end());
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  const std::string filter = arguments.scenes.value_or("*");
+  std::erase_if(names, [&](const std::string& name) {
+    return !scene_filter_matches(filter, name) ||
+           std::find(left_out.begin(), left_out.end(), name) != left_out.end();
+  });
+  if (names.empty()) {
+    throw NothingMatched(fmt::format("scenes = {} (matches no scene; see `signorini list scenes`)", filter));
+  }
+  return names;
+}
+
+/// Searches the orbits of a scene; empty if the search was not completed, for it would prove nothing.
+std::optional<OrbitFile> search(const Scene& scene, const OrbitSearchOptions& options,
+                                std::vector<std::string>& differences) {
+  const SceneOrbits orbits = find_all_orbits(scene.problem, options);
+  if (orbits.interrupted) return std::nullopt;
+  if (orbits.expired) {
+    differences.push_back(fmt::format("{}: the search did not end within {:g} s (--timeout)",
+                                      scene.problem.name, options.timeout));
+    return std::nullopt;
+  }
+  return make_orbit_file(scene, options, orbits);
+}
+
+void update_scene(const VerifyArguments& arguments, const fs::path& file, const Scene& scene,
+                  std::vector<std::string>& differences) {
+  OrbitSearchOptions options = arguments.options;
+  options.subharmonics = arguments.subharmonics.value_or(default_subharmonics(scene.problem));
+  const auto found = search(scene, options, differences);
+  if (!found) return;
+  const std::string text = print_orbit_file(*found);
+  const bool same = fs::exists(file) && read_file(file) == text;
+  if (!same) write_whole(file, text);
+  fmt::print("{}: {} orbits {}\n", scene.problem.name, found->orbits.size(), same ? "unchanged" : "written");
+}
+
+/// Certifies the kept orbits with impacts that the search missed, from their own events, and adds them to
+/// `now`: a search may miss an orbit that exists, for example at a time limit.
+void add_missed(const Scene& scene, const OrbitFile& kept, OrbitFile& now) {
+  for (const FoundOrbit& orbit : kept.orbits) {
+    const auto same = [&](const FoundOrbit& found) {
+      return found.order == orbit.order && found.fingerprint == orbit.fingerprint;
+    };
+    if (std::any_of(now.orbits.begin(), now.orbits.end(), same)) continue;
+    auto again = certify_again(scene.problem, orbit);
+    if (!again || !same(*again)) continue;
+    fmt::print("{}: orbit {} of order {}: not met by the search, certified again from its events\n",
+               scene.problem.name, orbit.fingerprint, orbit.order);
+    now.orbits.push_back(std::move(*again));
+  }
+}
+
+void verify_scene(const VerifyArguments& arguments, const fs::path& file, const std::string& name,
+                  std::vector<std::string>& differences) {
+  if (!fs::exists(file)) {
+    differences.push_back(name + ": no orbits are kept for this scene (verify --update keeps them)");
+    return;
+  }
+  const OrbitFile kept = parse_orbit_file(read_file(file), file.string());
+  const Scene scene = read_scene(find_scene(name));
+  OrbitDifferences result;
+  std::vector<std::string> failures;
+  if (kept.scene_sha256 != scene.sha256) {  // a search would be in vain
+    result = compare_orbits(kept, make_orbit_file(scene, kept.options, {}));
+  } else {
+    OrbitSearchOptions options = kept.options;
+    options.timeout = arguments.options.timeout;
+    auto now = search(scene, options, failures);
+    if (interrupted()) return;
+    if (now) {
+      add_missed(scene, kept, *now);
+      result = compare_orbits(kept, *now);
+    }
+  }
+  result.differences.insert(result.differences.end(), failures.begin(), failures.end());
+  print_lines(result.differences);
+  print_lines(result.fresh);
+  if (result.differences.empty())
+    fmt::print("{}: {} orbits as kept, {} new\n", name, kept.orbits.size(), result.fresh.size());
+  differences.insert(differences.end(), result.differences.begin(), result.differences.end());
+}
+
+}  // namespace
+
+int verify_references(const VerifyArguments& arguments, const fs::path& folder) {
+  const std::vector<std::string> names = scenes_to_verify(arguments, folder);
+  if (arguments.update) fs::create_directories(folder);
+  std::vector<std::string> differences;
+  Progress progress(names.size());
+  for (const std::string& name : names) {
+    if (interrupted()) break;
+    progress.begin(name);
+    const std::size_t before = differences.size();
+    const fs::path file = folder / (name + ".json");
+    if (arguments.update) {
+      update_scene(arguments, file, read_scene(find_scene(name)), differences);
+    } else {
+      verify_scene(arguments, file, name, differences);
+    }
+    if (arguments.update || !fs::exists(file))
+      print_lines({differences.begin() + static_cast<std::ptrdiff_t>(before), differences.end()});
+    progress.advance();
+  }
+  if (interrupted()) {
+    fmt::print(stderr, "interrupted\n");
+    return kInterrupted;
+  }
+  if (!arguments.update) fmt::print("{} scenes, {} differences\n", names.size(), differences.size());
+  return differences.empty() ? kDone : kUnexpectedFailure;
+}
+
+}  // namespace signorini
