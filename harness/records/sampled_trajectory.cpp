@@ -35,6 +35,45 @@ std::string impulses_defect(const std::vector<Impulse>& impulses, int contacts, 
   return {};
 }
 
+std::string events_defect(const std::optional<std::vector<ContactEvent>>& events, int contacts,
+                          double period) {
+  double last = 0.0;
+  for (const ContactEvent& event : events.value_or(std::vector<ContactEvent>{})) {
+    const std::string_view kind = name_of(event.kind);
+    if (event.contact < 0 || event.contact >= contacts)
+      return fmt::format("the event {} is at contact {} of {}", kind, event.contact, contacts);
+    if (!std::isfinite(event.impulse) || !(event.time >= 0.0) || !(event.time <= period))
+      return fmt::format("the event {} of {} N s is at {} s, outside the period", kind, event.impulse,
+                         event.time);
+    if (event.time < last)
+      return fmt::format("the event {} at {} s comes after one at {} s", kind, event.time, last);
+    last = event.time;
+  }
+  return {};
+}
+
+/// Adds `seconds` to the times of impulses or events, modulo the period.
+template <class Timed>
+void delay(std::vector<Timed>& items, double seconds, double period) {
+  for (Timed& one : items) {
+    one.time += seconds;
+    if (one.time >= period) one.time -= period;
+  }
+  std::stable_sort(items.begin(), items.end(),
+                   [](const Timed& a, const Timed& b) { return a.time < b.time; });
+}
+
+template <class Timed>
+void repeat(std::vector<Timed>& items, int periods, double period) {
+  const std::vector<Timed> once = items;
+  for (int k = 1; k < periods; ++k) {
+    for (Timed one : once) {
+      one.time += k * period;
+      items.push_back(one);
+    }
+  }
+}
+
 }  // namespace
 
 SampledTrajectory::SampledTrajectory(Data data) : data_(std::move(data)) {
@@ -43,6 +82,7 @@ SampledTrajectory::SampledTrajectory(Data data) : data_(std::move(data)) {
   if (count < 1) defect = "there are no samples";
   if (!(data_.period > 0.0) || !std::isfinite(data_.period)) defect = "the period is not positive";
   if (defect.empty()) defect = impulses_defect(data_.impulses, contact_count(), data_.period);
+  if (defect.empty()) defect = events_defect(data_.events, contact_count(), data_.period);
   if (!defect.empty()) throw std::invalid_argument(fmt::format("trajectory = unusable ({})", defect));
 }
 
@@ -87,13 +127,9 @@ SampledTrajectory delayed(const SampledTrajectory& motion, double share) {
   for (Eigen::MatrixXd* values : {&data.samples.x, &data.samples.velocity, &data.samples.force}) {
     for (auto column : values->colwise()) std::rotate(column.begin(), column.end() - late, column.end());
   }
-  const double delay = data.period * static_cast<double>(late) / static_cast<double>(count);
-  for (Impulse& impulse : data.impulses) {
-    impulse.time += delay;
-    if (impulse.time >= data.period) impulse.time -= data.period;
-  }
-  std::sort(data.impulses.begin(), data.impulses.end(),
-            [](const Impulse& a, const Impulse& b) { return a.time < b.time; });
+  const double seconds = data.period * static_cast<double>(late) / static_cast<double>(count);
+  delay(data.impulses, seconds, data.period);
+  if (data.events) delay(*data.events, seconds, data.period);
   return SampledTrajectory(std::move(data));
 }
 
@@ -104,12 +140,8 @@ SampledTrajectory repeated(const SampledTrajectory& motion, int periods) {
   data.samples = {once.samples.x.replicate(periods, 1), once.samples.velocity.replicate(periods, 1),
                   once.samples.force.replicate(periods, 1)};
   if (data.bandwidth) *data.bandwidth *= periods;
-  for (int k = 1; k < periods; ++k) {
-    for (Impulse impulse : once.impulses) {
-      impulse.time += k * once.period;
-      data.impulses.push_back(impulse);
-    }
-  }
+  repeat(data.impulses, periods, once.period);
+  if (data.events) repeat(*data.events, periods, once.period);
   return SampledTrajectory(std::move(data));
 }
 
@@ -122,7 +154,8 @@ std::string trajectory_defect(const Trajectory& trajectory, int contacts, double
     return fmt::format("the period {} s is no whole multiple of the forcing period {} s", trajectory.period(),
                        forcing_period);
   }
-  return impulses_defect(trajectory.impulses(), contacts, trajectory.period());
+  const std::string defect = impulses_defect(trajectory.impulses(), contacts, trajectory.period());
+  return defect.empty() ? events_defect(trajectory.events(), contacts, trajectory.period()) : defect;
 }
 
 std::string samples_defect(const Samples& samples, Eigen::Index count, Eigen::Index contacts) {

@@ -14,15 +14,17 @@ namespace signorini {
 class SampledTrajectory final : public Trajectory {
  public:
   struct Data {
-    double period = 1.0;            ///< [s]
-    Samples samples;                ///< at least one instant
-    std::vector<Impulse> impulses;  ///< within one period
-    std::optional<int> bandwidth;   ///< harmonics that the source resolves
+    double period = 1.0;                                   ///< [s]
+    Samples samples;                                       ///< at least one instant
+    std::vector<Impulse> impulses;                         ///< within one period
+    std::optional<int> bandwidth;                          ///< harmonics that the source resolves
+    std::optional<std::vector<ContactEvent>> events = {};  ///< as the source lists them
   };
 
   /// \throws std::invalid_argument unless sizes agree, numbers are finite and the period is positive
   explicit SampledTrajectory(Data data);
-  /// Samples another trajectory.
+  /// Samples another trajectory, without its events: what is known of them has the source's accuracy, not
+  /// that of the samples.
   SampledTrajectory(const Trajectory& source, int count);
 
   [[nodiscard]] int contact_count() const override { return static_cast<int>(data_.samples.x.cols()); }
@@ -30,6 +32,7 @@ class SampledTrajectory final : public Trajectory {
   [[nodiscard]] Samples sample(int count) const override;
   [[nodiscard]] std::vector<Impulse> impulses() const override { return data_.impulses; }
   [[nodiscard]] std::optional<int> bandwidth() const override { return data_.bandwidth; }
+  [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override { return data_.events; }
   [[nodiscard]] const Data& data() const { return data_; }
 
  private:
@@ -43,8 +46,8 @@ SampledTrajectory delayed(const SampledTrajectory& motion, double share);
 SampledTrajectory repeated(const SampledTrajectory& motion, int periods);
 
 /// What is wrong with a trajectory as an answer on `contacts` contacts before it is sampled: another number
-/// of contacts, a period that is not a whole multiple of `forcing_period` (to 1e-6 relative), impulses
-/// outside the period or at no contact. Empty if nothing is.
+/// of contacts, a period that is not a whole multiple of `forcing_period` (to 1e-6 relative), impulses or
+/// events outside the period or at no contact, events out of order. Empty if nothing is.
 std::string trajectory_defect(const Trajectory& trajectory, int contacts, double forcing_period);
 
 /// What is wrong with samples of `contacts` contacts at `count` instants: wrong sizes, values that are not

@@ -61,8 +61,8 @@ Json write_problem(const Problem& problem) {
 }
 
 void allow_only(const Json& json) {
-  constexpr std::array<std::string_view, 7> kKeys{"verdict",   "message", "period",    "residual",
-                                                  "condition", "work",    "trajectory"};
+  constexpr std::array<std::string_view, 8> kKeys{"verdict",   "message", "period",     "residual",
+                                                  "condition", "work",    "trajectory", "events"};
   for (const auto& [key, value] : json.items()) {
     if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
       refuse(fmt::format("{} = unknown (must be one of {})", one_line(key), fmt::join(kKeys, ", ")));
@@ -87,6 +87,39 @@ void require_equidistant(const std::vector<double>& t, double period) {
   }
 }
 
+ContactEvent::Kind read_kind(const std::string& word) {
+  for (const auto kind : {ContactEvent::Kind::impact, ContactEvent::Kind::close, ContactEvent::Kind::open}) {
+    if (word == name_of(kind)) return kind;
+  }
+  refuse(fmt::format("events.kind = {} (must be impact, close or open)", one_line(word)));
+}
+
+std::vector<ContactEvent> read_events(const Json& json) {
+  std::vector<ContactEvent> events;
+  for (const Json& item : json) {
+    ContactEvent event{
+        .kind = read_kind(item.at("kind")), .contact = item.at("contact"), .time = item.at("time")};
+    if (item.contains("impulse")) event.impulse = item["impulse"].get<double>();
+    events.push_back(event);
+  }
+  return events;
+}
+
+/// The motion with its events, if the command lists them.
+std::shared_ptr<const Trajectory> read_motion(const Json& json, double period) {
+  const TrajectorySamples samples = trajectory_samples_from_json(json.at("trajectory"));
+  require_equidistant(samples.t, period);
+  const auto motion = trajectory_of(period, samples);
+  if (!json.contains("events")) return motion;
+  SampledTrajectory::Data data = motion->data();
+  data.events = read_events(json["events"]);
+  try {
+    return std::make_shared<SampledTrajectory>(std::move(data));
+  } catch (const std::invalid_argument& error) {
+    refuse(error.what());
+  }
+}
+
 Solution read_solution(const Json& json, double period) {
   allow_only(json);
   Solution solution{.verdict = read_verdict(json)};
@@ -97,9 +130,7 @@ Solution read_solution(const Json& json, double period) {
   if (json.contains("work")) solution.work = work_from_json(json["work"]).counts;
   if (!json.contains("trajectory")) return solution;
   if (json.contains("period")) period = json["period"].get<double>();
-  const TrajectorySamples samples = trajectory_samples_from_json(json["trajectory"]);
-  require_equidistant(samples.t, period);
-  solution.trajectory = trajectory_of(period, samples);
+  solution.trajectory = read_motion(json, period);
   return solution;
 }
 

@@ -88,5 +88,42 @@ TEST(SamplesDefect, NamesWrongSizesAndNumbersThatAreNotFinite) {
   EXPECT_EQ(samples_defect(samples, 4, 1), "velocity has 4 x 2 samples, 4 x 1 were asked for");
 }
 
+/// A motion at rest, of period 2 s, with events at 0.5 s and 1.75 s.
+SampledTrajectory::Data with_events() {
+  SampledTrajectory::Data data{.period = 2.0, .samples = {}, .impulses = {}, .bandwidth = {}};
+  data.samples.x = data.samples.velocity = data.samples.force = Eigen::MatrixXd::Zero(8, 1);
+  data.events = {{.kind = ContactEvent::Kind::close, .contact = 0, .time = 0.5},
+                 {.kind = ContactEvent::Kind::open, .contact = 0, .time = 1.75}};
+  return data;
+}
+
+TEST(Delayed, MovesEventsAndKeepsThemInOrder) {
+  const auto events = delayed(SampledTrajectory(with_events()), 0.25).events().value();
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(events[0].kind, ContactEvent::Kind::open);
+  EXPECT_DOUBLE_EQ(events[0].time, 0.25);
+  EXPECT_DOUBLE_EQ(events[1].time, 1.0);
+}
+
+TEST(Repeated, RepeatsEvents) {
+  const auto events = repeated(SampledTrajectory(with_events()), 3).events().value();
+  ASSERT_EQ(events.size(), 6U);
+  EXPECT_DOUBLE_EQ(events.back().time, 5.75);
+}
+
+TEST(SampledTrajectory, RefusesEventsThatCannotBe) {
+  const auto with = [](ContactEvent event) {
+    SampledTrajectory::Data data = with_events();
+    data.events->push_back(event);
+    return data;
+  };
+  using Kind = ContactEvent::Kind;
+  EXPECT_NO_THROW(SampledTrajectory(with({.kind = Kind::close, .contact = 0, .time = 1.8})));
+  for (const ContactEvent& event : {ContactEvent{.kind = Kind::close, .contact = 1, .time = 1.8},
+                                    ContactEvent{.kind = Kind::close, .contact = 0, .time = 2.1},
+                                    ContactEvent{.kind = Kind::close, .contact = 0, .time = 1.0}})
+    EXPECT_THROW(SampledTrajectory(with(event)), std::invalid_argument) << event.time;
+}
+
 }  // namespace
 }  // namespace signorini

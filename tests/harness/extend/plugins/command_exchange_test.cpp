@@ -72,6 +72,44 @@ TEST(ReadCommandAnswer, MayBeOfAnotherPeriod) {
   EXPECT_EQ(read_command_answer(json.dump(), kPeriod).trajectory->period(), 4.0);
 }
 
+TEST(ReadCommandAnswer, HandsOnTheEventsThatACommandLists) {
+  EXPECT_FALSE(read_command_answer(answer().dump(), kPeriod).trajectory->events().has_value());
+  Json json = answer();
+  json["events"] = Json::array();
+  EXPECT_TRUE(read_command_answer(json.dump(), kPeriod).trajectory->events().value().empty());
+  json["events"] = {{{"kind", "close"}, {"contact", 0}, {"time", 0.5}, {"impulse", -0.25}},
+                    {{"kind", "open"}, {"contact", 0}, {"time", 1.5}}};
+  const auto events = read_command_answer(json.dump(), kPeriod).trajectory->events().value();
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(events[0].kind, ContactEvent::Kind::close);
+  EXPECT_EQ(events[0].time, 0.5);
+  EXPECT_EQ(events[0].impulse, -0.25);
+  EXPECT_EQ(events[1].kind, ContactEvent::Kind::open);
+  EXPECT_EQ(events[1].impulse, 0.0);
+}
+
+TEST(ReadCommandAnswer, RefusesEventsThatCannotBe) {
+  const auto refused = [](const Json& events) {
+    Json json = answer();
+    json["events"] = events;
+    return refusal(json);
+  };
+  const Json open{{"kind", "open"}, {"contact", 0}, {"time", 1.5}};
+  Json other = open;
+  other["kind"] = "bounce";
+  EXPECT_NE(refused(Json::array({other})).find("events.kind = bounce"), std::string::npos);
+  other = open;
+  other["contact"] = 1;
+  EXPECT_NE(refused(Json::array({other})).find("contact 1 of 1"), std::string::npos);
+  other = open;
+  other["time"] = 2.5;
+  EXPECT_NE(refused(Json::array({other})).find("outside the period"), std::string::npos);
+  other = open;
+  other["time"] = 1.0;
+  EXPECT_NE(refused(Json::array({open, other})).find("comes after"), std::string::npos);
+  EXPECT_NE(refused(Json::array({1})), "accepted");
+}
+
 TEST(ReadCommandAnswer, RefusesWhatIsNoAnswer) {
   Json json = answer();
   json["colour"] = "red";
