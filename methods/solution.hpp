@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace signorini {
@@ -23,6 +24,35 @@ struct Impulse {
   double value = 0.0;  ///< on the structure along the contact coordinate, <= 0 [N s]
 };
 
+/// What happens to one contact at one instant. Its impulse, if it takes one, also is an `Impulse` of the
+/// motion: momentum that a list of events names is the momentum that the list of impulses has.
+struct ContactEvent {
+  enum class Kind {
+    impact,  ///< takes an impulse, and is open or closed afterwards as it was before
+    /// Closed from here on. A rigid stop takes the momentum of the approach as `impulse`; a closing without
+    /// one ends a chatter: infinitely many impacts, of which those that the method resolved are listed.
+    close,
+    open,  ///< open from here on: at a rigid stop the force, at a compliant one the penetration has vanished
+  };
+  Kind kind = Kind::impact;  ///< of the contact's change
+  int contact = 0;           ///< in [0, Nc)
+  double time = 0.0;         ///< in [0, period) [s]; t = 0 is the time origin of the forcing terms
+  double impulse = 0.0;      ///< on the structure along the contact coordinate, <= 0 [N s]
+};
+
+/// "impact", "close" or "open": the word for it in records and exchanges.
+constexpr std::string_view name_of(ContactEvent::Kind kind) {
+  switch (kind) {
+    case ContactEvent::Kind::impact:
+      return "impact";
+    case ContactEvent::Kind::close:
+      return "close";
+    case ContactEvent::Kind::open:
+      return "open";
+  }
+  return {};
+}
+
 /// A periodic motion seen at the contacts, in the method's own representation. The harness samples
 /// it wherever it likes, so that no interpolation error enters the scores.
 class Trajectory {
@@ -36,6 +66,13 @@ class Trajectory {
   [[nodiscard]] virtual Samples sample(int count) const = 0;
   /// Impulses within one period, ordered in time; empty where force is an ordinary function.
   [[nodiscard]] virtual std::vector<Impulse> impulses() const { return {}; }
+  /// Impacts, closings and openings within one period, ordered in time; a contact that pushes throughout has
+  /// none. Empty: the method does not know them, and whoever wants them reads them off samples and impulses.
+  [[nodiscard]] virtual std::optional<std::vector<ContactEvent>> events() const { return std::nullopt; }
+  /// Equidistant instants t_i = i period / nodes on which the representation keeps its values, where it is a
+  /// grid of them: samples at so many are these values, and each force acts over period / nodes. Empty: it is
+  /// no grid.
+  [[nodiscard]] virtual std::optional<int> nodes() const { return std::nullopt; }
   /// Harmonics of 2 pi / period that the representation resolves: the structure's response to
   /// `force` and `impulses` up to this harmonic is the method's own field. Empty: all of them.
   [[nodiscard]] virtual std::optional<int> bandwidth() const { return std::nullopt; }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "methods/discretisation/contact_phases.hpp"
+
 namespace signorini {
 
 namespace {
@@ -11,35 +13,6 @@ namespace {
 constexpr double kRipple = 1e-6;
 /// An impact appears spread over one to three smears; what takes longer lasts.
 constexpr double kLastingSmears = 5.0;
-
-/// A cyclic run of samples with force.
-struct Run {
-  int first = 0;
-  int length = 0;
-};
-
-std::vector<Run> pushing_runs(const Eigen::VectorXd& force, double threshold, int bridge) {
-  const auto count = static_cast<int>(force.size());
-  const auto pushes = [&](int i) { return force[i % count] < -threshold; };
-  int start = 0;  // an instant from which no run is already under way, looking back over a bridge
-  for (int free = 0; start < 2 * count && free <= bridge; ++start) free = pushes(start) ? 0 : free + 1;
-  std::vector<Run> runs;
-  if (start == 2 * count) {
-    const bool always = force.maxCoeff() < -threshold ||
-                        std::any_of(force.begin(), force.end(), [&](double f) { return f < -threshold; });
-    if (always) runs.push_back({0, count});
-    return runs;
-  }
-  for (int i = start; i < start + count; ++i) {
-    if (!pushes(i)) continue;
-    if (!runs.empty() && i - (runs.back().first + runs.back().length) < bridge) {
-      runs.back().length = i + 1 - runs.back().first;
-    } else {
-      runs.push_back({i, 1});
-    }
-  }
-  return runs;
-}
 
 /// Mean velocity over `window` steps ending (direction -1) or beginning (+1) at sample i.
 double mean_speed(const Motion& motion, int contact, int i, int window, int direction) {
@@ -86,12 +59,12 @@ ContactPhase listed_impact(const Motion& motion, const Impulse& impulse) {
   return phase;
 }
 
-ContactPhase force_phase(const Motion& motion, int contact, const Run& run) {
+ContactPhase force_phase(const Motion& motion, int contact, const SampledPhase& run) {
   const double step = motion.step();
   const int count = motion.count();
   ContactPhase phase;
   phase.contact = contact;
-  phase.begin = (run.first % count) * step;
+  phase.begin = run.first * step;
   phase.end = phase.begin + run.length * step;
   for (int i = run.first; i < run.first + run.length; ++i) {
     phase.impulse += step * motion.samples.force(i % count, contact);
@@ -122,7 +95,7 @@ std::vector<ContactPhase> contact_phases(const Motion& motion) {
   if (scale > 0.0) {
     const int bridge = std::max(1, static_cast<int>(std::ceil(smear(motion) / motion.step())));
     for (int c = 0; c < static_cast<int>(motion.samples.force.cols()); ++c) {
-      for (const Run& run : pushing_runs(motion.samples.force.col(c), kRipple * scale, bridge)) {
+      for (const SampledPhase& run : contact_phases(motion.samples.force.col(c), kRipple * scale, bridge)) {
         phases.push_back(force_phase(motion, c, run));
       }
     }

@@ -4,16 +4,10 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/stop_shift.hpp"
 
 namespace signorini {
-
-/// Intervals of one period on which a trigonometric polynomial is positive, as fractions of the period:
-/// from `begin` in [0, 1) to `end` in (begin, begin + 1].
-struct ContactInterval {
-  double begin = 0.0;  ///< [-]
-  double end = 0.0;    ///< [-]
-};
 
 /// Samples per harmonic that tell every extremum of a polynomial of that degree.
 inline constexpr int kResolvingSamples = 16;

@@ -61,6 +61,7 @@ class NodalTrajectory final : public Trajectory {
   [[nodiscard]] double period() const override { return period_; }
   [[nodiscard]] Samples sample(int count) const override;
   [[nodiscard]] std::optional<int> bandwidth() const override { return static_cast<int>(x_.rows() - 1) / 2; }
+  [[nodiscard]] std::optional<int> nodes() const override { return static_cast<int>(x_.rows()); }
   /// N x Nc [N].
   [[nodiscard]] const Eigen::MatrixXd& nodal_force() const { return force_; }
 

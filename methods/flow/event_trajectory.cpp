@@ -95,8 +95,8 @@ Samples EventTrajectory::sample(int count) const {
 std::vector<Impulse> EventTrajectory::impulses() const {
   std::vector<Impulse> impulses;
   for (const ContactEvent& event : events_) {
-    if (event.kind != ContactEvent::Kind::impact) continue;
-    impulses.push_back({.contact = event.contact, .time = event.time, .value = event.impulse});
+    if (event.impulse < 0.0)
+      impulses.push_back({.contact = event.contact, .time = event.time, .value = event.impulse});
   }
   return impulses;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // A motion as the flow left it: pieces between events, interpolated to the tolerance of the integration.
 
+#include <optional>
 #include <vector>
 
 #include "methods/flow/flow_record.hpp"
@@ -24,9 +25,8 @@ class EventTrajectory final : public Trajectory {
   [[nodiscard]] double period() const override { return period_; }
   [[nodiscard]] Samples sample(int count) const override;
   [[nodiscard]] std::vector<Impulse> impulses() const override;
+  [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override { return events_; }
 
-  /// Impacts, closings and openings in one period, times in [0, period), ordered.
-  [[nodiscard]] const std::vector<ContactEvent>& events() const { return events_; }
   /// State of the coordinates with mass at the time where the motion was cut open.
   [[nodiscard]] const FlowState& start() const { return start_; }
 

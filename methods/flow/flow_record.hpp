@@ -4,19 +4,10 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "methods/solution.hpp"
 #include "methods/structure/state.hpp"
 
 namespace signorini {
-
-/// Something that happens to a contact at an instant.
-struct ContactEvent {
-  enum class Kind { impact, close, open };
-  Kind kind = Kind::impact;
-  int contact = 0;
-  double time = 0.0;      ///< [s]; of a closing that ends a chatter: the limit of the impacts
-  double approach = 0.0;  ///< x'_- of an impact [m/s]
-  double impulse = 0.0;   ///< p <= 0 of an impact [N s]
-};
 
 /// One entry of the sequence that an orbit runs through: what ends a mode, and what the law makes of it.
 struct SequenceEvent {
@@ -45,11 +36,11 @@ struct FlowRecord {
   bool dense = false;    ///< keep pieces
   bool tangent = false;  ///< keep the derivative of the final state with respect to the first
 
+  /// As they are met, times not wrapped; a closing that ends a chatter at the limit of its impacts.
   std::vector<ContactEvent> events;
   std::vector<SequenceEvent> sequence;  ///< the same, event by event
   std::vector<FlowPiece> pieces;
   Eigen::MatrixXd derivative;  ///< 2 Nd x 2 Nd, of (u, v)
-  long accumulations = 0;      ///< chatters carried to their limit
 };
 
 /// A state together with the contacts that are closed.

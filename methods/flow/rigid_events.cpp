@@ -54,7 +54,7 @@ bool RigidEvents::chatter_ends(double v, double a, double jerk) const {
          flight_height <= 1024.0 * kEpsilon * scales.displacement;
 }
 
-void RigidEvents::collide(FlowState& flow, Impact& impact, FlowRecord& record) const {
+void RigidEvents::collide(FlowState& flow, Impact& impact) const {
   const auto count = static_cast<Eigen::Index>(impact.contacts.size());
   const double e = dynamics_.restitution();
   impact.restitution = Eigen::VectorXd::Constant(count, e);
@@ -78,13 +78,27 @@ void RigidEvents::collide(FlowState& flow, Impact& impact, FlowRecord& record) c
   if (!impulses) throw FlowError("no impulses satisfy the impact law: the stops depend on each other");
   impact.impulse = *impulses;
   flow.state.v += dynamics_.velocity_per_impulse()(Eigen::all, impact.contacts) * impact.impulse;
-  for (Eigen::Index i = 0; i < count; ++i) {
-    if (!(impact.impulse[i] < 0.0)) continue;
-    record.events.push_back({.kind = ContactEvent::Kind::impact,
-                             .contact = impact.contacts[static_cast<std::size_t>(i)],
-                             .time = flow.time,
-                             .approach = impact.approach[i],
-                             .impulse = impact.impulse[i]});
+}
+
+// The events of one instant: an impulse belongs to the closing that it ends in, unless the end of a chatter
+// comes between them.
+void RigidEvents::log(const Impact& impact, const FlowState& before, const std::vector<bool>& closed,
+                      FlowRecord& record) const {
+  for (std::size_t i = 0; i < impact.contacts.size(); ++i) {
+    const int j = impact.contacts[i];
+    const bool was = before.closed[static_cast<std::size_t>(j)], is = closed[static_cast<std::size_t>(j)];
+    const double impulse = std::min(0.0, impact.impulse[static_cast<Eigen::Index>(i)]);
+    const double rest = impact.rest_of_chatter[i];
+    const bool closes = is && !was, at_once = closes && rest == 0.0;
+    if (impulse < 0.0 && !at_once) {
+      record.events.push_back(
+          {.kind = ContactEvent::Kind::impact, .contact = j, .time = before.time, .impulse = impulse});
+    }
+    if (was == is) continue;
+    record.events.push_back({.kind = closes ? ContactEvent::Kind::close : ContactEvent::Kind::open,
+                             .contact = j,
+                             .time = before.time + (closes ? rest : 0.0),
+                             .impulse = at_once ? impulse : 0.0});
   }
 }
 
@@ -198,7 +212,7 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
   impact.acceleration = left.u.col(2);
   impact.jerk = left.u.col(3);
   impact.approach = dynamics_.directions()(Eigen::all, impact.contacts).transpose() * flow.state.v;
-  collide(flow, impact, record);
+  collide(flow, impact);
 
   std::vector<int> resting;
   for (const int j : impact.contacts) {
@@ -207,16 +221,7 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
   const std::vector<bool> closed = pressed(flow.time, flow.state, resting);
   const ContactMode mode = dynamics_.mode(closed);
   hold(flow.state, mode);
-  for (std::size_t i = 0; i < impact.contacts.size(); ++i) {
-    const int j = impact.contacts[i];
-    const bool was = flow.closed[static_cast<std::size_t>(j)], is = closed[static_cast<std::size_t>(j)];
-    if (was == is) continue;
-    const double delay = is ? impact.rest_of_chatter[i] : 0.0;
-    if (delay > 0.0) ++record.accumulations;
-    record.events.push_back({.kind = is ? ContactEvent::Kind::close : ContactEvent::Kind::open,
-                             .contact = j,
-                             .time = flow.time + delay});
-  }
+  log(impact, flow, closed, record);
   if (trigger >= 0) record.sequence.push_back(entry(impact, flow, closed, trigger));
   flow.closed = closed;
   if (record.tangent) record.derivative = saltation(impact, flow, mode, trigger) * record.derivative;

@@ -53,7 +53,9 @@ class RigidEvents {
 
   [[nodiscard]] std::vector<int> touching(const FlowState& flow) const;
   [[nodiscard]] bool chatter_ends(double v, double a, double jerk) const;
-  void collide(FlowState& flow, Impact& impact, FlowRecord& record) const;
+  void collide(FlowState& flow, Impact& impact) const;
+  void log(const Impact& impact, const FlowState& before, const std::vector<bool>& closed,
+           FlowRecord& record) const;
   [[nodiscard]] std::vector<bool> pressed(double time, const State& state,
                                           const std::vector<int>& resting) const;
   void decide(double time, const State& state, const std::vector<int>& involved,

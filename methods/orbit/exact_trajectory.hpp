@@ -2,6 +2,7 @@
 // A periodic orbit in closed form.
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -31,7 +32,8 @@ class ExactTrajectory final : public Trajectory {
   [[nodiscard]] int contact_count() const override { return model_->dynamics.contact_count(); }
   [[nodiscard]] double period() const override { return model_->period; }
   [[nodiscard]] Samples sample(int count) const override;
-  [[nodiscard]] std::vector<Impulse> impulses() const override { return impulses_; }
+  [[nodiscard]] std::vector<Impulse> impulses() const override;
+  [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override { return events_; }
 
   /// State of the coordinates with mass at any time [s].
   [[nodiscard]] State at(double time) const;
@@ -41,12 +43,14 @@ class ExactTrajectory final : public Trajectory {
   void set_quality(OrbitQuality quality) { quality_ = std::move(quality); }
 
  private:
+  void list(const SequenceEvent& event, const std::vector<bool>& before,
+            const OrbitEquations::Passage& passage);
   [[nodiscard]] const LinearArc& arc_at(double& time) const;
 
   std::shared_ptr<OrbitModel> model_;
   OrbitGuess orbit_;
   std::vector<LinearArc> arcs_;
-  std::vector<Impulse> impulses_;
+  std::vector<ContactEvent> events_;
   OrbitQuality quality_;
 };
 

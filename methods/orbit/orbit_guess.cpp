@@ -6,11 +6,11 @@
 #include <cmath>
 #include <exception>
 
+#include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/periodic_time.hpp"
-#include "methods/discretisation/trajectories.hpp"
 #include "methods/flow/flow.hpp"
 #include "methods/flow/rigid_events.hpp"
-#include "methods/orbit/exact_trajectory.hpp"
+#include "methods/orbit/listed_sequence.hpp"
 
 namespace signorini {
 
@@ -26,55 +26,48 @@ struct ForceHistory {
 ForceHistory force_history(const Trajectory& trajectory) {
   constexpr int kFine = 4096;
   ForceHistory history;
-  if (const auto* nodal = dynamic_cast<const NodalTrajectory*>(&trajectory)) {
-    history.force = nodal->nodal_force();
+  int count = kFine;
+  if (const auto nodes = trajectory.nodes()) {
+    count = *nodes;  // a force at a node acts over one step: between the nodes there is nothing to be read
     history.reach = 3;
   } else if (const auto bandwidth = trajectory.bandwidth()) {
-    const int count = std::bit_ceil(static_cast<unsigned>(8 * std::max(4, *bandwidth)));
-    history.force = trajectory.sample(count).force;
+    count = static_cast<int>(std::bit_ceil(static_cast<unsigned>(8 * std::max(4, *bandwidth))));
     history.reach = 12;
   } else {
-    history.force = trajectory.sample(kFine).force;
     history.reach = 0;
   }
-  history.step = trajectory.period() / static_cast<double>(history.force.rows());
+  history.force = trajectory.sample(count).force;
+  history.step = trajectory.period() / count;
   return history;
 }
 
-// A time during which one contact pushes.
+// A time during which one contact pushes: a phase of contact, or an impact.
 struct Cluster {
   int contact = 0;
   double begin = 0.0, end = 0.0, centroid = 0.0;  // [s]; end may reach past the period
   bool lasting = false;
 };
 
+// Read off the contact force.
 std::vector<Cluster> clusters_of(const ForceHistory& history, bool springs) {
-  constexpr double kWeak = 1e-6;
+  constexpr double kRipple = 1e-6;  // of the contact's largest force
   const auto count = static_cast<int>(history.force.rows());
   std::vector<Cluster> clusters;
   for (int c = 0; c < static_cast<int>(history.force.cols()); ++c) {
-    const double threshold = -kWeak * history.force.col(c).cwiseAbs().maxCoeff();
-    const auto pushes = [&](int i) { return history.force(i % count, c) < threshold; };
-    int first = 0;
-    while (first < count && pushes(first)) ++first;
+    const double threshold = kRipple * history.force.col(c).cwiseAbs().maxCoeff();
     if (threshold == 0.0) continue;
-    if (first == count) {  // never open
-      clusters.push_back({c, 0.0, history.step * count, 0.0, true});
-      continue;
-    }
-    for (int i = first; i < first + count; ++i) {
-      if (!pushes(i)) continue;
-      int last = i;
-      while (pushes(last + 1)) ++last;
+    for (const auto& [first, length] : contact_phases(history.force.col(c), threshold, 1)) {
+      if (length == count) {  // never open
+        clusters.push_back({c, 0.0, history.step * count, 0.0, true});
+        continue;
+      }
       double weight = 0.0, moment = 0.0;
-      for (int k = i; k <= last; ++k) {
+      for (int k = first; k < first + length; ++k) {
         weight += history.force(k % count, c);
         moment += history.force(k % count, c) * k;
       }
-      const bool lasting = springs || last - i + 1 > history.reach;
-      clusters.push_back({c, (i - 0.5) * history.step, (last + 0.5) * history.step,
-                          moment / weight * history.step, lasting});
-      i = last;
+      clusters.push_back({c, (first - 0.5) * history.step, (first + length - 0.5) * history.step,
+                          moment / weight * history.step, springs || length > history.reach});
     }
   }
   return clusters;
@@ -207,14 +200,42 @@ double wait_for_quiet(const OrbitGuess& guess, double period) {
   return std::min(before, after) > kClear * longest ? 0.0 : wait;
 }
 
-}  // namespace
+// The times that listed events leave no quiet instant in.
+std::vector<Cluster> clusters_of(const std::vector<ContactEvent>& events, double period) {
+  std::vector<Cluster> clusters;
+  for (const ContactEvent& event : events) {
+    double end = event.time;
+    if (event.kind == ContactEvent::Kind::open) continue;
+    if (event.kind == ContactEvent::Kind::close) {
+      end += period;
+      for (const ContactEvent& other : events) {
+        if (other.kind != ContactEvent::Kind::open || other.contact != event.contact) continue;
+        end = std::min(end, event.time + wrapped_time(other.time - event.time, period));
+      }
+    }
+    clusters.push_back(
+        {event.contact, event.time, end, event.time, event.kind != ContactEvent::Kind::impact});
+  }
+  return clusters;
+}
 
-std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& trajectory) {
-  constexpr double kSamePeriod = 1e-6;
-  if (std::abs(trajectory.period() - model.period) > kSamePeriod * model.period ||
-      trajectory.contact_count() != model.dynamics.contact_count())
-    return std::nullopt;
-  if (const auto* exact = dynamic_cast<const ExactTrajectory*>(&trajectory)) return exact->orbit();
+// The contacts with a force at all instants asked for.
+std::vector<bool> pushing_throughout(const Trajectory& trajectory) {
+  constexpr int kInstants = 64;
+  const Samples samples = trajectory.sample(kInstants);
+  std::vector<bool> pushing;
+  for (const auto& force : samples.force.colwise()) pushing.push_back(force.maxCoeff() < 0.0);
+  return pushing;
+}
+
+std::optional<OrbitGuess> from_events(OrbitModel& model, const Trajectory& trajectory) {
+  auto events = trajectory.events();
+  if (!events) return std::nullopt;
+  const double section = quiet_instant(clusters_of(*events, model.period), model.period);
+  return listed_sequence(model, std::move(*events), section, pushing_throughout(trajectory));
+}
+
+std::optional<OrbitGuess> from_force(OrbitModel& model, const Trajectory& trajectory) {
   const ForceHistory history = force_history(trajectory);
   const std::vector<Impulse> impulses = trajectory.impulses();
   std::vector<Cluster> clusters = clusters_of(history, !model.dynamics.rigid());
@@ -231,6 +252,17 @@ std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& traje
   guess.start.state = std::move(*state);
   guess.events = events_of(model.dynamics, clusters, guess.start, model.period);
   return guess;
+}
+
+}  // namespace
+
+std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& trajectory) {
+  constexpr double kSamePeriod = 1e-6;
+  if (std::abs(trajectory.period() - model.period) > kSamePeriod * model.period ||
+      trajectory.contact_count() != model.dynamics.contact_count())
+    return std::nullopt;
+  if (auto guess = from_events(model, trajectory)) return guess;
+  return from_force(model, trajectory);
 }
 
 std::optional<OrbitGuess> simulated_sequence(OrbitModel& model, const FlowState& start,

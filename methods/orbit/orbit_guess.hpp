@@ -9,15 +9,18 @@
 
 namespace signorini {
 
-/// The state at a quiet instant of the period and the events read off the contact force:
+/// The state at a quiet instant of the period and the sequence of events, made from what any trajectory
+/// tells. Where it lists its events they are the sequence (`listed_sequence`). Else both are read off the
+/// contact force:
 ///
 /// the forces f(t_k) of N samples (its own nodes, 8 per harmonic, or 4096) act as impulses f(t_k) T / N, next
 /// to the impulses listed, on the structure, whose periodic response is summed in closed form: y_0 = (I -
 /// Phi(T))^-1 (response from rest + sum_k Phi(t_0 + T - t_k) (0, M^-1 W p_k)). A cluster of samples in
 /// contact is an impact at its centroid if it is no longer than the motion can resolve, else a phase of
-/// contact from its first to its last sample. The section lies in the middle of the longest time without a
-/// force, or of the longest between two events. Empty if the structure has no unique periodic response or the
-/// motion is not of the model's period.
+/// contact from its first to its last sample.
+///
+/// The section lies in the middle of the longest time without a force, or of the longest between two events.
+/// Empty if the structure has no unique periodic response or the motion is not of the model's period.
 std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& trajectory);
 
 /// The events met in one period from the state of `guess` by the modal event-driven flow (tolerance 1e-12),

@@ -7,7 +7,7 @@
 #include "methods/plugin/interface.hpp"
 
 /// Version of the entry point and of what it returns. Everything else is compared by kPluginAbi.
-#define SIGNORINI_PLUGIN_API 1
+#define SIGNORINI_PLUGIN_API 2
 
 #define SIGNORINI_TEXT_OF(value) #value
 #define SIGNORINI_TEXT(value) SIGNORINI_TEXT_OF(value)

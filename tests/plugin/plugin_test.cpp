@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadPlugin{"sanitised.so", {"plugin = "}},
                     BadPlugin{"rounding.so", {"must leave floating-point numbers as they are"}},
                     BadPlugin{"old_headers.so", {"headers is 0123 there, "}},
-                    BadPlugin{"old_api.so", {"must be built for plugin API 1, not 0"}},
+                    BadPlugin{"old_api.so", {"must be built for plugin API 2, not 1"}},
                     BadPlugin{"text.so", {"must be a shared object that can be loaded: "}},
                     BadPlugin{"no_entry.so", {"must be a plugin: it has no function signorini_plugin"}},
                     BadPlugin{"unresolved.so", {"undefined symbol"}},

@@ -199,7 +199,8 @@ Period follow(const NonsmoothBar& bar, int elements) {
   flow.advance(state, bar.period, record);
   const EventTrajectory motion(bar.period, start, record.pieces, record.events);
   EXPECT_EQ(record.events.size(), 2U) << elements;
-  Period result{.close = motion.events().front().time, .open = motion.events().back().time};
+  const auto events = motion.events().value();
+  Period result{.close = events.front().time, .open = events.back().time};
   constexpr int kInstants = 4000;
   const Samples samples = motion.sample(kInstants);
   double size = 0.0;

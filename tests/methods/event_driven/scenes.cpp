@@ -1,5 +1,7 @@
 #include "tests/methods/event_driven/scenes.hpp"
 
+#include <gtest/gtest.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -56,6 +58,16 @@ const EventTrajectory& trajectory_of(const Solution& solution) {
   const auto* trajectory = dynamic_cast<const EventTrajectory*>(solution.trajectory.get());
   if (trajectory == nullptr) throw std::runtime_error("no trajectory: " + solution.message);
   return *trajectory;
+}
+
+std::vector<ContactEvent> events_of(const Solution& solution) {
+  const auto events = solution.trajectory ? solution.trajectory->events() : std::nullopt;
+  EXPECT_TRUE(events) << solution.message;
+  return events.value_or(std::vector<ContactEvent>{});
+}
+
+double approach_speed(const ContactEvent& event, double restitution, double mass) {
+  return -event.impulse / ((1.0 + restitution) * mass);
 }
 
 std::shared_ptr<const Trajectory> guess_from(const Problem& problem, const Eigen::VectorXd& u,

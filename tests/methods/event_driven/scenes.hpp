@@ -2,6 +2,7 @@
 // Scenes and solves shared by the tests of event-driven.
 
 #include <memory>
+#include <vector>
 
 #include "methods/event_driven/event_driven.hpp"
 #include "methods/flow/event_trajectory.hpp"
@@ -23,6 +24,12 @@ Solution solve(const Problem& problem, const EventDriven::Options& options,
 
 /// The trajectory of a solution as the method's own type; fails the test if there is none.
 const EventTrajectory& trajectory_of(const Solution& solution);
+
+/// The events that the trajectory of a solution lists; fails the test if there is none.
+std::vector<ContactEvent> events_of(const Solution& solution);
+
+/// x'_- of an impact of one mass, from its impulse -(1 + e) m x'_- [m/s].
+double approach_speed(const ContactEvent& event, double restitution, double mass = 1.0);
 
 /// A guess for a solve that holds nothing but the state at t = 0.
 std::shared_ptr<const Trajectory> guess_from(const Problem& problem, const Eigen::VectorXd& u,

@@ -34,11 +34,8 @@ EventTrajectory waves(double step) {
   FlowState start{.time = begin,
                   .state = {.u = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Zero(1)},
                   .closed = {false}};
-  std::vector<ContactEvent> events{{.kind = ContactEvent::Kind::impact,
-                                    .contact = 0,
-                                    .time = period + 0.25,
-                                    .approach = 1.0,
-                                    .impulse = -2.0}};
+  std::vector<ContactEvent> events{
+      {.kind = ContactEvent::Kind::impact, .contact = 0, .time = period + 0.25, .impulse = -2.0}};
   return {period, start, pieces, events};
 }
 

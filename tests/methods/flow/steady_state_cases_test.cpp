@@ -49,7 +49,7 @@ TEST_P(SteadyState, AgreesWithTheIndependentCode) {
   EXPECT_EQ(found.found_impacts, found.expected_impacts);
 
   int closings = 0, openings = 0;
-  for (const ContactEvent& event : trajectory_of(solution).events()) {
+  for (const ContactEvent& event : events_of(solution)) {
     closings += event.kind == ContactEvent::Kind::close ? 1 : 0;
     openings += event.kind == ContactEvent::Kind::open ? 1 : 0;
   }

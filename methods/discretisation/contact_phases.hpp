@@ -1,0 +1,42 @@
+#pragma once
+// Phases of contact, read off where a contact force acts.
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace signorini {
+
+/// A time during which a contact pushes, in shares of the period: from `begin` in [0, 1) to `end` in
+/// (begin, begin + 1].
+struct ContactInterval {
+  double begin = 0.0;  ///< [-]
+  double end = 0.0;    ///< [-]
+};
+
+/// The phases of one contact whose pushing intervals are known: intervals that follow each other after a
+/// break shorter than `resolution`, which no series of that resolution tells from none, are one phase, across
+/// the end of the period too (its intervals there lie beyond 1). One phase alone is not joined to itself.
+///
+/// \param pushing     intervals of one period, ascending and disjoint
+/// \param resolution  shortest break that separates two phases, share of the period [-]
+/// \return            phases ascending, each its intervals, at least one
+std::vector<std::vector<ContactInterval>> contact_phases(const std::vector<ContactInterval>& pushing,
+                                                         double resolution);
+
+/// A phase of contact on equidistant samples of one period: first, first + 1, ..., cyclically.
+struct SampledPhase {
+  int first = 0;   ///< in [0, count)
+  int length = 0;  ///< samples, bridged breaks included; in [1, count]
+};
+
+/// The phases of a sampled contact force, ordered by their first sample: where -force > threshold, breaks of
+/// fewer than `resolution` samples bridged. A contact without any longer break pushes throughout: first = 0,
+/// length = count.
+///
+/// \param force       samples of one period, negative in contact [N]
+/// \param threshold   forces of no larger magnitude are ripple, >= 0 [N]
+/// \param resolution  fewest samples without force that separate two phases, >= 1
+std::vector<SampledPhase> contact_phases(const Eigen::Ref<const Eigen::VectorXd>& force, double threshold,
+                                         int resolution);
+
+}  // namespace signorini

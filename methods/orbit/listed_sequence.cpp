@@ -1,0 +1,112 @@
+#include "methods/orbit/listed_sequence.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <utility>
+
+#include "methods/discretisation/periodic_time.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Kind = ContactEvent::Kind;
+
+// An impact that is followed by a closing of its contact without an impulse is where the contact sticks.
+void end_chatters(std::vector<ContactEvent>& events) {
+  for (std::size_t i = 0; i < events.size();) {
+    const auto& closing = events[i];
+    std::size_t before = i;
+    do before = (before + events.size() - 1) % events.size();
+    while (before != i && events[before].contact != closing.contact);
+    if (closing.kind == Kind::close && closing.impulse == 0.0 && events[before].kind == Kind::impact) {
+      events[before].kind = Kind::close;
+      events.erase(events.begin() + static_cast<std::ptrdiff_t>(i));
+    } else {
+      ++i;
+    }
+  }
+}
+
+// The contacts that are closed at the section: those whose first change is an opening.
+std::vector<bool> closed_at_section(const std::vector<ContactEvent>& events,
+                                    const std::vector<bool>& pushing) {
+  std::vector<bool> closed = pushing, known(pushing.size(), false);
+  for (const ContactEvent& event : events) {
+    const auto index = static_cast<std::size_t>(event.contact);
+    if (event.kind == Kind::impact || known[index]) continue;
+    known[index] = true;
+    closed[index] = event.kind == Kind::open;
+  }
+  return closed;
+}
+
+// Takes events of one instant together; `closed` goes from its left to its right side. False where they
+// contradict the contacts that are closed.
+bool join(const ContactDynamics& dynamics, const std::vector<ContactEvent>& together,
+          std::vector<bool>& closed, SequenceEvent& joined) {
+  const std::vector<bool> before = closed;
+  const auto was_closed = [&](const ContactEvent& event) {
+    return before[static_cast<std::size_t>(event.contact)];
+  };
+  const auto trigger = std::find_if(together.begin(), together.end(), [&](const ContactEvent& event) {
+    return event.kind != Kind::open && !was_closed(event);
+  });
+  const ContactEvent& first = trigger == together.end() ? together.front() : *trigger;
+  joined = {.kind = first.kind, .contact = first.contact, .time = first.time};
+  for (const ContactEvent& event : together) {
+    const auto index = static_cast<std::size_t>(event.contact);
+    if ((event.kind == Kind::close) == was_closed(event) && event.kind != Kind::impact) return false;
+    if (event.kind != Kind::impact) closed[index] = event.kind == Kind::close;
+    const bool strikes = event.kind != Kind::open && !was_closed(event);
+    if (!dynamics.rigid() || (event.impulse == 0.0 && !strikes)) continue;
+    joined.pushed.push_back(event.contact);
+    joined.restitution.push_back(event.kind == Kind::impact && strikes ? dynamics.restitution() : 0.0);
+  }
+  joined.closed = closed;
+  return true;
+}
+
+// The state at the section for which the instants of `guess` come nearest to an orbit's.
+std::optional<State> state_for_instants(OrbitModel& model, const OrbitGuess& guess) {
+  OrbitEquations equations(model, guess);
+  const Eigen::Index states = equations.size() - equations.events();
+  Eigen::VectorXd unknowns = equations.guess();
+  if (!equations.evaluate(unknowns)) return std::nullopt;
+  unknowns.head(states) -=
+      equations.jacobian().leftCols(states).colPivHouseholderQr().solve(equations.residual());
+  if (!unknowns.allFinite()) return std::nullopt;
+  return equations.orbit(unknowns).start.state;
+}
+
+}  // namespace
+
+std::optional<OrbitGuess> listed_sequence(OrbitModel& model, std::vector<ContactEvent> events, double section,
+                                          const std::vector<bool>& pushing) {
+  constexpr double kSameInstant = 1e-12;  // of the period
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.dynamics.size());
+  for (ContactEvent& event : events) event.time = section + wrapped_time(event.time - section, model.period);
+  std::stable_sort(events.begin(), events.end(), [](const ContactEvent& a, const ContactEvent& b) {
+    return std::pair(a.time, a.contact) < std::pair(b.time, b.contact);
+  });
+  end_chatters(events);
+  std::vector<bool> closed = closed_at_section(events, pushing);
+  OrbitGuess guess{.start = {.time = section, .state = {.u = zero, .v = zero}, .closed = closed},
+                   .events = {},
+                   .origin = "its own events"};
+  for (auto first = events.begin(); first != events.end();) {
+    const auto last = std::find_if(first, events.end(), [&](const ContactEvent& event) {
+      return event.time > first->time + kSameInstant * model.period;
+    });
+    guess.events.emplace_back();
+    if (!join(model.dynamics, {first, last}, closed, guess.events.back())) return std::nullopt;
+    first = last;
+  }
+  if (closed != guess.start.closed) return std::nullopt;
+  auto state = state_for_instants(model, guess);
+  if (!state) return std::nullopt;
+  guess.start.state = std::move(*state);
+  return guess;
+}
+
+}  // namespace signorini
