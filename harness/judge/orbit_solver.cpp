@@ -7,7 +7,7 @@
 #include <string>
 
 #include "harness/judge/motion.hpp"
-#include "methods/flow/contact_dynamics.hpp"
+#include "methods/linear_flow/contact_dynamics.hpp"
 #include "methods/structure/condensation.hpp"
 
 namespace signorini {

@@ -27,13 +27,13 @@ FlowState random_state(OrbitModel& model, std::mt19937_64& generator, const Sear
   State state{.u = Eigen::VectorXd(dynamics.size()), .v = Eigen::VectorXd(dynamics.size())};
   for (double& u : state.u) u = size * dynamics.scales().displacement * (2.0 * uniform(generator) - 1.0);
   for (double& v : state.v) v = size * dynamics.scales().velocity * (2.0 * uniform(generator) - 1.0);
-  const double time = dynamics.forcing_period() * uniform(generator);
+  const double time = dynamics.structure().forcing_period * uniform(generator);
   const auto transient = static_cast<int>((kLongestTransient + 1) * uniform(generator));
   EventFlow flow(dynamics, 1e-9, options.expired, Integrator::modal);
   FlowState start = flow.place(time, state);
   if (transient > 0) {
     FlowRecord record;
-    flow.advance(start, transient * dynamics.forcing_period(), record);
+    flow.advance(start, transient * dynamics.structure().forcing_period, record);
     start.time = time;
   }
   return start;

@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "methods/flow/contact_dynamics.hpp"
+#include "methods/linear_flow/contact_dynamics.hpp"
 #include "methods/flow/periodic_motion.hpp"
 #include "methods/structure/condensation.hpp"
 

@@ -29,10 +29,28 @@ bool conservative(const Problem& problem) {
   return law == nullptr || law->e == 1.0;
 }
 
+/// One attempt of the search: where the motion comes from whose orbit is looked for.
+struct Attempt {
+  enum class Source {
+    grid,     ///< pivoting on `samples` nodes, with the covering vector number `cover`
+    fourier,  ///< the projected Fourier equations
+    flow,     ///< shooting and marching from the first motion found
+  };
+  Source source = Source::grid;
+  int samples = 0;
+  int cover = 0;  ///< 0: the constant one
+
+  [[nodiscard]] std::string name() const {
+    if (source == Source::fourier) return "Fourier";
+    if (source == Source::flow) return "shooting and marching";
+    return cover == 0 ? fmt::format("N = {}", samples) : fmt::format("N = {}, cover {}", samples, cover);
+  }
+};
+
 class PreparedExactOrbit final : public PreparedMethod {
  public:
   PreparedExactOrbit(const Problem& problem, const ExactOrbitMethod::Options& options)
-      : problem_(problem), options_(options), coarse_(grid(options.samples, 0)) {}
+      : problem_(problem), options_(options), coarse_(grid({.samples = options.samples})) {}
 
   Solution solve(const Start& start) override {
     tried_.clear();
@@ -50,48 +68,79 @@ class PreparedExactOrbit final : public PreparedMethod {
   }
 
  private:
-  // The coarse problem on N nodes; restart 0 has the constant covering vector.
-  [[nodiscard]] std::unique_ptr<PreparedMethod> grid(int samples, int restart) const {
+  // The algorithm: a motion from each source in turn, until one leads to an orbit. The first attempt, which
+  // is enough nearly always, is not part of the list, and needs none to be made.
+  void search(const Start& start) {
+    if (start.guess && polish(*start.guess, "the guess", start)) return;
+    if (attempt({.samples = options_.samples}, start)) return;
+    for (const Attempt& next : further_attempts()) {
+      if (attempt(next, start)) return;
+    }
+  }
+
+  // Other paths of pivots on the coarse grid, then finer grids, each with its paths but for the last; other
+  // equations; the flow itself.
+  [[nodiscard]] std::vector<Attempt> further_attempts() const {
+    std::vector<Attempt> attempts;
+    int samples = options_.samples;
+    for (int level = 0; level <= options_.refinements; ++level, samples *= 4) {
+      if (level > 0) attempts.push_back({.samples = samples});
+      if (level > 0 && level == options_.refinements) break;
+      for (int cover = 1; cover <= options_.restarts; ++cover)
+        attempts.push_back({.samples = samples, .cover = cover});
+    }
+    if (conservative(problem_)) attempts.push_back({.source = Attempt::Source::fourier});
+    attempts.push_back({.source = Attempt::Source::flow});
+    return attempts;
+  }
+
+  // True if the search has come to its end: an orbit is found, or the time is up.
+  bool attempt(const Attempt& next, const Start& start) {
+    if (next.source == Attempt::Source::flow) return shoot_and_march(next, start);
+    const Solution motion = next.source == Attempt::Source::fourier ? projected(start)
+                            : next.samples == options_.samples && next.cover == 0
+                                ? coarse_->solve(cold(start))
+                                : grid(next)->solve(cold(start));
+    work_.pivots = work_.pivots.value_or(0) + motion.work.pivots.value_or(0);
+    if (!motion.trajectory) {
+      tried_.push_back(next.name() + ": " + motion.message);
+      return false;
+    }
+    if (!first_) first_ = motion.trajectory;
+    return polish(*motion.trajectory, next.name(), start);
+  }
+
+  bool polish(const Trajectory& motion, const std::string& name, const Start& start) {
+    if (start.expired()) {
+      tried_.emplace_back("the time budget is spent");
+      return true;
+    }
+    return record(finder_->find(motion, settings(start)), name);
+  }
+
+  // The coarse problem on N nodes.
+  [[nodiscard]] std::unique_ptr<PreparedMethod> grid(const Attempt& of) const {
     constexpr double kWave = 0.3;  // strong enough for another path
-    HatSettings settings{.samples = samples};
-    if (restart > 0) {
+    HatSettings settings{.samples = of.samples};
+    if (of.cover > 0) {
       settings.solver = ComplementaritySolver::pivoting;
       settings.cover_amplitude = kWave;
-      settings.cover_phase = 2.0 * std::numbers::pi * restart / (options_.restarts + 1);
+      settings.cover_phase = 2.0 * std::numbers::pi * of.cover / (options_.restarts + 1);
     }
     std::optional<double> restitution;
     if (const auto* law = std::get_if<Restitution>(&problem_.law)) restitution = law->e;
     return hat_contact(problem_, settings, restitution);
   }
 
-  void search(const Start& start) {
-    if (start.guess && attempt(*start.guess, "the guess", start)) return;
-    if (attempt(coarse_->solve(cold(start)), fmt::format("N = {}", options_.samples), start)) return;
-    int samples = options_.samples;
-    for (int level = 0; level <= options_.refinements; ++level, samples *= 4) {
-      if (level > 0 && attempt(grid(samples, 0)->solve(cold(start)), fmt::format("N = {}", samples), start))
-        return;
-      if (level > 0 && level == options_.refinements) break;
-      for (int restart = 1; restart <= options_.restarts; ++restart) {
-        if (attempt(grid(samples, restart)->solve(cold(start)),
-                    fmt::format("N = {}, cover {}", samples, restart), start))
-          return;
-      }
-    }
-    if (conservative(problem_) && attempt(projected(start), "Fourier", start)) return;
-    to_the_end(start);
-  }
-
   static Start cold(const Start& start) { return {.guess = {}, .deadline = start.deadline}; }
 
-  // Shooting and marching, from the first motion there is.
-  void to_the_end(const Start& start) {
-    if (!first_) return;
+  bool shoot_and_march(const Attempt& last, const Start& start) {
+    if (!first_) return false;
     SearchOptions options = settings(start);
     options.rounds = 1;
     options.shootings = 40;
     options.marched = options_.marching;
-    record(finder_->find(*first_, options), "shooting and marching");
+    return record(finder_->find(*first_, options), last.name());
   }
 
   // The projected Fourier equations; a structure that they cannot reduce is a failed attempt, not the end.
@@ -121,24 +170,6 @@ class PreparedExactOrbit final : public PreparedMethod {
     options.shootings = 15;
     options.expired = [&start] { return start.expired(); };
     return options;
-  }
-
-  bool attempt(const Solution& coarse, const std::string& name, const Start& start) {
-    work_.pivots = work_.pivots.value_or(0) + coarse.work.pivots.value_or(0);
-    if (!coarse.trajectory) {
-      tried_.push_back(name + ": " + coarse.message);
-      return false;
-    }
-    if (!first_) first_ = coarse.trajectory;
-    return attempt(*coarse.trajectory, name, start);
-  }
-
-  bool attempt(const Trajectory& motion, const std::string& name, const Start& start) {
-    if (start.expired()) {
-      tried_.emplace_back("the time budget is spent");
-      return true;
-    }
-    return record(finder_->find(motion, settings(start)), name);
   }
 
   bool record(OrbitSearch found, const std::string& name) {

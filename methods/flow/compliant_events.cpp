@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "methods/flow/rigid_events.hpp"
 #include "methods/solvers/small_lcp.hpp"
 
 namespace signorini {
@@ -12,6 +11,10 @@ namespace signorini {
 CompliantEvents::CompliantEvents(const ContactDynamics& dynamics, double tolerance)
     : dynamics_(dynamics),
       noise_(std::max(0.01 * tolerance, 64.0 * std::numeric_limits<double>::epsilon())) {}
+
+FlowState CompliantEvents::place(double time, const State& state) const {
+  return {.time = time, .state = state, .closed = pushing(time, state)};
+}
 
 std::vector<bool> CompliantEvents::pushing(double time, const State& state) const {
   const auto count = static_cast<std::size_t>(dynamics_.contact_count());
@@ -37,9 +40,9 @@ void CompliantEvents::decide(double time, const State& state, int first_order, s
     }
     if (std::find(held.begin(), held.end(), false) == held.end()) return;
     const MotionDerivatives motion = dynamics_.derivatives(dynamics_.mode(closed), time, state, 2);
-    Eigen::VectorXd gap = -dynamics_.unloaded(time, motion.u.col(order), order);
-    if (order == 0) gap += dynamics_.gaps();
-    const Eigen::MatrixXd C = dynamics_.compliance()(involved, involved);
+    Eigen::VectorXd gap = -dynamics_.structure().unloaded(time, motion.u.col(order), order);
+    if (order == 0) gap += dynamics_.structure().gaps;
+    const Eigen::MatrixXd C = dynamics_.structure().compliance(involved, involved);
     const Eigen::VectorXd q = gap(involved);
     const auto push = solve_small_lcp(C, q, held);
     if (!push) throw FlowError("no contact forces satisfy the contact law: the stops depend on each other");
@@ -64,8 +67,8 @@ void CompliantEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) 
   for (int j = 0; j < dynamics_.contact_count(); ++j) {
     const auto index = static_cast<std::size_t>(j);
     if (index == changing) continue;
-    const double guard = before[index] ? -motion.lambda(j, 0) * dynamics_.compliance()(j, j)
-                                       : dynamics_.gaps()[j] - motion.x(j, 0);
+    const double guard = before[index] ? -motion.lambda(j, 0) * dynamics_.structure().compliance(j, j)
+                                       : dynamics_.structure().gaps[j] - motion.x(j, 0);
     undecided[index] = guard <= noise_ * dynamics_.scales().displacement;
     if (undecided[index]) closed[index] = false;
   }

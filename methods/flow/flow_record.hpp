@@ -2,6 +2,7 @@
 // What a flow through events works on, and what it may keep.
 
 #include <Eigen/Core>
+#include <stdexcept>
 #include <vector>
 
 #include "methods/solution.hpp"
@@ -41,6 +42,12 @@ struct FlowRecord {
   std::vector<SequenceEvent> sequence;  ///< the same, event by event
   std::vector<FlowPiece> pieces;
   Eigen::MatrixXd derivative;  ///< 2 Nd x 2 Nd, of (u, v)
+};
+
+/// The flow cannot be continued; what() is a sentence for a person.
+class FlowError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// A state together with the contacts that are closed.

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "methods/solvers/condition_estimate.hpp"
+#include "methods/solvers/damped_newton.hpp"
 
 namespace signorini {
 
@@ -36,105 +38,151 @@ double PeriodMap::distance(const State& a, const State& b) const {
   return (scaled(a) - scaled(b)).lpNorm<Eigen::Infinity>();
 }
 
-double Orbit::largest_multiplier() const {
+double FixedPoint::largest_multiplier() const {
   return multipliers.size() == 0 ? 0.0 : multipliers.cwiseAbs().maxCoeff();
 }
 
 namespace {
 
-// One evaluation of the map and its derivative, in scaled coordinates.
-struct Shot {
+// The map at one state, and its derivative there, in scaled coordinates.
+struct MapValue {
   FlowState start;
-  Eigen::VectorXd defect;
+  Eigen::VectorXd defect;  // P^order(y) - y
   Eigen::MatrixXd derivative;
   double residual = std::numeric_limits<double>::infinity();
-  std::string failure;
+  std::string failure;  // why there is no defect
 };
 
-Shot shoot_once(PeriodMap& map, const FlowState& start, int order, const std::function<bool()>& expired) {
-  Shot shot{.start = start, .defect = {}, .derivative = {}, .failure = {}};
-  const MotionScales& scales = map.flow().dynamics().scales();
+// P^order(y) - y = 0 as damped_newton sees it.
+class PeriodEquations {
+ public:
+  PeriodEquations(PeriodMap& map, const FlowState& guess, int order, const NewtonLimits& limits,
+                  const std::function<bool()>& expired)
+      : map_(map),
+        order_(order),
+        limits_(limits),
+        expired_(expired),
+        at_(evaluate(guess)),
+        reason_(at_.failure) {}
+
+  // A residual that is accepted already is reduced once more, for it costs one evaluation.
+  void refine() { accepted_ = 0.0; }
+  [[nodiscard]] bool solved() const { return at_.residual <= accepted_; }
+  [[nodiscard]] double merit() const { return at_.residual; }
+  std::optional<double> find_step();
+  std::optional<double> merit_at(double length);
+  void accept() {
+    at_ = std::move(trial_);
+    condition_ = condition_from(lu_.rcond());
+    reason_.clear();
+  }
+
+  [[nodiscard]] MapValue& value() { return at_; }
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+  [[nodiscard]] std::optional<double> condition() const { return condition_; }
+
+ private:
+  [[nodiscard]] MapValue evaluate(const FlowState& start);
+
+  PeriodMap& map_;
+  int order_;
+  const NewtonLimits& limits_;
+  const std::function<bool()>& expired_;
+  double accepted_ = limits_.accepted;
+  MapValue at_, trial_;
+  Eigen::FullPivLU<Eigen::MatrixXd> lu_;
+  Eigen::VectorXd step_;
+  std::optional<double> condition_;
+  std::string reason_;  // of the last failure
+};
+
+MapValue PeriodEquations::evaluate(const FlowState& start) {
+  MapValue value{.start = start, .defect = {}, .derivative = {}, .failure = {}};
+  const MotionScales& scales = map_.flow().dynamics().scales();
   const Eigen::Index n = start.state.u.size();
   FlowState end = start;
   FlowRecord record;
   record.tangent = true;
   try {
-    map.apply(end, order, record);
+    map_.apply(end, order_, record);
   } catch (const std::runtime_error& error) {
-    if (expired()) throw;
-    shot.failure = error.what();
-    return shot;
+    if (expired_()) throw;
+    value.failure = error.what();
+    return value;
   }
-  shot.defect = map.scaled(end.state) - map.scaled(start.state);
-  shot.derivative = std::move(record.derivative);
+  value.defect = map_.scaled(end.state) - map_.scaled(start.state);
+  value.derivative = std::move(record.derivative);
   const double ratio = scales.velocity / scales.displacement;
-  shot.derivative.topRightCorner(n, n) *= ratio;
-  shot.derivative.bottomLeftCorner(n, n) /= ratio;
-  shot.residual = shot.defect.lpNorm<Eigen::Infinity>();
-  if (!std::isfinite(shot.residual) || !shot.derivative.allFinite()) {
-    shot.residual = std::numeric_limits<double>::infinity();
-    shot.failure = "the period map or its derivative is not finite (grazing contact)";
+  value.derivative.topRightCorner(n, n) *= ratio;
+  value.derivative.bottomLeftCorner(n, n) /= ratio;
+  value.residual = value.defect.lpNorm<Eigen::Infinity>();
+  if (!std::isfinite(value.residual) || !value.derivative.allFinite()) {
+    // The saltation matrix divides by the approach speed, which is zero where a contact grazes.
+    value.residual = std::numeric_limits<double>::infinity();
+    value.failure = "the period map or its derivative is not finite (grazing contact)";
   }
-  return shot;
+  return value;
 }
 
-// The step, halved until the residual falls; empty failure if it does.
-Shot damped_step(PeriodMap& map, const Shot& from, const Eigen::VectorXd& step, int order, int max_halvings,
-                 const std::function<bool()>& expired) {
-  double factor = 1.0;
-  Shot best = from;
-  for (int halving = 0; halving <= max_halvings; ++halving, factor *= 0.5) {
-    const State trial = map.unscaled(map.scaled(from.start.state) + factor * step);
-    Shot next = shoot_once(map, map.flow().place(from.start.time, trial), order, expired);
-    if (next.residual < (1.0 - 0.25 * factor) * from.residual) return next;
-    best.failure = next.failure;
+std::optional<double> PeriodEquations::find_step() {
+  constexpr double kSingular = 1e-13;  // reciprocal condition of I - derivative
+  if (!at_.failure.empty()) return std::nullopt;
+  const Eigen::Index size = at_.defect.size();
+  lu_.compute(Eigen::MatrixXd::Identity(size, size) - at_.derivative);
+  step_ = lu_.solve(at_.defect);
+  if (!(lu_.rcond() > kSingular)) {
+    reason_ = "a multiplier is 1 (singular)";
+    return std::nullopt;
   }
-  if (best.failure.empty())
-    best.failure = "no reduction along the Newton step (the sequence of events changes)";
-  return best;
+  if (!(step_.lpNorm<Eigen::Infinity>() <= limits_.largest_step)) {
+    reason_ = "the Newton step leaves the neighbourhood";
+    return std::nullopt;
+  }
+  reason_ = "no reduction along the Newton step (the sequence of events changes)";
+  return 1.0;
+}
+
+std::optional<double> PeriodEquations::merit_at(double length) {
+  const State trial = map_.unscaled(map_.scaled(at_.start.state) + length * step_);
+  trial_ = evaluate(map_.flow().place(at_.start.time, trial));
+  if (!trial_.failure.empty()) {
+    reason_ = trial_.failure;
+    return std::nullopt;
+  }
+  return trial_.residual;
 }
 
 }  // namespace
 
-Orbit newton_orbit(PeriodMap& map, const FlowState& guess, int order, const NewtonLimits& limits,
-                   const std::function<bool()>& expired) {
-  constexpr double kSingular = 1e-13;  // reciprocal condition of I - derivative
-  Orbit orbit;
-  orbit.order = order;
-  Shot shot = shoot_once(map, guess, order, expired);
-  orbit.reason = shot.failure;
-  while (shot.failure.empty() && shot.residual > 0.0 && orbit.iterations < limits.max_iterations) {
-    const bool polishing = shot.residual <= limits.accepted;
-    const Eigen::Index size = shot.defect.size();
-    const Eigen::FullPivLU<Eigen::MatrixXd> lu(Eigen::MatrixXd::Identity(size, size) - shot.derivative);
-    const Eigen::VectorXd step = lu.solve(shot.defect);
-    const double length = step.lpNorm<Eigen::Infinity>();
-    if (!(lu.rcond() > kSingular) || !(length <= limits.largest_step)) {
-      orbit.reason = lu.rcond() > kSingular ? "the Newton step leaves the neighbourhood"
-                                            : "a multiplier is 1 (singular)";
-      break;
-    }
-    Shot next = damped_step(map, shot, step, order, polishing ? 0 : limits.max_halvings, expired);
-    ++orbit.iterations;
-    if (!next.failure.empty()) {
-      orbit.reason = next.failure;
-      break;
-    }
-    shot = std::move(next);
-    orbit.condition = condition_from(lu.rcond());
-    if (polishing) break;
+FixedPoint find_fixed_point(PeriodMap& map, const FlowState& guess, int order, const NewtonLimits& limits,
+                            const std::function<bool()>& expired) {
+  constexpr double kSufficient = 0.25;  // a map that changes its sequence of events is far from linear
+  PeriodEquations equations(map, guess, order, limits, expired);
+  FixedPoint point;
+  point.order = order;
+  const DampedNewtonResult search = damped_newton(equations, {.max_steps = limits.max_iterations,
+                                                              .max_halvings = limits.max_halvings,
+                                                              .sufficient_decrease = kSufficient});
+  point.iterations = search.steps;
+  if (search.end == NewtonEnd::solved && search.steps < limits.max_iterations) {
+    equations.refine();
+    point.iterations +=
+        damped_newton(equations, {.max_steps = 1, .max_halvings = 0, .sufficient_decrease = kSufficient})
+            .steps;
   }
-  orbit.start = shot.start;
-  orbit.residual = shot.residual;
-  orbit.converged = shot.residual <= limits.accepted;
-  orbit.monodromy = std::move(shot.derivative);
-  if (orbit.converged) {
-    orbit.multipliers = orbit.monodromy.eigenvalues();
-    orbit.reason.clear();
-  } else if (orbit.reason.empty()) {
-    orbit.reason = "no convergence within the Newton steps allowed";
+  MapValue& last = equations.value();
+  point.condition = equations.condition();
+  point.start = last.start;
+  point.residual = last.residual;
+  point.converged = last.residual <= limits.accepted;
+  point.monodromy = std::move(last.derivative);
+  if (point.converged) {
+    point.multipliers = point.monodromy.eigenvalues();
+  } else {
+    point.reason =
+        equations.reason().empty() ? "no convergence within the Newton steps allowed" : equations.reason();
   }
-  return orbit;
+  return point;
 }
 
 }  // namespace signorini

@@ -1,5 +1,5 @@
 #pragma once
-// The stroboscopic map of a scene, and Newton's method for its fixed points.
+// The stroboscopic map of a scene, and Newton's method for its fixed points: the shooting method.
 
 #include <Eigen/Core>
 #include <functional>
@@ -25,7 +25,7 @@ class PeriodMap {
   [[nodiscard]] State unscaled(const Eigen::VectorXd& vector) const;
 
   [[nodiscard]] EventFlow& flow() const { return flow_; }
-  [[nodiscard]] double forcing_period() const { return flow_.dynamics().forcing_period(); }
+  [[nodiscard]] double forcing_period() const { return flow_.dynamics().structure().forcing_period; }
   [[nodiscard]] long periods() const { return periods_; }  ///< applied since construction
 
  private:
@@ -34,7 +34,7 @@ class PeriodMap {
 };
 
 /// A fixed point of `order` applications of the map, or the best state towards one.
-struct Orbit {
+struct FixedPoint {
   bool converged = false;
   std::string reason;  ///< why not, one clause
   FlowState start;
@@ -43,7 +43,7 @@ struct Orbit {
   int iterations = 0;                    ///< Newton steps
   std::optional<double> condition = {};  ///< estimate for I - monodromy at the last step, scaled [-]
   Eigen::MatrixXd monodromy;             ///< in scaled coordinates, 2 Nd x 2 Nd
-  Eigen::VectorXcd multipliers;          ///< its eigenvalues; empty unless converged
+  Eigen::VectorXcd multipliers;          ///< its eigenvalues, the Floquet multipliers; empty unless converged
 
   [[nodiscard]] double largest_multiplier() const;
 };
@@ -55,10 +55,10 @@ struct NewtonLimits {
   double largest_step = 10.0;  ///< a longer correction is refused [-]
 };
 
-/// Newton's method on P^order(y) - y = 0, with the derivative of P from matrix exponentials and saltation
-/// matrices. One more step is taken once the residual is accepted.
+/// Newton's method (`damped_newton`) on P^order(y) - y = 0, with the derivative of P from the transitions
+/// between events and the saltation matrices at them. One more step is taken once the residual is accepted.
 /// \throws FlowError once the time budget is spent; other failures are `reason`
-Orbit newton_orbit(PeriodMap& map, const FlowState& guess, int order, const NewtonLimits& limits,
-                   const std::function<bool()>& expired);
+FixedPoint find_fixed_point(PeriodMap& map, const FlowState& guess, int order, const NewtonLimits& limits,
+                            const std::function<bool()>& expired);
 
 }  // namespace signorini

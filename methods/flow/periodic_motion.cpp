@@ -33,7 +33,7 @@ FlowState first_state(const Problem& problem, const ContactDynamics& dynamics, c
   }
   const auto* followed = dynamic_cast<const EventTrajectory*>(start.guess.get());
   if (followed != nullptr && followed->start().state.u.size() == dynamics.size()) {
-    return flow.place(std::fmod(followed->start().time, dynamics.forcing_period()), followed->start().state);
+    return flow.place(std::fmod(followed->start().time, dynamics.structure().forcing_period), followed->start().state);
   }
   return flow.place(0.0, dynamics.with_mass(PeriodicResponse(problem, *start.guess).at(0.0)));
 }

@@ -32,7 +32,8 @@ RigidEvents::RigidEvents(const ContactDynamics& dynamics, double tolerance)
       weightless_(std::max(0.01 * tolerance, 1024.0 * kEpsilon) * dynamics.scales().acceleration) {}
 
 std::vector<int> RigidEvents::touching(const FlowState& flow) const {
-  const Eigen::VectorXd gap = dynamics_.gaps() - dynamics_.directions().transpose() * flow.state.u;
+  const Eigen::VectorXd gap =
+      dynamics_.structure().gaps - dynamics_.structure().directions.transpose() * flow.state.u;
   std::vector<int> contacts;
   for (int j = 0; j < dynamics_.contact_count(); ++j) {
     if (flow.closed[static_cast<std::size_t>(j)] || gap[j] <= touch_) contacts.push_back(j);
@@ -64,20 +65,21 @@ void RigidEvents::collide(FlowState& flow, Impact& impact) const {
 
   for (Eigen::Index i = 0; i < count; ++i) {
     const int j = impact.contacts[static_cast<std::size_t>(i)];
-    const double a = dynamics_.directions().col(j).dot(impact.acceleration);
+    const double a = dynamics_.structure().directions.col(j).dot(impact.acceleration);
     const double v = impact.approach[i];
-    if (v <= 0.0 || !chatter_ends(v, a, dynamics_.directions().col(j).dot(impact.jerk))) continue;
+    if (v <= 0.0 || !chatter_ends(v, a, dynamics_.structure().directions.col(j).dot(impact.jerk))) continue;
     impact.restitution[i] = 0.0;
     if (e > 0.0 && e < 1.0 && a > 0.0) {
       impact.rest_of_chatter[static_cast<std::size_t>(i)] = 2.0 * e * v / (a * (1.0 - e));
     }
   }
-  const auto impulses = newton_impulses({.delassus = dynamics_.delassus()(impact.contacts, impact.contacts),
-                                         .approach = impact.approach,
-                                         .restitution = impact.restitution});
+  const auto impulses =
+      newton_impulses({.delassus = dynamics_.structure().delassus(impact.contacts, impact.contacts),
+                       .approach = impact.approach,
+                       .restitution = impact.restitution});
   if (!impulses) throw FlowError("no impulses satisfy the impact law: the stops depend on each other");
   impact.impulse = *impulses;
-  flow.state.v += dynamics_.velocity_per_impulse()(Eigen::all, impact.contacts) * impact.impulse;
+  flow.state.v += dynamics_.structure().velocity_per_impulse(Eigen::all, impact.contacts) * impact.impulse;
 }
 
 // The events of one instant: an impulse belongs to the closing that it ends in, unless the end of a chatter
@@ -106,8 +108,8 @@ std::vector<bool> RigidEvents::pressed(double time, const State& state,
                                        const std::vector<int>& resting) const {
   std::vector<bool> closed(static_cast<std::size_t>(dynamics_.contact_count()), false);
   if (resting.empty()) return closed;
-  const Eigen::MatrixXd G = dynamics_.delassus()(resting, resting);
-  const Eigen::MatrixXd rows = dynamics_.directions()(Eigen::all, resting).transpose();
+  const Eigen::MatrixXd G = dynamics_.structure().delassus(resting, resting);
+  const Eigen::MatrixXd rows = dynamics_.structure().directions(Eigen::all, resting).transpose();
   const MotionDerivatives free = dynamics_.derivatives(dynamics_.mode(closed), time, state, 2);
   const Eigen::VectorXd q = -(rows * free.u.col(2));
   const auto z = solve_small_lcp(G, q, std::vector<bool>(resting.size(), false));
@@ -132,9 +134,9 @@ std::vector<bool> RigidEvents::pressed(double time, const State& state,
 void RigidEvents::decide(double time, const State& state, const std::vector<int>& involved,
                          const std::vector<bool>& held, std::vector<bool>& closed) const {
   const MotionDerivatives next = dynamics_.derivatives(dynamics_.mode(closed), time, state, 3);
-  const Eigen::MatrixXd rows = dynamics_.directions()(Eigen::all, involved).transpose();
+  const Eigen::MatrixXd rows = dynamics_.structure().directions(Eigen::all, involved).transpose();
   const auto growth =
-      solve_small_lcp(dynamics_.delassus()(involved, involved), -(rows * next.u.col(3)), held);
+      solve_small_lcp(dynamics_.structure().delassus(involved, involved), -(rows * next.u.col(3)), held);
   if (!growth) throw FlowError("no contact forces satisfy the contact law: the stops depend on each other");
   for (std::size_t i = 0; i < involved.size(); ++i) {
     closed[static_cast<std::size_t>(involved[i])] = held[i] || (*growth)[static_cast<Eigen::Index>(i)] > 0.0;
@@ -144,8 +146,8 @@ void RigidEvents::decide(double time, const State& state, const std::vector<int>
 Eigen::MatrixXd RigidEvents::saltation(const Impact& impact, const FlowState& after, const ContactMode& mode,
                                        int trigger) const {
   const int n = dynamics_.size();
-  const Eigen::MatrixXd& W = dynamics_.directions();
-  const Eigen::MatrixXd& back = dynamics_.velocity_per_impulse();
+  const Eigen::MatrixXd& W = dynamics_.structure().directions;
+  const Eigen::MatrixXd& back = dynamics_.structure().velocity_per_impulse;
 
   // dv+/dv-: the contacts that got an impulse have x'_+ = -e x'_-, resting ones stay at rest.
   std::vector<int> pushed;
@@ -160,7 +162,7 @@ Eigen::MatrixXd RigidEvents::saltation(const Impact& impact, const FlowState& af
   }
   Eigen::MatrixXd R = Eigen::MatrixXd::Identity(n, n);
   if (!pushed.empty()) {
-    const Eigen::MatrixXd G = dynamics_.delassus()(pushed, pushed);
+    const Eigen::MatrixXd G = dynamics_.structure().delassus(pushed, pushed);
     const auto scale = Eigen::VectorXd::Map(factor.data(), static_cast<Eigen::Index>(factor.size()));
     R -= back(Eigen::all, pushed) * G.completeOrthogonalDecomposition().solve(Eigen::MatrixXd(
                                         scale.asDiagonal() * W(Eigen::all, pushed).transpose()));
@@ -211,12 +213,12 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
   impact.before = flow.state;
   impact.acceleration = left.u.col(2);
   impact.jerk = left.u.col(3);
-  impact.approach = dynamics_.directions()(Eigen::all, impact.contacts).transpose() * flow.state.v;
+  impact.approach = dynamics_.structure().directions(Eigen::all, impact.contacts).transpose() * flow.state.v;
   collide(flow, impact);
 
   std::vector<int> resting;
   for (const int j : impact.contacts) {
-    if (std::abs(dynamics_.directions().col(j).dot(flow.state.v)) <= rest_) resting.push_back(j);
+    if (std::abs(dynamics_.structure().directions.col(j).dot(flow.state.v)) <= rest_) resting.push_back(j);
   }
   const std::vector<bool> closed = pressed(flow.time, flow.state, resting);
   const ContactMode mode = dynamics_.mode(closed);
@@ -227,20 +229,32 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
   if (record.tangent) record.derivative = saltation(impact, flow, mode, trigger) * record.derivative;
 }
 
+FlowState RigidEvents::place(double time, const State& state) const {
+  FlowState flow{.time = time,
+                 .state = state,
+                 .closed = std::vector<bool>(static_cast<std::size_t>(dynamics_.contact_count()), false)};
+  FlowRecord ignored;
+  expel(flow.state);
+  resolve(flow, -1, ignored);
+  return flow;
+}
+
 void RigidEvents::expel(State& state) const {
-  const Eigen::VectorXd gap = dynamics_.gaps() - dynamics_.directions().transpose() * state.u;
+  const Eigen::VectorXd gap =
+      dynamics_.structure().gaps - dynamics_.structure().directions.transpose() * state.u;
   if (gap.size() == 0 || gap.minCoeff() >= 0.0) return;
-  const auto z = solve_small_lcp(dynamics_.delassus(), gap,
+  const auto z = solve_small_lcp(dynamics_.structure().delassus, gap,
                                  std::vector<bool>(static_cast<std::size_t>(gap.size()), false));
   if (!z) throw FlowError("no displacement satisfies all gaps");
-  state.u -= dynamics_.velocity_per_impulse() * *z;
+  state.u -= dynamics_.structure().velocity_per_impulse * *z;
 }
 
 void RigidEvents::hold(State& state, const ContactMode& mode) const {
   if (mode.active.empty()) return;
-  const Eigen::MatrixXd rows = dynamics_.directions()(Eigen::all, mode.active).transpose();
-  const Eigen::MatrixXd back = dynamics_.velocity_per_impulse()(Eigen::all, mode.active) * mode.response;
-  state.u -= back * (rows * state.u - dynamics_.gaps()(mode.active));
+  const Eigen::MatrixXd rows = dynamics_.structure().directions(Eigen::all, mode.active).transpose();
+  const Eigen::MatrixXd back =
+      dynamics_.structure().velocity_per_impulse(Eigen::all, mode.active) * mode.response;
+  state.u -= back * (rows * state.u - dynamics_.structure().gaps(mode.active));
   state.v -= back * (rows * state.v);
 }
 

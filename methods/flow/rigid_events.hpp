@@ -2,19 +2,13 @@
 // What rigid stops do at an event: impacts, sticking, release, and the limit of a chatter.
 
 #include <Eigen/Core>
-#include <stdexcept>
 #include <vector>
 
-#include "methods/flow/contact_dynamics.hpp"
 #include "methods/flow/flow_record.hpp"
+#include "methods/flow/stop_events.hpp"
+#include "methods/linear_flow/contact_dynamics.hpp"
 
 namespace signorini {
-
-/// The flow cannot be continued; what() is a sentence for a person.
-class FlowError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Applies the laws of impact and contact to the contacts that touch their rigid stops.
 ///
@@ -26,9 +20,12 @@ class FlowError : public std::runtime_error {
 /// v -> 0, a geometric sequence of ratio e, over after 2 e v / (a (1 - e)). Once the rest of the sequence
 /// displaces nothing by more than a tenth of tolerance X it is carried to its limit at once: the contact
 /// sticks with its whole momentum as one impulse (error O(v^2)).
-class RigidEvents {
+class RigidEvents final : public StopEvents {
  public:
   RigidEvents(const ContactDynamics& dynamics, double tolerance);
+
+  /// Penetrating contacts are moved back to their stops, closing ones rebound, pressed ones stick.
+  [[nodiscard]] FlowState place(double time, const State& state) const override;
 
   /// Brings `flow` from the left to the right side of an event. `trigger` is the contact that closes, or
   /// -1. Logs impacts, closings and openings; where the record asks for it, multiplies its derivative by
@@ -36,12 +33,12 @@ class RigidEvents {
   ///
   ///     S = R + (F+ - R F-) n^T / (n^T F-),   n = (w, 0), R = diag(I, dv+/dv-), F = (v, a) on each side.
   /// \throws FlowError if the stops depend on each other and no impulses satisfy the law
-  void resolve(FlowState& flow, int trigger, FlowRecord& record) const;
+  void resolve(FlowState& flow, int trigger, FlowRecord& record) const override;
 
   /// Moves penetrating contacts back to their stops, in the metric of M.
   void expel(State& state) const;
   /// x_A = g_A and x'_A = 0 at closed contacts, in the metric of M.
-  void hold(State& state, const ContactMode& mode) const;
+  void hold(State& state, const ContactMode& mode) const override;
 
   /// Distance below which a contact counts as touching [m].
   [[nodiscard]] double touch() const { return touch_; }

@@ -48,8 +48,8 @@ class March {
   [[nodiscard]] double repeat(int order) const;
   [[nodiscard]] bool nearly_repeats(int order) const;
   [[nodiscard]] bool repeats_by_itself(int order) const;
-  [[nodiscard]] bool contracts_to(const Orbit& orbit) const;
-  [[nodiscard]] std::optional<int> order_when_marched_on(const Orbit& orbit);
+  [[nodiscard]] bool contracts_to(const FixedPoint& orbit) const;
+  [[nodiscard]] std::optional<int> order_when_marched_on(const FixedPoint& orbit);
   std::optional<SteadyState> propose();
   std::optional<SteadyState> settled();
   void leave_events();
@@ -59,8 +59,8 @@ class March {
   SteadyLimits limits_;
   const std::function<bool()>& expired_;
   FlowState state_;
-  std::deque<Eigen::VectorXd> past_;             // scaled states
-  std::deque<std::vector<ContactEvent>> heard_;  // events of each period
+  std::deque<Eigen::VectorXd> past_;                     // scaled states
+  std::deque<std::vector<ContactEvent>> recent_events_;  // events of each period
   long marched_ = 0;
   int moves_ = 0;
 };
@@ -75,8 +75,8 @@ void March::step() {
   map_.apply(state_, 1, record);
   ++marched_;
   remember();
-  heard_.push_back(std::move(record.events));
-  if (heard_.size() > static_cast<std::size_t>(limits_.max_order)) heard_.pop_front();
+  recent_events_.push_back(std::move(record.events));
+  if (recent_events_.size() > static_cast<std::size_t>(limits_.max_order)) recent_events_.pop_front();
 }
 
 // Distance between the last state and the one `order` periods before it.
@@ -117,7 +117,7 @@ bool March::repeats_by_itself(int order) const {
 
 // In the basis of the eigenvectors a linear map with multipliers inside the unit circle shrinks every
 // distance; the states marched must do so too, at least by a third of what the slowest multiplier promises.
-bool March::contracts_to(const Orbit& orbit) const {
+bool March::contracts_to(const FixedPoint& orbit) const {
   constexpr double kShare = 1.0 / 3.0;
   constexpr double kIllConditioned = 1e8;
   const Eigen::VectorXd fixed = map_.scaled(orbit.start.state);
@@ -145,7 +145,7 @@ bool March::contracts_to(const Orbit& orbit) const {
 }
 
 // The smallest order at which the motion from the orbit repeats itself, if any does.
-std::optional<int> March::order_when_marched_on(const Orbit& orbit) {
+std::optional<int> March::order_when_marched_on(const FixedPoint& orbit) {
   const int turns = std::max(4, 3 * orbit.order);
   FlowState state = orbit.start;
   std::vector<Eigen::VectorXd> states{map_.scaled(state.state)};
@@ -189,7 +189,7 @@ std::optional<SteadyState> March::propose() {
     if (!nearly_repeats(order) || distance > 0.5 * tried) continue;
     tried = distance;
     ++tries;
-    const Orbit orbit = newton_orbit(map_, state_, order, newton, expired_);
+    const FixedPoint orbit = find_fixed_point(map_, state_, order, newton, expired_);
     if (!orbit.converged || !(orbit.largest_multiplier() < 1.0) || !contracts_to(orbit)) continue;
     const auto smallest = order_when_marched_on(orbit);
     if (!smallest) continue;
@@ -213,7 +213,7 @@ void March::leave_events() {
   constexpr double kNear = 1e-3;  // of a forcing period
   constexpr int kMoves = 5;
   std::vector<ContactEvent> events;
-  for (const auto& period : heard_) events.insert(events.end(), period.begin(), period.end());
+  for (const auto& period : recent_events_) events.insert(events.end(), period.begin(), period.end());
   const double period = map_.forcing_period();
   if (moves_ >= kMoves || nearest_event(events, state_.time, period) > kNear * period) return;
   move_to_quiet_phase(map_, state_, events);
@@ -289,12 +289,12 @@ SteadyState shoot(PeriodMap& map, const FlowState& start, int order, const Stead
   FlowRecord record;
   map.apply(probe, order, record);
   move_to_quiet_phase(map, state, record.events);
-  const Orbit orbit = newton_orbit(map, state, order,
-                                   {.accepted = limits.accepted(),
-                                    .max_iterations = limits.max_iterations,
-                                    .max_halvings = 12,
-                                    .largest_step = 1e3},
-                                   expired);
+  const FixedPoint orbit = find_fixed_point(map, state, order,
+                                            {.accepted = limits.accepted(),
+                                             .max_iterations = limits.max_iterations,
+                                             .max_halvings = 12,
+                                             .largest_step = 1e3},
+                                            expired);
   return {
       .periodic = orbit.converged,
       .message =

@@ -24,10 +24,11 @@ struct SteadyState {
   bool periodic = false;
   std::string message;  ///< one sentence for a person
   FlowState start;
-  int order = 1;                         ///< forcing periods per period of the motion
-  double residual = 0.0;                 ///< distance between start and end of a period [-]
-  long iterations = 0;                   ///< periods marched, or Newton steps
-  std::optional<double> condition = {};  ///< of the last Newton step, see Orbit; empty: none was taken [-]
+  int order = 1;          ///< forcing periods per period of the motion
+  double residual = 0.0;  ///< distance between start and end of a period [-]
+  long iterations = 0;    ///< periods marched, or Newton steps
+  std::optional<double> condition =
+      {};  ///< of the last Newton step, see FixedPoint; empty: none was taken [-]
 };
 
 /// Follows the motion from `start` until it repeats every `order` <= max_order forcing periods.

@@ -107,7 +107,7 @@ class Check {
     const auto arcs = static_cast<std::size_t>(equations_.events()) + 1;
     for (std::size_t i = 0; i < arcs; ++i) {
       const double end = i + 1 == arcs ? orbit_.start.time + model_.period : orbit_.events[i].time;
-      arc(equations_.arcs()[i], begin, end);
+      arc(*equations_.arcs()[i], begin, end);
       if (i + 1 < arcs) event(i);
       begin = end;
     }
@@ -126,11 +126,11 @@ class Check {
   void arc(const LinearArc& arc, double begin, double end) {
     const std::vector<FadingRate> terms = arc.fading_rates(kUnseen * tolerance_);
     for (int j = 0; j < dynamics_.contact_count(); ++j) {
-      const bool closed = arc.flow().mode().closed(j);
+      const bool closed = arc.mode().closed(j);
       const Limited f{.arc = arc,
                       .contact = j,
                       .of_force = closed,
-                      .offset = closed ? 0.0 : dynamics_.gaps()[j],
+                      .offset = closed ? 0.0 : dynamics_.structure().gaps[j],
                       .unit = closed ? dynamics_.force_scale(j) : dynamics_.scales().displacement};
       const Peak peak = largest(f, begin, end, terms);
       double& worst = closed ? result_.tension : result_.penetration;
@@ -145,9 +145,9 @@ class Check {
 
   void event(std::size_t i) {
     const SequenceEvent& event = orbit_.events[i];
-    const OrbitEquations::Passage& passage = equations_.passages()[i];
+    const OrbitEquations::EventCrossing& crossing = equations_.crossings()[i];
     if (event.kind != ContactEvent::Kind::open) {
-      const double v = passage.approach / dynamics_.scales().velocity;
+      const double v = crossing.approach / dynamics_.scales().velocity;
       if (event.kind == ContactEvent::Kind::impact) ++result_.impacts;
       // A spring may begin to act at any speed; what a chatter ends with is small by its nature.
       const bool tail = event.kind == ContactEvent::Kind::close && dynamics_.restitution() > 0.0;
@@ -157,9 +157,10 @@ class Check {
     }
     for (std::size_t k = 0; k < event.pushed.size(); ++k) {
       const auto row = static_cast<Eigen::Index>(k);
-      if (passage.impulses[row] > 0.0 && passage.speeds.maxCoeff() > tolerance_ * dynamics_.scales().velocity)
+      if (crossing.impulses[row] > 0.0 &&
+          crossing.speeds.maxCoeff() > tolerance_ * dynamics_.scales().velocity)
         fail(fmt::format("contact {} pulls at the impact at t = {:.6g} s", event.pushed[k], event.time));
-      law(event, passage.speeds[row], k, equations_.arcs()[i]);
+      law(event, crossing.speeds[row], k, *equations_.arcs()[i]);
     }
   }
 

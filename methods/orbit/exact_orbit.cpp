@@ -37,15 +37,19 @@ class OrbitFinder::Search {
       : model_(model), options_(options) {}
 
   OrbitSearch run(const OrbitGuess& guess) {
-    if (attempt(guess) || rounds(guess.start) || shoot(guess.start) || march(guess.start))
-      return std::move(result_);
+    using Attempt = bool (Search::*)(const FlowState& from);
+    if (attempt(guess)) return std::move(result_);
+    for (const Attempt next : {&Search::rounds, &Search::shoot, &Search::march}) {
+      if ((this->*next)(guess.start)) break;
+    }
     return std::move(result_);
   }
 
  private:
+  // True if the search has come to its end: an orbit is found, or the time is up.
   bool attempt(const OrbitGuess& guess) {
-    constexpr std::size_t kMostEvents =
-        400;  // unresolved rattling beyond: the dense equations grow with their cube
+    // More is rattling that the flow does not resolve; the work of the dense equations grows with their cube.
+    constexpr std::size_t kMostEvents = 400;
     if (options_.expired()) return true;
     ExactOrbit orbit;
     if (guess.events.size() <= kMostEvents) {
@@ -85,19 +89,18 @@ class OrbitFinder::Search {
   bool shoot(const FlowState& from) {
     constexpr double kTolerance = 1e-11, kLargestStep = 1e3;
     constexpr int kHalvings = 8;
-    constexpr int kMany =
-        16;  // coordinates from which a shooting carries too large a monodromy to be tried often
+    constexpr int kMany = 16;  // coordinates beyond which a monodromy is too dear to be carried often
     if (options_.shootings == 0 || (options_.marched == 0 && model_->dynamics.size() > kMany)) return false;
     try {
       EventFlow flow(model_->dynamics, kTolerance, options_.expired, Integrator::modal);
       PeriodMap map(flow);
-      const auto order = static_cast<int>(model_->period / model_->dynamics.forcing_period() + 0.5);
-      const Orbit orbit = newton_orbit(map, flow.place(from.time, from.state), order,
-                                       {.accepted = 1e-9,
-                                        .max_iterations = options_.shootings,
-                                        .max_halvings = kHalvings,
-                                        .largest_step = kLargestStep},
-                                       options_.expired);
+      const auto order = static_cast<int>(model_->period / model_->dynamics.structure().forcing_period + 0.5);
+      const FixedPoint orbit = find_fixed_point(map, flow.place(from.time, from.state), order,
+                                                {.accepted = 1e-9,
+                                                 .max_iterations = options_.shootings,
+                                                 .max_halvings = kHalvings,
+                                                 .largest_step = kLargestStep},
+                                                options_.expired);
       result_.iterations += orbit.iterations;
       return rounds(orbit.start);
     } catch (const std::exception&) {  // FlowError: the time is up
@@ -131,10 +134,6 @@ class OrbitFinder::Search {
 
 OrbitFinder::OrbitFinder(const Problem& problem) : model_(std::make_shared<OrbitModel>(problem)) {}
 
-ExactOrbit OrbitFinder::polish(const OrbitGuess& guess, const PolishOptions& options) {
-  return polish_sequence(model_, guess, options);
-}
-
 OrbitSearch OrbitFinder::find(const OrbitGuess& guess, const SearchOptions& options) {
   return Search(model_, options).run(guess);
 }
@@ -145,15 +144,6 @@ OrbitSearch OrbitFinder::find(const Trajectory& trajectory, const SearchOptions&
   OrbitSearch result;
   result.orbit.reason = "the structure has no unique response to the contact force";
   return result;
-}
-
-ExactOrbit polish_orbit(const Problem& problem, const OrbitGuess& guess, const PolishOptions& options) {
-  return OrbitFinder(problem).polish(guess, options);
-}
-
-OrbitSearch find_exact_orbit(const Problem& problem, const Trajectory& trajectory,
-                             const SearchOptions& options) {
-  return OrbitFinder(problem).find(trajectory, options);
 }
 
 }  // namespace signorini

@@ -36,12 +36,10 @@ class OrbitFinder {
   /// Candidates in order, until one polishes to an admissible orbit: the sequence read off the contact force
   /// (`orbit_guess`); the one met in one period's flow from its state (`simulated_sequence`); those from the
   /// states that inadmissible solutions left, for several rounds; those along Newton's method on the
-  /// stroboscopic map (`newton_orbit`, whose sequence may change at each step); those met while marching.
+  /// stroboscopic map (`find_fixed_point`, whose sequence may change at each step); those met while marching.
   OrbitSearch find(const Trajectory& trajectory, const SearchOptions& options = {});
   /// The same from a sequence.
   OrbitSearch find(const OrbitGuess& guess, const SearchOptions& options = {});
-  /// One polish of one sequence.
-  ExactOrbit polish(const OrbitGuess& guess, const PolishOptions& options = {});
 
   [[nodiscard]] const std::shared_ptr<OrbitModel>& model() const { return model_; }
 
@@ -49,11 +47,5 @@ class OrbitFinder {
   class Search;
   std::shared_ptr<OrbitModel> model_;
 };
-
-/// One scene, one guess: OrbitFinder(problem).polish(...).
-ExactOrbit polish_orbit(const Problem& problem, const OrbitGuess& guess, const PolishOptions& options = {});
-/// One scene, one motion: OrbitFinder(problem).find(...).
-OrbitSearch find_exact_orbit(const Problem& problem, const Trajectory& trajectory,
-                             const SearchOptions& options = {});
 
 }  // namespace signorini

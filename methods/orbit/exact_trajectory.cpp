@@ -9,12 +9,12 @@
 namespace signorini {
 
 ExactTrajectory::ExactTrajectory(std::shared_ptr<OrbitModel> model, OrbitGuess orbit,
-                                 std::vector<LinearArc> arcs,
-                                 const std::vector<OrbitEquations::Passage>& passages)
+                                 std::vector<std::shared_ptr<LinearArc>> arcs,
+                                 const std::vector<OrbitEquations::EventCrossing>& crossings)
     : model_(std::move(model)), orbit_(std::move(orbit)), arcs_(std::move(arcs)) {
   const std::vector<bool>* before = &orbit_.start.closed;
   for (std::size_t i = 0; i < orbit_.events.size(); ++i) {
-    list(orbit_.events[i], *before, passages[i]);
+    list(orbit_.events[i], *before, crossings[i]);
     before = &orbit_.events[i].closed;
   }
   std::stable_sort(events_.begin(), events_.end(),
@@ -24,13 +24,13 @@ ExactTrajectory::ExactTrajectory(std::shared_ptr<OrbitModel> model, OrbitGuess o
 // Every contact that changes or takes an impulse at an event of the sequence; the one whose guard vanishes
 // in any case.
 void ExactTrajectory::list(const SequenceEvent& event, const std::vector<bool>& before,
-                           const OrbitEquations::Passage& passage) {
+                           const OrbitEquations::EventCrossing& crossing) {
   for (int j = 0; j < contact_count(); ++j) {
     const auto index = static_cast<std::size_t>(j);
     const auto pushed = std::find(event.pushed.begin(), event.pushed.end(), j);
     // A resting contact may have nothing to pass on.
     const double impulse =
-        pushed == event.pushed.end() ? 0.0 : std::min(0.0, passage.impulses[pushed - event.pushed.begin()]);
+        pushed == event.pushed.end() ? 0.0 : std::min(0.0, crossing.impulses[pushed - event.pushed.begin()]);
     if (before[index] == event.closed[index] && impulse == 0.0 && j != event.contact) continue;
     events_.push_back({.kind = before[index] == event.closed[index] ? ContactEvent::Kind::impact
                                : event.closed[index]                ? ContactEvent::Kind::close
@@ -55,7 +55,7 @@ const LinearArc& ExactTrajectory::arc_at(double& time) const {
   time = start + wrapped_time(time - start, period());
   const auto after = std::upper_bound(orbit_.events.begin(), orbit_.events.end(), time,
                                       [](double t, const SequenceEvent& event) { return t < event.time; });
-  return arcs_[static_cast<std::size_t>(after - orbit_.events.begin())];
+  return *arcs_[static_cast<std::size_t>(after - orbit_.events.begin())];
 }
 
 State ExactTrajectory::at(double time) const {

@@ -15,9 +15,7 @@ namespace signorini {
 struct OrbitQuality {
   double residual = 0.0;         ///< largest of its equations, in scales [-]
   double error_bar = 0.0;        ///< of the motion, relative to the displacement scale X [-]
-  double amplification = 0.0;    ///< |J^-1|: what an error of evaluation may grow to in the motion [-]
   Eigen::VectorXcd multipliers;  ///< Floquet, 2 Nd; empty where undefined
-  bool admissible = false;       ///< the contact conditions hold
 };
 
 /// Motion and contact force of a polished orbit, evaluated exactly (to round-off) at any instant; the
@@ -25,9 +23,10 @@ struct OrbitQuality {
 class ExactTrajectory final : public Trajectory {
  public:
   /// \param model  of the scene; kept alive
-  /// \param arcs   m + 1 of them, arc i ending at event i, as the equations left them
-  ExactTrajectory(std::shared_ptr<OrbitModel> model, OrbitGuess orbit, std::vector<LinearArc> arcs,
-                  const std::vector<OrbitEquations::Passage>& passages);
+  /// \param arcs   m + 1 of them, arc i ending at event i; not started again afterwards
+  ExactTrajectory(std::shared_ptr<OrbitModel> model, OrbitGuess orbit,
+                  std::vector<std::shared_ptr<LinearArc>> arcs,
+                  const std::vector<OrbitEquations::EventCrossing>& crossings);
 
   [[nodiscard]] int contact_count() const override { return model_->dynamics.contact_count(); }
   [[nodiscard]] double period() const override { return model_->period; }
@@ -44,12 +43,12 @@ class ExactTrajectory final : public Trajectory {
 
  private:
   void list(const SequenceEvent& event, const std::vector<bool>& before,
-            const OrbitEquations::Passage& passage);
+            const OrbitEquations::EventCrossing& crossing);
   [[nodiscard]] const LinearArc& arc_at(double& time) const;
 
   std::shared_ptr<OrbitModel> model_;
   OrbitGuess orbit_;
-  std::vector<LinearArc> arcs_;
+  std::vector<std::shared_ptr<LinearArc>> arcs_;
   std::vector<ContactEvent> events_;
   OrbitQuality quality_;
 };

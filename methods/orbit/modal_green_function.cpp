@@ -11,15 +11,15 @@ namespace signorini {
 using Complex = std::complex<double>;
 
 ModalGreenFunction::ModalGreenFunction(const ContactDynamics& dynamics, double period)
-    : period_(period), directions_(dynamics.directions()), rates_(dynamics.load_rates()) {
+    : period_(period), directions_(dynamics.structure().directions), rates_(dynamics.structure().rates) {
   constexpr double kIllConditioned = 1e-8;
   const int n = dynamics.size();
-  const double unit = 1.0 / dynamics.frequency();  // velocities count as v / omega
-  const Eigen::LLT<Eigen::MatrixXd> mass{Eigen::MatrixXd(dynamics.mass())};
+  const double unit = 1.0 / dynamics.structure().frequency;  // velocities count as v / omega
+  const Eigen::LLT<Eigen::MatrixXd> mass{Eigen::MatrixXd(dynamics.structure().mass)};
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   A.topRightCorner(n, n).diagonal().setConstant(1.0 / unit);
-  A.bottomLeftCorner(n, n) = -unit * mass.solve(Eigen::MatrixXd(dynamics.stiffness()));
-  A.bottomRightCorner(n, n) = -mass.solve(Eigen::MatrixXd(dynamics.damping()));
+  A.bottomLeftCorner(n, n) = -unit * mass.solve(Eigen::MatrixXd(dynamics.structure().stiffness));
+  A.bottomRightCorner(n, n) = -mass.solve(Eigen::MatrixXd(dynamics.structure().damping));
   const Eigen::EigenSolver<Eigen::MatrixXd> modes(A);
   if (modes.info() != Eigen::Success) return;
   const Eigen::FullPivLU<Eigen::MatrixXcd> lu(modes.eigenvectors());
@@ -27,16 +27,17 @@ ModalGreenFunction::ModalGreenFunction(const ContactDynamics& dynamics, double p
   const Eigen::ArrayXcd closing = 1.0 - (mu_.array() * period).exp();
   if (!(lu.rcond() > kIllConditioned) || closing.abs().minCoeff() < kIllConditioned) return;
   shapes_ = modes.eigenvectors().topRows(n);
-  Eigen::MatrixXcd kick = Eigen::MatrixXcd::Zero(2 * n, dynamics.contact_count());
-  kick.bottomRows(n) = unit * dynamics.velocity_per_impulse().cast<Complex>();
-  excitation_ = closing.inverse().matrix().asDiagonal() * lu.solve(kick);
-  const Eigen::MatrixXcd load = dynamics.load_amplitudes();
+  Eigen::MatrixXcd struck = Eigen::MatrixXcd::Zero(2 * n, dynamics.contact_count());
+  struck.bottomRows(n) = unit * dynamics.structure().velocity_per_impulse.cast<Complex>();
+  excitation_ = closing.inverse().matrix().asDiagonal() * lu.solve(struck);
+  const Eigen::MatrixXcd load = dynamics.structure().load;
   forced_.resize(n, load.cols());
   for (Eigen::Index h = 0; h < load.cols(); ++h) {
     const double w = rates_[static_cast<std::size_t>(h)];
-    const Eigen::MatrixXcd Z = Eigen::MatrixXcd(dynamics.stiffness().cast<Complex>()) +
-                               Complex(0.0, w) * Eigen::MatrixXcd(dynamics.damping().cast<Complex>()) -
-                               w * w * Eigen::MatrixXcd(dynamics.mass().cast<Complex>());
+    const Eigen::MatrixXcd Z =
+        Eigen::MatrixXcd(dynamics.structure().stiffness.cast<Complex>()) +
+        Complex(0.0, w) * Eigen::MatrixXcd(dynamics.structure().damping.cast<Complex>()) -
+        w * w * Eigen::MatrixXcd(dynamics.structure().mass.cast<Complex>());
     if (load.col(h).isZero(0.0)) {
       forced_.col(h).setZero();
     } else {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "methods/flow/contact_dynamics.hpp"
+#include "methods/linear_flow/contact_dynamics.hpp"
 #include "methods/solution.hpp"
 
 namespace signorini {

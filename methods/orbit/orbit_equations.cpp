@@ -13,10 +13,12 @@ OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess)
       m_(static_cast<Eigen::Index>(guess.events.size())),
       x_unit_(model.dynamics.scales().displacement),
       v_unit_(model.dynamics.scales().velocity),
-      t_unit_(1.0 / model.dynamics.frequency()) {
+      t_unit_(1.0 / model.dynamics.structure().frequency) {
   prepare(guess);
 }
 
+// Unknowns and equations are divided by the scales of the motion, so that one tolerance fits lengths, speeds,
+// forces and instants, and |J^-1| says something about all of them.
 void OrbitEquations::prepare(const OrbitGuess& guess) {
   const ContactDynamics& dynamics = model_.dynamics;
   first_.resize(size());
@@ -27,22 +29,24 @@ void OrbitEquations::prepare(const OrbitGuess& guess) {
     const SequenceEvent& event = guess.events[static_cast<std::size_t>(i)];
     first_[2 * n_ + i] = (event.time - guess.start.time) / t_unit_;
     flows_.push_back(&model_.flows.of(event.closed));
-    Jump jump;
-    jump.of_force = event.kind == ContactEvent::Kind::open;
-    jump.unit = jump.of_force ? dynamics.force_scale(event.contact) : x_unit_;
+    EventLaw law;
+    law.of_force = event.kind == ContactEvent::Kind::open;
+    law.unit = law.of_force ? dynamics.force_scale(event.contact) : x_unit_;
     if (!event.pushed.empty()) {
-      const Eigen::MatrixXd G = dynamics.delassus()(event.pushed, event.pushed);
-      Eigen::MatrixXd speeds = dynamics.directions()(Eigen::all, event.pushed).transpose();
+      // Newton's law for the contacts S together: W_S^T v_+ = -e W_S^T v_- with v_+ = v_- + M^-1 W_S p, hence
+      // p = -G_SS^-1 diag(1 + e) W_S^T v_-. Stops that depend on each other have a singular G_SS and share p.
+      const Eigen::MatrixXd G = dynamics.structure().delassus(event.pushed, event.pushed);
+      Eigen::MatrixXd speeds = dynamics.structure().directions(Eigen::all, event.pushed).transpose();
       for (Eigen::Index k = 0; k < speeds.rows(); ++k)
         speeds.row(k) *= 1.0 + event.restitution[static_cast<std::size_t>(k)];
-      jump.impulse = speeds.rows() == 1 ? Eigen::MatrixXd(-speeds / G(0, 0))
-                                        : Eigen::MatrixXd(-G.completeOrthogonalDecomposition().solve(speeds));
-      jump.kick = dynamics.velocity_per_impulse()(Eigen::all, event.pushed);
+      law.impulse = speeds.rows() == 1 ? Eigen::MatrixXd(-speeds / G(0, 0))
+                                       : Eigen::MatrixXd(-G.completeOrthogonalDecomposition().solve(speeds));
+      law.response = dynamics.structure().velocity_per_impulse(Eigen::all, event.pushed);
     }
-    jumps_.push_back(std::move(jump));
+    laws_.push_back(std::move(law));
   }
-  arcs_.resize(static_cast<std::size_t>(m_) + 1);
-  passages_.resize(static_cast<std::size_t>(m_));
+  for (const LinearFlow* flow : flows_) arcs_.push_back(flow->arc());
+  crossings_.resize(static_cast<std::size_t>(m_));
   residual_.resize(size());
   jacobian_.resize(size(), size());
   sensitivity_.resize(2 * n_, size());
@@ -53,35 +57,39 @@ void OrbitEquations::pass_event(Eigen::Index i) {
   const auto index = static_cast<std::size_t>(i);
   const SequenceEvent& event = sequence_.events[index];
   const ContactDynamics& dynamics = model_.dynamics;
-  const LinearArc& arc = arcs_[index];
-  const Jump& jump = jumps_[index];
+  const LinearArc& arc = *arcs_[index];
+  const EventLaw& law = laws_[index];
   const double time = event.time;
   const auto known = 2 * n_ + i + 1;  // columns that can be nonzero so far
   const Eigen::Index row = 2 * n_ + i;
   arc.state(time, state_);
   arc.acceleration(time, a_);
+  // A later event instant carries the state on along the motion, by F_- = (v, a) dt.
   sensitivity_.col(row).head(n_) = t_unit_ * state_.v;
   sensitivity_.col(row).tail(n_) = t_unit_ * a_;
-  Passage& passage = passages_[index];
-  passage.approach = arc.displacement(event.contact, time, 1);
+  EventCrossing& crossing = crossings_[index];
+  crossing.approach = arc.displacement(event.contact, time, 1);
   const LinearFlow& flow = *flows_[index];
   const Eigen::RowVectorXd gradient =
-      jump.of_force ? flow.multiplier_gradient(event.contact) : flow.displacement_gradient(event.contact);
-  jacobian_.row(row).head(known).noalias() = gradient * sensitivity_.leftCols(known) / jump.unit;
-  if (jump.of_force) {
-    residual_[row] = arc.force(event.contact, time) / jump.unit;
-    jacobian_(row, row) = t_unit_ * arc.force(event.contact, time, 1) / jump.unit;
+      law.of_force ? flow.multiplier_gradient(event.contact) : flow.displacement_gradient(event.contact);
+  jacobian_.row(row).head(known).noalias() = gradient * sensitivity_.leftCols(known) / law.unit;
+  if (law.of_force) {
+    residual_[row] = arc.force(event.contact, time) / law.unit;
+    jacobian_(row, row) = t_unit_ * arc.force(event.contact, time, 1) / law.unit;
   } else {
-    residual_[row] = (arc.displacement(event.contact, time) - dynamics.gaps()[event.contact]) / jump.unit;
-    jacobian_(row, row) = t_unit_ * passage.approach / jump.unit;
+    residual_[row] =
+        (arc.displacement(event.contact, time) - dynamics.structure().gaps[event.contact]) / law.unit;
+    jacobian_(row, row) = t_unit_ * crossing.approach / law.unit;
   }
   jacobian_.row(row).tail(size() - known).setZero();
   if (event.pushed.empty()) return;
-  passage.speeds = dynamics.directions()(Eigen::all, event.pushed).transpose() * state_.v;
-  passage.impulses = jump.impulse * state_.v;
-  state_.v += jump.kick * passage.impulses;
+  crossing.speeds = dynamics.structure().directions(Eigen::all, event.pushed).transpose() * state_.v;
+  crossing.impulses = law.impulse * state_.v;
+  // The law of impact is linear in v_-: the sensitivities pass it by the same R = I + M^-1 W_S (dp/dv_-).
+  // Together with -F_+ dt at the beginning of the next arc this is the saltation, R F_- - F_+.
+  state_.v += law.response * crossing.impulses;
   auto rates = sensitivity_.bottomLeftCorner(n_, known);
-  rates += jump.kick * (jump.impulse * rates).eval();
+  rates += law.response * (law.impulse * rates).eval();
 }
 
 bool OrbitEquations::evaluate(const Eigen::VectorXd& unknowns) {
@@ -95,11 +103,11 @@ bool OrbitEquations::evaluate(const Eigen::VectorXd& unknowns) {
   double begin = start;
   for (Eigen::Index i = 0; i <= m_; ++i) {
     const auto index = static_cast<std::size_t>(i);
-    LinearArc& arc = arcs_[index];
-    arc.start(*flows_[index], begin, state_);
+    LinearArc& arc = *arcs_[index];
+    arc.start(begin, state_);
     const double end = i == m_ ? start + model_.period : start + t_unit_ * unknowns[2 * n_ + i];
     const Eigen::Index known = 2 * n_ + i;
-    if (i > 0) {  // the instant of the last event moves the beginning of this arc
+    if (i > 0) {  // a later beginning leaves the arc less time: -F_+ dt
       arc.acceleration(begin, a_);
       sensitivity_.col(known - 1).head(n_) -= t_unit_ * state_.v;
       sensitivity_.col(known - 1).tail(n_) -= t_unit_ * a_;
@@ -120,13 +128,14 @@ bool OrbitEquations::evaluate(const Eigen::VectorXd& unknowns) {
   residual_.segment(n_, n_) = state_.v / v_unit_ - unknowns.segment(n_, n_);
   jacobian_.topRows(n_) = sensitivity_.topRows(n_) / x_unit_;
   jacobian_.middleRows(n_, n_) = sensitivity_.bottomRows(n_) / v_unit_;
-  jacobian_.topLeftCorner(2 * n_, 2 * n_).diagonal().array() -= 1.0;
+  jacobian_.topLeftCorner(2 * n_, 2 * n_).diagonal().array() -= 1.0;  // of - y_0
   return residual_.allFinite() && jacobian_.allFinite();
 }
 
 Eigen::MatrixXd OrbitEquations::monodromy() const {
+  // Up to here the instants were free; now they follow the state (theory.md, section 6).
   Eigen::MatrixXd P = jacobian_.topLeftCorner(2 * n_, 2 * n_);
-  P.diagonal().array() += 1.0;
+  P.diagonal().array() += 1.0;  // dP/dy_0 without the - y_0 of the closure
   if (m_ == 0) return P;
   // dh/dt is lower triangular: an event depends on those before it.
   const Eigen::MatrixXd along = jacobian_.bottomRightCorner(m_, m_);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "methods/flow/flow_record.hpp"
-#include "methods/flow/linear_flow.hpp"
+#include "methods/linear_flow/linear_flows.hpp"
 
 namespace signorini {
 
@@ -61,6 +61,8 @@ class OrbitEquations {
   [[nodiscard]] Eigen::Index size() const { return 2 * n_ + m_; }
   [[nodiscard]] Eigen::Index events() const { return m_; }
   [[nodiscard]] const Eigen::VectorXd& guess() const { return first_; }
+  /// The instant at which the section comes again, in the unit of the instants [-].
+  [[nodiscard]] double end() const { return model_.period * model_.dynamics.structure().frequency; }
   /// Evaluates residual and Jacobian; false if anything is not finite.
   bool evaluate(const Eigen::VectorXd& unknowns);
 
@@ -68,25 +70,25 @@ class OrbitEquations {
   [[nodiscard]] const Eigen::MatrixXd& jacobian() const { return jacobian_; }
   [[nodiscard]] double largest_state() const { return largest_state_; }  ///< in scales, for round-off [-]
   /// Speeds x'_j at the events, before and after, and impulses of those pushed; of the last evaluation.
-  struct Passage {
+  struct EventCrossing {
     double approach = 0.0;
     Eigen::VectorXd speeds;    ///< x'_- of the contacts pushed [m/s]
     Eigen::VectorXd impulses;  ///< p of the contacts pushed [N s]
   };
-  [[nodiscard]] const std::vector<Passage>& passages() const { return passages_; }
-  /// m + 1 arcs: arc i ends at event i.
-  [[nodiscard]] const std::vector<LinearArc>& arcs() const { return arcs_; }
+  [[nodiscard]] const std::vector<EventCrossing>& crossings() const { return crossings_; }
+  /// m + 1 arcs: arc i ends at event i. The next evaluation changes them.
+  [[nodiscard]] const std::vector<std::shared_ptr<LinearArc>>& arcs() const { return arcs_; }
   /// The Schur complement in scaled coordinates, 2 Nd x 2 Nd; empty if dh/dt is singular.
   [[nodiscard]] Eigen::MatrixXd monodromy() const;
   /// The orbit of given unknowns, with the sequence of this one.
   [[nodiscard]] OrbitGuess orbit(const Eigen::VectorXd& unknowns) const;
 
  private:
-  struct Jump {  // what is constant of an event
-    bool of_force = false;
-    Eigen::MatrixXd impulse;  // p of those pushed as a map of v_-, |S| x Nd
-    Eigen::MatrixXd kick;     // M^-1 W_S, Nd x |S|
-    double unit = 1.0;        // of the equation
+  struct EventLaw {            // what is constant of an event
+    bool of_force = false;     // its equation is that of a force
+    Eigen::MatrixXd impulse;   // p of those pushed as a map of v_-, |S| x Nd
+    Eigen::MatrixXd response;  // v_+ - v_- as a map of p: M^-1 W_S, Nd x |S|
+    double unit = 1.0;         // of the equation
   };
   void prepare(const OrbitGuess& guess);
   void pass_event(Eigen::Index i);
@@ -99,9 +101,9 @@ class OrbitEquations {
   Eigen::MatrixXd jacobian_, sensitivity_;
   State state_;
   std::vector<const LinearFlow*> flows_;
-  std::vector<Jump> jumps_;
-  std::vector<LinearArc> arcs_;
-  std::vector<Passage> passages_;
+  std::vector<EventLaw> laws_;
+  std::vector<std::shared_ptr<LinearArc>> arcs_;
+  std::vector<EventCrossing> crossings_;
 };
 
 }  // namespace signorini

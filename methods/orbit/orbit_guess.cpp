@@ -9,7 +9,6 @@
 #include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/periodic_time.hpp"
 #include "methods/flow/flow.hpp"
-#include "methods/flow/rigid_events.hpp"
 #include "methods/orbit/listed_sequence.hpp"
 
 namespace signorini {
@@ -110,10 +109,10 @@ std::optional<State> periodic_state(OrbitModel& model, double time, const ForceH
   const int n = dynamics.size();
   const LinearFlow& flow =
       model.flows.of(std::vector<bool>(static_cast<std::size_t>(dynamics.contact_count()), false));
-  LinearArc arc;
+  const std::unique_ptr<LinearArc> arc = flow.arc();
   State end;
-  arc.start(flow, time, {.u = Eigen::VectorXd::Zero(n), .v = Eigen::VectorXd::Zero(n)});
-  arc.state(time + model.period, end);
+  arc->start(time, {.u = Eigen::VectorXd::Zero(n), .v = Eigen::VectorXd::Zero(n)});
+  arc->state(time + model.period, end);
   std::vector<Impulse> before;  // times before the end of the period
   const auto add = [&](int contact, double at, double value) {
     before.push_back(

@@ -40,10 +40,9 @@ struct ExactOrbit {
   std::shared_ptr<const ExactTrajectory> trajectory;  ///< where the equations were solved
   double residual = 0.0;                              ///< largest of the equations, in scales [-]
   double attainable = 0.0;                            ///< round-off of the residual [-]
-  double error_bar = 0.0;      ///< of the motion, relative to X: |J^-1| times the residual and its noise [-]
-  double amplification = 0.0;  ///< |J^-1| as in the error bar [-]
-  double condition = 1.0;      ///< estimate for J, in its scales; where there is a trajectory [-]
-  int iterations = 0;          ///< Newton steps
+  double error_bar = 0.0;  ///< of the motion, relative to X: |J^-1| times the residual and its noise [-]
+  double condition = 1.0;  ///< estimate for J, in its scales; where there is a trajectory [-]
+  int iterations = 0;      ///< Newton steps
   Eigen::VectorXcd multipliers;  ///< Floquet, 2 Nd; empty where undefined
   Admissibility admissibility;
 

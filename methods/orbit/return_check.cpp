@@ -35,7 +35,7 @@ double growth_of_errors(const ExactTrajectory& orbit, const MotionScales& scales
                         state.v.lpNorm<Eigen::Infinity>() / scales.velocity});
   }
   const OrbitQuality& quality = orbit.quality();
-  double growth = 1.0 + quality.amplification;
+  double growth = 1.0;
   if (quality.multipliers.size() > 0) growth += quality.multipliers.cwiseAbs().maxCoeff();
   return largest * growth;
 }

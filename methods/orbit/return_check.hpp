@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "methods/flow/contact_dynamics.hpp"
+#include "methods/linear_flow/contact_dynamics.hpp"
 #include "methods/orbit/exact_trajectory.hpp"
 
 namespace signorini {

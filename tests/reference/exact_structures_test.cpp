@@ -35,7 +35,7 @@ TEST_P(ExactStructure, HasThePeersOrbitsStableOrNot) {
     SCOPED_TRACE(testing::Message() << "omega " << motion.omega);
     structure.problem.frequency = motion.omega;
     const OrbitSearch found =
-        find_exact_orbit(structure.problem, *test::start_from(motion, structure.problem));
+        OrbitFinder(structure.problem).find(*test::start_from(motion, structure.problem));
     ASSERT_TRUE(found.orbit.certified()) << describe(found.orbit.outcome) << ": " << found.orbit.reason;
     EXPECT_LE(test::relative_l2(harmonics_of(*found.orbit.trajectory, motion.harmonics()), motion.x,
                                 motion.harmonics()),

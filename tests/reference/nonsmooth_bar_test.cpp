@@ -171,7 +171,8 @@ Problem finite_element_bar(const NonsmoothBar& bar, int elements) {
 }
 
 double energy(const ContactDynamics& dynamics, const State& state) {
-  return 0.5 * (state.u.dot(dynamics.stiffness() * state.u) + state.v.dot(dynamics.mass() * state.v));
+  return 0.5 * (state.u.dot(dynamics.structure().stiffness * state.u) +
+                state.v.dot(dynamics.structure().mass * state.v));
 }
 
 struct Period {

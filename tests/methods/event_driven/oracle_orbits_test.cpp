@@ -185,7 +185,8 @@ TEST(SpringStopOrbits, HaveTheTabulatedMonodromyTraceAndContactTime) {
     const ContactDynamics dynamics(problem);
     EventFlow flow(dynamics, 1e-11, [] { return false; });
     PeriodMap map(flow);
-    const Orbit orbit = newton_orbit(map, found.start(), 1, {.accepted = 1e-9}, [] { return false; });
+    const FixedPoint orbit =
+        find_fixed_point(map, found.start(), 1, {.accepted = 1e-9}, [] { return false; });
     ASSERT_TRUE(orbit.converged) << orbit.reason;
     const auto events = events_of(solution);
     if (events.size() == 2) {  // one contact a period

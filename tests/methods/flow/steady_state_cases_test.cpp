@@ -66,7 +66,7 @@ TEST_P(SteadyState, IsPolishedToAnExactOrbitThatAgreesToo) {
   ASSERT_EQ(marched.verdict, Verdict::converged) << marched.message;
   Problem problem = expected.problem;
   problem.subharmonic = expected.order;
-  const ExactOrbit orbit = find_exact_orbit(problem, *marched.trajectory).orbit;
+  const ExactOrbit orbit = OrbitFinder(problem).find(*marched.trajectory).orbit;
   ASSERT_TRUE(orbit.certified()) << describe(orbit.outcome) << ": " << orbit.reason;
   constexpr double kResolved = 1e-3;  // slower impacts may be summed into the rest of a chatter
   const SteadyStateDifference found = difference(expected, *orbit.trajectory, kResolved);

@@ -10,7 +10,6 @@
 #include "methods/flow/event_trajectory.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
-#include "methods/orbit/modal_green_function.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
@@ -112,14 +111,14 @@ TEST(ExactOrbitSearch, EveryMethodsAnswerLeadsToTheSameOrbit) {
                                test::solve<EventDriven>(problem, {.tolerance = 1e-6})};
   for (const Solution& solution : coarse) {
     ASSERT_EQ(solution.verdict, Verdict::converged);
-    const OrbitSearch found = find_exact_orbit(problem, *solution.trajectory);
+    const OrbitSearch found = OrbitFinder(problem).find(*solution.trajectory);
     ASSERT_EQ(found.orbit.outcome, OrbitOutcome::converged) << found.orbit.reason;
     EXPECT_LT(test::relative_error(*found.orbit.trajectory, [&](double t) { return exact.x(t); }), 1e-11);
     EXPECT_LE(found.orbit.residual, 1e-12);
   }
   // An exact orbit is its own guess.
-  const OrbitSearch first = find_exact_orbit(problem, *coarse[0].trajectory);
-  const OrbitSearch again = find_exact_orbit(problem, *first.orbit.trajectory);
+  const OrbitSearch first = OrbitFinder(problem).find(*coarse[0].trajectory);
+  const OrbitSearch again = OrbitFinder(problem).find(*first.orbit.trajectory);
   EXPECT_EQ(again.attempts, 1);
   EXPECT_LE(again.iterations, 2);
 }
@@ -143,124 +142,6 @@ TEST(ExactOrbitSearch, MasslessContactsAreTheSpringStopsTheyCondenseTo) {
   const Samples a = massless.solution.trajectory->sample(500), b = bilinear.orbit->sample(500);
   EXPECT_LT((a.force - b.force).cwiseAbs().maxCoeff(), 1e-11 * b.force.cwiseAbs().maxCoeff());
   EXPECT_LT((a.x - b.x.cwiseMin(0.2)).cwiseAbs().maxCoeff(), 1e-12);
-}
-
-TEST(ExactOrbitOutcome, PenetrationIsNotAdmissible) {
-  // Without events the answer is the linear response, which reaches beyond the stop.
-  const Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2});
-  OrbitGuess guess{.start = {.time = 0.0,
-                             .state = {.u = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Zero(1)},
-                             .closed = {false}},
-                   .events = {},
-                   .origin = "the test"};
-  const ExactOrbit orbit = polish_orbit(problem, guess);
-  EXPECT_EQ(orbit.outcome, OrbitOutcome::not_admissible);
-  EXPECT_NE(orbit.reason.find("penetrates"), std::string::npos) << orbit.reason;
-  EXPECT_FALSE(orbit.certified());
-}
-
-TEST(ExactOrbitOutcome, AnImpactThatIsNotThereMergesOrFails) {
-  const Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2});
-  const auto found = cold_orbit(problem);
-  ASSERT_TRUE(found.orbit);
-  OrbitGuess guess = found.orbit->orbit();
-  guess.events.push_back(guess.events.back());
-  guess.events.back().time += 1e-3;
-  const ExactOrbit orbit = polish_orbit(problem, guess);
-  EXPECT_FALSE(orbit.certified());
-  EXPECT_FALSE(orbit.reason.empty());
-}
-
-TEST(ExactOrbitOutcome, GrazingIsRecognised) {
-  // Just below the grazing amplitude an orbit of vanishing approach speed coexists with the free motion.
-  constexpr double kGrazing = 0.1;
-  const test::ImpactOscillator o{
-      .damping = 0.1, .load = kGrazing * (1.0 - 1e-9), .frequency = 1.0, .gap = 1.0, .restitution = 0.8};
-  const auto orbits = test::single_impact_orbits(o);
-  ASSERT_EQ(orbits.size(), 2U);
-  ASSERT_LT(orbits[1].approach, 1e-4);
-  const Problem problem = test::to_problem(o);
-  const auto& slow = orbits[1];
-  const double section = slow.impact_time + 0.5 * slow.period;
-  OrbitGuess guess{.start = {.time = section,
-                             .state = {.u = Eigen::VectorXd::Constant(1, slow.x(section)),
-                                       .v = Eigen::VectorXd::Constant(1, slow.velocity(section))},
-                             .closed = {false}},
-                   .events = {{.kind = ContactEvent::Kind::impact,
-                               .contact = 0,
-                               .time = slow.impact_time + slow.period,
-                               .pushed = {0},
-                               .restitution = {0.8},
-                               .closed = {false}}},
-                   .origin = "the closed form"};
-  PolishOptions options;
-  options.grazing = 1e-3;
-  const ExactOrbit orbit = polish_orbit(problem, guess, options);
-  EXPECT_EQ(orbit.outcome, OrbitOutcome::grazing) << orbit.reason;
-  EXPECT_EQ(orbit.multipliers.size(), 0);
-}
-
-TEST(ExactOrbitOutcome, UndampedResonanceHasNoOrbit) {
-  const Problem problem = test::to_problem({.damping = 0.0, .frequency = 1.0, .gap = 50.0});
-  OrbitGuess guess{.start = {.time = 0.0,
-                             .state = {.u = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Zero(1)},
-                             .closed = {false}},
-                   .events = {},
-                   .origin = "the test"};
-  const ExactOrbit orbit = polish_orbit(problem, guess);
-  EXPECT_FALSE(orbit.certified());
-  EXPECT_FALSE(orbit.reason.empty());
-}
-
-TEST(ExactOrbitErrorBar, CoversTheSecondEvaluation) {
-  for (const Problem& problem :
-       {test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2}), test::stopped_chain(4, 0.5, 2, 1.3),
-        test::penalty_oscillator(1e4),
-        test::to_problem({.damping = 0.1, .frequency = 0.4, .gap = 0.0, .restitution = 0.0})}) {
-    const auto found = cold_orbit(problem);
-    ASSERT_TRUE(found.orbit) << found.solution.message;
-    PolishOptions options;
-    options.second_evaluation = true;
-    const ExactOrbit twice = polish_orbit(problem, found.orbit->orbit(), options);
-    ASSERT_TRUE(twice.certified());
-    // It may only widen the bar; a polish from the solution itself leaves the same noise but for a few
-    // digits.
-    EXPECT_GE(twice.error_bar, twice.amplification * twice.attainable);
-    EXPECT_LT(twice.error_bar, 1e-10);
-    EXPECT_LT(test::relative_distance(*twice.trajectory, *found.orbit),
-              10.0 * (twice.error_bar + found.orbit->quality().error_bar));
-  }
-}
-
-TEST(ModalGreenFunction, IsTheClosedFormOfOneMass) {
-  const Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2});
-  const double T = problem.period(), wd = std::sqrt(1.0 - 0.05 * 0.05);
-  const ContactDynamics dynamics(problem);
-  const ModalGreenFunction green(dynamics, T);
-  ASSERT_TRUE(green.defined());
-  const std::complex<double> mu(-0.05, wd);
-  for (const double tau : {0.0, 0.3, 1.7, 2.8}) {
-    EXPECT_NEAR(green.at(0, 0, tau), (std::exp(mu * tau) / (1.0 - std::exp(mu * T))).imag() / wd, 1e-13);
-    EXPECT_NEAR(green.at(0, 0, tau, 1), (mu * std::exp(mu * tau) / (1.0 - std::exp(mu * T))).imag() / wd,
-                1e-13);
-  }
-  EXPECT_NEAR(green.at(0, 0, 0.0, 1) - green.at(0, 0, T - 1e-9, 1), 1.0, 1e-8);  // the jump 1 / m
-}
-
-TEST(ModalGreenFunction, SumsUpToTheExactOrbitsOfChains) {
-  for (const double e : {0.4, 0.9}) {
-    const Problem problem = test::stopped_chain(4, e, 2, 1.3);
-    const auto found = cold_orbit(problem);
-    ASSERT_TRUE(found.orbit) << found.solution.message;
-    const ContactDynamics dynamics(problem);
-    const ModalGreenFunction green(dynamics, problem.period());
-    for (int i = 0; i < 50; ++i) {
-      const double t = problem.period() * (i + 0.3) / 50;
-      const State a = green.state(t, found.orbit->impulses()), b = found.orbit->at(t);
-      EXPECT_LT((a.u - b.u).norm(), 1e-11 * (1.0 + b.u.norm()));
-      EXPECT_LT((a.v - b.v).norm(), 1e-11 * (1.0 + b.v.norm()));
-    }
-  }
 }
 
 }  // namespace

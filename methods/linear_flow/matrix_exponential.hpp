@@ -1,4 +1,5 @@
 #pragma once
+// The exponential of a matrix.
 
 #include <Eigen/Core>
 

@@ -1,4 +1,4 @@
-#include "methods/flow/contact_dynamics.hpp"
+#include "methods/linear_flow/contact_dynamics.hpp"
 
 #include <gtest/gtest.h>
 

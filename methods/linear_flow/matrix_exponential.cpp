@@ -1,4 +1,4 @@
-#include "methods/flow/matrix_exponential.hpp"
+#include "methods/linear_flow/matrix_exponential.hpp"
 
 #include <unsupported/Eigen/MatrixFunctions>
 

@@ -1,4 +1,5 @@
 #pragma once
+// A structure in the coordinates of its energy, in which no free motion grows on its way.
 
 #include <Eigen/Core>
 

@@ -1,4 +1,4 @@
-#include "methods/flow/energy_form.hpp"
+#include "methods/linear_flow/energy_form.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -16,6 +16,8 @@ EnergyForm::EnergyForm(const ExtendedMatrix& M, const ExtendedMatrix& D, const E
     return ExtendedMatrix(mass.matrixL().solve(ExtendedMatrix(half.transpose())).transpose());
   };
   const ExtendedMatrix stiffness = transformed(K);
+  // The shift s^2 keeps E regular where K is not, at a rigid-body motion, and costs nothing elsewhere: s is a
+  // rate of motions that matter, so that e and z' stay of one size in them.
   const Eigen::LLT<ExtendedMatrix> energy(stiffness + s * s * identity);
   definite = mass.info() == Eigen::Success && energy.info() == Eigen::Success;
   E = definite ? ExtendedMatrix(energy.matrixL()) : ExtendedMatrix(s * identity);

@@ -1,9 +1,10 @@
 #pragma once
+// The complex modes of a damped structure, proportional damping or not.
 
 #include <Eigen/Core>
 #include <optional>
 
-#include "methods/flow/energy_form.hpp"
+#include "methods/linear_flow/energy_form.hpp"
 
 namespace signorini {
 

@@ -1,7 +1,5 @@
 // The closed-form flow against the equation of motion, closed forms, and CVODE.
 
-#include "methods/flow/linear_flow.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -12,6 +10,9 @@
 #include "methods/event_driven/event_driven.hpp"
 #include "methods/flow/flow.hpp"
 #include "methods/flow/rigid_events.hpp"
+#include "methods/linear_flow/exponential_flow.hpp"
+#include "methods/linear_flow/linear_flows.hpp"
+#include "methods/linear_flow/modal_flow.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
@@ -33,7 +34,7 @@ double defect(const ContactDynamics& dynamics, const LinearArc& arc, double from
     arc.state(t, state);
     Eigen::VectorXd a, expected(dynamics.size());
     arc.acceleration(t, a);
-    dynamics.acceleration(arc.flow().mode(), t, state.u, state.v, expected);
+    dynamics.acceleration(arc.mode(), t, state.u, state.v, expected);
     worst = std::max(worst, (a - expected).lpNorm<Eigen::Infinity>());
     scale = std::max(scale, expected.lpNorm<Eigen::Infinity>());
   }
@@ -49,8 +50,9 @@ void expect_flow(const Problem& problem, const std::vector<bool>& closed, FlowFo
   State start = random_state(dynamics.size());
   const RigidEvents events(dynamics, 1e-12);
   if (dynamics.rigid()) events.hold(start, flow.mode());
-  LinearArc arc;
-  arc.start(flow, 0.3, start);
+  const std::unique_ptr<LinearArc> motion_of_start = flow.arc();
+  LinearArc& arc = *motion_of_start;
+  arc.start(0.3, start);
   State state;
   arc.state(0.3, state);
   EXPECT_LT((state.u - start.u).norm() + (state.v - start.v).norm(), 1e-13 * (1.0 + start.v.norm()));
@@ -63,7 +65,7 @@ void expect_flow(const Problem& problem, const std::vector<bool>& closed, FlowFo
     EXPECT_NEAR(arc.force(j, 1.7), motion.lambda(j, 0), 1e-12 * scale);
     EXPECT_NEAR(arc.force(j, 1.7, 1), motion.lambda(j, 1), 1e-11 * scale);
     for (int k = 0; k <= 3; ++k) {
-      const double x = dynamics.directions().col(j).dot(motion.u.col(k));
+      const double x = dynamics.structure().directions.col(j).dot(motion.u.col(k));
       EXPECT_NEAR(arc.displacement(j, 1.7, k), x, 1e-11 * (1.0 + motion.u.col(k).cwiseAbs().maxCoeff()));
     }
   }
@@ -72,11 +74,11 @@ void expect_flow(const Problem& problem, const std::vector<bool>& closed, FlowFo
   moved.u += 0.1 * random_state(dynamics.size()).v;
   moved.v -= 0.2 * random_state(dynamics.size()).u;
   if (dynamics.rigid()) events.hold(moved, flow.mode());
-  LinearArc other;
-  other.start(flow, 0.3, moved);
+  const std::unique_ptr<LinearArc> other = flow.arc();
+  other->start(0.3, moved);
   State end, other_end;
   arc.state(2.5, end);
-  other.state(2.5, other_end);
+  other->state(2.5, other_end);
   const int n = dynamics.size();
   Eigen::VectorXd before(2 * n), after(2 * n);
   before << moved.u - start.u, moved.v - start.v;
@@ -106,7 +108,8 @@ TEST(LinearFlow, TakesTheExponentialWhereModesFail) {
                                  test::ImpactOscillator{.damping = 0.0, .frequency = 1.0}}) {
     const Problem problem = test::to_problem(oscillator);
     const ContactDynamics dynamics(problem);
-    EXPECT_FALSE(LinearFlow(dynamics, dynamics.mode({false})).modal());
+    const auto flow = linear_flow(dynamics, dynamics.mode({false}));
+    EXPECT_NE(dynamic_cast<const ExponentialFlow*>(flow.get()), nullptr);
     expect_flow(problem, {false}, FlowForm::automatic, "degenerate");
   }
 }
@@ -116,9 +119,9 @@ TEST(LinearFlow, ResonanceGrowsLinearly) {
   const Problem problem = test::to_problem({.damping = 0.0, .frequency = 1.0});
   const ContactDynamics dynamics(problem);
   LinearFlows flows(dynamics);
-  LinearArc arc;
-  arc.start(flows.of({false}), 0.0, {.u = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Zero(1)});
-  for (const double t : {0.5, 3.0, 20.0}) EXPECT_NEAR(arc.displacement(0, t), 0.5 * t * std::sin(t), 1e-12);
+  const std::unique_ptr<LinearArc> arc = flows.of({false}).arc();
+  arc->start(0.0, {.u = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Zero(1)});
+  for (const double t : {0.5, 3.0, 20.0}) EXPECT_NEAR(arc->displacement(0, t), 0.5 * t * std::sin(t), 1e-12);
 }
 
 // u of an impulse J on m x'' + d x' + k x = 0 at rest, a time s ago.
@@ -135,7 +138,7 @@ TEST(LinearFlow, AddsTheResponsesToImpulses) {
                                       {.contact = 0, .time = 9.0, .value = 4.0}};
   const double expected = struck(one, -1.5, 0.7) + struck(one, 4.0, 9.0);
   for (const FlowForm form : {FlowForm::automatic, FlowForm::exponential}) {
-    const State state = LinearFlow(dynamics, dynamics.mode({false}), form).response(impulses);
+    const State state = linear_flow(dynamics, dynamics.mode({false}), form)->response(impulses);
     EXPECT_NEAR(state.u[0], expected, 1e-13);
     const double h = 1e-5;
     const double difference = (struck(one, -1.5, 0.7 + h) + struck(one, 4.0, 9.0 + h) -
@@ -153,14 +156,14 @@ TEST(LinearFlow, TheExponentialOfAStiffStructureIsThatOfItsModes) {
     Problem stiff = problem;
     stiff.edit_structure([&](Structure& s) { s.stiffness.coeffRef(0, 0) += stiffer; });
     const ContactDynamics dynamics(stiff);
-    const LinearFlow modal(dynamics, dynamics.mode({false})),
-        exponential(dynamics, dynamics.mode({false}), FlowForm::exponential);
-    ASSERT_TRUE(modal.modal());
-    ASSERT_FALSE(exponential.modal());
-    const Eigen::MatrixXd expected = modal.transition(5.0);
+    const auto modal = linear_flow(dynamics, dynamics.mode({false}));
+    const auto exponential = linear_flow(dynamics, dynamics.mode({false}), FlowForm::exponential);
+    ASSERT_NE(dynamic_cast<const ModalFlow*>(modal.get()), nullptr);
+    ASSERT_NE(dynamic_cast<const ExponentialFlow*>(exponential.get()), nullptr);
+    const Eigen::MatrixXd expected = modal->transition(5.0);
     // The phase of the fastest motion, sqrt(stiffer) t, is known to its rounding only.
     const double rounding = 1e-13 * (1.0 + 5.0 * std::sqrt(stiffer));
-    EXPECT_LT((exponential.transition(5.0) - expected).norm(), rounding * expected.norm()) << stiffer;
+    EXPECT_LT((exponential->transition(5.0) - expected).norm(), rounding * expected.norm()) << stiffer;
   }
 }
 
@@ -170,17 +173,18 @@ TEST(LinearArc, ModesBoundTheStepsUntilTheyFade) {
   LinearFlows flows(dynamics);
   const LinearFlow& flow = flows.of({false});
   const auto forced = [&](double t) {
-    LinearArc arc;
+    const std::unique_ptr<LinearArc> arc = flow.arc();
     State steady;
-    arc.start(flow, -1e4, {.u = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Zero(1)});
-    arc.state(t, steady);
+    arc->start(-1e4, {.u = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Zero(1)});
+    arc->state(t, steady);
     return steady;
   };
   State start = forced(0.0);
   const double share = 1e-3;  // of X, by which the free motion starts away from the steady one
   start.u[0] += share * dynamics.scales().displacement;
-  LinearArc arc;
-  arc.start(flow, 0.0, start);
+  const std::unique_ptr<LinearArc> motion = flow.arc();
+  LinearArc& arc = *motion;
+  arc.start(0.0, start);
   const double floor = 1e-9;
   const std::vector<FadingRate> terms = arc.fading_rates(floor);
   ASSERT_EQ(terms.size(), 2U);
@@ -198,9 +202,9 @@ TEST(LinearArc, ModesBoundTheStepsUntilTheyFade) {
 TEST(LinearArc, UndampedModesNeverFade) {
   const ContactDynamics dynamics(test::to_problem({.damping = 0.0, .stiffness = 400.0, .frequency = 1.5}));
   LinearFlows flows(dynamics);
-  LinearArc arc;
-  arc.start(flows.of({false}), 0.0, {.u = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)});
-  EXPECT_EQ(fastest_left(arc.fading_rates(1e-9), 1e9), 20.0);
+  const std::unique_ptr<LinearArc> arc = flows.of({false}).arc();
+  arc->start(0.0, {.u = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)});
+  EXPECT_EQ(fastest_left(arc->fading_rates(1e-9), 1e9), 20.0);
 }
 
 // One period of both flows through impacts, sticking and springs.

@@ -1,4 +1,4 @@
-#include "methods/flow/complex_modes.hpp"
+#include "methods/linear_flow/complex_modes.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -23,6 +23,7 @@ std::optional<ComplexModes> modes_in(const EnergyForm& form) {
   const auto in_precision = [](const ExtendedMatrix& A) {
     return ComplexMatrix(A.cast<std::complex<Real>>());
   };
+  // Rows of V^-1 are the left vectors: amplitudes are V^-1 (e, z'), and (e, z') = (E^T L^T q, L^T q').
   const ComplexMatrix V = solver.eigenvectors();
   const ComplexMatrix inverse = V.partialPivLu().inverse();
   const ComplexMatrix shapes = in_precision(form.q_of_z * form.z_of_e) * V.topRows(n);
@@ -31,6 +32,7 @@ std::optional<ComplexModes> modes_in(const EnergyForm& form) {
   const ComplexMatrix of_load = inverse.rightCols(n) * in_precision(form.q_of_z.transpose());
   std::vector<Eigen::Index> kept;
   for (Eigen::Index k = 0; k < 2 * n; ++k) {
+    // |v_k| |w_k| with w_k v_k = 1 is the condition of the eigenvalue and bounds what cancels in its mode.
     const Real condition = V.col(k).norm() * inverse.row(k).norm();
     if (!(condition < static_cast<Real>(kIllConditioned))) return std::nullopt;
     if (solver.eigenvalues()[k].imag() >= Real(0)) kept.push_back(k);

@@ -1,0 +1,170 @@
+#include "methods/flow/state_stretch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "methods/solvers/constants.hpp"
+
+namespace signorini {
+
+namespace {
+
+Eigen::VectorXd packed(const State& state) {
+  Eigen::VectorXd y(2 * state.u.size());
+  y << state.u, state.v;
+  return y;
+}
+
+State unpacked(const Eigen::VectorXd& y) {
+  const Eigen::Index n = y.size() / 2;
+  return {.u = y.head(n), .v = y.tail(n)};
+}
+
+}  // namespace
+
+void StateStretch::state(double time, State& state) const {
+  evaluate(time, y_);
+  state = unpacked(y_);
+}
+
+Guard StateStretch::guard(int contact, double time) const {
+  // A rigid stop's gap needs neither its force nor those of the others.
+  if (!dynamics_.rigid() || mode_->closed(contact)) return guards(time)[static_cast<std::size_t>(contact)];
+  evaluate(time, y_);
+  const Eigen::Index n = y_.size() / 2;
+  const FlowStructure& structure = dynamics_.structure();
+  const auto w = structure.directions.col(contact);
+  return {.value = structure.gaps[contact] - w.dot(y_.head(n)), .rate = -w.dot(y_.tail(n))};
+}
+
+std::vector<Guard> StateStretch::guards(double time) const {
+  evaluate(time, y_);
+  const Eigen::Index n = y_.size() / 2;
+  const FlowStructure& structure = dynamics_.structure();
+  const int contacts = structure.contact_count();
+  Eigen::VectorXd x = structure.unloaded(time, y_.head(n), 0), v = structure.unloaded(time, y_.tail(n), 1);
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(contacts), rate = force;  // lambda, d lambda / dt
+  if (!mode_->active.empty()) dynamics_.stops().forces(*mode_, time, unpacked(y_), x, v, force, rate);
+  std::vector<Guard> result(static_cast<std::size_t>(contacts));
+  for (int j = 0; j < contacts; ++j) {
+    result[static_cast<std::size_t>(j)] = {.value = structure.gaps[j] - x[j], .rate = -v[j]};
+  }
+  for (const int j : mode_->active) {
+    const double unit = dynamics_.stops().coupling()(j, j);
+    result[static_cast<std::size_t>(j)] = {.value = -unit * force[j], .rate = -unit * rate[j]};
+  }
+  return result;
+}
+
+FlowNode StateStretch::node(double time, const State& state) const {
+  const MotionDerivatives motion = dynamics_.derivatives(*mode_, time, state, kNodeOrder + 2);
+  return {.time = time, .x = motion.x, .lambda = motion.lambda.leftCols(kNodeOrder)};
+}
+
+namespace {
+
+double local_tolerance(double tolerance) {
+  constexpr double kShare = 0.01, kFloor = 1e-13;
+  return std::max(kShare * tolerance, kFloor);
+}
+
+Eigen::VectorXd absolute_tolerances(const ContactDynamics& dynamics, double tolerance) {
+  Eigen::VectorXd result(2 * dynamics.size());
+  result.head(dynamics.size()).setConstant(tolerance * dynamics.scales().displacement);
+  result.tail(dynamics.size()).setConstant(tolerance * dynamics.scales().velocity);
+  return result;
+}
+
+}  // namespace
+
+CvodeStretch::CvodeStretch(const ContactDynamics& dynamics, double tolerance)
+    : StateStretch(dynamics),
+      noise_(std::max(0.01 * tolerance, 64.0 * kEpsilon)),
+      session_(local_tolerance(tolerance), absolute_tolerances(dynamics, local_tolerance(tolerance)),
+               [this](double time, const Eigen::Ref<const Eigen::VectorXd>& y,
+                      Eigen::Ref<Eigen::VectorXd> rate) {
+                 const Eigen::Index n = y.size() / 2;
+                 rate.head(n) = y.tail(n);
+                 dynamics_.acceleration(*mode_, time, y.head(n), y.tail(n), rate.tail(n));
+               }) {}
+
+void CvodeStretch::start(const ContactMode& mode, const FlowState& flow, double end, bool) {
+  constexpr double kStepsPerPeriod = 16;
+  mode_ = &mode;
+  begin_ = end_ = flow.time;
+  stop_ = end;
+  const FlowStructure& structure = dynamics_.structure();
+  first_ = packed(flow.state);
+  stepped_ = false;
+  session_.start(flow.time, first_, end,
+                 structure.forcing_period / (kStepsPerPeriod * structure.highest_harmonic));
+}
+
+void CvodeStretch::step() {
+  session_.step();
+  stepped_ = true;
+  begin_ = session_.previous_time();
+  end_ = session_.time();
+}
+
+void CvodeStretch::evaluate(double time, Eigen::VectorXd& y) const {
+  if (stepped_) {
+    session_.interpolate(time, y);
+  } else {
+    y = first_;
+  }
+  if (!y.allFinite()) throw FlowError("the motion is no longer finite");
+}
+
+namespace {
+
+constexpr int kTaylorOrder = 12;
+constexpr double kTaylorAngle = 0.3;  // radians of the fastest rate covered: 0.3^13 / 13! is round-off
+
+}  // namespace
+
+double TaylorStretch::noise() const { return 64.0 * kEpsilon; }
+
+// Length of the Taylor step that covers the next rebound of a contact that has just left its stop;
+// 0 if there is none short enough. With the acceleration a towards the stop a flight lasts -2 v / a.
+double TaylorStretch::short_flight(const FlowState& flow, const MotionDerivatives& motion) const {
+  constexpr double kMargin = 1.5;
+  const FlowStructure& structure = dynamics_.structure();
+  const double longest = kTaylorAngle / structure.fastest_rate;
+  double length = 0.0;
+  for (int j = 0; j < dynamics_.contact_count(); ++j) {
+    const auto w = structure.directions.col(j);
+    const double gap = structure.gaps[j] - w.dot(flow.state.u);
+    const double v = w.dot(flow.state.v), a = w.dot(motion.u.col(2));
+    if (flow.closed[static_cast<std::size_t>(j)] || gap > touch_ || !(v < 0.0) || !(a > 0.0)) continue;
+    const double flight = -2.0 * kMargin * v / a;
+    if (flight <= longest && (length == 0.0 || flight < length)) length = flight;
+  }
+  return length;
+}
+
+bool TaylorStretch::applies(const ContactMode& mode, const FlowState& flow) const {
+  return short_flight(flow, dynamics_.derivatives(mode, flow.time, flow.state, 2)) > 0.0;
+}
+
+void TaylorStretch::start(const ContactMode& mode, const FlowState& flow, double end, bool) {
+  mode_ = &mode;
+  motion_ = dynamics_.derivatives(mode, flow.time, flow.state, kTaylorOrder + 1);
+  begin_ = flow.time;
+  end_ = std::min(end, begin_ + short_flight(flow, motion_));
+}
+
+void TaylorStretch::evaluate(double time, Eigen::VectorXd& y) const {
+  const double s = time - begin_;
+  const Eigen::Index n = dynamics_.size();
+  y.resize(2 * n);
+  y.head(n) = motion_.u.col(kTaylorOrder);
+  y.tail(n) = motion_.u.col(kTaylorOrder + 1);
+  for (int k = kTaylorOrder; k >= 1; --k) {
+    y.head(n) = motion_.u.col(k - 1) + s / k * y.head(n);
+    y.tail(n) = motion_.u.col(k) + s / k * y.tail(n);
+  }
+}
+
+}  // namespace signorini

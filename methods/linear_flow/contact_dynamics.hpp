@@ -1,0 +1,69 @@
+#pragma once
+// Equations of motion of a contact scene while the set of closed contacts does not change.
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "methods/linear_flow/flow_structure.hpp"
+#include "methods/linear_flow/stops.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// Between events the motion of the coordinates with mass obeys the linear equation of FlowStructure with
+/// lambda_j = 0 at open contacts and, at closed ones, the force of their stops (Stops).
+class ContactDynamics {
+ public:
+  /// \throws std::runtime_error with flow_obstacle(problem) if there is one
+  explicit ContactDynamics(const Problem& problem);
+
+  [[nodiscard]] const FlowStructure& structure() const { return *structure_; }
+  [[nodiscard]] const Stops& stops() const { return *stops_; }
+  /// Nd: coordinates with mass, in the order of the scene's.
+  [[nodiscard]] int size() const { return structure_->size(); }
+  [[nodiscard]] int contact_count() const { return structure_->contact_count(); }  ///< Nc
+  [[nodiscard]] const MotionScales& scales() const { return structure_->scales; }
+  /// False where the stops are compliant.
+  [[nodiscard]] bool rigid() const { return stops_->rigid(); }
+  [[nodiscard]] double restitution() const { return restitution_; }  ///< e [-]; 1 without a law
+  /// The state of the coordinates with mass out of that of all.
+  [[nodiscard]] State with_mass(const State& whole) const {
+    return {.u = whole.u(structure_->kept), .v = whole.v(structure_->kept)};
+  }
+  /// Unit of lambda_j in tolerances: X / C_jj, or the acceleration scale over G_jj at a rigid stop [N].
+  [[nodiscard]] double force_scale(int contact) const;
+
+  /// The mode in which exactly the contacts with closed[j] are closed.
+  [[nodiscard]] ContactMode mode(const std::vector<bool>& closed) const;
+
+  /// u'' in a mode; `u`, `v`, `a` are Nd. Allocation apart, free of side effects.
+  void acceleration(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& u,
+                    const Eigen::Ref<const Eigen::VectorXd>& v, Eigen::Ref<Eigen::VectorXd> a) const;
+
+  /// Derivatives 0..order (>= 2) of u and 0..order-2 of x and lambda, exact from the equation of motion.
+  [[nodiscard]] MotionDerivatives derivatives(const ContactMode& mode, double time, const State& state,
+                                              int order) const;
+
+  /// The 2 Nd x 2 Nd matrix B of the homogeneous flow (u, v)' = B (u, v) in a mode.
+  [[nodiscard]] Eigen::MatrixXd flow_matrix(const ContactMode& mode) const;
+
+ private:
+  void prepare_small();
+
+  // Terms of M^-1 f(t) of one harmonic.
+  struct LoadRate {
+    double rate = 0.0;         // h omega [rad/s]
+    Eigen::VectorXd cos, sin;  // M^-1 times the amplitudes, Nd
+  };
+
+  std::shared_ptr<const FlowStructure> structure_;
+  std::shared_ptr<const Stops> stops_;
+  double restitution_ = 1.0;
+  // Small structures: M^-1 K, M^-1 D and M^-1 f are formed once, so that an evaluation allocates nothing.
+  bool small_ = false;
+  Eigen::MatrixXd inverse_mass_stiffness_, inverse_mass_damping_;
+  std::vector<LoadRate> inverse_mass_load_;
+};
+
+}  // namespace signorini

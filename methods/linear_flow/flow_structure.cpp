@@ -1,0 +1,138 @@
+#include "methods/linear_flow/flow_structure.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "methods/structure/condensation.hpp"
+#include "methods/structure/dynamic_stiffness.hpp"
+
+namespace signorini {
+
+namespace {
+
+// Re sum_h A_h (i r_h)^order e^{i r_h time}.
+Eigen::VectorXd wave_derivative(const Eigen::MatrixXcd& amplitudes, const std::vector<double>& rates,
+                                double time, int order) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(amplitudes.rows());
+  for (std::size_t h = 0; h < rates.size(); ++h) {
+    if (rates[h] == 0.0 && order > 0) continue;
+    const double angle = rates[h] * time + 0.5 * std::numbers::pi * order;
+    const double factor = order == 0 ? 1.0 : std::pow(rates[h], order);
+    const auto column = amplitudes.col(static_cast<Eigen::Index>(h));
+    sum += factor * (std::cos(angle) * column.real() - std::sin(angle) * column.imag());
+  }
+  return sum;
+}
+
+}  // namespace
+
+FlowStructure::FlowStructure(const Problem& problem)
+    : gaps(contact_gaps(problem)),
+      frequency(problem.frequency),
+      forcing_period(problem.forcing_period()),
+      highest_harmonic(std::max(1, highest_load_harmonic(problem))) {
+  CondensedStructure condensed = condense(problem);
+  if (!condensed.obstacle.empty()) throw std::runtime_error(condensed.obstacle);
+  kept = std::move(condensed.kept);
+  mass = std::move(condensed.mass);
+  damping = std::move(condensed.damping);
+  stiffness = std::move(condensed.stiffness);
+  directions = std::move(condensed.directions);
+  massless_compliance = condensed.compliance;
+  compliance = std::move(condensed.compliance);
+  rates = std::move(condensed.rates);
+  load = std::move(condensed.load);
+  shift = std::move(condensed.shift);
+  factors.compute(mass);
+  if (factors.info() != Eigen::Success) throw std::runtime_error(flow_obstacle(problem));
+  if (const auto* law = std::get_if<Penalty>(&problem.law)) {
+    const auto k = Eigen::VectorXd::Map(law->stiffness.data(), contact_count());
+    compliance.diagonal() += k.cwiseInverse();
+  }
+  velocity_per_impulse = factors.solve(directions);
+  delassus = directions.transpose() * velocity_per_impulse;
+  measure_rates();
+  measure_scales(problem);
+}
+
+Eigen::VectorXd FlowStructure::load_at(double time) const { return wave_derivative(load, rates, time, 0); }
+
+Eigen::VectorXd FlowStructure::free_force(double time, const Eigen::MatrixXd& u, int k) const {
+  return wave_derivative(load, rates, time, k) - stiffness * u.col(k) - damping * u.col(k + 1);
+}
+
+Eigen::VectorXd FlowStructure::unloaded(double time, const Eigen::Ref<const Eigen::VectorXd>& u,
+                                        int order) const {
+  return directions.transpose() * u + wave_derivative(shift, rates, time, order);
+}
+
+// Power iteration; the factor covers its slow last digits. An estimate is enough: it only sizes steps.
+void FlowStructure::measure_rates() {
+  constexpr int kIterations = 40;
+  constexpr double kMargin = 1.1;
+  const auto largest = [&](const SparseMatrix& A) {
+    Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(size(), 1.0, 2.0);
+    for (int i = 1; i < size(); i += 2) x[i] = -x[i];  // the fastest modes alternate in sign
+    double value = 0.0;
+    for (int k = 0; k < kIterations && x.norm() > 0.0; ++k) {
+      x.normalize();
+      x = factors.solve(A * x);
+      value = x.norm();
+    }
+    return value;
+  };
+  fastest_rate = std::max(
+      {kMargin * std::sqrt(largest(stiffness)), kMargin * largest(damping), highest_harmonic * frequency});
+}
+
+namespace {
+
+// Largest coordinate of the contact-free periodic response [m]; infinite at an undamped resonance.
+double linear_amplitude(const Problem& problem) {
+  Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(problem.size());
+  DynamicStiffness stiffness(problem);
+  for (int h = 0; h <= highest_load_harmonic(problem); ++h) {
+    const Eigen::VectorXcd load = load_harmonic(problem, h);
+    if (load.isZero(0.0)) continue;
+    try {
+      stiffness.factorise(exact_weights(h * problem.frequency));
+      amplitude += stiffness.solve(load).cwiseAbs().col(0);
+    } catch (const std::runtime_error&) {
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+  return amplitude.size() == 0 ? 0.0 : amplitude.maxCoeff();
+}
+
+// What the load moves without help from a resonance: |f_i| / (K_ii + (h omega)^2 M_ii) [m].
+double forced_amplitude(const Problem& problem) {
+  Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(problem.size());
+  const Eigen::VectorXd k = problem.stiffness().diagonal(), m = problem.mass().diagonal();
+  for (const ForceTerm& term : problem.force) {
+    const double w = std::max(1, term.harmonic) * problem.frequency;
+    amplitude[term.dof] += std::hypot(term.cos, term.sin) / (k[term.dof] + w * w * m[term.dof]);
+  }
+  return amplitude.maxCoeff();
+}
+
+}  // namespace
+
+void FlowStructure::measure_scales(const Problem& problem) {
+  constexpr double kResonance = 1e6;  // beyond this the linear response is only the round-off of a resonance
+  const double linear = linear_amplitude(problem);
+  const double gap = gaps.size() == 0 ? 0.0 : gaps.cwiseAbs().maxCoeff();
+  const double limited = std::max(gap, forced_amplitude(problem));
+  const bool usable =
+      linear > 0.0 && linear <= kResonance * limited && (contact_count() == 0 || linear < limited);
+  double X = usable ? linear : limited;
+  if (!(X > 0.0) || !std::isfinite(X)) X = 1.0;  // nothing moves: any unit will do
+  scales = {.displacement = X, .velocity = frequency * X, .acceleration = fastest_rate * frequency * X};
+}
+
+}  // namespace signorini

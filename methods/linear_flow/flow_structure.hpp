@@ -1,0 +1,66 @@
+#pragma once
+// The structure that a flow moves: coordinates with mass, their load, and the contacts as they see them.
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <vector>
+
+#include "methods/structure/state.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// Magnitudes that the tolerances of the integration and of the periodicity refer to.
+struct MotionScales {
+  double displacement =
+      1.0;                ///< X [m]: of the linear response, or of the gap and the forced motion if smaller
+  double velocity = 1.0;  ///< V = omega X [m/s]
+  double acceleration = 1.0;  ///< omega_max V [m/s^2]
+};
+
+/// The condensed structure (`condense`) of a scene, its mass factorised:
+///
+///     M u'' + D u' + K u = f(t) + W lambda,    x = W^T u + s(t) + C_0 lambda <= g,    lambda <= 0,
+///
+/// f(t) = Re sum_h f_h e^{i r_h t} and s(t) likewise, over the rates r_h of the harmonics present.
+class FlowStructure {
+ public:
+  /// \throws std::runtime_error with flow_obstacle(problem) if there is one
+  explicit FlowStructure(const Problem& problem);
+
+  [[nodiscard]] int size() const { return static_cast<int>(directions.rows()); }           ///< Nd
+  [[nodiscard]] int contact_count() const { return static_cast<int>(directions.cols()); }  ///< Nc
+  /// f, Nd [N].
+  [[nodiscard]] Eigen::VectorXd load_at(double time) const;
+  /// k-th time derivative of f - K u - D u', Nd [N / s^k]; column i of `u` is the i-th derivative of u.
+  [[nodiscard]] Eigen::VectorXd free_force(double time, const Eigen::MatrixXd& u, int k) const;
+  /// order-th time derivative of W^T u + s, the contact displacements without contact forces, from that of
+  /// u, Nc [m / s^order].
+  [[nodiscard]] Eigen::VectorXd unloaded(double time, const Eigen::Ref<const Eigen::VectorXd>& u,
+                                         int order) const;
+
+  std::vector<int> kept;                       ///< coordinates of the scene that carry mass, Nd of them
+  SparseMatrix mass, damping, stiffness;       ///< M, D, K [kg] [N s/m] [N/m]
+  Eigen::SimplicialLLT<SparseMatrix> factors;  ///< of M
+  std::vector<double> rates;                   ///< r_h, ascending, 0 always the first [rad/s]
+  Eigen::MatrixXcd load;                       ///< f_h, Nd x Nh [N]
+  Eigen::MatrixXcd shift;                      ///< s_h, Nc x Nh [m]
+  Eigen::MatrixXd directions;                  ///< W, Nd x Nc [-]
+  Eigen::MatrixXd velocity_per_impulse;        ///< M^-1 W, Nd x Nc [1/kg]
+  Eigen::MatrixXd delassus;                    ///< G = W^T M^-1 W, Nc x Nc [1/kg]
+  Eigen::MatrixXd compliance;                  ///< C = C_0 + diag(1 / k) of springs, Nc x Nc [m/N]
+  Eigen::MatrixXd massless_compliance;         ///< C_0, by which a force moves the contacts at once [m/N]
+  Eigen::VectorXd gaps;                        ///< g, Nc [m]
+  double frequency = 1.0;                      ///< omega [rad/s]
+  double forcing_period = 1.0;                 ///< 2 pi / omega [s]
+  int highest_harmonic = 1;                    ///< of the load, at least 1
+  /// Upper estimate of the fastest rate of structure and load, max(sqrt(K/M), D/M, h omega) [rad/s].
+  double fastest_rate = 1.0;
+  MotionScales scales;  ///< of the motions to expect
+
+ private:
+  void measure_rates();
+  void measure_scales(const Problem& problem);
+};
+
+}  // namespace signorini

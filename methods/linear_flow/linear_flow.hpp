@@ -1,0 +1,87 @@
+#pragma once
+// The exact flow of a contact scene while the set of closed contacts does not change.
+
+#include <Eigen/Core>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "methods/linear_flow/mode_equations.hpp"
+#include "methods/solution.hpp"
+
+namespace signorini {
+
+/// A term of a motion that oscillates or decays, and how long it matters.
+struct FadingRate {
+  double rate = 0.0;   ///< |mu_k| or h omega [rad/s]
+  double until = 0.0;  ///< [s]
+};
+
+/// Largest rate that still matters at a time; `terms` as `LinearArc::fading_rates` gives them [rad/s].
+double fastest_left(const std::vector<FadingRate>& terms, double time);
+
+/// One motion of a flow, which must outlive it. Evaluations share a cache of the last instant, so that one
+/// arc belongs to one thread.
+class LinearArc {
+ public:
+  virtual ~LinearArc() = default;
+
+  /// Makes this the motion through `state` at `time`.
+  virtual void start(double time, const State& state) = 0;
+  /// The terms of the motion, fastest first, the load's harmonics as the last one. A mode matters until its
+  /// share in every guard (gap of an open contact over X, force of a closed one over its scale) has fallen
+  /// below `floor`; with `step` and `order`, so has its share in step^k times the k-th derivatives, k <=
+  /// order.
+  [[nodiscard]] virtual std::vector<FadingRate> fading_rates(double floor, double step = 0.0,
+                                                             int order = 0) const = 0;
+  /// u and v at a time, Nd each.
+  virtual void state(double time, State& state) const = 0;
+  /// u'' at a time, Nd.
+  virtual void acceleration(double time, Eigen::VectorXd& a) const = 0;
+  /// order-th derivative (0..8) of x_j [m / s^order].
+  [[nodiscard]] double displacement(int contact, double time, int order = 0) const {
+    return output(contact, time, order);
+  }
+  /// order-th derivative (0..8) of lambda_j, zero at open contacts [N / s^order].
+  [[nodiscard]] double force(int contact, double time, int order = 0) const {
+    const Eigen::Index row = equations_.force_row(contact);
+    return row < 0 ? 0.0 : output(row, time, order);
+  }
+  [[nodiscard]] const ContactMode& mode() const { return equations_.mode; }
+
+ protected:
+  explicit LinearArc(const ModeEquations& equations) : equations_(equations) {}
+  /// order-th derivative of one output of the mode.
+  [[nodiscard]] virtual double output(Eigen::Index row, double time, int order) const = 0;
+
+  const ModeEquations& equations_;
+};
+
+/// The linear motions of one contact mode in closed form: ModalFlow or ExponentialFlow.
+class LinearFlow {
+ public:
+  virtual ~LinearFlow() = default;
+
+  [[nodiscard]] const ContactMode& mode() const { return equations_.mode; }
+  [[nodiscard]] int size() const { return equations_.size(); }  ///< Nd
+  /// An arc of this flow, not yet started.
+  [[nodiscard]] virtual std::unique_ptr<LinearArc> arc() const = 0;
+  /// d(u, v)(t0 + duration) / d(u, v)(t0), 2 Nd x 2 Nd; deviations normal to the constraint are dropped.
+  [[nodiscard]] virtual Eigen::MatrixXd transition(double duration) const = 0;
+  /// What impulses at the contacts, each `time` before now, have made of a structure at rest without load.
+  [[nodiscard]] virtual State response(const std::vector<Impulse>& impulses) const = 0;
+  /// d lambda_j / d(u, v) at a closed contact, 1 x 2 Nd.
+  [[nodiscard]] auto multiplier_gradient(int contact) const {
+    return equations_.output_of_state.row(equations_.force_row(contact));
+  }
+  /// d x_j / d(u, v), 1 x 2 Nd.
+  [[nodiscard]] auto displacement_gradient(int contact) const {
+    return equations_.output_of_state.row(contact);
+  }
+
+ protected:
+  explicit LinearFlow(ModeEquations equations) : equations_(std::move(equations)) {}
+  const ModeEquations equations_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,34 @@
+#include "methods/linear_flow/linear_flows.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "methods/linear_flow/exponential_flow.hpp"
+#include "methods/linear_flow/modal_flow.hpp"
+
+namespace signorini {
+
+std::unique_ptr<const LinearFlow> linear_flow(const ContactDynamics& dynamics, ContactMode mode,
+                                              FlowForm form) {
+  constexpr int kLargest = 300;  // coordinates of a dense flow
+  if (dynamics.size() > kLargest) {
+    throw std::runtime_error("the closed-form flow is dense: " + std::to_string(dynamics.size()) +
+                             " coordinates are more than " + std::to_string(kLargest));
+  }
+  ModeEquations equations(dynamics, std::move(mode));
+  const EnergyForm energy = equations.energy();
+  if (form == FlowForm::automatic) {
+    if (const auto modes = modes_of_flow(equations, energy))
+      return std::make_unique<ModalFlow>(std::move(equations), *modes);
+  }
+  return std::make_unique<ExponentialFlow>(std::move(equations), energy);
+}
+
+const LinearFlow& LinearFlows::of(const std::vector<bool>& closed) {
+  auto& flow = flows_[closed];
+  if (!flow) flow = linear_flow(dynamics_, dynamics_.mode(closed), form_);
+  return *flow;
+}
+
+}  // namespace signorini

@@ -1,0 +1,202 @@
+#include "methods/linear_flow/stops.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <utility>
+
+namespace signorini {
+
+bool ContactMode::closed(int contact) const {
+  return std::binary_search(active.begin(), active.end(), contact);
+}
+
+MotionDerivatives MotionDerivatives::of(const FlowStructure& structure, const State& state, int order) {
+  MotionDerivatives result{.u = Eigen::MatrixXd::Zero(structure.size(), order + 1),
+                           .x = Eigen::MatrixXd::Zero(structure.contact_count(), order - 1),
+                           .lambda = Eigen::MatrixXd::Zero(structure.contact_count(), order - 1)};
+  result.u.col(0) = state.u;
+  result.u.col(1) = state.v;
+  return result;
+}
+
+namespace {
+
+using Complex = std::complex<double>;
+
+class RigidStops final : public Stops {
+ public:
+  explicit RigidStops(const FlowStructure& structure) : Stops(structure) {}
+
+  [[nodiscard]] bool rigid() const override { return true; }
+  [[nodiscard]] const Eigen::MatrixXd& coupling() const override { return structure_.delassus; }
+  [[nodiscard]] double scale() const override { return structure_.scales.acceleration; }
+
+  void add_acceleration(const ContactMode& mode, double, const Eigen::Ref<const Eigen::VectorXd>&,
+                        Eigen::Ref<Eigen::VectorXd> a) const override {
+    a += structure_.velocity_per_impulse(Eigen::all, mode.active) * multiplier(mode, a);
+  }
+
+  void differentiate(const ContactMode& mode, double time, int k, Eigen::VectorXd load,
+                     MotionDerivatives& motion) const override {
+    motion.x.col(k) = structure_.unloaded(time, motion.u.col(k), k);
+    Eigen::VectorXd next = structure_.factors.solve(load);
+    if (!mode.active.empty()) {
+      const Eigen::VectorXd lambda = multiplier(mode, next);
+      next += structure_.velocity_per_impulse(Eigen::all, mode.active) * lambda;
+      motion.lambda(mode.active, k) = lambda;
+    }
+    motion.u.col(k + 2) = next;
+  }
+
+  // The rate of lambda follows from u''', which takes the acceleration with the stops' own forces.
+  void forces(const ContactMode& mode, double time, const State& state, Eigen::VectorXd&, Eigen::VectorXd&,
+              Eigen::VectorXd& force, Eigen::VectorXd& force_rate) const override {
+    MotionDerivatives motion = MotionDerivatives::of(structure_, state, 3);
+    for (int k = 0; k < 2; ++k)
+      differentiate(mode, time, k, structure_.free_force(time, motion.u, k), motion);
+    force = motion.lambda.col(0);
+    force_rate = motion.lambda.col(1);
+  }
+
+  [[nodiscard]] Eigen::MatrixXd stiffness(const ContactMode&) const override { return structure_.stiffness; }
+
+  // dv/dt -> (I - M^-1 W_A G_AA^-1 W_A^T) dv/dt: what accelerates a held contact is taken away.
+  void constrain(const ContactMode& mode, Eigen::MatrixXd& from_u, Eigen::MatrixXd& from_v) const override {
+    const Eigen::MatrixXd active = structure_.directions(Eigen::all, mode.active);
+    const Eigen::MatrixXd back = structure_.velocity_per_impulse(Eigen::all, mode.active) * mode.response;
+    from_u -= back * (active.transpose() * from_u);
+    from_v -= back * (active.transpose() * from_v);
+  }
+
+  // The constraint is removed, not penalised: W_A^T u = g_A is met by u_g, W_A^T Q = 0 by every q. So the
+  // double eigenvalue zero that x_A'' = 0 has in the coordinates u is gone.
+  [[nodiscard]] FreeForm free_form(const ContactMode& mode) const override {
+    const int n = structure_.size();
+    FreeForm form{.basis = Eigen::MatrixXd::Identity(n, n),
+                  .offset = Eigen::VectorXd::Zero(n),
+                  .stiffness = structure_.stiffness,
+                  .load = structure_.load};
+    if (mode.active.empty()) return form;
+    const Eigen::MatrixXd W = structure_.directions(Eigen::all, mode.active);
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(W);
+    const Eigen::MatrixXd whole = qr.householderQ() * Eigen::MatrixXd::Identity(n, n);
+    form.basis = whole.rightCols(n - qr.rank());
+    form.offset =
+        W.transpose().completeOrthogonalDecomposition().solve(Eigen::VectorXd(structure_.gaps(mode.active)));
+    return form;
+  }
+
+  [[nodiscard]] ForceRows force_rows(const ContactMode& mode) const override {
+    const int n = structure_.size();
+    const Eigen::MatrixXd back =
+        mode.response * structure_.velocity_per_impulse(Eigen::all, mode.active).transpose();
+    ForceRows rows{.of_state = Eigen::MatrixXd::Zero(back.rows(), 2 * n), .of_load = {}};
+    rows.of_state.leftCols(n) = back * structure_.stiffness;
+    rows.of_state.rightCols(n) = back * structure_.damping;
+    rows.of_load = -back * structure_.load;
+    return rows;
+  }
+
+  [[nodiscard]] double fastest_rate(const ContactMode&, double rate) const override { return rate; }
+
+ private:
+  // lambda_A that cancels the acceleration W_A^T `free` of a structure without contact forces.
+  [[nodiscard]] Eigen::VectorXd multiplier(const ContactMode& mode, const Eigen::VectorXd& free) const {
+    return -mode.response * (structure_.directions(Eigen::all, mode.active).transpose() * free);
+  }
+};
+
+class CompliantStops final : public Stops {
+ public:
+  explicit CompliantStops(const FlowStructure& structure) : Stops(structure) {}
+
+  [[nodiscard]] bool rigid() const override { return false; }
+  [[nodiscard]] const Eigen::MatrixXd& coupling() const override { return structure_.compliance; }
+  [[nodiscard]] double scale() const override { return structure_.scales.displacement; }
+
+  void add_acceleration(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& u,
+                        Eigen::Ref<Eigen::VectorXd> a) const override {
+    const Eigen::VectorXd lambda = force(mode, structure_.unloaded(time, u, 0), 0);
+    for (const int j : mode.active) a += lambda[j] * structure_.velocity_per_impulse.col(j);
+  }
+
+  void differentiate(const ContactMode& mode, double time, int k, Eigen::VectorXd load,
+                     MotionDerivatives& motion) const override {
+    motion.x.col(k) = structure_.unloaded(time, motion.u.col(k), k);
+    motion.lambda.col(k) = force(mode, motion.x.col(k), k);
+    motion.x.col(k) += structure_.massless_compliance * motion.lambda.col(k);
+    load += structure_.directions * motion.lambda.col(k);
+    motion.u.col(k + 2) = structure_.factors.solve(load);
+  }
+
+  void forces(const ContactMode& mode, double, const State&, Eigen::VectorXd& x, Eigen::VectorXd& rate,
+              Eigen::VectorXd& lambda, Eigen::VectorXd& lambda_rate) const override {
+    lambda = force(mode, x, 0);
+    lambda_rate = force(mode, rate, 1);
+    x += structure_.massless_compliance * lambda;
+    rate += structure_.massless_compliance * lambda_rate;
+  }
+
+  [[nodiscard]] Eigen::MatrixXd stiffness(const ContactMode& mode) const override {
+    const Eigen::MatrixXd active = structure_.directions(Eigen::all, mode.active);
+    return Eigen::MatrixXd(structure_.stiffness) + active * mode.response * active.transpose();
+  }
+
+  void constrain(const ContactMode&, Eigen::MatrixXd&, Eigen::MatrixXd&) const override {}
+
+  [[nodiscard]] FreeForm free_form(const ContactMode& mode) const override {
+    const int n = structure_.size();
+    FreeForm form{.basis = Eigen::MatrixXd::Identity(n, n),
+                  .offset = Eigen::VectorXd::Zero(n),
+                  .stiffness = stiffness(mode),
+                  .load = structure_.load};
+    if (mode.active.empty()) return form;
+    const Eigen::MatrixXd pull = structure_.directions(Eigen::all, mode.active) * mode.response;
+    form.load -= pull * structure_.shift(mode.active, Eigen::all);
+    form.load.col(0) += (pull * structure_.gaps(mode.active)).cast<Complex>();
+    return form;
+  }
+
+  [[nodiscard]] ForceRows force_rows(const ContactMode& mode) const override {
+    const int n = structure_.size();
+    ForceRows rows{.of_state = Eigen::MatrixXd::Zero(mode.response.rows(), 2 * n), .of_load = {}};
+    rows.of_state.leftCols(n) = -mode.response * structure_.directions(Eigen::all, mode.active).transpose();
+    Eigen::MatrixXcd depth = structure_.shift(mode.active, Eigen::all);
+    depth.col(0) -= structure_.gaps(mode.active).cast<Complex>();
+    rows.of_load = -mode.response * depth;
+    return rows;
+  }
+
+  // A mass G_jj^-1 on the spring of its stop alone, sqrt(k G_jj), for each closed contact.
+  [[nodiscard]] double fastest_rate(const ContactMode& mode, double rate) const override {
+    for (std::size_t i = 0; i < mode.active.size(); ++i) {
+      const int j = mode.active[i];
+      const auto row = static_cast<Eigen::Index>(i);
+      rate = std::hypot(rate, std::sqrt(mode.response(row, row) * structure_.delassus(j, j)));
+    }
+    return rate;
+  }
+
+ private:
+  // order-th derivative of lambda from that of W^T u + s, Nc.
+  [[nodiscard]] Eigen::VectorXd force(const ContactMode& mode, const Eigen::VectorXd& unloaded,
+                                      int order) const {
+    Eigen::VectorXd lambda = Eigen::VectorXd::Zero(structure_.contact_count());
+    Eigen::VectorXd depth = unloaded(mode.active);
+    if (order == 0) depth -= structure_.gaps(mode.active);
+    lambda(mode.active) = -mode.response * depth;
+    return lambda;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<const Stops> Stops::of(const Problem& problem, const FlowStructure& structure) {
+  if (std::holds_alternative<Penalty>(problem.law) || std::holds_alternative<Massless>(problem.law))
+    return std::make_unique<CompliantStops>(structure);
+  return std::make_unique<RigidStops>(structure);
+}
+
+}  // namespace signorini

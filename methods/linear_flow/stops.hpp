@@ -1,0 +1,99 @@
+#pragma once
+// The forces of closed contacts: rigid stops, which hold, and compliant ones, which spring.
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "methods/linear_flow/flow_structure.hpp"
+
+namespace signorini {
+
+/// The set A of closed contacts: sticking to a rigid stop, or pushing a compliant stop.
+struct ContactMode {
+  std::vector<int> active;  ///< A, ascending
+  /// Inverse of Stops::coupling over A: G_AA^-1 [kg] or C_AA^-1 [N/m]. The pseudo-inverse where stops depend
+  /// on each other, which shares a force evenly.
+  Eigen::MatrixXd response;
+
+  [[nodiscard]] bool closed(int contact) const;
+};
+
+/// Time derivatives of the motion and of the contact force at one instant.
+struct MotionDerivatives {
+  /// Room for derivatives up to `order` >= 2, u and u' filled in.
+  static MotionDerivatives of(const FlowStructure& structure, const State& state, int order);
+
+  Eigen::MatrixXd u;       ///< Nd x (order + 1): column k is the k-th derivative of u
+  Eigen::MatrixXd x;       ///< Nc x (order - 1): of the contact displacements
+  Eigen::MatrixXd lambda;  ///< Nc x (order - 1): of the contact forces
+};
+
+/// A mode's equation of motion without its constraint: u = offset + basis q, and q obeys
+/// basis^T (M, D, stiffness) basis under basis^T (load - K offset).
+struct FreeForm {
+  Eigen::MatrixXd basis;      ///< Q, Nd x Nr, orthonormal
+  Eigen::VectorXd offset;     ///< u_g, Nd [m]
+  Eigen::MatrixXd stiffness;  ///< K and the springs of closed stops, Nd x Nd [N/m]
+  Eigen::MatrixXcd load;      ///< f_h and the forces of those springs at u = 0, Nd x Nh [N]
+};
+
+/// lambda_A = of_state (u, v) + Re sum_h of_load_h e^{i r_h t}.
+struct ForceRows {
+  Eigen::MatrixXd of_state;  ///< |A| x 2 Nd
+  Eigen::MatrixXcd of_load;  ///< |A| x Nh
+};
+
+/// What the closed contacts A of a mode do to the motion M u'' + D u' + K u = f + W lambda.
+///
+/// A rigid stop has the multiplier that keeps x_j'' = 0,
+///
+///     G_AA lambda_A = -W_A^T M^-1 (f - K u - D u'),    G = W^T M^-1 W.
+///
+/// A compliant stop, because it is a spring (k_j) or because the coordinates behind it carry no mass
+/// (compliance C_0, shift s), has the force that keeps it closed:
+///
+///     W_A^T u + s_A(t) + C_AA lambda_A = g_A,    C = C_0 + diag(1 / k),    x = W^T u + s(t) + C_0 lambda.
+class Stops {
+ public:
+  /// Those of a scene: compliant if its law is Penalty or Massless. `structure` must outlive them.
+  static std::unique_ptr<const Stops> of(const Problem& problem, const FlowStructure& structure);
+  virtual ~Stops() = default;
+
+  /// True where a contact takes impulses and its velocity may jump.
+  [[nodiscard]] virtual bool rigid() const = 0;
+  /// G or C, by which the forces of closed contacts depend on each other, Nc x Nc.
+  [[nodiscard]] virtual const Eigen::MatrixXd& coupling() const = 0;
+  /// Unit of coupling times force in tolerances: the acceleration scale, or X.
+  [[nodiscard]] virtual double scale() const = 0;
+
+  /// Adds M^-1 W lambda to `a`, the acceleration without contact forces.
+  virtual void add_acceleration(const ContactMode& mode, double time,
+                                const Eigen::Ref<const Eigen::VectorXd>& u,
+                                Eigen::Ref<Eigen::VectorXd> a) const = 0;
+  /// Fills column k of x and lambda and column k + 2 of u, `load` being the k-th derivative of f - K u - D
+  /// u'.
+  virtual void differentiate(const ContactMode& mode, double time, int k, Eigen::VectorXd load,
+                             MotionDerivatives& motion) const = 0;
+  /// lambda and its rate at a state, Nc each, zero at open contacts. `x` and `rate` are W^T u + s and its
+  /// rate on entry, the contact displacements and velocities on return.
+  virtual void forces(const ContactMode& mode, double time, const State& state, Eigen::VectorXd& x,
+                      Eigen::VectorXd& rate, Eigen::VectorXd& force, Eigen::VectorXd& force_rate) const = 0;
+  /// K and the springs of closed stops, Nd x Nd [N/m].
+  [[nodiscard]] virtual Eigen::MatrixXd stiffness(const ContactMode& mode) const = 0;
+  /// Takes the part of the accelerations u'' = from_u u + from_v u' that closed contacts do not admit away,
+  /// Nd x Nd each.
+  virtual void constrain(const ContactMode& mode, Eigen::MatrixXd& from_u, Eigen::MatrixXd& from_v) const = 0;
+  /// The mode's equation without constraint.
+  [[nodiscard]] virtual FreeForm free_form(const ContactMode& mode) const = 0;
+  /// Its contact forces.
+  [[nodiscard]] virtual ForceRows force_rows(const ContactMode& mode) const = 0;
+  /// The rate of the fastest motion where closed contacts make it faster than `rate` [rad/s].
+  [[nodiscard]] virtual double fastest_rate(const ContactMode& mode, double rate) const = 0;
+
+ protected:
+  explicit Stops(const FlowStructure& structure) : structure_(structure) {}
+  const FlowStructure& structure_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,132 @@
+#include "methods/orbit/orbit_newton.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <optional>
+
+#include "methods/solvers/constants.hpp"
+#include "methods/solvers/damped_newton.hpp"
+
+namespace signorini {
+
+double residual_noise(const OrbitEquations& equations) { return 32.0 * kEpsilon * equations.largest_state(); }
+
+namespace {
+
+// The equations of an orbit as damped_newton sees them, evaluated at the guess.
+class NewtonOnOrbit {
+ public:
+  NewtonOnOrbit(OrbitEquations& equations, double tolerance)
+      : equations_(equations), tolerance_(tolerance), unknowns_(equations.guess()), residual_(norm()) {}
+
+  // From here on a residual counts as solved only if it is zero.
+  void refine() { refining_ = true; }
+  // After a step that was not taken, the equations are at a trial.
+  void return_to_iterate() { equations_.evaluate(unknowns_); }
+
+  [[nodiscard]] double accepted() const { return std::max(tolerance_, residual_noise(equations_)); }
+  [[nodiscard]] bool solved() const { return !refining_ && residual_ <= accepted(); }
+  [[nodiscard]] double merit() const { return residual_; }
+  std::optional<double> find_step() {
+    lu_.compute(equations_.jacobian());
+    step_ = -lu_.solve(equations_.residual());
+    if (!step_.allFinite()) return std::nullopt;
+    const double longest = longest_part();
+    short_steps_ = longest < kMerging ? short_steps_ + 1 : 0;
+    return merging() ? std::nullopt : std::optional(longest);
+  }
+  std::optional<double> merit_at(double length) {
+    trial_ = unknowns_ + length * step_;
+    return equations_.evaluate(trial_) ? std::optional(norm()) : std::nullopt;
+  }
+  void accept() {
+    unknowns_ = trial_;
+    residual_ = norm();
+  }
+
+  [[nodiscard]] bool merging() const { return short_steps_ >= kPatience; }
+  [[nodiscard]] const Eigen::VectorXd& unknowns() const { return unknowns_; }
+
+ private:
+  static constexpr double kMerging = 1e-3;  // part of a step that an interval about to vanish leaves of it
+  static constexpr int kPatience = 3;       // such steps in a row
+
+  [[nodiscard]] double norm() const { return equations_.residual().lpNorm<Eigen::Infinity>(); }
+
+  // The part of the step that leaves each interval between events a fifth of its length: in the unknowns
+  // s = omega (t - t_0) the interval s_i - s_{i-1} loses part (step_{i-1} - step_i).
+  [[nodiscard]] double longest_part() const {
+    constexpr double kKept = 0.2;
+    double part = 1.0, before = 0.0, moved = 0.0;
+    const Eigen::Index m = equations_.events(), first = equations_.size() - m;
+    for (Eigen::Index i = 0; i <= m; ++i) {
+      const double at = i == m ? equations_.end() : unknowns_[first + i];
+      const double move = i == m ? 0.0 : step_[first + i];
+      const double shrinks = moved - move, length = at - before;
+      if (shrinks > 0.0 && part * shrinks > (1.0 - kKept) * length)
+        part = std::max(0.0, (1.0 - kKept) * length / shrinks);
+      before = at;
+      moved = move;
+    }
+    return part;
+  }
+
+  OrbitEquations& equations_;
+  double tolerance_;
+  Eigen::VectorXd unknowns_, trial_, step_;
+  double residual_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  int short_steps_ = 0;
+  bool refining_ = false;
+};
+
+// Why the first search failed; empty where its residual is round-off all the same.
+std::string failure(const NewtonOnOrbit& newton, const DampedNewtonResult& search, double noise) {
+  constexpr double kNoise = 100.0;  // cancellation between the arcs of a sequence, beyond residual_noise
+  const double residual = newton.merit();
+  if (newton.merging()) return fmt::format("the steps close an interval (residual {:.2g})", residual);
+  switch (search.end) {
+    case NewtonEnd::singular:
+      return "the equations are singular (a multiplier is 1, or an impact grazes)";
+    case NewtonEnd::stalled:
+      if (residual <= std::max(newton.accepted(), kNoise * noise)) return {};
+      return fmt::format("no descent along the Newton step (residual {:.2g})", residual);
+    default:
+      return fmt::format("no convergence in {} Newton steps (residual {:.2g})", search.steps, residual);
+  }
+}
+
+}  // namespace
+
+OrbitNewtonResult solve(OrbitEquations& equations, double tolerance, int max_iterations) {
+  constexpr DampedNewtonLimits kStep{.max_steps = 1, .max_halvings = 0, .sufficient_decrease = 0.1};
+  OrbitNewtonResult result;
+  result.unknowns = equations.guess();
+  if (!equations.evaluate(result.unknowns)) {
+    result.reason = "the flow is not finite";
+    return result;
+  }
+  NewtonOnOrbit newton(equations, tolerance);
+  const DampedNewtonResult search =
+      damped_newton(newton, {.max_steps = max_iterations, .max_halvings = 11, .sufficient_decrease = 0.1});
+  result.iterations = search.steps;
+  if (search.end == NewtonEnd::stalled) newton.return_to_iterate();
+  if (search.end != NewtonEnd::solved) {
+    result.merging = newton.merging();
+    result.reason = failure(newton, search, residual_noise(equations));
+    result.solved = result.reason.empty();
+  } else {
+    newton.refine();
+    const DampedNewtonResult refined = damped_newton(newton, kStep);
+    result.iterations += refined.steps;
+    if (refined.end == NewtonEnd::stalled) newton.return_to_iterate();
+    result.solved = true;
+  }
+  result.residual = newton.merit();
+  result.unknowns = newton.unknowns();
+  return result;
+}
+
+}  // namespace signorini

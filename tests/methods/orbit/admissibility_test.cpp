@@ -1,0 +1,99 @@
+// Solutions of the orbit equations that are motions of the scene, and some that are not.
+
+#include "methods/orbit/admissibility.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <string>
+
+#include "tests/methods/orbit/cold_orbit.hpp"
+#include "tests/support/exact_scenes.hpp"
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+constexpr double kTolerance = 1e-11, kChatter = 1e-9;
+
+// The equations of a guess as they stand: a sequence on its own state, solved or not.
+Admissibility check(const Problem& problem, const OrbitGuess& guess) {
+  OrbitModel model(problem);
+  OrbitEquations equations(model, guess);
+  EXPECT_TRUE(equations.evaluate(equations.guess()));
+  return check_admissible(model, guess, equations, kTolerance, kChatter);
+}
+
+OrbitGuess orbit_of(const Problem& problem) {
+  const auto found = test::cold_orbit(problem);
+  EXPECT_TRUE(found.orbit) << found.solution.message;
+  return found.orbit->orbit();
+}
+
+TEST(Admissibility, AcceptsAnOrbitAndMeasuresItsWeakestImpact) {
+  const test::ImpactOscillator o{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 0.8};
+  const Problem problem = test::to_problem(o);
+  const Admissibility found = check(problem, orbit_of(problem));
+  EXPECT_TRUE(found.ok) << found.reason;
+  EXPECT_EQ(found.impacts, 1);
+  EXPECT_NEAR(found.weakest_impact,
+              test::single_impact_orbits(o).at(0).approach / ContactDynamics(problem).scales().velocity,
+              1e-9);
+  EXPECT_LE(found.penetration, kTolerance);
+}
+
+TEST(Admissibility, FindsPenetrationBetweenEvents) {
+  // The linear response A cos(w t - phi) reaches beyond the stop by A - g.
+  const double w = 2.2, d = 0.1, gap = 0.2;
+  const Problem problem = test::to_problem({.damping = d, .frequency = w, .gap = gap});
+  const std::complex<double> response = 1.0 / std::complex<double>(1.0 - w * w, d * w);
+  const OrbitGuess linear{.start = {.time = 0.0,
+                                    .state = {.u = Eigen::VectorXd::Constant(1, response.real()),
+                                              .v = Eigen::VectorXd::Constant(1, -w * response.imag())},
+                                    .closed = {false}},
+                          .events = {},
+                          .origin = "the linear response"};
+  const Admissibility found = check(problem, linear);
+  EXPECT_FALSE(found.ok);
+  EXPECT_NE(found.reason.find("penetrates"), std::string::npos);
+  EXPECT_NEAR(found.penetration, (std::abs(response) - gap) / ContactDynamics(problem).scales().displacement,
+              1e-12);
+}
+
+TEST(Admissibility, FindsTension) {
+  // Held at the stop throughout, although the load pulls it away for half of the time.
+  const Problem problem = test::to_problem({.damping = 0.1, .frequency = 0.7, .gap = 0.0});
+  const OrbitGuess held{.start = {.time = 0.0,
+                                  .state = {.u = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Zero(1)},
+                                  .closed = {true}},
+                        .events = {},
+                        .origin = "held"};
+  const Admissibility found = check(problem, held);
+  EXPECT_FALSE(found.ok);
+  EXPECT_NE(found.reason.find("pulls"), std::string::npos);
+  EXPECT_NEAR(found.tension, 1.0 / ContactDynamics(problem).force_scale(0), 1e-12);  // lambda = -cos(w t)
+}
+
+TEST(Admissibility, FindsAnImpactThatIsNotTheScenesLaw) {
+  const Problem elastic =
+      test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 0.8});
+  OrbitGuess guess = orbit_of(elastic);
+  guess.events.at(0).restitution = {0.0};
+  const Admissibility found = check(elastic, guess);
+  EXPECT_FALSE(found.ok);
+  EXPECT_NE(found.reason.find("without the chatter"), std::string::npos) << found.reason;
+}
+
+TEST(Admissibility, CallsACompleteChatterWhatItIs) {
+  const Problem problem =
+      test::to_problem({.damping = 0.02, .frequency = 0.5, .gap = 0.2, .restitution = 0.5});
+  const Admissibility found = check(problem, orbit_of(problem));
+  EXPECT_TRUE(found.ok) << found.reason;
+  EXPECT_TRUE(found.chatter);
+  EXPECT_GT(found.chatter_error, 0.0);
+  EXPECT_LE(found.chatter_error, kChatter);
+}
+
+}  // namespace
+}  // namespace signorini

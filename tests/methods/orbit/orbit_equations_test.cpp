@@ -1,0 +1,110 @@
+// Residual, Jacobian and monodromy of the orbit equations, and Newton's method on them.
+
+#include "methods/orbit/orbit_equations.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <memory>
+
+#include "methods/orbit/orbit_newton.hpp"
+#include "tests/methods/orbit/cold_orbit.hpp"
+#include "tests/support/exact_scenes.hpp"
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+const test::ImpactOscillator kOscillator{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 0.8};
+
+OrbitGuess closed_form(const test::SingleImpactOrbit& orbit) {
+  const double section = orbit.impact_time - 0.5 * orbit.period;
+  return {.start = {.time = section,
+                    .state = {.u = Eigen::VectorXd::Constant(1, orbit.x(section)),
+                              .v = Eigen::VectorXd::Constant(1, orbit.velocity(section))},
+                    .closed = {false}},
+          .events = {{.kind = ContactEvent::Kind::impact,
+                      .contact = 0,
+                      .time = orbit.impact_time,
+                      .pushed = {0},
+                      .restitution = {orbit.oscillator.restitution},
+                      .closed = {false}}},
+          .origin = "the closed form"};
+}
+
+TEST(OrbitEquations, HoldAtTheClosedFormOrbit) {
+  const auto orbit = test::single_impact_orbits(kOscillator).at(0);
+  OrbitModel model(test::to_problem(kOscillator));
+  OrbitEquations equations(model, closed_form(orbit));
+  ASSERT_TRUE(equations.evaluate(equations.guess()));
+  EXPECT_LT(equations.residual().lpNorm<Eigen::Infinity>(), 1e-13);
+  const OrbitEquations::EventCrossing& crossing = equations.crossings().at(0);
+  EXPECT_NEAR(crossing.approach, orbit.approach, 1e-12);
+  EXPECT_NEAR(crossing.impulses[0], -orbit.impulse, 1e-12);
+  const Eigen::MatrixXd monodromy = equations.monodromy();
+  EXPECT_NEAR(monodromy.trace(), orbit.trace, 1e-11);
+  EXPECT_NEAR(monodromy.determinant(), orbit.determinant, 1e-11);
+}
+
+// Impacts, sticking with release, and springs: the Jacobian against central differences of the residual.
+TEST(OrbitEquations, JacobianIsTheDerivativeOfTheResidual) {
+  for (const Problem& problem : {test::stopped_chain(3, 0.6, 1, 1.3), test::stopped_chain(2, 0.0, 1, 0.35),
+                                 test::penalty_oscillator(1e3)}) {
+    const auto found = test::cold_orbit(problem);
+    ASSERT_TRUE(found.orbit) << found.solution.message;
+    OrbitModel model(problem);
+    OrbitEquations equations(model, found.orbit->orbit());
+    ASSERT_GT(equations.events(), 0);
+    Eigen::VectorXd at = equations.guess();
+    at.head(at.size() - equations.events()).array() += 1e-3;  // away from the solution
+    ASSERT_TRUE(equations.evaluate(at));
+    const Eigen::MatrixXd jacobian = equations.jacobian();
+    for (Eigen::Index column = 0; column < at.size(); ++column) {
+      constexpr double kStep = 1e-5;
+      const Eigen::VectorXd h = kStep * Eigen::VectorXd::Unit(at.size(), column);
+      ASSERT_TRUE(equations.evaluate(at + h));
+      const Eigen::VectorXd ahead = equations.residual();
+      ASSERT_TRUE(equations.evaluate(at - h));
+      const Eigen::VectorXd difference = (ahead - equations.residual()) / (2.0 * kStep);
+      EXPECT_LT((difference - jacobian.col(column)).norm(), 1e-6 * (1.0 + difference.norm())) << column;
+    }
+  }
+}
+
+TEST(OrbitNewton, ConvergesQuadraticallyFromNearby) {
+  const auto orbit = test::single_impact_orbits(kOscillator).at(0);
+  OrbitModel model(test::to_problem(kOscillator));
+  OrbitGuess guess = closed_form(orbit);
+  guess.start.state.u[0] += 0.02;
+  guess.events[0].time += 0.05;
+  OrbitEquations equations(model, guess);
+  const OrbitNewtonResult result = solve(equations, 1e-12, 40);
+  ASSERT_TRUE(result.solved) << result.reason;
+  EXPECT_LE(result.iterations, 7);
+  EXPECT_LE(result.residual, 1e-12);
+  EXPECT_NEAR(equations.orbit(result.unknowns).events[0].time, orbit.impact_time, 1e-12);
+}
+
+TEST(OrbitNewton, SaysWhyItFails) {
+  // Two impacts where the orbit has one.
+  const auto orbit = test::single_impact_orbits(kOscillator).at(0);
+  OrbitModel model(test::to_problem(kOscillator));
+  OrbitGuess guess = closed_form(orbit);
+  guess.events.push_back(guess.events.back());
+  guess.events.back().time += 1e-3;
+  OrbitEquations twice(model, guess);
+  const OrbitNewtonResult result = solve(twice, 1e-12, 40);
+  EXPECT_FALSE(result.solved);
+  EXPECT_FALSE(result.reason.empty());
+
+  guess = closed_form(orbit);
+  guess.start.state.u[0] += 0.1;
+  OrbitEquations far(model, guess);
+  const OrbitNewtonResult stopped = solve(far, 1e-12, 1);
+  EXPECT_FALSE(stopped.solved);
+  EXPECT_NE(stopped.reason.find("1 Newton steps"), std::string::npos) << stopped.reason;
+}
+
+}  // namespace
+}  // namespace signorini
