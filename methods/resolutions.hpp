@@ -48,8 +48,9 @@ using WorthChecking = std::function<bool(const Solution&)>;
 /// their size of each other. Where none do, the finest answer is claimed unless it is nowhere near the one
 /// before (`near_by`); an answer that is not worth the next resolution is taken as it is; one that could not
 /// be checked because the time was up is not claimed. The answer is the finest found. The first resolution is
-/// prepared at once, the others anew in every solve, whose part they are; the work is that of all. The message
-/// names the resolution of the answer by its `symbol`, "N". Motions smaller than `least` [m] are at rest.
+/// prepared at once, the others anew in every solve, whose part they are; the work is that of all. The
+/// message names the resolution of the answer by its `symbol`, "N". Motions smaller than `least` [m] are at
+/// rest.
 std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, std::string symbol,
                                                      WorthChecking worth_checking, double least);
 

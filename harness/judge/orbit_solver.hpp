@@ -11,8 +11,8 @@
 
 #include "harness/plan/deadline.hpp"
 #include "harness/records/record.hpp"
-#include "methods/flow/periodic_motion.hpp"
 #include "methods/method.hpp"
+#include "methods/periodic_motion/periodic_motion.hpp"
 
 namespace signorini {
 

@@ -11,9 +11,9 @@
 #include "harness/judge/motion.hpp"
 #include "harness/plan/selection.hpp"
 #include "harness/records/record.hpp"
-#include "methods/linear_flow/contact_dynamics.hpp"
-#include "methods/flow/periodic_motion.hpp"
 #include "methods/hat_functions/hat_contact.hpp"
+#include "methods/linear_flow/contact_dynamics.hpp"
+#include "methods/periodic_motion/periodic_motion.hpp"
 #include "methods/resolutions.hpp"
 #include "methods/structure/condensation.hpp"
 

@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "methods/linear_flow/contact_dynamics.hpp"
-#include "methods/flow/periodic_motion.hpp"
+#include "methods/periodic_motion/periodic_motion.hpp"
 #include "methods/structure/condensation.hpp"
 
 namespace signorini {

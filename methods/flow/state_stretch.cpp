@@ -81,13 +81,13 @@ Eigen::VectorXd absolute_tolerances(const ContactDynamics& dynamics, double tole
 CvodeStretch::CvodeStretch(const ContactDynamics& dynamics, double tolerance)
     : StateStretch(dynamics),
       noise_(std::max(0.01 * tolerance, 64.0 * kEpsilon)),
-      session_(local_tolerance(tolerance), absolute_tolerances(dynamics, local_tolerance(tolerance)),
-               [this](double time, const Eigen::Ref<const Eigen::VectorXd>& y,
-                      Eigen::Ref<Eigen::VectorXd> rate) {
-                 const Eigen::Index n = y.size() / 2;
-                 rate.head(n) = y.tail(n);
-                 dynamics_.acceleration(*mode_, time, y.head(n), y.tail(n), rate.tail(n));
-               }) {}
+      session_(
+          local_tolerance(tolerance), absolute_tolerances(dynamics, local_tolerance(tolerance)),
+          [this](double time, const Eigen::Ref<const Eigen::VectorXd>& y, Eigen::Ref<Eigen::VectorXd> rate) {
+            const Eigen::Index n = y.size() / 2;
+            rate.head(n) = y.tail(n);
+            dynamics_.acceleration(*mode_, time, y.head(n), y.tail(n), rate.tail(n));
+          }) {}
 
 void CvodeStretch::start(const ContactMode& mode, const FlowState& flow, double end, bool) {
   constexpr double kStepsPerPeriod = 16;

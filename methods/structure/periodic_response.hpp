@@ -50,8 +50,8 @@ class PeriodicResponse {
 Eigen::MatrixXcd force_spectrum(const Trajectory& trajectory, int count);
 
 /// Fourier coefficients n = 0..count of a force sampled at equidistant instants of its period, instants x Nc,
-/// and of impulses. From `samples_for_spectrum(count)` instants on each is better than a hundredth, jumps of the
-/// force included; beyond half the instants only the impulses have a part in them.
+/// and of impulses. From `samples_for_spectrum(count)` instants on each is better than a hundredth, jumps of
+/// the force included; beyond half the instants only the impulses have a part in them.
 Eigen::MatrixXcd force_spectrum(const Eigen::MatrixXd& force, const std::vector<Impulse>& impulses,
                                 double period, int count);
 

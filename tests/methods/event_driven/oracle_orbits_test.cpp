@@ -9,9 +9,9 @@
 #include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "methods/flow/period_map.hpp"
+#include "methods/periodic_motion/period_map.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
-#include "tests/methods/flow/steady_state_cases.hpp"
+#include "tests/methods/periodic_motion/steady_state_cases.hpp"
 #include "tests/support/data_folder.hpp"
 
 namespace signorini::test {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "methods/flow/period_map.hpp"
+#include "methods/periodic_motion/period_map.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
 
 namespace signorini {

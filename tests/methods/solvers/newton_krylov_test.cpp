@@ -27,7 +27,9 @@ struct CubicSystem {
     const Eigen::Matrix2d jacobian = Eigen::Matrix2d(3.0 * at.array().square().matrix().asDiagonal()) + a;
     return {.x = jacobian.partialPivLu().solve(r), .condition = 7.0};
   }
-  [[nodiscard]] double scale(const Eigen::VectorXd& v, const Eigen::VectorXd& /*r*/) const { return v.norm(); }
+  [[nodiscard]] double scale(const Eigen::VectorXd& v, const Eigen::VectorXd& /*r*/) const {
+    return v.norm();
+  }
 };
 
 TEST(NewtonKrylov, FindsTheRootOfASmoothSystem) {
@@ -46,7 +48,9 @@ TEST(NewtonKrylov, SolvesALinearSystemInOneStep) {
   struct Linear {
     Eigen::VectorXd residual(const Eigen::VectorXd& v) const { return 4.0 * v - Eigen::VectorXd::Ones(3); }
     KrylovSolve solve_jacobian(const Eigen::VectorXd& r) const { return {.x = 0.25 * r}; }
-    [[nodiscard]] double scale(const Eigen::VectorXd& /*v*/, const Eigen::VectorXd& /*r*/) const { return 1.0; }
+    [[nodiscard]] double scale(const Eigen::VectorXd& /*v*/, const Eigen::VectorXd& /*r*/) const {
+      return 1.0;
+    }
   } system;
   const NewtonKrylovResult result = solve_newton_krylov(system, Eigen::VectorXd::Zero(3), 1e-14, {});
   EXPECT_TRUE(result.converged);

@@ -1,6 +1,6 @@
 // The steady states of tests/data/siconos, computed by independent codes: every case at a stated tolerance.
 
-#include "tests/methods/flow/steady_state_cases.hpp"
+#include "tests/methods/periodic_motion/steady_state_cases.hpp"
 
 #include <gtest/gtest.h>
 

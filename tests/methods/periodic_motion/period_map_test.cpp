@@ -1,6 +1,6 @@
 // Fixed points of the stroboscopic map against closed forms.
 
-#include "methods/flow/period_map.hpp"
+#include "methods/periodic_motion/period_map.hpp"
 
 #include <gtest/gtest.h>
 

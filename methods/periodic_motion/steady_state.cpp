@@ -1,4 +1,4 @@
-#include "methods/flow/steady_state.hpp"
+#include "methods/periodic_motion/steady_state.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "methods/flow/periodic_motion.hpp"
+#include "methods/periodic_motion/periodic_motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "methods/flow/period_map.hpp"
+#include "methods/periodic_motion/period_map.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "methods/flow/period_map.hpp"
+#include "methods/periodic_motion/period_map.hpp"
 
 namespace signorini {
 

@@ -1,4 +1,4 @@
-#include "methods/flow/periodic_motion.hpp"
+#include "methods/periodic_motion/periodic_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "methods/flow/event_trajectory.hpp"
-#include "methods/flow/period_map.hpp"
-#include "methods/flow/steady_state.hpp"
+#include "methods/periodic_motion/period_map.hpp"
+#include "methods/periodic_motion/steady_state.hpp"
 #include "methods/structure/periodic_response.hpp"
 
 namespace signorini {
@@ -33,7 +33,8 @@ FlowState first_state(const Problem& problem, const ContactDynamics& dynamics, c
   }
   const auto* followed = dynamic_cast<const EventTrajectory*>(start.guess.get());
   if (followed != nullptr && followed->start().state.u.size() == dynamics.size()) {
-    return flow.place(std::fmod(followed->start().time, dynamics.structure().forcing_period), followed->start().state);
+    return flow.place(std::fmod(followed->start().time, dynamics.structure().forcing_period),
+                      followed->start().state);
   }
   return flow.place(0.0, dynamics.with_mass(PeriodicResponse(problem, *start.guess).at(0.0)));
 }

@@ -1,4 +1,4 @@
-#include "tests/methods/flow/steady_state_cases.hpp"
+#include "tests/methods/periodic_motion/steady_state_cases.hpp"
 
 #include <algorithm>
 #include <cmath>

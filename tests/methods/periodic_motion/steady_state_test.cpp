@@ -1,4 +1,4 @@
-#include "methods/flow/steady_state.hpp"
+#include "methods/periodic_motion/steady_state.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "tests/methods/event_driven/scenes.hpp"
-#include "tests/methods/flow/steady_state_cases.hpp"
+#include "tests/methods/periodic_motion/steady_state_cases.hpp"
 
 namespace signorini {
 namespace {

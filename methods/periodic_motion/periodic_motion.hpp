@@ -2,8 +2,8 @@
 // A periodic motion by following the flow: from a start to the steady state, and the trajectory of its
 // period.
 
-#include "methods/linear_flow/contact_dynamics.hpp"
 #include "methods/flow/flow.hpp"
+#include "methods/linear_flow/contact_dynamics.hpp"
 #include "methods/method.hpp"
 
 namespace signorini {
