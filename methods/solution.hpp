@@ -27,6 +27,7 @@ struct Impulse {
 /// What happens to one contact at one instant. Its impulse, if it takes one, also is an `Impulse` of the
 /// motion: momentum that a list of events names is the momentum that the list of impulses has.
 struct ContactEvent {
+  /// How the contact changes.
   enum class Kind {
     impact,  ///< takes an impulse, and is open or closed afterwards as it was before
     /// Closed from here on. A rigid stop takes the momentum of the approach as `impulse`; a closing without
@@ -34,7 +35,7 @@ struct ContactEvent {
     close,
     open,  ///< open from here on: at a rigid stop the force, at a compliant one the penetration has vanished
   };
-  Kind kind = Kind::impact;  ///< of the contact's change
+  Kind kind = Kind::impact;  ///< how the contact changes
   int contact = 0;           ///< in [0, Nc)
   double time = 0.0;         ///< in [0, period) [s]; t = 0 is the time origin of the forcing terms
   double impulse = 0.0;      ///< on the structure along the contact coordinate, <= 0 [N s]
