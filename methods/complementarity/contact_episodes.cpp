@@ -78,30 +78,6 @@ void measure_impact(ContactEpisode& episode, const Eigen::VectorXcd& y, const st
 
 }  // namespace
 
-std::vector<ContactEpisode> join_intervals(const std::vector<ContactInterval>& intervals, int contact,
-                                           int harmonics) {
-  std::vector<ContactEpisode> episodes;
-  const double ripple = kRipple / harmonics;
-  for (const ContactInterval& interval : intervals) {
-    if (!episodes.empty() && interval.begin - episodes.back().intervals.back().end < ripple) {
-      episodes.back().intervals.push_back(interval);
-    } else {
-      episodes.push_back({.contact = contact, .intervals = {interval}});
-    }
-  }
-  if (episodes.size() > 1) {
-    // The last episode may go on at the beginning of the next period.
-    ContactEpisode& last = episodes.back();
-    ContactEpisode& first = episodes.front();
-    if (first.intervals.front().begin + 1.0 - last.intervals.back().end < ripple) {
-      for (const ContactInterval& interval : first.intervals)
-        last.intervals.push_back({interval.begin + 1.0, interval.end + 1.0});
-      episodes.erase(episodes.begin());
-    }
-  }
-  return episodes;
-}
-
 Eigen::VectorXcd augmented_multiplier(const ProjectedEquations& equations, int contact,
                                       const Eigen::MatrixXcd& x, const Eigen::MatrixXcd& lambda) {
   const ProjectedLaw& law = equations.law;
@@ -124,8 +100,9 @@ ContactEpisodes contact_episodes(const ProjectedEquations& equations, const Peri
     const auto& stop = shifts.empty() ? none : shifts[static_cast<std::size_t>(c)];
     const double constant = equations.law.constant[c];
     const Eigen::VectorXcd y = augmented_multiplier(equations, c, x, lambda);
-    for (ContactEpisode& episode :
-         join_intervals(positive_intervals(y, samples, stop, constant), c, harmonics)) {
+    const auto intervals = positive_intervals(y, samples, stop, constant);
+    for (std::vector<ContactInterval>& phase : contact_phases(intervals, kRipple / harmonics)) {
+      ContactEpisode episode{.contact = c, .intervals = std::move(phase)};
       episode.lambda = force_of(episode, y, stop, constant);
       episode.impact = episode.width() <= longest && response.is_mass_beyond(c, harmonics);
       if (episode.impact) {

@@ -6,13 +6,15 @@
 
 #include "methods/complementarity/exact_quadrature.hpp"
 #include "methods/complementarity/projected_law.hpp"
+#include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/stop_shift.hpp"
 #include "methods/discretisation/trigonometric_jet.hpp"
 #include "methods/structure/periodic_green_function.hpp"
 
 namespace signorini {
 
-/// Contact without a break, or with breaks that the series cannot tell from none (shorter than 1 / H).
+/// A phase of contact (contact_phases): without a break, or with breaks that the series cannot tell from
+/// none, shorter than 1 / H.
 struct ContactEpisode {
   int contact = 0;                              ///< in [0, Nc)
   std::vector<ContactInterval> intervals = {};  ///< in rising order, at least one
@@ -37,15 +39,12 @@ struct ContactEpisodes {
   bool lasting_is_shifted = false;           ///< a stop is moved for a contact that is no impact
 };
 
-/// Intervals of one contact joined to episodes, each still without its part of lambda. An episode may end
-/// beyond the period's end. \param intervals  in rising order within one period
-std::vector<ContactEpisode> join_intervals(const std::vector<ContactInterval>& intervals, int contact,
-                                           int harmonics);
-
 /// Takes a solution apart. An episode is an impact if it lasts for at most 2.5 / H of the period, and a
-/// quarter of it, on a coordinate that answers like a mass beyond H. \param response  of the structure,
-/// beyond H too \param lambda    a solution with the stops at `shifts`, or near one, (H+1) x Nc [N] \param
-/// samples   as of positive_intervals
+/// quarter of it, on a coordinate that answers like a mass beyond H.
+///
+/// \param response  of the structure, beyond H too
+/// \param lambda  a solution with the stops at `shifts`, or near one, (H+1) x Nc [N]
+/// \param samples  as of positive_intervals
 ContactEpisodes contact_episodes(const ProjectedEquations& equations, const PeriodicGreenFunction& response,
                                  const Eigen::MatrixXcd& lambda, const StopShifts& shifts, int samples);
 

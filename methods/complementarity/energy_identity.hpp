@@ -10,7 +10,9 @@ namespace signorini {
 ///     |2 T sum_n Re(conj(lambda_n) i n w x_n)| / (2 T sum_n n w |lambda_n| |x_n|)  [-].
 ///
 /// Zero for exact quadrature (docs/theory.md, section 3): what is left measures how well N samples resolve
-/// the contact. Zero also where nothing is exchanged. \param x, lambda  n = 0..H, (H+1) x Nc [m], [N]
+/// the contact. Zero also where nothing is exchanged.
+///
+/// \param x, lambda  n = 0..H, (H+1) x Nc [m], [N]
 double net_work_ratio(const Eigen::MatrixXcd& x, const Eigen::MatrixXcd& lambda);
 
 }  // namespace signorini

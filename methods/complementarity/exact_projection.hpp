@@ -35,10 +35,11 @@ struct ExactProjection {
 /// (docs/theory.md, section 3); sampling leaves O(N^-2) of it, irregularly. The edges of contact move with
 /// lambda, where y = 0: R is continuously differentiable, and Newton converges quadratically where no contact
 /// is born or lost. Steps by a dense factorisation of the (2 H + 1) Nc unknowns up to a hundred of them,
-/// beyond by GMRES with products of O(H log H Nc + H Nc^2), preconditioned by LastingContactInverse. \param
-/// lambda  (H+1) x Nc [N] \param shifts  the stops stand at g - shift(t); while that is constant during each
-/// contact, the contact
-///                still does no net work, and with a speed it does speed J / T of it on the structure
+/// beyond by GMRES with products of O(H log H Nc + H Nc^2), preconditioned by LastingContactInverse.
+///
+/// \param lambda  (H+1) x Nc [N]
+/// \param shifts  the stops stand at g - shift(t); while that is constant during each contact, the contact
+///        still does no net work, and with a speed it does speed J / T of it on the structure
 ExactProjection project_exactly(const ProjectedEquations& equations, const Eigen::MatrixXcd& lambda,
                                 const ExactProjectionSettings& settings, const StopShifts& shifts = {});
 

@@ -14,8 +14,11 @@ inline constexpr int kResolvingSamples = 16;
 
 /// Where y(t) = scale * shift(t) + sum_{|n| <= H} y_n e^{2 pi i n t} > 0. Sign changes are bracketed on
 /// `samples` equidistant instants and the extrema near zero between them, so that contacts shorter than a
-/// sample are seen too, and polished to rounding. \param y n = 0..H  \param samples at least 8 H to tell
-/// every extremum  \param shifts  shift(t) of one contact, see stop_shift.hpp
+/// sample are seen too, and polished to rounding.
+///
+/// \param y  n = 0..H
+/// \param samples  at least 8 H to tell every extremum
+/// \param shifts  shift(t) of one contact, see stop_shift.hpp
 std::vector<ContactInterval> positive_intervals(const Eigen::VectorXcd& y, int samples,
                                                 const std::vector<StopShift>& shifts = {},
                                                 double scale = 1.0);

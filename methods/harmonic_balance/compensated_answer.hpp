@@ -24,7 +24,9 @@ CompensatedSeries compensate_series(const HarmonicSetup& setup, const Solution& 
 std::optional<Solution> compensated_from_guess(const HarmonicSetup& setup, const Start& start, Work& work);
 
 /// The answer that a motion found by other means leads to, its impacts compensated if it has any; empty if
-/// there is none. \param how  the motion was found, for the message
+/// there is none.
+///
+/// \param how  the motion was found, for the message
 std::optional<Solution> compensated_from_motion(const HarmonicSetup& setup, const Trajectory& motion,
                                                 const std::string& how, const Start& start, Work& work);
 

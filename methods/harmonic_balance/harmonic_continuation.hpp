@@ -35,9 +35,11 @@ struct HarmonicContinuation {
 /// `receptance` at the full constant. Each trial doubles the harmonics at the full constant; where Newton
 /// does not follow, the trial moves half of the way back, on logarithmic scales of both. A solution so found
 /// costs a few solves of (2 H + 1) Nc unknowns where a path of pivots on the fine grid costs thousands of
-/// updates (docs/decisions/0007). \param lambda    the solution at `start`, (start.harmonics + 1) x Nc [N]
-/// \param tolerance as of project_exactly
-/// \param budget    its deadline alone counts
+/// updates (docs/decisions/0007).
+///
+/// \param lambda  the solution at `start`, (start.harmonics + 1) x Nc [N]
+/// \param tolerance  as of project_exactly
+/// \param budget  its deadline alone counts
 HarmonicContinuation continue_in_harmonics(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
                                            const LawAt& law_at, const ContinuationPoint& start,
                                            Eigen::MatrixXcd lambda, double tolerance, const Start& budget);

@@ -51,8 +51,10 @@ class ImpactCompensation {
   /// one. Each round solves X(t_k) = g, X'(t_k) = 0 for instants and impulses (ImpactEquations), takes the
   /// series' contacts there with stops that let each keep its shape, and solves the projected equations anew
   /// (project_exactly). Not converged where an impact comes or goes on the way, or the projected equations
-  /// have no solution near by. \param settings  as of project_exactly; its tolerance is also that of the law
-  /// of impact, relative to the motion
+  /// have no solution near by.
+  ///
+  /// \param settings  as of project_exactly; its tolerance is also that of the law of impact, relative to the
+  ///        motion
   [[nodiscard]] Result operator()(const ProjectedEquations& equations, const Eigen::MatrixXcd& lambda,
                                   const StopShifts& shifts, const ExactProjectionSettings& settings) const;
 

@@ -23,7 +23,9 @@ class SampleLadder {
   /// N of the present rung.
   [[nodiscard]] int samples() const { return samples_; }
   /// Whether an answer is one: its contact integral exact, or sampled because that was asked for, or so well
-  /// that the energy identity holds to 1e-3. \param net_work  net_work_ratio [-]
+  /// that the energy identity holds to 1e-3.
+  ///
+  /// \param net_work  net_work_ratio [-]
   [[nodiscard]] bool accepts(bool exact, double net_work) const;
   /// Doubles N where the outcome asks for it; false if it does not, or there is nothing left to try.
   bool refine(bool converged, bool exact, double net_work);

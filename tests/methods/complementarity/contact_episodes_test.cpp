@@ -12,36 +12,6 @@
 namespace signorini {
 namespace {
 
-std::vector<double> widths(const std::vector<ContactEpisode>& episodes) {
-  std::vector<double> result;
-  for (const ContactEpisode& episode : episodes) result.push_back(episode.width());
-  return result;
-}
-
-TEST(JoinIntervals, JoinsThoseThatTheSeriesCannotTellApart) {
-  // One ripple of 10 harmonics is a tenth of the period.
-  const auto episodes = join_intervals({{0.1, 0.2}, {0.25, 0.3}, {0.5, 0.6}}, 3, 10);
-  ASSERT_EQ(episodes.size(), 2U);
-  EXPECT_EQ(episodes[0].intervals.size(), 2U);
-  EXPECT_EQ(episodes[0].contact, 3);
-  EXPECT_NEAR(widths(episodes)[0], 0.2, 1e-15);
-  EXPECT_NEAR(episodes[1].middle(), 0.55, 1e-15);
-}
-
-TEST(JoinIntervals, JoinsAcrossThePeriodsEnd) {
-  const auto episodes = join_intervals({{0.02, 0.1}, {0.4, 0.5}, {0.9, 0.97}}, 0, 10);
-  ASSERT_EQ(episodes.size(), 2U);
-  EXPECT_NEAR(episodes[1].intervals.back().end, 1.1, 1e-15);
-  EXPECT_NEAR(episodes[1].middle(), 1.0, 1e-15);
-}
-
-TEST(JoinIntervals, LeavesASingleEpisodeOpen) {
-  const auto episodes = join_intervals({{0.02, 0.98}}, 0, 10);
-  ASSERT_EQ(episodes.size(), 1U);
-  EXPECT_NEAR(episodes[0].width(), 0.96, 1e-15);
-  EXPECT_TRUE(join_intervals({}, 0, 10).empty());
-}
-
 /// A solution of the exactly projected equations and what its episodes need.
 struct SolvedOscillator {
   explicit SolvedOscillator(const test::ImpactOscillator& oscillator, int harmonics)
