@@ -4,9 +4,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "harness/records/run_folder.hpp"
+#include "harness/records/record_store.hpp"
 #include "harness/records/shards.hpp"
 #include "harness/run/rounds.hpp"
+#include "harness/run/suite_run.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "harness/plan/plan.hpp"
+#include "problems/scene/scene_file.hpp"
 #include "tests/harness/conformance/flawed_method.hpp"
 
 namespace signorini {

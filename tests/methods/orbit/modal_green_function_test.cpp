@@ -56,7 +56,7 @@ TEST(ModalGreenFunction, ContainsTheBackboneOfTheUndampedOscillator) {
   for (const auto& [ratio, frequency] : rows) {
     EXPECT_NEAR(std::numbers::pi / (std::numbers::pi - std::acos(ratio)), frequency, 1e-8);
     const double exact = std::numbers::pi / (std::numbers::pi - std::acos(ratio));
-    const ImpactOscillator o{.damping = 0.0, .load = 0.0, .frequency = exact, .gap = ratio};
+    const test::ImpactOscillator o{.damping = 0.0, .load = 0.0, .frequency = exact, .gap = ratio};
     const ContactDynamics dynamics(test::to_problem(o));
     const ModalGreenFunction green(dynamics, 2.0 * std::numbers::pi / exact);
     ASSERT_TRUE(green.defined());

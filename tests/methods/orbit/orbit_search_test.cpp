@@ -130,9 +130,9 @@ TEST(ExactOrbitSearch, MasslessContactsAreTheSpringStopsTheyCondenseTo) {
   problem.edit_structure([&](Structure& s) {
     s.mass = Eigen::MatrixXd(Eigen::Vector2d(1.0, 0.0).asDiagonal()).sparseView();
     s.damping = Eigen::MatrixXd(Eigen::Vector2d(0.1, 0.0).asDiagonal()).sparseView();
+    s.stiffness = Eigen::MatrixXd((Eigen::Matrix2d() << 1.0 + spring, -spring, -spring, spring).finished())
+                      .sparseView();
   });
-  problem.stiffness() =
-      Eigen::MatrixXd((Eigen::Matrix2d() << 1.0 + spring, -spring, -spring, spring).finished()).sparseView();
   problem.contacts = {{.normal = {{1, 1.0}}, .gap = 0.2}};
   problem.law = Massless{};
   const auto massless = cold_orbit(problem);
