@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "harness/judge/orbit.hpp"
-#include "methods/resolutions.hpp"
+#include "methods/refinement.hpp"
 
 namespace signorini {
 

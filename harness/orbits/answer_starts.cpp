@@ -14,7 +14,7 @@
 #include "methods/hat_functions/hat_contact.hpp"
 #include "methods/linear_flow/contact_dynamics.hpp"
 #include "methods/periodic_motion/periodic_motion.hpp"
-#include "methods/resolutions.hpp"
+#include "methods/refinement.hpp"
 #include "methods/structure/condensation.hpp"
 
 namespace signorini {

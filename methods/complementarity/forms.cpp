@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "methods/complementarity/contact_symbol.hpp"
+#include "methods/discretisation/block_circulant.hpp"
 #include "methods/discretisation/free_penetration.hpp"
 #include "methods/discretisation/real_fft.hpp"
 
@@ -20,8 +21,8 @@ Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& ga
     symbol.push_back(rate.block(n));
     symbol.back().diagonal().array() += 1.0;
   }
-  return {BlockCirculant(samples, symbol, 1.0),
-          -free_penetration(receptance.free_response, gap, rate.root(), samples)};
+  return periodic_lcp(BlockCirculant(samples, symbol, 1.0),
+                      -free_penetration(receptance.free_response, gap, rate.root(), samples));
 }
 
 Eigen::MatrixXcd force_coefficients(const ProjectedLaw& law, const Eigen::VectorXd& z_scaled, int samples,

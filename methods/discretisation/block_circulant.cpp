@@ -1,6 +1,8 @@
 #include "methods/discretisation/block_circulant.hpp"
 
 #include <Eigen/LU>
+#include <memory>
+#include <utility>
 
 namespace signorini {
 
@@ -42,9 +44,13 @@ void BlockCirculant::add_columns(std::span<const int> columns, const double* wei
   }
 }
 
-void BlockCirculant::gather(std::span<const int> rows, int col, Eigen::VectorXd& out) const {
+void BlockCirculant::gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const {
   out.resize(static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t k = 0; k < rows.size(); ++k) out[static_cast<Eigen::Index>(k)] = (*this)(rows[k], col);
+  for (std::size_t k = 0; k < rows.size(); ++k) out[static_cast<Eigen::Index>(k)] = (*this)(rows[k], column);
+}
+
+void BlockCirculant::gather_row(int row, std::span<const int> columns, double* out) const {
+  for (std::size_t k = 0; k < columns.size(); ++k) out[k] = (*this)(row, columns[k]);
 }
 
 Eigen::MatrixXd BlockCirculant::submatrix(std::span<const int> rows, std::span<const int> columns) const {
@@ -57,7 +63,7 @@ Eigen::MatrixXd BlockCirculant::submatrix(std::span<const int> rows, std::span<c
   return block;
 }
 
-Eigen::VectorXd BlockCirculant::operator*(const Eigen::VectorXd& z) {
+Eigen::VectorXd BlockCirculant::operator*(const Eigen::VectorXd& z) const {
   const auto kept = static_cast<Eigen::Index>(symbol_.size());
   Eigen::MatrixXcd input(fft_.coefficients(), contacts_);
   for (int c = 0; c < contacts_; ++c) fft_.forward(z.segment(c * samples_, samples_), input.col(c));
@@ -70,7 +76,7 @@ Eigen::VectorXd BlockCirculant::operator*(const Eigen::VectorXd& z) {
   return result + tail_ * z;
 }
 
-Eigen::VectorXd BlockCirculant::solve(const Eigen::VectorXd& b) {
+Eigen::VectorXd BlockCirculant::solve(const Eigen::VectorXd& b) const {
   Eigen::MatrixXcd spectrum(fft_.coefficients(), contacts_);
   for (int c = 0; c < contacts_; ++c) fft_.forward(b.segment(c * samples_, samples_), spectrum.col(c));
   const Eigen::MatrixXcd tail = tail_ * Eigen::MatrixXcd::Identity(contacts_, contacts_);
@@ -82,6 +88,11 @@ Eigen::VectorXd BlockCirculant::solve(const Eigen::VectorXd& b) {
   Eigen::VectorXd result(size());
   for (int c = 0; c < contacts_; ++c) fft_.inverse(spectrum.col(c), result.segment(c * samples_, samples_));
   return result;
+}
+
+Lcp periodic_lcp(BlockCirculant matrix, Eigen::VectorXd offset) {
+  const int samples = matrix.samples();
+  return {std::make_shared<BlockCirculant>(std::move(matrix)), std::move(offset), samples};
 }
 
 }  // namespace signorini

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "methods/discretisation/real_fft.hpp"
+#include "methods/solvers/lcp.hpp"
 
 namespace signorini {
 
@@ -17,7 +18,7 @@ namespace signorini {
 ///
 /// A_n the Nc x Nc symbol. Unknown (c, i) has index c N + i. Stored: one lag table per pair of contacts
 /// (2 N Nc^2 numbers); the N Nc x N Nc array never exists. Products with many columns go through FFTs.
-class BlockCirculant {
+class BlockCirculant final : public LcpMatrix {
  public:
   /// \param symbol A_n for n = 0..H, H <= N/2; harmonics above H have the symbol `tail` * identity.
   ///        The identity part `tail` sits on the diagonal exactly, without a round trip through a transform.
@@ -28,27 +29,23 @@ class BlockCirculant {
   /// Nc.
   [[nodiscard]] int contacts() const { return contacts_; }
   /// N Nc.
-  [[nodiscard]] int size() const { return samples_ * contacts_; }
+  [[nodiscard]] int size() const override { return samples_ * contacts_; }
 
   /// A(row, col).
   [[nodiscard]] double operator()(int row, int col) const {
     return lag(row / samples_, col / samples_, row % samples_ - col % samples_);
   }
 
-  /// out += sum_k weights[k] * A(:, columns[k]); out has size().
-  void add_columns(std::span<const int> columns, const double* weights, Eigen::VectorXd& out) const;
-
-  /// A(rows, col), written into out.
-  void gather(std::span<const int> rows, int col, Eigen::VectorXd& out) const;
-
-  /// A(rows, columns), dense.
-  [[nodiscard]] Eigen::MatrixXd submatrix(std::span<const int> rows, std::span<const int> columns) const;
-
-  /// A z by FFTs, O(N log N Nc + N Nc^2).
-  [[nodiscard]] Eigen::VectorXd operator*(const Eigen::VectorXd& z);
-
-  /// A^{-1} b, one Nc x Nc solve per harmonic; not finite where some A_n is singular.
-  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b);
+  /// O(N Nc) per column: each is a shifted piece of the lag table.
+  void add_columns(std::span<const int> columns, const double* weights, Eigen::VectorXd& out) const override;
+  void gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const override;
+  void gather_row(int row, std::span<const int> columns, double* out) const override;
+  [[nodiscard]] Eigen::MatrixXd submatrix(std::span<const int> rows,
+                                          std::span<const int> columns) const override;
+  /// By FFTs, O(N log N Nc + N Nc^2).
+  [[nodiscard]] Eigen::VectorXd operator*(const Eigen::VectorXd& z) const override;
+  /// By one Nc x Nc solve per harmonic; not finite where some A_n is singular.
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const override;
 
  private:
   [[nodiscard]] double lag(int row_contact, int col_contact, int difference) const {
@@ -60,7 +57,10 @@ class BlockCirculant {
   Eigen::MatrixXd lags_;  // 2N x Nc^2: row k holds lag k - N, so that a column of A is contiguous
   std::vector<Eigen::MatrixXcd> symbol_;
   double tail_;
-  RealFft fft_;
+  mutable RealFft fft_;  // owns its work space: one transform at a time, as everything in a thread
 };
+
+/// The problem w = q + A z of Nc contacts at N instants, q N Nc.
+Lcp periodic_lcp(BlockCirculant matrix, Eigen::VectorXd offset);
 
 }  // namespace signorini

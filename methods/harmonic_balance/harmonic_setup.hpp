@@ -9,7 +9,7 @@
 #include "methods/harmonic_balance/grid_solver.hpp"
 #include "methods/harmonic_balance/harmonic_options.hpp"
 #include "methods/harmonic_balance/impact_compensation.hpp"
-#include "methods/resolutions.hpp"
+#include "methods/refinement.hpp"
 #include "methods/structure/receptance.hpp"
 
 namespace signorini {

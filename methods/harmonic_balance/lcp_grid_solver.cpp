@@ -21,7 +21,7 @@ class LcpGridSolver final : public GridSolver {
     const Eigen::VectorXd guess =
         start.guess ? pressure_samples(*start.guess, samples, law.constant.cwiseSqrt()) : Eigen::VectorXd{};
     const LcpResult result = solve_lcp(lcp, remaining(start, work), guess);
-    work.unknowns = lcp.matrix.size();
+    work.unknowns = lcp.matrix->size();
     count(result, work);
     const bool solved = result.status == LcpStatus::solved;
     return {.solved = solved,

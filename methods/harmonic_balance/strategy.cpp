@@ -19,7 +19,7 @@
 #include "methods/harmonic_balance/hat_agreement.hpp"
 #include "methods/harmonic_balance/sample_grids.hpp"
 #include "methods/harmonic_balance/series_solution.hpp"
-#include "methods/resolutions.hpp"
+#include "methods/refinement.hpp"
 #include "methods/structure/periodic_response.hpp"
 
 namespace signorini {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "methods/resolutions.hpp"
+#include "methods/refinement.hpp"
 #include "methods/structure/receptance.hpp"
 
 namespace signorini {

@@ -1,10 +1,11 @@
 #pragma once
 // Hat functions on finer and finer grids.
 
+#include <memory>
 #include <optional>
 
 #include "methods/hat_functions/hat_contact.hpp"
-#include "methods/resolutions.hpp"
+#include "methods/refinement.hpp"
 
 namespace signorini {
 
@@ -19,5 +20,13 @@ int coarsest_hat_grid(const Problem& problem);
 /// \param settings  of all grids but for the nodes
 /// \param restitution  as of hat_contact; `problem` must outlive the grids
 Resolutions hat_grids(const Problem& problem, const HatSettings& settings, std::optional<double> restitution);
+
+/// The scene on those grids, one after another, until two agree within 5 % (`refined_until_agreed`). A grid
+/// dissipates or feeds the motion at impacts, at a rate that falls with N, so that an answer on one grid
+/// alone may be of another motion (docs/decisions/0014). Motions below 1e-6 of the static deflection are at
+/// rest; a grid that would take more than about a second is not asked. \throws std::runtime_error if the
+/// structure cannot be factorised
+std::unique_ptr<PreparedMethod> refined_hat_contact(const Problem& problem, const HatSettings& settings,
+                                                    std::optional<double> restitution);
 
 }  // namespace signorini

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "methods/solvers/pivoting.hpp"
+#include "methods/solvers/small_lcp.hpp"
 #include "methods/structure/condensation.hpp"
 
 namespace signorini {
@@ -41,6 +42,7 @@ class Recurrence {
                                 : load_at(problem, t);
     }
     scale_ = compliance_.cwiseAbs().maxCoeff();
+    instant_ = dense_lcp(compliance_ / scale_, {});
     before_ = Eigen::VectorXd::Zero(problem.size());
     now_ = before_;
   }
@@ -50,6 +52,9 @@ class Recurrence {
   /// One period; false if the motion has grown beyond all bounds or a step has no solution.
   bool advance(Eigen::VectorXd& pressure) {
     for (int k = 0; k < samples_; ++k) {
+      // The step without contact, then the pressure p = -lambda that the condition asks for, then its effect:
+      // a complementarity problem of size Nc in A_+^{-1} seen by the contacts, as Moreau's scheme solves one
+      // per step.
       Eigen::VectorXd next = factors_.solve(load_.col(k) - here_ * now_ - behind_ * before_);
       const Eigen::VectorXd room =
           (1.0 + restitution_) * gap_ - directions_.transpose() * (next + restitution_ * before_);
@@ -68,8 +73,8 @@ class Recurrence {
   Eigen::VectorXd contact_pressure(const Eigen::VectorXd& room) {
     if (room.minCoeff() >= 0.0) return Eigen::VectorXd::Zero(contacts_);
     if (contacts_ == 1) return -room / compliance_(0, 0);
-    Lcp lcp{BlockCirculant(1, {(compliance_ / scale_).cast<std::complex<double>>()}), room / scale_};
-    const LcpResult result = solve_by_pivoting(lcp);
+    instant_.offset = room / scale_;
+    const LcpResult result = solve_by_pivoting(instant_);
     return result.status == LcpStatus::solved ? result.z : Eigen::VectorXd{};
   }
 
@@ -80,6 +85,7 @@ class Recurrence {
   SparseMatrix directions_, ahead_, here_, behind_;
   Eigen::SparseLU<SparseMatrix> factors_;
   Eigen::MatrixXd compliance_;
+  Lcp instant_;  // the contacts at one instant, in units of scale_
   Eigen::MatrixXd load_;
   Eigen::VectorXd gap_, before_, now_;
 };
@@ -96,6 +102,8 @@ Eigen::VectorXd march_to_period(const Problem& problem, const HatSettings& optio
   for (int period = 0; period < periods; ++period) {
     previous = pressure;
     if (!recurrence.advance(pressure) || start.expired()) return {};
+    // The pressures still change while the motion settles; the nodes that press are what Newton's method
+    // needs.
     const bool same = ((previous.array() > 0.0) == (pressure.array() > 0.0)).all();
     if (period > 0 && same && pressure.maxCoeff() > 0.0) return pressure;
   }

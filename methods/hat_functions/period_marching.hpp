@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "methods/hat_functions/hat_contact.hpp"
+#include "methods/hat_functions/hat_settings.hpp"
 #include "methods/method.hpp"
 
 namespace signorini {

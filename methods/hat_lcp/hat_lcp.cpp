@@ -2,38 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 #include <utility>
 
-#include "methods/discretisation/trajectories.hpp"
 #include "methods/hat_functions/hat_grids.hpp"
 
 namespace signorini {
-
-namespace {
-
-/// A pivot costs the square of the nodes in contact, and the next grid has four times as many of both.
-/// Contacts that press for long are dear, and not the ones that grids disagree on.
-bool cheap_on_the_next_grid(const Solution& solution) {
-  constexpr double kGrowth = 64.0;
-  constexpr double kOperations = 1e9;  // about a second
-  const auto& motion = dynamic_cast<const NodalTrajectory&>(*solution.trajectory);
-  const auto pressed = static_cast<double>((motion.nodal_force().array() < 0.0).count());
-  return kGrowth * static_cast<double>(solution.work.pivots.value_or(0)) * pressed * pressed <= kOperations;
-}
-
-/// A motion this small a part of the static deflection is rounding.
-constexpr double kAtRest = 1e-6;
-
-/// What the load at its largest would do to the softest contact at rest [m].
-double static_deflection(const Problem& problem) {
-  double load = 0.0;
-  for (const ForceTerm& term : problem.force) load += std::hypot(term.cos, term.sin);
-  return load / contact_stiffness_scale(problem).minCoeff();
-}
-
-}  // namespace
 
 HatLcp::HatLcp(const Options& options) : options_(options) {
   require_option(!options_.samples || (*options_.samples >= 4 && *options_.samples <= 10000000), "samples",
@@ -84,8 +58,7 @@ std::unique_ptr<PreparedMethod> HatLcp::prepare(const Problem& problem) const {
   const bool refines = problem.contact_count() > 0 && !options_.samples && !options_.plain &&
                        options_.max_iterations == 0 && options_.solver == ComplementaritySolver::automatic;
   if (!refines) return hat_contact(problem, settings, restitution);
-  return refined_until_agreed(hat_grids(problem, settings, restitution), "N", cheap_on_the_next_grid,
-                              kAtRest * static_deflection(problem));
+  return refined_hat_contact(problem, settings, restitution);
 }
 
 }  // namespace signorini

@@ -35,8 +35,14 @@ struct SolverSettings {
   double cover_phase = 0.0;      ///< [rad]
 };
 
-/// Solves the problem as the settings ask, from `guess` (z of a nearby problem) or cold when that is
-/// empty. Counts of work are summed over restarts; a guess that leads nowhere is followed by a cold start.
-LcpResult solve_lcp(Lcp& lcp, const SolverSettings& settings, const Eigen::VectorXd& guess = {});
+/// Solves the problem as the settings ask, from `guess` (z of a nearby problem) or cold when that is empty.
+/// `automatic` makes these attempts, in this order, until one succeeds:
+///
+///   1. without a guess: permanent contact, w = 0 everywhere, one linear solve;
+///   2. pivoting from the guess, if there is one; then cold;
+///   3. where a path ends on a ray or at a singular block: cold with four other covering vectors.
+///
+/// `pivoting` makes the second alone, `newton` none of them. Counts of work are summed over attempts.
+LcpResult solve_lcp(const Lcp& lcp, const SolverSettings& settings, const Eigen::VectorXd& guess = {});
 
 }  // namespace signorini

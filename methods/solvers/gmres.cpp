@@ -21,6 +21,8 @@ KrylovSolve solve_by_gmres(const LinearOperator& product, const LinearOperator& 
   rhs[0] = norm;
   Eigen::Index used = 0;
   while (used < size && std::abs(rhs[used]) > tolerance * norm) {
+    // Arnoldi's step, A M^{-1} V_k = V_{k+1} H_k. The second pass restores the orthogonality that
+    // cancellation in the first one costs; without it the residual below is no longer that of the recurrence.
     Eigen::VectorXd next = product(precondition(basis.back()));
     Eigen::VectorXd column = Eigen::VectorXd::Zero(used + 2);
     for (int pass = 0; pass < 2; ++pass) {
@@ -33,6 +35,8 @@ KrylovSolve solve_by_gmres(const LinearOperator& product, const LinearOperator& 
     const double rest = next.norm();
     column[used + 1] = rest;
     if (!std::isfinite(rest)) return {};
+    // H_k = Q R by one new rotation; the last entry of Q^T |b| e_1 is the norm of the residual, without
+    // forming it.
     for (Eigen::Index k = 0; k < used; ++k) {
       column.applyOnTheLeft(k, k + 1, rotations[static_cast<std::size_t>(k)].adjoint());
     }

@@ -2,19 +2,61 @@
 // The complementarity problem that every periodic method ends in, and the result of solving it.
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
-#include <vector>
-
-#include "methods/discretisation/block_circulant.hpp"
 
 namespace signorini {
 
-/// Finds z >= 0 with w = q + A z >= 0 and z^T w = 0, A block-circulant. Entries of A are of order one
-/// on the diagonal (the assembly scales them), q may have any size.
+/// A square matrix A that need not exist as an array. Each call handles whole columns, rows or blocks, so
+/// that its cost is that of the arithmetic. Indices are below size(), without repetition.
+class LcpMatrix {
+ public:
+  virtual ~LcpMatrix() = default;
+
+  /// Rows and columns of A.
+  [[nodiscard]] virtual int size() const = 0;
+
+  /// out += sum_k weights[k] * A(:, columns[k]), added in the order of `columns`; out has size().
+  virtual void add_columns(std::span<const int> columns, const double* weights,
+                           Eigen::VectorXd& out) const = 0;
+
+  /// A(rows, column), written into out, which takes the size of `rows`.
+  virtual void gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const = 0;
+
+  /// A(row, columns), written to out, which has room for as many numbers as there are columns.
+  virtual void gather_row(int row, std::span<const int> columns, double* out) const = 0;
+
+  /// A(rows, columns), dense.
+  [[nodiscard]] virtual Eigen::MatrixXd submatrix(std::span<const int> rows,
+                                                  std::span<const int> columns) const = 0;
+
+  /// A z; z and the result have size().
+  [[nodiscard]] virtual Eigen::VectorXd operator*(const Eigen::VectorXd& z) const = 0;
+
+  /// A^{-1} b; not finite where A is singular.
+  [[nodiscard]] virtual Eigen::VectorXd solve(const Eigen::VectorXd& b) const = 0;
+
+ protected:
+  LcpMatrix() = default;
+  LcpMatrix(const LcpMatrix&) = default;
+  LcpMatrix(LcpMatrix&&) = default;
+  LcpMatrix& operator=(const LcpMatrix&) = default;
+  LcpMatrix& operator=(LcpMatrix&&) = default;
+};
+
+/// Finds z >= 0 with w = q + A z >= 0 and z^T w = 0. Entries of A are of order one on the diagonal (the
+/// assembly scales them), q may have any size.
 struct Lcp {
-  BlockCirculant matrix;   ///< A
-  Eigen::VectorXd offset;  ///< q
+  std::shared_ptr<const LcpMatrix> matrix;  ///< A, never null
+  Eigen::VectorXd offset;                   ///< q
+  /// N, a divisor of the size of q: the unknowns of a contact at N instants follow one another. 1 where the
+  /// problem is that of a single instant [-]
+  int samples = 1;
+
+  /// Nc, the runs of N unknowns.
+  [[nodiscard]] int contacts() const { return static_cast<int>(offset.size()) / samples; }
 };
 
 /// How a solve ended.
@@ -40,7 +82,7 @@ struct LcpResult {
 
 /// max_i |min(z_i, w_i)| / max(max |q|, max |z|) with w recomputed from z; infinity if anything is not
 /// finite. The scale is the larger of the load on the constraint and the answer.
-double natural_residual(Lcp& lcp, const Eigen::VectorXd& z);
+double natural_residual(const Lcp& lcp, const Eigen::VectorXd& z);
 
 /// One sentence on how a solve ended.
 std::string describe(LcpStatus status);

@@ -15,7 +15,7 @@ namespace {
 /// F(y) = max(0, -y) - q - A max(0, y) as damped_newton sees it.
 class NormalMap {
  public:
-  NormalMap(Lcp& lcp, Eigen::VectorXd y, double tolerance)
+  NormalMap(const Lcp& lcp, Eigen::VectorXd y, double tolerance)
       : lcp_(lcp), tolerance_(tolerance), y_(std::move(y)), value_(at(y_)) {}
 
   /// Both the complementarity residual of z = max(0, y) and F itself must be small: F = 0 alone is relative
@@ -51,7 +51,7 @@ class NormalMap {
 
  private:
   [[nodiscard]] Eigen::VectorXd at(const Eigen::VectorXd& y) const {
-    return (-y).cwiseMax(0.0) - lcp_.offset - lcp_.matrix * y.cwiseMax(0.0);
+    return (-y).cwiseMax(0.0) - lcp_.offset - *lcp_.matrix * y.cwiseMax(0.0);
   }
 
   /// y + s. With the active set S = {y > 0} frozen, F is linear and its zero is A_SS z_S = -q_S, y = z on S
@@ -63,18 +63,18 @@ class NormalMap {
     }
     answer_.condition.reset();
     if (active.empty()) return -lcp_.offset;
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(lcp_.matrix.submatrix(active, active));
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(lcp_.matrix->submatrix(active, active));
     const Eigen::VectorXd held = lu.solve(Eigen::VectorXd(-lcp_.offset(active)));
     if (!held.allFinite()) return {};
     answer_.condition = condition_from(lu.rcond());
     Eigen::VectorXd z = Eigen::VectorXd::Zero(y_.size());
     z(active) = held;
-    Eigen::VectorXd solution = -(lcp_.offset + lcp_.matrix * z);
+    Eigen::VectorXd solution = -(lcp_.offset + *lcp_.matrix * z);
     solution(active) = held;
     return solution;
   }
 
-  Lcp& lcp_;
+  const Lcp& lcp_;
   double tolerance_;
   LcpResult answer_;
   Eigen::VectorXd y_;
@@ -101,14 +101,14 @@ LcpStatus status_of(NewtonEnd end) {
 }
 
 /// Where the guess presses, y = z; elsewhere y = -w. Without a guess the contact-free response, z = 0.
-Eigen::VectorXd first_iterate(Lcp& lcp, const Eigen::VectorXd& guess) {
+Eigen::VectorXd first_iterate(const Lcp& lcp, const Eigen::VectorXd& guess) {
   if (guess.size() != lcp.offset.size()) return -lcp.offset;
-  return (guess.array() > 0.0).select(guess, -(lcp.offset + lcp.matrix * guess));
+  return (guess.array() > 0.0).select(guess, -(lcp.offset + *lcp.matrix * guess));
 }
 
 }  // namespace
 
-LcpResult solve_by_newton(Lcp& lcp, const NewtonOptions& options) {
+LcpResult solve_by_newton(const Lcp& lcp, const NewtonOptions& options) {
   NormalMap equations(lcp, first_iterate(lcp, options.guess), options.tolerance);
   const DampedNewtonResult newton = damped_newton(
       equations, {.max_steps = options.max_iterations, .max_halvings = 20, .deadline = options.deadline});

@@ -23,6 +23,6 @@ struct NewtonOptions {
 /// in the Fourier space plus a constant, and so do all Newton iterates here, so that the active set
 /// {y > 0}, the iterates and the full steps are the paper's own. Each step solves one dense |active|
 /// system, A_SS z_S = -q_S. Converges locally only; failure is reported, not repaired.
-LcpResult solve_by_newton(Lcp& lcp, const NewtonOptions& options = {});
+LcpResult solve_by_newton(const Lcp& lcp, const NewtonOptions& options = {});
 
 }  // namespace signorini

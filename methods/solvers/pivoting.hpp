@@ -13,7 +13,7 @@ namespace signorini {
 struct PivotingOptions {
   long max_pivots = 0;         ///< 0: 6000 + 10 * size [-]
   double tolerance = 1e-10;    ///< on LcpResult::residual [-]
-  Eigen::VectorXd cover = {};  ///< own covering vector d > 0, size of q; empty: nearly constant
+  Eigen::VectorXd cover = {};  ///< own covering vector d > 0, size of q; empty: smooth_cover without a wave
   Eigen::VectorXd guess = {};  ///< warm start: z of a nearby problem; empty: cold start
   /// The end of the time budget.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
@@ -22,8 +22,8 @@ struct PivotingOptions {
 /// Follows the solution of w = q + tau d + A z, z >= 0, w >= 0, z^T w = 0 from a tau so large that z = 0
 /// (every gap is open) down to tau = 0. With d = 1 the parameter is an added gap. The path is piecewise
 /// linear; each pivot updates the QR factors of the bordered active block [A_RB, d_R], one row and column
-/// larger than the number of positive z: O(|active|^2 + N Nc |active|) per pivot, memory
-/// O(N Nc^2 + |active|^2).
+/// larger than the number of positive z: per pivot O(|active|^2) and |active| columns of A, memory of vectors
+/// and of |active|^2.
 ///
 /// The default d is constant but for one part in 1e9 of irregular variation, which separates the ties of
 /// symmetric problems, where pivoting could cycle. The answer depends on d only in which of several
@@ -33,10 +33,6 @@ struct PivotingOptions {
 ///
 /// Guarantee: `solved` means residual <= tolerance. With strictly copositive-plus A no ray can occur
 /// [cottle2009, theorem 4.4.12]; for the periodic contact problems see docs/theory.md.
-LcpResult solve_by_pivoting(Lcp& lcp, const PivotingOptions& options = {});
-
-/// Covering vector with one smooth wave per period, d_{c,i} = 1 + amplitude * cos(2 pi i / N + phase), and
-/// the irregular 1e-9 part that separates ties. Amplitude in [0, 1).
-Eigen::VectorXd smooth_cover(int samples, int contacts, double amplitude = 0.0, double phase = 0.0);
+LcpResult solve_by_pivoting(const Lcp& lcp, const PivotingOptions& options = {});
 
 }  // namespace signorini

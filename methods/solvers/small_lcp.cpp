@@ -3,9 +3,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <span>
 #include <utility>
 
 #include "methods/solvers/pivoting.hpp"
@@ -13,6 +14,34 @@
 namespace signorini {
 
 namespace {
+
+/// A matrix that is an array.
+class DenseMatrix final : public LcpMatrix {
+ public:
+  explicit DenseMatrix(Eigen::MatrixXd matrix) : matrix_(std::move(matrix)) {}
+
+  [[nodiscard]] int size() const override { return static_cast<int>(matrix_.rows()); }
+  void add_columns(std::span<const int> columns, const double* weights, Eigen::VectorXd& out) const override {
+    for (std::size_t k = 0; k < columns.size(); ++k) out += weights[k] * matrix_.col(columns[k]);
+  }
+  void gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const override {
+    out = matrix_.col(column)(rows);
+  }
+  void gather_row(int row, std::span<const int> columns, double* out) const override {
+    for (std::size_t k = 0; k < columns.size(); ++k) out[k] = matrix_(row, columns[k]);
+  }
+  [[nodiscard]] Eigen::MatrixXd submatrix(std::span<const int> rows,
+                                          std::span<const int> columns) const override {
+    return matrix_(rows, columns);
+  }
+  [[nodiscard]] Eigen::VectorXd operator*(const Eigen::VectorXd& z) const override { return matrix_ * z; }
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const override {
+    return matrix_.partialPivLu().solve(b);
+  }
+
+ private:
+  Eigen::MatrixXd matrix_;
+};
 
 // z on the indices in `basis`, zero elsewhere, with w = 0 on the basis.
 Eigen::VectorXd basic_solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& q,
@@ -131,9 +160,7 @@ std::optional<std::vector<bool>> lemke_basis(const Eigen::MatrixXd& A, const Eig
   }
   const Eigen::VectorXd scale = A.diagonal()(left).cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = scale.asDiagonal() * reduced * scale.asDiagonal();
-  Lcp lcp{.matrix = BlockCirculant(1, {scaled.cast<std::complex<double>>()}),
-          .offset = scale.cwiseProduct(offset)};
-  const LcpResult result = solve_by_pivoting(lcp);
+  const LcpResult result = solve_by_pivoting(dense_lcp(scaled, scale.cwiseProduct(offset)));
   if (result.status != LcpStatus::solved) return std::nullopt;
   std::vector<bool> basic = held;
   for (std::size_t i = 0; i < left.size(); ++i)
@@ -142,6 +169,10 @@ std::optional<std::vector<bool>> lemke_basis(const Eigen::MatrixXd& A, const Eig
 }
 
 }  // namespace
+
+Lcp dense_lcp(Eigen::MatrixXd matrix, Eigen::VectorXd offset) {
+  return {.matrix = std::make_shared<DenseMatrix>(std::move(matrix)), .offset = std::move(offset)};
+}
 
 std::optional<Eigen::VectorXd> solve_small_lcp(const Eigen::MatrixXd& A, const Eigen::VectorXd& q,
                                                const std::vector<bool>& held) {

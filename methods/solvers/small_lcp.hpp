@@ -5,7 +5,14 @@
 #include <optional>
 #include <vector>
 
+#include "methods/solvers/lcp.hpp"
+
 namespace signorini {
+
+/// The problem w = q + A z of a single instant, for the solvers of any complementarity problem.
+/// \param matrix  A as an array, m x m
+/// \param offset  q, m
+Lcp dense_lcp(Eigen::MatrixXd matrix, Eigen::VectorXd offset);
 
 /// Finds z with w = A z + q, z_i w_i = 0, z_i >= 0, w_i >= 0, except that indices in `held` are
 /// equalities: w_i = 0, z_i of any sign.

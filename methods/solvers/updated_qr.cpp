@@ -45,6 +45,8 @@ void UpdatedQr::annihilate(int i, int k, int col) {
   r_(k, col) = 0.0;
 }
 
+// [G, c] = Q [R, Q^T c]: the new column is full; rotating neighbouring rows from the bottom up clears it
+// below the diagonal and touches nothing to its left, where those rows of R are zero.
 void UpdatedQr::append_column(const Eigen::VectorXd& column) {
   reserve(std::max(rows_, cols_ + 1));
   r_.col(cols_).head(rows_).noalias() = qt_.topLeftCorner(rows_, rows_) * column;
@@ -52,6 +54,7 @@ void UpdatedQr::append_column(const Eigen::VectorXd& column) {
   for (int k = rows_ - 1; k >= cols_; --k) annihilate(k - 1, k, cols_ - 1);
 }
 
+// [G; g] = diag(Q, 1) [R; g]: the new last row is rotated away entry by entry against the rows above it.
 void UpdatedQr::append_row(const Eigen::VectorXd& row) {
   reserve(rows_ + 1);
   qt_.row(rows_).head(rows_ + 1).setZero();
@@ -62,6 +65,8 @@ void UpdatedQr::append_row(const Eigen::VectorXd& row) {
   for (int k = 0; k < std::min(cols_, rows_ - 1); ++k) annihilate(k, rows_ - 1, k);
 }
 
+// Columns to the right move one place to the left and have one entry below the diagonal each, an upper
+// Hessenberg block, which one rotation per column makes triangular again.
 void UpdatedQr::remove_column(int index) {
   for (int j = index; j + 1 < cols_; ++j) r_.col(j).head(rows_) = r_.col(j + 1).head(rows_);
   --cols_;

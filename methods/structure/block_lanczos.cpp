@@ -48,6 +48,9 @@ BlockLanczos::BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const S
 
 double BlockLanczos::orthonormalise(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& gram,
                                     double before) {
+  // gram = X s^2 X^T: columns X / s is P-orthonormal, and the eigenvalues s^2 tell how much each direction
+  // adds. A Cholesky factor of gram would do as well while the columns are independent; only eigenvectors
+  // order them by length, so that those of rounding size can be left out.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> directions(gram);
   const Eigen::VectorXd& squares = directions.eigenvalues();  // rising
   const Eigen::Index count = squares.size();
@@ -63,8 +66,10 @@ double BlockLanczos::orthonormalise(const Eigen::MatrixXd& columns, const Eigen:
   return dropped > 0 ? std::max(0.0, squares[dropped - 1]) : 0.0;
 }
 
-// Short directions of a block carry the rounding of its long ones, magnified: once more, each at its own
-// length.
+// Short directions of a block carry the rounding of its long ones, magnified by the ratio of their lengths.
+// So the block is made orthogonal to the basis and orthonormal once more, now that each column has its own
+// unit length: next_ <- (next_ - V V^T P next_) U^{-1}, U^T U its Gram matrix, and U joins the coupling
+// ("twice is enough").
 void BlockLanczos::polish_next() {
   const Eigen::MatrixXd dual = product(P_, next_);
   Eigen::MatrixXd gram = transposed_product(next_, dual);
@@ -90,8 +95,11 @@ void BlockLanczos::adopt_next() {
 }
 
 void BlockLanczos::prepare_next() {
+  // P^{-1} M V_j against the whole basis. In exact arithmetic two blocks would do; rounding brings converged
+  // directions back into the newest block, and with them copies of their eigenvalues [grimes1994].
   const Eigen::MatrixXd momentum = product(M_, basis_.back());
   Eigen::MatrixXd columns = factors_.solve(momentum);
+  // |P^{-1} m|_P^2 = m^T P^{-1} m for each column m of M V_j.
   const double before = momentum.cwiseProduct(columns).colwise().sum().maxCoeff();
   const Eigen::Index width = momentum.cols();
   projected_.emplace_back(size_, width);

@@ -39,6 +39,8 @@ SparseMatrix picking(const std::vector<int>& picked, Eigen::Index size) {
   return P;
 }
 
+// Whether rows or columns of A at the picked coordinates hold more than the rounding of an assembly, in which
+// element contributions that should cancel do so only to precision.
 bool touches(const SparseMatrix& A, const SparseMatrix& picked) {
   constexpr double kRoundOff = 64.0 * std::numeric_limits<double>::epsilon();
   return largest_entry(SparseMatrix(A * picked)) > kRoundOff * largest_entry(A) ||
@@ -81,6 +83,7 @@ void eliminate(const Problem& problem, const SparseMatrix& i, const SparseMatrix
   const Eigen::MatrixXd imag = stiffness.solve(Eigen::MatrixXd(loaded.imag()));
   const Eigen::MatrixXcd carried =
       real.cast<std::complex<double>>() + std::complex<double>(0.0, 1.0) * imag.cast<std::complex<double>>();
+  // K_ib K_bb^-1 K_bi is symmetric but for the rounding of the solves; methods rely on exact symmetry.
   const SparseMatrix pulled = K_bi.transpose() * follows;
   result.stiffness -= SparseMatrix(0.5 * (pulled + SparseMatrix(pulled.transpose())));
   result.directions -= SparseMatrix(K_bi.transpose() * moved);

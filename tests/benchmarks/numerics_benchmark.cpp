@@ -66,7 +66,7 @@ void circulant_product(benchmark::State& state) {
   const ContactReceptance receptance = fourier_receptance(problem, samples / 32);
   Lcp lcp = projected_lcp(receptance, contact_gaps(problem), lipschitz_law(problem, {}, receptance), samples);
   const Eigen::VectorXd z = Eigen::VectorXd::Ones(samples);
-  for (auto _ : state) benchmark::DoNotOptimize(lcp.matrix * z);
+  for (auto _ : state) benchmark::DoNotOptimize(*lcp.matrix * z);
 }
 BENCHMARK(circulant_product)->RangeMultiplier(4)->Range(512, 32768);
 

@@ -44,7 +44,7 @@ void expect_form_of(const ProjectedLaw& law) {
   Eigen::VectorXd z(kSamples);
   for (int i = 0; i < kSamples; ++i) z[i] = 1.0 + std::sin(1.0 + i * i);
   const double root = std::sqrt(law.constant[0]);
-  const Eigen::VectorXd w = root * (lcp.offset + lcp.matrix * Eigen::VectorXd(z / root));
+  const Eigen::VectorXd w = root * (lcp.offset + *lcp.matrix * Eigen::VectorXd(z / root));
   Eigen::VectorXd lambda;
   const Eigen::VectorXd x = motion_under(receptance, z, &lambda);
   const Eigen::VectorXd y = law.constant[0] * (x.array() - 0.2).matrix() - law.multiplier_weight[0] * lambda;

@@ -1,4 +1,4 @@
-#include "methods/resolutions.hpp"
+#include "methods/refinement.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,78 @@
+#pragma once
+// The basis of Lemke's method: which variables move along the path, and the linear system that ties them.
+
+#include <Eigen/Core>
+#include <utility>
+#include <vector>
+
+#include "methods/solvers/lcp.hpp"
+#include "methods/solvers/updated_qr.hpp"
+
+namespace signorini {
+
+/// The bordered active block G = [A_RB, d_R] of w = q + tau d + A z: R the rows whose w is held at zero (or
+/// drives the path), B the basic z; d_R is there while tau is basic. A full tableau would have the size of q;
+/// this has that of the positive z. Its factors are updated, O(|R|^2) per change, by Givens rotations, which
+/// unlike an updated inverse or LU without exchanges do not lose stability however long the path is.
+class LemkeBasis {
+ public:
+  /// An empty basis.
+  /// \param matrix  A, which must outlive the basis
+  explicit LemkeBasis(const LcpMatrix& matrix) : matrix_(matrix) {}
+
+  /// The covering vector d, size of q; to be set before tau becomes basic.
+  void set_cover(Eigen::VectorXd cover) { cover_ = std::move(cover); }
+  /// d.
+  [[nodiscard]] const Eigen::VectorXd& cover() const { return cover_; }
+
+  /// Starts with tau alone in the given row, G = d_row.
+  void begin_with_tau(int row);
+  /// Starts with the z of `active` in their own rows, without tau: G = A_SS.
+  void begin_with(std::vector<int> active);
+
+  /// Appends the column A_R,index: z of that index becomes basic.
+  void append_z(int index);
+  /// Appends the column d_R: tau becomes basic.
+  void append_tau();
+  /// Removes the column at a position; returns the index of its z, meaningless for tau.
+  int remove_column(int position);
+  /// Appends the row of an index, whose w is then held.
+  void append_row(int index);
+  /// Removes the row of an index, whose w then moves.
+  void remove_row(int index);
+
+  /// R, in the order of rows.
+  [[nodiscard]] const std::vector<int>& rows() const { return rows_; }
+  /// Position of an index among the rows; it must be there.
+  [[nodiscard]] int position_of_row(int index) const;
+  /// Position of tau among the columns; -1 where it is not basic.
+  [[nodiscard]] int position_of_tau() const;
+  /// Indices of the basic z in the order of columns; tau must not be among them.
+  [[nodiscard]] const std::vector<int>& basic_z() const { return columns_; }
+
+  /// v_R of a vector v of the size of q, into part.
+  void gather(const Eigen::VectorXd& full, Eigen::VectorXd& part) const;
+  /// v_R of a vector v of the size of q.
+  [[nodiscard]] Eigen::VectorXd gathered(const Eigen::VectorXd& full) const;
+  /// A_R,index, into part.
+  void gather_column(int index, Eigen::VectorXd& part) const;
+
+  /// G^{-1} b for a square G, in place; not finite where G is singular to working precision.
+  void solve(Eigen::VectorXd& b) const { factors_.solve(b); }
+  /// out += [A, d] over all rows applied to the basic variables; out has the size of q.
+  void accumulate(const Eigen::VectorXd& basic, Eigen::VectorXd& out) const;
+  /// Estimated condition number of a square G (triangular_condition) [-].
+  [[nodiscard]] double condition() const { return factors_.condition(); }
+
+ private:
+  static constexpr int kTau = -1;  // tau among the columns
+
+  const LcpMatrix& matrix_;
+  Eigen::VectorXd cover_;
+  UpdatedQr factors_;
+  std::vector<int> rows_;     // R
+  std::vector<int> columns_;  // B, and kTau
+  Eigen::VectorXd work_;
+};
+
+}  // namespace signorini

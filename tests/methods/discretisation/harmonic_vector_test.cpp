@@ -1,0 +1,52 @@
+#include "methods/discretisation/harmonic_vector.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace signorini {
+namespace {
+
+TEST(HarmonicVector, HasTheRootMeanSquareInTimeForItsNorm) {
+  constexpr int kSamples = 64;
+  Eigen::MatrixXcd spectrum = Eigen::MatrixXcd::Random(6, 2);
+  spectrum.row(0) = spectrum.row(0).real().cast<std::complex<double>>();
+  double mean_square = 0.0;
+  for (Eigen::Index c = 0; c < 2; ++c) {
+    for (int k = 0; k < kSamples; ++k) {
+      double value = spectrum(0, c).real();
+      for (int n = 1; n < 6; ++n)
+        value += 2.0 * (spectrum(n, c) * std::polar(1.0, 2.0 * std::numbers::pi * n * k / kSamples)).real();
+      mean_square += value * value / kSamples;
+    }
+  }
+  EXPECT_NEAR(pack_harmonics(spectrum).squaredNorm(), mean_square, 1e-12 * mean_square);
+}
+
+TEST(HarmonicVector, IsOrderedByContactAndHarmonic) {
+  Eigen::MatrixXcd spectrum(2, 2);
+  spectrum << 1.0, 4.0, std::complex<double>(2.0, 3.0), std::complex<double>(5.0, 6.0);
+  Eigen::VectorXd expected(6);
+  const double root = std::sqrt(2.0);
+  expected << 1.0, 2.0 * root, 3.0 * root, 4.0, 5.0 * root, 6.0 * root;
+  EXPECT_LE((pack_harmonics(spectrum) - expected).norm(), 1e-14);
+}
+
+TEST(HarmonicVector, IsUnpackedToWhereItCameFrom) {
+  Eigen::MatrixXcd spectrum = Eigen::MatrixXcd::Random(4, 3);
+  spectrum.row(0) = spectrum.row(0).real().cast<std::complex<double>>();
+  EXPECT_LE((unpack_harmonics(pack_harmonics(spectrum), 3) - spectrum).norm(), 1e-15);
+  const Eigen::VectorXd packed = Eigen::VectorXd::Random(21);
+  EXPECT_LE((pack_harmonics(unpack_harmonics(packed, 3)) - packed).norm(), 1e-15 * packed.norm() * 21);
+}
+
+TEST(HarmonicVector, DropsTheImaginaryPartOfTheMean) {
+  Eigen::MatrixXcd spectrum(1, 1);
+  spectrum << std::complex<double>(1.5, 7.0);
+  EXPECT_EQ(pack_harmonics(spectrum)[0], 1.5);
+}
+
+}  // namespace
+}  // namespace signorini

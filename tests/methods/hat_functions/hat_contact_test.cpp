@@ -1,0 +1,91 @@
+#include "methods/hat_functions/hat_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <array>
+#include <string>
+
+#include "tests/support/damped_chain.hpp"
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+constexpr int kNodes = 24;
+
+/// The ring of nodal equations A_+ u_{k+1} + A_0 u_k + A_- u_{k-1} = f_k, solved as one dense system: x per
+/// node.
+Eigen::MatrixXd ring_solution(const Problem& problem, HatScheme scheme) {
+  const double dt = problem.period() / kNodes;
+  const Eigen::MatrixXd m(problem.mass()), d(problem.damping()), k(problem.stiffness());
+  const double outer = scheme == HatScheme::galerkin ? 1.0 / 6.0 : 0.0;
+  const Eigen::Index size = m.rows();
+  Eigen::MatrixXd ring = Eigen::MatrixXd::Zero(kNodes * size, kNodes * size);
+  Eigen::VectorXd load(kNodes * size);
+  const auto add = [&](int row, int column, const Eigen::MatrixXd& block) {
+    ring.block(row * size, (column + kNodes) % kNodes * size, size, size) += block;
+  };
+  for (int i = 0; i < kNodes; ++i) {
+    if (scheme == HatScheme::backward) {
+      add(i, i, m / (dt * dt) + d / dt + k);
+      add(i, i - 1, -2.0 * m / (dt * dt) - d / dt);
+      add(i, i - 2, m / (dt * dt));
+    } else {
+      add(i, i + 1, m / (dt * dt) + d / (2.0 * dt) + outer * k);
+      add(i, i, -2.0 * m / (dt * dt) + (1.0 - 2.0 * outer) * k);
+      add(i, i - 1, m / (dt * dt) - d / (2.0 * dt) + outer * k);
+    }
+    load.segment(i * size, size) = outer * (load_at(problem, (i - 1) * dt) + load_at(problem, (i + 1) * dt)) +
+                                   (1.0 - 2.0 * outer) * load_at(problem, i * dt);
+  }
+  const Eigen::VectorXd u = ring.partialPivLu().solve(load);
+  const Eigen::MatrixXd directions(contact_directions(problem));
+  return (directions.transpose() * u.reshaped(size, kNodes)).transpose();
+}
+
+TEST(HatContact, WithFarStopsIsTheRingOfNodalEquations) {
+  Problem problem = test::damped_chain(3);
+  for (Contact& contact : problem.contacts) contact.gap = 1e3;
+  for (const HatScheme scheme : {HatScheme::galerkin, HatScheme::nodal, HatScheme::backward}) {
+    const Solution solution = hat_contact(problem, {.samples = kNodes, .scheme = scheme}, 0.5)->solve({});
+    ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+    const Samples samples = solution.trajectory->sample(kNodes);
+    const Eigen::MatrixXd expected = ring_solution(problem, scheme);
+    EXPECT_LE((samples.x - expected).norm(), 1e-10 * expected.norm());
+    EXPECT_EQ(samples.force.norm(), 0.0);
+    EXPECT_EQ(solution.work.pivots, 0);
+  }
+}
+
+TEST(HatContact, SatisfiesTheContactConditionAtItsNodes) {
+  constexpr double kRestitution = 0.7;
+  const Problem problem =
+      test::to_problem({.damping = 0.1, .frequency = 1.5, .gap = 0.2, .restitution = kRestitution});
+  constexpr int kFine = 128;
+  const Solution solution = hat_contact(problem, {.samples = kFine}, kRestitution)->solve({});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  const Samples samples = solution.trajectory->sample(kFine);
+  const double largest = samples.force.cwiseAbs().maxCoeff();
+  EXPECT_GT(largest, 0.0);
+  EXPECT_LE(samples.force.maxCoeff(), 0.0);
+  for (int k = 0; k < kFine; ++k) {
+    const double ahead = samples.x((k + 1) % kFine, 0);
+    const double behind = samples.x((k + kFine - 1) % kFine, 0);
+    const double room = 0.2 - (ahead + kRestitution * behind) / (1.0 + kRestitution);
+    EXPECT_GE(room, -1e-8);
+    EXPECT_LE(std::abs(room * samples.force(k, 0)), 1e-8 * largest);
+  }
+}
+
+TEST(HatContact, OfASceneWithoutContactsIsItsLinearResponse) {
+  Problem problem = test::damped_chain(3, 0);
+  problem.law = std::monostate{};
+  const Solution solution = hat_contact(problem, {.samples = kNodes}, std::nullopt)->solve({});
+  EXPECT_EQ(solution.verdict, Verdict::converged);
+  EXPECT_NE(solution.message.find("no contact"), std::string::npos);
+  EXPECT_EQ(solution.work.unknowns, 0);
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,123 @@
+#include "methods/solvers/lemke_basis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "methods/solvers/small_lcp.hpp"
+#include "tests/support/random_lcp.hpp"
+
+namespace signorini {
+namespace {
+
+constexpr int kSize = 9;
+
+/// A basis kept twice: by LemkeBasis, and as lists from which its block is assembled anew.
+class TwiceKept {
+ public:
+  explicit TwiceKept(std::mt19937& random)
+      : a(test::random_p_matrix(kSize, random)),
+        d(test::random_vector(kSize, random).cwiseAbs() + Eigen::VectorXd::Ones(kSize)),
+        lcp(dense_lcp(a, Eigen::VectorXd::Zero(kSize))),
+        basis(*lcp.matrix) {
+    basis.set_cover(d);
+  }
+
+  [[nodiscard]] Eigen::MatrixXd whole_columns() const {
+    Eigen::MatrixXd result(kSize, static_cast<Eigen::Index>(columns.size()));
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      result.col(static_cast<Eigen::Index>(k)) = columns[k] < 0 ? d : Eigen::VectorXd(a.col(columns[k]));
+    return result;
+  }
+
+  void expect_agreement() {
+    ASSERT_EQ(basis.rows(), rows);
+    const Eigen::MatrixXd g = whole_columns()(rows, Eigen::all);
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(g.rows(), -1.0, 2.0);
+    Eigen::VectorXd x = b;
+    basis.solve(x);
+    EXPECT_LE((x - g.fullPivLu().solve(b)).norm(), 1e-10 * (1.0 + x.norm()));
+    Eigen::VectorXd sum = Eigen::VectorXd::Ones(kSize);
+    basis.accumulate(x, sum);
+    EXPECT_LE((sum - Eigen::VectorXd::Ones(kSize) - whole_columns() * x).norm(), 1e-11 * (1.0 + x.norm()));
+    const auto tau = std::find(columns.begin(), columns.end(), -1);
+    EXPECT_EQ(basis.position_of_tau(), tau == columns.end() ? -1 : static_cast<int>(tau - columns.begin()));
+  }
+
+  Eigen::MatrixXd a;
+  Eigen::VectorXd d;
+  Lcp lcp;
+  LemkeBasis basis;
+  std::vector<int> rows, columns;  // -1: tau
+};
+
+TEST(LemkeBasis, SolvesWithTheBorderedBlockThroughALongSequenceOfExchanges) {
+  std::mt19937 random(41);
+  TwiceKept twice(random);
+  twice.basis.begin_with_tau(4);
+  twice.rows = {4};
+  twice.columns = {-1};
+  twice.expect_agreement();
+  for (int step = 0; step < 200; ++step) {
+    std::vector<int> outside;  // indices with neither a row nor a column
+    for (int i = 0; i < kSize; ++i) {
+      if (std::find(twice.rows.begin(), twice.rows.end(), i) == twice.rows.end()) outside.push_back(i);
+    }
+    const bool grow = !outside.empty() && (twice.rows.size() < 3 || random() % 2 == 0);
+    if (grow) {
+      const int index = outside[random() % outside.size()];
+      twice.basis.append_z(index);
+      twice.basis.append_row(index);
+      twice.columns.push_back(index);
+      twice.rows.push_back(index);
+    } else {
+      // The z of a row leaves together with that row.
+      const std::size_t at = random() % twice.columns.size();
+      const int index = twice.columns[at];
+      if (index < 0) continue;
+      EXPECT_EQ(twice.basis.remove_column(static_cast<int>(at)), index);
+      twice.basis.remove_row(index);
+      twice.columns.erase(twice.columns.begin() + static_cast<long>(at));
+      twice.rows.erase(std::find(twice.rows.begin(), twice.rows.end(), index));
+    }
+    twice.expect_agreement();
+  }
+}
+
+TEST(LemkeBasis, BeginsWithAnActiveSetWithoutTau) {
+  std::mt19937 random(42);
+  TwiceKept twice(random);
+  twice.basis.begin_with({1, 3, 8});
+  twice.rows = twice.columns = {1, 3, 8};
+  twice.expect_agreement();
+  EXPECT_EQ(twice.basis.basic_z(), twice.columns);
+  const Eigen::MatrixXd g = twice.a(twice.rows, twice.rows);
+  const double exact = g.jacobiSvd().singularValues()[0] / g.jacobiSvd().singularValues()[2];
+  EXPECT_GE(twice.basis.condition(), exact / 9.0);
+  EXPECT_LE(twice.basis.condition(), exact * 9.0);
+  // tau joins together with a new row.
+  twice.basis.append_tau();
+  twice.basis.append_row(0);
+  twice.columns.push_back(-1);
+  twice.rows.push_back(0);
+  twice.expect_agreement();
+}
+
+TEST(LemkeBasis, GathersPartsInTheOrderOfItsRows) {
+  std::mt19937 random(43);
+  TwiceKept twice(random);
+  twice.basis.begin_with({7, 2});
+  const Eigen::VectorXd full = Eigen::VectorXd::LinSpaced(kSize, 0.0, kSize - 1.0);
+  EXPECT_EQ(twice.basis.gathered(full), Eigen::Vector2d(7.0, 2.0));
+  Eigen::VectorXd part;
+  twice.basis.gather_column(5, part);
+  EXPECT_EQ(part, Eigen::Vector2d(twice.a(7, 5), twice.a(2, 5)));
+  EXPECT_EQ(twice.basis.position_of_row(2), 1);
+}
+
+}  // namespace
+}  // namespace signorini

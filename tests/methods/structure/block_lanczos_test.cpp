@@ -1,0 +1,90 @@
+#include "methods/structure/block_lanczos.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "tests/support/damped_chain.hpp"
+
+namespace signorini {
+namespace {
+
+class BlockLanczosOfChain : public testing::Test {
+ protected:
+  BlockLanczosOfChain()
+      : problem_(test::damped_chain(24)),
+        start_(contact_directions(problem_)),
+        space_(problem_.stiffness(), problem_.mass(), start_),
+        p_(problem_.stiffness()),
+        m_(problem_.mass()),
+        b_(start_) {}
+
+  Problem problem_;
+  SparseMatrix start_;
+  BlockLanczos space_;
+  Eigen::MatrixXd p_, m_, b_;
+};
+
+// With k powers in the space, r^T t^j r = B^T P^{-1} (M P^{-1})^j B for j = 0 ... 2 k - 1: the moments of
+// which the space is made, and as many again by symmetry.
+TEST_F(BlockLanczosOfChain, MatchesTwiceAsManyMomentsAsItHasPowers) {
+  ASSERT_TRUE(space_.definite());
+  for (int powers = 1; powers <= 5; ++powers) {
+    // Less than two columns each: on a chain, powers of neighbouring contacts share directions.
+    EXPECT_LE(space_.size(), 2 * powers);
+    EXPECT_GT(space_.size(), powers);
+    const Eigen::MatrixXd t = space_.projected_mass();
+    const Eigen::MatrixXd r = space_.projected_start();
+    Eigen::MatrixXd projected = r;
+    Eigen::MatrixXd exact = p_.llt().solve(b_);
+    for (int j = 0; j < 2 * powers; ++j) {
+      const Eigen::MatrixXd moment = b_.transpose() * exact;
+      EXPECT_LE((r.transpose() * projected - moment).norm(), 1e-11 * moment.norm())
+          << powers << " powers, moment " << j;
+      projected = t * projected;
+      exact = p_.llt().solve(m_ * exact);
+    }
+    space_.grow();
+  }
+}
+
+TEST_F(BlockLanczosOfChain, HoldsTheWholeSpectrumOnceExhausted) {
+  for (int k = 0; k < 30 && !space_.exhausted(); ++k) space_.grow();
+  ASSERT_TRUE(space_.exhausted());
+  EXPECT_EQ(space_.size(), 24);
+  const Eigen::VectorXd found =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(space_.projected_mass()).eigenvalues();
+  const Eigen::VectorXd exact =
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(m_, p_).eigenvalues();
+  EXPECT_LE((found - exact).norm(), 1e-10 * exact.norm());
+  const Eigen::Index before = space_.size();
+  space_.grow();
+  EXPECT_EQ(space_.size(), before);
+}
+
+TEST_F(BlockLanczosOfChain, LeavesOutWhatOnlyRepeatsADirection) {
+  SparseMatrix twice(24, 4);
+  for (int j = 0; j < 4; ++j) {
+    for (SparseMatrix::InnerIterator it(start_, j % 2); it; ++it)
+      twice.insert(it.row(), j) = (1.0 + j) * it.value();
+  }
+  const BlockLanczos space(problem_.stiffness(), problem_.mass(), twice);
+  EXPECT_EQ(space.size(), 2);
+  const Eigen::MatrixXd r = space.projected_start();
+  const Eigen::MatrixXd exact = Eigen::MatrixXd(twice).transpose() * p_.llt().solve(Eigen::MatrixXd(twice));
+  EXPECT_LE((r.transpose() * r - exact).norm(), 1e-12 * exact.norm());
+}
+
+TEST(BlockLanczos, SaysWherePIsNotDefinite) {
+  SparseMatrix p(2, 2), m(2, 2), b(2, 1);
+  p.insert(0, 0) = 1.0;
+  p.insert(1, 1) = 0.0;
+  m.setIdentity();
+  b.insert(0, 0) = 1.0;
+  EXPECT_FALSE(BlockLanczos(p, m, b).definite());
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,81 @@
+#include "methods/structure/harmonic_pencil.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "methods/structure/dynamic_stiffness.hpp"
+#include "tests/support/damped_chain.hpp"
+
+namespace signorini {
+namespace {
+
+using Complex = std::complex<double>;
+
+TEST(HarmonicPencils, AddUpToTheDynamicStiffness) {
+  constexpr int kHarmonics = 5;
+  constexpr double kShift = 0.7;
+  const Problem problem = test::damped_chain(6);  // D = 0.05 M + 0.01 K
+  const auto weights = [](int n) { return scheme_weights(HatScheme::galerkin, 0.5 * n + 0.1, 0.2); };
+  const auto pencils =
+      harmonic_pencils({0.05, 0.01}, kShift, kHarmonics, weights, pencil_loads(problem, kHarmonics, weights));
+  const Eigen::MatrixXd m(problem.mass());
+  const Eigen::MatrixXd p = Eigen::MatrixXd(problem.stiffness()) + kShift * m;
+  ASSERT_EQ(pencils.size(), 6U);
+  for (int n = 0; n <= kHarmonics; ++n) {
+    const HarmonicPencil& pencil = pencils[static_cast<std::size_t>(n)];
+    const HarmonicWeights w = weights(n);
+    const Eigen::MatrixXcd z = test::dense_stiffness(problem, w.mass, w.damping, w.stiffness);
+    EXPECT_LE((pencil.kappa * p + pencil.mu * m - z).norm(), 1e-13 * z.norm());
+  }
+}
+
+TEST(PencilLoads, GiveBackEachHarmonicsLoadBehindTheContacts) {
+  constexpr int kHarmonics = 5;
+  const Problem problem = test::damped_chain(6, 3);
+  const auto weights = [](int n) { return scheme_weights(HatScheme::galerkin, 0.5 * n, 0.2); };
+  const PencilLoads loads = pencil_loads(problem, kHarmonics, weights);
+  const Eigen::MatrixXd columns(loads.columns);
+  EXPECT_EQ(Eigen::MatrixXd(contact_directions(problem)), columns.leftCols(3));
+  const Eigen::MatrixXd f = columns.rightCols(columns.cols() - 3);
+  for (int n = 0; n <= kHarmonics; ++n) {
+    const Eigen::VectorXcd exact = weights(n).load * load_coefficient(problem, n);
+    const Eigen::VectorXcd& weight = loads.weight[static_cast<std::size_t>(n)];
+    EXPECT_EQ(weight.size() == 0, exact.isZero(0.0)) << "harmonic " << n;
+    if (weight.size() == 0) continue;
+    EXPECT_LE((f * weight - exact).norm(), 1e-15);
+  }
+}
+
+TEST(HarmonicPencils, RefuseAShiftedStructureAtRest) {
+  const Problem problem = test::damped_chain(4);
+  const auto weights = [](int n) { return exact_weights(1.0 * n); };
+  const PencilLoads loads = pencil_loads(problem, 1, weights);
+  EXPECT_THROW(harmonic_pencils({0.0, 0.0}, 1.0, 1, weights, loads), SingularStiffness);
+  EXPECT_NO_THROW(harmonic_pencils({0.0, 0.0}, 0.0, 1, weights, loads));
+}
+
+TEST(DistanceFromSingular, IsTheLeastModulusAlongTheSpectrum) {
+  const Eigen::Vector3d theta(0.1, 0.8, 2.5);
+  for (const Complex mu : {Complex(-1.0, 0.3), Complex(2.0, 0.1), Complex(0.0, 1.0), Complex(0.0, 0.0)}) {
+    const HarmonicPencil pencil{.kappa = {1.2, 0.05}, .mu = mu, .load = {}};
+    double least = std::abs(pencil.kappa);
+    for (int k = 0; k <= 100000; ++k) least = std::min(least, std::abs(pencil.kappa + mu * (2.5e-5 * k)));
+    const PencilDistance distance = distance_from_singular(pencil, theta);
+    EXPECT_TRUE(distance.everywhere);
+    EXPECT_NEAR(distance.least, least, 1e-4 * least);
+    EXPECT_LE(distance.least, least * (1.0 + 1e-14));
+  }
+}
+
+TEST(DistanceFromSingular, WithoutDampingLooksAtTheEigenvaluesAlone) {
+  const Eigen::Vector3d theta(0.1, 0.8, 2.5);
+  const HarmonicPencil undamped{.kappa = 1.0, .mu = -1.0, .load = {}};  // singular at theta = 1
+  const PencilDistance distance = distance_from_singular(undamped, theta);
+  EXPECT_FALSE(distance.everywhere);
+  EXPECT_NEAR(distance.least, 0.2, 1e-15);
+}
+
+}  // namespace
+}  // namespace signorini
