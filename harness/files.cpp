@@ -14,11 +14,13 @@
 namespace signorini {
 
 std::string read_file(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
+  std::error_code unknown;  // a path that cannot be looked up cannot be opened either
+  std::ifstream stream;
+  // A folder can be opened; reading it would throw.
+  if (!std::filesystem::is_directory(path, unknown)) stream.open(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.is_open() || stream.bad() || std::filesystem::is_directory(path)) {
+  if (!stream.is_open() || stream.bad())
     throw UsageError(fmt::format("file = {} (must be a readable file)", path.string()));
-  }
   return bytes;
 }
 

@@ -14,6 +14,10 @@ struct SameLaw {
 
 }  // namespace
 
+RepresentedLaw as_represented(const Law& law) {
+  return std::visit([](const auto& held) -> RepresentedLaw { return held; }, law);
+}
+
 bool law_matches(const RepresentedLaw& represented, const Law& scene) {
   return std::visit(SameLaw{}, represented, scene);
 }

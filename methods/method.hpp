@@ -62,6 +62,8 @@ class Method {
   [[nodiscard]] virtual std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const = 0;
 };
 
+/// The scene's own law as one that is represented.
+RepresentedLaw as_represented(const Law& law);
 /// True if the represented law is the scene's own.
 bool law_matches(const RepresentedLaw& represented, const Law& scene);
 

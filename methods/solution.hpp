@@ -94,7 +94,7 @@ struct Work {
   std::optional<long> factorisations = {};   ///< of matrices, from scratch
 };
 
-/// What a solve came to.
+/// The result of one solve: verdict, answer and work.
 struct Solution {
   Verdict verdict = Verdict::not_converged;           ///< the method's own word
   std::string message = {};                           ///< one sentence for a person

@@ -17,7 +17,7 @@ namespace signorini {
 /// What a child may use.
 struct IsolationLimits {
   /// Wall time until each line that the child sends [s]; the last one holds for all later lines and the end.
-  /// Of processor time it may use as much since its start, and a second more: enough for one thread.
+  /// The same limits hold for processor time since its start, plus one second: enough for one thread.
   std::vector<double> stage_seconds{30.0};
   double grace = 0.5;               ///< from SIGTERM to SIGKILL [s]
   std::optional<long> memory_mb{};  ///< address space [MiB]; not enforced under the address sanitizer

@@ -113,7 +113,10 @@ Reference reference_from_json(const nlohmann::ordered_json& json) {
   } catch (const nlohmann::json::exception& error) {
     throw BadRecord(error.what());
   }
-  if (!message.orbit) return {.reason = message.reason};
+  if (!message.orbit) {
+    if (message.reason.empty()) throw BadRecord("a reference needs an orbit, or a reason why there is none");
+    return {.reason = message.reason};
+  }
   return {.orbit = trajectory_of(message.orbit->period, message.orbit->trajectory),
           .error_bar = message.orbit->error_bar,
           .residual = message.orbit->residual,

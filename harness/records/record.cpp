@@ -24,8 +24,4 @@ double measurable_error(const Record& record) {
   return kErrorBars * record.certificate.error_bar.value_or(0.0);
 }
 
-RepresentedLaw as_represented(const Law& law) {
-  return std::visit([](const auto& held) -> RepresentedLaw { return held; }, law);
-}
-
 }  // namespace signorini

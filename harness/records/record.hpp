@@ -27,7 +27,7 @@ enum class Status {
   invalid_output
 };
 
-/// As files spell them.
+/// The names in record files.
 template <>
 struct EnumNames<Status> {
   /// In order.
@@ -71,7 +71,7 @@ inline constexpr double kUnstable = 0.05;
 
 enum class CertificateStatus { none, uncertified, certified };
 
-/// As files spell them.
+/// The names in record files.
 template <>
 struct EnumNames<CertificateStatus> {
   /// In order.
@@ -189,8 +189,5 @@ void count_repeat(const std::string& answer, Record& record);
 
 /// Ten error bars of the certified orbit: an error below this is not measured but bounded.
 double measurable_error(const Record& record);
-
-/// The law of a scene as the law of a method that represents it.
-RepresentedLaw as_represented(const Law& law);
 
 }  // namespace signorini

@@ -77,7 +77,7 @@ RepresentedLaw projected_method_law(const Problem& problem, const std::optional<
       asked.stiffness.push_back(penalty->in_units_of(scale));
     return asked;
   }
-  return std::visit([](const auto& law) -> RepresentedLaw { return law; }, problem.law);
+  return as_represented(problem.law);
 }
 
 }  // namespace signorini

@@ -14,7 +14,7 @@ struct Jet {
   double curvature = 0.0;  ///< y''
 };
 
-/// Of y(t) = sum_{|n| <= H} y_n e^{2 pi i n t}, by the powers of e^{2 pi i t}. \param y  n = 0..H
+/// The jet of y(t) = sum_{|n| <= H} y_n e^{2 pi i n t}, by the powers of e^{2 pi i t}. \param y  n = 0..H
 inline Jet trigonometric_jet(const Eigen::Ref<const Eigen::VectorXcd>& y, double t) {
   const std::complex<double> unit = std::polar(1.0, 2.0 * std::numbers::pi * t);
   std::complex<double> phase = 1.0;

@@ -50,9 +50,7 @@ Support EventDriven::supports(const Problem& problem) const {
   return {};
 }
 
-RepresentedLaw EventDriven::law(const Problem& problem) const {
-  return std::visit([](const auto& law) -> RepresentedLaw { return law; }, problem.law);
-}
+RepresentedLaw EventDriven::law(const Problem& problem) const { return as_represented(problem.law); }
 
 std::unique_ptr<PreparedMethod> EventDriven::prepare(const Problem& problem) const {
   return std::make_unique<PreparedEventDriven>(problem, options_);

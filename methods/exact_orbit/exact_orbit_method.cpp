@@ -15,14 +15,13 @@
 #include "methods/harmonic_balance/lcp_grid_solver.hpp"
 #include "methods/harmonic_balance/strategy.hpp"
 #include "methods/hat_functions/hat_contact.hpp"
+#include "methods/linear_flow/linear_flows.hpp"
 #include "methods/orbit/exact_orbit.hpp"
 #include "methods/structure/condensation.hpp"
 
 namespace signorini {
 
 namespace {
-
-constexpr int kLargest = 300;  // coordinates that the dense closed-form flow takes
 
 bool conservative(const Problem& problem) {
   const auto* law = std::get_if<Restitution>(&problem.law);
@@ -232,9 +231,9 @@ ExactOrbitMethod::ExactOrbitMethod(const Options& options) : options_(options) {
 }
 
 Support ExactOrbitMethod::supports(const Problem& problem) const {
-  if (problem.size() > kLargest) {
+  if (problem.size() > kMostInDenseFlow) {
     return {false, fmt::format("{} coordinates: the closed-form flow is dense, at most {}", problem.size(),
-                               kLargest)};
+                               kMostInDenseFlow)};
   }
   const int needed = load_bandwidth(problem);
   if (2 * needed >= options_.samples) {
@@ -247,9 +246,7 @@ Support ExactOrbitMethod::supports(const Problem& problem) const {
   return {};
 }
 
-RepresentedLaw ExactOrbitMethod::law(const Problem& problem) const {
-  return std::visit([](const auto& law) -> RepresentedLaw { return law; }, problem.law);
-}
+RepresentedLaw ExactOrbitMethod::law(const Problem& problem) const { return as_represented(problem.law); }
 
 std::unique_ptr<PreparedMethod> ExactOrbitMethod::prepare(const Problem& problem) const {
   return std::make_unique<PreparedExactOrbit>(problem, options_);

@@ -36,9 +36,7 @@ Support HatLcp::supports(const Problem& problem) const {
 }
 
 RepresentedLaw HatLcp::law(const Problem& problem) const {
-  if (!std::holds_alternative<Restitution>(problem.law)) {
-    return std::visit([](const auto& law) -> RepresentedLaw { return law; }, problem.law);
-  }
+  if (!std::holds_alternative<Restitution>(problem.law)) return as_represented(problem.law);
   if (options_.scheme == Scheme::backward) return Restitution{0.0};
   if (impact_law() == ImpactLaw::none) return Undetermined{};
   return std::get<Restitution>(problem.law);

@@ -11,10 +11,9 @@ namespace signorini {
 
 std::unique_ptr<const LinearFlow> linear_flow(const ContactDynamics& dynamics, ContactMode mode,
                                               FlowForm form) {
-  constexpr int kLargest = 300;  // coordinates of a dense flow
-  if (dynamics.size() > kLargest) {
+  if (dynamics.size() > kMostInDenseFlow) {
     throw std::runtime_error("the closed-form flow is dense: " + std::to_string(dynamics.size()) +
-                             " coordinates are more than " + std::to_string(kLargest));
+                             " coordinates are more than " + std::to_string(kMostInDenseFlow));
   }
   ModeEquations equations(dynamics, std::move(mode));
   const EnergyForm energy = equations.energy();

@@ -16,8 +16,10 @@ enum class FlowForm {
   exponential,  ///< the matrix exponential of structure and load together: slow, always defined
 };
 
-/// The flow of a mode. \throws std::runtime_error if the structure has more coordinates than a dense flow can
-/// take (300)
+/// Coordinates that a closed-form flow takes: its matrices are dense [-]
+inline constexpr int kMostInDenseFlow = 300;
+
+/// The flow of a mode. \throws std::runtime_error if the structure has more coordinates than kMostInDenseFlow
 std::unique_ptr<const LinearFlow> linear_flow(const ContactDynamics& dynamics, ContactMode mode,
                                               FlowForm form = FlowForm::automatic);
 

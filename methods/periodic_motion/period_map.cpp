@@ -130,7 +130,8 @@ std::optional<double> PeriodEquations::find_step() {
   const Eigen::Index size = at_.defect.size();
   lu_.compute(Eigen::MatrixXd::Identity(size, size) - at_.derivative);
   step_ = lu_.solve(at_.defect);
-  if (!(lu_.rcond() > kSingular)) {
+  // Of a matrix without full rank the estimate knows only the part that can be inverted.
+  if (!lu_.isInvertible() || !(lu_.rcond() > kSingular)) {
     reason_ = "a multiplier is 1 (singular)";
     return std::nullopt;
   }

@@ -16,9 +16,9 @@ class UpdatedQr {
   /// Starts over with the factors of a square matrix.
   void factorise(const Eigen::MatrixXd& matrix);
 
-  /// Of G.
+  /// Rows of G.
   [[nodiscard]] int rows() const { return rows_; }
-  /// Of G.
+  /// Columns of G.
   [[nodiscard]] int cols() const { return cols_; }
 
   void append_column(const Eigen::VectorXd& column);  ///< column: rows()

@@ -48,7 +48,7 @@ class BlockLanczos {
   [[nodiscard]] double omitted_start() const { return omitted_start_; }
   /// Floating-point operations of the next growth, roughly.
   [[nodiscard]] double operations_of_growth() const;
-  /// Of P.
+  /// The Cholesky factors of P.
   [[nodiscard]] const SparseCholesky& factors() const { return factors_; }
 
  private:

@@ -77,7 +77,8 @@ class ReducedModel {
   }
 
  private:
-  /// Of complex LU factorisations with the fill of P, and their solutions for every column of W.
+  /// Floating-point operations of complex LU factorisations with the fill of P, and of their solutions for
+  /// every column of W.
   [[nodiscard]] double direct_operations() const {
     const SparseCholesky& real = space_->factors();
     return static_cast<double>(pencils_.size()) *

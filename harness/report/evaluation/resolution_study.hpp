@@ -34,7 +34,7 @@ enum class Eligibility {
   not_applicable  ///< at none of its resolutions; ranked as unsolved where it applies to other scenes
 };
 
-/// As tables spell them.
+/// The names in tables.
 template <>
 struct EnumNames<Eligibility> {
   /// In order.

@@ -78,8 +78,10 @@ TEST(FixedPoint, OfAnImpactOscillatorIsItsClosedFormOrbit) {
 }
 
 TEST(FixedPoint, IsRefusedWithAReason) {
-  // A free mass under a periodic load drifts: P is a shear, and the multiplier 1 has no fixed point.
-  Map free_mass(test::to_problem({.damping = 0.0, .stiffness = 0.0, .frequency = 1.0, .gap = 1e6}));
+  // A free mass under a load with a mean drifts: P is a shear with the double multiplier 1, and moves all
+  // states.
+  Map free_mass(test::to_problem(
+      {.damping = 0.0, .stiffness = 0.0, .frequency = 1.0, .gap = 500.0, .static_load = 1.0}));
   const FixedPoint singular =
       find_fixed_point(free_mass.map, free_mass.flow.place(0.0, state_of(0.0, 1.0)), 1, {}, kNever);
   EXPECT_FALSE(singular.converged);
