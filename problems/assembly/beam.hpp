@@ -24,7 +24,7 @@ struct Beam {
 };
 
 /// M and K, and D = 0. Rotary inertia of the cross-section is left out. Lumped: element mass m = density area
-/// h to equal halves on its deflections, m h^2 / 78 on each rotation (hinton1976). Massless: the deflection
+/// h to equal halves on its deflections, m h^2 / 78 on each rotation [hinton1976]. Massless: the deflection
 /// of a contact node follows the rotations (trapezoidal rule) from the nearest nodes without contact on
 /// either side, the mean of both weighted by nearness; total mass, first and second moments of the free beam
 /// are kept. \throws InvalidProblem (system.contact_mass) if a contact touches a rotation and is to be

@@ -24,7 +24,7 @@ struct Follower {
 /// the result is positive semi-definite if M is. For all motions a, b that the followers' rule reproduces
 /// (P a = a), a^T M b is kept: with a rule exact for translations and rotations these are the total mass, its
 /// first and its second moments, the conditions of mass redistribution (khenous2008); to extrapolate mass
-/// into the structure instead of minimising the change of M goes back to hager2008.
+/// into the structure instead of minimising the change of M goes back to [hager2008].
 SparseMatrix redistributed(const SparseMatrix& mass, const std::vector<Follower>& followers);
 
 /// The two nodes without contact that a contact node follows: the nearest on either side, else the nearest

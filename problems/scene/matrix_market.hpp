@@ -13,7 +13,7 @@ namespace signorini {
 inline constexpr int kMostMatrixRows = 10'000'000;
 
 /// Reads one square matrix: `%%MatrixMarket matrix coordinate|array real|integer general|symmetric`
-/// (boisvert1996), rows and columns counted from 1, symmetric ones by their lower triangle; comments and
+/// [boisvert1996], rows and columns counted from 1, symmetric ones by their lower triangle; comments and
 /// blank lines may stand anywhere after the first line. Stored zeros are dropped. `name` stands for the file
 /// in messages. \throws SceneError `NAME:LINE: what = found (what is required)` for anything else: a complex,
 /// pattern, skew or rectangular matrix, a number that is none or not finite, an index out of range, an entry

@@ -15,8 +15,7 @@
 namespace signorini {
 namespace {
 
-// doyen2011, in the closed form of the design's oracle 1e2: E = 900, rho = 1, L = 10, gravity 10, dropped
-// from 5 above the stop.
+// [doyen2011], in closed form: E = 900, rho = 1, L = 10, gravity 10, dropped from 5 above the stop.
 constexpr double kYoung = 900.0, kLength = 10.0, kGravity = 10.0, kHeight = 5.0;
 constexpr double kWave = 1.0 / 3.0;        // time of a wave along the bar
 constexpr double kPeriod = 16.0 * kWave;   // drop, contact, flight, contact, rise
