@@ -247,7 +247,7 @@ TEST_F(SourceContactEquation, Equation22AsPrintedIsNotSolvedByTheContactMotion) 
 }
 
 // The zero in (15), (22), (23) and (26) is the gap of a scene whose stop touches at rest.
-TEST_F(SourceContactEquation, Equations15And22NeedTheGap) {
+TEST_F(SourceContactEquation, EquationsWithAZeroNeedTheGap) {
   for (const double gap : {0.0, 0.2}) {
     const Answer answer = solved(gap);
     const double scale = answer.lambda.norm();

@@ -1,0 +1,135 @@
+"""What the pages and the bibliography must hold; each check yields one line per offence, "file: what"."""
+
+import json
+import re
+
+CITED_IN = (".hpp", ".cpp", ".md", ".toml", ".py", ".in")
+ENTRY = re.compile(r"^@\w+\{([^,\s]+),", re.M)
+CITATION = re.compile(r"\[([a-z]+\d{4}[a-z]?)(?:, [^\]]*)?\]")
+NUMBERED = re.compile(r"\((\d+)\)\s*$", re.M)
+MEMBERS = re.compile(r"\b(?:TEST|TEST_F|TEST_P)\((\w+),\s*(\w+)\)")
+
+
+def bibliography_offences(bibliography, texts):
+    """Keys of docs/references.bib that stand twice, that nothing cites, and citations without an entry."""
+    keys = ENTRY.findall(bibliography)
+    for key in sorted({key for key in keys if keys.count(key) > 1}):
+        yield f"docs/references.bib: {key} stands {keys.count(key)} times"
+    cited = {}
+    for path, text in texts.items():
+        for key in CITATION.findall(text):
+            cited.setdefault(key, path)
+    for key in sorted(set(keys) - set(cited)):
+        yield f"docs/references.bib: nothing cites {key}"
+    for key in sorted(set(cited) - set(keys)):
+        yield f"{cited[key]}: [{key}] is not in docs/references.bib"
+
+
+def field(text, key):
+    """The value of a top-level key of a YAML file, on one line, without quotes."""
+    match = re.search(rf"^{key}:[ \t]*(.*)$", text, re.M)
+    return match[1].strip().strip("\"'") if match else None
+
+
+def citation_offences(citation, cmake, licence):
+    """CITATION.cff against the version of CMakeLists.txt and the licence."""
+    expected = {
+        "cff-version": "1.2.0",
+        "version": re.search(r"project\(signorini VERSION ([\d.]+)", cmake)[1],
+        "license": "BSD-3-Clause" if licence.startswith("BSD 3-Clause License") else None,
+    }
+    for key, value in expected.items():
+        if field(citation, key) != value:
+            yield f"CITATION.cff: {key} is {field(citation, key)}: must be {value}"
+    for key in ("message", "title", "authors"):
+        if field(citation, key) is None:
+            yield f"CITATION.cff: {key} is missing"
+
+
+def numbers_of(theory):
+    """The numbers at the right of the displayed equations and in the tables of docs/theory.md, in their order."""
+    return [int(number) for line in theory.splitlines() if line.startswith(("    ", "| ("))
+            for number in (re.findall(r"^\| \((\d+)\) \|", line) or NUMBERED.findall(line))]
+
+
+def theory_offences(theory):
+    numbers = numbers_of(theory)
+    if numbers != list(range(1, len(numbers) + 1)):
+        yield f"docs/theory.md: equations are numbered {numbers}: must be 1, 2, 3, .."
+
+
+def coexistence_offences(theory, orbit_files):
+    """The count of scenes with several orbits, and of all, that the page gives."""
+    several = sum(len(json.loads(text)["orbits"]) > 1 for text in orbit_files.values())
+    if f"{several} of the {len(orbit_files)} scenes" not in " ".join(theory.split()):
+        yield f"docs/theory.md: several orbits are kept for {several} of the {len(orbit_files)} scenes: it must say so"
+
+
+def nearness_offences(theory, files):
+    """What the page calls nearby is what the code does."""
+    values = re.findall(r"constexpr double kNearOrbit = ([\d.]+);", "".join(files.values()))
+    for value in values or ["(no kNearOrbit in the tree)"]:
+        if f"at most {value} (`kNearOrbit`)" not in " ".join(theory.split()):
+            yield f"docs/theory.md: nearby must be a distance of at most {value} (`kNearOrbit`)"
+
+
+def rows_of(page):
+    """Cells of the rows of a page's tables whose first cell is a number in parentheses, by that number."""
+    for line in page.splitlines():
+        cells = [cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
+        if cells and re.fullmatch(r"\((\d+)\)", cells[0]):
+            yield int(cells[0][1:-1]), cells
+
+
+def section(page, title):
+    """The text under a heading of the second level."""
+    match = re.search(rf"^## {re.escape(title)}\n(.*?)(?=^## |\Z)", page, re.M | re.S)
+    return match[1] if match else ""
+
+
+def named_files(text):
+    """Paths from the root in backticks."""
+    return re.findall(r"`((?:problems|methods|harness|tests|docs)/[^`\s]*)`", text)
+
+
+def crosswalk_offences(page, theory, files):
+    """docs/source-paper.md: each of the 55 equations once, with files, names in those files and numbers that exist."""
+    table = list(rows_of(section(page, "Crosswalk")))
+    numbers = [number for number, _ in table]
+    if numbers != list(range(1, 56)):
+        yield f"docs/source-paper.md: the crosswalk has rows {numbers}: must be 1 to 55"
+    known = set(numbers_of(theory))
+    for number, cells in table:
+        row = f"docs/source-paper.md: equation ({number})"
+        for target in re.findall(r"\((\d+)\)", cells[2]):
+            if int(target) not in known:
+                yield f"{row}: theory.md has no ({target})"
+        paths = named_files(cells[3])
+        for path in paths:
+            if path not in files:
+                yield f"{row}: there is no {path}"
+        text = "".join(files.get(path, "") for path in paths)
+        for name in re.findall(r"`(\w+)`", cells[3]):
+            if not re.search(rf"\b{name}\b", text):
+                yield f"{row}: {name} is not in {' or '.join(paths)}"
+    yield from misprint_offences(page, files)
+    for path in named_files(page):
+        if path not in files and not any(other.startswith(path) for other in files):
+            yield f"docs/source-paper.md: there is no {path}"
+
+
+def misprint_offences(page, files):
+    """Every row of the table of misprints names tests that exist, or says that there is none."""
+    tests = {f"{suite}.{name}" for path, text in files.items() if path.startswith("tests/")
+             for suite, name in MEMBERS.findall(text)}
+    listed = [number for number, _ in rows_of(section(page, "Misprints"))]
+    wrong = [number for number, cells in rows_of(section(page, "Crosswalk")) if cells[4] != "right"]
+    if listed != wrong:
+        yield f"docs/source-paper.md: the misprints are {listed}, in the crosswalk {wrong}"
+    for number, cells in rows_of(section(page, "Misprints")):
+        names = re.findall(r"`(\w+\.\w+)`", cells[-1])
+        if not names and not cells[-1].startswith("none"):
+            yield f"docs/source-paper.md: misprint ({number}) names no test"
+        for name in names:
+            if name not in tests:
+                yield f"docs/source-paper.md: misprint ({number}): there is no test {name}"
