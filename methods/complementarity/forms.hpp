@@ -8,8 +8,8 @@
 
 namespace signorini {
 
-/// The projected equations on N samples (rows 3 and 4: the penalty and the Lipschitz form): find z >= 0 with
-/// w = q + A z >= 0 and z^T w = 0, A block-circulant of symbol
+/// The projected equations on N samples, (15) and (16) there, the penalty and the Lipschitz form: find
+/// z >= 0 with w = q + A z >= 0 and z^T w = 0, A block-circulant of symbol
 ///
 ///     A_n = 1 + B_n for n <= H (contact_symbol.hpp), 1 above;   q = sqrt(c) (g - x_f).
 ///

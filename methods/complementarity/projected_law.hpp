@@ -15,8 +15,8 @@ namespace signorini {
 ///     lambda = -P z,   z = max(0, y),   y = c (x - g) - alpha lambda,
 ///
 /// P the projection on harmonics |n| <= H, y the augmented multiplier [alart1991]. Weight alpha = 1 is
-/// Signorini's condition (seed eq. 4), alpha = 1 - c / k_p a stop of stiffness k_p; c = k_p with alpha = 0 is
-/// the penalty law (seed eq. 47).
+/// Signorini's condition [shi2015, eq. 4], alpha = 1 - c / k_p a stop of stiffness k_p; alpha = 0 with
+/// c = k_p is the penalty law [shi2015, eq. 47].
 struct ProjectedLaw {
   Eigen::VectorXd constant;           ///< c, Nc, > 0 [N/m]
   Eigen::VectorXd multiplier_weight;  ///< alpha, Nc, <= 1 [-]

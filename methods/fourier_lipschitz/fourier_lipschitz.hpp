@@ -10,10 +10,10 @@
 
 namespace signorini {
 
-/// lambda + P max(0, c (x - g) - lambda) = 0 with x = x_f + C lambda, |n| <= H (seed eq. 14-23 and
-/// 29-36, corrected; the same equations as DLFT [nacivet2003]). Represents restitution 1: the projected
-/// contact force does no net work (docs/theory.md). A stop that is a spring k_p is represented exactly,
-/// the condition then being imposed on x + lambda / k_p.
+/// lambda + P max(0, c (x - g) - lambda) = 0 with x = x_f + C lambda, |n| <= H [shi2015, eq. 14-23 and
+/// 29-36, corrected], the same equations as DLFT [nacivet2003]. Represents restitution 1: the projected
+/// contact force does no net work (docs/theory.md, section 3). A stop that is a spring k_p is represented
+/// exactly, the condition then being imposed on x + lambda / k_p.
 ///
 /// On a rigid stop that carries mass, impacts are compensated (impact_compensation.hpp): the law holds for
 /// the motion with all harmonics, which the equations above miss by 1/H.

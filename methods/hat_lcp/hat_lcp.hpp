@@ -17,7 +17,7 @@ namespace signorini {
 ///
 /// the periodic form of the Paoli-Schatzman scheme [paoli2002]: it represents Newton's restitution e and
 /// converges at first order. With restitution = none it is imposed on g - x_k at the nodes, the source
-/// paper's form (seed eq. 5-8, corrected), which determines no impact law: kept for comparison.
+/// paper's form [shi2015, eq. 5-8, corrected], which determines no impact law: kept for comparison.
 /// A spring stop adds its compliance to w; massless contacts and springs need no restitution.
 ///
 /// A grid dissipates or feeds the motion at impacts, at a rate that falls with N; without damping enough to

@@ -10,7 +10,7 @@
 
 namespace signorini {
 
-/// lambda = -P eps max(0, x - g) with x = x_f + C lambda, |n| <= H (seed eq. 46-55, corrected). A scene
+/// lambda = -P eps max(0, x - g) with x = x_f + C lambda, |n| <= H [shi2015, eq. 46-55, corrected]. A scene
 /// whose stop is a spring is represented exactly; on a rigid one eps is a regularisation whose error
 /// falls like eps^{-1/2}, and the law represented is restitution 1. There impacts are compensated
 /// (impact_compensation.hpp), which takes back both the truncation and the penetration of the spring.

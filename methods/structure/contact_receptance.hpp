@@ -1,5 +1,5 @@
 #pragma once
-// The linear structure in the frequency domain, reduced to its contacts (seed section 5).
+// The linear structure in the frequency domain, reduced to its contacts [shi2015, section 5].
 
 #include <Eigen/Core>
 #include <functional>

@@ -24,7 +24,7 @@ ForceSeries force_series(const Problem& problem, const Trajectory& trajectory, i
 
 /// u(t) = sum_{|n|<=H} Z_n^{-1} (f_n + W lambda_n) e^{i n w t}, Z_n = K - (n w)^2 M + i n w D,
 /// w = 2 pi / period of the trajectory, lambda_n the Fourier coefficients of its force and impulses.
-/// (Seed eq. 41 and 45, corrected: design in docs/theory.md.) Keeps the whole field, (H+1) x Nd numbers,
+/// See [shi2015, eq. 41 and 45, corrected]. Keeps the whole field, (H+1) x Nd numbers,
 /// which `ContactResponse` does without.
 class PeriodicResponse {
  public:
