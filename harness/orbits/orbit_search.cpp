@@ -23,7 +23,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
-constexpr int kProcesses = 2;
+constexpr int kSearchProcesses = 2;
 constexpr int kMemoryMb = 2048;
 /// Longer than any single search may take; only what hangs is ended by it [s].
 constexpr double kLineSeconds = 15.0;
@@ -157,8 +157,8 @@ void run_units(const std::vector<CandidateUnit>& units, Deadline deadline, Orbit
           deadline);
     });
   }
-  const std::vector<ChildEnd> ends =
-      run_isolated_together(work, {.stage_seconds = {kLineSeconds}, .memory_mb = kMemoryMb}, kProcesses);
+  const std::vector<ChildEnd> ends = run_isolated_together(
+      work, {.stage_seconds = {kLineSeconds}, .memory_mb = kMemoryMb}, kSearchProcesses);
   for (std::size_t i = 0; i < units.size(); ++i) {
     for (const std::string& line : ends[i].lines)
       collection.add(orbit_candidate_from_json(Json::parse(line)));

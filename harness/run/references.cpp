@@ -16,7 +16,7 @@ namespace signorini {
 namespace {
 
 /// Processes at the same time: nothing is being timed while references are computed.
-constexpr int kProcesses = 2;
+constexpr int kReferenceProcesses = 2;
 
 std::string key_of(const RepresentedLaw& law, const Problem& problem) {
   const bool undetermined = std::holds_alternative<Undetermined>(law);
@@ -60,7 +60,7 @@ void References::compute(const Scene& scene, std::span<const Applicability> meth
   }
   const std::vector<ChildEnd> ends = run_isolated_together(
       work, {.stage_seconds = {enforced(limits.reference_timeout)}, .memory_mb = limits.memory_mb},
-      kProcesses);
+      kReferenceProcesses);
   for (std::size_t i = 0; i < keys.size(); ++i) by_law_[keys[i]] = received_reference(ends[i]);
 }
 

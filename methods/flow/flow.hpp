@@ -35,6 +35,9 @@ class EventFlow {
   /// \param expired  asked now and then; true ends the flow with a FlowError
   EventFlow(const ContactDynamics& dynamics, double tolerance, std::function<bool()> expired,
             Integrator integrator = Integrator::cvode);
+  /// Its parts refer to each other.
+  EventFlow(const EventFlow&) = delete;
+  EventFlow& operator=(const EventFlow&) = delete;
 
   /// A state made admissible: penetrating contacts are moved back to rigid stops, closing ones rebound,
   /// pressed ones stick.

@@ -15,7 +15,7 @@ constexpr int kFewestHarmonics = 5;
 constexpr int kStartUnknowns = 800;  // harmonics times contacts: pivots grow with both
 constexpr double kStartFactor = 1.0 / 16.0;
 constexpr double kGrowth = 2.0;  // of the harmonics where Newton follows
-constexpr int kTrials = 20;
+constexpr int kContinuationSteps = 20;
 
 /// lambda with zeros for the harmonics that it lacks.
 Eigen::MatrixXcd extended(const Eigen::MatrixXcd& lambda, int harmonics) {
@@ -56,7 +56,7 @@ HarmonicContinuation continue_in_harmonics(const ContactReceptance& receptance, 
   HarmonicContinuation continuation;
   ContinuationPoint here = start;
   ContinuationPoint next{grown(here.harmonics), 1.0};
-  for (int trial = 0; trial < kTrials && !budget.expired(); ++trial) {
+  for (int trial = 0; trial < kContinuationSteps && !budget.expired(); ++trial) {
     const ContactReceptance level = truncated(receptance, next.harmonics);
     const ProjectedLaw law = with_stiffness_factor(law_at(level), next.stiffness_factor);
     ExactProjection exact = project_exactly(

@@ -18,10 +18,10 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr int kRounds = 30;
-constexpr int kSlowRounds = 4;  // full steps that do not halve the defect, after which it is given up
-constexpr int kTrials = 6;      // lengths of a step towards the impacts wanted: 1, 1/2, ..., 1/32
+constexpr int kSlowRounds = 4;   // full steps that do not halve the defect, after which it is given up
+constexpr int kStepLengths = 6;  // lengths of a step towards the impacts wanted: 1, 1/2, ..., 1/32
 // A defect that no longer falls is rounding if it is this small already, relative to the motion.
-constexpr double kRounding = 1e-7;
+constexpr double kDefectRounding = 1e-7;
 
 /// A solution of the projected equations to begin with, and the stops that belong to it.
 struct ShiftedSeries {
@@ -109,7 +109,7 @@ class DefectHistory {
   explicit DefectHistory(double tolerance) : tolerance_(tolerance) {}
 
   [[nodiscard]] bool is_small(double defect, double motion) const {
-    return defect <= tolerance_ * motion || (defect <= kRounding * motion && defect >= 0.5 * least_);
+    return defect <= tolerance_ * motion || (defect <= kDefectRounding * motion && defect >= 0.5 * least_);
   }
 
   /// Takes the defect down; true once full steps have not halved it for too often. Shortened steps may not.
@@ -160,12 +160,12 @@ ImpactCompensation::Result ImpactCompensation::operator()(const ProjectedEquatio
     }
     if (history.falls_too_slowly(defect, full_step)) break;
     const std::optional<Impacts> wanted =
-        law.solve(present, settings.tolerance * episodes.motion, kRounding * episodes.motion);
+        law.solve(present, settings.tolerance * episodes.motion, kDefectRounding * episodes.motion);
     if (!wanted) break;
     // Far from the answer the projected equations may lose an impact on the way; a shorter step keeps it.
     double share = 1.0;
     ExactProjection next;
-    for (int trial = 0; trial < kTrials && !next.converged; ++trial, share *= 0.5) {
+    for (int trial = 0; trial < kStepLengths && !next.converged; ++trial, share *= 0.5) {
       ShiftedSeries guess = ShiftedImpacts(equations, episodes, *wanted, share).series();
       next = project_exactly(equations, guess.lambda, settings, guess.shifts);
       result.iterations += next.iterations;

@@ -49,7 +49,6 @@ class OrbitFinder::Search {
   // True if the search has come to its end: an orbit is found, or the time is up.
   bool attempt(const OrbitGuess& guess) {
     // More is rattling that the flow does not resolve; the work of the dense equations grows with their cube.
-    constexpr std::size_t kMostEvents = 400;
     if (options_.expired()) return true;
     ExactOrbit orbit;
     if (guess.events.size() <= kMostEvents) {

@@ -229,7 +229,7 @@ std::vector<bool> pushing_throughout(const Trajectory& trajectory) {
 
 std::optional<OrbitGuess> from_events(OrbitModel& model, const Trajectory& trajectory) {
   auto events = trajectory.events();
-  if (!events) return std::nullopt;
+  if (!events || events->size() > kMostEvents) return std::nullopt;
   const double section = quiet_instant(clusters_of(*events, model.period), model.period);
   return listed_sequence(model, std::move(*events), section, pushing_throughout(trajectory));
 }

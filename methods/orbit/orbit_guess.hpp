@@ -1,6 +1,7 @@
 #pragma once
 // From any motion to a sequence of events that an exact orbit may run through.
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 
@@ -9,9 +10,12 @@
 
 namespace signorini {
 
+/// Events per period that an orbit is polished with: its equations are dense in them [-]
+inline constexpr std::size_t kMostEvents = 400;
+
 /// The state at a quiet instant of the period and the sequence of events, made from what any trajectory
-/// tells. Where it lists its events they are the sequence (`listed_sequence`). Else both are read off the
-/// contact force:
+/// tells. Where it lists its events, kMostEvents of them at most, they are the sequence (`listed_sequence`).
+/// Else both are read off the contact force:
 ///
 /// the forces f(t_k) of N samples (its own nodes, 8 per harmonic, or 4096) act as impulses f(t_k) T / N, next
 /// to the impulses listed, on the structure, whose periodic response is summed in closed form: y_0 = (I -

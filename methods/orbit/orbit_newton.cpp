@@ -118,11 +118,12 @@ OrbitNewtonResult solve(OrbitEquations& equations, double tolerance, int max_ite
     result.reason = failure(newton, search, residual_noise(equations));
     result.solved = result.reason.empty();
   } else {
+    result.solved = true;
     newton.refine();
-    const DampedNewtonResult refined = damped_newton(newton, kStep);
+    const DampedNewtonResult refined =
+        search.steps < max_iterations ? damped_newton(newton, kStep) : DampedNewtonResult{};
     result.iterations += refined.steps;
     if (refined.end == NewtonEnd::stalled) newton.return_to_iterate();
-    result.solved = true;
   }
   result.residual = newton.merit();
   result.unknowns = newton.unknowns();
