@@ -37,13 +37,6 @@ class LcpMatrix {
 
   /// A^{-1} b; not finite where A is singular.
   [[nodiscard]] virtual Eigen::VectorXd solve(const Eigen::VectorXd& b) const = 0;
-
- protected:
-  LcpMatrix() = default;
-  LcpMatrix(const LcpMatrix&) = default;
-  LcpMatrix(LcpMatrix&&) = default;
-  LcpMatrix& operator=(const LcpMatrix&) = default;
-  LcpMatrix& operator=(LcpMatrix&&) = default;
 };
 
 /// Finds z >= 0 with w = q + A z >= 0 and z^T w = 0. Entries of A are of order one on the diagonal (the

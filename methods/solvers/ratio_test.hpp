@@ -14,14 +14,15 @@ struct PathVariables {
 
 /// What stops the path at the end of one linear piece.
 struct Blocking {
+  /// Which variable stops it.
   enum class Kind {
     none,  ///< nothing: the piece is a ray
     tau,   ///< the homotopy parameter reaches zero: the problem is solved
     z,     ///< a basic z reaches zero: that sample opens
     w,     ///< a positive w reaches zero: that sample closes
   };
-  Kind kind = Kind::none;
-  int position = 0;  ///< of z and tau: place in the order of columns; of w: index in the problem
+  Kind kind = Kind::none;  ///< of the variable that stops it
+  int position = 0;        ///< of z and tau: place in the order of columns; of w: index in the problem
   double step = std::numeric_limits<double>::infinity();  ///< of the driving variable up to there
 };
 
