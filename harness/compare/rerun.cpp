@@ -12,6 +12,7 @@
 #include "harness/interrupt.hpp"
 #include "harness/plan/baseline.hpp"
 #include "harness/plan/selection.hpp"
+#include "harness/records/json_fields.hpp"
 #include "harness/run/rounds.hpp"
 
 namespace signorini {
@@ -129,9 +130,9 @@ std::vector<std::string> compare_records(const Record& kept, const Record& now) 
                         status_name(now.status), now.message.empty() ? "" : ": ", now.message)};
   }
   if (kept.certificate.status != now.certificate.status) {
-    return {fmt::format("{}: certificate {} became {}{}{}", kept.case_id,
-                        certificate_name(kept.certificate.status), certificate_name(now.certificate.status),
-                        now.certificate.reason.empty() ? "" : ": ", now.certificate.reason)};
+    return {fmt::format("{}: certificate {} became {}{}{}", kept.case_id, enum_name(kept.certificate.status),
+                        enum_name(now.certificate.status), now.certificate.reason.empty() ? "" : ": ",
+                        now.certificate.reason)};
   }
   if (!kept.errors.x_l2 || !now.errors.x_l2) {
     if (kept.errors.x_l2.has_value() == now.errors.x_l2.has_value()) return {};

@@ -18,25 +18,12 @@ namespace {
 
 constexpr int kNormInstants = 4096;
 
-std::string_view kind_name(ContactEvent::Kind kind) {
-  switch (kind) {
-    case ContactEvent::Kind::impact:
-      return "impact";
-    case ContactEvent::Kind::close:
-      return "close";
-    case ContactEvent::Kind::open:
-      return "open";
-  }
-  return "event";
-}
-
 std::vector<OrbitEvent> events_of(const ExactTrajectory& orbit) {
   std::vector<OrbitEvent> events;
   const double period = orbit.period();
   const std::vector<Impulse> impulses = orbit.impulses();
   for (const SequenceEvent& event : orbit.orbit().events) {
-    OrbitEvent listed{
-        wrapped_time(event.time, period), event.contact, std::string(kind_name(event.kind)), {}};
+    OrbitEvent listed{wrapped_time(event.time, period), event.contact, event.kind, {}};
     for (const Impulse& impulse : impulses) {
       const double apart =
           std::abs(wrapped_time(impulse.time - event.time + 0.5 * period, period) - 0.5 * period);

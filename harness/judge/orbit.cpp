@@ -35,7 +35,7 @@ std::string rounded(double value, double scale) {
 std::vector<OrbitEvent> orbit_events(const Motion& motion) {
   std::vector<OrbitEvent> events;
   for (const Impulse& impulse : motion.impulses) {
-    events.push_back({impulse.time, impulse.contact, "impact", impulse.value});
+    events.push_back({impulse.time, impulse.contact, ContactEvent::Kind::impact, impulse.value});
   }
   const double step = motion.step();
   for (const ContactPhase& phase : contact_phases(motion)) {
@@ -45,8 +45,8 @@ std::vector<OrbitEvent> orbit_events(const Motion& motion) {
     if (last - first + 1 >= motion.count()) continue;  // never opens
     const double close = last > first ? crossing(motion, phase.contact, first, first - 1) : phase.begin;
     const double open = last > first ? crossing(motion, phase.contact, last, last + 1) : phase.end;
-    events.push_back({wrapped_time(close, motion.period()), phase.contact, "close", {}});
-    events.push_back({wrapped_time(open, motion.period()), phase.contact, "open", {}});
+    events.push_back({wrapped_time(close, motion.period()), phase.contact, ContactEvent::Kind::close, {}});
+    events.push_back({wrapped_time(open, motion.period()), phase.contact, ContactEvent::Kind::open, {}});
   }
   std::stable_sort(events.begin(), events.end(),
                    [](const OrbitEvent& a, const OrbitEvent& b) { return a.time < b.time; });

@@ -38,7 +38,9 @@ std::vector<OrbitEvent> strong_events(const FoundOrbit& orbit, double shift) {
     largest = std::max(largest, std::abs(event.value.value_or(0.0)));
   std::vector<OrbitEvent> events;
   for (OrbitEvent event : orbit.certified.events) {
-    if (event.kind == "impact" && std::abs(event.value.value_or(0.0)) < kWeakEvent * largest) continue;
+    if (event.kind == ContactEvent::Kind::impact &&
+        std::abs(event.value.value_or(0.0)) < kWeakEvent * largest)
+      continue;
     event.time = std::fmod(event.time + shift, orbit.period);
     events.push_back(event);
   }
@@ -74,7 +76,8 @@ Gap event_gap(const FoundOrbit& kept, const FoundOrbit& now, double shift) {
       };
       return rank(a) < rank(b);
     });
-    const std::string name = fmt::format("event {} ({} at contact {})", i + 1, event.kind, event.contact);
+    const std::string name =
+        fmt::format("event {} ({} at contact {})", i + 1, name_of(event.kind), event.contact);
     if (nearest->kind != event.kind || nearest->contact != event.contact) {
       gap.widen(std::numeric_limits<double>::infinity(), name + " is gone");
       return gap;

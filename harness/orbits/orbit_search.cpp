@@ -182,13 +182,15 @@ int default_subharmonics(const Problem& problem) {
 }
 
 int FoundOrbit::impacts() const {
-  return static_cast<int>(std::count_if(certified.events.begin(), certified.events.end(),
-                                        [](const OrbitEvent& event) { return event.kind == "impact"; }));
+  return static_cast<int>(
+      std::count_if(certified.events.begin(), certified.events.end(),
+                    [](const OrbitEvent& event) { return event.kind == ContactEvent::Kind::impact; }));
 }
 
 int FoundOrbit::contact_phases() const {
-  return static_cast<int>(std::count_if(certified.events.begin(), certified.events.end(),
-                                        [](const OrbitEvent& event) { return event.kind == "open"; }));
+  return static_cast<int>(
+      std::count_if(certified.events.begin(), certified.events.end(),
+                    [](const OrbitEvent& event) { return event.kind == ContactEvent::Kind::open; }));
 }
 
 std::optional<double> FoundOrbit::largest_multiplier() const {
@@ -222,7 +224,7 @@ std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit
                                         const OrbitPolisher& polish) {
   std::vector<Impulse> impulses;
   for (const OrbitEvent& event : kept.certified.events) {
-    if (event.kind != "impact" || !event.value) return std::nullopt;
+    if (event.kind != ContactEvent::Kind::impact || !event.value) return std::nullopt;
     impulses.push_back({event.contact, event.time, *event.value});
   }
   const Problem at_order = with_subharmonic(problem, kept.order);

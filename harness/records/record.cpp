@@ -6,10 +6,6 @@ std::string_view status_name(Status status) {
   return EnumNames<Status>::values[static_cast<std::size_t>(status)];
 }
 
-std::string_view certificate_name(CertificateStatus status) {
-  return EnumNames<CertificateStatus>::values[static_cast<std::size_t>(status)];
-}
-
 std::string resolution_of(const Record& record) { return method_label(record.method, record.settings); }
 
 void count_repeat(const std::string& answer, Record& record) {

@@ -78,14 +78,20 @@ struct EnumNames<CertificateStatus> {
   static constexpr std::array<std::string_view, 3> values{"none", "uncertified", "certified"};
 };
 
-/// "none", "uncertified", "certified"; the words of records.
-std::string_view certificate_name(CertificateStatus status);
+/// The words of records and exchanges.
+template <>
+struct EnumNames<ContactEvent::Kind> {
+  /// In order.
+  static constexpr std::array<std::string_view, 3> values{name_of(ContactEvent::Kind::impact),
+                                                          name_of(ContactEvent::Kind::close),
+                                                          name_of(ContactEvent::Kind::open)};
+};
 
 struct OrbitEvent {
   double time = 0.0;  ///< [s]
   int contact = 0;
-  std::string kind = {};  ///< impact | close | open
-  Measure value = {};     ///< impulse of an impact [N s]
+  ContactEvent::Kind kind = ContactEvent::Kind::impact;
+  Measure value = {};  ///< impulse of an impact [N s]
 };
 
 /// Real and imaginary parts.

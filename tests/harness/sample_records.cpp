@@ -23,7 +23,8 @@ Record full_record() {
   record.certificate.reason = "because";
   record.certificate.reference_reason = "none";
   record.certificate.residual = 1e-13;
-  record.certificate.events = {{.time = 0.5, .contact = 0, .kind = "impact", .value = -1.0}};
+  record.certificate.events = {
+      {.time = 0.5, .contact = 0, .kind = ContactEvent::Kind::impact, .value = -1.0}};
   record.certificate.floquet = {{0.5, 0.25}};
   record.certificate.stable = true;
   record.errors = {

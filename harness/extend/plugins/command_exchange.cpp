@@ -87,18 +87,12 @@ void require_equidistant(const std::vector<double>& t, double period) {
   }
 }
 
-ContactEvent::Kind read_kind(const std::string& word) {
-  for (const auto kind : {ContactEvent::Kind::impact, ContactEvent::Kind::close, ContactEvent::Kind::open}) {
-    if (word == name_of(kind)) return kind;
-  }
-  refuse(fmt::format("events.kind = {} (must be impact, close or open)", one_line(word)));
-}
-
 std::vector<ContactEvent> read_events(const Json& json) {
   std::vector<ContactEvent> events;
   for (const Json& item : json) {
-    ContactEvent event{
-        .kind = read_kind(item.at("kind")), .contact = item.at("contact"), .time = item.at("time")};
+    const auto kind =
+        enum_from_name<ContactEvent::Kind>("events.kind", one_line(item.at("kind").get<std::string>()));
+    ContactEvent event{.kind = kind, .contact = item.at("contact"), .time = item.at("time")};
     if (item.contains("impulse")) event.impulse = item["impulse"].get<double>();
     events.push_back(event);
   }

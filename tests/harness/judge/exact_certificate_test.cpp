@@ -27,7 +27,7 @@ TEST(ExactOrbits, PolishACoarseAnswerToTheClosedFormOrbitWithItsMultipliers) {
   EXPECT_LE(orbit.error_bar, 1e-11);
   EXPECT_LE(test::relative_error(*orbit.motion, [&](double t) { return closed.x(t); }), 1e-11);
   ASSERT_EQ(orbit.events.size(), 1U);
-  EXPECT_EQ(orbit.events[0].kind, "impact");
+  EXPECT_EQ(orbit.events[0].kind, ContactEvent::Kind::impact);
   EXPECT_NEAR(orbit.events[0].time, closed.impact_time, 1e-11);
   EXPECT_NEAR(orbit.events[0].value.value(), -closed.impulse, 1e-11);
   ASSERT_EQ(orbit.floquet.value().size(), 2U);

@@ -58,14 +58,14 @@ TEST(OrbitEvents, ListImpactsAndPlaceClosingAndOpening) {
       [=](double t) { return -3.0 * std::max(0.0, x(t) - 0.5); });
   const std::vector<OrbitEvent> events = orbit_events(sample_motion(test::one_mass(), spring));
   ASSERT_EQ(events.size(), 2U);
-  EXPECT_EQ(events[0].kind, "close");
+  EXPECT_EQ(events[0].kind, ContactEvent::Kind::close);
   EXPECT_NEAR(events[0].time, std::numbers::pi / 12.0, 1e-6);
-  EXPECT_EQ(events[1].kind, "open");
+  EXPECT_EQ(events[1].kind, ContactEvent::Kind::open);
   EXPECT_NEAR(events[1].time, 5.0 * std::numbers::pi / 12.0, 1e-6);
   EXPECT_FALSE(events[1].value.has_value());
   const std::vector<OrbitEvent> impacts = orbit_events(motion(1, 0.0, 0, {{0, 1.0, -0.5}}));
   ASSERT_EQ(impacts.size(), 1U);
-  EXPECT_EQ(impacts[0].kind, "impact");
+  EXPECT_EQ(impacts[0].kind, ContactEvent::Kind::impact);
   EXPECT_EQ(impacts[0].value, -0.5);
 }
 

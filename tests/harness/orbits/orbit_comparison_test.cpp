@@ -32,8 +32,9 @@ TEST(CompareOrbits, FindsNoDifferenceInTheSame) {
 
 TEST(CompareOrbits, TakesShiftsByAForcingPeriodForTheSame) {
   OrbitFile now = sample_file();
-  now.orbits.front().certified.events = {
-      {2.5, 0, "impact", -1.0}, {3.5, 1, "close", {}}, {3.75, 1, "open", {}}};
+  now.orbits.front().certified.events = {{2.5, 0, ContactEvent::Kind::impact, -1.0},
+                                         {3.5, 1, ContactEvent::Kind::close, {}},
+                                         {3.75, 1, ContactEvent::Kind::open, {}}};
   EXPECT_TRUE(compare_orbits(sample_file(), now).differences.empty());
   for (OrbitEvent& event : now.orbits.front().certified.events) event.time -= 1.0;  // half a forcing period
   EXPECT_FALSE(compare_orbits(sample_file(), now).differences.empty());
@@ -81,7 +82,7 @@ TEST(CompareOrbits, MissesAnOrbitThatIsGoneAndReportsANewOne) {
 
 TEST(CompareOrbits, LeavesTheWeakImpactsOfAChatterAlone) {
   OrbitFile kept = sample_file(), now = sample_file();
-  kept.orbits.front().certified.events.push_back({1.7, 0, "impact", -1e-4});
+  kept.orbits.front().certified.events.push_back({1.7, 0, ContactEvent::Kind::impact, -1e-4});
   EXPECT_TRUE(compare_orbits(kept, now).differences.empty());
 }
 

@@ -148,7 +148,7 @@ TEST(CertifyAgain, ComesBackToAnOrbitFromItsEventsAlone) {
 
 TEST(CertifyAgain, LeavesContactPhasesToTheSearch) {
   FoundOrbit kept = orbits_of_pair().orbits.front();
-  kept.certified.events.front().kind = "close";
+  kept.certified.events.front().kind = ContactEvent::Kind::close;
   EXPECT_FALSE(certify_again(coexisting(), kept).has_value());
 }
 

@@ -18,7 +18,9 @@ inline FoundOrbit sample_orbit() {
   orbit.certified.return_distance = 1e-12;
   orbit.certified.floquet = FloquetMultipliers{{0.5, 0.25}, {0.5, -0.25}};
   orbit.certified.stable = true;
-  orbit.certified.events = {{0.5, 0, "impact", -1.0}, {1.5, 1, "close", {}}, {1.75, 1, "open", {}}};
+  orbit.certified.events = {{0.5, 0, ContactEvent::Kind::impact, -1.0},
+                            {1.5, 1, ContactEvent::Kind::close, {}},
+                            {1.75, 1, ContactEvent::Kind::open, {}}};
   return orbit;
 }
 

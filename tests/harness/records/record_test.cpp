@@ -14,7 +14,8 @@ TEST(Record, HasANameForEveryStatusAndCertificate) {
   EXPECT_EQ(names.size(), EnumNames<Status>::values.size());
   EXPECT_EQ(status_name(Status::not_applicable), "not-applicable");
   EXPECT_EQ(status_name(Status::invalid_output), "invalid-output");
-  EXPECT_EQ(certificate_name(CertificateStatus::uncertified), "uncertified");
+  EXPECT_EQ(EnumNames<CertificateStatus>::values.size(), 3U);
+  EXPECT_EQ(EnumNames<CertificateStatus>::values.back(), "certified");
 }
 
 TEST(ResolutionOf, IsTheMethodWithItsSettings) {
