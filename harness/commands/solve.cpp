@@ -22,6 +22,8 @@ struct SolveArguments {
   std::vector<std::string> settings;
   std::string start;
   int samples = 0;
+  double certificate = 1.0;               // [s]
+  std::optional<double> reference = {};  // [s]
   bool json = false;
 };
 
@@ -84,7 +86,8 @@ int solve(const SolveArguments& arguments) {
                                  extras.start->contact_count()));
   }
   watch_interrupts();
-  Runner runner{Limits{}};
+  Runner runner({.certificate_timeout = arguments.certificate,
+                 .reference_timeout = arguments.reference.value_or(0.0)});
   const std::vector<Job> jobs = runner.make_jobs(scene, cases);
   if (interrupted()) return kInterrupted;
   runner.compute_references(scene, jobs);
@@ -113,6 +116,18 @@ void add_solve_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 1 << 22));
   command->add_option("--start", arguments->start,
                       "start from the motion in a file that solve --json --samples wrote");
+  command->add_option("--certificate", arguments->certificate,
+                      "wall time of the search for the orbit behind the answer [s]")
+      ->check(CLI::Range(0.0, 86400.0))
+      ->capture_default_str();
+  command->add_option_function<double>(
+              "--reference", [arguments](double seconds) { arguments->reference = seconds; },
+              "march from rest for so long [s], 60 if no time is given, to tell whether that ends on the same "
+              "orbit; without this only the orbits of results/references tell")
+      ->check(CLI::Range(0.0, 86400.0))
+      ->expected(0, 1)
+      ->default_str("60")
+      ->run_callback_for_default(false);
   command->add_flag("--json", arguments->json, "print the record as JSON");
   command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });
 }

@@ -9,6 +9,7 @@
 #include "harness/compare/rerun.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
+#include "harness/orbits/kept_reference.hpp"
 #include "harness/orbits/orbit_comparison.hpp"
 
 namespace signorini {
@@ -17,17 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// results/references below the current folder or one of those above it.
-fs::path default_folder() {
-  const fs::path references = fs::path("results") / "references";
-  for (fs::path folder = fs::current_path();; folder = folder.parent_path()) {
-    if (fs::is_directory(folder / references)) return folder / references;
-    if (folder == folder.parent_path()) return references;
-  }
-}
-
 int verify(const VerifyArguments& arguments) {
-  const fs::path folder = arguments.folder ? fs::path(*arguments.folder) : default_folder();
+  const fs::path folder = arguments.folder ? fs::path(*arguments.folder) : references_folder();
   if (!arguments.update && !fs::is_directory(folder)) refuse_folder(folder);
   watch_interrupts();
   return fs::exists(folder / "records.jsonl") ? verify_records(arguments, folder)

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "harness/judge/contact_agreement.hpp"
 #include "harness/judge/orbit.hpp"
 #include "methods/refinement.hpp"
 
@@ -15,26 +16,6 @@ namespace {
 /// Orbits of certificates may be this uncertain; what is smaller than ten error bars is marked in tables.
 constexpr double kLargestErrorBar = 1e-6;
 constexpr double kDeepPenetration = 0.5;
-
-/// An orbit shifted to where it is nearest to an answer.
-struct PlacedOrbit {
-  Motion motion;
-  int shift = 0;          ///< [forcing periods]
-  double distance = 0.0;  ///< relative x_l2 [-]
-};
-
-PlacedOrbit place(const Motion& answer, Motion orbit, int shift) {
-  // No norm: the contacts rest where they are, or there are none, and so does the answer or it is off.
-  const double otherwise =
-      answer.samples.x.size() == 0 || answer.samples.x.cwiseAbs().maxCoeff() == 0.0 ? 0.0 : 1.0;
-  const double apart = distance(answer, orbit, shift).x_l2.value_or(otherwise);
-  return {.motion = std::move(orbit), .shift = shift, .distance = apart};
-}
-
-void add_reason(const std::string& reason, Certificate& certificate) {
-  if (!certificate.reason.empty()) certificate.reason += "; ";
-  certificate.reason += reason;
-}
 
 /// The attempts to certify one answer, each true where it succeeds.
 class Attempts {
@@ -53,74 +34,84 @@ class Attempts {
 
   /// By an orbit found from the answer, at the answer's own phase.
   bool take(const CertifiedOrbit& found) {
-    Certificate& certificate = result.certificate;
     if (!found.motion) {
-      add_reason(found.reason, certificate);
+      add_reason(found.reason, nothing_found_);
       return false;
     }
     if (!(found.error_bar <= kLargestErrorBar)) {
       add_reason(fmt::format("the orbit that it leads to is known to {:.1e} only", found.error_bar),
-                 certificate);
+                 nothing_found_);
       return false;
     }
-    PlacedOrbit orbit = place(motion_, sample_motion(problem_, *found.motion), 0);
-    note_distance(orbit);
-    certificate.source = found.source;
-    if (orbit.distance > kNearOrbit) {
-      certificate.reason =
-          fmt::format("the orbit that it leads to ({}) is {:.2g} away", found.source, orbit.distance);
-      return false;
+    Motion orbit = sample_motion(problem_, *found.motion);
+    const double apart = distance_from(orbit);
+    std::optional<double>& nearest = result.certificate.distance;
+    if (!nearest || apart < *nearest) nearest = apart;
+    result.certificate.source = found.source;
+    const ContactDifference contacts = contact_difference(problem_, motion_, orbit);
+    const std::string name = fmt::format("the orbit that it leads to ({})", found.source);
+    if (apart > kNearOrbit) {
+      add_reason(fmt::format("{} is {:.2g} away", name, apart), refutation_);
+    } else if (contacts.contradicts) {
+      add_reason(fmt::format("{} is {:.2g} away: {}", name, apart, contacts.text), refutation_);
+    } else if (apart > kOwnOrbit) {
+      add_reason(fmt::format("near {}, {:.2g} away where {} is asked for", name, apart, kOwnOrbit), near_);
+    } else if (!contacts.text.empty()) {
+      add_reason(fmt::format("near {}, {:.2g} away, but {}", name, apart, contacts.text), near_);
+    } else {
+      accept(std::move(orbit), found);
+      return true;
     }
-    accept(std::move(orbit), found);
-    return true;
+    return false;
   }
 
-  /// By the motion reached from rest, at the phase nearest to the answer's.
-  bool take_reference() {
-    if (!from_rest_) return false;
-    PlacedOrbit orbit = place(motion_, *from_rest_, best_shift(motion_, *from_rest_));
-    note_distance(orbit);
-    if (orbit.distance > kNearOrbit) return false;
-    accept(std::move(orbit), {.error_bar = reference_.error_bar,
-                              .residual = reference_.residual,
-                              .source = "the motion reached from rest"});
-    return true;
+  /// Says why there is no certificate. An orbit near by speaks against calling the answer wrong.
+  void give_up() {
+    Certificate& certificate = result.certificate;
+    if (near_.empty()) certificate.refutation = refutation_;
+    for (const std::string& reason : {near_, refutation_, nothing_found_}) {
+      if (certificate.reason.empty()) certificate.reason = reason;
+    }
   }
 
   CertifiedAnswer result;
 
  private:
-  void note_distance(const PlacedOrbit& orbit) {
-    std::optional<double>& nearest = result.certificate.distance;
-    if (!nearest || orbit.distance < *nearest) nearest = orbit.distance;
+  static void add_reason(const std::string& reason, std::string& reasons) {
+    if (!reasons.empty()) reasons += "; ";
+    reasons += reason;
   }
 
-  void accept(PlacedOrbit orbit, const CertifiedOrbit& known) {
+  [[nodiscard]] double distance_from(const Motion& orbit) const {
+    // No unit: the contacts rest where they are, or there are none, and so does the answer or it is off.
+    const bool rests = motion_.samples.x.size() == 0 || motion_.samples.x.cwiseAbs().maxCoeff() == 0.0;
+    return distance(motion_, orbit).x_l2.value_or(rests ? 0.0 : 1.0);
+  }
+
+  void accept(Motion orbit, const CertifiedOrbit& known) {
     Certificate& certificate = result.certificate;
     certificate.status = CertificateStatus::certified;
-    certificate.reason.clear();
-    certificate.source = known.source;
     certificate.error_bar = known.error_bar;
     certificate.residual = known.residual;
-    certificate.order = least_order(orbit.motion);
-    certificate.events = known.events.empty() ? orbit_events(orbit.motion) : known.events;
+    certificate.order = least_order(orbit);
+    certificate.events = known.events.empty() ? orbit_events(orbit) : known.events;
     certificate.return_distance = known.return_distance;
     certificate.floquet = known.floquet;
     certificate.stable = known.stable;
-    certificate.orbit = fingerprint(orbit.motion);
+    certificate.orbit = fingerprint(orbit);
     if (from_rest_) {
-      certificate.same_orbit = same_orbit(orbit.motion, *from_rest_);
+      certificate.same_orbit = same_orbit(orbit, *from_rest_);
       // Two computations of one orbit may round its fingerprint differently.
       if (*certificate.same_orbit) certificate.orbit = reference_.fingerprint;
     }
-    result.shift = orbit.shift;
-    result.orbit = std::move(orbit.motion);
+    result.orbit = std::move(orbit);
   }
 
   const Problem& problem_;
   const Motion& motion_;
   const Reference& reference_;
   std::optional<Motion> from_rest_;
+  std::string near_, refutation_, nothing_found_;
 };
 
 }  // namespace
@@ -137,7 +128,7 @@ CertifiedAnswer certify(const Problem& problem, std::shared_ptr<const Trajectory
     return attempts.take(find_orbit(same_order, tools.solver, shooting_options(),
                                     {.guess = answer, .deadline = deadline}, kLargestErrorBar));
   };
-  if (!polished() && !shot()) attempts.take_reference();
+  if (!polished() && !shot()) attempts.give_up();
   return std::move(attempts.result);
 }
 
@@ -145,13 +136,9 @@ void apply_verdict(Record& record) {
   if (record.status != Status::converged) return;
   const bool rigid = !record.law || !std::holds_alternative<Penalty>(*record.law);
   const Measure depth = record.physics.penetration;
-  const Certificate& certificate = record.certificate;
-  std::string objection;
-  if (rigid && depth && *depth > kDeepPenetration) {
+  std::string objection = record.certificate.refutation;
+  if (rigid && depth && *depth > kDeepPenetration)
     objection = fmt::format("penetrates the stop by {:.2g} amplitudes", *depth);
-  } else if (certificate.status == CertificateStatus::uncertified && !certificate.source.empty()) {
-    objection = fmt::format("no orbit within {} of it: {}", kNearOrbit, certificate.reason);
-  }
   if (objection.empty()) return;
   record.status = Status::inaccurate;
   record.message = record.message.empty() ? objection : objection + "; the method: " + record.message;

@@ -10,31 +10,36 @@
 
 namespace signorini {
 
+/// An orbit this near to an answer, in x, may certify it; see `distance`.
+inline constexpr double kOwnOrbit = 0.1;
+
 /// The certificate of an answer, and the orbit that its errors are measured against.
 struct CertifiedAnswer {
   Certificate certificate;
-  std::optional<Motion> orbit = {};  ///< none unless certified
-  int shift = 0;                     ///< of the orbit against the answer, in forcing periods
+  std::optional<Motion> orbit = {};  ///< at the answer's own phase; none unless certified
 };
 
-/// Looks for an orbit of `problem` (under the law that the answer represents) near an answer. These attempts
-/// are made in turn until one finds an orbit within kNearOrbit whose error bar is at most 1e-6:
+/// Looks for the orbit of `problem` (under the law that the answer represents) behind an answer, from the
+/// answer and from nothing else:
 ///
 /// 1. the exact orbit that the answer polishes to, confirmed by CVODE
 /// 2. shooting at 1e-11 from the answer, repeated at 1e-12 for the error bar
-/// 3. the reference of that law, shifted by whole forcing periods
 ///
-/// If all fail the answer is uncertified, and the reason is that of the attempts; `distance` is that of the
-/// nearest orbit that any of them found. An answer without contact coordinates is certified by any orbit.
+/// The answer is certified by an orbit whose error bar is at most 1e-6, which lies within kOwnOrbit, and
+/// whose contacts are the answer's (`contact_difference`). Else it is uncertified, and the reason is that of
+/// the attempts: the orbit found is near (kNearOrbit) but not the answer's own; or far away, or it
+/// contradicts the answer's contacts, which is a refutation; or none was found. `distance` is that of the
+/// nearest orbit found. An answer without contact coordinates is certified by any orbit. The reference only
+/// tells whether the orbit is the one that is reached from rest.
 ///
 /// \param answer  what the method returned
-/// \param motion  the same, sampled
+/// \param motion  the same, sampled by `sample_answer`
 CertifiedAnswer certify(const Problem& problem, std::shared_ptr<const Trajectory> answer,
                         const Motion& motion, const Reference& reference, const OrbitTools& tools,
                         Deadline deadline);
 
 /// The status that the harness gives: `inaccurate` where the method says converged, but penetrates a rigid
-/// stop by more than half the amplitude, or the orbit found from its answer is farther away than kNearOrbit.
+/// stop by more than half the amplitude, or its certificate holds a refutation.
 void apply_verdict(Record& record);
 
 }  // namespace signorini

@@ -121,4 +121,17 @@ Eigen::VectorXd ContactResponse::contact_work() const { return work(lambda_, x_)
 
 double ContactResponse::dissipation() const { return dissipation_; }
 
+std::optional<Eigen::MatrixXd> contact_free_motion(const Problem& problem, int count) {
+  const Eigen::Index harmonics = load_bandwidth(problem) + 1;
+  try {
+    const ContactResponse response(problem,
+                                   {.order = problem.subharmonic,
+                                    .base_frequency = problem.base_frequency(),
+                                    .lambda = Eigen::MatrixXcd::Zero(harmonics, problem.contact_count())});
+    return response.free_displacement(count);
+  } catch (const SingularStiffness&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace signorini

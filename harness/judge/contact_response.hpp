@@ -2,6 +2,7 @@
 // The response of the structure to a periodic contact force, at the coordinates where forces act.
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "methods/structure/periodic_response.hpp"
 #include "problems/problem.hpp"
@@ -49,5 +50,9 @@ class ContactResponse {
   Eigen::MatrixXcd free_;    // x without contact force, (H+1) x Nc
   double dissipation_ = 0.0;
 };
+
+/// x under the load alone at count instants of the problem's period, count x Nc [m]; empty where the load
+/// drives an undamped eigenfrequency, or a free structure at rest: no such motion exists.
+std::optional<Eigen::MatrixXd> contact_free_motion(const Problem& problem, int count);
 
 }  // namespace signorini

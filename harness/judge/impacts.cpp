@@ -11,8 +11,8 @@ namespace {
 
 /// A force below this share of the motion's largest is ripple, not contact.
 constexpr double kRipple = 1e-6;
-/// An impact appears spread over one to three smears; what takes longer lasts.
-constexpr double kLastingSmears = 5.0;
+/// An impact appears spread over one to three resolutions; what takes longer lasts.
+constexpr double kLastingResolutions = 5.0;
 
 /// Mean velocity over `window` steps ending (direction -1) or beginning (+1) at sample i.
 double mean_speed(const Motion& motion, int contact, int i, int window, int direction) {
@@ -69,9 +69,10 @@ ContactPhase force_phase(const Motion& motion, int contact, const SampledPhase& 
   for (int i = run.first; i < run.first + run.length; ++i) {
     phase.impulse += step * motion.samples.force(i % count, contact);
   }
-  phase.lasting = !motion.impulses.empty() || run.length * step > kLastingSmears * smear(motion);
+  phase.lasting =
+      !motion.impulses.empty() || run.length * step > kLastingResolutions * time_resolution(motion);
   if (run.length < count) {
-    const int window = std::max(1, static_cast<int>(std::lround(2.0 * smear(motion) / step)));
+    const int window = std::max(1, static_cast<int>(std::lround(2.0 * time_resolution(motion) / step)));
     phase.speed_before = mean_speed(motion, contact, run.first - 1, window, -1);
     phase.speed_after = mean_speed(motion, contact, run.first + run.length, window, 1);
   }
@@ -84,7 +85,7 @@ double force_scale(const Motion& motion) {
 
 }  // namespace
 
-double smear(const Motion& motion) {
+double time_resolution(const Motion& motion) {
   return motion.bandwidth ? motion.period() / (2.0 * std::max(1, *motion.bandwidth)) : motion.step();
 }
 
@@ -93,7 +94,7 @@ std::vector<ContactPhase> contact_phases(const Motion& motion) {
   for (const Impulse& impulse : motion.impulses) phases.push_back(listed_impact(motion, impulse));
   const double scale = force_scale(motion);
   if (scale > 0.0) {
-    const int bridge = std::max(1, static_cast<int>(std::ceil(smear(motion) / motion.step())));
+    const int bridge = std::max(1, static_cast<int>(std::ceil(time_resolution(motion) / motion.step())));
     for (int c = 0; c < static_cast<int>(motion.samples.force.cols()); ++c) {
       for (const SampledPhase& run : contact_phases(motion.samples.force.col(c), kRipple * scale, bridge)) {
         phases.push_back(force_phase(motion, c, run));

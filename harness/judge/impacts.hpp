@@ -23,12 +23,12 @@ struct ContactPhase {
 
 /// Time over which the representation spreads an impulse: period / (2 bandwidth), one grid step if it
 /// resolves everything [s].
-double smear(const Motion& motion);
+double time_resolution(const Motion& motion);
 
-/// All phases of one period, ordered by begin. A force that acts over several smears, or over ever so
-/// short a time in a motion that lists its impulses, is lasting contact. Speeds beside an impulse that is
-/// listed are extrapolated linearly from the samples on that side; beside a phase of force they are means
-/// over one ripple of the representation (two smears).
+/// All phases of one period, ordered by begin. A force that acts over several times this resolution, or over
+/// ever so short a time in a motion that lists its impulses, is lasting contact. Speeds beside an impulse
+/// that is listed are extrapolated linearly from the samples on that side; beside a phase of force they are
+/// means over one ripple of the representation (two resolutions).
 std::vector<ContactPhase> contact_phases(const Motion& motion);
 
 /// Largest share of the period during which one contact pushes with a force, impulses aside [-].

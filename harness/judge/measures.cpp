@@ -42,7 +42,7 @@ Measure impulse_error(const Motion& answer, const Motion& orbit) {
   return (found - exact).cwiseAbs().maxCoeff() / scale;
 }
 
-Measure field_error(const Problem& problem, const Motion& answer, const Motion& orbit, int shift) {
+Measure field_error(const Problem& problem, const Motion& answer, const Motion& orbit) {
   if (problem.size() <= problem.contact_count() || problem.size() > kLargestField) return std::nullopt;
   try {
     const auto field = [&](const Motion& at_contacts) {
@@ -54,17 +54,10 @@ Measure field_error(const Problem& problem, const Motion& answer, const Motion& 
       motion.samples.velocity = Eigen::MatrixXd::Zero(motion.samples.x.rows(), motion.samples.x.cols());
       return motion;
     };
-    return distance(field(answer), field(orbit), shift).x_l2;
+    return distance(field(answer), field(orbit)).x_l2;
   } catch (const std::exception&) {
     return std::nullopt;  // some harmonic excites an undamped eigenfrequency: the field is not determined
   }
-}
-
-/// Contacts that never push, in as many harmonics as the load has.
-ForceSeries no_contact_force(const Problem& problem) {
-  return {.order = problem.subharmonic,
-          .base_frequency = problem.base_frequency(),
-          .lambda = Eigen::MatrixXcd::Zero(load_bandwidth(problem) + 1, problem.contact_count())};
 }
 
 /// The scale of lengths: the amplitude, but at least a tenth of the largest distance of the contact-free
@@ -74,15 +67,11 @@ double length_scale(const Problem& problem, const Motion& motion, const Eigen::V
   constexpr int kInstants = 512;
   constexpr double kLeast = 0.1;
   const double moving = amplitude(motion);
-  try {
-    // An answer may have no response where the load alone has one: its harmonics are more.
-    const Eigen::MatrixXd free =
-        response ? response->free_displacement(kInstants)
-                 : ContactResponse(problem, no_contact_force(problem)).free_displacement(kInstants);
-    return std::max(moving, kLeast * (free.rowwise() - gaps.transpose()).cwiseAbs().maxCoeff());
-  } catch (const SingularStiffness&) {
-    return moving;  // driven at an undamped eigenfrequency: there is no contact-free motion
-  }
+  // An answer may have no response where the load alone has one: its harmonics are more.
+  const std::optional<Eigen::MatrixXd> free =
+      response ? response->free_displacement(kInstants) : contact_free_motion(problem, kInstants);
+  if (!free) return moving;
+  return std::max(moving, kLeast * (free->rowwise() - gaps.transpose()).cwiseAbs().maxCoeff());
 }
 
 Measure penetration(const Motion& motion, const Eigen::VectorXd& gaps, double scale) {
@@ -190,20 +179,21 @@ EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, co
 
 }  // namespace
 
-Errors measure_errors(const Problem& problem, const Motion& answer, const Motion& orbit, int shift) {
-  const Distance d = distance(answer, orbit, shift);
+Errors measure_errors(const Problem& problem, const Motion& answer, const Motion& orbit) {
+  const Distance d = distance(answer, orbit);
   Errors errors;
   errors.x_l2 = d.x_l2;
   errors.x_max = d.x_max;
   errors.velocity_l2 = d.velocity_l2;
   errors.impulse = impulse_error(answer, orbit);
-  errors.u_l2 = field_error(problem, answer, orbit, shift);
+  errors.force_l2 = d.force_l2;
+  errors.u_l2 = field_error(problem, answer, orbit);
   return errors;
 }
 
 double expected_loss(const Motion& motion, double restitution, const Eigen::MatrixXd& delassus) {
   const double factor = (1.0 - restitution) / (2.0 * (1.0 + restitution));
-  const double together = smear(motion);
+  const double together = time_resolution(motion);
   double loss = 0.0;
   Eigen::VectorXd impulse = Eigen::VectorXd::Zero(delassus.rows());
   double last = -1.0;

@@ -10,11 +10,12 @@
 
 namespace signorini {
 
-/// Errors of an answer against an orbit, each relative to the orbit's own norm and absent where that is
-/// zero: x and x' over the common period (root mean square, maximum), the impulse of the worst contact
-/// relative to the largest impulse of a contact, and u over the whole structure where Nc < Nd <= 10 000, both
-/// fields by `PeriodicResponse`. `shift` moves the orbit by whole forcing periods.
-Errors measure_errors(const Problem& problem, const Motion& answer, const Motion& orbit, int shift = 0);
+/// Errors of an answer against an orbit: x and x' as `distance` measures them (root mean square, maximum),
+/// the impulse of the worst contact relative to the largest impulse of a contact, the contact force where it
+/// is a function of time (no impulse in either motion) as a root mean square relative to the orbit's, and u
+/// over the whole structure where Nc < Nd <= 10 000, both fields by `PeriodicResponse`. Absent where the unit
+/// is zero.
+Errors measure_errors(const Problem& problem, const Motion& answer, const Motion& orbit);
 
 struct EnergyDefect {
   Measure value = {};

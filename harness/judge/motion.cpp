@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
+#include "harness/judge/contact_response.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 #include "methods/solvers/constants.hpp"
 
@@ -12,23 +15,30 @@ namespace signorini {
 
 namespace {
 
-struct Difference {
-  double squares = 0.0;
-  double own_squares = 0.0;
-  double largest = 0.0;
-  double own_largest = 0.0;
+/// Share of the contact-free motion that the size of a motion is taken to be at least.
+constexpr double kLeastSize = 0.1;
+/// Digits of x that round-off may have taken, relative to the largest |x|.
+constexpr double kRoundOff = 1e-9;
 
-  [[nodiscard]] std::optional<double> l2() const {
-    if (own_squares == 0.0) return std::nullopt;
-    return std::sqrt(squares / own_squares);
+/// The size of what varies: values less the mean of their column.
+struct Size {
+  explicit Size(const Eigen::MatrixXd& values) {
+    if (values.size() == 0) return;
+    const auto varying = (values.rowwise() - values.colwise().mean()).array().abs();
+    mean_square = varying.square().mean();
+    largest = varying.maxCoeff();
+    round_off = kRoundOff * values.cwiseAbs().maxCoeff();
   }
-  [[nodiscard]] std::optional<double> max() const {
-    if (own_largest == 0.0) return std::nullopt;
-    return largest / own_largest;
-  }
+
+  double mean_square = 0.0, largest = 0.0, round_off = 0.0;
 };
 
-Difference compare(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen::Index offset) {
+struct Difference {
+  double mean_square = 0.0;
+  double largest = 0.0;
+};
+
+Difference difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen::Index offset) {
   Difference gap;
   if (a.cols() == 0) return gap;
   const Eigen::Index common = std::lcm(a.rows(), b.rows());
@@ -37,17 +47,19 @@ Difference compare(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen::In
   // Block by block, so that neither motion wraps around within one: Eigen then vectorises the sums.
   for (Eigen::Index done = 0; done < common;) {
     const Eigen::Index block = std::min({a.rows() - i, b.rows() - j, common - done});
-    const auto own = b.middleRows(j, block).array();
-    const auto difference = a.middleRows(i, block).array() - own;
-    gap.squares += difference.square().sum();
-    gap.own_squares += own.square().sum();
-    gap.largest = std::max(gap.largest, difference.abs().maxCoeff());
-    gap.own_largest = std::max(gap.own_largest, own.abs().maxCoeff());
+    const auto apart = a.middleRows(i, block).array() - b.middleRows(j, block).array();
+    gap.mean_square += apart.square().sum();
+    gap.largest = std::max(gap.largest, apart.abs().maxCoeff());
     done += block;
     i = (i + block) % a.rows();
     j = (j + block) % b.rows();
   }
+  gap.mean_square /= static_cast<double>(common * a.cols());
   return gap;
+}
+
+std::optional<double> in_units_of(double unit, double value) {
+  return unit > 0.0 ? std::optional(value / unit) : std::nullopt;
 }
 
 /// Coefficients n = 0..count of the contact force, (count+1) x Nc, from no more instants than they need.
@@ -66,6 +78,14 @@ Eigen::MatrixXcd spectrum_of(const Motion& motion, int count) {
 }
 
 Eigen::Index per_period(const Motion& motion) { return motion.samples.x.rows() / motion.order; }
+
+/// Root mean square of the contact-free motion about its mean [m]; 0 where there is none.
+double contact_free_size(const Problem& problem) {
+  constexpr int kInstants = 512;
+  if (problem.contacts.empty()) return 0.0;
+  const std::optional<Eigen::MatrixXd> free = contact_free_motion(problem, kInstants);
+  return free ? std::sqrt(Size(*free).mean_square) : 0.0;
+}
 
 }  // namespace
 
@@ -86,7 +106,9 @@ SampledAnswer sample_answer(const Problem& problem, const Trajectory& answer) {
   if (!sampled.defect.empty()) return sampled;
   Motion motion = sample_motion(problem, answer);
   sampled.defect = samples_defect(motion.samples, kGrid * motion.order, problem.contact_count());
-  if (sampled.defect.empty()) sampled.motion = std::move(motion);
+  if (!sampled.defect.empty()) return sampled;
+  sampled.motion = std::move(motion);
+  sampled.motion.least = kLeastSize * contact_free_size(problem);
   return sampled;
 }
 
@@ -101,6 +123,7 @@ Motion thinned(const Motion& motion, int step) {
   result.impulses = motion.impulses;
   result.bandwidth = motion.bandwidth;
   result.force_coefficients = motion.force_coefficients;
+  result.least = motion.least;
   return result;
 }
 
@@ -118,19 +141,33 @@ Eigen::VectorXd impulse_per_forcing_period(const Motion& motion) {
 
 Distance distance(const Motion& a, const Motion& b, int shift) {
   const Eigen::Index offset = shift * per_period(b);
-  const Difference x = compare(a.samples.x, b.samples.x, offset);
-  return {.x_l2 = x.l2(),
-          .x_max = x.max(),
-          .velocity_l2 = compare(a.samples.velocity, b.samples.velocity, offset).l2()};
+  const double least = std::max(a.least, b.least);
+  const Size x(b.samples.x), velocity(b.samples.velocity);
+  const double unit = std::max({std::sqrt(x.mean_square), least, x.round_off});
+  // A sinusoid of this root mean square is sqrt(2) as large.
+  const double unit_of_largest = std::max({x.largest, std::numbers::sqrt2 * least, x.round_off});
+  const double unit_of_speed =
+      std::max(std::sqrt(velocity.mean_square), kTwoPi / b.forcing_period * std::max(least, x.round_off));
+  const Difference apart = difference(a.samples.x, b.samples.x, offset);
+  const bool functions = a.impulses.empty() && b.impulses.empty() && b.samples.force.size() > 0;
+  return {
+      .x_l2 = in_units_of(unit, std::sqrt(apart.mean_square)),
+      .x_max = in_units_of(unit_of_largest, apart.largest),
+      .velocity_l2 = in_units_of(
+          unit_of_speed, std::sqrt(difference(a.samples.velocity, b.samples.velocity, offset).mean_square)),
+      .force_l2 =
+          functions ? in_units_of(std::sqrt(b.samples.force.array().square().mean()),
+                                  std::sqrt(difference(a.samples.force, b.samples.force, offset).mean_square))
+                    : std::nullopt};
 }
 
 int best_shift(const Motion& a, const Motion& b) {
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (int shift = 0; shift < b.order; ++shift) {
-    const Difference x = compare(a.samples.x, b.samples.x, shift * per_period(b));
-    if (x.squares < least) {
-      least = x.squares;
+    const double apart = difference(a.samples.x, b.samples.x, shift * per_period(b)).mean_square;
+    if (apart < least) {
+      least = apart;
       best = shift;
     }
   }
@@ -140,8 +177,7 @@ int best_shift(const Motion& a, const Motion& b) {
 int least_order(const Motion& motion) {
   for (int order = 1; order < motion.order; ++order) {
     if (motion.order % order != 0) continue;
-    const Difference x = compare(motion.samples.x, motion.samples.x, order * per_period(motion));
-    if (x.squares <= kSameOrbit * kSameOrbit * x.own_squares) return order;
+    if (distance(motion, motion, order).x_l2.value_or(0.0) <= kSameOrbit) return order;
   }
   return motion.order;
 }

@@ -14,7 +14,7 @@ namespace signorini {
 /// Instants per forcing period on which every measure is taken.
 inline constexpr int kGrid = 8192;
 
-/// Two motions of one orbit agree to this, relative to their norm; distinct orbits do not.
+/// Two motions of one orbit agree to this, as `distance` measures x; distinct orbits do not.
 inline constexpr double kSameOrbit = 1e-6;
 
 /// One period of a motion at kGrid instants per forcing period. An answer is sampled once; all that is
@@ -26,6 +26,9 @@ struct Motion {
   std::vector<Impulse> impulses = {};
   std::optional<int> bandwidth = {};         ///< as Trajectory::bandwidth
   Eigen::MatrixXcd force_coefficients = {};  ///< as Trajectory::force_coefficients [N]
+  /// Sizes of x below this are not told from rest: a tenth of the size of the contact-free motion in an
+  /// answer (`sample_answer`), else 0 [m].
+  double least = 0.0;
 
   [[nodiscard]] double period() const { return order * forcing_period; }
   [[nodiscard]] int count() const { return static_cast<int>(samples.x.rows()); }
@@ -53,19 +56,23 @@ ForceSeries force_series(const Problem& problem, const Motion& motion, int max_h
 /// Impulse per forcing period and contact: force integrated, impulses added, Nc [N s].
 Eigen::VectorXd impulse_per_forcing_period(const Motion& motion);
 
-/// Relative distances of motion a from motion b over their common period, b shifted by `shift` forcing
-/// periods; empty where b's own norm is zero. Both must have the same grid per forcing period.
+/// Distances of motion a from motion b over their common period, b shifted by `shift` forcing periods, in
+/// units of the size of b: of x - mean(x), the mean taken per contact, so that nothing depends on where the
+/// origin of x is. The unit of x is at least a.least and b.least, and 1e-9 of the largest |x|, its round-off.
+/// Empty where the unit is zero. Both must have the same grid per forcing period.
 struct Distance {
-  std::optional<double> x_l2 = {};         ///< |x_a - x_b| / |x_b|, root mean square over time and contacts
-  std::optional<double> x_max = {};        ///< largest |x_a - x_b| / largest |x_b|
-  std::optional<double> velocity_l2 = {};  ///< as x_l2, of x'
+  std::optional<double> x_l2 = {};         ///< root mean squares over time and contacts
+  std::optional<double> x_max = {};        ///< largest |x_a - x_b| over the largest |x_b - mean(x_b)|
+  std::optional<double> velocity_l2 = {};  ///< as x_l2, of x'; its unit is at least 2 pi / T times that of x
+  /// Of lambda, root mean squares, relative to that of lambda_b itself; empty where either has impulses.
+  std::optional<double> force_l2 = {};
 };
 Distance distance(const Motion& a, const Motion& b, int shift = 0);
 
 /// The shift of b by whole forcing periods, 0 <= shift < b.order, that brings it nearest to a in x_l2.
 int best_shift(const Motion& a, const Motion& b);
 
-/// Smallest order m that divides the motion's and after which x repeats to 1e-6 of its norm.
+/// Smallest order m that divides the motion's and after which x repeats to 1e-6 of its size.
 int least_order(const Motion& motion);
 
 /// Half the difference of the largest and least x of a contact, the largest over contacts [m].

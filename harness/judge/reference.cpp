@@ -78,6 +78,10 @@ Reference compute_reference(const Problem& problem, const OrbitTools& tools, Dea
     orbit = confirm_orbit(problem, tools.solver, marching_options(), from_rest, marched, kReferenceErrorBar);
   }
   if (!orbit.motion) return {.reason = orbit.reason};
+  return as_reference(problem, std::move(orbit));
+}
+
+Reference as_reference(const Problem& problem, CertifiedOrbit orbit) {
   const Motion motion = sample_motion(problem, *orbit.motion);
   Reference reference{.orbit = std::make_shared<SampledTrajectory>(*orbit.motion, motion.count()),
                       .reason = {},

@@ -30,6 +30,9 @@ struct Reference {
 /// farther away than marching can have left it, marching has stopped too early and there is no reference.
 Reference compute_reference(const Problem& problem, const OrbitTools& tools, Deadline deadline);
 
+/// The reference that an orbit of the problem makes, which must have a motion.
+Reference as_reference(const Problem& problem, CertifiedOrbit orbit);
+
 nlohmann::ordered_json to_json(const Reference& reference);
 Reference reference_from_json(const nlohmann::ordered_json& json);  ///< \throws BadRecord
 

@@ -38,8 +38,8 @@ Eigen::VectorXd accumulated(const Motion& motion, int contact) {
   return total;
 }
 
-/// All signals of one contact over `periods` forcing periods, ends included, from row `first` of the motion.
-Eigen::MatrixXd signals_of(const Motion& motion, int contact, int periods, Eigen::Index first) {
+/// All signals of one contact over `periods` forcing periods, ends included.
+Eigen::MatrixXd signals_of(const Motion& motion, int contact, int periods) {
   const Eigen::Index count = motion.count();
   const Eigen::Index rows = static_cast<Eigen::Index>(periods) * rows_per_period(motion);
   const Eigen::VectorXd total = accumulated(motion, contact);
@@ -49,11 +49,11 @@ Eigen::MatrixXd signals_of(const Motion& motion, int contact, int periods, Eigen
   };
   Eigen::MatrixXd signals(rows + 1, static_cast<Eigen::Index>(kSignals));
   for (Eigen::Index i = 0; i <= rows; ++i) {
-    const Eigen::Index row = (first + i) % count;
+    const Eigen::Index row = i % count;
     signals(i, kX) = motion.samples.x(row, contact);
     signals(i, kVelocity) = motion.samples.velocity(row, contact);
     signals(i, kForce) = motion.samples.force(row, contact);
-    signals(i, kImpulse) = given(first + i) - given(first);
+    signals(i, kImpulse) = given(i) - given(0);
   }
   return signals;
 }
@@ -68,14 +68,13 @@ std::vector<double> rounded_at(const Eigen::Ref<const Eigen::VectorXd>& values,
   return list;
 }
 
-Waveform draw(const Motion& motion, const std::vector<int>& contacts, int periods, int shift) {
+Waveform draw(const Motion& motion, const std::vector<int>& contacts, int periods) {
   const auto kept = static_cast<Eigen::Index>(contacts.size());
   const Eigen::Index rows = static_cast<Eigen::Index>(periods) * rows_per_period(motion) + 1;
-  const Eigen::Index first = static_cast<Eigen::Index>(shift) * rows_per_period(motion);
   Eigen::MatrixXd signals(rows, kept * kSignals);
   for (Eigen::Index c = 0; c < kept; ++c)
     signals.middleCols(c * kSignals, kSignals) =
-        signals_of(motion, contacts[static_cast<std::size_t>(c)], periods, first);
+        signals_of(motion, contacts[static_cast<std::size_t>(c)], periods);
   const std::vector<int> places = polyline(signals, kDrawnTolerance);
   Waveform waveform;
   for (const int place : places) waveform.t.push_back(rounded(place * motion.step()));
@@ -139,17 +138,17 @@ std::vector<int> polyline(const Eigen::MatrixXd& signals, double tolerance) {
   return kept;
 }
 
-Waveforms draw_waveforms(const Motion& answer, const Motion* orbit, int shift) {
+Waveforms draw_waveforms(const Motion& answer, const Motion* orbit) {
   const Motion motion = thinned(answer, rows_per_period(answer) / kDrawnGrid);
   Waveforms waveforms{.contacts = contacts_drawn(motion)};
   if (orbit == nullptr) {
-    waveforms.answer = draw(motion, waveforms.contacts, motion.order, 0);
+    waveforms.answer = draw(motion, waveforms.contacts, motion.order);
     return waveforms;
   }
   const Motion certified = thinned(*orbit, rows_per_period(*orbit) / kDrawnGrid);
   const int periods = std::lcm(motion.order, certified.order);
-  waveforms.answer = draw(motion, waveforms.contacts, periods, 0);
-  waveforms.orbit = draw(certified, waveforms.contacts, periods, shift);
+  waveforms.answer = draw(motion, waveforms.contacts, periods);
+  waveforms.orbit = draw(certified, waveforms.contacts, periods);
   return waveforms;
 }
 

@@ -14,8 +14,8 @@ inline constexpr int kDrawnContacts = 4;
 /// \param signals  instants x signals, at least two instants
 std::vector<int> polyline(const Eigen::MatrixXd& signals, double tolerance);
 
-/// An answer and, unless null, the certified orbit behind it, moved by `shift` forcing periods; over the
-/// least period common to both, at the contacts that exchange most impulse.
-Waveforms draw_waveforms(const Motion& answer, const Motion* orbit, int shift);
+/// An answer and, unless null, the certified orbit behind it, over the least period common to both, at the
+/// contacts that exchange most impulse.
+Waveforms draw_waveforms(const Motion& answer, const Motion* orbit);
 
 }  // namespace signorini

@@ -47,11 +47,11 @@ FoundOrbit describe_orbit(const Problem& problem, int order, CertifiedOrbit chec
           .amplitude = amplitude(whole)};
 }
 
-/// Nothing but impulses: what the polish needs of an orbit without contact phases.
-class ImpulseTrain final : public Trajectory {
+/// Nothing but events: what the polish needs of an orbit.
+class ListedEvents final : public Trajectory {
  public:
-  ImpulseTrain(int contacts, double period, std::vector<Impulse> impulses)
-      : contacts_(contacts), period_(period), impulses_(std::move(impulses)) {}
+  ListedEvents(int contacts, double period, std::vector<ContactEvent> events)
+      : contacts_(contacts), period_(period), events_(std::move(events)) {}
 
   [[nodiscard]] int contact_count() const override { return contacts_; }
   [[nodiscard]] double period() const override { return period_; }
@@ -59,12 +59,12 @@ class ImpulseTrain final : public Trajectory {
     const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(count, contacts_);
     return {.x = zero, .velocity = zero, .force = zero};
   }
-  [[nodiscard]] std::vector<Impulse> impulses() const override { return impulses_; }
+  [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override { return events_; }
 
  private:
   int contacts_;
   double period_;
-  std::vector<Impulse> impulses_;
+  std::vector<ContactEvent> events_;
 };
 
 class OrbitCollection {
@@ -221,16 +221,15 @@ SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& op
 }
 
 std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit& kept,
-                                        const OrbitPolisher& polish) {
-  std::vector<Impulse> impulses;
-  for (const OrbitEvent& event : kept.certified.events) {
-    if (event.kind != ContactEvent::Kind::impact || !event.value) return std::nullopt;
-    impulses.push_back({event.contact, event.time, *event.value});
-  }
+                                        const OrbitPolisher& polish,
+                                        std::span<const Certificate> confirmed) {
+  std::vector<ContactEvent> events;
+  for (const OrbitEvent& event : kept.certified.events)
+    events.push_back({event.kind, event.contact, event.time, event.value.value_or(0.0)});
   const Problem at_order = with_subharmonic(problem, kept.order);
   const OrbitPolisher certify = polish ? polish : exact_orbits();
-  const ImpulseTrain train(problem.contact_count(), at_order.period(), std::move(impulses));
-  CertifiedOrbit checked = certify(at_order, train, {}, Deadline::max());
+  const ListedEvents listed(problem.contact_count(), at_order.period(), std::move(events));
+  CertifiedOrbit checked = certify(at_order, listed, confirmed, Deadline::max());
   if (!checked.motion) return std::nullopt;
   FoundOrbit found = describe_orbit(problem, kept.order, std::move(checked));
   found.from_rest = kept.from_rest;  // not asked here

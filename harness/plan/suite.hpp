@@ -15,7 +15,7 @@ struct Limits {
   int memory_mb = 2048;               ///< address space [MiB]
   int repetitions = 3;                ///< rounds of timing
   double certificate_timeout = 10.0;  ///< wall time to find the orbit behind an answer [s]
-  double reference_timeout = 60.0;    ///< wall time to find a scene's reference [s]
+  double reference_timeout = 60.0;    ///< wall time to march to a scene's reference; 0: not at all [s]
 };
 
 /// A case that is known to fail, and why: it is run and recorded, but does not spoil the exit code.

@@ -101,6 +101,7 @@ using FloquetMultipliers = std::vector<std::pair<double, double>>;
 struct Certificate {
   CertificateStatus status = CertificateStatus::none;
   std::string reason = {};                ///< of uncertified or none; empty when certified
+  std::string refutation = {};            ///< why the answer is wrong, where its orbit shows that
   std::string source = {};                ///< how the orbit was found
   std::optional<std::string> orbit = {};  ///< fingerprint, equal for equal orbits
   std::optional<int> order = {};          ///< period of the orbit in forcing periods
@@ -119,7 +120,7 @@ struct Certificate {
 
 /// Against the certified orbit, relative.
 struct Errors {
-  Measure x_l2 = {}, x_max = {}, u_l2 = {}, velocity_l2 = {}, impulse = {};
+  Measure x_l2 = {}, x_max = {}, u_l2 = {}, velocity_l2 = {}, impulse = {}, force_l2 = {};
   Measure x_l2_scene = {};  ///< against the scene's own reference where the represented law is another
 };
 
@@ -193,7 +194,18 @@ std::string resolution_of(const Record& record);
 /// Counts one more solve of the case, whose answer has this digest.
 void count_repeat(const std::string& answer, Record& record);
 
-/// Ten error bars of the certified orbit: an error below this is not measured but bounded.
+/// What has become of a method's claim that it converged.
+enum class Claim {
+  certified,  ///< the answer's own orbit is known
+  unproven,   ///< no orbit certifies it, and none refutes it
+  refuted     ///< the harness found it wrong: status `inaccurate`
+};
+
+/// Nothing where the method claims nothing.
+std::optional<Claim> claim_of(const Record& record);
+
+/// An error below this is not measured but bounded: ten error bars of the certified orbit, and how far CVODE,
+/// which shares nothing with the methods, returned from it after a period.
 double measurable_error(const Record& record);
 
 }  // namespace signorini

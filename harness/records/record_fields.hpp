@@ -53,6 +53,7 @@ void visit_fields(Either<Certificate> auto& certificate, auto&& field) {
   const bool has_orbit = certificate.status == CertificateStatus::certified;
   field(required("status"), certificate.status);
   field(Field{"reason"}, certificate.reason);
+  field(Field{"refutation"}, certificate.refutation);
   field(Field{"source"}, certificate.source);
   field(Field{"orbit"}, certificate.orbit);
   field(Field{"order"}, certificate.order);
@@ -74,6 +75,7 @@ void visit_fields(Either<Errors> auto& errors, auto&& field) {
   field(Field{"u_l2"}, errors.u_l2);
   field(Field{"velocity_l2"}, errors.velocity_l2);
   field(Field{"impulse"}, errors.impulse);
+  field(Field{"force_l2"}, errors.force_l2);
   field(Field{"x_l2_scene"}, errors.x_l2_scene);
 }
 

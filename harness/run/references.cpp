@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/isolation/isolation.hpp"
+#include "harness/orbits/kept_reference.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/records/json_line.hpp"
 #include "harness/records/record_json.hpp"
@@ -21,6 +22,17 @@ constexpr int kReferenceProcesses = 2;
 std::string key_of(const RepresentedLaw& law, const Problem& problem) {
   const bool undetermined = std::holds_alternative<Undetermined>(law);
   return law_to_json(undetermined ? as_represented(problem.law) : law).dump();
+}
+
+/// As it is kept, or by marching from rest, which may take `seconds`.
+Reference find_reference(const Scene& scene, const RepresentedLaw& law, const OrbitTools& tools,
+                         double seconds) {
+  if (law_matches(law, scene.problem.law)) {
+    if (std::optional<Reference> kept = kept_reference(scene, references_folder(), tools.polish))
+      return *std::move(kept);
+  }
+  if (seconds == 0.0) return {.reason = "not searched for"};
+  return compute_reference(under_law(scene.problem, law), tools, deadline_after(seconds));
 }
 
 Reference received_reference(const ChildEnd& end) {
@@ -48,8 +60,7 @@ void References::compute(const Scene& scene, std::span<const Applicability> meth
     if (by_law_.contains(key) || std::find(keys.begin(), keys.end(), key) != keys.end()) return;
     keys.push_back(key);
     work.push_back([&scene, &tools, &limits, law](const LineSender& send) {
-      send(json_line(to_json(compute_reference(under_law(scene.problem, law), tools,
-                                               deadline_after(limits.reference_timeout)))));
+      send(json_line(to_json(find_reference(scene, law, tools, limits.reference_timeout))));
     });
   };
   const auto applies = [](const Applicability& method) { return method.applies; };
@@ -59,7 +70,8 @@ void References::compute(const Scene& scene, std::span<const Applicability> meth
     if (method.law) add(*method.law);
   }
   const std::vector<ChildEnd> ends = run_isolated_together(
-      work, {.stage_seconds = {enforced(limits.reference_timeout)}, .memory_mb = limits.memory_mb},
+      work,
+      {.stage_seconds = {kQuickSeconds + enforced(limits.reference_timeout)}, .memory_mb = limits.memory_mb},
       kReferenceProcesses);
   for (std::size_t i = 0; i < keys.size(); ++i) by_law_[keys[i]] = received_reference(ends[i]);
 }

@@ -14,8 +14,9 @@ namespace signorini {
 /// References of one scene, one for each law that a method represents and one for the scene's own.
 class References {
  public:
-  /// Computes those that are missing, each in a process of its own within limits.reference_timeout. None if
-  /// no method applies.
+  /// Finds those that are missing, each in a process of its own: the one under the scene's own law as
+  /// results/references keeps it, the others, and where it is not kept, by marching from rest within
+  /// limits.reference_timeout (0: not at all). None if no method applies.
   void compute(const Scene& scene, std::span<const Applicability> methods, const OrbitTools& tools,
                const Limits& limits);
   /// The reference under a law, the scene's own where the law is undetermined; one without an orbit if it was

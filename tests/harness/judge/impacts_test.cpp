@@ -19,10 +19,10 @@ Motion sampled(const Trajectory& motion) { return sample_motion(test::one_mass()
 TEST(ContactPhases, JoinRipplesAndTellImpactsFromLastingContact) {
   const int bandwidth = 20;
   const double T = kPeriod;
-  const double smear_time = T / (2.0 * bandwidth);
-  // Two lobes half a smear apart, across the period's end; and a push of a fifth of the period.
+  const double resolution = T / (2.0 * bandwidth);
+  // Two lobes half a resolution apart, across the period's end; and a push of a fifth of the period.
   const auto force = [=](double t) {
-    const bool lobe = t > T - 0.6 * smear_time || (t > 0.2 * smear_time && t < 0.8 * smear_time);
+    const bool lobe = t > T - 0.6 * resolution || (t > 0.2 * resolution && t < 0.8 * resolution);
     const bool push = t > 0.4 * T && t < 0.6 * T;
     return lobe ? -2.0 : (push ? -1.0 : 0.0);
   };
@@ -35,7 +35,7 @@ TEST(ContactPhases, JoinRipplesAndTellImpactsFromLastingContact) {
   EXPECT_NEAR(phases[0].begin, 0.4 * T, 1e-3 * T);
   EXPECT_NEAR(phases[0].impulse, -0.2 * T, 1e-3 * T);
   EXPECT_FALSE(phases[1].lasting);
-  EXPECT_NEAR(phases[1].impulse, -2.0 * 1.2 * smear_time, 1e-3 * T);
+  EXPECT_NEAR(phases[1].impulse, -2.0 * 1.2 * resolution, 1e-3 * T);
 }
 
 TEST(ContactPhases, KnowAContactThatNeverOpens) {
@@ -91,10 +91,11 @@ TEST(ContactRatio, IsTheShareOfThePeriodWithForce) {
   EXPECT_EQ(contact_ratio(sampled(motion)), 0.25);
 }
 
-TEST(Smear, IsHalfAWaveOfTheHighestHarmonicOrOneStep) {
+TEST(TimeResolution, IsHalfAWaveOfTheHighestHarmonicOrOneStep) {
   const FormulaMotion::Formula zero = [](double) { return 0.0; };
-  EXPECT_DOUBLE_EQ(smear(sampled(FormulaMotion(kPeriod, zero, zero, zero, {}, 20))), kPeriod / 40.0);
-  EXPECT_DOUBLE_EQ(smear(sampled(FormulaMotion(kPeriod, zero, zero, zero))), kPeriod / kGrid);
+  EXPECT_DOUBLE_EQ(time_resolution(sampled(FormulaMotion(kPeriod, zero, zero, zero, {}, 20))),
+                   kPeriod / 40.0);
+  EXPECT_DOUBLE_EQ(time_resolution(sampled(FormulaMotion(kPeriod, zero, zero, zero))), kPeriod / kGrid);
 }
 
 }  // namespace

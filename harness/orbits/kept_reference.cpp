@@ -1,0 +1,45 @@
+#include "harness/orbits/kept_reference.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "harness/failure.hpp"
+#include "harness/files.hpp"
+#include "harness/orbits/orbit_file.hpp"
+
+namespace signorini {
+
+namespace fs = std::filesystem;
+
+fs::path references_folder() {
+  const fs::path references = fs::path("results") / "references";
+  for (fs::path folder = fs::current_path();; folder = folder.parent_path()) {
+    if (fs::is_directory(folder / references)) return folder / references;
+    if (folder == folder.parent_path()) return references;
+  }
+}
+
+std::optional<Reference> kept_reference(const Scene& scene, const fs::path& folder,
+                                        const OrbitPolisher& polish) {
+  constexpr double kKnown = 1e-9;  // as a reference must be that is computed anew
+  const fs::path path = folder / (scene.problem.name + ".json");
+  if (!polish || !fs::is_regular_file(path)) return std::nullopt;
+  std::optional<OrbitFile> file;
+  try {
+    file = parse_orbit_file(read_file(path), path.string());
+  } catch (const std::exception&) {  // it is not ours to judge here: `signorini verify` does
+    return std::nullopt;
+  }
+  if (file->scene_sha256 != scene.sha256) return std::nullopt;
+  const auto kept = std::find_if(file->orbits.begin(), file->orbits.end(),
+                                 [](const FoundOrbit& orbit) { return orbit.from_rest; });
+  if (kept == file->orbits.end()) return std::nullopt;
+  const CertifiedOrbit& known = kept->certified;
+  const std::array confirmed{Certificate{
+      .error_bar = known.error_bar, .events = known.events, .return_distance = known.return_distance}};
+  std::optional<FoundOrbit> orbit = certify_again(scene.problem, *kept, polish, confirmed);
+  if (!orbit || orbit->certified.error_bar > kKnown) return std::nullopt;
+  return as_reference(scene.problem, std::move(orbit->certified));
+}
+
+}  // namespace signorini
