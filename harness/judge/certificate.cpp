@@ -65,6 +65,9 @@ class Attempts {
     return false;
   }
 
+  /// Whether an orbit was found near the answer that is not its own: another way leads there too.
+  [[nodiscard]] bool near() const { return !near_.empty(); }
+
   /// Says why there is no certificate. An orbit near by speaks against calling the answer wrong.
   void give_up() {
     Certificate& certificate = result.certificate;
@@ -128,7 +131,7 @@ CertifiedAnswer certify(const Problem& problem, std::shared_ptr<const Trajectory
     return attempts.take(find_orbit(same_order, tools.solver, shooting_options(),
                                     {.guess = answer, .deadline = deadline}, kLargestErrorBar));
   };
-  if (!polished() && !shot()) attempts.give_up();
+  if (!polished() && (attempts.near() || !shot())) attempts.give_up();
   return std::move(attempts.result);
 }
 

@@ -19,7 +19,7 @@ constexpr double kClear = 1e-2;       // of the largest impulse of a contact
 constexpr double kFactor = 2.0;       // of total impulses
 constexpr double kStrongPhase = 0.1;  // of the impulse of its contact
 constexpr double kWeakPhase = 0.02;   // of the impulse of its contact
-constexpr double kShownApart = 3.0;   // resolutions in time
+constexpr double kShownApart = 6.0;   // resolutions in time: a coarse answer is late by two or three
 
 /// Impulses of one motion per forcing period, and where they count as contact.
 struct Touches {

@@ -71,7 +71,7 @@ TEST(ContactDifference, CountsImpactsPerCommonPeriod) {
 }
 
 TEST(ContactDifference, AsksForNoImpactsThatTheAnswerCannotShow) {
-  // Sixteen harmonics: 1/32 of the period; three of these are 0.094.
+  // Sixteen harmonics show 1/32 of the period.
   const Motion chatter = motion({{0.20, 0.5}, {0.22, 0.3}, {0.235, 0.2}});
   EXPECT_EQ(compared(smooth(0.19, 0.25, 1.0 / (0.06 * kPeriod), 16), chatter).text, "");
   EXPECT_NE(compared(smooth(0.19, 0.25, 1.0 / (0.06 * kPeriod), 400), chatter).text, "");
