@@ -16,7 +16,7 @@ bool build_may_be_timed() {
 
 std::string code_version(std::string_view method) {
   std::string folder(method);
-  std::replace(folder.begin(), folder.end(), '-', '_');
+  std::ranges::replace(folder, '-', '_');
   std::string text;
   for (const auto& [name, hash] : build_info().sources) {
     if (name.empty() || name == folder) text += hash;

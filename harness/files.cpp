@@ -24,6 +24,13 @@ std::string read_file(const std::filesystem::path& path) {
   return bytes;
 }
 
+std::string first_line(const std::filesystem::path& path) {
+  std::ifstream stream(path);
+  std::string line;
+  std::getline(stream, line);
+  return line;
+}
+
 void write_whole(const std::filesystem::path& file, const std::string& text) {
   const std::filesystem::path draft = file.string() + ".new";
   std::ofstream stream(draft, std::ios::binary);

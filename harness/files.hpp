@@ -10,6 +10,9 @@ namespace signorini {
 /// All bytes of a file. \throws UsageError if it cannot be read
 std::string read_file(const std::filesystem::path& path);
 
+/// The first line of a file; empty where there is none.
+std::string first_line(const std::filesystem::path& path);
+
 /// Writes text to a file in one piece: a reader sees the old contents or the new.
 /// \throws UsageError if the folder cannot be written
 void write_whole(const std::filesystem::path& file, const std::string& text);

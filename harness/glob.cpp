@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <string>
 
 #include "problems/scene/scene_family.hpp"
 
@@ -16,8 +15,7 @@ bool pieces_match(std::string_view filter, std::string_view name,
                   bool (*piece_matches)(std::string_view pattern, std::string_view text)) {
   const GlobPieces pieces = split_globs(filter);
   const auto matches = [&](const std::string& pattern) { return piece_matches(pattern, name); };
-  return std::any_of(pieces.positive.begin(), pieces.positive.end(), matches) &&
-         std::none_of(pieces.negative.begin(), pieces.negative.end(), matches);
+  return std::ranges::any_of(pieces.positive, matches) && std::ranges::none_of(pieces.negative, matches);
 }
 
 }  // namespace

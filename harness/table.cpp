@@ -1,7 +1,6 @@
 #include "harness/table.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 namespace signorini {
 
@@ -9,8 +8,8 @@ namespace {
 
 /// Characters, not bytes: continuation bytes of UTF-8 do not count.
 std::size_t width(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 std::string escaped(const std::string& cell) {
@@ -75,8 +74,7 @@ std::string pipe_table(const Words& words, const std::vector<std::size_t>& width
 }  // namespace
 
 bool Table::is_numeric(std::size_t column) const {
-  return std::any_of(rows.begin(), rows.end(),
-                     [&](const auto& row) { return row[column].value.has_value(); });
+  return std::ranges::any_of(rows, [&](const auto& row) { return row[column].value.has_value(); });
 }
 
 std::string to_markdown(const Table& table) {

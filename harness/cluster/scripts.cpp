@@ -14,6 +14,12 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+std::string sbatch_lines(const Submission& s) {
+  std::string lines;
+  for (const std::string& word : s.sbatch_words) lines += "#SBATCH " + word + "\n";
+  return lines;
+}
+
 std::string merge_command(const Submission& s) {
   return fmt::format("{} merge {}/shard-* --out {}/merged", shell_word(s.program.string()),
                      shell_word(s.folder.string()), shell_word(s.folder.string()));
@@ -26,7 +32,7 @@ std::string shell_word(const std::string& text) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
            std::string_view("-_./=:,+@%").find(c) != std::string_view::npos;
   };
-  if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+  if (!text.empty() && std::ranges::all_of(text, plain)) return text;
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
@@ -42,26 +48,21 @@ std::string parallel_run_command(const Submission& s, const std::string& index) 
 }
 
 std::string slurm_array_script(const Submission& s) {
-  std::string header = fmt::format(
+  return fmt::format(
       "#!/bin/sh\n#SBATCH --job-name=signorini\n#SBATCH --array=1-{}\n#SBATCH --requeue\n"
       "#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=1\n#SBATCH --exclusive\n#SBATCH --open-mode=append\n"
-      "#SBATCH --output=\"{}/log-%a.txt\"\n",
-      s.shards, s.folder.string());
-  for (const std::string& word : s.sbatch_words) header += "#SBATCH " + word + "\n";
-  return fmt::format(
+      "#SBATCH --output=\"{}/log-%a.txt\"\n"
       "{}# Requeued after the loss of a node, a task resumes; cases that fail are records, not failures of "
       "the task.\n"
       "{}\nstatus=$?\n[ \"$status\" -le 1 ] && exit 0\nexit \"$status\"\n",
-      header, slurm_run_command(s, "\"$SLURM_ARRAY_TASK_ID\""));
+      s.shards, s.folder.string(), sbatch_lines(s), slurm_run_command(s, "\"$SLURM_ARRAY_TASK_ID\""));
 }
 
 std::string slurm_merge_script(const Submission& s) {
-  std::string header = fmt::format(
+  return fmt::format(
       "#!/bin/sh\n#SBATCH --job-name=signorini-merge\n#SBATCH --ntasks=1\n#SBATCH "
-      "--output=\"{}/log-merge.txt\"\n",
-      s.folder.string());
-  for (const std::string& word : s.sbatch_words) header += "#SBATCH " + word + "\n";
-  return fmt::format("{}exec {}\n", header, merge_command(s));
+      "--output=\"{}/log-merge.txt\"\n{}exec {}\n",
+      s.folder.string(), sbatch_lines(s), merge_command(s));
 }
 
 std::string slurm_submit_script(const Submission& s) {

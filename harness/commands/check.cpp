@@ -7,12 +7,13 @@
 #include <optional>
 
 #include "harness/commands/command_line.hpp"
+#include "harness/conformance/check_result.hpp"
 #include "harness/conformance/check_runner.hpp"
-#include "harness/conformance/review.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/plan/suite.hpp"
 #include "harness/progress.hpp"
+#include "harness/records/json_fields.hpp"
 
 namespace signorini {
 
@@ -87,8 +88,7 @@ int check(const CheckArguments& arguments) {
     fmt::print(stderr, "interrupted\n");
     return kInterrupted;
   }
-  if (arguments.json)
-    fmt::print("{}\n", list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  if (arguments.json) fmt::print("{}\n", json_line(list));
   return failed ? kUnexpectedFailure : kDone;
 }
 

@@ -8,7 +8,7 @@
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/records/record_json.hpp"
-#include "harness/records/trajectory_json.hpp"
+#include "harness/records/sampled_trajectory.hpp"
 #include "harness/report/document/cells.hpp"
 #include "harness/run/runner.hpp"
 
@@ -22,7 +22,7 @@ struct SolveArguments {
   std::vector<std::string> settings;
   std::string start;
   int samples = 0;
-  double certificate = 1.0;               // [s]
+  double certificate = 1.0;              // [s]
   std::optional<double> reference = {};  // [s]
   bool json = false;
 };
@@ -86,16 +86,15 @@ int solve(const SolveArguments& arguments) {
                                  extras.start->contact_count()));
   }
   watch_interrupts();
-  Runner runner({.certificate_timeout = arguments.certificate,
-                 .reference_timeout = arguments.reference.value_or(0.0)});
+  Runner runner(
+      {.certificate_timeout = arguments.certificate, .reference_timeout = arguments.reference.value_or(0.0)});
   const std::vector<Job> jobs = runner.make_jobs(scene, cases);
   if (interrupted()) return kInterrupted;
   runner.compute_references(scene, jobs);
   const std::optional<Record> record = runner.run(scene, jobs.front(), extras);
   if (!record) return kInterrupted;
   if (arguments.json) {
-    fmt::print("{}\n",
-               to_json(*record).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    fmt::print("{}\n", json_line(to_json(*record)));
   } else {
     print_report(*record);
   }
@@ -116,14 +115,16 @@ void add_solve_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 1 << 22));
   command->add_option("--start", arguments->start,
                       "start from the motion in a file that solve --json --samples wrote");
-  command->add_option("--certificate", arguments->certificate,
-                      "wall time of the search for the orbit behind the answer [s]")
+  command
+      ->add_option("--certificate", arguments->certificate,
+                   "wall time of the search for the orbit behind the answer [s]")
       ->check(CLI::Range(0.0, 86400.0))
       ->capture_default_str();
-  command->add_option_function<double>(
-              "--reference", [arguments](double seconds) { arguments->reference = seconds; },
-              "march from rest for so long [s], 60 if no time is given, to tell whether that ends on the same "
-              "orbit; without this only the orbits of results/references tell")
+  command
+      ->add_option_function<double>(
+          "--reference", [arguments](double seconds) { arguments->reference = seconds; },
+          "march from rest for so long [s], 60 if no time is given, to tell whether that ends on the same "
+          "orbit; without this only the orbits of results/references tell")
       ->check(CLI::Range(0.0, 86400.0))
       ->expected(0, 1)
       ->default_str("60")

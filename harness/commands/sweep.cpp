@@ -9,7 +9,8 @@
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/progress.hpp"
-#include "harness/sweep/response_table.hpp"
+#include "harness/records/json_fields.hpp"
+#include "harness/sweep/frequency_response.hpp"
 
 namespace signorini {
 
@@ -27,7 +28,7 @@ void print(const SweepArguments& arguments, const std::vector<SweepPoint>& point
   if (arguments.format == "json") {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const SweepPoint& point : points) list.push_back(to_json(point));
-    fmt::print("{}\n", list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    fmt::print("{}\n", json_line(list));
     return;
   }
   const Table table = response_table(points, arguments.limits.certified);

@@ -10,7 +10,7 @@
 #include "harness/compare/rerun.hpp"
 #include "harness/failure.hpp"
 #include "harness/glob.hpp"
-#include "harness/plan/baseline.hpp"
+#include "harness/plan/case_name.hpp"
 #include "harness/progress.hpp"
 #include "harness/records/run_folder.hpp"
 #include "harness/statistics.hpp"

@@ -71,68 +71,44 @@ std::string work_remark(const Record& before, const Record& after) {
   return text;
 }
 
-bool comparable_times(const RunFolder& run) { return run.manifest.value("times_comparable", true); }
-
 std::string why_no_times(const RunFolder& before, const RunFolder& after) {
   for (const RunFolder* run : {&before, &after}) {
-    if (!comparable_times(*run))
+    if (!run->manifest.value("times_comparable", true))
       return fmt::format("times are not compared: those of {} are not comparable, says its manifest",
                          run->path.string());
   }
-  return same_machine(before, after) ? "" : "times are not compared: the runs are of different machines";
+  return machine_difference(before, after) ? "times are not compared: the runs are of different machines"
+                                           : "";
 }
 
-class Comparer {
- public:
-  explicit Comparer(std::string no_times) : timed_(no_times.empty()) {
-    if (!timed_) result_.remarks.push_back(std::move(no_times));
-  }
+void compare_case(const Record& before, const Record& after, Comparison& result) {
+  ++result.cases;
+  if (before.status == Status::not_applicable && after.status == Status::not_applicable) return;
+  auto found = status_change(before, after);
+  if (!found && standing(before) > 0) found = accuracy_change(before, after);
+  if (found) result.changes.push_back(*found);
+  if (const std::string work = work_remark(before, after); !work.empty())
+    result.remarks.push_back(fmt::format("{}: {}", before.case_id, work));
+}
 
-  void take(const Record& before, const Record& after) {
-    ++result_.cases;
-    if (before.status == Status::not_applicable && after.status == Status::not_applicable) return;
-    auto found = status_change(before, after);
-    if (!found && standing(before) > 0) found = accuracy_change(before, after);
-    if (found) result_.changes.push_back(*found);
-    if (const std::string work = work_remark(before, after); !work.empty())
-      result_.remarks.push_back(fmt::format("{}: {}", before.case_id, work));
-    if (timed_ && standing(before) == 2 && standing(after) == 2 && before.seconds && after.seconds &&
-        !before.seconds->jobs && !after.seconds->jobs) {
-      pairs_.push_back({before.case_id, before.method, *before.seconds, *after.seconds});
-    }
-  }
+bool comparable_times(const Record& before, const Record& after) {
+  return standing(before) == 2 && standing(after) == 2 && before.seconds && after.seconds &&
+         !before.seconds->jobs && !after.seconds->jobs;
+}
 
-  void lost(const Record& before) {
-    if (standing(before) == 2)
-      result_.changes.push_back({before.case_id, ChangeKind::broken, "has no record any more"});
+void compare_times(const std::vector<TimePair>& pairs, Comparison& result) {
+  result.timed = pairs.size();
+  const std::vector<TimeChange> verdicts = judge_cases(pairs);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (verdicts[i] == TimeChange::none) continue;
+    const TimePair& pair = pairs[i];
+    result.changes.push_back(
+        {pair.case_id, verdicts[i] == TimeChange::slower ? ChangeKind::slower : ChangeKind::faster,
+         fmt::format("{} became {}, {:.2f} times", time_text(pair.before.median),
+                     time_text(pair.after.median), pair.after.median / pair.before.median)});
   }
-
-  void fresh(const Record& after) {
-    result_.remarks.push_back(fmt::format("{}: only in the second run", after.case_id));
-  }
-
-  Comparison finish() {
-    result_.timed = pairs_.size();
-    const std::vector<TimeChange> verdicts = judge_cases(pairs_);
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      if (verdicts[i] == TimeChange::none) continue;
-      const TimePair& pair = pairs_[i];
-      result_.changes.push_back(
-          {pair.case_id, verdicts[i] == TimeChange::slower ? ChangeKind::slower : ChangeKind::faster,
-           fmt::format("{} became {}, {:.2f} times", time_text(pair.before.median),
-                       time_text(pair.after.median), pair.after.median / pair.before.median)});
-    }
-    result_.methods = judge_methods(pairs_);
-    std::stable_sort(result_.changes.begin(), result_.changes.end(),
-                     [](const CaseChange& a, const CaseChange& b) { return a.kind < b.kind; });
-    return std::move(result_);
-  }
-
- private:
-  bool timed_;
-  Comparison result_;
-  std::vector<TimePair> pairs_;
-};
+  result.methods = judge_methods(pairs);
+}
 
 }  // namespace
 
@@ -143,30 +119,39 @@ std::string_view change_name(ChangeKind kind) {
 }
 
 Comparison compare_runs(const RunFolder& before, const RunFolder& after) {
-  Comparer comparer(why_no_times(before, after));
+  Comparison result;
+  const std::string no_times = why_no_times(before, after);
+  if (!no_times.empty()) result.remarks.push_back(no_times);
   std::map<std::string, const Record*> present;
   for (const Record& record : after.records) present[record.case_id] = &record;
   std::set<std::string> met;
+  std::vector<TimePair> pairs;
   for (const Record& record : before.records) {
     met.insert(record.case_id);
     const auto found = present.find(record.case_id);
     if (found == present.end()) {
-      comparer.lost(record);
-    } else {
-      comparer.take(record, *found->second);
+      if (standing(record) == 2)
+        result.changes.push_back({record.case_id, ChangeKind::broken, "has no record any more"});
+      continue;
     }
+    const Record& now = *found->second;
+    compare_case(record, now, result);
+    if (no_times.empty() && comparable_times(record, now))
+      pairs.push_back({record.case_id, record.method, *record.seconds, *now.seconds});
   }
   for (const Record& record : after.records) {
-    if (!met.contains(record.case_id)) comparer.fresh(record);
+    if (!met.contains(record.case_id))
+      result.remarks.push_back(fmt::format("{}: only in the second run", record.case_id));
   }
-  return comparer.finish();
+  compare_times(pairs, result);
+  std::ranges::stable_sort(result.changes, {}, &CaseChange::kind);
+  return result;
 }
 
 bool has_regression(const Comparison& comparison) {
   const auto bad = [](const CaseChange& change) { return change.kind <= ChangeKind::slower; };
   const auto slow = [](const MethodTimes& method) { return method.verdict == TimeChange::slower; };
-  return std::any_of(comparison.changes.begin(), comparison.changes.end(), bad) ||
-         std::any_of(comparison.methods.begin(), comparison.methods.end(), slow);
+  return std::ranges::any_of(comparison.changes, bad) || std::ranges::any_of(comparison.methods, slow);
 }
 
 }  // namespace signorini

@@ -4,7 +4,6 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "harness/statistics.hpp"
@@ -20,6 +19,8 @@ constexpr double kMedianError = 1.2533;
 
 /// Relative standard error of the median of rounds; 0 for a single round, which has no spread.
 double relative_error(const Seconds& seconds) {
+  // sigma = 1.4826 MAD for normal rounds; the median of n of them has the standard error 1.2533 sigma /
+  // sqrt(n).
   return kNormalMad * kMedianError * seconds.mad / seconds.median / std::sqrt(seconds.repetitions);
 }
 
@@ -85,6 +86,7 @@ std::vector<TimeChange> judge_cases(std::span<const TimePair> pairs) {
   std::vector<Change> changes;
   for (const TimePair& pair : pairs) changes.push_back(change_of(pair));
   const double usual = usual_error(pairs, changes);
+  // Bonferroni: with n cases each at kFalseAlarm / n, the chance of any false alarm stays below kFalseAlarm.
   const double errors = normal_quantile(kFalseAlarm / static_cast<double>(pairs.size()));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const double own = std::hypot(relative_error(pairs[i].before), relative_error(pairs[i].after));
@@ -110,6 +112,7 @@ std::vector<MethodTimes> judge_methods(std::span<const TimePair> pairs) {
   for (const auto& [method, signs] : methods) {
     const std::size_t n = signs.changes.size(), most = std::max(signs.slower, signs.faster);
     MethodTimes times{.method = method, .cases = n, .ratio = std::exp(median(signs.changes))};
+    // Without a change slower and faster are as likely as heads and tails; both tails count.
     times.probability = std::min(1.0, 2.0 * binomial_tail(n, most));
     if (times.probability < kFalseAlarm / static_cast<double>(methods.size()))
       times.verdict = signs.slower > signs.faster ? TimeChange::slower : TimeChange::faster;

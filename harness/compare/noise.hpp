@@ -1,7 +1,6 @@
 #pragma once
 // When two times differ by more than noise.
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>

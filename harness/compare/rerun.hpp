@@ -1,7 +1,6 @@
 #pragma once
 // Whether the records of a run come out again.
 
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -40,15 +39,11 @@ struct Rerun {
   bool interrupted = false;
 };
 
-/// Limits of the run that left `folder`, from its manifest; the defaults where there is none.
-/// \throws UsageError if it is unreadable
-Limits limits_of_run(const std::filesystem::path& folder);
-
 /// Runs every case again whose name matches the filter, scene by scene; calls `news` before each.
 /// Cases of scenes whose file has changed are one difference each. \throws UsageError, SceneError for cases
 /// that cannot be run
 Rerun rerun_records(const std::vector<Record>& kept, const Limits& limits, const std::string& filter,
                     std::span<const MethodEntry> catalogue,
-                    const std::function<void(const std::string& what)>& news = {});
+                    const std::function<void(const std::string& what)>& news);
 
 }  // namespace signorini

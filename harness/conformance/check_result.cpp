@@ -1,20 +1,72 @@
 #include "harness/conformance/check_result.hpp"
 
-#include <array>
-#include <nlohmann/json.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
 #include <utility>
+
+#include "harness/records/json_fields.hpp"
 
 namespace signorini {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+std::size_t count_of(std::span<const CheckResult> results, CheckOutcome outcome) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(results, [&](const CheckResult& result) { return result.outcome == outcome; }));
+}
 
-constexpr std::array<std::string_view, 4> kOutcomes{"passed", "remarked", "not-applicable", "failed"};
+std::string scenes_text(std::size_t count) { return fmt::format("{} scene{}", count, count == 1 ? "" : "s"); }
+
+/// "passed on 7 scenes, nothing to look at on 2".
+std::string summary(std::span<const CheckResult> results) {
+  if (results.front().scene.empty()) return std::string(enum_name(results.front().outcome));
+  const std::size_t failed = count_of(results, CheckOutcome::failed);
+  const std::size_t nothing = count_of(results, CheckOutcome::not_applicable);
+  const std::size_t passed = results.size() - failed - nothing;
+  std::string text;
+  const auto add = [&](std::string part) { text += (text.empty() ? "" : ", ") + part; };
+  if (failed > 0) add("FAILED on " + scenes_text(failed));
+  if (passed > 0) add("passed on " + scenes_text(passed));
+  if (nothing > 0) add("nothing to look at on " + scenes_text(nothing));
+  return text;
+}
+
+std::string reproduction(const MethodEntry& entry, const CheckResult& result) {
+  if (!result.reproduce.empty()) return result.reproduce;
+  const std::string scene = result.scene.empty() ? "" : " --scenes " + result.scene;
+  return fmt::format("signorini check {} --checks {}{}", entry.name, result.check, scene);
+}
+
+std::string remark(const MethodEntry& entry, const CheckResult& result) {
+  const std::string where = result.scene.empty() ? "" : result.scene + ": ";
+  std::string text = fmt::format("    {}{}\n", where, result.why);
+  if (result.outcome == CheckOutcome::failed) text += fmt::format("      {}\n", reproduction(entry, result));
+  return text;
+}
+
+std::string paragraph(const MethodEntry& entry, std::span<const CheckResult> results) {
+  std::string text =
+      fmt::format("  {:<18} {}: {}\n", results.front().check, results.front().promise, summary(results));
+  for (const CheckOutcome outcome : {CheckOutcome::failed, CheckOutcome::remarked}) {
+    for (const CheckResult& result : results) {
+      if (result.outcome == outcome) text += remark(entry, result);
+    }
+  }
+  return text;
+}
 
 }  // namespace
 
-std::string_view outcome_name(CheckOutcome outcome) { return kOutcomes[static_cast<std::size_t>(outcome)]; }
+void visit_fields(Either<CheckResult> auto& result, auto&& field) {
+  field(Field{"check"}, result.check);
+  field(Field{"promise"}, result.promise);
+  field(Field{"scene"}, result.scene);
+  field(required("outcome"), result.outcome);
+  field(Field{"why"}, result.why);
+  field(Field{"reproduce"}, result.reproduce);
+}
 
 CheckResult passed() { return {}; }
 CheckResult remarked(std::string why) { return {.outcome = CheckOutcome::remarked, .why = std::move(why)}; }
@@ -23,32 +75,27 @@ CheckResult not_applicable(std::string why) {
   return {.outcome = CheckOutcome::not_applicable, .why = std::move(why)};
 }
 
-Json to_json(const CheckResult& result) {
-  Json json;
-  const auto add = [&json](const char* key, std::string_view text) {
-    if (!text.empty()) json[key] = text;
-  };
-  add("check", result.check);
-  add("promise", result.promise);
-  add("scene", result.scene);
-  add("outcome", outcome_name(result.outcome));
-  add("why", result.why);
-  add("reproduce", result.reproduce);
-  return json;
+nlohmann::ordered_json to_json(const CheckResult& result) { return write_fields(result); }
+
+CheckResult check_result_from_json(const nlohmann::ordered_json& json) {
+  CheckResult result;
+  read_fields(json, result);
+  return result;
 }
 
-CheckResult check_result_from_json(const Json& json) {
-  CheckResult result;
-  const std::string name = json.at("outcome");
-  for (std::size_t i = 0; i < kOutcomes.size(); ++i) {
-    if (kOutcomes[i] == name) result.outcome = static_cast<CheckOutcome>(i);
+std::string review_text(const MethodEntry& entry, const std::vector<CheckResult>& results) {
+  std::string text = fmt::format("{}: {}\n", entry.name, entry.title);
+  const std::span all(results);
+  for (std::size_t begin = 0; begin < all.size();) {
+    std::size_t end = begin;
+    while (end < all.size() && all[end].check == all[begin].check) ++end;
+    text += paragraph(entry, all.subspan(begin, end - begin));
+    begin = end;
   }
-  result.why = json.value("why", "");
-  result.reproduce = json.value("reproduce", "");
-  result.check = json.value("check", "");
-  result.promise = json.value("promise", "");
-  result.scene = json.value("scene", "");
-  return result;
+  return text + fmt::format("{}: {} passed, {} failed, {} remarks, {} had nothing to look at\n", entry.name,
+                            count_of(all, CheckOutcome::passed), count_of(all, CheckOutcome::failed),
+                            count_of(all, CheckOutcome::remarked),
+                            count_of(all, CheckOutcome::not_applicable));
 }
 
 }  // namespace signorini

@@ -1,9 +1,13 @@
 #pragma once
-// What one check of a method found.
+// What the checks of a method found, as JSON and as text.
 
+#include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "methods/catalogue.hpp"
 
 namespace signorini {
 
@@ -14,8 +18,12 @@ enum class CheckOutcome {
   failed
 };
 
-/// "passed", "remarked", "not-applicable", "failed".
-std::string_view outcome_name(CheckOutcome outcome);
+/// The words of its JSON.
+template <>
+struct EnumNames<CheckOutcome> {
+  /// In order.
+  static constexpr std::array<std::string_view, 4> values{"passed", "remarked", "not-applicable", "failed"};
+};
 
 /// The outcome of one check. The check sets outcome, reason and command, the runner the first three fields.
 struct CheckResult {
@@ -38,5 +46,10 @@ nlohmann::ordered_json to_json(const CheckResult& result);
 
 /// The inverse of to_json. \throws nlohmann::json::exception if there is no `outcome`
 CheckResult check_result_from_json(const nlohmann::ordered_json& json);
+
+/// One paragraph per check: what it asks for and on how many scenes it passed; then, for each failure and
+/// each remark, the reason, and the command that shows the failure. The last line counts the outcomes. \param
+/// results  those of one check in succession, as check_method returns them
+std::string review_text(const MethodEntry& entry, const std::vector<CheckResult>& results);
 
 }  // namespace signorini

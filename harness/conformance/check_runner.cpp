@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,13 +14,12 @@
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/isolation/isolation.hpp"
+#include "harness/records/json_fields.hpp"
 #include "harness/run/runner.hpp"
 
 namespace signorini {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A check may take kSolvesPerCheck times the limit of a solve and kSpareSeconds of wall time.
 constexpr double kSolvesPerCheck = 4.0;
@@ -28,6 +28,44 @@ constexpr double kSpareSeconds = 10.0;
 constexpr double kEndSeconds = 10.0;
 constexpr long kMemory = 2048;  // [MiB]
 
+/// A promise and the function that asks for it. `promise` is a predicate whose subject is the method or its
+/// answer.
+template <class Subject>
+struct Check {
+  std::string_view name;
+  std::string_view promise;
+  CheckResult (*examine)(const Subject& subject);
+};
+
+/// Of the method alone, in the order of a review.
+constexpr std::array<Check<MethodEntry>, 3> kMethodChecks{{
+    {"declaration", "declares its name, laws, ladder and options", check_declaration},
+    {"echo", "echoes its options as they were set", check_echo},
+    {"refusals", "refuses bad options in one line", check_refusals},
+}};
+
+/// Of the method on a scene.
+constexpr std::array<Check<CheckedMethod>, 10> kSceneChecks{{
+    {"applicability", "refuses a scene only with a reason, and declares a law that fits",
+     check_applicability},
+    {"trajectory", "answers with a sound trajectory", check_trajectory},
+    {"determinism", "gives the same bits again", check_determinism},
+    {"time-budget", "ends soon after its time is up", check_time_budget},
+    {"load-scaling", "scales with load and gap", check_load_scaling},
+    {"structure-scaling", "scales its forces with the structure", check_structure_scaling},
+    {"time-scaling", "does not depend on the unit of time", check_time_scaling},
+    {"numbering", "does not depend on the numbering of coordinates", check_numbering},
+    {"time-shift", "comes later with the load", check_time_shift},
+    {"contact-free", "is the linear response where no stop is in reach", check_contact_free},
+}};
+
+/// Of the records of a ladder on a scene.
+constexpr std::array<Check<LadderRecords>, 3> kLadderChecks{{
+    {"convergence", "converges at every step of its ladder", check_convergence},
+    {"certificate", "claims nothing that the harness refutes", check_certificate},
+    {"order", "errs less and less along its ladder, as fast as it declares", check_order},
+}};
+
 /// A check that waits to be run in a child process, and its result.
 struct PendingCheck {
   CheckResult result = {};
@@ -35,8 +73,8 @@ struct PendingCheck {
 };
 
 /// The result of a check before it was run.
-template <class Check>
-CheckResult result_of(const Check& check, const std::string& scene) {
+template <class Subject>
+CheckResult result_of(const Check<Subject>& check, const std::string& scene) {
   return {.check = std::string(check.name), .promise = std::string(check.promise), .scene = scene};
 }
 
@@ -57,8 +95,7 @@ ChildEnd run_in_child(const std::vector<PendingCheck>& checks, std::size_t first
   limits.stage_seconds.push_back(kEndSeconds);
   return run_isolated(
       [&](const LineSender& send) {
-        for (std::size_t i = first; i < checks.size(); ++i)
-          send(to_json(checks[i].examine()).dump(-1, ' ', false, Json::error_handler_t::replace));
+        for (std::size_t i = first; i < checks.size(); ++i) send(json_line(to_json(checks[i].examine())));
       },
       limits);
 }
@@ -72,7 +109,7 @@ void run_checks(std::vector<PendingCheck>& checks, double limit) {
     const ChildEnd end = run_in_child(checks, next, limit);
     if (end.kind == ChildEnd::Kind::interrupted) return;
     for (const std::string& line : end.lines)
-      set_outcome(checks[next++].result, check_result_from_json(Json::parse(line)));
+      set_outcome(checks[next++].result, check_result_from_json(nlohmann::ordered_json::parse(line)));
     if (end.kind == ChildEnd::Kind::finished) continue;
     const std::size_t culprit = next < checks.size() ? next++ : next - 1;
     set_outcome(checks[culprit].result, failed(describe(end)));
@@ -85,14 +122,15 @@ void run_checks(std::vector<PendingCheck>& checks, double limit) {
 }
 
 /// Runs the checks of one method that the options ask for.
-class CheckRunner {
- public:
-  CheckRunner(const MethodEntry& entry, const CheckOptions& options, const CheckProgress& progress)
-      : entry_(entry), options_(options), progress_(progress) {}
+struct CheckRunner {
+  const MethodEntry& entry;
+  const CheckOptions& options;
+  const CheckProgress& progress;
+  std::vector<CheckResult> results = {};
 
   std::vector<CheckResult> run() {
     run_all(checks_of_method(), "");
-    for (const Scene& scene : options_.scenes) {
+    for (const Scene& scene : options.scenes) {
       if (interrupted()) break;
       run_all(checks_on(scene), scene.problem.name);
       check_ladder(scene);
@@ -100,23 +138,20 @@ class CheckRunner {
     return in_order_of_checks();
   }
 
- private:
-  [[nodiscard]] bool wanted(std::string_view check) const {
-    return filter_matches(options_.checks, std::string(check));
-  }
+  [[nodiscard]] bool wanted(std::string_view check) const { return filter_matches(options.checks, check); }
 
   void run_all(std::vector<PendingCheck> checks, const std::string& scene) {
     if (checks.empty()) return;
-    if (progress_) progress_(fmt::format("{}{}{}", entry_.name, scene.empty() ? "" : " on ", scene));
-    run_checks(checks, kSolvesPerCheck * options_.timeout + kSpareSeconds);
-    for (PendingCheck& check : checks) results_.push_back(std::move(check.result));
+    if (progress) progress(fmt::format("{}{}{}", entry.name, scene.empty() ? "" : " on ", scene));
+    run_checks(checks, kSolvesPerCheck * options.timeout + kSpareSeconds);
+    for (PendingCheck& check : checks) results.push_back(std::move(check.result));
   }
 
   [[nodiscard]] std::vector<PendingCheck> checks_of_method() const {
     std::vector<PendingCheck> pending;
-    for (const MethodCheck& check : method_checks()) {
+    for (const auto& check : kMethodChecks) {
       if (wanted(check.name))
-        pending.push_back({result_of(check, ""), [this, &check] { return check.examine(entry_); }});
+        pending.push_back({result_of(check, ""), [this, &check] { return check.examine(entry); }});
     }
     return pending;
   }
@@ -125,34 +160,29 @@ class CheckRunner {
     // Each child makes the method when its first check needs it: the method may crash there too.
     const auto checked = std::make_shared<std::unique_ptr<CheckedMethod>>();
     std::vector<PendingCheck> pending;
-    for (const SceneCheck& check : scene_checks()) {
+    for (const auto& check : kSceneChecks) {
       if (!wanted(check.name)) continue;
       pending.push_back({result_of(check, scene.problem.name), [this, &scene, &check, checked] {
-                           if (!*checked) *checked = make_checked(scene);
+                           if (!*checked) {
+                             CheckSettings settings = check_settings_of(entry);
+                             settings.timeout = options.timeout;
+                             *checked = std::make_unique<CheckedMethod>(entry, scene.problem, settings);
+                           }
                            return check.examine(**checked);
                          }});
     }
     return pending;
   }
 
-  [[nodiscard]] std::unique_ptr<CheckedMethod> make_checked(const Scene& scene) const {
-    CheckSettings settings = check_settings_of(entry_);
-    settings.timeout = options_.timeout;
-    return std::make_unique<CheckedMethod>(entry_, scene.problem, settings);
-  }
-
   void check_ladder(const Scene& scene) {
-    std::vector<const LadderCheck*> checks;
-    for (const LadderCheck& check : ladder_checks()) {
-      if (wanted(check.name)) checks.push_back(&check);
-    }
-    if (checks.empty()) return;
-    if (progress_) progress_(fmt::format("{} on {}: its ladder", entry_.name, scene.problem.name));
+    if (std::ranges::none_of(kLadderChecks, [&](const auto& check) { return wanted(check.name); })) return;
+    if (progress) progress(fmt::format("{} on {}: its ladder", entry.name, scene.problem.name));
     const std::optional<LadderRecords> ladder = run_ladder(scene);
     if (!ladder) return;
-    for (const LadderCheck* check : checks) {
-      results_.push_back(result_of(*check, scene.problem.name));
-      set_outcome(results_.back(), check->examine(*ladder));
+    for (const auto& check : kLadderChecks) {
+      if (!wanted(check.name)) continue;
+      results.push_back(result_of(check, scene.problem.name));
+      set_outcome(results.back(), check.examine(*ladder));
     }
   }
 
@@ -160,7 +190,7 @@ class CheckRunner {
   /// not.
   [[nodiscard]] bool can_be_made() const {
     const auto make = [this](const LineSender&) {
-      for (const Settings& settings : usable_ladder(entry_)) (void)entry_.make(settings)->options();
+      for (const Settings& settings : usable_ladder(entry)) (void)entry.make(settings)->options();
     };
     return run_isolated(make, {.stage_seconds = {kEndSeconds}, .memory_mb = kMemory}).kind ==
            ChildEnd::Kind::finished;
@@ -168,12 +198,12 @@ class CheckRunner {
 
   /// The records of the ladder, as a run of the benchmark writes them. Empty after an interrupt.
   [[nodiscard]] std::optional<LadderRecords> run_ladder(const Scene& scene) const {
-    LadderRecords ladder{.entry = entry_, .ladder = {}, .records = {}};
+    LadderRecords ladder{.entry = entry, .ladder = {}, .records = {}};
     if (!can_be_made()) return ladder;
-    ladder.ladder = usable_ladder(entry_);
+    ladder.ladder = usable_ladder(entry);
     std::vector<Case> cases;
-    for (const Settings& settings : ladder.ladder) cases.push_back(make_case(scene, 0, {&entry_, settings}));
-    Runner runner(Limits{.timeout = options_.timeout, .memory_mb = kMemory, .repetitions = 1});
+    for (const Settings& settings : ladder.ladder) cases.push_back(make_case(scene, 0, {&entry, settings}));
+    Runner runner(Limits{.timeout = options.timeout, .memory_mb = kMemory, .repetitions = 1});
     for (const Job& job : runner.make_jobs(scene, cases)) {
       const auto record = runner.run(scene, job, {.timed = false});
       if (!record) return std::nullopt;
@@ -186,41 +216,35 @@ class CheckRunner {
   [[nodiscard]] std::vector<CheckResult> in_order_of_checks() const {
     std::vector<CheckResult> ordered;
     for (const std::string& name : check_names()) {
-      std::copy_if(results_.begin(), results_.end(), std::back_inserter(ordered),
-                   [&](const CheckResult& result) { return result.check == name; });
+      std::ranges::copy_if(results, std::back_inserter(ordered),
+                           [&](const CheckResult& result) { return result.check == name; });
     }
     return ordered;
   }
-
-  const MethodEntry& entry_;
-  const CheckOptions& options_;
-  const CheckProgress& progress_;
-  std::vector<CheckResult> results_ = {};
 };
 
 }  // namespace
 
 std::vector<std::string> check_names() {
   std::vector<std::string> names;
-  for (const MethodCheck& check : method_checks()) names.emplace_back(check.name);
-  for (const SceneCheck& check : scene_checks()) names.emplace_back(check.name);
-  for (const LadderCheck& check : ladder_checks()) names.emplace_back(check.name);
+  for (const auto& check : kMethodChecks) names.emplace_back(check.name);
+  for (const auto& check : kSceneChecks) names.emplace_back(check.name);
+  for (const auto& check : kLadderChecks) names.emplace_back(check.name);
   return names;
 }
 
 std::vector<CheckResult> check_method(const MethodEntry& entry, const CheckOptions& options,
                                       const CheckProgress& progress) {
   const std::vector<std::string> names = check_names();
-  if (std::none_of(names.begin(), names.end(),
-                   [&](const std::string& name) { return filter_matches(options.checks, name); }))
+  if (std::ranges::none_of(names, [&](const auto& name) { return filter_matches(options.checks, name); }))
     throw NothingMatched(
         fmt::format("checks = {} (matches none of {})", options.checks, fmt::join(names, ", ")));
-  return CheckRunner(entry, options, progress).run();
+  return CheckRunner{entry, options, progress}.run();
 }
 
 bool any_failed(const std::vector<CheckResult>& results) {
-  return std::any_of(results.begin(), results.end(),
-                     [](const CheckResult& result) { return result.outcome == CheckOutcome::failed; });
+  return std::ranges::any_of(
+      results, [](const CheckResult& result) { return result.outcome == CheckOutcome::failed; });
 }
 
 }  // namespace signorini

@@ -23,20 +23,16 @@ constexpr int kCoarsestOwn = 16;
 
 /// The value of a numerical option; empty if the method has none of this name.
 std::optional<double> number_of(const Method& method, std::string_view name) {
-  for (const OptionEcho& option : method.options()) {
-    if (option.name != name) continue;
-    if (const auto* whole = std::get_if<long>(&option.value)) return static_cast<double>(*whole);
-    if (const auto* number = std::get_if<double>(&option.value)) return *number;
-  }
-  return std::nullopt;
+  const std::vector<OptionEcho> options = method.options();
+  const OptionValue* value = value_of(options, name);
+  return value == nullptr ? std::nullopt : as_number(*value);
 }
 
 /// Whether the method has this option and chooses its value itself ("auto").
 bool chooses_itself(const Method& method, std::string_view name) {
   const std::vector<OptionEcho> options = method.options();
-  return std::any_of(options.begin(), options.end(), [&](const OptionEcho& option) {
-    return option.name == name && std::holds_alternative<std::monostate>(option.value);
-  });
+  const OptionValue* value = value_of(options, name);
+  return value != nullptr && std::holds_alternative<std::monostate>(*value);
 }
 
 /// The coarsest number of `samples` that the method accepts with these settings.
@@ -68,6 +64,17 @@ std::optional<int> own_grid(const Method& method, const Settings& resolution) {
 
 }  // namespace
 
+const OptionValue* value_of(const std::vector<OptionEcho>& options, std::string_view name) {
+  const auto found = std::ranges::find(options, name, &OptionEcho::name);
+  return found == options.end() ? nullptr : &found->value;
+}
+
+std::optional<double> as_number(const OptionValue& value) {
+  if (const auto* whole = std::get_if<long>(&value)) return static_cast<double>(*whole);
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  return std::nullopt;
+}
+
 std::vector<Settings> usable_ladder(const MethodEntry& entry) {
   try {
     std::vector<Settings> ladder = ladder_of(entry);
@@ -89,6 +96,7 @@ CheckSettings check_settings_of(const MethodEntry& entry) {
   const std::unique_ptr<Method> method = entry.make(result.resolution);
   result.grid = own_grid(*method, result.resolution).value_or(result.grid);
   if (const auto tolerance = number_of(*method, "tolerance"))
+    // A periodicity defect of `tolerance` moves the orbit by up to 1 / (1 - |multiplier|) times as much.
     result.agreement = std::clamp(kAmplification * *tolerance, result.agreement, 0.1);
   return result;
 }

@@ -30,6 +30,12 @@ std::vector<Settings> usable_ladder(const MethodEntry& entry);
 /// the amplification by the slowest decay of any scene.
 CheckSettings check_settings_of(const MethodEntry& entry);
 
+/// The value of an option; null if there is none of this name.
+const OptionValue* value_of(const std::vector<OptionEcho>& options, std::string_view name);
+
+/// The value of a number, whole or not; empty if it is none.
+std::optional<double> as_number(const OptionValue& value);
+
 /// A method on a scene, and its answer from a cold start, computed when it is first asked for.
 class CheckedMethod {
  public:

@@ -1,28 +1,12 @@
 #pragma once
 // The checks that every method must pass, alone and on a scene: one for each promise of the plugin interface.
-// `signorini check` and the tests of the project call the same functions.
-
-#include <span>
-#include <string_view>
+// `signorini check` and the tests of the project call the same functions. Each may throw what the method
+// throws.
 
 #include "harness/conformance/check_result.hpp"
 #include "harness/conformance/checked_method.hpp"
 
 namespace signorini {
-
-/// A promise of the method alone. `examine` may throw what the method throws.
-struct MethodCheck {
-  std::string_view name;     ///< "declaration"
-  std::string_view promise;  ///< what is asked for, a predicate whose subject is the method
-  CheckResult (*examine)(const MethodEntry& entry);
-};
-
-/// A promise of the method on a scene. `examine` may throw what the method throws.
-struct SceneCheck {
-  std::string_view name;     ///< "load-scaling"
-  std::string_view promise;  ///< what is asked for, a predicate whose subject is the method or its answer
-  CheckResult (*examine)(const CheckedMethod& checked);
-};
 
 /// The method declares name, title, laws and ladder; it accepts the settings of the ladder; it has the
 /// options that all methods have; and every option has a unit and a meaning.
@@ -56,10 +40,5 @@ CheckResult check_time_shift(const CheckedMethod& checked);
 /// With all stops out of reach the contact force is zero and x is the linear response: to rounding, or with
 /// an error that decays along the ladder.
 CheckResult check_contact_free(const CheckedMethod& checked);
-
-/// The checks of a method alone, in the order of a review.
-std::span<const MethodCheck> method_checks();
-/// The checks of a method on a scene, in the order of a review.
-std::span<const SceneCheck> scene_checks();
 
 }  // namespace signorini

@@ -83,11 +83,11 @@ std::string value_defect(const MethodEntry& entry, std::size_t options, const st
     const auto is_word = [&](const OptionEcho& option) {
       return option.name == key && std::holds_alternative<std::string>(option.value);
     };
-    if (std::any_of(echo.begin(), echo.end(), is_word)) return {};  // any word will do
+    if (std::ranges::any_of(echo, is_word)) return {};  // any word will do
   } catch (const InvalidOption& refusal) {
     return refusal_defect(refusal, key);
   }
-  if (std::find(kNotFinite.begin(), kNotFinite.end(), text) != kNotFinite.end())
+  if (std::ranges::find(kNotFinite, text) != kNotFinite.end())
     return fmt::format("{} = {} is accepted", key, text);
   return {};
 }
@@ -105,18 +105,6 @@ std::string unknown_defect(const MethodEntry& entry, const std::vector<OptionEch
     return {};
   }
   return fmt::format("the unknown option {} is accepted", key);
-}
-
-const OptionEcho* find_option(const std::vector<OptionEcho>& options, const std::string& name) {
-  const auto found = std::find_if(options.begin(), options.end(),
-                                  [&](const OptionEcho& option) { return option.name == name; });
-  return found == options.end() ? nullptr : &*found;
-}
-
-std::optional<double> as_number(const OptionValue& value) {
-  if (const auto* whole = std::get_if<long>(&value)) return static_cast<double>(*whole);
-  if (const auto* number = std::get_if<double>(&value)) return *number;
-  return std::nullopt;
 }
 
 /// A text split into the number it begins with, if any, and the rest: "1e2x" is 100 and "x".
@@ -139,9 +127,9 @@ bool echoes(const OptionValue& value, const std::string& text) {
 std::string echo_defect(const MethodEntry& entry, const Settings& settings) {
   const std::vector<OptionEcho> options = entry.make(settings)->options();
   for (const OptionSetting& setting : settings) {
-    const OptionEcho* option = find_option(options, setting.first);
-    if (option == nullptr) return fmt::format("{} is set and not echoed", setting.first);
-    if (!echoes(option->value, setting.second))
+    const OptionValue* value = value_of(options, setting.first);
+    if (value == nullptr) return fmt::format("{} is set and not echoed", setting.first);
+    if (!echoes(*value, setting.second))
       return fmt::format("{} = {} is echoed as another value", setting.first, setting.second);
   }
   return {};

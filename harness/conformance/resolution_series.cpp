@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -100,7 +99,7 @@ bool applies(const Record& record) { return record.status != Status::not_applica
 /// The result of a check that needs a record, if the method applies at no step.
 std::optional<CheckResult> unless_recorded(const LadderRecords& ladder) {
   if (ladder.records.empty()) return not_applicable("there is no record");
-  if (std::any_of(ladder.records.begin(), ladder.records.end(), applies)) return std::nullopt;
+  if (std::ranges::any_of(ladder.records, applies)) return std::nullopt;
   return not_applicable("the method does not apply: " + ladder.records.front().message);
 }
 
@@ -119,8 +118,8 @@ std::vector<ResolutionSeries> resolution_series(const std::vector<Settings>& lad
   std::vector<ResolutionSeries> found;
   for (std::size_t place = 0; place < ladder.size(); ++place) {
     const std::string words = words_of(ladder[place]);
-    const auto known = std::find_if(found.begin(), found.end(),
-                                    [&](const ResolutionSeries& series) { return series.words == words; });
+    const auto known =
+        std::ranges::find_if(found, [&](const ResolutionSeries& series) { return series.words == words; });
     (known == found.end() ? found.emplace_back(ResolutionSeries{.words = words}) : *known)
         .places.push_back(place);
   }
@@ -132,6 +131,7 @@ std::optional<double> observed_order(const std::vector<ResolutionStep>& steps) {
   if (steps.size() < 2) return std::nullopt;
   const double refinement = steps.front().size / steps.back().size;
   if (!(refinement > 1.0) || !(steps.front().error > 0.0) || !(steps.back().error > 0.0)) return std::nullopt;
+  // error = C h^p at both ends, so p = log(e_1 / e_n) / log(h_1 / h_n).
   return std::log(steps.front().error / steps.back().error) / std::log(refinement);
 }
 
@@ -139,6 +139,7 @@ CheckResult check_error_decay(const std::vector<ResolutionStep>& steps, std::opt
                               double floor) {
   if (steps.empty()) return not_applicable("there is no error to judge");
   const double first = steps.front().error, last = steps.back().error;
+  // Below the floor round-off or the error bar is measured, not the method: no order can be asked for.
   if (last <= floor) return passed();
   if (steps.size() < 2) return not_applicable(fmt::format("a single error, {:.1e}, says nothing", last));
   const std::optional<double> observed = observed_order(steps);
@@ -172,7 +173,7 @@ CheckResult check_certificate(const LadderRecords& ladder) {
       remark = at_step(remarked("no orbit is known to judge it by: " + record.certificate.reason), ladder, i);
   }
   if (remark) return *remark;
-  const bool answered = std::any_of(ladder.records.begin(), ladder.records.end(), says_converged);
+  const bool answered = std::ranges::any_of(ladder.records, says_converged);
   return answered ? passed() : not_applicable("it claims nothing");
 }
 
@@ -197,15 +198,6 @@ CheckResult check_order(const LadderRecords& ladder) {
     worst = std::move(result);
   }
   return worst;
-}
-
-std::span<const LadderCheck> ladder_checks() {
-  static const std::array checks{
-      LadderCheck{"convergence", "converges at every step of its ladder", check_convergence},
-      LadderCheck{"certificate", "claims nothing that the harness refutes", check_certificate},
-      LadderCheck{"order", "errs less and less along its ladder, as fast as it declares", check_order},
-  };
-  return checks;
 }
 
 }  // namespace signorini

@@ -3,9 +3,7 @@
 // fine.
 
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "harness/conformance/check_result.hpp"
@@ -46,19 +44,12 @@ std::optional<double> observed_order(const std::vector<ResolutionStep>& steps);
 CheckResult check_error_decay(const std::vector<ResolutionStep>& steps, std::optional<double> order,
                               double floor);
 
-/// The records of one method on one scene, one for each step of its ladder.
+/// The records of one method on one scene, one for each step of its ladder, with the statuses and
+/// certificates that a run of the benchmark gives.
 struct LadderRecords {
   const MethodEntry& entry;
   std::vector<Settings> ladder;
   std::vector<Record> records;  ///< as many as `ladder`, or none
-};
-
-/// A promise about the records of a ladder, judged by the statuses and certificates that a run of the
-/// benchmark gives.
-struct LadderCheck {
-  std::string_view name;     ///< "order"
-  std::string_view promise;  ///< what is asked for, a predicate whose subject is the method
-  CheckResult (*examine)(const LadderRecords& ladder);
 };
 
 /// Every step to which the method applies converges.
@@ -69,8 +60,5 @@ CheckResult check_certificate(const LadderRecords& ladder);
 /// The error of x against the certified orbit of the law that the method declares decays with the declared
 /// order.
 CheckResult check_order(const LadderRecords& ladder);
-
-/// The three checks above, in order.
-std::span<const LadderCheck> ladder_checks();
 
 }  // namespace signorini

@@ -15,20 +15,6 @@ void scale_load(Problem& problem, double factor) {
   }
 }
 
-SparseMatrix reversed(const SparseMatrix& matrix) {
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto last_row = static_cast<int>(matrix.rows()) - 1, last_col = static_cast<int>(matrix.cols()) - 1;
-  for (int k = 0; k < matrix.outerSize(); ++k) {
-    for (SparseMatrix::InnerIterator it(matrix, k); it; ++it) {
-      entries.emplace_back(last_row - static_cast<int>(it.row()), last_col - static_cast<int>(it.col()),
-                           it.value());
-    }
-  }
-  SparseMatrix result(matrix.rows(), matrix.cols());
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
-
 /// Every k-th row, beginning with row `first` of a periodic whole.
 Eigen::MatrixXd every(const Eigen::MatrixXd& rows, Eigen::Index first, Eigen::Index k) {
   Eigen::MatrixXd result(rows.rows() / k, rows.cols());
@@ -81,10 +67,11 @@ Problem with_load_delayed(Problem problem, double shift) {
 Problem with_coordinates_reversed(const Problem& problem) {
   Problem result = problem;
   const int last = problem.size() - 1;
+  const Eigen::PermutationMatrix<Eigen::Dynamic> reversal(Eigen::VectorXi::LinSpaced(last + 1, last, 0));
   result.edit_structure([&](Structure& s) {
-    s.mass = reversed(problem.mass());
-    s.damping = reversed(problem.damping());
-    s.stiffness = reversed(problem.stiffness());
+    s.mass = problem.mass().twistedBy(reversal);
+    s.damping = problem.damping().twistedBy(reversal);
+    s.stiffness = problem.stiffness().twistedBy(reversal);
   });
   for (ForceTerm& term : result.force) term.dof = last - term.dof;
   for (Contact& contact : result.contacts) {
@@ -127,7 +114,7 @@ std::vector<Impulse> MappedMotion::impulses() const {
     if (impulse.time >= whole) impulse.time = 0.0;  // a rounded remainder
     impulse.value *= map_.force * map_.time;
   }
-  std::sort(impulses.begin(), impulses.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  std::ranges::sort(impulses, [](const auto& a, const auto& b) { return a.time < b.time; });
   return impulses;
 }
 

@@ -6,14 +6,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <thread>
 
 #include "harness/build_info.hpp"
-#include "harness/records/manifest.hpp"
+#include "harness/files.hpp"
+#include "harness/records/run_folder.hpp"
 #include "harness/statistics.hpp"
 
 namespace signorini {
@@ -23,27 +23,21 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-std::string first_line(const fs::path& file) {
-  std::ifstream stream(file);
-  std::string line;
-  std::getline(stream, line);
-  return line;
+MachineProperty unknown(std::string name) {
+  return {.name = std::move(name), .value = "unknown", .known = false};
 }
 
+/// Unknown where the value is empty.
 MachineProperty property(std::string name, std::string value, bool good, std::string advice) {
+  if (value.empty()) return unknown(std::move(name));
   return {.name = std::move(name),
           .value = std::move(value),
           .good = good,
           .advice = good ? "" : std::move(advice)};
 }
 
-MachineProperty unknown(std::string name) {
-  return {.name = std::move(name), .value = "unknown", .known = false};
-}
-
 MachineProperty governor(const fs::path& root) {
   const std::string value = clock_governor(root);
-  if (value.empty()) return unknown("governor");
   return property("governor", value, value == "performance",
                   "the clock frequency follows the load; set the governor to performance");
 }
@@ -67,7 +61,6 @@ MachineProperty simultaneous_threads(const fs::path& root) {
 MachineProperty clock_source(const fs::path& root) {
   const std::string value =
       first_line(root / "sys/devices/system/clocksource/clocksource0/current_clocksource");
-  if (value.empty()) return unknown("clock source");
   const bool good = value == "tsc" || value == "kvm-clock" || value == "arch_sys_counter";
   return property("clock source", value, good, "reading the clock is slow with this one");
 }

@@ -2,12 +2,57 @@
 // Work in child processes that may crash, hang or leak without harm to anyone else.
 
 #include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "harness/isolation/child_end.hpp"
-#include "harness/isolation/isolated_child.hpp"
-
 namespace signorini {
+
+/// What a child may use.
+struct IsolationLimits {
+  /// Wall time until each line that the child sends [s]; the last one holds for all later lines and the end.
+  /// The same limits hold for processor time since its start, plus one second: enough for one thread.
+  std::vector<double> stage_seconds{30.0};
+  double grace = 0.5;               ///< from SIGTERM to SIGKILL [s]
+  std::optional<long> memory_mb{};  ///< address space [MiB]; not enforced under the address sanitizer
+};
+
+/// How a child ended and what it had sent until then.
+struct ChildEnd {
+  enum class Kind {
+    finished,               ///< the work returned
+    threw,                  ///< the work threw an exception; `detail` is its text
+    out_of_memory,          ///< the work threw std::bad_alloc
+    exited,                 ///< the process ended with `code` before the work returned
+    signalled,              ///< signal `code` ended the process
+    timed_out,              ///< the parent ended it at its limit of wall time
+    out_of_processor_time,  ///< the system ended it at its limit of processor time
+    interrupted             ///< the parent ended it because it was itself asked to stop (SIGINT, SIGTERM)
+  };
+  Kind kind = Kind::finished;
+  int code = 0;
+  std::string detail = {};              ///< text of the exception
+  std::string last_words = {};          ///< last line on stdout or stderr, to explain a crash
+  std::vector<std::string> lines = {};  ///< complete lines, in the order they were sent
+  double seconds = 0.0;                 ///< wall time from its start to its end [s]
+};
+
+/// "signal 11 (Segmentation fault): last words" and so on, one phrase for a person.
+std::string describe(const ChildEnd& end);
+
+/// The child's way to its parent.
+class LineSender {
+ public:
+  explicit LineSender(int pipe) : pipe_(pipe) {}
+  /// Hands one line to the parent at once; line breaks in it become blanks.
+  void operator()(std::string_view line) const;
+
+ private:
+  int pipe_;
+};
+
+using IsolatedWork = std::function<void(const LineSender& send)>;
 
 /// Runs the work in a forked child with its own process group. However the child ends, the group is killed as
 /// a whole, and so are its descendants that left the group; it dies with the parent. The parent must have no

@@ -8,7 +8,7 @@
 #include "harness/records/record.hpp"
 #include "harness/records/record_fields.hpp"
 #include "harness/records/record_json.hpp"
-#include "harness/records/trajectory_json.hpp"
+#include "harness/records/sampled_trajectory.hpp"
 
 namespace signorini {
 

@@ -29,4 +29,8 @@ CaseName parse_method_label(std::string_view label);
 /// Takes apart "SCENE/LABEL"; without a slash, all of it is the label.
 CaseName parse_case_name(std::string_view name);
 
+/// Time marching to six digits, the usual way to solve such problems. This is the part of the case's name
+/// after the scene.
+inline constexpr std::string_view kTimeBaseline = "event-driven[flow=cvode,tolerance=1e-6]";
+
 }  // namespace signorini

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
+#include <random>
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
@@ -15,33 +17,14 @@ namespace {
 
 struct OptionPrinter {
   std::string operator()(std::monostate) const { return "auto"; }
-  std::string operator()(bool value) const { return value ? "true" : "false"; }
-  std::string operator()(long value) const { return std::to_string(value); }
-  std::string operator()(double value) const { return fmt::format("{}", value); }
-  std::string operator()(const std::string& value) const { return value; }
+  std::string operator()(const auto& value) const { return fmt::format("{}", value); }
 };
 
 bool belongs(const Suite& suite, const SceneHeader& scene) {
   const auto named = [&](const std::string& glob) { return scene_glob_match(glob, scene.name); };
   const auto carried = [&](const std::string& tag) { return scene.carries(tag); };
-  if (std::any_of(suite.without_tags.begin(), suite.without_tags.end(), carried)) return false;
-  return std::any_of(suite.scenes.begin(), suite.scenes.end(), named) ||
-         std::any_of(suite.tags.begin(), suite.tags.end(), carried);
-}
-
-/// The suite's settings for the methods it mentions, the method's own ladder for the others.
-DefaultSettings suite_settings(const Suite& suite, std::span<const MethodEntry> catalogue) {
-  std::vector<MethodChoice> mentioned;
-  for (const std::string& filter : suite.methods) {
-    for (MethodChoice& choice : select_methods(filter, catalogue)) mentioned.push_back(std::move(choice));
-  }
-  return [mentioned](const MethodEntry& entry) {
-    std::vector<Settings> settings;
-    for (const MethodChoice& choice : mentioned) {
-      if (choice.entry->name == entry.name) settings.push_back(choice.settings);
-    }
-    return settings.empty() ? ladder_of(entry) : settings;
-  };
+  if (std::ranges::any_of(suite.without_tags, carried)) return false;
+  return std::ranges::any_of(suite.scenes, named) || std::ranges::any_of(suite.tags, carried);
 }
 
 }  // namespace
@@ -93,8 +76,11 @@ std::vector<Scene> choose_scenes(const Suite& suite, const std::optional<std::st
 
 Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const MethodEntry> catalogue,
                std::span<const SceneSource> sources) {
+  std::vector<MethodChoice> prescribed;
+  for (const std::string& filter : suite.methods)
+    std::ranges::move(select_methods(filter, catalogue), std::back_inserter(prescribed));
   const std::vector<MethodChoice> choices =
-      select_methods(narrowing.methods.value_or("*"), catalogue, suite_settings(suite, catalogue));
+      select_methods(narrowing.methods.value_or("*"), catalogue, prescribed);
   Plan plan{choose_scenes(suite, narrowing.scenes, sources), {}};
   for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
     for (const MethodChoice& choice : choices) plan.cases.push_back(make_case(plan.scenes[i], i, choice));
@@ -113,6 +99,17 @@ std::string case_key(const Scene& scene, const Case& planned_case, const Limits&
   if (!planned_case.choice.entry->plugin.empty())
     text += fmt::format("plugin={}\n", planned_case.choice.entry->plugin);
   return sha256(text);
+}
+
+std::vector<std::size_t> round_order(std::size_t count, std::uint64_t seed, std::string_view scene,
+                                     int round) {
+  // The hash spreads equal seeds over scenes and rounds; 16 hexadecimal digits are 64 bits.
+  const std::string hash = sha256(fmt::format("{} {} {}", seed, scene, round));
+  std::mt19937_64 random(std::stoull(hash.substr(0, 16), nullptr, 16));
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::shuffle(order.begin(), order.end(), random);
+  return order;
 }
 
 }  // namespace signorini

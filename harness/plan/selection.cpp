@@ -48,6 +48,15 @@ Piece parse_piece(const std::string& text) {
           .settings = expand_settings(inside.substr(0, inside.size() - 1))};
 }
 
+/// The settings of a method that a piece without brackets names.
+std::vector<Settings> usual_settings(const MethodEntry& entry, std::span<const MethodChoice> prescribed) {
+  std::vector<Settings> settings;
+  for (const MethodChoice& choice : prescribed) {
+    if (choice.entry->name == entry.name) settings.push_back(choice.settings);
+  }
+  return settings.empty() ? ladder_of(entry) : settings;
+}
+
 }  // namespace
 
 std::string MethodChoice::label() const { return method_label(entry->name, settings); }
@@ -105,8 +114,13 @@ std::vector<Settings> expand_settings(std::string_view text) {
 
 std::vector<Settings> ladder_of(const MethodEntry& entry) { return expand_settings(entry.ladder); }
 
+NothingMatched no_method(std::string_view filter) {
+  return NothingMatched(
+      fmt::format("methods = {} (matches no method; see `signorini list methods`)", filter));
+}
+
 std::vector<MethodChoice> select_methods(std::string_view filter, std::span<const MethodEntry> catalogue,
-                                         const DefaultSettings& defaults) {
+                                         std::span<const MethodChoice> prescribed) {
   const GlobPieces pieces = split_globs(filter);
   std::vector<Piece> positive;
   for (const std::string& text : pieces.positive) {
@@ -114,30 +128,25 @@ std::vector<MethodChoice> select_methods(std::string_view filter, std::span<cons
     const auto matches = [&](const MethodEntry& entry) {
       return glob_match(positive.back().glob, entry.name);
     };
-    if (std::none_of(catalogue.begin(), catalogue.end(), matches)) {
-      throw NothingMatched(
-          fmt::format("methods = {} (matches no method; see `signorini list methods`)", text));
-    }
+    if (std::ranges::none_of(catalogue, matches)) throw no_method(text);
   }
   std::vector<MethodChoice> choices;
   for (const MethodEntry& entry : catalogue) {
     const auto matches = [&](const std::string& glob) { return glob_match(glob, entry.name); };
-    if (std::any_of(pieces.negative.begin(), pieces.negative.end(), matches)) continue;
+    if (std::ranges::any_of(pieces.negative, matches)) continue;
     std::vector<std::string> labels;
     for (const Piece& piece : positive) {
       if (!glob_match(piece.glob, entry.name)) continue;
-      for (Settings& settings : piece.bracketed ? std::vector(piece.settings) : defaults(entry)) {
+      for (Settings& settings :
+           piece.bracketed ? std::vector(piece.settings) : usual_settings(entry, prescribed)) {
         MethodChoice choice{&entry, std::move(settings)};
-        if (std::find(labels.begin(), labels.end(), choice.label()) != labels.end()) continue;
+        if (std::ranges::find(labels, choice.label()) != labels.end()) continue;
         labels.push_back(choice.label());
         choices.push_back(std::move(choice));
       }
     }
   }
-  if (choices.empty()) {
-    throw NothingMatched(
-        fmt::format("methods = {} (matches no method; see `signorini list methods`)", filter));
-  }
+  if (choices.empty()) throw no_method(filter);
   return choices;
 }
 

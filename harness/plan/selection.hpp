@@ -1,7 +1,6 @@
 #pragma once
 // Methods with the option settings they run with: `penalty-hbm[harmonics=31,penalty=1e4|1e6]`.
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/failure.hpp"
 #include "harness/plan/case_name.hpp"
 #include "methods/catalogue.hpp"
 
@@ -41,13 +41,14 @@ std::vector<Settings> expand_settings(std::string_view text);
 /// The settings that a method's own ladder prescribes.
 std::vector<Settings> ladder_of(const MethodEntry& entry);
 
-/// Settings for a method that a piece without brackets names.
-using DefaultSettings = std::function<std::vector<Settings>(const MethodEntry&)>;
+/// The refusal of a filter that no method matches.
+NothingMatched no_method(std::string_view filter);
 
 /// Methods that a filter of globs, each with optional settings in brackets, chooses; in catalogue
-/// order, each (method, settings) once. Negative pieces are globs on method names.
+/// order, each (method, settings) once. A piece without brackets gives a method its settings in `prescribed`,
+/// or its own ladder if it has none there. Negative pieces are globs on method names.
 /// \throws UsageError for bad brackets; NothingMatched if a piece matches no method
 std::vector<MethodChoice> select_methods(std::string_view filter, std::span<const MethodEntry> catalogue,
-                                         const DefaultSettings& defaults = ladder_of);
+                                         std::span<const MethodChoice> prescribed = {});
 
 }  // namespace signorini

@@ -93,7 +93,7 @@ std::vector<fs::path> catalogue_suites() {
   for (const fs::directory_entry& entry : fs::directory_iterator(problems_folder() / "suites", none)) {
     if (entry.path().extension() == ".toml") suites.push_back(entry.path());
   }
-  std::sort(suites.begin(), suites.end());
+  std::ranges::sort(suites);
   return suites;
 }
 

@@ -2,7 +2,6 @@
 // A named set of scenes with, where needed, settings of methods and limits: problems/suites/*.toml.
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -206,4 +206,9 @@ void read_fields(const nlohmann::ordered_json& json, T& object) {
   visit_fields(object, [&](const Field& field, auto& value) { read_field(json, field, value); });
 }
 
+/// One line; bytes that are not UTF-8 (a method may print any) become U+FFFD rather than an exception.
+inline std::string json_line(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 }  // namespace signorini

@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <unordered_set>
 
 #include "harness/failure.hpp"
 #include "harness/records/shards.hpp"
@@ -16,29 +17,25 @@ namespace signorini {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Pointer = Json::json_pointer;
 
 constexpr std::array kMachine{"/machine/cpu", "/machine/processors", "/machine/governor"};
 constexpr std::array kRest{"/limits", "/build", "/suite", "/jobs"};
 
-Json at(const RunFolder& run, const char* place) {
-  const Pointer pointer(place);
+/// An entry of the manifest; null where there is none.
+Json at(const RunFolder& run, const std::string& place) {
+  const Json::json_pointer pointer(place);
   return run.manifest.contains(pointer) ? run.manifest.at(pointer) : Json();
 }
 
-/// The innermost entry that differs, for a message of one line.
+/// The first entry that differs, for a message of one line.
 std::optional<std::string> difference(const RunFolder& a, const RunFolder& b, const std::string& place) {
-  const Json left = at(a, place.c_str()), right = at(b, place.c_str());
-  if (left == right) return std::nullopt;
-  if (left.is_object() && right.is_object()) {
-    for (const auto& [key, value] : left.items()) {
-      if (auto inner = difference(a, b, place + "/" + key)) return inner;
-    }
-  }
-  std::string field = place.substr(1);
-  std::replace(field.begin(), field.end(), '/', '.');
-  return fmt::format("{}: {} = {} (must be {} as in {})", b.path.string(), field, right.dump(), left.dump(),
-                     a.path.string());
+  const Json patch = Json::diff(at(a, place), at(b, place));
+  if (patch.empty()) return std::nullopt;
+  const std::string entry = place + patch.front().at("path").get<std::string>();
+  std::string field = entry.substr(1);
+  std::ranges::replace(field, '/', '.');
+  return fmt::format("{}: {} = {} (must be {} as in {})", b.path.string(), field, at(b, entry).dump(),
+                     at(a, entry).dump(), a.path.string());
 }
 
 template <class Places>
@@ -120,13 +117,11 @@ std::optional<std::string> machine_difference(const RunFolder& a, const RunFolde
   return first_difference(a, b, kMachine);
 }
 
-bool same_machine(const RunFolder& a, const RunFolder& b) { return !machine_difference(a, b); }
-
 std::optional<std::string> plugin_difference(const RunFolder& a, const RunFolder& b) {
   const Json theirs = at(b, "/plugins");
   for (const auto& [method, hash] : theirs.items()) {
     const std::string place = "/plugins/" + method;
-    if (!at(a, place.c_str()).is_null()) {
+    if (!at(a, place).is_null()) {
       if (auto found = difference(a, b, place)) return found;
     }
   }
@@ -163,9 +158,27 @@ RunFolder merge_runs(std::span<const RunFolder> parts) {
     }
   }
   const auto before = [](const auto& a, const auto& b) { return natural_less(a.case_id, b.case_id); };
-  std::stable_sort(merged.records.begin(), merged.records.end(), before);
-  std::stable_sort(merged.plan.begin(), merged.plan.end(), before);
+  std::ranges::stable_sort(merged.records, before);
+  std::ranges::stable_sort(merged.plan, before);
   return merged;
+}
+
+void require_same_machine(const RunFolder& before, const RunFolder& now) {
+  if (const auto found = machine_difference(before, now)) throw UsageError(*found);
+}
+
+std::vector<PlannedCase> joined_plan(const RunFolder& before, const RunFolder& now) {
+  std::vector<PlannedCase> plan = now.plan;
+  const auto same = [&](const char* place) {
+    const Json then = at(before, place);
+    return !then.is_null() && then == at(now, place);
+  };
+  if (!same("/limits") || !same("/build/sources") || plugin_difference(before, now)) return plan;
+  std::unordered_set<std::string> cases;
+  for (const PlannedCase& one : now.plan) cases.insert(one.case_id);
+  std::ranges::copy_if(before.plan, std::back_inserter(plan),
+                       [&](const PlannedCase& one) { return !cases.contains(one.case_id); });
+  return plan;
 }
 
 }  // namespace signorini

@@ -1,9 +1,10 @@
 #pragma once
-// Runs joined into one, and whether they may be.
+// Runs joined into one, or one resumed by another, and whether they may be.
 
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "harness/records/run_folder.hpp"
 
@@ -14,10 +15,7 @@ namespace signorini {
 /// both used the same files.
 std::optional<std::string> mixture(const RunFolder& a, const RunFolder& b);
 
-/// Same processor, number of processors and governor.
-bool same_machine(const RunFolder& a, const RunFolder& b);
-
-/// How the machines differ, in the same words.
+/// How processor, number of processors or governor differ, in the same words.
 std::optional<std::string> machine_difference(const RunFolder& a, const RunFolder& b);
 
 /// How the files of a method's plugin that both runs used differ, in the same words. One that a single run
@@ -28,8 +26,14 @@ std::optional<std::string> plugin_difference(const RunFolder& a, const RunFolder
 void join_plugins(nlohmann::ordered_json& manifest, const nlohmann::ordered_json& other);
 
 /// All records once, in natural order of their names; the plans joined; the first manifest with the date,
-/// command line and load of each part. \throws UsageError if two of them do
-/// not mix, or a shard is missing
+/// command line and load of each part. \throws UsageError if two of them do not mix, or a shard is missing
 RunFolder merge_runs(std::span<const RunFolder> parts);
+
+/// Refuses to go on with a run on another machine. \throws UsageError, one line that names the difference
+void require_same_machine(const RunFolder& before, const RunFolder& now);
+
+/// The plan of `now`, and of `before` the cases that it leaves out, as a narrower resumption does; not those
+/// where limits, sources or a plugin that both use differ: their records are stale.
+std::vector<PlannedCase> joined_plan(const RunFolder& before, const RunFolder& now);
 
 }  // namespace signorini

@@ -51,21 +51,13 @@ RepresentedLaw law_from_json(const Json& json) {
   throw BadRecord("law = " + json.dump() + " (must be restitution, penalty, massless, undetermined or none)");
 }
 
-Json option_to_json(const OptionValue& value) { return std::visit(OptionWriter{}, value); }
-
-WorkDone work_from_json(const Json& json) {
-  WorkDone work;
-  read_fields(json, work);
-  return work;
-}
-
 Json JsonForm<RepresentedLaw>::write(const RepresentedLaw& law) { return law_to_json(law); }
 
 RepresentedLaw JsonForm<RepresentedLaw>::read(const Json& json) { return law_from_json(json); }
 
 Json JsonForm<RecordedOptions>::write(const RecordedOptions& options) {
   Json json = Json::object();
-  for (const auto& [name, value] : options) json[name] = option_to_json(value);
+  for (const auto& [name, value] : options) json[name] = std::visit(OptionWriter{}, value);
   return json;
 }
 

@@ -20,12 +20,6 @@ Record record_from_json(const nlohmann::ordered_json& json);
 nlohmann::ordered_json law_to_json(const RepresentedLaw& law);
 RepresentedLaw law_from_json(const nlohmann::ordered_json& json);  ///< \throws BadRecord
 
-/// An option's value, "auto" where the method chooses.
-nlohmann::ordered_json option_to_json(const OptionValue& value);
-
-/// Counts of work, each of them optional. Throws nlohmann's exceptions on wrong types.
-WorkDone work_from_json(const nlohmann::ordered_json& json);
-
 /// law_to_json and law_from_json.
 template <>
 struct JsonForm<RepresentedLaw> {
@@ -36,7 +30,7 @@ struct JsonForm<RepresentedLaw> {
 /// An object, option by option.
 template <>
 struct JsonForm<RecordedOptions> {
-  static nlohmann::ordered_json write(const RecordedOptions& options);  ///< values as option_to_json
+  static nlohmann::ordered_json write(const RecordedOptions& options);  ///< "auto" where the method chooses
   static RecordedOptions read(const nlohmann::ordered_json& json);      ///< numbers keep their kind
 };
 

@@ -12,7 +12,6 @@
 #include <optional>
 #include <system_error>
 #include <thread>
-#include <unordered_map>
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
@@ -68,18 +67,19 @@ std::vector<Record> repair_file(const fs::path& file) {
   return std::move(contents.records);
 }
 
-int open_to_append(const fs::path& file) {
-  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (descriptor < 0) {
+Descriptor open_to_append(const fs::path& file) {
+  Descriptor descriptor(open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644));
+  if (!descriptor.is_open()) {
     throw UsageError(
         fmt::format("out = {} (must be a folder that can be written)", file.parent_path().string()));
   }
   return descriptor;
 }
 
-void write_line(int descriptor, const Record& record, const fs::path& file) {
-  const std::string line = to_json(record).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-  if (write(descriptor, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
+void write_line(const Descriptor& descriptor, const Record& record, const fs::path& file) {
+  const std::string line = json_line(to_json(record)) + "\n";
+  // One write to a file opened with O_APPEND: a kill can tear the last line only.
+  if (write(descriptor.number(), line.data(), line.size()) != static_cast<ssize_t>(line.size()))
     throw std::system_error(errno, std::generic_category(), file.string());
 }
 
@@ -94,13 +94,11 @@ bool take_lock(int descriptor) {
   return false;
 }
 
-/// Descriptor that keeps other runs out of the folder as long as it is open.
-int lock_folder(const fs::path& folder) {
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor >= 0 && !take_lock(descriptor)) {
-    close(descriptor);
+/// Keeps other runs out of the folder as long as it is open.
+Descriptor lock_folder(const fs::path& folder) {
+  Descriptor descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (descriptor.is_open() && !take_lock(descriptor.number()))
     throw UsageError(fmt::format("out = {} (must not be in use: another run writes there)", folder.string()));
-  }
   return descriptor;
 }
 
@@ -122,11 +120,8 @@ std::vector<Record> read_records(const fs::path& file) {
 }
 
 bool folder_in_use(const fs::path& folder) {
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return false;
-  const bool used = flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  close(descriptor);
-  return used;
+  const Descriptor descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  return descriptor.is_open() && flock(descriptor.number(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
 }
 
 RecordStore::RecordStore(const fs::path& folder, bool resume)
@@ -151,15 +146,12 @@ RecordStore::RecordStore(const fs::path& folder, bool resume)
 RecordStore::~RecordStore() {
   std::error_code failure;
   if (fs::file_size(unfinished_file_, failure) == 0 && !failure) fs::remove(unfinished_file_, failure);
-  for (const int descriptor : {records_, kept_, lock_}) {
-    if (descriptor >= 0) close(descriptor);
-  }
 }
 
 void RecordStore::append(const Record& record) {
   if (!keys_.insert(record.key).second) return;
   write_line(records_, record, file_);
-  if (fsync(records_) != 0) throw std::system_error(errno, std::generic_category(), file_.string());
+  if (fsync(records_.number()) != 0) throw std::system_error(errno, std::generic_category(), file_.string());
   std::erase_if(unfinished_, [&](const auto& kept) { return kept.second.case_id == record.case_id; });
 }
 
@@ -171,7 +163,7 @@ std::optional<Record> RecordStore::unfinished(const std::string& key) const {
 }
 
 void RecordStore::clear_unfinished() {
-  if (ftruncate(kept_, 0) != 0)
+  if (ftruncate(kept_.number(), 0) != 0)
     throw std::system_error(errno, std::generic_category(), unfinished_file_.string());
   for (const auto& [key, record] : unfinished_) write_line(kept_, record, unfinished_file_);
 }

@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "harness/isolation/child_process.hpp"
 #include "harness/records/record.hpp"
 
 namespace signorini {
@@ -27,8 +28,6 @@ class RecordStore {
   /// there, or a whole line is no record
   RecordStore(const std::filesystem::path& folder, bool resume);
   ~RecordStore();
-  RecordStore(const RecordStore&) = delete;
-  RecordStore& operator=(const RecordStore&) = delete;
 
   [[nodiscard]] bool contains(const std::string& key) const { return keys_.contains(key); }
   /// Appends by one write and fsync; a key that is there already is not written again.
@@ -50,9 +49,7 @@ class RecordStore {
   std::filesystem::path file_, unfinished_file_;
   std::unordered_set<std::string> keys_;
   std::unordered_map<std::string, Record> unfinished_;
-  int lock_ = -1;
-  int records_ = -1;
-  int kept_ = -1;
+  Descriptor lock_, records_, kept_;
 };
 
 }  // namespace signorini

@@ -1,15 +1,23 @@
 #include "harness/records/run_folder.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sys/utsname.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
 #include <iterator>
 #include <sstream>
+#include <thread>
 #include <unordered_map>
 #include <unordered_set>
 
+#include "harness/build_info.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
+#include "harness/records/json_fields.hpp"
 #include "harness/records/record_store.hpp"
 
 namespace signorini {
@@ -17,6 +25,7 @@ namespace signorini {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 std::vector<PlannedCase> read_plan(const fs::path& file) {
   std::vector<PlannedCase> plan;
@@ -48,22 +57,71 @@ std::unordered_set<std::string> keys_that_count(const RunFolder& run) {
 }
 
 /// Checks the types of the entries that commands compute with.
-void check_types(const nlohmann::ordered_json& manifest, const fs::path& file) {
-  const auto check = [&](const char* field, bool (*is_right)(const nlohmann::ordered_json&),
-                         const char* requirement) {
-    if (!manifest.contains(field) || is_right(manifest[field])) return;
+void check_types(const Json& manifest, const fs::path& file) {
+  const auto check = [&](const char* field, bool (Json::*is_right)() const, const char* requirement) {
+    if (!manifest.contains(field) || (manifest[field].*is_right)()) return;
     throw UsageError(
         fmt::format("{}: {} = {} (must be {})", file.string(), field, manifest[field].dump(), requirement));
   };
-  check(
-      "jobs", [](const auto& value) { return value.is_number(); }, "a number");
-  check(
-      "times_comparable", [](const auto& value) { return value.is_boolean(); }, "true or false");
-  check(
-      "machine", [](const auto& value) { return value.is_object(); }, "an object");
+  check("jobs", &Json::is_number, "a number");
+  check("times_comparable", &Json::is_boolean, "true or false");
+  check("machine", &Json::is_object, "an object");
+}
+
+std::string kernel_release() {
+  utsname names{};
+  return uname(&names) == 0 ? names.release : "";
+}
+
+std::string cpu_model() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return {};
+}
+
+Json machine() {
+  Json json = Json::object();
+  write_field(json, Field{"cpu"}, cpu_model());
+  json["processors"] = std::thread::hardware_concurrency();
+  write_field(json, Field{"governor"}, clock_governor());
+  write_field(json, Field{"kernel"}, kernel_release());
+  std::array<double, 3> load{};
+  if (getloadavg(load.data(), 3) == 3) json["load"] = load;
+  return json;
+}
+
+Json build() {
+  const BuildInfo& info = build_info();
+  Json json{{"version", info.version}};
+  if (!info.commit.empty()) {
+    json["commit"] = info.commit;
+    json["dirty"] = info.dirty;
+  }
+  json["compiler"] = info.compiler;
+  json["flags"] = info.flags;
+  json["build_type"] = info.build_type;
+  json["timings_count"] = build_may_be_timed();
+  json["libraries"] = Json::object();
+  for (const auto& [name, version] : info.libraries)
+    write_field(json["libraries"], Field{std::string(name).c_str()}, std::string(version));
+  json["sources"] = Json::object();
+  for (const auto& [name, hash] : info.sources)
+    json["sources"][name.empty() ? "common" : std::string(name)] = hash;
+  return json;
 }
 
 }  // namespace
+
+void visit_fields(Either<Limits> auto& limits, auto&& field) {
+  field(required("timeout_s", "s"), limits.timeout);
+  field(required("memory_mb", "MiB"), limits.memory_mb);
+  field(required("repetitions"), limits.repetitions);
+  field(required("certificate_timeout_s", "s"), limits.certificate_timeout);
+  field(required("reference_timeout_s", "s"), limits.reference_timeout);
+}
 
 void set_stale_aside(RunFolder& run) {
   const std::unordered_set<std::string> keys = keys_that_count(run);
@@ -80,7 +138,7 @@ RunFolder read_run(const fs::path& folder) {
                     folder.string()));
   }
   RunFolder run{.path = folder};
-  run.manifest = nlohmann::ordered_json::parse(read_file(folder / "manifest.json"), nullptr, false);
+  run.manifest = Json::parse(read_file(folder / "manifest.json"), nullptr, false);
   if (!run.manifest.is_object()) {
     throw UsageError(fmt::format("{}: manifest = unreadable (must be one JSON object)",
                                  (folder / "manifest.json").string()));
@@ -100,6 +158,38 @@ void write_plan(const fs::path& folder, const std::vector<PlannedCase>& plan) {
   std::string text;
   for (const PlannedCase& one : plan) text += fmt::format("{} {}\n", one.key, one.case_id);
   write_whole(folder / "plan.txt", text);
+}
+
+Limits limits_of_run(const fs::path& folder) {
+  const fs::path file = folder / "manifest.json";
+  Limits limits;
+  if (!fs::exists(file)) return limits;
+  try {
+    read_fields(Json::parse(read_file(file)).at("limits"), limits);
+    return limits;
+  } catch (const nlohmann::json::exception&) {
+    throw UsageError(
+        fmt::format("{}: limits = unreadable (must be a manifest that run wrote)", file.string()));
+  }
+}
+
+std::string clock_governor(const fs::path& root) {
+  return first_line(root / "sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+}
+
+Json make_manifest(const Suite& suite, const Limits& limits, const Schedule& schedule,
+                   const std::vector<std::string>& command_line) {
+  return {{"schema", 1},
+          {"suite", suite.name},
+          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
+          {"command_line", command_line},
+          {"order", "scene by scene, rounds in random order"},
+          {"seed", schedule.seed},
+          {"jobs", schedule.together()},
+          {"times_comparable", build_may_be_timed() && schedule.together() == 1},
+          {"limits", write_fields(limits)},
+          {"build", build()},
+          {"machine", machine()}};
 }
 
 }  // namespace signorini

@@ -1,11 +1,13 @@
 #pragma once
-// The folder of a run, read: manifest.json, plan.txt and records.jsonl.
+// The folder of a run: manifest.json, the build, machine and limits that records come from; plan.txt; and
+// records.jsonl.
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "harness/plan/plan.hpp"
 #include "harness/records/record.hpp"
 
 namespace signorini {
@@ -37,5 +39,16 @@ std::vector<Record> read_current_records(const std::filesystem::path& folder);
 
 /// DIR/plan.txt: one case per line, key and name. \throws UsageError if the folder cannot be written
 void write_plan(const std::filesystem::path& folder, const std::vector<PlannedCase>& plan);
+
+/// Build, machine, date, limits and command line. What the system does not tell is absent.
+nlohmann::ordered_json make_manifest(const Suite& suite, const Limits& limits, const Schedule& schedule,
+                                     const std::vector<std::string>& command_line);
+
+/// Limits of the run that left `folder`, from its manifest; the defaults where there is none.
+/// \throws UsageError if it is unreadable
+Limits limits_of_run(const std::filesystem::path& folder);
+
+/// Governor of the first processor's clock, as the system's files below `root` say; empty where they do not.
+std::string clock_governor(const std::filesystem::path& root = "/");
 
 }  // namespace signorini

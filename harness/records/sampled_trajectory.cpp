@@ -4,9 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <span>
 #include <stdexcept>
-#include <string>
 #include <utility>
+
+#include "harness/failure.hpp"
+#include "harness/files.hpp"
+#include "harness/records/record_json.hpp"
 
 namespace signorini {
 
@@ -22,34 +27,33 @@ std::string size_defect(const char* name, const Eigen::MatrixXd& values, Eigen::
   return {};
 }
 
-std::string impulses_defect(const std::vector<Impulse>& impulses, int contacts, double period) {
-  for (const Impulse& impulse : impulses) {
-    if (impulse.contact < 0 || impulse.contact >= contacts) {
-      return fmt::format("an impulse acts at contact {} of {}", impulse.contact, contacts);
-    }
-    if (!std::isfinite(impulse.value) || !(impulse.time >= 0.0) || !(impulse.time <= period)) {
-      return fmt::format("an impulse of {} N s acts at {} s, outside the period", impulse.value,
-                         impulse.time);
-    }
-  }
+/// What is wrong with an impulse or an event; `what` names it.
+std::string place_defect(std::string_view what, int contact, double time, double momentum, int contacts,
+                         double period) {
+  if (contact < 0 || contact >= contacts)
+    return fmt::format("{} is at contact {} of {}", what, contact, contacts);
+  if (!std::isfinite(momentum) || !(time >= 0.0) || !(time <= period))
+    return fmt::format("{} of {} N s is at {} s, outside the period", what, momentum, time);
   return {};
 }
 
-std::string events_defect(const std::optional<std::vector<ContactEvent>>& events, int contacts,
-                          double period) {
+/// What is wrong with the impulses and events of a period.
+std::string list_defect(const std::vector<Impulse>& impulses,
+                        const std::optional<std::vector<ContactEvent>>& events, int contacts, double period) {
+  std::string defect;
+  for (const Impulse& one : impulses) {
+    defect = place_defect("an impulse", one.contact, one.time, one.value, contacts, period);
+    if (!defect.empty()) return defect;
+  }
   double last = 0.0;
   for (const ContactEvent& event : events.value_or(std::vector<ContactEvent>{})) {
-    const std::string_view kind = name_of(event.kind);
-    if (event.contact < 0 || event.contact >= contacts)
-      return fmt::format("the event {} is at contact {} of {}", kind, event.contact, contacts);
-    if (!std::isfinite(event.impulse) || !(event.time >= 0.0) || !(event.time <= period))
-      return fmt::format("the event {} of {} N s is at {} s, outside the period", kind, event.impulse,
-                         event.time);
-    if (event.time < last)
-      return fmt::format("the event {} at {} s comes after one at {} s", kind, event.time, last);
+    const std::string what = fmt::format("the event {}", name_of(event.kind));
+    defect = place_defect(what, event.contact, event.time, event.impulse, contacts, period);
+    if (!defect.empty()) return defect;
+    if (event.time < last) return fmt::format("{} at {} s comes after one at {} s", what, event.time, last);
     last = event.time;
   }
-  return {};
+  return defect;
 }
 
 /// Adds `seconds` to the times of impulses or events, modulo the period.
@@ -59,8 +63,7 @@ void delay(std::vector<Timed>& items, double seconds, double period) {
     one.time += seconds;
     if (one.time >= period) one.time -= period;
   }
-  std::stable_sort(items.begin(), items.end(),
-                   [](const Timed& a, const Timed& b) { return a.time < b.time; });
+  std::ranges::stable_sort(items, [](const Timed& a, const Timed& b) { return a.time < b.time; });
 }
 
 template <class Timed>
@@ -74,6 +77,33 @@ void repeat(std::vector<Timed>& items, int periods, double period) {
   }
 }
 
+void append(std::string& bytes, std::span<const double> values) {
+  bytes.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+}
+
+void append(std::string& bytes, const Eigen::MatrixXd& values) {
+  append(bytes, std::span(values.data(), static_cast<std::size_t>(values.size())));
+}
+
+std::vector<std::vector<double>> columns(const Eigen::MatrixXd& values) {
+  std::vector<std::vector<double>> lists;
+  for (const auto& column : values.colwise()) lists.emplace_back(column.begin(), column.end());
+  return lists;
+}
+
+Eigen::MatrixXd matrix(const std::vector<std::vector<double>>& lists, std::size_t rows, std::size_t cols) {
+  if (lists.size() != cols)
+    throw BadRecord("trajectory = uneven (must have as many lists per contact in each part)");
+  Eigen::MatrixXd values(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(lists.size()));
+  for (std::size_t c = 0; c < lists.size(); ++c) {
+    if (lists[c].size() != rows)
+      throw BadRecord("trajectory = uneven (must have one value per instant in each list)");
+    values.col(static_cast<Eigen::Index>(c)) =
+        Eigen::Map<const Eigen::VectorXd>(lists[c].data(), static_cast<Eigen::Index>(rows));
+  }
+  return values;
+}
+
 }  // namespace
 
 SampledTrajectory::SampledTrajectory(Data data) : data_(std::move(data)) {
@@ -81,8 +111,7 @@ SampledTrajectory::SampledTrajectory(Data data) : data_(std::move(data)) {
   std::string defect = samples_defect(data_.samples, count, data_.samples.x.cols());
   if (count < 1) defect = "there are no samples";
   if (!(data_.period > 0.0) || !std::isfinite(data_.period)) defect = "the period is not positive";
-  if (defect.empty()) defect = impulses_defect(data_.impulses, contact_count(), data_.period);
-  if (defect.empty()) defect = events_defect(data_.events, contact_count(), data_.period);
+  if (defect.empty()) defect = list_defect(data_.impulses, data_.events, contact_count(), data_.period);
   if (!defect.empty()) throw std::invalid_argument(fmt::format("trajectory = unusable ({})", defect));
 }
 
@@ -108,6 +137,9 @@ Samples SampledTrajectory::sample(int count) const {
       continue;
     }
     const int right = (left + 1) % stored;
+    // Hermite's cubic x(s) = h00 x_l + h10 step v_l + h01 x_r + h11 step v_r has the stored values and
+    // velocities at both ends. Velocity and force may jump at an impact, where a cubic would overshoot:
+    // straight lines.
     const double h00 = (1.0 + 2.0 * s) * (1.0 - s) * (1.0 - s);
     const double h10 = s * (1.0 - s) * (1.0 - s);
     const double h01 = s * s * (3.0 - 2.0 * s);
@@ -154,8 +186,7 @@ std::string trajectory_defect(const Trajectory& trajectory, int contacts, double
     return fmt::format("the period {} s is no whole multiple of the forcing period {} s", trajectory.period(),
                        forcing_period);
   }
-  const std::string defect = impulses_defect(trajectory.impulses(), contacts, trajectory.period());
-  return defect.empty() ? events_defect(trajectory.events(), contacts, trajectory.period()) : defect;
+  return list_defect(trajectory.impulses(), trajectory.events(), contacts, trajectory.period());
 }
 
 std::string samples_defect(const Samples& samples, Eigen::Index count, Eigen::Index contacts) {
@@ -164,6 +195,67 @@ std::string samples_defect(const Samples& samples, Eigen::Index count, Eigen::In
     if (std::string defect = size_defect(name, *values, count, contacts); !defect.empty()) return defect;
   }
   return {};
+}
+
+std::string answer_digest(const Trajectory& answer) {
+  constexpr int kInstants = 64;
+  constexpr std::size_t kDigits = 16;
+  std::string bytes;
+  const double period = answer.period();
+  append(bytes, std::span(&period, 1));
+  const Samples samples = answer.sample(kInstants);
+  for (const Eigen::MatrixXd* values : {&samples.x, &samples.velocity, &samples.force})
+    append(bytes, *values);
+  for (const Impulse& impulse : answer.impulses()) {
+    bytes += std::to_string(impulse.contact);
+    append(bytes, std::span(&impulse.time, 1));
+    append(bytes, std::span(&impulse.value, 1));
+  }
+  return sha256(bytes).substr(0, kDigits);
+}
+
+TrajectorySamples samples_of(const Trajectory& trajectory, int count) {
+  const Samples samples = trajectory.sample(count);
+  TrajectorySamples result;
+  for (int i = 0; i < count; ++i) result.t.push_back(i * trajectory.period() / count);
+  result.x = columns(samples.x);
+  result.velocity = columns(samples.velocity);
+  result.force = columns(samples.force);
+  result.impulses = trajectory.impulses();
+  result.bandwidth = trajectory.bandwidth();
+  return result;
+}
+
+std::shared_ptr<const SampledTrajectory> trajectory_of(double period, const TrajectorySamples& samples) {
+  SampledTrajectory::Data data;
+  data.period = period;
+  const std::size_t contacts = samples.x.size();
+  data.samples.x = matrix(samples.x, samples.t.size(), contacts);
+  data.samples.velocity = matrix(samples.velocity, samples.t.size(), contacts);
+  data.samples.force = matrix(samples.force, samples.t.size(), contacts);
+  data.impulses = samples.impulses;
+  data.bandwidth = samples.bandwidth;
+  try {
+    return std::make_shared<SampledTrajectory>(std::move(data));
+  } catch (const std::invalid_argument& error) {
+    throw BadRecord(error.what());
+  }
+}
+
+std::shared_ptr<const SampledTrajectory> start_from_file(const std::string& path) {
+  const auto refuse = [&](std::string_view requirement) {
+    return UsageError(fmt::format("start = {} ({})", path, requirement));
+  };
+  const auto json = nlohmann::ordered_json::parse(read_file(path), nullptr, false);
+  if (json.is_discarded()) throw refuse("must be JSON as printed by solve --json --samples N");
+  try {
+    const Record record = record_from_json(json);
+    if (!record.trajectory || !record.period)
+      throw refuse("must hold a trajectory: print it with --samples N");
+    return trajectory_of(*record.period, *record.trajectory);
+  } catch (const BadRecord& error) {
+    throw refuse(fmt::format("must be a record as printed by solve --json --samples N: {}", error.what()));
+  }
 }
 
 }  // namespace signorini

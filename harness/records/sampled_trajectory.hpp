@@ -1,9 +1,12 @@
 #pragma once
 // A trajectory kept as samples: how motions travel between processes, files and runs.
 
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "harness/records/record.hpp"
 #include "methods/solution.hpp"
 
 namespace signorini {
@@ -53,5 +56,19 @@ std::string trajectory_defect(const Trajectory& trajectory, int contacts, double
 /// What is wrong with samples of `contacts` contacts at `count` instants: wrong sizes, values that are not
 /// finite. Empty if nothing is.
 std::string samples_defect(const Samples& samples, Eigen::Index count, Eigen::Index contacts);
+
+/// Sixteen hexadecimal digits of the SHA-256 of an answer's bytes: period, x, velocity and force at 64
+/// instants, and impulses. Equal for answers that agree there bit by bit.
+std::string answer_digest(const Trajectory& answer);
+
+/// One period at `count` instants.
+TrajectorySamples samples_of(const Trajectory& trajectory, int count);
+
+/// \throws BadRecord if the lists do not fit together
+std::shared_ptr<const SampledTrajectory> trajectory_of(double period, const TrajectorySamples& samples);
+
+/// The trajectory in what `solve --json --samples N` printed.
+/// \throws UsageError `file` and what is wrong with it
+std::shared_ptr<const SampledTrajectory> start_from_file(const std::string& path);
 
 }  // namespace signorini

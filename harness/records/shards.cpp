@@ -53,12 +53,11 @@ double Durations::of(const std::string& case_id, std::string_view method_name) c
 std::vector<int> balance(std::span<const double> seconds, int parts) {
   std::vector<std::size_t> order(seconds.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return seconds[a] > seconds[b]; });
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return seconds[a] > seconds[b]; });
   std::vector<double> sums(static_cast<std::size_t>(parts), 0.0);
   std::vector<int> part_of(seconds.size(), 0);
   for (const std::size_t item : order) {
-    const auto shortest = std::min_element(sums.begin(), sums.end());
+    const auto shortest = std::ranges::min_element(sums);
     *shortest += seconds[item];
     part_of[item] = static_cast<int>(shortest - sums.begin());
   }
@@ -72,16 +71,14 @@ Plan take_shard(const Plan& plan, const Shard& shard, const Durations& durations
   }
   const std::vector<int> part_of = balance(seconds, shard.count);
   Plan part;
-  std::vector<std::size_t> place(plan.scenes.size());
   for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
     if (part_of[i] != shard.index - 1) continue;
-    place[i] = part.scenes.size();
+    for (const Case& planned_case : plan.cases) {
+      if (planned_case.scene != i) continue;
+      part.cases.push_back(planned_case);
+      part.cases.back().scene = part.scenes.size();
+    }
     part.scenes.push_back(plan.scenes[i]);
-  }
-  for (const Case& planned_case : plan.cases) {
-    if (part_of[planned_case.scene] != shard.index - 1) continue;
-    part.cases.push_back(planned_case);
-    part.cases.back().scene = place[planned_case.scene];
   }
   return part;
 }

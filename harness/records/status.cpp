@@ -47,6 +47,7 @@ RunStatus status_of(const RunFolder& run) {
   const double jobs = run.manifest.value("jobs", 1.0);
   double seconds = 0.0;
   for (const PlannedCase& one : run.plan) {
+    // As if the jobs stayed busy to the end: the time is a little too short where one long case is the last.
     if (!present.contains(one.key)) seconds += durations.of(one.case_id, one.method) / jobs;
   }
   status.remaining_seconds = seconds;

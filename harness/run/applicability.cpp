@@ -4,7 +4,7 @@
 
 #include "harness/interrupt.hpp"
 #include "harness/isolation/isolation.hpp"
-#include "harness/records/json_line.hpp"
+#include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"
 
 namespace signorini {

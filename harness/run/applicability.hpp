@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/isolation/child_end.hpp"
+#include "harness/isolation/isolation.hpp"
 #include "harness/plan/plan.hpp"
 
 namespace signorini {

@@ -8,9 +8,8 @@
 #include "harness/isolation/isolation.hpp"
 #include "harness/orbits/kept_reference.hpp"
 #include "harness/plan/deadline.hpp"
-#include "harness/records/json_line.hpp"
+#include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"
-#include "harness/run/time_limits.hpp"
 
 namespace signorini {
 

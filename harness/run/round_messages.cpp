@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "harness/judge/certificate.hpp"
-#include "harness/records/json_line.hpp"
+#include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/run/timing.hpp"
 

@@ -3,8 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "harness/isolation/child_end.hpp"
-#include "harness/isolation/isolated_child.hpp"
+#include "harness/isolation/isolation.hpp"
 #include "harness/records/record.hpp"
 #include "harness/run/trial.hpp"
 

@@ -5,9 +5,9 @@
 
 #include "harness/interrupt.hpp"
 #include "harness/judge/certificate.hpp"
+#include "harness/plan/deadline.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/run/round_messages.hpp"
-#include "harness/run/time_limits.hpp"
 #include "harness/run/timing.hpp"
 
 namespace signorini {

@@ -16,7 +16,6 @@
 #include "harness/records/record.hpp"
 #include "harness/run/applicability.hpp"
 #include "harness/run/references.hpp"
-#include "harness/run/start_point.hpp"
 #include "harness/run/trial.hpp"
 
 namespace signorini {

@@ -1,14 +1,14 @@
 #include "harness/run/suite_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <map>
 #include <unordered_set>
 #include <utility>
 
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/progress.hpp"
-#include "harness/run/rounds.hpp"
 
 namespace signorini {
 
@@ -17,13 +17,8 @@ namespace {
 /// Stores the records of one scene's cases and shows the progress.
 class SceneObserver final : public RoundObserver {
  public:
-  /// \param completed  counts the cases whose records are complete
-  SceneObserver(RecordStore& store, Progress& progress, std::size_t cases, int rounds, std::size_t& completed)
-      : store_(store),
-        progress_(progress),
-        share_of_round_(1.0 / rounds),
-        rest_(cases, 1.0),
-        completed_(completed) {}
+  SceneObserver(RecordStore& store, Progress& progress, std::size_t cases, int rounds)
+      : store_(store), progress_(progress), share_of_round_(1.0 / rounds), rest_(cases, 1.0) {}
 
   void begins(const std::string& what) override { progress_.begin(what); }
   void round_done(std::size_t index, const Record& record) override {
@@ -34,15 +29,6 @@ class SceneObserver final : public RoundObserver {
   void case_done(std::size_t index, const Record& record) override {
     store_.append(record);
     progress_.advance(rest_[index]);
-    done_[index] = record;
-    ++completed_;
-  }
-
-  /// In the order of the jobs.
-  [[nodiscard]] std::vector<Record> records() const {
-    std::vector<Record> records;
-    for (const auto& [index, record] : done_) records.push_back(record);
-    return records;
   }
 
  private:
@@ -50,28 +36,96 @@ class SceneObserver final : public RoundObserver {
   Progress& progress_;
   double share_of_round_;     // of a case, for the progress
   std::vector<double> rest_;  // of each case
-  std::map<std::size_t, Record> done_;
-  std::size_t& completed_;
 };
 
-/// Runs cases of one scene. \param completed  counts them \return their records; empty after an interrupt
-std::optional<std::vector<Record>> run_scene(const Scene& scene, const std::vector<const Case*>& cases,
-                                             const Schedule& schedule, Runner& runner, RecordStore& store,
-                                             Progress& progress, std::size_t& completed) {
+/// Runs cases of one scene. \return the records of those that no interrupt prevented, in the order of the
+/// cases
+std::vector<Record> run_scene(const Scene& scene, const std::vector<const Case*>& cases,
+                              const Schedule& schedule, Runner& runner, RecordStore& store,
+                              Progress& progress) {
   progress.begin(scene.problem.name + ": references");
   const std::vector<Job> jobs = runner.make_jobs(scene, cases);
-  if (interrupted()) return std::nullopt;
-  runner.compute_references(scene, jobs);
-  if (interrupted()) return std::nullopt;
+  if (!interrupted()) runner.compute_references(scene, jobs);
+  if (interrupted()) return {};
   std::vector<std::optional<Record>> begun;
   for (const Case* planned_case : cases)
     begun.push_back(store.unfinished(runner.key_of(scene, *planned_case)));
-  SceneObserver observer(store, progress, cases.size(), runner.limits().repetitions, completed);
-  const bool complete = run_rounds(runner, scene, jobs, std::move(begun), schedule, observer);
-  if (!complete) return std::nullopt;
-  store.clear_unfinished();
-  return observer.records();
+  SceneObserver observer(store, progress, cases.size(), runner.limits().repetitions);
+  std::vector<Record> records;
+  for (std::optional<Record>& record :
+       run_rounds(runner, scene, jobs, std::move(begun), schedule, observer)) {
+    if (record) records.push_back(std::move(*record));
+  }
+  return records;
 }
+
+/// Cases of the plan that the store does not hold, in order.
+std::vector<const Case*> missing_cases(const Plan& plan, const Runner& runner, const RecordStore& store) {
+  std::vector<const Case*> missing;
+  std::unordered_set<std::string> planned;
+  for (const Case& planned_case : plan.cases) {
+    // Two spellings of one case ("harmonics=20" and the default) have one key.
+    const std::string key = runner.key_of(plan.scenes[planned_case.scene], planned_case);
+    if (!store.contains(key) && planned.insert(key).second) missing.push_back(&planned_case);
+  }
+  return missing;
+}
+
+/// The cases of one scene and what is known of each.
+struct SceneRounds {
+  Runner& runner;
+  const Scene& scene;
+  std::span<const Job> jobs;
+  std::vector<std::optional<Record>> records;
+  Schedule schedule;
+  RoundObserver& observer;
+
+  std::vector<std::optional<Record>> run() {
+    for (int round = 0; round < runner.limits().repetitions; ++round) run_round(round);
+    for (std::optional<Record>& record : records) {
+      if (record && runner.rounds_missing(*record) > 0) record.reset();
+    }
+    return std::move(records);
+  }
+
+  /// A case that was begun in an earlier run may be some rounds ahead of the others.
+  [[nodiscard]] bool is_due(const std::optional<Record>& record, int round) const {
+    if (round == 0) return !record;
+    return record && runner.rounds_missing(*record) > 0 &&
+           static_cast<int>(record->seconds->rounds.size()) <= round;
+  }
+
+  void run_round(int round) {
+    std::vector<std::size_t> due = round_order(jobs.size(), schedule.seed, scene.problem.name, round);
+    std::erase_if(due, [&](std::size_t index) { return !is_due(records[index], round); });
+    // One by one where one runs at a time: each is announced before it begins.
+    const std::size_t together = schedule.parallel > 1 ? std::max<std::size_t>(1, due.size()) : 1;
+    for (std::size_t i = 0; i < due.size() && !interrupted(); i += together)
+      run_together(std::span(due).subspan(i, together), round);
+  }
+
+  void run_together(std::span<const std::size_t> indices, int round) {
+    observer.begins(indices.size() == 1 ? jobs[indices.front()].planned_case->id
+                                        : fmt::format("{}, round {}", scene.problem.name, round + 1));
+    std::vector<Job> due;
+    for (const std::size_t index : indices) due.push_back(jobs[index]);
+    const TakeRecord take = [&](std::size_t k, Record record) { take_record(indices[k], std::move(record)); };
+    if (round == 0) return runner.run_first(scene, due, schedule.parallel, take);
+    std::vector<Record> begun;
+    for (const std::size_t index : indices) begun.push_back(*records[index]);
+    runner.run_later(scene, due, begun, schedule.parallel, take);
+  }
+
+  void take_record(std::size_t index, Record record) {
+    if (record.seconds && schedule.together() > 1) record.seconds->jobs = schedule.together();
+    records[index] = std::move(record);
+    if (runner.rounds_missing(*records[index]) > 0) {
+      observer.round_done(index, *records[index]);
+    } else {
+      observer.case_done(index, *records[index]);
+    }
+  }
+};
 
 }  // namespace
 
@@ -87,17 +141,6 @@ std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner) {
   return cases;
 }
 
-std::vector<const Case*> missing_cases(const Plan& plan, const Runner& runner, const RecordStore& store) {
-  std::vector<const Case*> missing;
-  std::unordered_set<std::string> planned;
-  for (const Case& planned_case : plan.cases) {
-    // Two spellings of one case ("harmonics=20" and the default) have one key.
-    const std::string key = runner.key_of(plan.scenes[planned_case.scene], planned_case);
-    if (!store.contains(key) && planned.insert(key).second) missing.push_back(&planned_case);
-  }
-  return missing;
-}
-
 SuiteRunResult run_plan(const Plan& plan, Runner& runner, RecordStore& store, const Schedule& schedule,
                         const SceneDone& scene_done) {
   const std::vector<const Case*> missing = missing_cases(plan, runner, store);
@@ -105,18 +148,20 @@ SuiteRunResult run_plan(const Plan& plan, Runner& runner, RecordStore& store, co
   Progress progress(missing.size());
   for (std::size_t s = 0; s < plan.scenes.size(); ++s) {
     std::vector<const Case*> cases;
-    std::copy_if(missing.begin(), missing.end(), std::back_inserter(cases),
-                 [&](const Case* planned_case) { return planned_case->scene == s; });
+    std::ranges::copy_if(missing, std::back_inserter(cases),
+                         [&](const Case* planned_case) { return planned_case->scene == s; });
     if (cases.empty()) continue;
     runner.forget_references();
-    const auto records = run_scene(plan.scenes[s], cases, schedule, runner, store, progress, result.ran);
-    if (!records) {
+    const std::vector<Record> records = run_scene(plan.scenes[s], cases, schedule, runner, store, progress);
+    result.ran += records.size();
+    if (interrupted()) {
       result.interrupted = true;
       return result;
     }
-    if (!scene_done || records->empty()) continue;
+    store.clear_unfinished();
+    if (!scene_done || records.empty()) continue;
     progress.clear();
-    scene_done(*records);
+    scene_done(records);
   }
   // An earlier run may have been killed between its last record and this.
   store.clear_unfinished();
@@ -128,10 +173,16 @@ std::vector<std::string> unexpected_failures(const std::vector<Record>& records,
   for (const Record& record : records) {
     if (record.status == Status::converged || record.status == Status::not_applicable) continue;
     const auto expected = [&](const ExpectedFailure& e) { return glob_match(e.case_glob, record.case_id); };
-    if (std::any_of(suite.expected_failures.begin(), suite.expected_failures.end(), expected)) continue;
+    if (std::ranges::any_of(suite.expected_failures, expected)) continue;
     failures.push_back(record.case_id);
   }
   return failures;
+}
+
+std::vector<std::optional<Record>> run_rounds(Runner& runner, const Scene& scene, std::span<const Job> jobs,
+                                              std::vector<std::optional<Record>> begun,
+                                              const Schedule& schedule, RoundObserver& observer) {
+  return SceneRounds{runner, scene, jobs, std::move(begun), schedule, observer}.run();
 }
 
 }  // namespace signorini

@@ -1,12 +1,14 @@
 #pragma once
-// A run of a whole plan: every case gets its record in the store.
+// A run of a whole plan: every case gets its record in the store, scene by scene, the rounds of timing of a
+// scene's cases interleaved.
 
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "harness/plan/plan.hpp"
-#include "harness/plan/schedule.hpp"
 #include "harness/records/record_store.hpp"
 #include "harness/records/run_folder.hpp"
 #include "harness/run/runner.hpp"
@@ -30,11 +32,27 @@ SuiteRunResult run_plan(const Plan& plan, Runner& runner, RecordStore& store, co
 /// Cases of a plan with their keys, each key once.
 std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner);
 
-/// Cases of the plan that the store does not hold, in order.
-std::vector<const Case*> missing_cases(const Plan& plan, const Runner& runner, const RecordStore& store);
-
 /// Cases that fail a run, exit code 1: neither converged nor not applicable, nor expected to fail by the
 /// suite.
 std::vector<std::string> unexpected_failures(const std::vector<Record>& records, const Suite& suite);
+
+/// Follows the cases of a scene through their rounds; `index` is that of the job.
+class RoundObserver {
+ public:
+  virtual ~RoundObserver() = default;
+  /// \param what  the case, or the round of several, for a person
+  virtual void begins(const std::string& /*what*/) {}
+  /// The record lacks rounds of timing yet.
+  virtual void round_done(std::size_t /*index*/, const Record& /*record*/) {}
+  /// The record is complete.
+  virtual void case_done(std::size_t /*index*/, const Record& /*record*/) {}
+};
+
+/// Runs every job, round by round in random order: the first round solves, measures and certifies, the later
+/// ones only time. A case that fails has no later rounds. \param begun  what an earlier, interrupted run left
+/// of each job, if anything \return the record of each job; nothing of one that an interrupt left incomplete
+std::vector<std::optional<Record>> run_rounds(Runner& runner, const Scene& scene, std::span<const Job> jobs,
+                                              std::vector<std::optional<Record>> begun,
+                                              const Schedule& schedule, RoundObserver& observer);
 
 }  // namespace signorini

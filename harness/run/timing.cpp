@@ -42,6 +42,7 @@ double time_round(const std::string& name, const std::function<double()>& timed,
                   const TimingBudget& budget) {
   if (first >= kSureFactor * budget.round_seconds) return first;
   if (first >= budget.round_seconds) {
+    // An interruption may have prolonged the first call.
     const double second = timed();
     if (second >= budget.round_seconds) return std::min(first, second);
   }
@@ -70,7 +71,7 @@ Seconds summarise(const std::vector<TimedRound>& rounds) {
     total.push_back(round.setup + round.solve);
   }
   Seconds seconds{.median = median(total),
-                  .min = *std::min_element(total.begin(), total.end()),
+                  .min = *std::ranges::min_element(total),
                   .mad = median_deviation(total),
                   .repetitions = static_cast<int>(total.size()),
                   .setup = median(setup),

@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <fstream>
-#include <stdexcept>
 
 #include "harness/build_info.hpp"
 #include "harness/judge/certificate.hpp"
 #include "harness/judge/measures.hpp"
 #include "harness/judge/waveform.hpp"
 #include "harness/plan/deadline.hpp"
-#include "harness/records/trajectory_json.hpp"
-#include "harness/run/answer_digest.hpp"
-#include "harness/run/command_failure.hpp"
+#include "harness/records/sampled_trajectory.hpp"
 #include "harness/run/timing.hpp"
 
 namespace signorini {
@@ -40,6 +38,7 @@ std::optional<long> status_bytes(const std::string& key) {
 }
 
 std::optional<long> restart_peak_memory() {
+  // 5 resets the peak VmHWM to the present size (proc(5)): the peak read later is that of this solve.
   std::ofstream("/proc/self/clear_refs") << "5";
   return status_bytes("VmRSS");
 }
@@ -142,6 +141,14 @@ void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory
   }
 }
 
+/// How many periods of a motion make the one that a scene asks for; 0 if no whole number does.
+int whole_periods(const Problem& problem, const Trajectory& motion) {
+  constexpr double kSamePeriod = 1e-6;  // relative; as the period of an answer is judged
+  const double ratio = problem.period() / motion.period();
+  const double whole = std::round(ratio);
+  return whole >= 1.0 && std::abs(ratio - whole) <= kSamePeriod * ratio ? static_cast<int>(whole) : 0;
+}
+
 }  // namespace
 
 void run_trial(const Trial& trial, Record record, const std::function<void(const Record&)>& stage_done) {
@@ -200,6 +207,20 @@ RepeatedSolve repeat_solve(const Scene& scene, const Case& planned_case, const L
       .times =
           round_from({*method, *prepared, start, setup, solve}, planned_case.id, scene.problem, limits).times,
       .answer = answer};
+}
+
+StartPoint start_point(const Case& planned_case, const Problem& problem, const Reference& reference) {
+  const std::optional<double> late = planned_case.choice.start();
+  if (!late) return {};
+  if (!reference.orbit) return {.obstacle = "no orbit to start from: " + reference.reason};
+  const int periods = whole_periods(problem, *reference.orbit);
+  if (periods == 0) {
+    return {.obstacle = fmt::format(
+                "no orbit to start from: the one reached from rest has a period of {:.6g} s, asked "
+                "for is {:.6g} s",
+                reference.orbit->period(), problem.period())};
+  }
+  return {.motion = std::make_shared<SampledTrajectory>(repeated(delayed(*reference.orbit, *late), periods))};
 }
 
 }  // namespace signorini

@@ -3,6 +3,9 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
 
 #include "harness/judge/reference.hpp"
 #include "harness/plan/plan.hpp"
@@ -45,5 +48,23 @@ struct RepeatedSolve {
 /// Does not catch what the method throws.
 RepeatedSolve repeat_solve(const Scene& scene, const Case& planned_case, const Limits& limits,
                            const std::shared_ptr<const Trajectory>& start);
+
+/// Thrown by the solve of a method that runs a command which crashed or printed no answer.
+class CommandFailure : public std::runtime_error {
+ public:
+  CommandFailure(Status record_status, const std::string& message, std::optional<int> ending_signal = {})
+      : std::runtime_error(message), status(record_status), signal(ending_signal) {}
+  Status status;
+  std::optional<int> signal;  ///< that ended the crashed process
+};
+
+struct StartPoint {
+  std::shared_ptr<const Trajectory> motion = {};  ///< null: cold, at rest
+  std::string obstacle = {};                      ///< why there is no motion though one is asked for
+};
+
+/// The reference orbit, late by the share of its period that the case asks for (MethodChoice::start) and
+/// repeated to the period of the problem; cold if the case asks for none.
+StartPoint start_point(const Case& planned_case, const Problem& problem, const Reference& reference);
 
 }  // namespace signorini

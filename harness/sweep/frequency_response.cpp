@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/records/trajectory_json.hpp"
+#include "harness/records/sampled_trajectory.hpp"
 #include "harness/run/runner.hpp"
 
 namespace signorini {
@@ -49,42 +50,21 @@ bool leads_on(const Record& record) {
   return record.status == Status::converged && record.trajectory && record.period;
 }
 
-/// One solve after another.
-class Sweep {
- public:
-  Sweep(const Scene& scene, const MethodChoice& method, const SweepLimits& limits)
-      : scene_(scene),
-        method_(method),
-        limits_(limits),
-        runner_(Limits{.timeout = limits.timeout, .repetitions = 1}) {}
+Cell number_cell(const Measure& value) {
+  return value ? Cell(fmt::format("{:.6g}", *value), *value) : Cell("-");
+}
 
-  /// Empty after an interrupt.
-  std::optional<SweepPoint> solve(double frequency, bool back) {
-    scene_.problem.frequency = frequency;
-    std::shared_ptr<const Trajectory> start;
-    if (last_) start = stretched(*last_, last_frequency_ / frequency);
-    const std::vector cases{make_case(scene_, 0, method_)};
-    const std::vector<Job> jobs = runner_.make_jobs(scene_, cases);
-    if (jobs.empty()) return std::nullopt;
-    const SolveExtras extras{
-        .start = start, .samples = kSweepInstants, .timed = false, .certified = limits_.certified};
-    const std::optional<Record> record = runner_.run(scene_, jobs.front(), extras);
-    if (!record) return std::nullopt;
-    if (leads_on(*record)) {
-      last_ = *record;
-      last_frequency_ = frequency;
-    }
-    return point_of(*record, frequency, back);
-  }
+/// The largest value over the contacts; absent without contacts.
+Measure largest(const std::vector<double>& values) {
+  return values.empty() ? Measure{} : *std::ranges::max_element(values);
+}
 
- private:
-  Scene scene_;
-  MethodChoice method_;
-  SweepLimits limits_;
-  Runner runner_;
-  std::optional<Record> last_ = {};
-  double last_frequency_ = 1.0;  // of the load behind it
-};
+std::string_view way_name(const SweepPoint& point) { return point.back ? "back" : "there"; }
+
+std::string stability_text(const SweepPoint& point) {
+  if (!point.stable) return "-";
+  return *point.stable ? "stable" : "unstable";
+}
 
 }  // namespace
 
@@ -107,22 +87,53 @@ std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoic
                                            const SweepRange& range, const SweepLimits& limits,
                                            const TakePoint& take) {
   const std::vector<double> there = sweep_frequencies(range);
-  std::vector<std::pair<double, bool>> way;
-  for (const double frequency : there) way.emplace_back(frequency, false);
-  if (range.back) {
-    for (auto frequency = there.rbegin(); frequency != there.rend(); ++frequency)
-      way.emplace_back(*frequency, true);
-  }
-  Sweep sweep(scene, method, limits);
+  std::vector<double> way = there;
+  if (range.back) way.insert(way.end(), there.rbegin(), there.rend());
+  Scene shaken = scene;
+  Runner runner(Limits{.timeout = limits.timeout, .repetitions = 1});
+  SolveExtras extras{.samples = kSweepInstants, .timed = false, .certified = limits.certified};
+  std::optional<Record> last;
+  double last_frequency = 1.0;  // of the load behind it
   std::vector<SweepPoint> points;
-  for (const auto& [frequency, back] : way) {
-    if (interrupted()) break;
-    std::optional<SweepPoint> point = sweep.solve(frequency, back);
-    if (!point) break;
-    if (take) take(*point);
-    points.push_back(std::move(*point));
+  for (const double frequency : way) {
+    shaken.problem.frequency = frequency;
+    if (last) extras.start = stretched(*last, last_frequency / frequency);
+    const std::vector cases{make_case(shaken, 0, method)};
+    const std::vector<Job> jobs = runner.make_jobs(shaken, cases);
+    const auto record = jobs.empty() ? std::nullopt : runner.run(shaken, jobs.front(), extras);
+    if (!record) break;  // interrupted
+    points.push_back(point_of(*record, frequency, points.size() >= there.size()));
+    if (take) take(points.back());
+    if (!leads_on(*record)) continue;
+    last = *record;
+    last_frequency = frequency;
   }
   return points;
+}
+
+Table response_table(const std::vector<SweepPoint>& points, bool certified) {
+  Table table;
+  table.header = {"omega [rad/s]", "way", "status", "x max [m]", "amplitude [m]", "contact ratio"};
+  if (certified) table.header.emplace_back("stability");
+  for (const SweepPoint& point : points) {
+    std::vector<Cell> row{number_cell(point.frequency),           std::string(way_name(point)),
+                          std::string(status_name(point.status)), number_cell(largest(point.x_max)),
+                          number_cell(largest(point.amplitude)),  number_cell(point.contact_ratio)};
+    if (certified) row.emplace_back(stability_text(point));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+nlohmann::ordered_json to_json(const SweepPoint& point) {
+  nlohmann::ordered_json json{
+      {"frequency", point.frequency}, {"way", way_name(point)}, {"status", status_name(point.status)}};
+  if (!point.message.empty()) json["message"] = point.message;
+  if (!point.x_max.empty()) json["x_max"] = point.x_max;
+  if (!point.amplitude.empty()) json["amplitude"] = point.amplitude;
+  if (point.contact_ratio) json["contact_ratio"] = *point.contact_ratio;
+  if (point.stable) json["stable"] = *point.stable;
+  return json;
 }
 
 }  // namespace signorini

@@ -2,11 +2,13 @@
 // A frequency response: one solve after another, each from the answer before it.
 
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <vector>
 
 #include "harness/plan/plan.hpp"
 #include "harness/records/record.hpp"
+#include "harness/table.hpp"
 
 namespace signorini {
 
@@ -48,5 +50,13 @@ using TakePoint = std::function<void(const SweepPoint& point)>;
 std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoice& method,
                                            const SweepRange& range, const SweepLimits& limits,
                                            const TakePoint& take = {});
+
+/// One row per point in the order of the solves; `certified` adds the column of stability. What is absent is
+/// "-".
+Table response_table(const std::vector<SweepPoint>& points, bool certified);
+
+/// Keys `frequency`, `way` ("there" or "back"), `status`, `message`, `x_max`, `amplitude`, `contact_ratio`,
+/// `stable`; absent where a notion is.
+nlohmann::ordered_json to_json(const SweepPoint& point);
 
 }  // namespace signorini

@@ -6,7 +6,6 @@
 
 #include "harness/records/record_store.hpp"
 #include "harness/records/shards.hpp"
-#include "harness/run/rounds.hpp"
 #include "harness/run/suite_run.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"

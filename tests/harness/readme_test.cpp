@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include "harness/compare/rerun.hpp"
 #include "harness/files.hpp"
 #include "harness/records/record_store.hpp"
+#include "harness/records/run_folder.hpp"
 #include "harness/report/formats/markdown.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "tests/support/data_folder.hpp"

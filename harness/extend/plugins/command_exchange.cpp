@@ -7,10 +7,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "harness/records/record.hpp"
+#include "harness/records/record_fields.hpp"
 #include "harness/records/record_json.hpp"
-#include "harness/records/trajectory_json.hpp"
-#include "harness/run/command_failure.hpp"
+#include "harness/records/sampled_trajectory.hpp"
+#include "harness/run/trial.hpp"
 #include "problems/scene/toml_tree.hpp"
 
 namespace signorini {
@@ -64,7 +64,7 @@ void allow_only(const Json& json) {
   constexpr std::array<std::string_view, 8> kKeys{"verdict",   "message", "period",     "residual",
                                                   "condition", "work",    "trajectory", "events"};
   for (const auto& [key, value] : json.items()) {
-    if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
+    if (std::ranges::find(kKeys, key) == kKeys.end())
       refuse(fmt::format("{} = unknown (must be one of {})", one_line(key), fmt::join(kKeys, ", ")));
   }
 }
@@ -101,7 +101,8 @@ std::vector<ContactEvent> read_events(const Json& json) {
 
 /// The motion with its events, if the command lists them.
 std::shared_ptr<const Trajectory> read_motion(const Json& json, double period) {
-  const TrajectorySamples samples = trajectory_samples_from_json(json.at("trajectory"));
+  TrajectorySamples samples;
+  read_fields(json.at("trajectory"), samples);
   require_equidistant(samples.t, period);
   const auto motion = trajectory_of(period, samples);
   if (!json.contains("events")) return motion;
@@ -121,7 +122,10 @@ Solution read_solution(const Json& json, double period) {
                                               : "the command gave no message";
   if (json.contains("residual")) solution.residual = json["residual"].get<double>();
   if (json.contains("condition")) solution.condition = json["condition"].get<double>();
-  if (json.contains("work")) solution.work = work_from_json(json["work"]).counts;
+  if (WorkDone work; json.contains("work")) {
+    read_fields(json["work"], work);
+    solution.work = work.counts;
+  }
   if (!json.contains("trajectory")) return solution;
   if (json.contains("period")) period = json["period"].get<double>();
   solution.trajectory = read_motion(json, period);
@@ -131,15 +135,17 @@ Solution read_solution(const Json& json, double period) {
 }  // namespace
 
 Json command_request(const Problem& problem, const std::vector<OptionEcho>& options) {
-  Json values = Json::object();
-  for (const OptionEcho& option : options) values[option.name] = option_to_json(option.value);
-  return {{"schema", kExchangeSchema}, {"problem", write_problem(problem)}, {"options", std::move(values)}};
+  RecordedOptions values;
+  for (const OptionEcho& option : options) values.emplace_back(option.name, option.value);
+  return {{"schema", kExchangeSchema},
+          {"problem", write_problem(problem)},
+          {"options", JsonForm<RecordedOptions>::write(values)}};
 }
 
 std::string command_input(Json request, const Start& start) {
   if (start.guess) {
     request["start"] = {{"period", start.guess->period()},
-                        {"trajectory", to_json(samples_of(*start.guess, kStartSamples))}};
+                        {"trajectory", write_fields(samples_of(*start.guess, kStartSamples))}};
   }
   if (start.deadline != std::chrono::steady_clock::time_point::max()) {
     request["seconds"] =

@@ -101,7 +101,7 @@ OptionValue read_preset(const SceneField& field) {
 CommandOption read_option(const SceneField& field) {
   field.allow_only({"name", "default", "unit", "meaning", "least", "most", "choices"}, "must be a table");
   CommandOption option{.name = field["name"].text("must be a name"),
-                       .preset = read_preset(field["default"]),
+                       .value = read_preset(field["default"]),
                        .unit = field["unit"].text("must be a unit in brackets, as [N/m], or [-]"),
                        .meaning = field["meaning"].text("must be one line of text")};
   const std::string& unit = option.unit;
@@ -111,8 +111,8 @@ CommandOption read_option(const SceneField& field) {
     field["name"].refuse("must be a name without =,|[] and blanks");
   if (option.meaning.empty()) field["meaning"].refuse("must be one line of text");
   const bool number =
-      std::holds_alternative<long>(option.preset) || std::holds_alternative<double>(option.preset);
-  const bool word = std::holds_alternative<std::string>(option.preset);
+      std::holds_alternative<long>(option.value) || std::holds_alternative<double>(option.value);
+  const bool word = std::holds_alternative<std::string>(option.value);
   if (field["least"].given()) option.least = field["least"].number("must be a finite number");
   if (field["most"].given()) option.most = field["most"].number("must be a finite number");
   if (!number && option.least) field["least"].refuse("must be left out unless the default is a number");
@@ -204,8 +204,7 @@ CommandDescription read_command_file(const fs::path& file) {
     for (const SceneField& item : root["option"].items("must be tables [[option]]")) {
       CommandOption option = read_option(item);
       const auto same = [&](const CommandOption& known) { return known.name == option.name; };
-      if (std::any_of(description.options.begin(), description.options.end(), same))
-        item["name"].refuse("must be declared once");
+      if (std::ranges::any_of(description.options, same)) item["name"].refuse("must be declared once");
       description.options.push_back(std::move(option));
     }
   }

@@ -10,10 +10,10 @@
 
 namespace signorini {
 
-/// An option as the description declares it; the type of `preset` is that of every value.
+/// An option as the description declares it, with its default or another value of the same type.
 struct CommandOption {
   std::string name = {};
-  OptionValue preset = {};  ///< bool, long, double or string
+  OptionValue value = {};  ///< bool, long, double or string
   std::string unit = {};
   std::string meaning = {};
   std::optional<double> least = {}, most = {};  ///< of numbers

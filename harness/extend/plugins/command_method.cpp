@@ -2,15 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "harness/extend/plugins/command_exchange.hpp"
+#include "harness/extend/plugins/command_file.hpp"
 #include "harness/extend/plugins/command_process.hpp"
 #include "harness/failure.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/plan/selection.hpp"
-#include "harness/run/command_failure.hpp"
+#include "harness/run/trial.hpp"
 #include "problems/scene/toml_tree.hpp"
 
 namespace signorini {
@@ -27,16 +29,16 @@ void require_range(const CommandOption& option, const std::string& text) {
   throw InvalidOption(option_detail::refuse(option.name, text, required));
 }
 
-/// A value as text, of the type that the default has. \throws InvalidOption
+/// A value as text, of the type that the option has. \throws InvalidOption
 OptionValue parse_value(const CommandOption& option, const std::string& text) {
-  if (std::holds_alternative<bool>(option.preset)) return option_detail::parse_bool(option.name, text);
-  if (std::holds_alternative<std::string>(option.preset)) {
+  if (std::holds_alternative<bool>(option.value)) return option_detail::parse_bool(option.name, text);
+  if (std::holds_alternative<std::string>(option.value)) {
     const std::vector<std::string_view> choices(option.choices.begin(), option.choices.end());
     if (!choices.empty()) static_cast<void>(option_detail::parse_name(option.name, text, choices));
     return text;
   }
   require_range(option, text);
-  if (std::holds_alternative<long>(option.preset)) return option_detail::parse_integer(option.name, text);
+  if (std::holds_alternative<long>(option.value)) return option_detail::parse_integer(option.name, text);
   return option_detail::parse_double(option.name, text);
 }
 
@@ -63,53 +65,57 @@ class PreparedCommand final : public PreparedMethod {
   nlohmann::ordered_json request_;
 };
 
-}  // namespace
-
-CommandMethod::CommandMethod(CommandDescription description, std::span<const OptionSetting> settings)
-    : description_(std::move(description)) {
-  std::string names;
-  for (const CommandOption& option : description_.options) {
-    values_.push_back(option.preset);
-    names += (names.empty() ? "" : ", ") + option.name;
-  }
-  for (const auto& [key, text] : settings) {
-    bool known = false;
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      if (description_.options[i].name != key) continue;
-      values_[i] = parse_value(description_.options[i], text);
-      known = true;
+/// Runs the command once for each solve, in a process group of its own that is killed at the deadline. What
+/// the process costs to start is part of its time. docs/plugins.md states what it reads and prints.
+class CommandMethod final : public Method {
+ public:
+  /// \throws InvalidOption
+  CommandMethod(CommandDescription description, std::span<const OptionSetting> settings)
+      : description_(std::move(description)) {
+    std::vector<CommandOption>& options = description_.options;
+    for (const auto& [key, text] : settings) {
+      const auto option = std::ranges::find(options, key, &CommandOption::name);
+      if (option == options.end()) {
+        std::string names;
+        for (const CommandOption& known : options) names += (names.empty() ? "" : ", ") + known.name;
+        throw InvalidOption(option_detail::refuse(key, text, "unknown option; known: " + names));
+      }
+      option->value = parse_value(*option, text);
     }
-    if (!known) throw InvalidOption(option_detail::refuse(key, text, "unknown option; known: " + names));
   }
-}
 
-std::vector<OptionEcho> CommandMethod::options() const {
-  std::vector<OptionEcho> echo;
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    const CommandOption& option = description_.options[i];
-    echo.push_back({option.name, values_[i], option.unit, option.meaning});
+  [[nodiscard]] std::vector<OptionEcho> options() const override {
+    std::vector<OptionEcho> echo;
+    for (const CommandOption& option : description_.options)
+      echo.push_back({option.name, option.value, option.unit, option.meaning});
+    return echo;
   }
-  return echo;
-}
 
-Support CommandMethod::supports(const Problem& problem) const {
-  if (!description_.represents.on(problem.law))
-    return {false, "its description names no law for this scene's"};
-  const auto exceeds = [](int count, const std::optional<int>& most) { return most && count > *most; };
-  if (exceeds(problem.size(), description_.most_coordinates))
-    return {false, fmt::format("more than {} coordinates", *description_.most_coordinates)};
-  if (exceeds(problem.contact_count(), description_.most_contacts))
-    return {false, fmt::format("more than {} contacts", *description_.most_contacts)};
-  return {};
-}
+  [[nodiscard]] Support supports(const Problem& problem) const override {
+    if (!description_.represents.on(problem.law))
+      return {false, "its description names no law for this scene's"};
+    const auto exceeds = [](int count, const std::optional<int>& most) { return most && count > *most; };
+    if (exceeds(problem.size(), description_.most_coordinates))
+      return {false, fmt::format("more than {} coordinates", *description_.most_coordinates)};
+    if (exceeds(problem.contact_count(), description_.most_contacts))
+      return {false, fmt::format("more than {} contacts", *description_.most_contacts)};
+    return {};
+  }
 
-RepresentedLaw CommandMethod::law(const Problem& problem) const {
-  return description_.represents.on(problem.law).value_or(Undetermined{});
-}
+  [[nodiscard]] RepresentedLaw law(const Problem& problem) const override {
+    return description_.represents.on(problem.law).value_or(Undetermined{});
+  }
 
-std::unique_ptr<PreparedMethod> CommandMethod::prepare(const Problem& problem) const {
-  return std::make_unique<PreparedCommand>(description_.words, problem, options());
-}
+  /// `solve` throws CommandFailure where the command crashes or prints no answer.
+  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override {
+    return std::make_unique<PreparedCommand>(description_.words, problem, options());
+  }
+
+ private:
+  CommandDescription description_;  ///< its options with the values that are set
+};
+
+}  // namespace
 
 MethodEntry load_command_method(const std::filesystem::path& file) {
   const CommandDescription description = read_command_file(file);
@@ -124,8 +130,8 @@ MethodEntry load_command_method(const std::filesystem::path& file) {
                     .plugin = description.sha256};
   try {
     for (const CommandOption& option : description.options) {
-      const std::string preset = print_option(option.preset);
-      static_cast<void>(entry.make(Settings{{option.name, preset}}));
+      const std::string text = print_option(option.value);
+      static_cast<void>(entry.make(Settings{{option.name, text}}));
     }
     for (const Settings& settings : ladder_of(entry)) static_cast<void>(entry.make(settings));
   } catch (const std::runtime_error& error) {  // UsageError: a ladder that cannot be read

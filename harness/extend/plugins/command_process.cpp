@@ -90,6 +90,7 @@ class RunningCommand {
  private:
   /// Until something can be read or written, the command has ended, or the deadline has passed.
   void wait(Deadline deadline) {
+    // Without a descriptor for its end, only looking often tells that the command has ended.
     const auto look = std::chrono::milliseconds(process_.end_descriptor() >= 0 ? 1000 : 5);
     std::array<pollfd, 4> places{{{.fd = in_.write.number(), .events = POLLOUT, .revents = 0},
                                   {.fd = out_.read.number(), .events = POLLIN, .revents = 0},

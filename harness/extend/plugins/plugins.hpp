@@ -1,5 +1,5 @@
 #pragma once
-// Methods from outside the tree, added to the catalogue.
+// Methods from outside the tree, from shared objects and commands, added to the catalogue.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@ namespace signorini {
 /// Adds to the catalogue the methods of every *.so and *.toml in the folders that $SIGNORINI_PLUGIN_PATH
 /// names, separated by colons, then those of `files`. A file met twice is loaded once. To be called before
 /// the catalogue is used, by a process without other threads. \throws UsageError or SceneError, one line, for
-/// what cannot be read, loaded or told apart by name
+/// what cannot be read or loaded, was built otherwise than this program, or cannot be told apart by name
 void load_plugins(const std::vector<std::string>& files);
 
 }  // namespace signorini

@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <system_error>
 
-#include "harness/extend/scaffold/names.hpp"
 #include "harness/extend/scaffold/source_tree.hpp"
-#include "harness/extend/scaffold/templates.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "methods/catalogue.hpp"
+#include "problems/scene/kebab_case.hpp"
 
 namespace signorini {
 
@@ -32,15 +32,10 @@ void require_nothing_at(std::string_view name, const fs::path& path) {
   if (fs::exists(path)) refuse_name(name, fmt::format("must be new: {} is there already", path.string()));
 }
 
-Places places_of(const Spellings& spellings, const std::string& include) {
-  return {{"name", spellings.name}, {"folder", spellings.folder}, {"Class", spellings.type},
-          {"include", include},     {"plugin_include", ""},       {"plugin_entry", ""}};
-}
-
-void set(Places& places, const std::string& place, const std::string& text) {
-  for (auto& [name, value] : places) {
-    if (name == place) value = text;
-  }
+Places places_of(const Spellings& spellings, const std::string& include, const std::string& plugin_include,
+                 const std::string& plugin_entry) {
+  return {{"name", spellings.name}, {"folder", spellings.folder},       {"Class", spellings.type},
+          {"include", include},     {"plugin_include", plugin_include}, {"plugin_entry", plugin_entry}};
 }
 
 /// Makes a folder and those above it that are missing; `made` gets those that were.
@@ -50,6 +45,10 @@ void make_folders(const fs::path& folder, std::vector<fs::path>& made) {
   fs::create_directory(folder);
   made.push_back(folder);
 }
+
+constexpr std::size_t kLongest = 60;
+
+bool is_small(char letter) { return letter >= 'a' && letter <= 'z'; }
 
 }  // namespace
 
@@ -63,7 +62,7 @@ Scaffold method_in_tree(std::string_view name, const fs::path& tree) {
   if (const auto header = header_declaring(tree, spellings.type))
     refuse_name(name, fmt::format("must give a class name that is free: {} declares {}", header->string(),
                                   spellings.type));
-  const Places places = places_of(spellings, fmt::format("methods/{0}/{0}.hpp", spellings.folder));
+  const Places places = places_of(spellings, fmt::format("methods/{0}/{0}.hpp", spellings.folder), "", "");
   Scaffold scaffold;
   for (const auto& [file, text] : {std::pair{folder / (spellings.folder + ".hpp"), kMethodHeaderTemplate},
                                    std::pair{folder / (spellings.folder + ".cpp"), kMethodSourceTemplate},
@@ -72,7 +71,8 @@ Scaffold method_in_tree(std::string_view name, const fs::path& tree) {
                                    std::pair{tests / (spellings.folder + "_test.cpp"), kMethodTestTemplate},
                                    std::pair{tests / "CMakeLists.txt", kMethodTestBuildTemplate}})
     scaffold.fresh.push_back({.path = file, .text = filled(text, places)});
-  scaffold.changed.push_back({.path = catalogue, .text = with_entry(read_file(catalogue), spellings)});
+  scaffold.changed.push_back(
+      {.path = catalogue, .text = with_entry(read_file(catalogue), spellings.folder, spellings.type)});
   scaffold.next = {
       fmt::format("cmake --build build/release --target signorini test_method_{}", spellings.folder),
       fmt::format("ctest --test-dir build/release -R {}", spellings.type),
@@ -85,9 +85,9 @@ Scaffold method_out_of_tree(std::string_view name, const fs::path& parent) {
   require_no_such_method(name);
   const fs::path folder = parent / spellings.name;
   require_nothing_at(name, folder);
-  Places places = places_of(spellings, spellings.folder + ".hpp");
-  set(places, "plugin_include", "#include \"methods/plugin/plugin.hpp\"\n");
-  set(places, "plugin_entry", fmt::format("\nSIGNORINI_PLUGIN(signorini::{})\n", spellings.type));
+  const Places places =
+      places_of(spellings, spellings.folder + ".hpp", "#include \"methods/plugin/plugin.hpp\"\n",
+                fmt::format("\nSIGNORINI_PLUGIN(signorini::{})\n", spellings.type));
   Scaffold scaffold;
   for (const auto& [file, text] : {std::pair{spellings.folder + ".hpp", kMethodHeaderTemplate},
                                    std::pair{spellings.folder + ".cpp", kMethodSourceTemplate},
@@ -134,6 +134,41 @@ void write_scaffold(const Scaffold& scaffold) {
     for (auto path = made.rbegin(); path != made.rend(); ++path) fs::remove(*path, ignored);
     throw;
   }
+}
+
+std::string filled(std::string_view text, const Places& places) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t open = text.find("{{");
+    result += text.substr(0, open);
+    if (open == std::string_view::npos) break;
+    const std::size_t close = text.find("}}", open);
+    const std::string_view name = text.substr(open + 2, close - open - 2);
+    const auto place = std::ranges::find_if(places, [&](const auto& one) { return one.first == name; });
+    assert(place != places.end());
+    result += place->second;
+    text.remove_prefix(close + 2);
+  }
+  while (result.ends_with("\n\n")) result.pop_back();
+  return result;
+}
+
+Spellings spellings_of(std::string_view name) {
+  if (!is_lower_kebab_case(name) || name.size() > kLongest || !is_small(name.front())) {
+    throw UsageError(
+        fmt::format("name = {} (must be lower-kebab-case such as my-method, beginning with a letter, at most "
+                    "{} characters)",
+                    name, kLongest));
+  }
+  Spellings spellings{.name = std::string(name), .folder = std::string(name), .type = {}};
+  std::ranges::replace(spellings.folder, '-', '_');
+  bool begins = true;
+  for (const char letter : name) {
+    if (letter != '-')
+      spellings.type += begins && is_small(letter) ? static_cast<char>(letter - 'a' + 'A') : letter;
+    begins = letter == '-';
+  }
+  return spellings;
 }
 
 }  // namespace signorini

@@ -1,9 +1,11 @@
 #pragma once
-// The files that `signorini new` writes, all of them known before the first is written.
+// The files that `signorini new` writes, all of them known before the first is written: templates whose
+// places are filled with the spellings of a name.
 
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace signorini {
@@ -38,5 +40,34 @@ Scaffold scene_out_of_tree(std::string_view name, const std::filesystem::path& f
 /// Writes the files, or none of them: removes those written if one cannot be. \throws
 /// std::filesystem::filesystem_error
 void write_scaffold(const Scaffold& scaffold);
+
+// The files below templates/.
+extern const std::string_view kMethodHeaderTemplate;
+extern const std::string_view kMethodSourceTemplate;
+extern const std::string_view kMethodTestTemplate;
+extern const std::string_view kMethodTestBuildTemplate;
+extern const std::string_view kMethodBuildTemplate;
+extern const std::string_view kMethodPageTemplate;
+extern const std::string_view kPluginBuildTemplate;
+extern const std::string_view kPluginPageTemplate;
+extern const std::string_view kSceneTemplate;
+
+/// The text for each `{{place}}`.
+using Places = std::vector<std::pair<std::string, std::string>>;
+
+/// The template with every `{{place}}` filled and one line break at its end. Precondition: each place has a
+/// value.
+std::string filled(std::string_view text, const Places& places);
+
+/// "my-method", the name; "my_method", its folder and files; "MyMethod", its class.
+struct Spellings {
+  std::string name = {};
+  std::string folder = {};
+  std::string type = {};
+};
+
+/// \throws UsageError unless the name is in lower-kebab-case, begins with a letter and has at most 60
+/// characters
+Spellings spellings_of(std::string_view name);
 
 }  // namespace signorini

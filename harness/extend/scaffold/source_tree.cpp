@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cctype>
+#include <regex>
 #include <sstream>
 
 #include "harness/failure.hpp"
@@ -15,21 +13,6 @@ namespace signorini {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool continues_name(char letter) {
-  return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
-}
-
-bool declares(const std::string& text, const std::string& type) {
-  for (const char* keyword : {"class ", "struct ", "using "}) {
-    const std::string words = keyword + type;
-    for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
-      const std::size_t end = at + words.size();
-      if (end == text.size() || !continues_name(text[end])) return true;
-    }
-  }
-  return false;
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -70,19 +53,20 @@ std::optional<fs::path> find_tree(const fs::path& folder) {
 }
 
 std::optional<fs::path> header_declaring(const fs::path& tree, const std::string& type) {
+  const std::regex declaration("\\b(class|struct|using) " + type + "\\b");
   for (const char* part : {"problems", "methods", "harness"}) {
     if (!fs::is_directory(tree / part)) continue;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tree / part)) {
-      if (entry.path().extension() == ".hpp" && declares(read_file(entry.path()), type))
+      if (entry.path().extension() == ".hpp" && std::regex_search(read_file(entry.path()), declaration))
         return fs::relative(entry.path(), tree);
     }
   }
   return std::nullopt;
 }
 
-std::string with_entry(const std::string& catalogue, const Spellings& method) {
+std::string with_entry(const std::string& catalogue, const std::string& folder, const std::string& type) {
   std::vector<std::string> lines = lines_of(catalogue);
-  const std::string include = fmt::format("#include \"methods/{0}/{0}.hpp\"", method.folder);
+  const std::string include = fmt::format("#include \"methods/{0}/{0}.hpp\"", folder);
   const Line entry_place = place_of_entry(lines);
   if (entry_place == lines.end())
     throw UsageError(
@@ -90,7 +74,7 @@ std::string with_entry(const std::string& catalogue, const Spellings& method) {
   // The entry first: it stands below the include, whose place stays the same.
   const std::string& neighbour = *(entry_place - 1);
   const std::string indent = neighbour.substr(0, neighbour.find_first_not_of(' '));
-  lines.insert(entry_place, fmt::format("{}method_entry<{}>(),", indent, method.type));
+  lines.insert(entry_place, fmt::format("{}method_entry<{}>(),", indent, type));
   lines.insert(place_of_include(lines, include), include);
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }

@@ -4,9 +4,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
-
-#include "harness/extend/scaffold/names.hpp"
 
 namespace signorini {
 
@@ -17,8 +14,9 @@ std::optional<std::filesystem::path> find_tree(const std::filesystem::path& fold
 std::optional<std::filesystem::path> header_declaring(const std::filesystem::path& tree,
                                                       const std::string& type);
 
-/// The text of methods/catalogue.cpp with the include, in its alphabetical place, and the entry, at the end
-/// of the list: two lines more. \throws UsageError if it has no list of entries
-std::string with_entry(const std::string& catalogue, const Spellings& method);
+/// The text of methods/catalogue.cpp with a method's class `type` in methods/`folder`: the include, in its
+/// alphabetical place, and the entry, at the end of the list: two lines more. \throws UsageError if it has no
+/// list of entries
+std::string with_entry(const std::string& catalogue, const std::string& folder, const std::string& type);
 
 }  // namespace signorini

@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include "harness/plan/baseline.hpp"
+#include "harness/plan/case_name.hpp"
 #include "harness/report/document/cells.hpp"
 #include "harness/statistics.hpp"
 

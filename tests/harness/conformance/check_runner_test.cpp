@@ -7,7 +7,7 @@
 #include <ostream>
 #include <set>
 
-#include "harness/conformance/review.hpp"
+#include "harness/conformance/check_result.hpp"
 #include "harness/failure.hpp"
 #include "tests/harness/conformance/flawed_method.hpp"
 

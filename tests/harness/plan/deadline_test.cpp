@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace signorini {
+
 namespace {
 
 TEST(DeadlineAfter, LiesThatManySecondsAhead) {
@@ -13,5 +14,13 @@ TEST(DeadlineAfter, LiesThatManySecondsAhead) {
   EXPECT_LE(deadline - after, std::chrono::milliseconds(2500));
 }
 
+TEST(EnforcedLimit, LeavesAMethodTimeToEndByItself) {
+  for (const double seconds : {0.001, 1.0, 30.0, 3600.0}) {
+    EXPECT_GE(enforced(seconds), seconds + 0.2);
+    EXPECT_LE(enforced(seconds), 1.1 * seconds + 0.5);
+  }
+}
+
 }  // namespace
+
 }  // namespace signorini

@@ -1,5 +1,4 @@
 // Frequency responses against the closed form of a linear oscillator, and up and down over a fold.
-
 #include "harness/sweep/frequency_response.hpp"
 
 #include <gtest/gtest.h>
@@ -13,6 +12,7 @@
 #include "tests/harness/program.hpp"
 
 namespace signorini {
+
 namespace {
 
 double receptance(double w) { return std::abs(1.0 / std::complex<double>(1.0 - w * w, 0.1 * w)); }
@@ -88,5 +88,18 @@ TEST(CommandSweep, PrintsATableCsvOrJsonAndExitsOneWhereAPointFails) {
   EXPECT_NE(failing.out.find("not-converged"), std::string::npos) << failing.out;
 }
 
+TEST(ResponseTable, HasARowPerPointAndTheColumnOfStabilityIfAskedFor) {
+  const std::vector<SweepPoint> points{{.frequency = 1.5, .status = Status::converged, .x_max = {0.1, 0.2}},
+                                       {.frequency = 1.0, .back = true, .status = Status::timeout}};
+  const Table table = response_table(points, true);
+  EXPECT_EQ(table.header.size(), 7U);
+  EXPECT_EQ(response_table(points, false).header.size(), 6U);
+  EXPECT_EQ(to_csv(response_table(points, false)),
+            "omega [rad/s],way,status,x max [m],amplitude [m],contact ratio\n"
+            "1.5,there,converged,0.2,-,-\n1,back,timeout,-,-,-\n");
+  EXPECT_EQ(to_json(points[1]).dump(), R"({"frequency":1.0,"way":"back","status":"timeout"})");
+}
+
 }  // namespace
+
 }  // namespace signorini

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "harness/run/command_failure.hpp"
+#include "harness/run/trial.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini {

@@ -58,10 +58,10 @@ TEST(ReadCommandFile, TakesEveryKey) {
   EXPECT_EQ(description.most_contacts, 3);
   EXPECT_FALSE(description.most_coordinates.has_value());
   ASSERT_EQ(description.options.size(), 2U);
-  EXPECT_EQ(std::get<long>(description.options[0].preset), 1);
+  EXPECT_EQ(std::get<long>(description.options[0].value), 1);
   EXPECT_EQ(description.options[0].least, 1.0);
   EXPECT_EQ(description.options[0].most, 3.0);
-  EXPECT_EQ(std::get<std::string>(description.options[1].preset), "a");
+  EXPECT_EQ(std::get<std::string>(description.options[1].value), "a");
   EXPECT_EQ(description.options[1].choices, (std::vector<std::string>{"a", "b"}));
 }
 

@@ -1,5 +1,4 @@
 // What `signorini new` writes, and what it refuses to write over.
-
 #include "harness/extend/scaffold/scaffold.hpp"
 
 #include <gtest/gtest.h>
@@ -15,6 +14,7 @@
 #include "tests/harness/program.hpp"
 
 namespace signorini {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -172,5 +172,33 @@ TEST(CommandNew, MakesASceneThatIsShownAndSolved) {
   EXPECT_EQ(test::run_program("solve ./my-scene.toml --method exact-orbit", folder.string()).code, 0);
 }
 
+TEST(Filled, ReplacesEveryPlaceAndEndsWithOneLineBreak) {
+  const Places places{{"name", "my-method"}, {"Class", "MyMethod"}, {"entry", ""}};
+  EXPECT_EQ(filled("{{name}}: {{Class}}, {{name}}\n{{entry}}\n", places), "my-method: MyMethod, my-method\n");
+  EXPECT_EQ(filled("nothing to fill\n", places), "nothing to fill\n");
+}
+
+TEST(Filled, LeavesSingleBracesAlone) {
+  EXPECT_EQ(filled("struct {{Class}} { int i{}; };\n", {{"Class", "A"}}), "struct A { int i{}; };\n");
+}
+
+TEST(Spellings, OfANameAreItsFolderAndItsClass) {
+  const Spellings spellings = spellings_of("my-2nd-method");
+  EXPECT_EQ(spellings.folder, "my_2nd_method");
+  EXPECT_EQ(spellings.type, "My2ndMethod");
+}
+
+TEST(Spellings, RefuseWhatIsNoKebabCase) {
+  for (const char* name : {"", "-a", "a-", "a--b", "A", "a_b", "2a", "a b", "a/b", "..", "é"})
+    EXPECT_NE(refusal([&] { (void)spellings_of(name); }).find("must be lower-kebab-case"), std::string::npos)
+        << name;
+  EXPECT_NE(refusal([] { (void)spellings_of(std::string(61, 'a')); }).find("at most 60"), std::string::npos);
+}
+
+TEST(Spellings, TakeTheLongestName) {
+  EXPECT_EQ(refusal([] { (void)spellings_of(std::string(60, 'a')); }), "accepted");
+}
+
 }  // namespace
+
 }  // namespace signorini

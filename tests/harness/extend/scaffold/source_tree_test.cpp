@@ -21,7 +21,7 @@ constexpr const char* kCatalogue =
     "  };\n";
 
 TEST(WithEntry, AddsTwoLinesInTheirPlaces) {
-  EXPECT_EQ(with_entry(kCatalogue, spellings_of("my-method")),
+  EXPECT_EQ(with_entry(kCatalogue, "my_method", "MyMethod"),
             "#include \"methods/catalogue.hpp\"\n\n"
             "#include \"methods/aft_hbm/aft_hbm.hpp\"\n"
             "#include \"methods/my_method/my_method.hpp\"\n"
@@ -30,12 +30,12 @@ TEST(WithEntry, AddsTwoLinesInTheirPlaces) {
             "      method_entry<PenaltyHbm>(),\n"
             "      method_entry<MyMethod>(),\n"
             "  };\n");
-  const std::string last = with_entry(kCatalogue, spellings_of("zz"));
+  const std::string last = with_entry(kCatalogue, "zz", "Zz");
   EXPECT_NE(last.find("penalty_hbm.hpp\"\n#include \"methods/zz/zz.hpp\"\n\n"), std::string::npos) << last;
 }
 
 TEST(WithEntry, RefusesACatalogueWithoutAList) {
-  EXPECT_THROW(static_cast<void>(with_entry("int main() {}\n", spellings_of("my-method"))), UsageError);
+  EXPECT_THROW(static_cast<void>(with_entry("int main() {}\n", "my_method", "MyMethod")), UsageError);
 }
 
 TEST(FindTree, IsTheNearestFolderAboveThatHoldsTheList) {
