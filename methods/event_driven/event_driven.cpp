@@ -44,10 +44,8 @@ EventDriven::EventDriven(const Options& options) : options_(options) {
 }
 
 Support EventDriven::supports(const Problem& problem) const {
-  if (const std::string obstacle = flow_obstacle(problem); !obstacle.empty()) {
-    return {.ok = false, .reason = obstacle};
-  }
-  return {};
+  const std::string obstacle = flow_obstacle(problem);
+  return {.ok = obstacle.empty(), .reason = obstacle};
 }
 
 RepresentedLaw EventDriven::law(const Problem& problem) const { return as_represented(problem.law); }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -15,7 +16,7 @@
 #include "methods/harmonic_balance/lcp_grid_solver.hpp"
 #include "methods/harmonic_balance/strategy.hpp"
 #include "methods/hat_functions/hat_contact.hpp"
-#include "methods/linear_flow/linear_flows.hpp"
+#include "methods/linear_flow/linear_flow.hpp"
 #include "methods/orbit/exact_orbit.hpp"
 #include "methods/structure/condensation.hpp"
 
@@ -23,146 +24,143 @@ namespace signorini {
 
 namespace {
 
-bool conservative(const Problem& problem) {
-  const auto* law = std::get_if<Restitution>(&problem.law);
-  return law == nullptr || law->e == 1.0;
-}
-
-/// One attempt of the search: where the motion comes from whose orbit is looked for.
+// One attempt of the search: a name for messages, and the motion whose orbit is looked for.
 struct Attempt {
-  enum class Source {
-    grid,     ///< pivoting on `samples` nodes, with the covering vector number `cover`
-    fourier,  ///< the projected Fourier equations
-    flow,     ///< shooting and marching from the first motion found
-  };
-  Source source = Source::grid;
-  int samples = 0;
-  int cover = 0;  ///< 0: the constant one
-
-  [[nodiscard]] std::string name() const {
-    if (source == Source::fourier) return "Fourier";
-    if (source == Source::flow) return "shooting and marching";
-    return cover == 0 ? fmt::format("N = {}", samples) : fmt::format("N = {}, cover {}", samples, cover);
-  }
+  std::string name;
+  std::function<Solution()> motion;
 };
 
 class PreparedExactOrbit final : public PreparedMethod {
  public:
   PreparedExactOrbit(const Problem& problem, const ExactOrbitMethod::Options& options)
-      : problem_(problem), options_(options), coarse_(grid({.samples = options.samples})) {}
+      : problem_(problem), options_(options), coarse_(grid(options.samples, 0)) {}
 
   Solution solve(const Start& start) override {
-    tried_.clear();
-    best_.reset();
-    first_.reset();
-    name_.clear();
-    work_ = {};
+    progress_ = {};
     try {
-      finder_.emplace(problem_);  // anew: the flows that it keeps are part of every cold solve
+      progress_.finder.emplace(problem_);  // anew: the flows that it keeps are part of every cold solve
       search(start);
     } catch (const std::exception& error) {  // a coarse grid that cannot be factorised
-      tried_.emplace_back(error.what());
+      progress_.tried.emplace_back(error.what());
     }
     return finish();
   }
 
  private:
-  // The algorithm: a motion from each source in turn, until one leads to an orbit. The first attempt, which
-  // is enough nearly always, is not part of the list, and needs none to be made.
+  // What one solve has come to.
+  struct Progress {
+    std::optional<OrbitFinder> finder = {};
+    std::vector<std::string> tried = {};                // attempts that failed, and why
+    std::optional<OrbitSearch> best = {};               // the orbit, or what came nearest to one
+    std::string name = {};                              // of the attempt that led there
+    std::shared_ptr<const Trajectory> first = nullptr;  // motion found
+    Work work = {};
+  };
+
+  // The algorithm: a motion from each source in turn, until one leads to an orbit; then the flow itself, from
+  // the first motion found. The first attempt is enough nearly always; its grid is prepared once.
   void search(const Start& start) {
-    if (start.guess && polish(*start.guess, "the guess", start)) return;
-    if (attempt({.samples = options_.samples}, start)) return;
-    for (const Attempt& next : further_attempts()) {
+    const Start cold{.guess = {}, .deadline = start.deadline};
+    if (start.guess && polish(*start.guess, "the guess", search_options(start))) return;
+    if (attempt({grid_name(options_.samples, 0), [&] { return coarse_->solve(cold); }}, start)) return;
+    for (const Attempt& next : further_attempts(cold)) {
       if (attempt(next, start)) return;
     }
+    if (!progress_.first) return;
+    SearchOptions last = search_options(start);
+    last.rounds = 1;
+    last.shootings = 40;
+    last.marched = options_.marching;
+    polish(*progress_.first, "shooting and marching", last);
   }
 
   // Other paths of pivots on the coarse grid, then finer grids, each with its paths but for the last; other
-  // equations; the flow itself.
-  [[nodiscard]] std::vector<Attempt> further_attempts() const {
+  // equations.
+  [[nodiscard]] std::vector<Attempt> further_attempts(const Start& cold) const {
     std::vector<Attempt> attempts;
+    const auto add_grid = [&](int samples, int cover) {
+      attempts.push_back({grid_name(samples, cover),
+                          [this, &cold, samples, cover] { return grid(samples, cover)->solve(cold); }});
+    };
     int samples = options_.samples;
     for (int level = 0; level <= options_.refinements; ++level, samples *= 4) {
-      if (level > 0) attempts.push_back({.samples = samples});
+      if (level > 0) add_grid(samples, 0);
       if (level > 0 && level == options_.refinements) break;
-      for (int cover = 1; cover <= options_.restarts; ++cover)
-        attempts.push_back({.samples = samples, .cover = cover});
+      for (int cover = 1; cover <= options_.restarts; ++cover) add_grid(samples, cover);
     }
-    if (conservative(problem_)) attempts.push_back({.source = Attempt::Source::fourier});
-    attempts.push_back({.source = Attempt::Source::flow});
+    const auto* law = std::get_if<Restitution>(&problem_.law);  // the series know no other restitution than 1
+    if (law == nullptr || law->e == 1.0)
+      attempts.push_back({"Fourier", [this, &cold] { return projected(cold); }});
     return attempts;
   }
 
   // True if the search has come to its end: an orbit is found, or the time is up.
   bool attempt(const Attempt& next, const Start& start) {
-    if (next.source == Attempt::Source::flow) return shoot_and_march(next, start);
-    const Solution motion = next.source == Attempt::Source::fourier ? projected(start)
-                            : next.samples == options_.samples && next.cover == 0
-                                ? coarse_->solve(cold(start))
-                                : grid(next)->solve(cold(start));
-    work_.pivots = work_.pivots.value_or(0) + motion.work.pivots.value_or(0);
+    const Solution motion = next.motion();
+    progress_.work.pivots = progress_.work.pivots.value_or(0) + motion.work.pivots.value_or(0);
     if (!motion.trajectory) {
-      tried_.push_back(next.name() + ": " + motion.message);
+      progress_.tried.push_back(next.name + ": " + motion.message);
       return false;
     }
-    if (!first_) first_ = motion.trajectory;
-    return polish(*motion.trajectory, next.name(), start);
+    if (!progress_.first) progress_.first = motion.trajectory;
+    return polish(*motion.trajectory, next.name, search_options(start));
   }
 
-  bool polish(const Trajectory& motion, const std::string& name, const Start& start) {
-    if (start.expired()) {
-      tried_.emplace_back("the time budget is spent");
+  bool polish(const Trajectory& motion, const std::string& name, const SearchOptions& options) {
+    if (options.expired()) {
+      progress_.tried.emplace_back("the time budget is spent");
       return true;
     }
-    return record(finder_->find(motion, settings(start)), name);
+    OrbitSearch found = progress_.finder->find(motion, options);
+    progress_.work.iterations = progress_.work.iterations.value_or(0) + found.iterations;
+    const bool done = found.orbit.certified();
+    if (!done) {
+      progress_.tried.push_back(
+          fmt::format("{}: {}, {}", name, describe(found.orbit.outcome), found.orbit.reason));
+    }
+    std::optional<OrbitSearch>& best = progress_.best;
+    if (done || !best || (found.orbit.trajectory && !best->orbit.trajectory)) {
+      best = std::move(found);
+      progress_.name = name;
+    }
+    return done;
   }
 
-  // The coarse problem on N nodes.
-  [[nodiscard]] std::unique_ptr<PreparedMethod> grid(const Attempt& of) const {
+  static std::string grid_name(int samples, int cover) {
+    return cover == 0 ? fmt::format("N = {}", samples) : fmt::format("N = {}, cover {}", samples, cover);
+  }
+
+  // The coarse problem on N nodes, with the covering vector of that number: the constant one is 0.
+  [[nodiscard]] std::unique_ptr<PreparedMethod> grid(int samples, int cover) const {
     constexpr double kWave = 0.3;  // strong enough for another path
-    HatSettings settings{.samples = of.samples};
-    if (of.cover > 0) {
+    HatSettings settings{.samples = samples};
+    if (cover > 0) {
       settings.solver = ComplementaritySolver::pivoting;
       settings.cover_amplitude = kWave;
-      settings.cover_phase = 2.0 * std::numbers::pi * of.cover / (options_.restarts + 1);
+      settings.cover_phase = 2.0 * std::numbers::pi * cover / (options_.restarts + 1);
     }
     std::optional<double> restitution;
     if (const auto* law = std::get_if<Restitution>(&problem_.law)) restitution = law->e;
     return hat_contact(problem_, settings, restitution);
   }
 
-  static Start cold(const Start& start) { return {.guess = {}, .deadline = start.deadline}; }
-
-  bool shoot_and_march(const Attempt& last, const Start& start) {
-    if (!first_) return false;
-    SearchOptions options = settings(start);
-    options.rounds = 1;
-    options.shootings = 40;
-    options.marched = options_.marching;
-    return record(finder_->find(*first_, options), last.name());
-  }
-
   // The projected Fourier equations; a structure that they cannot reduce is a failed attempt, not the end.
-  Solution projected(const Start& start) const {
-    try {
-      return projected_solve(start);
-    } catch (const std::runtime_error& error) {
-      return {.message = error.what()};
-    }
-  }
-
-  Solution projected_solve(const Start& start) const {
+  [[nodiscard]] Solution projected(const Start& cold) const {
     const int harmonics = std::max(options_.samples / 4, load_bandwidth(problem_));
     const bool spring = std::holds_alternative<Penalty>(problem_.law);
     const auto law = [this, spring](const ContactReceptance& receptance) {
       return spring ? penalty_law(problem_, {}, receptance) : lipschitz_law(problem_, {}, receptance);
     };
-    return prepare_harmonic_balance(problem_, {.harmonics = harmonics, .compensate = false},
-                                    {.law_at = law, .grid_solver = lcp_grid_solver({})})
-        ->solve(cold(start));
+    try {
+      return prepare_harmonic_balance(problem_, {.harmonics = harmonics, .compensate = false},
+                                      {.law_at = law, .grid_solver = lcp_grid_solver({})})
+          ->solve(cold);
+    } catch (const std::runtime_error& error) {
+      return {.message = error.what()};
+    }
   }
 
-  [[nodiscard]] SearchOptions settings(const Start& start) const {
+  [[nodiscard]] SearchOptions search_options(const Start& start) const {
     SearchOptions options;
     options.polish.tolerance = options_.tolerance;
     options.polish.max_iterations = options_.max_iterations;
@@ -171,48 +169,28 @@ class PreparedExactOrbit final : public PreparedMethod {
     return options;
   }
 
-  bool record(OrbitSearch found, const std::string& name) {
-    work_.iterations = work_.iterations.value_or(0) + found.iterations;
-    const bool done = found.orbit.certified();
-    if (!done) tried_.push_back(name + ": " + describe(found.orbit.outcome) + ", " + found.orbit.reason);
-    if (done || !best_ || (found.orbit.trajectory && !best_->orbit.trajectory)) {
-      best_ = std::move(found);
-      name_ = name;
-    }
-    return done;
-  }
-
   Solution finish() {
-    Solution solution;
-    if (finder_) work_.unknowns = 2L * finder_->model()->dynamics.size();
-    solution.work = work_;
-    if (best_) {
-      const ExactOrbit& orbit = best_->orbit;
-      solution.trajectory = orbit.trajectory;
-      solution.residual = orbit.residual;
-      if (orbit.trajectory) solution.condition = orbit.condition;
-      if (orbit.certified()) {
-        solution.verdict = Verdict::converged;
-        *solution.work.unknowns += static_cast<long>(orbit.trajectory->orbit().events.size());
-        solution.message =
-            fmt::format("{}; from {} by {}; error bar {:.1e}, largest multiplier {:.6g}", orbit.reason, name_,
-                        orbit.origin, orbit.error_bar, orbit.largest_multiplier());
-        return solution;
-      }
-    }
-    solution.message = fmt::format("no exact orbit: {}", fmt::join(tried_, "; "));
+    Solution solution{.work = progress_.work};
+    if (progress_.finder) solution.work.unknowns = 2L * progress_.finder->model()->dynamics.size();
+    solution.message = fmt::format("no exact orbit: {}", fmt::join(progress_.tried, "; "));
+    if (!progress_.best) return solution;
+    const ExactOrbit& orbit = progress_.best->orbit;
+    solution.trajectory = orbit.trajectory;
+    solution.residual = orbit.residual;
+    if (orbit.trajectory) solution.condition = orbit.condition;
+    if (!orbit.certified()) return solution;
+    solution.verdict = Verdict::converged;
+    *solution.work.unknowns += static_cast<long>(orbit.trajectory->orbit().events.size());
+    solution.message =
+        fmt::format("{}; from {} by {}; error bar {:.1e}, largest multiplier {:.6g}", orbit.reason,
+                    progress_.name, orbit.origin, orbit.error_bar, orbit.largest_multiplier());
     return solution;
   }
 
   const Problem& problem_;
   ExactOrbitMethod::Options options_;
-  std::optional<OrbitFinder> finder_;
   std::unique_ptr<PreparedMethod> coarse_;
-  std::vector<std::string> tried_;
-  std::optional<OrbitSearch> best_;
-  std::string name_;
-  std::shared_ptr<const Trajectory> first_;
-  Work work_;
+  Progress progress_;
 };
 
 }  // namespace
@@ -242,8 +220,8 @@ Support ExactOrbitMethod::supports(const Problem& problem) const {
                         "resolve it",
                         needed, options_.samples)};
   }
-  if (const std::string obstacle = flow_obstacle(problem); !obstacle.empty()) return {false, obstacle};
-  return {};
+  const std::string obstacle = flow_obstacle(problem);
+  return {.ok = obstacle.empty(), .reason = obstacle};
 }
 
 RepresentedLaw ExactOrbitMethod::law(const Problem& problem) const { return as_represented(problem.law); }

@@ -1,15 +1,12 @@
-#include "methods/flow/closed_form_stretch.hpp"
-
 #include <algorithm>
-#include <numbers>
-#include <utility>
 
+#include "methods/flow/stretch.hpp"
 #include "methods/solvers/constants.hpp"
 
 namespace signorini {
 
 ClosedFormStretch::ClosedFormStretch(LinearFlows& flows, double tolerance)
-    : flows_(flows), noise_(std::max(0.01 * tolerance, 64.0 * kEpsilon)) {}
+    : Stretch(event_noise(tolerance)), flows_(flows) {}
 
 void ClosedFormStretch::start(const ContactMode&, const FlowState& flow, double end, bool dense) {
   constexpr double kSteps = 8.0, kDenseSteps = 16.0;  // per fastest period
@@ -18,10 +15,10 @@ void ClosedFormStretch::start(const ContactMode&, const FlowState& flow, double 
   stop_ = end;
   arc_ = flows_.of(flow.closed).arc();
   arc_->start(flow.time, flow.state);
-  angle_ = 2.0 * std::numbers::pi / (dense ? kDenseSteps : kSteps);
+  angle_ = kTwoPi / (dense ? kDenseSteps : kSteps);
   // Interpolation between nodes meets the derivatives of a mode up to the highest that is kept.
   const double longest = angle_ / (structure.highest_harmonic * structure.frequency);
-  terms_ = dense ? arc_->fading_rates(noise_, longest, kNodeOrder) : arc_->fading_rates(noise_);
+  terms_ = dense ? arc_->fading_rates(noise(), longest, kNodeOrder) : arc_->fading_rates(noise());
 }
 
 void ClosedFormStretch::step() {

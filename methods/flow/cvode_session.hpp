@@ -18,6 +18,7 @@ class IntegrationError : public std::runtime_error {
 /// The local error of each step is held below rtol |y_i| + atol_i in the root mean square.
 class CvodeSession {
  public:
+  /// Writes y' at a time and a state.
   using Rhs = std::function<void(double time, const Eigen::Ref<const Eigen::VectorXd>& y,
                                  Eigen::Ref<Eigen::VectorXd> derivative)>;
 
@@ -32,8 +33,8 @@ class CvodeSession {
   void start(double time, const Eigen::VectorXd& y, double stop, double largest_step);
   /// One step of the integrator's own choice; afterwards [previous_time(), time()] can be interpolated.
   void step();
-  [[nodiscard]] double time() const;
-  [[nodiscard]] double previous_time() const;
+  [[nodiscard]] double time() const;           ///< at the end of the last step
+  [[nodiscard]] double previous_time() const;  ///< at its beginning
   /// y at a time within the last step, accurate to the tolerance of the integration.
   void interpolate(double time, Eigen::VectorXd& y) const;
   /// Right-hand sides since construction.

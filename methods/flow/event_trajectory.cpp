@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "methods/discretisation/periodic_time.hpp"
@@ -40,6 +40,7 @@ struct Place {
 // Value of the function whose derivatives 0..4 stand in columns first..first + 4.
 double interpolate(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right, Eigen::Index row,
                    Eigen::Index first, const Place& place) {
+  // h^k from the fraction s to the time, (-1)^k because the right end's weights look back.
   double value = 0.0, power = 1.0, sign = 1.0;
   for (int k = 0; k <= kOrder; ++k) {
     const auto i = static_cast<std::size_t>(k);
@@ -52,18 +53,9 @@ double interpolate(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right, Ei
 
 }  // namespace
 
-EventTrajectory::EventTrajectory(double period, FlowState start, const std::vector<FlowPiece>& pieces,
+EventTrajectory::EventTrajectory(double period, FlowState start, std::vector<FlowNode> nodes,
                                  std::vector<ContactEvent> events)
-    : period_(period), start_(std::move(start)), events_(std::move(events)) {
-  for (const FlowPiece& piece : pieces) {
-    for (std::size_t i = 0; i < piece.size(); ++i) {
-      if (i + 1 < piece.size()) {
-        interval_.push_back(nodes_.size());
-        interval_begin_.push_back(piece[i].time);
-      }
-      nodes_.push_back(piece[i]);
-    }
-  }
+    : period_(period), start_(std::move(start)), nodes_(std::move(nodes)), events_(std::move(events)) {
   for (ContactEvent& event : events_) event.time = wrapped_time(event.time, period_);
   std::stable_sort(events_.begin(), events_.end(),
                    [](const auto& a, const auto& b) { return a.time < b.time; });
@@ -76,10 +68,11 @@ Samples EventTrajectory::sample(int count) const {
                   .force = Eigen::MatrixXd::Zero(count, contacts)};
   for (int i = 0; i < count; ++i) {
     const double time = start_.time + wrapped_time(i * (period_ / count) - start_.time, period_);
-    const auto after = std::upper_bound(interval_begin_.begin(), interval_begin_.end(), time);
-    const auto index = after == interval_begin_.begin() ? 0 : after - interval_begin_.begin() - 1;
-    const FlowNode& left = nodes_[interval_[static_cast<std::size_t>(index)]];
-    const FlowNode& right = nodes_[interval_[static_cast<std::size_t>(index)] + 1];
+    // Of the two nodes at an event the later one begins an interval: what is right-sided stays so.
+    const auto after =
+        std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, time,
+                         [](double instant, const FlowNode& node) { return instant < node.time; });
+    const FlowNode &left = *std::prev(after), &right = *after;
     const double h = right.time - left.time;
     const double s = h > 0.0 ? std::clamp((time - left.time) / h, 0.0, 1.0) : 1.0;
     const Place place{.h = h, .left = hermite_weights(s), .right = hermite_weights(1.0 - s)};
@@ -92,9 +85,9 @@ Samples EventTrajectory::sample(int count) const {
   return samples;
 }
 
-std::vector<Impulse> EventTrajectory::impulses() const {
+std::vector<Impulse> impulses_of(const std::vector<ContactEvent>& events) {
   std::vector<Impulse> impulses;
-  for (const ContactEvent& event : events_) {
+  for (const ContactEvent& event : events) {
     if (event.impulse < 0.0)
       impulses.push_back({.contact = event.contact, .time = event.time, .value = event.impulse});
   }

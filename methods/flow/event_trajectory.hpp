@@ -9,6 +9,9 @@
 
 namespace signorini {
 
+/// The impulses that listed events take.
+std::vector<Impulse> impulses_of(const std::vector<ContactEvent>& events);
+
 /// Piecewise Hermite interpolation of degree 9 between the instants kept: x, x' and lambda, each with its
 /// first four derivatives at both ends, which the equation of motion gives exactly. The error is
 /// h^10 |x^(10)| / 3.7e9 at most (10! 2^10) for a step h: round-off at the steps that CVODE takes.
@@ -16,15 +19,16 @@ namespace signorini {
 /// stop.
 class EventTrajectory final : public Trajectory {
  public:
-  /// \param pieces  consecutive, from start.time to start.time + period
-  /// \param events  their events, at times as in `pieces`
-  EventTrajectory(double period, FlowState start, const std::vector<FlowPiece>& pieces,
+  /// \param start   state at the instant where the motion was cut open
+  /// \param nodes   in time order from start.time to start.time + period, two at each event
+  /// \param events  of one period, at any times that differ from theirs by whole periods
+  EventTrajectory(double period, FlowState start, std::vector<FlowNode> nodes,
                   std::vector<ContactEvent> events);
 
   [[nodiscard]] int contact_count() const override { return static_cast<int>(start_.closed.size()); }
   [[nodiscard]] double period() const override { return period_; }
   [[nodiscard]] Samples sample(int count) const override;
-  [[nodiscard]] std::vector<Impulse> impulses() const override;
+  [[nodiscard]] std::vector<Impulse> impulses() const override { return impulses_of(events_); }
   [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override { return events_; }
 
   /// State of the coordinates with mass at the time where the motion was cut open.
@@ -33,9 +37,7 @@ class EventTrajectory final : public Trajectory {
  private:
   double period_;
   FlowState start_;
-  std::vector<FlowNode> nodes_;         // in time order; two nodes at each event
-  std::vector<std::size_t> interval_;   // nodes that begin an interval
-  std::vector<double> interval_begin_;  // their times
+  std::vector<FlowNode> nodes_;
   std::vector<ContactEvent> events_;
 };
 

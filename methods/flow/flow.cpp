@@ -5,16 +5,14 @@
 #include <string>
 #include <utility>
 
-#include "methods/flow/compliant_events.hpp"
-#include "methods/flow/rigid_events.hpp"
-#include "methods/linear_flow/matrix_exponential.hpp"
+#include "methods/linear_flow/exponential_flow.hpp"
 #include "methods/solvers/constants.hpp"
 
 namespace signorini {
 
 EventFlow::EventFlow(const ContactDynamics& dynamics, double tolerance, std::function<bool()> expired,
                      Integrator integrator)
-    : dynamics_(dynamics), tolerance_(tolerance), expired_(std::move(expired)), flows_(dynamics) {
+    : dynamics_(dynamics), integrator_(integrator), expired_(std::move(expired)), flows_(dynamics) {
   if (dynamics.rigid()) {
     auto events = std::make_unique<RigidEvents>(dynamics, tolerance);
     rebound_ = std::make_unique<TaylorStretch>(dynamics, events->touch());
@@ -23,9 +21,9 @@ EventFlow::EventFlow(const ContactDynamics& dynamics, double tolerance, std::fun
     events_ = std::make_unique<CompliantEvents>(dynamics, tolerance);
   }
   if (integrator == Integrator::modal) {
-    closed_form_ = std::make_unique<ClosedFormStretch>(flows_, tolerance);
+    between_ = std::make_unique<ClosedFormStretch>(flows_, tolerance);
   } else {
-    cvode_ = std::make_unique<CvodeStretch>(dynamics, tolerance);
+    between_ = std::make_unique<CvodeStretch>(dynamics, tolerance);
   }
 }
 
@@ -33,14 +31,6 @@ FlowState EventFlow::place(double time, const State& state) const { return event
 
 double EventFlow::guard_floor(int contact, double noise) const {
   return noise * (mode_.closed(contact) ? dynamics_.stops().scale() : dynamics_.scales().displacement);
-}
-
-std::vector<bool> EventFlow::fresh_guards(const std::vector<Guard>& guards, double noise) const {
-  std::vector<bool> fresh(guards.size());
-  for (std::size_t j = 0; j < guards.size(); ++j) {
-    fresh[j] = guards[j].value <= guard_floor(static_cast<int>(j), noise);
-  }
-  return fresh;
 }
 
 // Earliest event of a stretch's last step. `last` holds the guards at its beginning and is left with those at
@@ -57,6 +47,7 @@ EventFlow::Crossing EventFlow::first_event(const Stretch& stretch, std::vector<b
         kFar * (stretch.end() - stretch.begin()) * (std::abs(last[index].rate) + std::abs(next[index].rate));
     if (!fresh[index] && std::min(last[index].value, next[index].value) > reach) continue;
     const auto value = [&stretch, j](double time) { return stretch.guard(j, time); };
+    // A guard that this contact's own event has left at zero must first rise above its noise.
     const double floor = guard_floor(j, stretch.noise());
     const auto time = first_crossing(
         value, {.begin = stretch.begin(), .end = stretch.end(), .fresh = fresh[index], .floor = floor});
@@ -69,7 +60,7 @@ EventFlow::Crossing EventFlow::first_event(const Stretch& stretch, std::vector<b
 
 // Both forms agree on deviations that the constraint admits; those normal to it the saltation removes.
 Eigen::MatrixXd EventFlow::transition(const std::vector<bool>& closed, double duration) {
-  if (closed_form_) return flows_.of(closed).transition(duration);
+  if (integrator_ == Integrator::modal) return flows_.of(closed).transition(duration);
   return matrix_exponential(dynamics_.flow_matrix(mode_) * duration);
 }
 
@@ -79,8 +70,10 @@ void EventFlow::follow(Stretch& stretch, FlowState& flow, double end, FlowRecord
   const double begin = flow.time;
   stretch.start(mode_, flow, end, record.dense);
   std::vector<Guard> last = stretch.guards(begin);
-  std::vector<bool> fresh = fresh_guards(last, stretch.noise());
-  if (record.dense) record.pieces.push_back({stretch.node(begin, flow.state)});
+  std::vector<bool> fresh;
+  for (int j = 0; j < dynamics_.contact_count(); ++j)
+    fresh.push_back(last[static_cast<std::size_t>(j)].value <= guard_floor(j, stretch.noise()));
+  if (record.dense) record.nodes.push_back(stretch.node(begin, flow.state));
   Crossing crossing;
   for (long steps = 1;; ++steps) {
     if (steps % kStepsPerCheck == 0 && expired_()) throw FlowError("the time budget is spent");
@@ -89,7 +82,7 @@ void EventFlow::follow(Stretch& stretch, FlowState& flow, double end, FlowRecord
     if (crossing.contact >= 0 || stretch.finished()) break;
     if (!record.dense) continue;
     stretch.state(stretch.end(), flow.state);
-    record.pieces.back().push_back(stretch.node(stretch.end(), flow.state));
+    record.nodes.push_back(stretch.node(stretch.end(), flow.state));
   }
   flow.time = crossing.contact < 0 ? stretch.end() : crossing.time;
   stretch.state(flow.time, flow.state);
@@ -97,13 +90,14 @@ void EventFlow::follow(Stretch& stretch, FlowState& flow, double end, FlowRecord
     throw FlowError("the motion is no longer finite");
   events_->hold(flow.state, mode_);
   if (record.tangent) record.derivative = transition(flow.closed, flow.time - begin) * record.derivative;
-  if (record.dense) record.pieces.back().push_back(stretch.node(flow.time, flow.state));
+  if (record.dense) record.nodes.push_back(stretch.node(flow.time, flow.state));
   if (crossing.contact >= 0) events_->resolve(flow, crossing.contact, record);
 }
 
 void EventFlow::advance(FlowState& flow, double duration, FlowRecord& record) {
   constexpr int kMaxEvents = 20000;
   const double end = flow.time + duration;
+  // What is left of the duration by rounding of the time itself is no stretch.
   const double shortest = 16.0 * kEpsilon * (std::abs(end) + duration);
   if (record.tangent && record.derivative.size() == 0) {
     record.derivative = Eigen::MatrixXd::Identity(2 * dynamics_.size(), 2 * dynamics_.size());
@@ -113,13 +107,8 @@ void EventFlow::advance(FlowState& flow, double duration, FlowRecord& record) {
       throw FlowError("more than " + std::to_string(kMaxEvents) + " events in one forcing period");
     if (expired_()) throw FlowError("the time budget is spent");
     mode_ = dynamics_.mode(flow.closed);
-    if (rebound_ && rebound_->applies(mode_, flow)) {
-      follow(*rebound_, flow, end, record);
-    } else if (cvode_) {
-      follow(*cvode_, flow, end, record);
-    } else {
-      follow(*closed_form_, flow, end, record);
-    }
+    const bool rebounds = rebound_ && rebound_->applies(mode_, flow);
+    follow(rebounds ? *rebound_ : *between_, flow, end, record);
   }
   flow.time = end;
 }

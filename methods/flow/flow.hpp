@@ -6,12 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "methods/flow/closed_form_stretch.hpp"
 #include "methods/flow/flow_record.hpp"
-#include "methods/flow/state_stretch.hpp"
 #include "methods/flow/stop_events.hpp"
-#include "methods/linear_flow/contact_dynamics.hpp"
-#include "methods/linear_flow/linear_flows.hpp"
+#include "methods/flow/stretch.hpp"
+#include "methods/linear_flow/linear_flow.hpp"
 
 namespace signorini {
 
@@ -47,9 +45,9 @@ class EventFlow {
   /// \throws FlowError, IntegrationError
   void advance(FlowState& flow, double duration, FlowRecord& record);
 
-  [[nodiscard]] const ContactDynamics& dynamics() const { return dynamics_; }
-  [[nodiscard]] double tolerance() const { return tolerance_; }
-  [[nodiscard]] long rhs_evaluations() const { return cvode_ ? cvode_->rhs_evaluations() : 0; }
+  [[nodiscard]] const ContactDynamics& dynamics() const { return dynamics_; }  ///< of the scene
+  /// Right-hand sides that CVODE has asked for.
+  [[nodiscard]] long rhs_evaluations() const { return between_->rhs_evaluations(); }
 
  private:
   struct Crossing {
@@ -59,19 +57,17 @@ class EventFlow {
 
   void follow(Stretch& stretch, FlowState& flow, double end, FlowRecord& record);
   [[nodiscard]] double guard_floor(int contact, double noise) const;
-  [[nodiscard]] std::vector<bool> fresh_guards(const std::vector<Guard>& guards, double noise) const;
   Crossing first_event(const Stretch& stretch, std::vector<bool>& fresh, std::vector<Guard>& last) const;
   [[nodiscard]] Eigen::MatrixXd transition(const std::vector<bool>& closed, double duration);
 
   const ContactDynamics& dynamics_;
-  double tolerance_;
+  Integrator integrator_;
   std::function<bool()> expired_;
-  std::unique_ptr<StopEvents> events_;
+  std::unique_ptr<const StopEvents> events_;
   ContactMode mode_;  // the one that the motion is in
   LinearFlows flows_;
-  std::unique_ptr<CvodeStretch> cvode_;             // one of these two
-  std::unique_ptr<ClosedFormStretch> closed_form_;  // fills the time between events,
-  std::unique_ptr<TaylorStretch> rebound_;          // this one short rebounds from rigid stops
+  std::unique_ptr<Stretch> between_;        // fills the time between events,
+  std::unique_ptr<TaylorStretch> rebound_;  // this one short rebounds from rigid stops
 };
 
 }  // namespace signorini

@@ -2,10 +2,12 @@
 // What a flow through events works on, and what it may keep.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
 #include "methods/solution.hpp"
+#include "methods/solvers/constants.hpp"
 #include "methods/structure/state.hpp"
 
 namespace signorini {
@@ -24,25 +26,26 @@ struct SequenceEvent {
 
 /// Contact displacements and forces with their derivatives at one instant.
 struct FlowNode {
-  double time = 0.0;
+  double time = 0.0;       ///< [s]
   Eigen::MatrixXd x;       ///< Nc x 6, derivatives 0..5
   Eigen::MatrixXd lambda;  ///< Nc x 5, derivatives 0..4
 };
 
-/// The instants between two events, in one mode; at least two of them.
-using FlowPiece = std::vector<FlowNode>;
-
 /// What to keep of a flow, and what was kept.
 struct FlowRecord {
-  bool dense = false;    ///< keep pieces
+  bool dense = false;    ///< keep nodes
   bool tangent = false;  ///< keep the derivative of the final state with respect to the first
 
   /// As they are met, times not wrapped; a closing that ends a chatter at the limit of its impacts.
   std::vector<ContactEvent> events;
   std::vector<SequenceEvent> sequence;  ///< the same, event by event
-  std::vector<FlowPiece> pieces;
-  Eigen::MatrixXd derivative;  ///< 2 Nd x 2 Nd, of (u, v)
+  std::vector<FlowNode> nodes;          ///< in time order; two at each event, one for either side
+  Eigen::MatrixXd derivative;           ///< 2 Nd x 2 Nd, of (u, v)
 };
+
+/// What separates events from noise in a flow of this tolerance, relative to the scales of the motion [-]:
+/// guards that vanish within a hundredth of it vanish together, far below any error that the flow makes.
+inline double event_noise(double tolerance) { return std::max(0.01 * tolerance, 64.0 * kEpsilon); }
 
 /// The flow cannot be continued; what() is a sentence for a person.
 class FlowError : public std::runtime_error {
@@ -52,8 +55,8 @@ class FlowError : public std::runtime_error {
 
 /// A state together with the contacts that are closed.
 struct FlowState {
-  double time = 0.0;  ///< phase of the forcing [s]
-  State state;
+  double time = 0.0;         ///< phase of the forcing [s]
+  State state;               ///< of the coordinates with mass
   std::vector<bool> closed;  ///< Nc
 };
 

@@ -1,19 +1,25 @@
-#include "methods/flow/state_stretch.hpp"
-
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
+#include "methods/flow/stretch.hpp"
 #include "methods/solvers/constants.hpp"
 
 namespace signorini {
 
 namespace {
 
-Eigen::VectorXd packed(const State& state) {
-  Eigen::VectorXd y(2 * state.u.size());
-  y << state.u, state.v;
-  return y;
+constexpr int kTaylorOrder = 12;
+constexpr double kTaylorAngle = 0.3;  // radians of the fastest rate covered: 0.3^13 / 13! is round-off
+
+double local_tolerance(double tolerance) {
+  constexpr double kShare = 0.01, kFloor = 1e-13;
+  return std::max(kShare * tolerance, kFloor);
+}
+
+Eigen::VectorXd absolute_tolerances(const ContactDynamics& dynamics, double tolerance) {
+  Eigen::VectorXd result(2 * dynamics.size());
+  result.head(dynamics.size()).setConstant(tolerance * dynamics.scales().displacement);
+  result.tail(dynamics.size()).setConstant(tolerance * dynamics.scales().velocity);
+  return result;
 }
 
 State unpacked(const Eigen::VectorXd& y) {
@@ -62,25 +68,8 @@ FlowNode StateStretch::node(double time, const State& state) const {
   return {.time = time, .x = motion.x, .lambda = motion.lambda.leftCols(kNodeOrder)};
 }
 
-namespace {
-
-double local_tolerance(double tolerance) {
-  constexpr double kShare = 0.01, kFloor = 1e-13;
-  return std::max(kShare * tolerance, kFloor);
-}
-
-Eigen::VectorXd absolute_tolerances(const ContactDynamics& dynamics, double tolerance) {
-  Eigen::VectorXd result(2 * dynamics.size());
-  result.head(dynamics.size()).setConstant(tolerance * dynamics.scales().displacement);
-  result.tail(dynamics.size()).setConstant(tolerance * dynamics.scales().velocity);
-  return result;
-}
-
-}  // namespace
-
 CvodeStretch::CvodeStretch(const ContactDynamics& dynamics, double tolerance)
-    : StateStretch(dynamics),
-      noise_(std::max(0.01 * tolerance, 64.0 * kEpsilon)),
+    : StateStretch(dynamics, event_noise(tolerance)),
       session_(
           local_tolerance(tolerance), absolute_tolerances(dynamics, local_tolerance(tolerance)),
           [this](double time, const Eigen::Ref<const Eigen::VectorXd>& y, Eigen::Ref<Eigen::VectorXd> rate) {
@@ -95,7 +84,8 @@ void CvodeStretch::start(const ContactMode& mode, const FlowState& flow, double 
   begin_ = end_ = flow.time;
   stop_ = end;
   const FlowStructure& structure = dynamics_.structure();
-  first_ = packed(flow.state);
+  first_.resize(2 * dynamics_.size());
+  first_ << flow.state.u, flow.state.v;
   stepped_ = false;
   session_.start(flow.time, first_, end,
                  structure.forcing_period / (kStepsPerPeriod * structure.highest_harmonic));
@@ -117,14 +107,9 @@ void CvodeStretch::evaluate(double time, Eigen::VectorXd& y) const {
   if (!y.allFinite()) throw FlowError("the motion is no longer finite");
 }
 
-namespace {
-
-constexpr int kTaylorOrder = 12;
-constexpr double kTaylorAngle = 0.3;  // radians of the fastest rate covered: 0.3^13 / 13! is round-off
-
-}  // namespace
-
-double TaylorStretch::noise() const { return 64.0 * kEpsilon; }
+// One step and no error but rounding: the guards are known to its noise.
+TaylorStretch::TaylorStretch(const ContactDynamics& dynamics, double touch)
+    : StateStretch(dynamics, 64.0 * kEpsilon), touch_(touch) {}
 
 // Length of the Taylor step that covers the next rebound of a contact that has just left its stop;
 // 0 if there is none short enough. With the acceleration a towards the stop a flight lasts -2 v / a.
@@ -152,7 +137,7 @@ void TaylorStretch::start(const ContactMode& mode, const FlowState& flow, double
   mode_ = &mode;
   motion_ = dynamics_.derivatives(mode, flow.time, flow.state, kTaylorOrder + 1);
   begin_ = flow.time;
-  end_ = std::min(end, begin_ + short_flight(flow, motion_));
+  end_ = stop_ = std::min(end, begin_ + short_flight(flow, motion_));
 }
 
 void TaylorStretch::evaluate(double time, Eigen::VectorXd& y) const {
@@ -161,6 +146,7 @@ void TaylorStretch::evaluate(double time, Eigen::VectorXd& y) const {
   y.resize(2 * n);
   y.head(n) = motion_.u.col(kTaylorOrder);
   y.tail(n) = motion_.u.col(kTaylorOrder + 1);
+  // Horner's scheme for sum_k u^(k) s^k / k!, and for u' with the derivatives one further.
   for (int k = kTaylorOrder; k >= 1; --k) {
     y.head(n) = motion_.u.col(k - 1) + s / k * y.head(n);
     y.tail(n) = motion_.u.col(k) + s / k * y.tail(n);

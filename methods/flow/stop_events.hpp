@@ -1,7 +1,10 @@
 #pragma once
-// What stops do at an event, whichever kind they are.
+// What stops do at an event: impacts, sticking and release at rigid ones, pushing and leaving at compliant
+// ones.
 
-#include <memory>
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
 
 #include "methods/flow/flow_record.hpp"
 #include "methods/linear_flow/contact_dynamics.hpp"
@@ -20,6 +23,117 @@ class StopEvents {
   virtual void resolve(FlowState& flow, int trigger, FlowRecord& record) const = 0;
   /// Removes what an integration has let a state stray from the constraints of its mode.
   virtual void hold(State& state, const ContactMode& mode) const = 0;
+
+ protected:
+  /// The time derivative at which contacts are told apart, and what counts as zero of it.
+  struct Order {
+    int derivative = 0;  ///< of gap or acceleration
+    double floor = 0.0;  ///< of coupling times force and of the opening, in its unit
+  };
+
+  /// \param dynamics  of the scene, kept by the caller
+  explicit StopEvents(const ContactDynamics& dynamics) : dynamics_(dynamics) {}
+  /// Settles the contacts that are `undecided` and not `closed`, derivative by derivative: at each order k
+  /// the complementarity problem of the k-th derivatives
+  ///
+  ///     w = A z + q >= 0,   z >= 0,   w z = 0,   z = -d^k lambda / dt^k,   A = Stops::coupling,
+  ///
+  /// with the contacts closed so far as equalities w = 0; -q is the k-th derivative of W^T u + s - g without
+  /// the forces of the others. A contact with z > floor closes, one with w > floor stays open, and the others
+  /// are left to the next order. Undecided after the last one: open.
+  /// \throws FlowError if there is no solution (only possible where contacts depend on each other)
+  void decide(double time, const State& state, const std::vector<Order>& orders, std::vector<bool> undecided,
+              std::vector<bool>& closed) const;
+
+  const ContactDynamics& dynamics_;  ///< of the scene
+};
+
+/// Impulses p <= 0 of contacts that touch at the same instant, by Newton's law for all of them together:
+/// x'_+ = x'_- + G p satisfies
+///
+///     x'_+ + e max(x'_-, 0) <= 0,   p <= 0,   p_j (x'_+ + e max(x'_-, 0))_j = 0:
+///
+/// a contact that pushes rebounds by Newton's law, one that the others carry away gets no impulse, and a
+/// resting one passes an impulse on.
+///
+/// \param delassus     G of the touching contacts, m x m [1/kg]
+/// \param approach     x'_- of each, m; <= 0 where the contact is not closing [m/s]
+/// \param restitution  e of each, m [-]
+/// \return p, m [N s]; empty only if G is degenerate and no solution was found
+std::optional<Eigen::VectorXd> newton_impulses(const Eigen::MatrixXd& delassus,
+                                               const Eigen::VectorXd& approach,
+                                               const Eigen::VectorXd& restitution);
+
+/// Applies the laws of impact and contact to the contacts that touch their rigid stops.
+///
+/// Impact: Newton's law for all touching contacts together (`newton_impulses`). Afterwards those at rest
+/// stick if the force presses them, lambda_j < 0, or lambda_j = 0 and falling: a linear complementarity
+/// problem in the accelerations, and one in their rates for the contacts that it leaves undecided.
+///
+/// Chatter: with e < 1 and a pressing acceleration a the impacts that follow one of speed v form, as
+/// v -> 0, a geometric sequence of ratio e, over after 2 e v / (a (1 - e)). Once the rest of the sequence
+/// displaces nothing by more than a tenth of tolerance X it is carried to its limit at once: the contact
+/// sticks with its whole momentum as one impulse (error O(v^2)).
+class RigidEvents final : public StopEvents {
+ public:
+  /// \param tolerance  of the integration, relative to the scales of the motion [-]
+  RigidEvents(const ContactDynamics& dynamics, double tolerance);
+
+  /// Penetrating contacts are moved back to their stops in the metric of M, closing ones rebound, pressed
+  /// ones stick.
+  [[nodiscard]] FlowState place(double time, const State& state) const override;
+
+  /// Brings `flow` from the left to the right side of an event. `trigger` is the contact that closes, or
+  /// -1. Logs impacts, closings and openings; where the record asks for it, multiplies its derivative by
+  /// the saltation matrix
+  ///
+  ///     S = R + (F+ - R F-) n^T / (n^T F-),   n = (w, 0), R = diag(I, dv+/dv-), F = (v, a) on each side.
+  /// \throws FlowError if the stops depend on each other and no impulses satisfy the law
+  void resolve(FlowState& flow, int trigger, FlowRecord& record) const override;
+
+  /// x_A = g_A and x'_A = 0 at closed contacts, in the metric of M.
+  void hold(State& state, const ContactMode& mode) const override;
+
+  /// Distance below which a contact counts as touching [m].
+  [[nodiscard]] double touch() const { return touch_; }
+
+ private:
+  struct Impact;
+
+  [[nodiscard]] std::optional<double> rest_of_chatter(double v, double a, double jerk) const;
+  void collide(FlowState& flow, Impact& impact) const;
+  SequenceEvent log(const Impact& impact, const FlowState& before, const std::vector<bool>& closed,
+                    int trigger, FlowRecord& record) const;
+  [[nodiscard]] Eigen::MatrixXd saltation(const Impact& impact, const SequenceEvent& entry,
+                                          const FlowState& after, const ContactMode& mode) const;
+
+  double tolerance_, touch_, rest_, weightless_;
+};
+
+/// At compliant stops (springs, and stops behind coordinates without mass) the contact force is the solution
+/// of the static complementarity problem
+///
+///     g - W^T u - s(t) - C lambda >= 0,   lambda <= 0,   complementary,
+///
+/// a continuous function of the state: an event only changes which contacts push, never the motion. Where
+/// the solution has contacts with neither gap nor force, their next derivatives decide, in order: the same
+/// problem for the first and the second time derivatives (the motion is twice differentiable), with the
+/// contacts that push as equalities. What is left undecided stays open.
+class CompliantEvents final : public StopEvents {
+ public:
+  /// \param tolerance  of the integration, relative to the scales of the motion [-]
+  CompliantEvents(const ContactDynamics& dynamics, double tolerance);
+
+  /// The state as it is, with the contacts that push.
+  [[nodiscard]] FlowState place(double time, const State& state) const override;
+  /// The contacts that push after the guard of `trigger` has vanished: that contact changes, and those that
+  /// are without gap and force at that instant are decided anew. Logs every change. \throws FlowError
+  void resolve(FlowState& flow, int trigger, FlowRecord& record) const override;
+  /// Nothing: a compliant stop lets its contact move.
+  void hold(State&, const ContactMode&) const override {}
+
+ private:
+  std::vector<Order> orders_;  // of gap, speed and acceleration
 };
 
 }  // namespace signorini

@@ -1,9 +1,9 @@
-#include "methods/linear_flow/complex_modes.hpp"
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <complex>
 #include <vector>
+
+#include "methods/linear_flow/modal_flow.hpp"
 
 namespace signorini {
 

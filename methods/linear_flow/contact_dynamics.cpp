@@ -21,10 +21,6 @@ Eigen::MatrixXd symmetric_inverse(const Eigen::MatrixXd& A) {
 ContactDynamics::ContactDynamics(const Problem& problem)
     : structure_(std::make_shared<FlowStructure>(problem)), stops_(Stops::of(problem, *structure_)) {
   if (const auto* law = std::get_if<Restitution>(&problem.law)) restitution_ = law->e;
-  prepare_small();
-}
-
-void ContactDynamics::prepare_small() {
   constexpr int kSmall = 32;  // a dense product is then no dearer than sparse ones and a sparse solve
   const FlowStructure& s = *structure_;
   small_ = size() <= kSmall;
@@ -71,14 +67,6 @@ void ContactDynamics::acceleration(const ContactMode& mode, double time,
     a = structure_->factors.solve(force);
   }
   if (!mode.active.empty()) stops_->add_acceleration(mode, time, u, a);
-}
-
-MotionDerivatives ContactDynamics::derivatives(const ContactMode& mode, double time, const State& state,
-                                               int order) const {
-  MotionDerivatives result = MotionDerivatives::of(*structure_, state, order);
-  for (int k = 0; k + 2 <= order; ++k)
-    stops_->differentiate(mode, time, k, structure_->free_force(time, result.u, k), result);
-  return result;
 }
 
 Eigen::MatrixXd ContactDynamics::flow_matrix(const ContactMode& mode) const {

@@ -18,11 +18,12 @@ class ContactDynamics {
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
   explicit ContactDynamics(const Problem& problem);
 
-  [[nodiscard]] const FlowStructure& structure() const { return *structure_; }
-  [[nodiscard]] const Stops& stops() const { return *stops_; }
+  [[nodiscard]] const FlowStructure& structure() const { return *structure_; }  ///< that moves
+  [[nodiscard]] const Stops& stops() const { return *stops_; }                  ///< of its contacts
   /// Nd: coordinates with mass, in the order of the scene's.
   [[nodiscard]] int size() const { return structure_->size(); }
   [[nodiscard]] int contact_count() const { return structure_->contact_count(); }  ///< Nc
+  /// Units of tolerances.
   [[nodiscard]] const MotionScales& scales() const { return structure_->scales; }
   /// False where the stops are compliant.
   [[nodiscard]] bool rigid() const { return stops_->rigid(); }
@@ -43,14 +44,14 @@ class ContactDynamics {
 
   /// Derivatives 0..order (>= 2) of u and 0..order-2 of x and lambda, exact from the equation of motion.
   [[nodiscard]] MotionDerivatives derivatives(const ContactMode& mode, double time, const State& state,
-                                              int order) const;
+                                              int order) const {
+    return stops_->derivatives(mode, time, state, order);
+  }
 
   /// The 2 Nd x 2 Nd matrix B of the homogeneous flow (u, v)' = B (u, v) in a mode.
   [[nodiscard]] Eigen::MatrixXd flow_matrix(const ContactMode& mode) const;
 
  private:
-  void prepare_small();
-
   // Terms of M^-1 f(t) of one harmonic.
   struct LoadRate {
     double rate = 0.0;         // h omega [rad/s]

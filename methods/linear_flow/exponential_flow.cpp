@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
 
-#include "methods/linear_flow/matrix_exponential.hpp"
-
 namespace signorini {
+
+Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& A) { return A.exp(); }
 
 ExponentialFlow::ExponentialFlow(ModeEquations equations, const EnergyForm& energy)
     : LinearFlow(std::move(equations)) {
@@ -57,6 +58,7 @@ State ExponentialFlow::response(const std::vector<Impulse>& impulses) const {
   const int n = size();
   const Eigen::MatrixXd& velocity = equations_.structure().velocity_per_impulse;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(2 * n);
+  // An impulse p is the velocity M^-1 W p, from which the structure moves freely.
   for (const Impulse& impulse : impulses)
     sum += transition(impulse.time).rightCols(n) * (impulse.value * velocity.col(impulse.contact));
   return {.u = sum.head(n), .v = sum.tail(n)};

@@ -72,6 +72,16 @@ Eigen::VectorXd FlowStructure::unloaded(double time, const Eigen::Ref<const Eige
   return directions.transpose() * u + wave_derivative(shift, rates, time, order);
 }
 
+Eigen::MatrixXd FlowStructure::impulse_of_velocity(const std::vector<int>& pushed,
+                                                   const std::vector<double>& restitution) const {
+  const Eigen::MatrixXd G = delassus(pushed, pushed);
+  Eigen::MatrixXd speeds = directions(Eigen::all, pushed).transpose();
+  for (Eigen::Index k = 0; k < speeds.rows(); ++k)
+    speeds.row(k) *= 1.0 + restitution[static_cast<std::size_t>(k)];
+  if (speeds.rows() == 1) return -speeds / G(0, 0);
+  return -G.completeOrthogonalDecomposition().solve(speeds);
+}
+
 // Power iteration; the factor covers its slow last digits. An estimate is enough: it only sizes steps.
 void FlowStructure::measure_rates() {
   constexpr int kIterations = 40;
@@ -130,6 +140,8 @@ void FlowStructure::measure_scales(const Problem& problem) {
   const double limited = std::max(gap, forced_amplitude(problem));
   const bool usable =
       linear > 0.0 && linear <= kResonance * limited && (contact_count() == 0 || linear < limited);
+  // A motion that reaches a stop is no larger than the gap and what the load forces; one that stays clear of
+  // it is the linear response.
   double X = usable ? linear : limited;
   if (!(X > 0.0) || !std::isfinite(X)) X = 1.0;  // nothing moves: any unit will do
   scales = {.displacement = X, .velocity = frequency * X, .acceleration = fastest_rate * frequency * X};

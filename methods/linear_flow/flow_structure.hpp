@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <vector>
 
 #include "methods/structure/state.hpp"
@@ -12,10 +13,16 @@ namespace signorini {
 
 /// Magnitudes that the tolerances of the integration and of the periodicity refer to.
 struct MotionScales {
-  double displacement =
-      1.0;                ///< X [m]: of the linear response, or of the gap and the forced motion if smaller
-  double velocity = 1.0;  ///< V = omega X [m/s]
+  /// X [m]: of the linear response, or of the gap and the forced motion if smaller.
+  double displacement = 1.0;
+  double velocity = 1.0;      ///< V = omega X [m/s]
   double acceleration = 1.0;  ///< omega_max V [m/s^2]
+
+  /// max(|u_a - u_b| / X, |v_a - v_b| / V), in the maximum norm [-].
+  [[nodiscard]] double distance(const State& a, const State& b) const {
+    return std::max((a.u - b.u).lpNorm<Eigen::Infinity>() / displacement,
+                    (a.v - b.v).lpNorm<Eigen::Infinity>() / velocity);
+  }
 };
 
 /// The condensed structure (`condense`) of a scene, its mass factorised:
@@ -39,8 +46,16 @@ class FlowStructure {
   [[nodiscard]] Eigen::VectorXd unloaded(double time, const Eigen::Ref<const Eigen::VectorXd>& u,
                                          int order) const;
 
+  /// Newton's law for contacts S that take an impulse together, p as a map of v_-, |S| x Nd [kg]:
+  /// W_S^T v_+ = -e W_S^T v_- with v_+ = v_- + M^-1 W_S p, hence p = -G_SS^-1 diag(1 + e) W_S^T v_-. Stops
+  /// that depend on each other have a singular G_SS and share p.
+  [[nodiscard]] Eigen::MatrixXd impulse_of_velocity(const std::vector<int>& pushed,
+                                                    const std::vector<double>& restitution) const;
+
   std::vector<int> kept;                       ///< coordinates of the scene that carry mass, Nd of them
-  SparseMatrix mass, damping, stiffness;       ///< M, D, K [kg] [N s/m] [N/m]
+  SparseMatrix mass;                           ///< M [kg]
+  SparseMatrix damping;                        ///< D [N s/m]
+  SparseMatrix stiffness;                      ///< K [N/m]
   Eigen::SimplicialLLT<SparseMatrix> factors;  ///< of M
   std::vector<double> rates;                   ///< r_h, ascending, 0 always the first [rad/s]
   Eigen::MatrixXcd load;                       ///< f_h, Nd x Nh [N]

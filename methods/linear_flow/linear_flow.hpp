@@ -1,7 +1,8 @@
 #pragma once
-// The exact flow of a contact scene while the set of closed contacts does not change.
+// The exact flows of a contact scene while the set of closed contacts does not change.
 
 #include <Eigen/Core>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -18,7 +19,12 @@ struct FadingRate {
 };
 
 /// Largest rate that still matters at a time; `terms` as `LinearArc::fading_rates` gives them [rad/s].
-double fastest_left(const std::vector<FadingRate>& terms, double time);
+inline double fastest_left(const std::vector<FadingRate>& terms, double time) {
+  for (const FadingRate& term : terms) {
+    if (term.until > time) return term.rate;
+  }
+  return 0.0;
+}
 
 /// One motion of a flow, which must outlive it. Evaluations share a cache of the last instant, so that one
 /// arc belongs to one thread.
@@ -47,14 +53,15 @@ class LinearArc {
     const Eigen::Index row = equations_.force_row(contact);
     return row < 0 ? 0.0 : output(row, time, order);
   }
-  [[nodiscard]] const ContactMode& mode() const { return equations_.mode; }
+  [[nodiscard]] const ContactMode& mode() const { return equations_.mode; }  ///< of the flow
 
  protected:
+  /// \param equations  of the flow
   explicit LinearArc(const ModeEquations& equations) : equations_(equations) {}
   /// order-th derivative of one output of the mode.
   [[nodiscard]] virtual double output(Eigen::Index row, double time, int order) const = 0;
 
-  const ModeEquations& equations_;
+  const ModeEquations& equations_;  ///< of the flow
 };
 
 /// The linear motions of one contact mode in closed form: ModalFlow or ExponentialFlow.
@@ -62,26 +69,53 @@ class LinearFlow {
  public:
   virtual ~LinearFlow() = default;
 
-  [[nodiscard]] const ContactMode& mode() const { return equations_.mode; }
-  [[nodiscard]] int size() const { return equations_.size(); }  ///< Nd
+  [[nodiscard]] const ContactMode& mode() const { return equations_.mode; }  ///< whose flow this is
+  [[nodiscard]] int size() const { return equations_.size(); }               ///< Nd
   /// An arc of this flow, not yet started.
   [[nodiscard]] virtual std::unique_ptr<LinearArc> arc() const = 0;
   /// d(u, v)(t0 + duration) / d(u, v)(t0), 2 Nd x 2 Nd; deviations normal to the constraint are dropped.
   [[nodiscard]] virtual Eigen::MatrixXd transition(double duration) const = 0;
   /// What impulses at the contacts, each `time` before now, have made of a structure at rest without load.
   [[nodiscard]] virtual State response(const std::vector<Impulse>& impulses) const = 0;
-  /// d lambda_j / d(u, v) at a closed contact, 1 x 2 Nd.
-  [[nodiscard]] auto multiplier_gradient(int contact) const {
-    return equations_.output_of_state.row(equations_.force_row(contact));
-  }
-  /// d x_j / d(u, v), 1 x 2 Nd.
-  [[nodiscard]] auto displacement_gradient(int contact) const {
-    return equations_.output_of_state.row(contact);
+  /// d lambda_j / d(u, v) at a closed contact, else d x_j / d(u, v), 1 x 2 Nd.
+  [[nodiscard]] auto gradient(int contact, bool of_force) const {
+    return equations_.output_of_state.row(of_force ? equations_.force_row(contact) : contact);
   }
 
  protected:
+  /// \param equations  of the mode
   explicit LinearFlow(ModeEquations equations) : equations_(std::move(equations)) {}
-  const ModeEquations equations_;
+
+  const ModeEquations equations_;  ///< of the mode
+};
+
+/// How a flow is represented.
+enum class FlowForm {
+  automatic,    ///< complex modes; where they fail, the exponential
+  exponential,  ///< the matrix exponential of structure and load together: slow, always defined
+};
+
+/// Coordinates that a closed-form flow takes: its matrices are dense [-]
+inline constexpr int kMostInDenseFlow = 300;
+
+/// The flow of a mode. \throws std::runtime_error if the structure has more coordinates than kMostInDenseFlow
+std::unique_ptr<const LinearFlow> linear_flow(const ContactDynamics& dynamics, ContactMode mode,
+                                              FlowForm form = FlowForm::automatic);
+
+/// The flows of a scene's contact modes, each made when first asked for.
+class LinearFlows {
+ public:
+  /// \param dynamics  of the scene, kept by the caller
+  explicit LinearFlows(const ContactDynamics& dynamics, FlowForm form = FlowForm::automatic)
+      : dynamics_(dynamics), form_(form) {}
+  /// The flow in which exactly the contacts with closed[j] are closed. \throws std::runtime_error
+  const LinearFlow& of(const std::vector<bool>& closed);
+  [[nodiscard]] const ContactDynamics& dynamics() const { return dynamics_; }  ///< of the scene
+
+ private:
+  const ContactDynamics& dynamics_;
+  FlowForm form_;
+  std::map<std::vector<bool>, std::unique_ptr<const LinearFlow>> flows_;
 };
 
 }  // namespace signorini

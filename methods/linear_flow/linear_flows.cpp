@@ -1,5 +1,3 @@
-#include "methods/linear_flow/linear_flows.hpp"
-
 #include <stdexcept>
 #include <string>
 #include <utility>

@@ -8,23 +8,13 @@
 
 namespace signorini {
 
-namespace {
-
 using Complex = std::complex<double>;
-
-}  // namespace
 
 std::optional<ComplexModes> modes_of_flow(const ModeEquations& equations, const EnergyForm& energy) {
   // The periodic response to a load near an eigenvalue is 1 / |i rate - mu| as large as the load, the free
   // motion cancels it: at a relative distance of 1e-4 four digits are lost.
   constexpr double kResonance = 1e-4;
-  if (equations.free() == 0) {  // nothing moves
-    return ComplexModes{.mu = {},
-                        .weight = {},
-                        .shapes = Eigen::MatrixXcd(0, 0),
-                        .left = Eigen::MatrixXcd(0, 0),
-                        .of_load = Eigen::MatrixXcd(0, 0)};
-  }
+  if (equations.free() == 0) return ComplexModes{};  // nothing moves
   std::optional<ComplexModes> modes = complex_modes(energy);
   if (!modes) return std::nullopt;
   for (Eigen::Index h = 0; h < equations.harmonics(); ++h) {
@@ -99,11 +89,15 @@ class ModalFlow::Arc final : public LinearArc {
 
   void start(double time, const State& state) override;
   [[nodiscard]] std::vector<FadingRate> fading_rates(double floor, double step, int order) const override;
-  void state(double time, State& state) const override;
-  void acceleration(double time, Eigen::VectorXd& a) const override;
+  void state(double time, State& state) const override {
+    differentiate(time, 0, state.u);
+    differentiate(time, 1, state.v);
+  }
+  void acceleration(double time, Eigen::VectorXd& a) const override { differentiate(time, 2, a); }
 
  private:
   [[nodiscard]] double output(Eigen::Index row, double time, int order) const override;
+  void differentiate(double time, int order, Eigen::VectorXd& derivative) const;
   [[nodiscard]] double rate(Eigen::Index h) const { return rates_[static_cast<std::size_t>(h)]; }
   void move_to(double time) const;
 
@@ -193,37 +187,22 @@ double ModalFlow::Arc::output(Eigen::Index row, double time, int order) const {
   return sum;
 }
 
-void ModalFlow::Arc::state(double time, State& state) const {
+// order-th derivative (0..2) of u.
+void ModalFlow::Arc::differentiate(double time, int order, Eigen::VectorXd& derivative) const {
   move_to(time);
   const int n = flow_.size();
-  state.u.setZero(n);
-  state.v.setZero(n);
+  derivative.setZero(n);
   for (Eigen::Index k = 0; k < growth_.size(); ++k) {
-    const Complex a = flow_.weight_[k] * amplitude_[k] * growth_[k], b = a * flow_.mu_[k];
-    for (int i = 0; i < n; ++i) {
-      state.u[i] += (a * flow_.shapes_(i, k)).real();
-      state.v[i] += (b * flow_.shapes_(i, k)).real();
-    }
+    Complex a = flow_.weight_[k] * amplitude_[k] * growth_[k];
+    for (int i = 0; i < order; ++i) a *= flow_.mu_[k];
+    for (int i = 0; i < n; ++i) derivative[i] += (a * flow_.shapes_(i, k)).real();
   }
   for (Eigen::Index h = 0; h < wave_.size(); ++h) {
+    const double r = rate(h);
     for (int i = 0; i < n; ++i) {
-      const Complex part = flow_.forced_(i, h) * wave_[h];
-      state.u[i] += part.real();
-      state.v[i] -= rate(h) * part.imag();
+      const Complex part = flow_.forced_(i, h) * wave_[h];  // times (i r)^order
+      derivative[i] += order == 0 ? part.real() : order == 1 ? -r * part.imag() : -r * r * part.real();
     }
-  }
-}
-
-void ModalFlow::Arc::acceleration(double time, Eigen::VectorXd& a) const {
-  move_to(time);
-  const int n = flow_.size();
-  a.setZero(n);
-  for (Eigen::Index k = 0; k < growth_.size(); ++k) {
-    const Complex b = flow_.weight_[k] * amplitude_[k] * growth_[k] * flow_.mu_[k] * flow_.mu_[k];
-    for (int i = 0; i < n; ++i) a[i] += (b * flow_.shapes_(i, k)).real();
-  }
-  for (Eigen::Index h = 0; h < wave_.size(); ++h) {
-    for (int i = 0; i < n; ++i) a[i] -= rate(h) * rate(h) * (flow_.forced_(i, h) * wave_[h]).real();
   }
 }
 

@@ -1,10 +1,37 @@
 #include "methods/linear_flow/mode_equations.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <complex>
 #include <utility>
 
 namespace signorini {
+
+EnergyForm::EnergyForm(const ExtendedMatrix& M, const ExtendedMatrix& D, const ExtendedMatrix& K,
+                       double rate) {
+  const Eigen::Index n = M.rows();
+  const long double s = rate;
+  const ExtendedMatrix identity = ExtendedMatrix::Identity(n, n);
+  const Eigen::LLT<ExtendedMatrix> mass(M);
+  L = mass.matrixL();
+  const auto transformed = [&](const ExtendedMatrix& A) {
+    const ExtendedMatrix half = mass.matrixL().solve(A);
+    return ExtendedMatrix(mass.matrixL().solve(ExtendedMatrix(half.transpose())).transpose());
+  };
+  const ExtendedMatrix stiffness = transformed(K);
+  // The shift s^2 keeps E regular where K is not, at a rigid-body motion, and costs nothing elsewhere: s is a
+  // rate of motions that matter, so that e and z' stay of one size in them.
+  const Eigen::LLT<ExtendedMatrix> energy(stiffness + s * s * identity);
+  definite = mass.info() == Eigen::Success && energy.info() == Eigen::Success;
+  E = definite ? ExtendedMatrix(energy.matrixL()) : ExtendedMatrix(s * identity);
+  z_of_e = E.transpose().triangularView<Eigen::Upper>().solve(identity);
+  q_of_z = mass.matrixU().solve(identity);
+  B = ExtendedMatrix::Zero(2 * n, 2 * n);
+  B.topRightCorner(n, n) = E.transpose();
+  B.bottomLeftCorner(n, n) =
+      definite ? ExtendedMatrix(s * s * z_of_e - E) : ExtendedMatrix(-stiffness * z_of_e);
+  B.bottomRightCorner(n, n) = -transformed(D);
+}
 
 ModeEquations::ModeEquations(const ContactDynamics& of, ContactMode contacts)
     : dynamics(&of), mode(std::move(contacts)), form(of.stops().free_form(mode)) {
@@ -16,13 +43,12 @@ ModeEquations::ModeEquations(const ContactDynamics& of, ContactMode contacts)
   output_of_load.resize(contact_count + active, static_cast<Eigen::Index>(s.rates.size()));
   output_of_load.topRows(contact_count) = s.shift;
   if (active == 0) return;
-  const ForceRows force = of.stops().force_rows(mode);
   // x = W^T u + s + C_0 lambda
   const Eigen::MatrixXd give = s.massless_compliance(Eigen::all, mode.active);
-  output_of_state.topRows(contact_count) += give * force.of_state;
-  output_of_state.bottomRows(active) = force.of_state;
-  output_of_load.topRows(contact_count) += give * force.of_load;
-  output_of_load.bottomRows(active) = force.of_load;
+  output_of_state.topRows(contact_count) += give * form.force_of_state;
+  output_of_state.bottomRows(active) = form.force_of_state;
+  output_of_load.topRows(contact_count) += give * form.force_of_load;
+  output_of_load.bottomRows(active) = form.force_of_load;
 }
 
 Eigen::VectorXcd ModeEquations::reduced_load(Eigen::Index h) const {

@@ -12,13 +12,25 @@ bool ContactMode::closed(int contact) const {
   return std::binary_search(active.begin(), active.end(), contact);
 }
 
-MotionDerivatives MotionDerivatives::of(const FlowStructure& structure, const State& state, int order) {
-  MotionDerivatives result{.u = Eigen::MatrixXd::Zero(structure.size(), order + 1),
-                           .x = Eigen::MatrixXd::Zero(structure.contact_count(), order - 1),
-                           .lambda = Eigen::MatrixXd::Zero(structure.contact_count(), order - 1)};
-  result.u.col(0) = state.u;
-  result.u.col(1) = state.v;
-  return result;
+MotionDerivatives Stops::derivatives(const ContactMode& mode, double time, const State& state,
+                                     int order) const {
+  MotionDerivatives motion{.u = Eigen::MatrixXd::Zero(structure_.size(), order + 1),
+                           .x = Eigen::MatrixXd::Zero(structure_.contact_count(), order - 1),
+                           .lambda = Eigen::MatrixXd::Zero(structure_.contact_count(), order - 1)};
+  motion.u.col(0) = state.u;
+  motion.u.col(1) = state.v;
+  // M u^(k+2) = (f - K u - D u')^(k) + W lambda^(k): each derivative gives the next but one.
+  for (int k = 0; k + 2 <= order; ++k)
+    differentiate(mode, time, k, structure_.free_force(time, motion.u, k), motion);
+  return motion;
+}
+
+FreeForm Stops::open_form() const {
+  const int n = structure_.size();
+  return {.basis = Eigen::MatrixXd::Identity(n, n),
+          .offset = Eigen::VectorXd::Zero(n),
+          .stiffness = structure_.stiffness,
+          .load = structure_.load};
 }
 
 namespace {
@@ -27,11 +39,7 @@ using Complex = std::complex<double>;
 
 class RigidStops final : public Stops {
  public:
-  explicit RigidStops(const FlowStructure& structure) : Stops(structure) {}
-
-  [[nodiscard]] bool rigid() const override { return true; }
-  [[nodiscard]] const Eigen::MatrixXd& coupling() const override { return structure_.delassus; }
-  [[nodiscard]] double scale() const override { return structure_.scales.acceleration; }
+  explicit RigidStops(const FlowStructure& structure) : Stops(structure, true) {}
 
   void add_acceleration(const ContactMode& mode, double, const Eigen::Ref<const Eigen::VectorXd>&,
                         Eigen::Ref<Eigen::VectorXd> a) const override {
@@ -53,14 +61,10 @@ class RigidStops final : public Stops {
   // The rate of lambda follows from u''', which takes the acceleration with the stops' own forces.
   void forces(const ContactMode& mode, double time, const State& state, Eigen::VectorXd&, Eigen::VectorXd&,
               Eigen::VectorXd& force, Eigen::VectorXd& force_rate) const override {
-    MotionDerivatives motion = MotionDerivatives::of(structure_, state, 3);
-    for (int k = 0; k < 2; ++k)
-      differentiate(mode, time, k, structure_.free_force(time, motion.u, k), motion);
+    const MotionDerivatives motion = derivatives(mode, time, state, 3);
     force = motion.lambda.col(0);
     force_rate = motion.lambda.col(1);
   }
-
-  [[nodiscard]] Eigen::MatrixXd stiffness(const ContactMode&) const override { return structure_.stiffness; }
 
   // dv/dt -> (I - M^-1 W_A G_AA^-1 W_A^T) dv/dt: what accelerates a held contact is taken away.
   void constrain(const ContactMode& mode, Eigen::MatrixXd& from_u, Eigen::MatrixXd& from_v) const override {
@@ -73,33 +77,24 @@ class RigidStops final : public Stops {
   // The constraint is removed, not penalised: W_A^T u = g_A is met by u_g, W_A^T Q = 0 by every q. So the
   // double eigenvalue zero that x_A'' = 0 has in the coordinates u is gone.
   [[nodiscard]] FreeForm free_form(const ContactMode& mode) const override {
-    const int n = structure_.size();
-    FreeForm form{.basis = Eigen::MatrixXd::Identity(n, n),
-                  .offset = Eigen::VectorXd::Zero(n),
-                  .stiffness = structure_.stiffness,
-                  .load = structure_.load};
+    FreeForm form = open_form();
     if (mode.active.empty()) return form;
+    const int n = structure_.size();
     const Eigen::MatrixXd W = structure_.directions(Eigen::all, mode.active);
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(W);
     const Eigen::MatrixXd whole = qr.householderQ() * Eigen::MatrixXd::Identity(n, n);
     form.basis = whole.rightCols(n - qr.rank());
     form.offset =
         W.transpose().completeOrthogonalDecomposition().solve(Eigen::VectorXd(structure_.gaps(mode.active)));
-    return form;
-  }
-
-  [[nodiscard]] ForceRows force_rows(const ContactMode& mode) const override {
-    const int n = structure_.size();
+    // lambda_A = -G_AA^-1 W_A^T M^-1 (f - K u - D u')
     const Eigen::MatrixXd back =
         mode.response * structure_.velocity_per_impulse(Eigen::all, mode.active).transpose();
-    ForceRows rows{.of_state = Eigen::MatrixXd::Zero(back.rows(), 2 * n), .of_load = {}};
-    rows.of_state.leftCols(n) = back * structure_.stiffness;
-    rows.of_state.rightCols(n) = back * structure_.damping;
-    rows.of_load = -back * structure_.load;
-    return rows;
+    form.force_of_state.resize(back.rows(), 2 * n);
+    form.force_of_state.leftCols(n) = back * structure_.stiffness;
+    form.force_of_state.rightCols(n) = back * structure_.damping;
+    form.force_of_load = -back * structure_.load;
+    return form;
   }
-
-  [[nodiscard]] double fastest_rate(const ContactMode&, double rate) const override { return rate; }
 
  private:
   // lambda_A that cancels the acceleration W_A^T `free` of a structure without contact forces.
@@ -110,11 +105,7 @@ class RigidStops final : public Stops {
 
 class CompliantStops final : public Stops {
  public:
-  explicit CompliantStops(const FlowStructure& structure) : Stops(structure) {}
-
-  [[nodiscard]] bool rigid() const override { return false; }
-  [[nodiscard]] const Eigen::MatrixXd& coupling() const override { return structure_.compliance; }
-  [[nodiscard]] double scale() const override { return structure_.scales.displacement; }
+  explicit CompliantStops(const FlowStructure& structure) : Stops(structure, false) {}
 
   void add_acceleration(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& u,
                         Eigen::Ref<Eigen::VectorXd> a) const override {
@@ -144,29 +135,22 @@ class CompliantStops final : public Stops {
     return Eigen::MatrixXd(structure_.stiffness) + active * mode.response * active.transpose();
   }
 
-  void constrain(const ContactMode&, Eigen::MatrixXd&, Eigen::MatrixXd&) const override {}
-
+  // lambda_A = -C_AA^-1 (W_A^T u + s_A - g_A): a stiffness and a load of the structure.
   [[nodiscard]] FreeForm free_form(const ContactMode& mode) const override {
-    const int n = structure_.size();
-    FreeForm form{.basis = Eigen::MatrixXd::Identity(n, n),
-                  .offset = Eigen::VectorXd::Zero(n),
-                  .stiffness = stiffness(mode),
-                  .load = structure_.load};
+    FreeForm form = open_form();
     if (mode.active.empty()) return form;
-    const Eigen::MatrixXd pull = structure_.directions(Eigen::all, mode.active) * mode.response;
-    form.load -= pull * structure_.shift(mode.active, Eigen::all);
-    form.load.col(0) += (pull * structure_.gaps(mode.active)).cast<Complex>();
-    return form;
-  }
-
-  [[nodiscard]] ForceRows force_rows(const ContactMode& mode) const override {
     const int n = structure_.size();
-    ForceRows rows{.of_state = Eigen::MatrixXd::Zero(mode.response.rows(), 2 * n), .of_load = {}};
-    rows.of_state.leftCols(n) = -mode.response * structure_.directions(Eigen::all, mode.active).transpose();
+    form.stiffness = stiffness(mode);
+    const Eigen::MatrixXd W = structure_.directions(Eigen::all, mode.active);
+    const Eigen::MatrixXd pull = W * mode.response;
     Eigen::MatrixXcd depth = structure_.shift(mode.active, Eigen::all);
+    form.load -= pull * depth;
+    form.load.col(0) += (pull * structure_.gaps(mode.active)).cast<Complex>();
+    form.force_of_state = Eigen::MatrixXd::Zero(mode.response.rows(), 2 * n);
+    form.force_of_state.leftCols(n) = -mode.response * W.transpose();
     depth.col(0) -= structure_.gaps(mode.active).cast<Complex>();
-    rows.of_load = -mode.response * depth;
-    return rows;
+    form.force_of_load = -mode.response * depth;
+    return form;
   }
 
   // A mass G_jj^-1 on the spring of its stop alone, sqrt(k G_jj), for each closed contact.

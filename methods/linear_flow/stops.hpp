@@ -16,32 +16,27 @@ struct ContactMode {
   /// on each other, which shares a force evenly.
   Eigen::MatrixXd response;
 
+  /// Whether a contact is in A.
   [[nodiscard]] bool closed(int contact) const;
 };
 
 /// Time derivatives of the motion and of the contact force at one instant.
 struct MotionDerivatives {
-  /// Room for derivatives up to `order` >= 2, u and u' filled in.
-  static MotionDerivatives of(const FlowStructure& structure, const State& state, int order);
-
   Eigen::MatrixXd u;       ///< Nd x (order + 1): column k is the k-th derivative of u
   Eigen::MatrixXd x;       ///< Nc x (order - 1): of the contact displacements
   Eigen::MatrixXd lambda;  ///< Nc x (order - 1): of the contact forces
 };
 
 /// A mode's equation of motion without its constraint: u = offset + basis q, and q obeys
-/// basis^T (M, D, stiffness) basis under basis^T (load - K offset).
+/// basis^T (M, D, stiffness) basis under basis^T (load - K offset). Its contact forces are
+/// lambda_A = force_of_state (u, v) + Re sum_h force_of_load_h e^{i r_h t}; empty where no contact is closed.
 struct FreeForm {
-  Eigen::MatrixXd basis;      ///< Q, Nd x Nr, orthonormal
-  Eigen::VectorXd offset;     ///< u_g, Nd [m]
-  Eigen::MatrixXd stiffness;  ///< K and the springs of closed stops, Nd x Nd [N/m]
-  Eigen::MatrixXcd load;      ///< f_h and the forces of those springs at u = 0, Nd x Nh [N]
-};
-
-/// lambda_A = of_state (u, v) + Re sum_h of_load_h e^{i r_h t}.
-struct ForceRows {
-  Eigen::MatrixXd of_state;  ///< |A| x 2 Nd
-  Eigen::MatrixXcd of_load;  ///< |A| x Nh
+  Eigen::MatrixXd basis;                ///< Q, Nd x Nr, orthonormal
+  Eigen::VectorXd offset;               ///< u_g, Nd [m]
+  Eigen::MatrixXd stiffness;            ///< K and the springs of closed stops, Nd x Nd [N/m]
+  Eigen::MatrixXcd load;                ///< f_h and the forces of those springs at u = 0, Nd x Nh [N]
+  Eigen::MatrixXd force_of_state = {};  ///< |A| x 2 Nd
+  Eigen::MatrixXcd force_of_load = {};  ///< |A| x Nh [N]
 };
 
 /// What the closed contacts A of a mode do to the motion M u'' + D u' + K u = f + W lambda.
@@ -61,39 +56,50 @@ class Stops {
   virtual ~Stops() = default;
 
   /// True where a contact takes impulses and its velocity may jump.
-  [[nodiscard]] virtual bool rigid() const = 0;
+  [[nodiscard]] bool rigid() const { return rigid_; }
   /// G or C, by which the forces of closed contacts depend on each other, Nc x Nc.
-  [[nodiscard]] virtual const Eigen::MatrixXd& coupling() const = 0;
+  [[nodiscard]] const Eigen::MatrixXd& coupling() const {
+    return rigid_ ? structure_.delassus : structure_.compliance;
+  }
   /// Unit of coupling times force in tolerances: the acceleration scale, or X.
-  [[nodiscard]] virtual double scale() const = 0;
+  [[nodiscard]] double scale() const {
+    return rigid_ ? structure_.scales.acceleration : structure_.scales.displacement;
+  }
 
   /// Adds M^-1 W lambda to `a`, the acceleration without contact forces.
   virtual void add_acceleration(const ContactMode& mode, double time,
                                 const Eigen::Ref<const Eigen::VectorXd>& u,
                                 Eigen::Ref<Eigen::VectorXd> a) const = 0;
-  /// Fills column k of x and lambda and column k + 2 of u, `load` being the k-th derivative of f - K u - D
-  /// u'.
-  virtual void differentiate(const ContactMode& mode, double time, int k, Eigen::VectorXd load,
-                             MotionDerivatives& motion) const = 0;
+  /// Derivatives 0..order (>= 2) of u and 0..order-2 of x and lambda, exact from the equation of motion.
+  [[nodiscard]] MotionDerivatives derivatives(const ContactMode& mode, double time, const State& state,
+                                              int order) const;
   /// lambda and its rate at a state, Nc each, zero at open contacts. `x` and `rate` are W^T u + s and its
   /// rate on entry, the contact displacements and velocities on return.
   virtual void forces(const ContactMode& mode, double time, const State& state, Eigen::VectorXd& x,
                       Eigen::VectorXd& rate, Eigen::VectorXd& force, Eigen::VectorXd& force_rate) const = 0;
   /// K and the springs of closed stops, Nd x Nd [N/m].
-  [[nodiscard]] virtual Eigen::MatrixXd stiffness(const ContactMode& mode) const = 0;
-  /// Takes the part of the accelerations u'' = from_u u + from_v u' that closed contacts do not admit away,
-  /// Nd x Nd each.
-  virtual void constrain(const ContactMode& mode, Eigen::MatrixXd& from_u, Eigen::MatrixXd& from_v) const = 0;
-  /// The mode's equation without constraint.
+  [[nodiscard]] virtual Eigen::MatrixXd stiffness(const ContactMode&) const { return structure_.stiffness; }
+  /// Takes the part of the accelerations u'' = from_u u + from_v u' (second and third argument, Nd x Nd) that
+  /// closed contacts do not admit away: nothing at compliant stops.
+  virtual void constrain(const ContactMode&, Eigen::MatrixXd&, Eigen::MatrixXd&) const {}
+  /// The mode's equation without constraint, and its contact forces.
   [[nodiscard]] virtual FreeForm free_form(const ContactMode& mode) const = 0;
-  /// Its contact forces.
-  [[nodiscard]] virtual ForceRows force_rows(const ContactMode& mode) const = 0;
   /// The rate of the fastest motion where closed contacts make it faster than `rate` [rad/s].
-  [[nodiscard]] virtual double fastest_rate(const ContactMode& mode, double rate) const = 0;
+  [[nodiscard]] virtual double fastest_rate(const ContactMode&, double rate) const { return rate; }
 
  protected:
-  explicit Stops(const FlowStructure& structure) : structure_(structure) {}
-  const FlowStructure& structure_;
+  /// \param structure  of the scene, kept by the caller
+  Stops(const FlowStructure& structure, bool rigid) : structure_(structure), rigid_(rigid) {}
+  /// Fills column k of x and lambda and column k + 2 of u, `load` being the k-th derivative of f - K u - D
+  /// u'.
+  virtual void differentiate(const ContactMode& mode, double time, int k, Eigen::VectorXd load,
+                             MotionDerivatives& motion) const = 0;
+  /// The form of a mode without closed contacts.
+  [[nodiscard]] FreeForm open_form() const;
+  const FlowStructure& structure_;  ///< of the scene
+
+ private:
+  bool rigid_;
 };
 
 }  // namespace signorini

@@ -1,11 +1,10 @@
-#include "methods/orbit/admissibility.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "methods/orbit/polish.hpp"
 
 namespace signorini {
 
@@ -24,13 +23,19 @@ struct Limited {
   }
 };
 
-struct Peak {
-  double value = -std::numeric_limits<double>::infinity();
-  double time = 0.0;
+// A limited quantity at one instant.
+struct LimitedSample {
+  double time = 0.0, value = 0.0, rate = 0.0, curvature = 0.0;
 };
+
+LimitedSample sample(const Limited& f, double t) {
+  return {.time = t, .value = f.value(t, 0), .rate = f.value(t, 1), .curvature = f.value(t, 2)};
+}
 
 // Local maximum between two instants where the rate falls through zero.
 double polished_peak(const Limited& f, double low, double high) {
+  // Newton's method on the rate, in a bracket that shrinks with every iterate and is halved where a step
+  // leaves it.
   double t = 0.5 * (low + high);
   for (int k = 0; k < 30; ++k) {
     const double rate = f.value(t, 1), curvature = f.value(t, 2);
@@ -41,14 +46,6 @@ double polished_peak(const Limited& f, double low, double high) {
     t = next;
   }
   return t;
-}
-
-struct LimitedSample {
-  double time = 0.0, value = 0.0, rate = 0.0, curvature = 0.0;
-};
-
-LimitedSample sample(const Limited& f, double t) {
-  return {.time = t, .value = f.value(t, 0), .rate = f.value(t, 1), .curvature = f.value(t, 2)};
 }
 
 // Extremum of the rate between two samples on either side of it.
@@ -62,20 +59,20 @@ LimitedSample steepest(const Limited& f, double low, double high) {
   return sample(f, 0.5 * (low + high));
 }
 
-Peak largest(const Limited& f, double begin, double end, const std::vector<FadingRate>& terms) {
-  constexpr double kAngle = 2.0 * std::numbers::pi / 16.0;  // a step, in terms of the fastest rate left
-  LimitedSample before = sample(f, begin);
-  Peak peak{before.value, begin};
+// The largest value from `begin` to `end`, and when.
+LimitedSample largest(const Limited& f, double begin, double end, const std::vector<FadingRate>& terms) {
+  constexpr double kAngle = kTwoPi / 16.0;  // a step, in terms of the fastest rate left
+  LimitedSample before = sample(f, begin), peak = before;
   const auto rise = [&](const LimitedSample& a, const LimitedSample& b) {
     if (!(a.rate > 0.0 && b.rate < 0.0)) return;
     const double top = polished_peak(f, a.time, b.time);
-    if (const double there = f.value(top, 0); there > peak.value) peak = {there, top};
+    if (const double there = f.value(top, 0); there > peak.value) peak = {.time = top, .value = there};
   };
   for (double t = begin; t < end;) {
     const double next = t + std::min(kAngle / fastest_left(terms, t), 0.5 * (end - begin));
     t = next > t ? std::min(end, next) : end;  // an arc as short as rounding has no middle
     const LimitedSample here = sample(f, t);
-    if (here.value > peak.value) peak = {here.value, t};
+    if (here.value > peak.value) peak = here;
     if (before.rate > 0.0 && here.rate < 0.0) {
       rise(before, here);
     } else if (before.curvature * here.curvature < 0.0) {
@@ -90,52 +87,32 @@ Peak largest(const Limited& f, double begin, double end, const std::vector<Fadin
   return peak;
 }
 
-class Check {
- public:
-  Check(const OrbitModel& model, const OrbitGuess& orbit, const OrbitEquations& equations, double tolerance,
-        double chatter)
-      : dynamics_(model.dynamics),
-        model_(model),
-        orbit_(orbit),
-        equations_(equations),
-        tolerance_(tolerance),
-        chatter_(chatter) {}
-
-  Admissibility run() {
-    result_.weakest_impact = std::numeric_limits<double>::infinity();
-    double begin = orbit_.start.time;
-    const auto arcs = static_cast<std::size_t>(equations_.events()) + 1;
-    for (std::size_t i = 0; i < arcs; ++i) {
-      const double end = i + 1 == arcs ? orbit_.start.time + model_.period : orbit_.events[i].time;
-      arc(*equations_.arcs()[i], begin, end);
-      if (i + 1 < arcs) event(i);
-      begin = end;
-    }
-    if (result_.impacts == 0) result_.weakest_impact = 0.0;
-    return result_;
-  }
-
- private:
-  static constexpr double kUnseen = 0.01;  // of the tolerance: modes below do not move a contact
+// An orbit under examination.
+struct Check {
+  const ContactDynamics& dynamics;
+  const OrbitGuess& orbit;
+  const OrbitEquations& equations;
+  Admissibility result = {};
 
   void fail(const std::string& reason) {
-    if (result_.ok) result_.reason = reason;
-    result_.ok = false;
+    if (result.ok) result.reason = reason;
+    result.ok = false;
   }
 
+  // No penetration and no tension between two events.
   void arc(const LinearArc& arc, double begin, double end) {
-    const std::vector<FadingRate> terms = arc.fading_rates(kUnseen * tolerance_);
-    for (int j = 0; j < dynamics_.contact_count(); ++j) {
+    constexpr double kUnseen = 0.01;  // of the tolerance: modes below do not move a contact
+    const std::vector<FadingRate> terms = arc.fading_rates(kUnseen * kAdmissible);
+    for (int j = 0; j < dynamics.contact_count(); ++j) {
       const bool closed = arc.mode().closed(j);
       const Limited f{.arc = arc,
                       .contact = j,
                       .of_force = closed,
-                      .offset = closed ? 0.0 : dynamics_.structure().gaps[j],
-                      .unit = closed ? dynamics_.force_scale(j) : dynamics_.scales().displacement};
-      const Peak peak = largest(f, begin, end, terms);
-      double& worst = closed ? result_.tension : result_.penetration;
-      worst = std::max(worst, peak.value);
-      if (peak.value <= tolerance_) continue;
+                      .offset = closed ? 0.0 : dynamics.structure().gaps[j],
+                      .unit = closed ? dynamics.force_scale(j) : dynamics.scales().displacement};
+      const LimitedSample peak = largest(f, begin, end, terms);
+      result.violation = std::max(result.violation, peak.value);
+      if (peak.value <= kAdmissible) continue;
       fail(closed ? fmt::format("contact {} pulls at t = {:.6g} s ({:.2g} of the force scale)", j, peak.time,
                                 peak.value)
                   : fmt::format("contact {} penetrates at t = {:.6g} s by {:.2g} of the amplitude", j,
@@ -143,54 +120,60 @@ class Check {
     }
   }
 
+  // Contacts close with x'_- > 0, and all that push take an impulse <= 0.
   void event(std::size_t i) {
-    const SequenceEvent& event = orbit_.events[i];
-    const OrbitEquations::EventCrossing& crossing = equations_.crossings()[i];
+    const SequenceEvent& event = orbit.events[i];
+    const OrbitEquations::EventCrossing& crossing = equations.crossings()[i];
     if (event.kind != ContactEvent::Kind::open) {
-      const double v = crossing.approach / dynamics_.scales().velocity;
-      if (event.kind == ContactEvent::Kind::impact) ++result_.impacts;
+      const double v = crossing.approach / dynamics.scales().velocity;
+      if (event.kind == ContactEvent::Kind::impact) ++result.impacts;
       // A spring may begin to act at any speed; what a chatter ends with is small by its nature.
-      const bool tail = event.kind == ContactEvent::Kind::close && dynamics_.restitution() > 0.0;
-      if (dynamics_.rigid() && !tail) result_.weakest_impact = std::min(result_.weakest_impact, v);
+      const bool tail = event.kind == ContactEvent::Kind::close && dynamics.restitution() > 0.0;
+      if (dynamics.rigid() && !tail) result.weakest_impact = std::min(result.weakest_impact, v);
       if (!(v > 0.0))
         fail(fmt::format("contact {} does not close at t = {:.6g} s", event.contact, event.time));
     }
     for (std::size_t k = 0; k < event.pushed.size(); ++k) {
       const auto row = static_cast<Eigen::Index>(k);
       if (crossing.impulses[row] > 0.0 &&
-          crossing.speeds.maxCoeff() > tolerance_ * dynamics_.scales().velocity)
+          crossing.speeds.maxCoeff() > kAdmissible * dynamics.scales().velocity)
         fail(fmt::format("contact {} pulls at the impact at t = {:.6g} s", event.pushed[k], event.time));
-      law(event, crossing.speeds[row], k, *equations_.arcs()[i]);
+      law(event, crossing.speeds[row], k, *equations.arcs()[i]);
     }
   }
 
+  // The scene's restitution, or the end of a chatter: the impacts after one of speed v last 2 e v / (a (1 -
+  // e)) together, and the displacement of the speed e v over that time is what carrying them to their limit
+  // leaves out.
   void law(const SequenceEvent& event, double approach, std::size_t k, const LinearArc& arc) {
-    const double e = dynamics_.restitution();
-    if (event.restitution[k] == e || approach <= tolerance_ * dynamics_.scales().velocity) return;
+    const double e = dynamics.restitution();
+    if (event.restitution[k] == e || approach <= kAdmissible * dynamics.scales().velocity) return;
     const double a = arc.displacement(event.pushed[k], event.time, 2);
-    const double left_out = 0.5 * e * approach * approach / (a * (1.0 - e)) / dynamics_.scales().displacement;
-    if (a > 0.0 && e < 1.0 && left_out <= chatter_) {
-      result_.chatter = true;
-      result_.chatter_error = std::max(result_.chatter_error, left_out);
+    const double left_out = 0.5 * e * approach * approach / (a * (1.0 - e)) / dynamics.scales().displacement;
+    if (a > 0.0 && e < 1.0 && left_out <= kLeftOut) {
+      result.chatter_error = std::max(result.chatter_error, left_out);
       return;
     }
     fail(fmt::format("contact {} stops at t = {:.6g} s without the chatter that restitution {} calls for",
                      event.pushed[k], event.time, e));
   }
-
-  const ContactDynamics& dynamics_;
-  const OrbitModel& model_;
-  const OrbitGuess& orbit_;
-  const OrbitEquations& equations_;
-  double tolerance_, chatter_;
-  Admissibility result_;
 };
 
 }  // namespace
 
 Admissibility check_admissible(const OrbitModel& model, const OrbitGuess& orbit,
-                               const OrbitEquations& equations, double tolerance, double chatter) {
-  return Check(model, orbit, equations, tolerance, chatter).run();
+                               const OrbitEquations& equations) {
+  Check check{.dynamics = model.dynamics, .orbit = orbit, .equations = equations};
+  check.result.weakest_impact = std::numeric_limits<double>::infinity();
+  double begin = orbit.start.time;
+  for (std::size_t i = 0; i < orbit.events.size(); ++i) {
+    check.arc(*equations.arcs()[i], begin, orbit.events[i].time);
+    check.event(i);
+    begin = orbit.events[i].time;
+  }
+  check.arc(*equations.arcs().back(), begin, orbit.start.time + model.period);
+  if (check.result.impacts == 0) check.result.weakest_impact = 0.0;
+  return check.result;
 }
 
 }  // namespace signorini

@@ -9,38 +9,18 @@
 
 namespace signorini {
 
-namespace {
-
-// How much an attempt tells, for the message of a search that fails.
-int rank(OrbitOutcome outcome) {
-  switch (outcome) {
-    case OrbitOutcome::converged:
-    case OrbitOutcome::chatter:
-      return 4;
-    case OrbitOutcome::grazing:
-      return 3;
-    case OrbitOutcome::not_admissible:
-      return 2;
-    case OrbitOutcome::events_merge:
-      return 1;
-    case OrbitOutcome::no_convergence:
-      return 0;
-  }
-  return 0;
-}
-
-}  // namespace
-
 class OrbitFinder::Search {
  public:
   Search(const std::shared_ptr<OrbitModel>& model, const SearchOptions& options)
       : model_(model), options_(options) {}
 
   OrbitSearch run(const OrbitGuess& guess) {
-    using Attempt = bool (Search::*)(const FlowState& from);
-    if (attempt(guess)) return std::move(result_);
-    for (const Attempt next : {&Search::rounds, &Search::shoot, &Search::march}) {
-      if ((this->*next)(guess.start)) break;
+    if (attempt(guess) || rounds(guess.start)) return std::move(result_);
+    for (const auto follow : {&Search::shoot, &Search::march}) {
+      try {
+        if ((this->*follow)(guess.start)) break;
+      } catch (const std::exception&) {  // FlowError: the time is up, or there is nothing to follow
+      }
     }
     return std::move(result_);
   }
@@ -48,9 +28,9 @@ class OrbitFinder::Search {
  private:
   // True if the search has come to its end: an orbit is found, or the time is up.
   bool attempt(const OrbitGuess& guess) {
-    // More is rattling that the flow does not resolve; the work of the dense equations grows with their cube.
     if (options_.expired()) return true;
     ExactOrbit orbit;
+    // More is rattling that the flow does not resolve; the work of the dense equations grows with their cube.
     if (guess.events.size() <= kMostEvents) {
       orbit = polish_sequence(model_, guess, options_.polish);
     } else {
@@ -60,8 +40,8 @@ class OrbitFinder::Search {
     result_.iterations += orbit.iterations;
     last_ = orbit.trajectory ? std::optional(orbit.trajectory->orbit().start) : std::nullopt;
     const bool done = orbit.certified();
-    if (result_.attempts == 1 || rank(orbit.outcome) > rank(result_.orbit.outcome))
-      result_.orbit = std::move(orbit);
+    // OrbitOutcome lists its values from an orbit to what tells least of one.
+    if (result_.attempts == 1 || orbit.outcome < result_.orbit.outcome) result_.orbit = std::move(orbit);
     return done;
   }
 
@@ -74,7 +54,7 @@ class OrbitFinder::Search {
       if (sequence && attempt(*sequence)) return true;
       if (sequence && last_) {
         start = *last_;
-      } else if (!end.closed.empty() || end.state.u.size() > 0) {
+      } else if (end.state.u.size() > 0) {
         start = end;  // one period on: what the flow itself makes of the state
         start.time = from.time;
       } else {
@@ -88,39 +68,35 @@ class OrbitFinder::Search {
   bool shoot(const FlowState& from) {
     constexpr double kTolerance = 1e-11, kLargestStep = 1e3;
     constexpr int kHalvings = 8;
-    constexpr int kMany = 16;  // coordinates beyond which a monodromy is too dear to be carried often
+    // Each event costs a product of 2 Nd x 2 Nd matrices for the derivative of the map, and each Newton step
+    // several periods. Beyond so many coordinates that is worth it only where the caller has asked for the
+    // last resort, marching, too.
+    constexpr int kMany = 16;
     if (options_.shootings == 0 || (options_.marched == 0 && model_->dynamics.size() > kMany)) return false;
-    try {
-      EventFlow flow(model_->dynamics, kTolerance, options_.expired, Integrator::modal);
-      PeriodMap map(flow);
-      const auto order = static_cast<int>(model_->period / model_->dynamics.structure().forcing_period + 0.5);
-      const FixedPoint orbit = find_fixed_point(map, flow.place(from.time, from.state), order,
-                                                {.accepted = 1e-9,
-                                                 .max_iterations = options_.shootings,
-                                                 .max_halvings = kHalvings,
-                                                 .largest_step = kLargestStep},
-                                                options_.expired);
-      result_.iterations += orbit.iterations;
-      return rounds(orbit.start);
-    } catch (const std::exception&) {  // FlowError: the time is up
-      return false;
-    }
+    EventFlow flow(model_->dynamics, kTolerance, options_.expired, Integrator::modal);
+    PeriodMap map(flow);
+    const auto order = static_cast<int>(model_->period / model_->dynamics.structure().forcing_period + 0.5);
+    const FixedPoint orbit = find_fixed_point(map, flow.place(from.time, from.state), order,
+                                              {.accepted = 1e-9,
+                                               .max_iterations = options_.shootings,
+                                               .max_halvings = kHalvings,
+                                               .largest_step = kLargestStep},
+                                              options_.expired);
+    result_.iterations += orbit.iterations;
+    return rounds(orbit.start);
   }
 
+  // Sequences met on the way to an attractor.
   bool march(const FlowState& from) {
     constexpr int kBurst = 8;  // periods between two attempts
-    FlowState state = from;
-    try {
-      EventFlow flow(model_->dynamics, 1e-11, options_.expired, Integrator::modal);
-      state = flow.place(from.time, from.state);
-      for (int marched = 0; marched < options_.marched; marched += kBurst) {
-        FlowRecord record;
-        flow.advance(state, kBurst * model_->period, record);
-        state.time = from.time;
-        const auto sequence = simulated_sequence(*model_, state, options_.expired);
-        if (sequence && attempt(*sequence)) return true;
-      }
-    } catch (const std::exception&) {  // FlowError: nothing to march to
+    EventFlow flow(model_->dynamics, 1e-11, options_.expired, Integrator::modal);
+    FlowState state = flow.place(from.time, from.state);
+    for (int marched = 0; marched < options_.marched; marched += kBurst) {
+      FlowRecord record;
+      flow.advance(state, kBurst * model_->period, record);
+      state.time = from.time;
+      const auto sequence = simulated_sequence(*model_, state, options_.expired);
+      if (sequence && attempt(*sequence)) return true;
     }
     return false;
   }

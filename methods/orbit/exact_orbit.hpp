@@ -1,11 +1,8 @@
 #pragma once
 // The exact periodic orbit behind any motion of a scene.
 
-#include <chrono>
 #include <functional>
 #include <memory>
-#include <optional>
-#include <vector>
 
 #include "methods/orbit/orbit_guess.hpp"
 #include "methods/orbit/polish.hpp"
@@ -19,12 +16,13 @@ struct OrbitSearch {
   long iterations = 0;  ///< Newton steps in all
 };
 
+/// How far a search goes.
 struct SearchOptions {
-  PolishOptions polish = {};
-  int rounds = 4;      ///< simulations from what the polish left
-  int shootings = 25;  ///< Newton steps of the shooting at the end; 0: none
-  int marched = 0;     ///< forcing periods marched at the very end, for stable orbits; 0: none
-  std::function<bool()> expired = [] { return false; };
+  PolishOptions polish = {};  ///< of each attempt
+  int rounds = 4;             ///< simulations from what the polish left
+  int shootings = 25;         ///< Newton steps of the shooting at the end; 0: none
+  int marched = 0;            ///< forcing periods marched at the very end, for stable orbits; 0: none
+  std::function<bool()> expired = [] { return false; };  ///< true ends the search
 };
 
 /// Exact orbits of one scene of period Problem::period(). Not thread-safe: flows are made when first needed.
@@ -41,6 +39,7 @@ class OrbitFinder {
   /// The same from a sequence.
   OrbitSearch find(const OrbitGuess& guess, const SearchOptions& options = {});
 
+  /// The scene as its orbits see it.
   [[nodiscard]] const std::shared_ptr<OrbitModel>& model() const { return model_; }
 
  private:

@@ -12,42 +12,30 @@ ExactTrajectory::ExactTrajectory(std::shared_ptr<OrbitModel> model, OrbitGuess o
                                  std::vector<std::shared_ptr<LinearArc>> arcs,
                                  const std::vector<OrbitEquations::EventCrossing>& crossings)
     : model_(std::move(model)), orbit_(std::move(orbit)), arcs_(std::move(arcs)) {
+  // Listed of each event: every contact that changes or takes an impulse, and the one whose guard vanishes.
   const std::vector<bool>* before = &orbit_.start.closed;
   for (std::size_t i = 0; i < orbit_.events.size(); ++i) {
-    list(orbit_.events[i], *before, crossings[i]);
-    before = &orbit_.events[i].closed;
+    const SequenceEvent& event = orbit_.events[i];
+    for (int j = 0; j < contact_count(); ++j) {
+      const auto index = static_cast<std::size_t>(j);
+      const bool was = (*before)[index], is = event.closed[index];
+      const auto pushed = std::find(event.pushed.begin(), event.pushed.end(), j);
+      // A resting contact may have nothing to pass on.
+      const double impulse = pushed == event.pushed.end()
+                                 ? 0.0
+                                 : std::min(0.0, crossings[i].impulses[pushed - event.pushed.begin()]);
+      if (was == is && impulse == 0.0 && j != event.contact) continue;
+      events_.push_back({.kind = was == is ? ContactEvent::Kind::impact
+                                 : is      ? ContactEvent::Kind::close
+                                           : ContactEvent::Kind::open,
+                         .contact = j,
+                         .time = wrapped_time(event.time, period()),
+                         .impulse = impulse});
+    }
+    before = &event.closed;
   }
   std::stable_sort(events_.begin(), events_.end(),
                    [](const ContactEvent& a, const ContactEvent& b) { return a.time < b.time; });
-}
-
-// Every contact that changes or takes an impulse at an event of the sequence; the one whose guard vanishes
-// in any case.
-void ExactTrajectory::list(const SequenceEvent& event, const std::vector<bool>& before,
-                           const OrbitEquations::EventCrossing& crossing) {
-  for (int j = 0; j < contact_count(); ++j) {
-    const auto index = static_cast<std::size_t>(j);
-    const auto pushed = std::find(event.pushed.begin(), event.pushed.end(), j);
-    // A resting contact may have nothing to pass on.
-    const double impulse =
-        pushed == event.pushed.end() ? 0.0 : std::min(0.0, crossing.impulses[pushed - event.pushed.begin()]);
-    if (before[index] == event.closed[index] && impulse == 0.0 && j != event.contact) continue;
-    events_.push_back({.kind = before[index] == event.closed[index] ? ContactEvent::Kind::impact
-                               : event.closed[index]                ? ContactEvent::Kind::close
-                                                                    : ContactEvent::Kind::open,
-                       .contact = j,
-                       .time = wrapped_time(event.time, period()),
-                       .impulse = impulse});
-  }
-}
-
-std::vector<Impulse> ExactTrajectory::impulses() const {
-  std::vector<Impulse> impulses;
-  for (const ContactEvent& event : events_) {
-    if (event.impulse < 0.0)
-      impulses.push_back({.contact = event.contact, .time = event.time, .value = event.impulse});
-  }
-  return impulses;
 }
 
 const LinearArc& ExactTrajectory::arc_at(double& time) const {

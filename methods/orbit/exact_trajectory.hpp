@@ -6,14 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "methods/flow/event_trajectory.hpp"
 #include "methods/orbit/orbit_equations.hpp"
-#include "methods/solution.hpp"
 
 namespace signorini {
 
 /// What is known of a polished orbit.
 struct OrbitQuality {
-  double residual = 0.0;         ///< largest of its equations, in scales [-]
   double error_bar = 0.0;        ///< of the motion, relative to the displacement scale X [-]
   Eigen::VectorXcd multipliers;  ///< Floquet, 2 Nd; empty where undefined
 };
@@ -31,19 +30,18 @@ class ExactTrajectory final : public Trajectory {
   [[nodiscard]] int contact_count() const override { return model_->dynamics.contact_count(); }
   [[nodiscard]] double period() const override { return model_->period; }
   [[nodiscard]] Samples sample(int count) const override;
-  [[nodiscard]] std::vector<Impulse> impulses() const override;
+  [[nodiscard]] std::vector<Impulse> impulses() const override { return impulses_of(events_); }
   [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override { return events_; }
 
   /// State of the coordinates with mass at any time [s].
   [[nodiscard]] State at(double time) const;
   /// Section state and events, times in (start.time, start.time + period).
   [[nodiscard]] const OrbitGuess& orbit() const { return orbit_; }
-  [[nodiscard]] const OrbitQuality& quality() const { return quality_; }
+  [[nodiscard]] const OrbitQuality& quality() const { return quality_; }  ///< as the polish left it
+  /// Said once by the polish, which knows it only when the orbit is there.
   void set_quality(OrbitQuality quality) { quality_ = std::move(quality); }
 
  private:
-  void list(const SequenceEvent& event, const std::vector<bool>& before,
-            const OrbitEquations::EventCrossing& crossing);
   [[nodiscard]] const LinearArc& arc_at(double& time) const;
 
   std::shared_ptr<OrbitModel> model_;

@@ -1,10 +1,9 @@
-#include "methods/orbit/listed_sequence.hpp"
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <utility>
 
 #include "methods/discretisation/periodic_time.hpp"
+#include "methods/orbit/orbit_guess.hpp"
 
 namespace signorini {
 
@@ -60,8 +59,10 @@ bool join(const ContactDynamics& dynamics, const std::vector<ContactEvent>& toge
     if (event.kind != Kind::impact) closed[index] = event.kind == Kind::close;
     const bool strikes = event.kind != Kind::open && !was_closed(event);
     if (!dynamics.rigid() || (event.impulse == 0.0 && !strikes)) continue;
-    joined.pushed.push_back(event.contact);
-    joined.restitution.push_back(event.kind == Kind::impact && strikes ? dynamics.restitution() : 0.0);
+    const auto place = std::upper_bound(joined.pushed.begin(), joined.pushed.end(), event.contact);
+    joined.restitution.insert(joined.restitution.begin() + (place - joined.pushed.begin()),
+                              event.kind == Kind::impact && strikes ? dynamics.restitution() : 0.0);
+    joined.pushed.insert(place, event.contact);
   }
   joined.closed = closed;
   return true;
@@ -69,6 +70,8 @@ bool join(const ContactDynamics& dynamics, const std::vector<ContactEvent>& toge
 
 // The state at the section for which the instants of `guess` come nearest to an orbit's.
 std::optional<State> state_for_instants(OrbitModel& model, const OrbitGuess& guess) {
+  // The motion is linear between given instants: one step from any state solves closure and guards for the
+  // state, more equations (2 Nd + m) than unknowns (2 Nd), in the least squares.
   OrbitEquations equations(model, guess);
   const Eigen::Index states = equations.size() - equations.events();
   Eigen::VectorXd unknowns = equations.guess();

@@ -11,7 +11,7 @@ namespace signorini {
 using Complex = std::complex<double>;
 
 ModalGreenFunction::ModalGreenFunction(const ContactDynamics& dynamics, double period)
-    : period_(period), directions_(dynamics.structure().directions), rates_(dynamics.structure().rates) {
+    : period_(period), rates_(dynamics.structure().rates) {
   constexpr double kIllConditioned = 1e-8;
   const int n = dynamics.size();
   const double unit = 1.0 / dynamics.structure().frequency;  // velocities count as v / omega
@@ -29,6 +29,7 @@ ModalGreenFunction::ModalGreenFunction(const ContactDynamics& dynamics, double p
   shapes_ = modes.eigenvectors().topRows(n);
   Eigen::MatrixXcd struck = Eigen::MatrixXcd::Zero(2 * n, dynamics.contact_count());
   struck.bottomRows(n) = unit * dynamics.structure().velocity_per_impulse.cast<Complex>();
+  // The impulses of all periods past: sum_n e^{mu (tau + n T)} = e^{mu tau} / (1 - e^{mu T}).
   excitation_ = closing.inverse().matrix().asDiagonal() * lu.solve(struck);
   const Eigen::MatrixXcd load = dynamics.structure().load;
   forced_.resize(n, load.cols());
@@ -38,29 +39,17 @@ ModalGreenFunction::ModalGreenFunction(const ContactDynamics& dynamics, double p
         Eigen::MatrixXcd(dynamics.structure().stiffness.cast<Complex>()) +
         Complex(0.0, w) * Eigen::MatrixXcd(dynamics.structure().damping.cast<Complex>()) -
         w * w * Eigen::MatrixXcd(dynamics.structure().mass.cast<Complex>());
-    if (load.col(h).isZero(0.0)) {
-      forced_.col(h).setZero();
-    } else {
-      forced_.col(h) = Z.fullPivLu().solve(load.col(h));
-    }
+    forced_.col(h) = Z.fullPivLu().solve(load.col(h));  // zero under no load, resonance or not
   }
   defined_ = forced_.allFinite();
 }
 
-Eigen::VectorXcd ModalGreenFunction::growth(double tau) const {
-  return (mu_ * wrapped_time(tau, period_)).array().exp();
-}
-
-double ModalGreenFunction::at(int row, int column, double tau, int derivative) const {
-  Eigen::VectorXcd terms = growth(tau).cwiseProduct(excitation_.col(column));
-  if (derivative == 1) terms = terms.cwiseProduct(mu_).eval();
-  return (directions_.col(row).transpose().cast<Complex>() * (shapes_ * terms))(0).real();
-}
-
 State ModalGreenFunction::state(double time, const std::vector<Impulse>& impulses) const {
   Eigen::VectorXcd terms = Eigen::VectorXcd::Zero(mu_.size());
-  for (const Impulse& impulse : impulses)
-    terms += impulse.value * growth(time - impulse.time).cwiseProduct(excitation_.col(impulse.contact));
+  for (const Impulse& impulse : impulses) {
+    const double tau = wrapped_time(time - impulse.time, period_);
+    terms.array() += impulse.value * (mu_.array() * tau).exp() * excitation_.col(impulse.contact).array();
+  }
   State state{.u = (shapes_ * terms).real(), .v = (shapes_ * mu_.cwiseProduct(terms)).real()};
   for (Eigen::Index h = 0; h < forced_.cols(); ++h) {
     const double w = rates_[static_cast<std::size_t>(h)];

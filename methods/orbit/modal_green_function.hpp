@@ -23,18 +23,12 @@ class ModalGreenFunction {
 
   /// False where A has no basis of eigenvectors or e^{mu T} = 1 (no unique periodic response).
   [[nodiscard]] bool defined() const { return defined_; }
-  /// Component of G: x_row (derivative 0) or x'_row (1) after a unit impulse on contact `column`; tau is
-  /// taken modulo T, right-sided at 0 [m / (N s)].
-  [[nodiscard]] double at(int row, int column, double tau, int derivative = 0) const;
   /// u and v under the impulses; right-sided where one acts at this very time.
   [[nodiscard]] State state(double time, const std::vector<Impulse>& impulses) const;
 
  private:
-  [[nodiscard]] Eigen::VectorXcd growth(double tau) const;
-
   double period_;
   bool defined_ = false;
-  Eigen::MatrixXd directions_;
   Eigen::VectorXcd mu_;          // 2 Nd
   Eigen::MatrixXcd shapes_;      // Nd x 2 Nd
   Eigen::MatrixXcd excitation_;  // 2 Nd x Nc, (1 - e^{mu T})^-1 included

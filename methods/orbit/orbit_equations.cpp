@@ -14,12 +14,8 @@ OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess)
       x_unit_(model.dynamics.scales().displacement),
       v_unit_(model.dynamics.scales().velocity),
       t_unit_(1.0 / model.dynamics.structure().frequency) {
-  prepare(guess);
-}
-
-// Unknowns and equations are divided by the scales of the motion, so that one tolerance fits lengths, speeds,
-// forces and instants, and |J^-1| says something about all of them.
-void OrbitEquations::prepare(const OrbitGuess& guess) {
+  // Unknowns and equations are divided by the scales of the motion, so that one tolerance fits lengths,
+  // speeds, forces and instants, and |J^-1| says something about all of them.
   const ContactDynamics& dynamics = model_.dynamics;
   first_.resize(size());
   first_.head(n_) = guess.start.state.u / x_unit_;
@@ -33,14 +29,7 @@ void OrbitEquations::prepare(const OrbitGuess& guess) {
     law.of_force = event.kind == ContactEvent::Kind::open;
     law.unit = law.of_force ? dynamics.force_scale(event.contact) : x_unit_;
     if (!event.pushed.empty()) {
-      // Newton's law for the contacts S together: W_S^T v_+ = -e W_S^T v_- with v_+ = v_- + M^-1 W_S p, hence
-      // p = -G_SS^-1 diag(1 + e) W_S^T v_-. Stops that depend on each other have a singular G_SS and share p.
-      const Eigen::MatrixXd G = dynamics.structure().delassus(event.pushed, event.pushed);
-      Eigen::MatrixXd speeds = dynamics.structure().directions(Eigen::all, event.pushed).transpose();
-      for (Eigen::Index k = 0; k < speeds.rows(); ++k)
-        speeds.row(k) *= 1.0 + event.restitution[static_cast<std::size_t>(k)];
-      law.impulse = speeds.rows() == 1 ? Eigen::MatrixXd(-speeds / G(0, 0))
-                                       : Eigen::MatrixXd(-G.completeOrthogonalDecomposition().solve(speeds));
+      law.impulse = dynamics.structure().impulse_of_velocity(event.pushed, event.restitution);
       law.response = dynamics.structure().velocity_per_impulse(Eigen::all, event.pushed);
     }
     laws_.push_back(std::move(law));
@@ -69,9 +58,7 @@ void OrbitEquations::pass_event(Eigen::Index i) {
   sensitivity_.col(row).tail(n_) = t_unit_ * a_;
   EventCrossing& crossing = crossings_[index];
   crossing.approach = arc.displacement(event.contact, time, 1);
-  const LinearFlow& flow = *flows_[index];
-  const Eigen::RowVectorXd gradient =
-      law.of_force ? flow.multiplier_gradient(event.contact) : flow.displacement_gradient(event.contact);
+  const Eigen::RowVectorXd gradient = flows_[index]->gradient(event.contact, law.of_force);
   jacobian_.row(row).head(known).noalias() = gradient * sensitivity_.leftCols(known) / law.unit;
   if (law.of_force) {
     residual_[row] = arc.force(event.contact, time) / law.unit;

@@ -1,5 +1,6 @@
 #pragma once
-// The equations of a periodic orbit that runs through a prescribed sequence of events.
+// The equations of a periodic orbit that runs through a prescribed sequence of events, and Newton's method on
+// them.
 
 #include <Eigen/Core>
 #include <memory>
@@ -7,27 +8,26 @@
 #include <vector>
 
 #include "methods/flow/flow_record.hpp"
-#include "methods/linear_flow/linear_flows.hpp"
+#include "methods/linear_flow/linear_flow.hpp"
+#include "methods/solvers/constants.hpp"
 
 namespace signorini {
 
 /// A scene ready for exact orbits: its dynamics and the flows of the modes met so far.
 struct OrbitModel {
-  explicit OrbitModel(const Problem& problem, FlowForm form = FlowForm::automatic)
-      : owner(std::make_shared<ContactDynamics>(problem)),
-        dynamics(*owner),
-        flows(dynamics, form),
-        period(problem.period()) {}
+  /// \throws std::runtime_error with flow_obstacle(problem) if there is one
+  explicit OrbitModel(const Problem& problem)
+      : dynamics(problem), flows(dynamics, FlowForm::automatic), period(problem.period()) {}
   /// The same scene with flows of another form.
   OrbitModel(const OrbitModel& other, FlowForm form)
-      : owner(other.owner), dynamics(*owner), flows(dynamics, form), period(other.period) {}
+      : dynamics(other.dynamics), flows(dynamics, form), period(other.period) {}
+  /// Its parts refer to each other.
   OrbitModel(const OrbitModel&) = delete;
   OrbitModel& operator=(const OrbitModel&) = delete;
 
-  std::shared_ptr<const ContactDynamics> owner;
-  const ContactDynamics& dynamics;
-  LinearFlows flows;
-  double period;  ///< of the orbits looked for [s]
+  const ContactDynamics dynamics;  ///< of the scene
+  LinearFlows flows;               ///< of its contact modes
+  double period;                   ///< of the orbits looked for [s]
 };
 
 /// An orbit up to its polish: a state at the section, and the events until the section comes again.
@@ -58,23 +58,27 @@ class OrbitEquations {
   /// \throws std::runtime_error if a flow cannot be formed
   OrbitEquations(OrbitModel& model, const OrbitGuess& guess);
 
-  [[nodiscard]] Eigen::Index size() const { return 2 * n_ + m_; }
-  [[nodiscard]] Eigen::Index events() const { return m_; }
-  [[nodiscard]] const Eigen::VectorXd& guess() const { return first_; }
+  [[nodiscard]] Eigen::Index size() const { return 2 * n_ + m_; }        ///< 2 Nd + m
+  [[nodiscard]] Eigen::Index events() const { return m_; }               ///< m
+  [[nodiscard]] const Eigen::VectorXd& guess() const { return first_; }  ///< the unknowns to begin with
   /// The instant at which the section comes again, in the unit of the instants [-].
   [[nodiscard]] double end() const { return model_.period * model_.dynamics.structure().frequency; }
   /// Evaluates residual and Jacobian; false if anything is not finite.
   bool evaluate(const Eigen::VectorXd& unknowns);
 
+  /// Left sides of the equations, in scales, of the last evaluation [-].
   [[nodiscard]] const Eigen::VectorXd& residual() const { return residual_; }
+  /// Its derivative with respect to the unknowns [-].
   [[nodiscard]] const Eigen::MatrixXd& jacobian() const { return jacobian_; }
-  [[nodiscard]] double largest_state() const { return largest_state_; }  ///< in scales, for round-off [-]
-  /// Speeds x'_j at the events, before and after, and impulses of those pushed; of the last evaluation.
+  /// Rounding error of the residual: 32 epsilon times the largest state met, in scales [-].
+  [[nodiscard]] double noise() const { return 32.0 * kEpsilon * largest_state_; }
+  /// What the law made of an event, in the last evaluation.
   struct EventCrossing {
-    double approach = 0.0;
+    double approach = 0.0;     ///< x'_- of the contact whose guard vanishes [m/s]
     Eigen::VectorXd speeds;    ///< x'_- of the contacts pushed [m/s]
     Eigen::VectorXd impulses;  ///< p of the contacts pushed [N s]
   };
+  /// Those of all events.
   [[nodiscard]] const std::vector<EventCrossing>& crossings() const { return crossings_; }
   /// m + 1 arcs: arc i ends at event i. The next evaluation changes them.
   [[nodiscard]] const std::vector<std::shared_ptr<LinearArc>>& arcs() const { return arcs_; }
@@ -90,7 +94,6 @@ class OrbitEquations {
     Eigen::MatrixXd response;  // v_+ - v_- as a map of p: M^-1 W_S, Nd x |S|
     double unit = 1.0;         // of the equation
   };
-  void prepare(const OrbitGuess& guess);
   void pass_event(Eigen::Index i);
 
   OrbitModel& model_;
@@ -105,5 +108,22 @@ class OrbitEquations {
   std::vector<std::shared_ptr<LinearArc>> arcs_;
   std::vector<EventCrossing> crossings_;
 };
+
+/// How Newton's method ended.
+struct OrbitNewtonResult {
+  bool solved = false;       ///< the unknowns are a solution
+  bool merging = false;      ///< it failed because two events of the sequence come together
+  std::string reason = {};   ///< why it failed, one clause
+  int iterations = 0;        ///< Newton steps
+  double residual = 0.0;     ///< largest of the equations, in scales; 0 where they are not finite [-]
+  Eigen::VectorXd unknowns;  ///< of the last iterate, at which `equations` are left evaluated
+};
+
+/// Solves the equations from their guess by `damped_newton`. Steps are shortened so that no interval between
+/// events loses more than four fifths of its length, for beyond an event that overtakes another the equations
+/// mean nothing, and halved until the residual falls. Solved: residual <= max(tolerance, noise()),
+/// reduced by one more step where that is possible, or a residual that no longer falls and is within a
+/// hundred times its noise.
+OrbitNewtonResult solve(OrbitEquations& equations, double tolerance, int max_iterations);
 
 }  // namespace signorini

@@ -9,7 +9,6 @@
 #include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/periodic_time.hpp"
 #include "methods/flow/flow.hpp"
-#include "methods/orbit/listed_sequence.hpp"
 
 namespace signorini {
 
@@ -18,46 +17,42 @@ namespace {
 // Forces of a period on an equidistant grid, the listed impulses apart.
 struct ForceHistory {
   Eigen::MatrixXd force;  // N x Nc
-  double step = 0.0;
-  int reach = 1;  // samples over which an impact may be spread
+  double step = 0.0;      // [s]
+  int reach = 0;          // samples over which an impact may be spread
 };
 
 ForceHistory force_history(const Trajectory& trajectory) {
   constexpr int kFine = 4096;
-  ForceHistory history;
-  int count = kFine;
+  int count = kFine, reach = 0;
   if (const auto nodes = trajectory.nodes()) {
     count = *nodes;  // a force at a node acts over one step: between the nodes there is nothing to be read
-    history.reach = 3;
+    reach = 3;
   } else if (const auto bandwidth = trajectory.bandwidth()) {
     count = static_cast<int>(std::bit_ceil(static_cast<unsigned>(8 * std::max(4, *bandwidth))));
-    history.reach = 12;
-  } else {
-    history.reach = 0;
+    reach = 12;
   }
-  history.force = trajectory.sample(count).force;
-  history.step = trajectory.period() / count;
-  return history;
+  return {.force = trajectory.sample(count).force, .step = trajectory.period() / count, .reach = reach};
 }
 
-// A time during which one contact pushes: a phase of contact, or an impact.
-struct Cluster {
+// A time during which one contact pushes, as the sequence of an orbit will have it: a phase of contact, or an
+// impact. Unlike SampledPhase it has instants, those between two samples.
+struct Push {
   int contact = 0;
   double begin = 0.0, end = 0.0, centroid = 0.0;  // [s]; end may reach past the period
   bool lasting = false;
 };
 
 // Read off the contact force.
-std::vector<Cluster> clusters_of(const ForceHistory& history, bool springs) {
+std::vector<Push> pushes_of(const ForceHistory& history, bool springs) {
   constexpr double kRipple = 1e-6;  // of the contact's largest force
   const auto count = static_cast<int>(history.force.rows());
-  std::vector<Cluster> clusters;
+  std::vector<Push> pushes;
   for (int c = 0; c < static_cast<int>(history.force.cols()); ++c) {
     const double threshold = kRipple * history.force.col(c).cwiseAbs().maxCoeff();
     if (threshold == 0.0) continue;
     for (const auto& [first, length] : contact_phases(history.force.col(c), threshold, 1)) {
       if (length == count) {  // never open
-        clusters.push_back({c, 0.0, history.step * count, 0.0, true});
+        pushes.push_back({c, 0.0, history.step * count, 0.0, true});
         continue;
       }
       double weight = 0.0, moment = 0.0;
@@ -65,46 +60,50 @@ std::vector<Cluster> clusters_of(const ForceHistory& history, bool springs) {
         weight += history.force(k % count, c);
         moment += history.force(k % count, c) * k;
       }
-      clusters.push_back({c, (first - 0.5) * history.step, (first + length - 0.5) * history.step,
-                          moment / weight * history.step, springs || length > history.reach});
+      pushes.push_back({c, (first - 0.5) * history.step, (first + length - 0.5) * history.step,
+                        moment / weight * history.step, springs || length > history.reach});
     }
   }
-  return clusters;
+  return pushes;
 }
 
-// Middle of the longest time free of the given intervals; or of instants, if they are everywhere.
-double quiet_instant(const std::vector<Cluster>& clusters, double period) {
-  const auto middle_of_longest = [&](std::vector<std::pair<double, double>> busy) {
-    if (busy.empty()) return std::pair(0.0, 0.0);
-    std::sort(busy.begin(), busy.end());
-    double reach = busy.front().second, longest = 0.0, middle = 0.0;
-    busy.emplace_back(busy.front().first + period, 0.0);
-    for (std::size_t i = 1; i < busy.size(); ++i) {
-      if (busy[i].first - reach > longest) {
-        longest = busy[i].first - reach;
-        middle = reach + 0.5 * longest;
-      }
-      reach = std::max(reach, busy[i].second);
+// The middle of the longest time free of the given intervals, and its length.
+std::pair<double, double> longest_break(std::vector<std::pair<double, double>> busy, double period) {
+  if (busy.empty()) return {0.0, 0.0};
+  std::sort(busy.begin(), busy.end());
+  double reach = busy.front().second, longest = 0.0, middle = 0.0;
+  busy.emplace_back(busy.front().first + period, 0.0);
+  for (std::size_t i = 1; i < busy.size(); ++i) {
+    if (busy[i].first - reach > longest) {
+      longest = busy[i].first - reach;
+      middle = reach + 0.5 * longest;
     }
-    return std::pair(longest, middle);
-  };
+    reach = std::max(reach, busy[i].second);
+  }
+  return {longest, middle};
+}
+
+// The middle of the longest time without a push; where contact lasts nearly all the time, of the longest
+// between two events.
+double quiet_instant(const std::vector<Push>& pushes, double period) {
+  constexpr double kTight = 0.02;  // of the period
   std::vector<std::pair<double, double>> spans, edges;
-  for (const Cluster& cluster : clusters) {
-    if (cluster.end - cluster.begin >= period) continue;  // no instant is free of it, none is an event
-    const double begin = wrapped_time(cluster.begin, period), length = cluster.end - cluster.begin;
+  for (const Push& push : pushes) {
+    const double length = push.end - push.begin;
+    if (length >= period) continue;  // no instant is free of it, none is an event
+    const double begin = wrapped_time(push.begin, period), end = wrapped_time(begin + length, period);
     spans.emplace_back(begin, begin + length);
     edges.emplace_back(begin, begin);
-    edges.emplace_back(wrapped_time(begin + length, period), wrapped_time(begin + length, period));
+    edges.emplace_back(end, end);
   }
-  const auto [length, middle] = middle_of_longest(spans);
-  constexpr double kTight = 0.02;  // of the period: contact nearly all the time
-  return wrapped_time(length > kTight * period || spans.empty() ? middle : middle_of_longest(edges).second,
-                      period);
+  const auto [length, middle] = longest_break(spans, period);
+  const bool quiet = length > kTight * period || spans.empty();
+  return wrapped_time(quiet ? middle : longest_break(edges, period).second, period);
 }
 
-// The structure's periodic state at `time` under load and impulses p_k at times t_k.
-std::optional<State> periodic_state(OrbitModel& model, double time, const ForceHistory& history,
-                                    const std::vector<Impulse>& impulses) {
+// The structure's periodic state at `time` under load and impulses: y_0 = (I - Phi(T))^-1 times what load and
+// impulses of one period make of a structure at rest, for y_0 itself returns as Phi(T) y_0.
+std::optional<State> periodic_state(OrbitModel& model, double time, std::vector<Impulse> impulses) {
   const ContactDynamics& dynamics = model.dynamics;
   const int n = dynamics.size();
   const LinearFlow& flow =
@@ -113,19 +112,9 @@ std::optional<State> periodic_state(OrbitModel& model, double time, const ForceH
   State end;
   arc->start(time, {.u = Eigen::VectorXd::Zero(n), .v = Eigen::VectorXd::Zero(n)});
   arc->state(time + model.period, end);
-  std::vector<Impulse> before;  // times before the end of the period
-  const auto add = [&](int contact, double at, double value) {
-    before.push_back(
-        {.contact = contact, .time = model.period - wrapped_time(at - time, model.period), .value = value});
-  };
-  for (int c = 0; c < dynamics.contact_count(); ++c) {
-    for (Eigen::Index k = 0; k < history.force.rows(); ++k) {
-      if (history.force(k, c) != 0.0)
-        add(c, static_cast<double>(k) * history.step, history.force(k, c) * history.step);
-    }
-  }
-  for (const Impulse& impulse : impulses) add(impulse.contact, impulse.time, impulse.value);
-  const State struck = flow.response(before);
+  for (Impulse& impulse : impulses)  // times before the end of the period
+    impulse.time = model.period - wrapped_time(impulse.time - time, model.period);
+  const State struck = flow.response(impulses);
   Eigen::VectorXd sum(2 * n);
   sum << end.u + struck.u, end.v + struck.v;
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(Eigen::MatrixXd::Identity(2 * n, 2 * n) -
@@ -135,35 +124,27 @@ std::optional<State> periodic_state(OrbitModel& model, double time, const ForceH
   return State{.u = y.head(n), .v = y.tail(n)};
 }
 
-// The events of the clusters, ordered after the section, with the contacts closed after each.
-std::vector<SequenceEvent> events_of(const ContactDynamics& dynamics, const std::vector<Cluster>& clusters,
+// The events of the pushes, ordered after the section, with the contacts closed after each.
+std::vector<SequenceEvent> events_of(const ContactDynamics& dynamics, const std::vector<Push>& pushes,
                                      FlowState& start, double period) {
   std::vector<SequenceEvent> events;
   const auto after_section = [&](double t) { return start.time + wrapped_time(t - start.time, period); };
-  for (const Cluster& cluster : clusters) {
-    if (!cluster.lasting) {
+  for (const Push& push : pushes) {
+    if (!push.lasting) {
       events.push_back({.kind = ContactEvent::Kind::impact,
-                        .contact = cluster.contact,
-                        .time = after_section(cluster.centroid),
-                        .pushed = {cluster.contact},
-                        .restitution = {dynamics.restitution()}});
+                        .contact = push.contact,
+                        .time = after_section(push.centroid)});
       continue;
     }
-    const auto index = static_cast<std::size_t>(cluster.contact);
-    if (cluster.end - cluster.begin >= period) {
+    const auto index = static_cast<std::size_t>(push.contact);
+    if (push.end - push.begin >= period) {
       start.closed[index] = true;
       continue;
     }
-    SequenceEvent close{
-        .kind = ContactEvent::Kind::close, .contact = cluster.contact, .time = after_section(cluster.begin)};
-    if (dynamics.rigid()) {
-      close.pushed = {cluster.contact};
-      close.restitution = {0.0};
-    }
-    const double end = after_section(cluster.end);
-    events.push_back({.kind = ContactEvent::Kind::open, .contact = cluster.contact, .time = end});
-    if (end < close.time) start.closed[index] = true;
-    events.push_back(std::move(close));
+    const double begin = after_section(push.begin), end = after_section(push.end);
+    if (end < begin) start.closed[index] = true;
+    events.push_back({.kind = ContactEvent::Kind::open, .contact = push.contact, .time = end});
+    events.push_back({.kind = ContactEvent::Kind::close, .contact = push.contact, .time = begin});
   }
   std::stable_sort(events.begin(), events.end(),
                    [](const SequenceEvent& a, const SequenceEvent& b) { return a.time < b.time; });
@@ -174,9 +155,10 @@ std::vector<SequenceEvent> events_of(const ContactDynamics& dynamics, const std:
     event.closed = closed;
     if (!dynamics.rigid() || event.kind == ContactEvent::Kind::open) continue;
     for (int j = 0; j < dynamics.contact_count(); ++j) {  // resting contacts pass an impulse on
-      if (!closed[static_cast<std::size_t>(j)] || j == event.contact) continue;
+      if (!closed[static_cast<std::size_t>(j)] && j != event.contact) continue;
       event.pushed.push_back(j);
-      event.restitution.push_back(0.0);
+      const bool strikes = j == event.contact && event.kind == ContactEvent::Kind::impact;
+      event.restitution.push_back(strikes ? dynamics.restitution() : 0.0);
     }
   }
   return events;
@@ -187,6 +169,7 @@ double wait_for_quiet(const OrbitGuess& guess, double period) {
   constexpr double kClear = 0.2;  // of the longest time between two events
   const auto& events = guess.events;
   if (events.empty()) return 0.0;
+  // The break that the section lies in is the one from the last event to the first of the next period.
   const double before = guess.start.time + period - events.back().time;
   const double after = events.front().time - guess.start.time;
   double longest = before + after, wait = std::fmod(0.5 * (after - before) + period, period);
@@ -200,8 +183,8 @@ double wait_for_quiet(const OrbitGuess& guess, double period) {
 }
 
 // The times that listed events leave no quiet instant in.
-std::vector<Cluster> clusters_of(const std::vector<ContactEvent>& events, double period) {
-  std::vector<Cluster> clusters;
+std::vector<Push> pushes_of(const std::vector<ContactEvent>& events, double period) {
+  std::vector<Push> pushes;
   for (const ContactEvent& event : events) {
     double end = event.time;
     if (event.kind == ContactEvent::Kind::open) continue;
@@ -212,10 +195,9 @@ std::vector<Cluster> clusters_of(const std::vector<ContactEvent>& events, double
         end = std::min(end, event.time + wrapped_time(other.time - event.time, period));
       }
     }
-    clusters.push_back(
-        {event.contact, event.time, end, event.time, event.kind != ContactEvent::Kind::impact});
+    pushes.push_back({event.contact, event.time, end, event.time, event.kind != ContactEvent::Kind::impact});
   }
-  return clusters;
+  return pushes;
 }
 
 // The contacts with a force at all instants asked for.
@@ -230,26 +212,36 @@ std::vector<bool> pushing_throughout(const Trajectory& trajectory) {
 std::optional<OrbitGuess> from_events(OrbitModel& model, const Trajectory& trajectory) {
   auto events = trajectory.events();
   if (!events || events->size() > kMostEvents) return std::nullopt;
-  const double section = quiet_instant(clusters_of(*events, model.period), model.period);
+  const double section = quiet_instant(pushes_of(*events, model.period), model.period);
   return listed_sequence(model, std::move(*events), section, pushing_throughout(trajectory));
 }
 
 std::optional<OrbitGuess> from_force(OrbitModel& model, const Trajectory& trajectory) {
   const ForceHistory history = force_history(trajectory);
-  const std::vector<Impulse> impulses = trajectory.impulses();
-  std::vector<Cluster> clusters = clusters_of(history, !model.dynamics.rigid());
-  for (const Impulse& impulse : impulses)
-    clusters.push_back({impulse.contact, impulse.time, impulse.time, impulse.time, false});
+  std::vector<Push> pushes = pushes_of(history, !model.dynamics.rigid());
+  std::vector<Impulse> impulses;  // a force on a grid acts as one impulse per step
+  for (int c = 0; c < model.dynamics.contact_count(); ++c) {
+    for (Eigen::Index k = 0; k < history.force.rows(); ++k) {
+      if (history.force(k, c) != 0.0)
+        impulses.push_back({.contact = c,
+                            .time = static_cast<double>(k) * history.step,
+                            .value = history.force(k, c) * history.step});
+    }
+  }
+  for (const Impulse& impulse : trajectory.impulses()) {
+    pushes.push_back({impulse.contact, impulse.time, impulse.time, impulse.time, false});
+    impulses.push_back(impulse);
+  }
   OrbitGuess guess{
-      .start = {.time = quiet_instant(clusters, model.period),
+      .start = {.time = quiet_instant(pushes, model.period),
                 .state = {},
                 .closed = std::vector<bool>(static_cast<std::size_t>(model.dynamics.contact_count()), false)},
       .events = {},
       .origin = "the contact force"};
-  auto state = periodic_state(model, guess.start.time, history, impulses);
+  auto state = periodic_state(model, guess.start.time, std::move(impulses));
   if (!state) return std::nullopt;
   guess.start.state = std::move(*state);
-  guess.events = events_of(model.dynamics, clusters, guess.start, model.period);
+  guess.events = events_of(model.dynamics, pushes, guess.start, model.period);
   return guess;
 }
 

@@ -1,17 +1,13 @@
-#include "methods/orbit/orbit_newton.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <optional>
 
-#include "methods/solvers/constants.hpp"
+#include "methods/orbit/orbit_equations.hpp"
 #include "methods/solvers/damped_newton.hpp"
 
 namespace signorini {
-
-double residual_noise(const OrbitEquations& equations) { return 32.0 * kEpsilon * equations.largest_state(); }
 
 namespace {
 
@@ -26,7 +22,7 @@ class NewtonOnOrbit {
   // After a step that was not taken, the equations are at a trial.
   void return_to_iterate() { equations_.evaluate(unknowns_); }
 
-  [[nodiscard]] double accepted() const { return std::max(tolerance_, residual_noise(equations_)); }
+  [[nodiscard]] double accepted() const { return std::max(tolerance_, equations_.noise()); }
   [[nodiscard]] bool solved() const { return !refining_ && residual_ <= accepted(); }
   [[nodiscard]] double merit() const { return residual_; }
   std::optional<double> find_step() {
@@ -84,7 +80,8 @@ class NewtonOnOrbit {
 
 // Why the first search failed; empty where its residual is round-off all the same.
 std::string failure(const NewtonOnOrbit& newton, const DampedNewtonResult& search, double noise) {
-  constexpr double kNoise = 100.0;  // cancellation between the arcs of a sequence, beyond residual_noise
+  constexpr double kNoise =
+      100.0;  // cancellation between the arcs of a sequence, beyond OrbitEquations::noise
   const double residual = newton.merit();
   if (newton.merging()) return fmt::format("the steps close an interval (residual {:.2g})", residual);
   switch (search.end) {
@@ -115,7 +112,7 @@ OrbitNewtonResult solve(OrbitEquations& equations, double tolerance, int max_ite
   if (search.end == NewtonEnd::stalled) newton.return_to_iterate();
   if (search.end != NewtonEnd::solved) {
     result.merging = newton.merging();
-    result.reason = failure(newton, search, residual_noise(equations));
+    result.reason = failure(newton, search, equations.noise());
     result.solved = result.reason.empty();
   } else {
     result.solved = true;

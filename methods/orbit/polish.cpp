@@ -10,30 +10,14 @@
 #include <utility>
 
 #include "methods/orbit/modal_green_function.hpp"
-#include "methods/orbit/orbit_newton.hpp"
 #include "methods/solvers/condition_estimate.hpp"
 
 namespace signorini {
 
 namespace {
 
-std::ptrdiff_t count(const OrbitGuess& path, ContactEvent::Kind kind) {
-  return std::count_if(path.events.begin(), path.events.end(),
-                       [kind](const SequenceEvent& event) { return event.kind == kind; });
-}
-
 bool any_closed(const std::vector<bool>& closed) {
   return std::find(closed.begin(), closed.end(), true) != closed.end();
-}
-
-// The error bar counts an instant with the displacement that it costs: with the speed there.
-Eigen::VectorXd weights(const OrbitModel& model, const OrbitEquations& equations) {
-  Eigen::VectorXd weight = Eigen::VectorXd::Ones(equations.size());
-  for (Eigen::Index i = 0; i < equations.events(); ++i) {
-    const double v = equations.crossings()[static_cast<std::size_t>(i)].approach;
-    weight[equations.size() - equations.events() + i] = std::abs(v) / model.dynamics.scales().velocity;
-  }
-  return weight;
 }
 
 // Largest distance of a purely impulsive orbit to the sum of its impulses' periodic responses; empty if there
@@ -53,8 +37,7 @@ std::optional<double> distance_to_green_function(const OrbitModel& model, const 
   for (int i = 0; i < kInstants; ++i) {
     const double time = path.start.time + model.period * i / kInstants;
     const State a = green.state(time, impulses), b = motion.at(time);
-    largest = std::max({largest, (a.u - b.u).lpNorm<Eigen::Infinity>() / scales.displacement,
-                        (a.v - b.v).lpNorm<Eigen::Infinity>() / scales.velocity});
+    largest = std::max(largest, scales.distance(a, b));
   }
   return largest;
 }
@@ -64,7 +47,12 @@ void measure_error(const OrbitModel& model, const OrbitEquations& equations, con
                    ExactOrbit& orbit) {
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(equations.jacobian());
   orbit.condition = condition_from(lu.rcond());
-  const Eigen::VectorXd weight = weights(model, equations);
+  // An instant counts with the displacement that it costs: with the speed there.
+  Eigen::VectorXd weight = Eigen::VectorXd::Ones(equations.size());
+  for (Eigen::Index i = 0; i < equations.events(); ++i) {
+    const double v = equations.crossings()[static_cast<std::size_t>(i)].approach;
+    weight[equations.size() - equations.events() + i] = std::abs(v) / model.dynamics.scales().velocity;
+  }
   const Eigen::MatrixXd inverse = weight.asDiagonal() * lu.inverse();
   orbit.error_bar = inverse.cwiseAbs().rowwise().sum().maxCoeff() *
                     (orbit.residual + orbit.attainable + orbit.admissibility.chatter_error);
@@ -103,12 +91,14 @@ void conclude(const OrbitEquations& equations, const PolishOptions& options, Exa
   }
   const Eigen::MatrixXd monodromy = equations.monodromy();
   if (monodromy.size() > 0 && monodromy.allFinite()) orbit.multipliers = monodromy.eigenvalues();
-  orbit.outcome = found.chatter ? OrbitOutcome::chatter : OrbitOutcome::converged;
-  const auto closings = count(path, ContactEvent::Kind::close);
+  const bool chatter = found.chatter_error > 0.0;
+  orbit.outcome = chatter ? OrbitOutcome::chatter : OrbitOutcome::converged;
+  const auto closings = std::count_if(path.events.begin(), path.events.end(), [](const SequenceEvent& event) {
+    return event.kind == ContactEvent::Kind::close;
+  });
   orbit.reason =
-      found.chatter
-          ? fmt::format("complete chattering: {} impacts resolved, then contact", found.impacts)
-          : fmt::format("periodic orbit, impacts {}, phases of contact {}", found.impacts, closings);
+      chatter ? fmt::format("complete chattering: {} impacts resolved, then contact", found.impacts)
+              : fmt::format("periodic orbit, impacts {}, phases of contact {}", found.impacts, closings);
   if (closings == 0 && any_closed(path.start.closed)) orbit.reason += " (closed throughout)";
 }
 
@@ -116,46 +106,30 @@ ExactOrbit polish(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& gu
                   const PolishOptions& options) {
   OrbitEquations equations(*model, guess);
   const OrbitNewtonResult newton = solve(equations, options.tolerance, options.max_iterations);
-  ExactOrbit orbit;
-  orbit.origin = guess.origin;
-  orbit.iterations = newton.iterations;
-  orbit.residual = newton.residual;
+  ExactOrbit orbit{.origin = guess.origin, .residual = newton.residual, .iterations = newton.iterations};
   if (!newton.solved) {
     orbit.outcome = newton.merging ? OrbitOutcome::events_merge : OrbitOutcome::no_convergence;
     orbit.reason = newton.reason;
     return orbit;
   }
-  orbit.attainable = residual_noise(equations);
+  orbit.attainable = equations.noise();
   const OrbitGuess path = equations.orbit(newton.unknowns);
   const auto trajectory =
       std::make_shared<ExactTrajectory>(model, path, equations.arcs(), equations.crossings());
   orbit.trajectory = trajectory;
-  orbit.admissibility = check_admissible(*model, path, equations, options.admissibility, options.chatter);
+  orbit.admissibility = check_admissible(*model, path, equations);
   measure_error(*model, equations, options, orbit);
   conclude(equations, options, orbit);
-  trajectory->set_quality(
-      {.residual = orbit.residual, .error_bar = orbit.error_bar, .multipliers = orbit.multipliers});
+  trajectory->set_quality({.error_bar = orbit.error_bar, .multipliers = orbit.multipliers});
   return orbit;
 }
 
 }  // namespace
 
 std::string describe(OrbitOutcome outcome) {
-  switch (outcome) {
-    case OrbitOutcome::converged:
-      return "converged";
-    case OrbitOutcome::chatter:
-      return "complete chattering";
-    case OrbitOutcome::grazing:
-      return "grazing";
-    case OrbitOutcome::not_admissible:
-      return "not admissible";
-    case OrbitOutcome::events_merge:
-      return "two events merge";
-    case OrbitOutcome::no_convergence:
-      return "no convergence";
-  }
-  return {};
+  constexpr const char* kWords[] = {"converged",      "complete chattering", "grazing",
+                                    "not admissible", "two events merge",    "no convergence"};
+  return kWords[static_cast<std::size_t>(outcome)];
 }
 
 ExactOrbit polish_sequence(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& guess,
@@ -163,10 +137,7 @@ ExactOrbit polish_sequence(const std::shared_ptr<OrbitModel>& model, const Orbit
   try {
     return polish(model, guess, options);
   } catch (const std::exception& error) {  // a mode whose flow cannot be formed
-    ExactOrbit orbit;
-    orbit.origin = guess.origin;
-    orbit.reason = error.what();
-    return orbit;
+    return {.reason = error.what(), .origin = guess.origin};
   }
 }
 

@@ -1,16 +1,44 @@
 #pragma once
-// Newton's method on the equations of an orbit, and what is known of its answer.
+// From a sequence of events to an exact orbit: Newton's method, the contact conditions, the error bar.
 
 #include <Eigen/Core>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "methods/orbit/admissibility.hpp"
 #include "methods/orbit/exact_trajectory.hpp"
 
 namespace signorini {
 
+/// Penetration and tension allowed, in the scales of the motion [-]
+inline constexpr double kAdmissible = 1e-11;
+/// Displacement that the summed rest of a chatter may leave out, over X [-]
+inline constexpr double kLeftOut = 1e-9;
+
+/// Whether a solution of the orbit equations is a motion of the scene.
+struct Admissibility {
+  bool ok = true;           ///< all conditions hold
+  std::string reason = {};  ///< which one fails first, where
+  /// Largest x_j - g_j of an open contact between events over X, or lambda_j of a closed one over its scale
+  /// [-].
+  double violation = 0.0;
+  double weakest_impact = 0.0;  ///< smallest approach speed of an impact, relative to V; 0 without one [-]
+  /// Displacement that the summed rest of a chatter leaves out, over X; 0 where no infinite sequence of
+  /// impacts ends in sticking [-].
+  double chatter_error = 0.0;
+  int impacts = 0;  ///< resolved
+};
+
+/// Checks an orbit as last evaluated: between events no open contact beyond its stop and no closed one
+/// pulling (sampled at a sixteenth of the fastest period still alive in the guards, local maxima polished by
+/// Newton's method, those between two samples found by where the rate turns), approach speeds positive,
+/// impulses compressive, each impact by the scene's law, all to kAdmissible in the scales of the motion. A
+/// contact that stops with e > 0 is accepted as the limit of a chatter if the rest of the geometric sequence
+/// displaces less than kLeftOut X.
+Admissibility check_admissible(const OrbitModel& model, const OrbitGuess& orbit,
+                               const OrbitEquations& equations);
+
+/// What became of a sequence, from an orbit of the scene to what tells least of one.
 enum class OrbitOutcome {
   converged,       ///< an admissible orbit
   chatter,         ///< an admissible orbit with a complete chatter: infinitely many impacts, then contact
@@ -23,33 +51,34 @@ enum class OrbitOutcome {
 /// Lower-case words for messages and records: "converged", "not admissible", ...
 std::string describe(OrbitOutcome outcome);
 
+/// How far a polish goes.
 struct PolishOptions {
-  double tolerance = 1e-12;      ///< of the residual, relative to the scales of the motion [-]
-  int max_iterations = 40;       ///< Newton steps
-  double admissibility = 1e-11;  ///< penetration and tension allowed, in scales [-]
-  double chatter = 1e-9;         ///< displacement that the summed rest of a chatter may leave out, over X [-]
-  double grazing = 1e-7;         ///< approach speed over V below which an impact grazes [-]
+  double tolerance = 1e-12;        ///< of the residual, relative to the scales of the motion [-]
+  int max_iterations = 40;         ///< Newton steps
+  double grazing = 1e-7;           ///< approach speed over V below which an impact grazes [-]
   bool second_evaluation = false;  ///< evaluate once more, by Green's function or exponentials
 };
 
 /// A polished orbit, or why there is none.
 struct ExactOrbit {
-  OrbitOutcome outcome = OrbitOutcome::no_convergence;
-  std::string reason;                                 ///< one clause
-  std::string origin;                                 ///< of the sequence that led here
-  std::shared_ptr<const ExactTrajectory> trajectory;  ///< where the equations were solved
-  double residual = 0.0;                              ///< largest of the equations, in scales [-]
-  double attainable = 0.0;                            ///< round-off of the residual [-]
-  double error_bar = 0.0;  ///< of the motion, relative to X: |J^-1| times the residual and its noise [-]
-  double condition = 1.0;  ///< estimate for J, in its scales; where there is a trajectory [-]
-  int iterations = 0;      ///< Newton steps
-  Eigen::VectorXcd multipliers;  ///< Floquet, 2 Nd; empty where undefined
-  Admissibility admissibility;
+  OrbitOutcome outcome = OrbitOutcome::no_convergence;     ///< what became of the sequence
+  std::string reason = {};                                 ///< one clause
+  std::string origin = {};                                 ///< of the sequence that led here
+  std::shared_ptr<const ExactTrajectory> trajectory = {};  ///< where the equations were solved
+  double residual = 0.0;                                   ///< largest of the equations, in scales [-]
+  double attainable = 0.0;                                 ///< round-off of the residual [-]
+  /// Of the motion, relative to X: |J^-1| times the residual and its noise [-].
+  double error_bar = 0.0;
+  double condition = 1.0;             ///< estimate for J, in its scales; where there is a trajectory [-]
+  int iterations = 0;                 ///< Newton steps
+  Eigen::VectorXcd multipliers = {};  ///< Floquet, 2 Nd; empty where undefined
+  Admissibility admissibility = {};   ///< where there is a trajectory
 
   /// An orbit of the scene stands behind this.
   [[nodiscard]] bool certified() const {
     return outcome == OrbitOutcome::converged || outcome == OrbitOutcome::chatter;
   }
+  /// Of `multipliers`, in magnitude; 0 where there are none.
   [[nodiscard]] double largest_multiplier() const {
     return multipliers.size() == 0 ? 0.0 : multipliers.cwiseAbs().maxCoeff();
   }

@@ -14,17 +14,18 @@ namespace signorini {
 /// restarts at every period, so that the map is a function of the state alone.
 class PeriodMap {
  public:
+  /// \param flow  of the scene, kept by the caller
   explicit PeriodMap(EventFlow& flow) : flow_(flow) {}
 
   /// Applies the map `count` times; the phase state.time stays, record times run on.
   void apply(FlowState& state, int count, FlowRecord& record);
-  /// max(|u_a - u_b| / X, |v_a - v_b| / V), in the scales of the motion [-].
-  [[nodiscard]] double distance(const State& a, const State& b) const;
-  /// (u / X, v / V), 2 Nd.
+  /// (u / X, v / V), 2 Nd, in the scales of the motion [-].
   [[nodiscard]] Eigen::VectorXd scaled(const State& state) const;
+  /// The state that is scaled to a vector.
   [[nodiscard]] State unscaled(const Eigen::VectorXd& vector) const;
 
-  [[nodiscard]] EventFlow& flow() const { return flow_; }
+  [[nodiscard]] EventFlow& flow() const { return flow_; }  ///< that the map follows
+  /// Between two applications [s].
   [[nodiscard]] double forcing_period() const { return flow_.dynamics().structure().forcing_period; }
   [[nodiscard]] long periods() const { return periods_; }  ///< applied since construction
 
@@ -35,19 +36,23 @@ class PeriodMap {
 
 /// A fixed point of `order` applications of the map, or the best state towards one.
 struct FixedPoint {
-  bool converged = false;
-  std::string reason;  ///< why not, one clause
-  FlowState start;
-  int order = 1;
-  double residual = 0.0;                 ///< distance between start and end of a period [-]
-  int iterations = 0;                    ///< Newton steps
+  bool converged = false;                ///< the motion from `start` is periodic
+  std::string message = {};              ///< why it is not, one clause; of `march` and `shoot`: a sentence
+  FlowState start = {};                  ///< state at the beginning of a period
+  int order = 1;                         ///< forcing periods per period of the motion
+  double residual = 0.0;                 ///< distance between start and end of a period, scaled [-]
+  long iterations = 0;                   ///< Newton steps, or periods marched
   std::optional<double> condition = {};  ///< estimate for I - monodromy at the last step, scaled [-]
-  Eigen::MatrixXd monodromy;             ///< in scaled coordinates, 2 Nd x 2 Nd
-  Eigen::VectorXcd multipliers;          ///< its eigenvalues, the Floquet multipliers; empty unless converged
+  Eigen::MatrixXd monodromy = {};        ///< in scaled coordinates, 2 Nd x 2 Nd
+  Eigen::VectorXcd multipliers = {};     ///< its eigenvalues, the Floquet multipliers; empty unless converged
 
-  [[nodiscard]] double largest_multiplier() const;
+  /// Of `multipliers`, in magnitude; 0 where there are none.
+  [[nodiscard]] double largest_multiplier() const {
+    return multipliers.size() == 0 ? 0.0 : multipliers.cwiseAbs().maxCoeff();
+  }
 };
 
+/// When find_fixed_point gives up.
 struct NewtonLimits {
   double accepted = 1e-8;      ///< residual that counts as periodic [-]
   int max_iterations = 20;     ///< Newton steps

@@ -7,24 +7,17 @@
 #include <utility>
 
 #include "methods/flow/event_trajectory.hpp"
-#include "methods/periodic_motion/period_map.hpp"
-#include "methods/periodic_motion/steady_state.hpp"
 #include "methods/structure/periodic_response.hpp"
 
 namespace signorini {
 
 namespace {
 
-SteadyLimits limits_of(const PeriodicMotionOptions& options, int subharmonic) {
-  constexpr double kCvodeNoise = 5e-11, kModalNoise = 1e-12;
-  return {.tolerance = options.tolerance,
-          .max_iterations = options.max_iterations,
-          .max_order = std::max(options.max_order, subharmonic),
-          .noise = options.integrator == Integrator::cvode ? kCvodeNoise : kModalNoise};
-}
-
-/// At rest at time 0, or where the guess is. A motion that was followed itself knows a state of its own,
-/// exactly and between two events; of any other the response to its contact force has to do.
+// At rest at time 0, or where the guess is. What a Trajectory shows is the contacts: the state behind it is
+// the structure's periodic response to its contact force, which takes a structure with only one such
+// response, and at time 0, where an impact may be. A motion that a flow has left knows more than the
+// interface asks for, its own state between two events, so that what is continued from it is the very orbit,
+// unstable or not: hence the cast.
 FlowState first_state(const Problem& problem, const ContactDynamics& dynamics, const Start& start,
                       const EventFlow& flow) {
   if (!start.guess) {
@@ -39,41 +32,28 @@ FlowState first_state(const Problem& problem, const ContactDynamics& dynamics, c
   return flow.place(0.0, dynamics.with_mass(PeriodicResponse(problem, *start.guess).at(0.0)));
 }
 
-/// A cold shooting starts from a motion that has forgotten the start from rest.
-void forget_rest(PeriodMap& map, FlowState& state, int subharmonic) {
-  constexpr int kPeriods = 20;
-  FlowRecord record;
-  map.apply(state, kPeriods * subharmonic, record);
-}
-
-std::shared_ptr<const Trajectory> recorded(PeriodMap& map, const SteadyState& found) {
+std::shared_ptr<const Trajectory> recorded(PeriodMap& map, const FixedPoint& found) {
   FlowState state = found.start;
   FlowRecord record;
   record.dense = true;
   map.apply(state, found.order, record);
-  return std::make_shared<EventTrajectory>(found.order * map.forcing_period(), found.start, record.pieces,
-                                           std::move(record.events));
+  return std::make_shared<EventTrajectory>(found.order * map.forcing_period(), found.start,
+                                           std::move(record.nodes), std::move(record.events));
 }
 
-void search(const Problem& problem, const ContactDynamics& dynamics, const PeriodicMotionOptions& options,
+void search(const Problem& problem, const ContactDynamics& dynamics, PeriodicMotionOptions options,
             const Start& start, PeriodMap& map, Solution& solution) {
+  constexpr int kForgotten = 20;  // periods after which the start from rest of a shooting matters no more
   const std::function<bool()> expired = [&start] { return start.expired(); };
-  const SteadyLimits limits = limits_of(options, problem.subharmonic);
+  options.max_order = std::max(options.max_order, problem.subharmonic);
   FlowState state = first_state(problem, dynamics, start, map.flow());
-  SteadyState found;
-  try {
-    if (options.shooting) {
-      if (!start.guess) forget_rest(map, state, problem.subharmonic);
-      found = shoot(map, state, problem.subharmonic, limits, expired);
-    } else {
-      found = march(map, state, limits, expired);
-    }
-  } catch (const std::exception&) {
-    solution.work.rhs_evaluations = map.flow().rhs_evaluations();
-    solution.work.iterations = map.periods();
-    throw;
+  if (options.shooting && !start.guess) {
+    FlowRecord record;
+    map.apply(state, kForgotten * problem.subharmonic, record);
   }
-  solution.verdict = found.periodic ? Verdict::converged : Verdict::not_converged;
+  const FixedPoint found = options.shooting ? shoot(map, state, problem.subharmonic, options, expired)
+                                            : march(map, state, options, expired);
+  solution.verdict = found.converged ? Verdict::converged : Verdict::not_converged;
   solution.message = found.message;
   solution.work.iterations = found.iterations;
   solution.condition = found.condition;
@@ -87,16 +67,17 @@ Solution find_periodic_motion(const Problem& problem, const ContactDynamics& dyn
                               const PeriodicMotionOptions& options, const Start& start) {
   Solution solution;
   solution.work.unknowns = 2L * dynamics.size();
+  EventFlow flow(
+      dynamics, options.tolerance, [&start] { return start.expired(); }, options.integrator);
+  PeriodMap map(flow);
   try {
-    EventFlow flow(
-        dynamics, options.tolerance, [&start] { return start.expired(); }, options.integrator);
-    PeriodMap map(flow);
     search(problem, dynamics, options, start, map, solution);
-    solution.work.rhs_evaluations = flow.rhs_evaluations();
   } catch (const std::exception& error) {
     solution.verdict = Verdict::not_converged;
     solution.message = error.what();
+    solution.work.iterations = map.periods();
   }
+  solution.work.rhs_evaluations = flow.rhs_evaluations();
   return solution;
 }
 

@@ -1,34 +1,23 @@
 #pragma once
 // Two ways to a periodic motion: marching until it repeats, and shooting.
 
-#include <algorithm>
-#include <optional>
-#include <string>
+#include <functional>
+#include <vector>
 
 #include "methods/periodic_motion/period_map.hpp"
 
 namespace signorini {
 
-struct SteadyLimits {
-  double tolerance = 1e-9;  ///< of the integration; a motion is periodic below ten times this [-]
-  int max_iterations = 5000;
-  int max_order = 8;
-  double noise = 5e-11;  ///< left by the integration at its tightest [-]
+/// How a periodic motion is reached by the flow.
+struct PeriodicMotionOptions {
+  double tolerance = 1e-9;                    ///< of the flow; periodic within ten of it [-]
+  bool shooting = false;                      ///< Newton's method on the stroboscopic map; else marching
+  Integrator integrator = Integrator::cvode;  ///< of the motion between events
+  int max_iterations = 5000;                  ///< periods marched, or Newton steps of the shooting [-]
+  int max_order = 8;                          ///< highest period order that marching detects [-]
 
   /// Residual that counts as periodic: ten tolerances, but not below the noise left by the integration [-].
-  [[nodiscard]] double accepted() const { return std::max(10.0 * tolerance, noise); }
-};
-
-/// What a search for a periodic motion ended with.
-struct SteadyState {
-  bool periodic = false;
-  std::string message;  ///< one sentence for a person
-  FlowState start;
-  int order = 1;          ///< forcing periods per period of the motion
-  double residual = 0.0;  ///< distance between start and end of a period [-]
-  long iterations = 0;    ///< periods marched, or Newton steps
-  std::optional<double> condition =
-      {};  ///< of the last Newton step, see FixedPoint; empty: none was taken [-]
+  [[nodiscard]] double accepted() const;
 };
 
 /// Follows the motion from `start` until it repeats every `order` <= max_order forcing periods.
@@ -42,13 +31,13 @@ struct SteadyState {
 /// a period. Where Newton's method fails (grazing, monodromy too large) the motion must repeat within ten
 /// tolerances for several turns and the geometric rest of its convergence be below a hundred.
 /// \throws FlowError, IntegrationError
-SteadyState march(PeriodMap& map, const FlowState& start, const SteadyLimits& limits,
-                  const std::function<bool()>& expired);
+FixedPoint march(PeriodMap& map, const FlowState& start, const PeriodicMotionOptions& options,
+                 const std::function<bool()>& expired);
 
 /// Newton's method on P^order from `start`; finds unstable motions too.
 /// \throws FlowError, IntegrationError
-SteadyState shoot(PeriodMap& map, const FlowState& start, int order, const SteadyLimits& limits,
-                  const std::function<bool()>& expired);
+FixedPoint shoot(PeriodMap& map, const FlowState& start, int order, const PeriodicMotionOptions& options,
+                 const std::function<bool()>& expired);
 
 /// Marches `state` to the phase of the forcing that is furthest from the given events, so that none of
 /// them can cross the instant where the motion is cut open.

@@ -11,7 +11,7 @@
 
 #include "methods/event_driven/event_driven.hpp"
 #include "methods/exact_orbit/exact_orbit_method.hpp"
-#include "methods/linear_flow/linear_flows.hpp"
+#include "methods/linear_flow/linear_flow.hpp"
 #include "tests/support/impact_oscillator.hpp"
 #include "tests/support/population.hpp"
 

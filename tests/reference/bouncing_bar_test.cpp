@@ -84,7 +84,7 @@ Bounce bounce(int elements) {
   FlowRecord record;
   record.dense = true;
   flow.advance(state, kPeriod, record);
-  const EventTrajectory motion(kPeriod, start, record.pieces, record.events);
+  const EventTrajectory motion(kPeriod, start, record.nodes, record.events);
   constexpr int kInstants = 4000;
   const Samples samples = motion.sample(kInstants);
   Bounce result;

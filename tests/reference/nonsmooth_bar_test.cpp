@@ -198,7 +198,7 @@ Period follow(const NonsmoothBar& bar, int elements) {
   FlowRecord record;
   record.dense = true;
   flow.advance(state, bar.period, record);
-  const EventTrajectory motion(bar.period, start, record.pieces, record.events);
+  const EventTrajectory motion(bar.period, start, record.nodes, record.events);
   EXPECT_EQ(record.events.size(), 2U) << elements;
   const auto events = motion.events().value();
   Period result{.close = events.front().time, .open = events.back().time};

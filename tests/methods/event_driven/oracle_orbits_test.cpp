@@ -187,7 +187,7 @@ TEST(SpringStopOrbits, HaveTheTabulatedMonodromyTraceAndContactTime) {
     PeriodMap map(flow);
     const FixedPoint orbit =
         find_fixed_point(map, found.start(), 1, {.accepted = 1e-9}, [] { return false; });
-    ASSERT_TRUE(orbit.converged) << orbit.reason;
+    ASSERT_TRUE(orbit.converged) << orbit.message;
     const auto events = events_of(solution);
     if (events.size() == 2) {  // one contact a period
       EXPECT_NEAR(orbit.monodromy.trace(), row.trace, 1e-6);

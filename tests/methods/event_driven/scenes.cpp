@@ -74,7 +74,7 @@ std::shared_ptr<const Trajectory> guess_from(const Problem& problem, const Eigen
                                              const Eigen::VectorXd& v) {
   FlowState start{.time = 0.0, .state = {.u = u, .v = v}, .closed = {}};
   start.closed.resize(problem.contacts.size());
-  return std::make_shared<EventTrajectory>(problem.period(), start, std::vector<FlowPiece>{},
+  return std::make_shared<EventTrajectory>(problem.period(), start, std::vector<FlowNode>{},
                                            std::vector<ContactEvent>{});
 }
 

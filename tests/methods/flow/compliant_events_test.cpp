@@ -1,13 +1,12 @@
 // Which compliant stops push, against an exhaustive search of all sets of closed contacts.
 
-#include "methods/flow/compliant_events.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <random>
 #include <vector>
 
+#include "methods/flow/stop_events.hpp"
 #include "tests/support/exact_scenes.hpp"
 
 namespace signorini {
@@ -83,7 +82,7 @@ TEST(CompliantEvents, PushingContactsAreTheAdmissibleSet) {
         dynamics.structure().gaps - dynamics.structure().directions.transpose() * state.u;
     const std::vector<bool> expected = only_admissible_set(dynamics.structure().compliance, gap);
     ASSERT_EQ(expected.size(), 3U);
-    EXPECT_EQ(events.pushing(0.0, state), expected) << trial;
+    EXPECT_EQ(events.place(0.0, state).closed, expected) << trial;
     with_contact += expected != std::vector<bool>(3, false) ? 1 : 0;
     EXPECT_EQ(events.place(0.7, state).closed, expected);
   }
@@ -96,7 +95,7 @@ TEST(CompliantEvents, AContactAtItsStopIsDecidedByItsSpeed) {
   const CompliantEvents events(dynamics, 1e-9);
   for (const double speed : {1.0, -1.0}) {
     const State state{.u = Eigen::VectorXd::Constant(1, 0.2), .v = Eigen::VectorXd::Constant(1, speed)};
-    EXPECT_EQ(events.pushing(0.0, state), std::vector<bool>{speed > 0.0});
+    EXPECT_EQ(events.place(0.0, state).closed, std::vector<bool>{speed > 0.0});
   }
 }
 

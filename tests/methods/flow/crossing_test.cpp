@@ -1,8 +1,8 @@
-#include "methods/flow/crossing.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "methods/flow/stretch.hpp"
 
 namespace signorini {
 namespace {

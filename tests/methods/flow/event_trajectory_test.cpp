@@ -14,7 +14,7 @@ namespace {
 EventTrajectory waves(double step) {
   const double period = 2.0 * std::numbers::pi;
   const double begin = 1.0;
-  std::vector<FlowPiece> pieces;
+  std::vector<FlowNode> nodes;
   const auto node = [](double t) {
     FlowNode result{.time = t, .x = Eigen::MatrixXd(1, 6), .lambda = Eigen::MatrixXd(1, 5)};
     for (int k = 0; k < 6; ++k)
@@ -26,17 +26,16 @@ EventTrajectory waves(double step) {
     return result;
   };
   for (int piece = 0; piece < 2; ++piece) {
-    pieces.emplace_back();
     const int count = static_cast<int>(std::ceil(0.5 * period / step));
     for (int i = 0; i <= count; ++i)
-      pieces.back().push_back(node(begin + 0.5 * period * (piece + static_cast<double>(i) / count)));
+      nodes.push_back(node(begin + 0.5 * period * (piece + static_cast<double>(i) / count)));
   }
   FlowState start{.time = begin,
                   .state = {.u = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Zero(1)},
                   .closed = {false}};
   std::vector<ContactEvent> events{
       {.kind = ContactEvent::Kind::impact, .contact = 0, .time = period + 0.25, .impulse = -2.0}};
-  return {period, start, pieces, events};
+  return {period, start, nodes, events};
 }
 
 double worst_error(double step) {

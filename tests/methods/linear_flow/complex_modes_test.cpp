@@ -1,10 +1,10 @@
-#include "methods/linear_flow/complex_modes.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <cmath>
 #include <complex>
+
+#include "methods/linear_flow/modal_flow.hpp"
 
 namespace signorini {
 namespace {

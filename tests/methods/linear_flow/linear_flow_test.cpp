@@ -1,5 +1,7 @@
 // The closed-form flow against the equation of motion, closed forms, and CVODE.
 
+#include "methods/linear_flow/linear_flow.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -9,9 +11,8 @@
 
 #include "methods/event_driven/event_driven.hpp"
 #include "methods/flow/flow.hpp"
-#include "methods/flow/rigid_events.hpp"
+#include "methods/flow/stop_events.hpp"
 #include "methods/linear_flow/exponential_flow.hpp"
-#include "methods/linear_flow/linear_flows.hpp"
 #include "methods/linear_flow/modal_flow.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/exact_scenes.hpp"

@@ -1,7 +1,5 @@
 // Sequences from listed events: those of exact orbits come back, whatever hides the type of the motion.
 
-#include "methods/orbit/listed_sequence.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

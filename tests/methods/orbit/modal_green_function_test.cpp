@@ -16,18 +16,19 @@ namespace {
 using test::cold_orbit;
 
 TEST(ModalGreenFunction, IsTheClosedFormOfOneMass) {
-  const Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2});
+  const Problem problem = test::to_problem({.damping = 0.1, .load = 0.0, .frequency = 2.2, .gap = 0.2});
   const double T = problem.period(), wd = std::sqrt(1.0 - 0.05 * 0.05);
   const ContactDynamics dynamics(problem);
   const ModalGreenFunction green(dynamics, T);
   ASSERT_TRUE(green.defined());
+  const std::vector<Impulse> unit{{.contact = 0, .time = 0.0, .value = 1.0}};
   const std::complex<double> mu(-0.05, wd);
   for (const double tau : {0.0, 0.3, 1.7, 2.8}) {
-    EXPECT_NEAR(green.at(0, 0, tau), (std::exp(mu * tau) / (1.0 - std::exp(mu * T))).imag() / wd, 1e-13);
-    EXPECT_NEAR(green.at(0, 0, tau, 1), (mu * std::exp(mu * tau) / (1.0 - std::exp(mu * T))).imag() / wd,
-                1e-13);
+    const State after = green.state(tau, unit);
+    EXPECT_NEAR(after.u[0], (std::exp(mu * tau) / (1.0 - std::exp(mu * T))).imag() / wd, 1e-13);
+    EXPECT_NEAR(after.v[0], (mu * std::exp(mu * tau) / (1.0 - std::exp(mu * T))).imag() / wd, 1e-13);
   }
-  EXPECT_NEAR(green.at(0, 0, 0.0, 1) - green.at(0, 0, T - 1e-9, 1), 1.0, 1e-8);  // the jump 1 / m
+  EXPECT_NEAR(green.state(0.0, unit).v[0] - green.state(T - 1e-9, unit).v[0], 1.0, 1e-8);  // the jump 1 / m
 }
 
 TEST(ModalGreenFunction, SumsUpToTheExactOrbitsOfChains) {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <memory>
 
-#include "methods/orbit/orbit_newton.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"

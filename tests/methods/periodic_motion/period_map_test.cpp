@@ -34,7 +34,8 @@ TEST(PeriodMap, ScalesAndUnscalesStates) {
   const Eigen::VectorXd scaled = one.map.scaled(state);
   EXPECT_NEAR(scaled[0], 0.3 / one.dynamics.scales().displacement, 1e-15);
   EXPECT_NEAR(one.map.unscaled(scaled).v[0], -1.7, 1e-15);
-  EXPECT_NEAR(one.map.distance(state, state_of(0.3, -1.5)), 0.2 / one.dynamics.scales().velocity, 1e-14);
+  EXPECT_NEAR(one.dynamics.scales().distance(state, state_of(0.3, -1.5)),
+              0.2 / one.dynamics.scales().velocity, 1e-14);
 }
 
 TEST(PeriodMap, CountsPeriodsAndKeepsThePhase) {
@@ -52,7 +53,7 @@ TEST(FixedPoint, OfTheMotionWithoutContactIsTheLinearResponse) {
   Map one(test::to_problem({.damping = d, .frequency = w, .gap = 50.0}));
   const FixedPoint point =
       find_fixed_point(one.map, one.flow.place(0.0, state_of(1.0, -1.0)), 1, {.accepted = 1e-10}, kNever);
-  ASSERT_TRUE(point.converged) << point.reason;
+  ASSERT_TRUE(point.converged) << point.message;
   EXPECT_LE(point.iterations, 2);
   const std::complex<double> response = 1.0 / std::complex<double>(1.0 - w * w, d * w);
   EXPECT_NEAR(point.start.state.u[0], response.real(), 1e-12);
@@ -69,7 +70,7 @@ TEST(FixedPoint, OfAnImpactOscillatorIsItsClosedFormOrbit) {
       one.flow.place(section, state_of(orbit.x(section) + 0.01, orbit.velocity(section) - 0.01));
   const FixedPoint point =
       find_fixed_point(one.map, guess, 1, {.accepted = 1e-10, .max_halvings = 8}, kNever);
-  ASSERT_TRUE(point.converged) << point.reason;
+  ASSERT_TRUE(point.converged) << point.message;
   EXPECT_NEAR(point.start.state.u[0], orbit.x(section), 1e-11);
   EXPECT_NEAR(point.start.state.v[0], orbit.velocity(section), 1e-11);
   EXPECT_NEAR(point.monodromy.trace(), orbit.trace, 1e-9);
@@ -85,13 +86,13 @@ TEST(FixedPoint, IsRefusedWithAReason) {
   const FixedPoint singular =
       find_fixed_point(free_mass.map, free_mass.flow.place(0.0, state_of(0.0, 1.0)), 1, {}, kNever);
   EXPECT_FALSE(singular.converged);
-  EXPECT_NE(singular.reason.find("multiplier is 1"), std::string::npos) << singular.reason;
+  EXPECT_NE(singular.message.find("multiplier is 1"), std::string::npos) << singular.message;
 
   Map far(test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 5e3}));
   const FixedPoint refused =
       find_fixed_point(far.map, far.flow.place(0.0, state_of(100.0, 0.0)), 1, {.largest_step = 1e-3}, kNever);
   EXPECT_FALSE(refused.converged);
-  EXPECT_NE(refused.reason.find("neighbourhood"), std::string::npos) << refused.reason;
+  EXPECT_NE(refused.message.find("neighbourhood"), std::string::npos) << refused.message;
 }
 
 }  // namespace

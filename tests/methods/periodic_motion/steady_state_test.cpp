@@ -171,7 +171,7 @@ TEST(NewtonOrbit, MultipliersAreThoseOfTheClosedForm) {
     const FlowState guess = flow.place(quiet, {.u = Eigen::VectorXd::Constant(1, orbit.x(quiet)),
                                                .v = Eigen::VectorXd::Constant(1, orbit.velocity(quiet))});
     const FixedPoint found = find_fixed_point(map, guess, 1, {.accepted = 1e-10}, [] { return false; });
-    ASSERT_TRUE(found.converged) << found.reason;
+    ASSERT_TRUE(found.converged) << found.message;
     EXPECT_NEAR(found.monodromy.trace(), orbit.trace, 1e-8);
     EXPECT_NEAR(found.monodromy.determinant(), orbit.determinant, 1e-9);
   }

@@ -1,4 +1,4 @@
-#include "methods/linear_flow/matrix_exponential.hpp"
+#include "methods/linear_flow/exponential_flow.hpp"
 
 #include <gtest/gtest.h>
 

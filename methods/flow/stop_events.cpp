@@ -1,0 +1,43 @@
+#include "methods/flow/stop_events.hpp"
+
+#include <algorithm>
+
+#include "methods/solvers/small_lcp.hpp"
+
+namespace signorini {
+
+void StopEvents::decide(double time, const State& state, const std::vector<Order>& orders,
+                        std::vector<bool> undecided, std::vector<bool>& closed) const {
+  const FlowStructure& structure = dynamics_.structure();
+  for (const auto& [order, floor] : orders) {
+    std::vector<int> involved;
+    std::vector<bool> held;
+    for (int j = 0; j < dynamics_.contact_count(); ++j) {
+      const auto index = static_cast<std::size_t>(j);
+      if (!closed[index] && !undecided[index]) continue;
+      involved.push_back(j);
+      held.push_back(closed[index]);
+    }
+    if (std::find(held.begin(), held.end(), false) == held.end()) return;
+    // u^(k) is that of the contacts closed so far: at rigid stops their force is part of it, and z of a held
+    // contact only what the ones still to close change about it.
+    const MotionDerivatives motion =
+        dynamics_.derivatives(dynamics_.mode(closed), time, state, std::max(2, order));
+    Eigen::VectorXd gap = -structure.unloaded(time, motion.u.col(order), order);
+    if (order == 0) gap += structure.gaps;
+    const Eigen::MatrixXd A = dynamics_.stops().coupling()(involved, involved);
+    const Eigen::VectorXd q = gap(involved);
+    const auto z = solve_small_lcp(A, q, held);
+    if (!z) throw FlowError("no contact forces satisfy the contact law: the stops depend on each other");
+    const Eigen::VectorXd w = A * *z + q;
+    for (std::size_t i = 0; i < involved.size(); ++i) {
+      const auto index = static_cast<std::size_t>(involved[i]);
+      const auto row = static_cast<Eigen::Index>(i);
+      if (held[i]) continue;
+      closed[index] = (*z)[row] * A(row, row) > floor;
+      undecided[index] = !closed[index] && w[row] <= floor;
+    }
+  }
+}
+
+}  // namespace signorini
