@@ -108,8 +108,9 @@ bool says_converged(const Record& record) {
          record.status == Status::invalid_output;
 }
 
-bool is_certified(const Record& record) {
-  return record.status == Status::converged && record.certificate.status == CertificateStatus::certified;
+/// Whether an orbit is known to measure its error against: its own, or one that is near.
+bool has_orbit(const Record& record) {
+  return claim_of(record) == Claim::certified || (claim_of(record) == Claim::unproven && record.errors.x_l2);
 }
 
 }  // namespace
@@ -169,7 +170,7 @@ CheckResult check_certificate(const LadderRecords& ladder) {
     const Record& record = ladder.records[i];
     if (!says_converged(record)) continue;
     if (record.status != Status::converged) return at_step(failed(status_text(record)), ladder, i);
-    if (!remark && !is_certified(record))
+    if (!remark && !has_orbit(record))
       remark = at_step(remarked("no orbit is known to judge it by: " + record.certificate.reason), ladder, i);
   }
   if (remark) return *remark;
@@ -179,14 +180,14 @@ CheckResult check_certificate(const LadderRecords& ladder) {
 
 CheckResult check_order(const LadderRecords& ladder) {
   if (auto nothing = unless_recorded(ladder)) return *nothing;
-  CheckResult worst = not_applicable("no step has a certified orbit to measure its error against");
+  CheckResult worst = not_applicable("no step has an orbit to measure its error against");
   for (const ResolutionSeries& series : resolution_series(ladder.ladder)) {
     std::vector<ResolutionStep> steps;
     double floor = 1e-9;
     for (std::size_t i = 0; i < series.places.size(); ++i) {
       const Record& record = ladder.records[series.places[i]];
       const Measure error = record.errors.x_l2 ? record.errors.x_l2 : record.errors.u_l2;
-      if (!is_certified(record) || !error) continue;
+      if (!has_orbit(record) || !error) continue;
       if (record.law && std::holds_alternative<Undetermined>(*record.law))
         return not_applicable("its law is undetermined: no orbit is the one that it approaches");
       floor = std::max(floor, measurable_error(record));

@@ -54,10 +54,10 @@ class Attempts {
       add_reason(fmt::format("{} is {:.2g} away", name, apart), refutation_);
     } else if (contacts.contradicts) {
       add_reason(fmt::format("{} is {:.2g} away: {}", name, apart, contacts.text), refutation_);
-    } else if (apart > kOwnOrbit) {
-      add_reason(fmt::format("near {}, {:.2g} away where {} is asked for", name, apart, kOwnOrbit), near_);
-    } else if (!contacts.text.empty()) {
-      add_reason(fmt::format("near {}, {:.2g} away, but {}", name, apart, contacts.text), near_);
+    } else if (apart > kOwnOrbit || !contacts.text.empty()) {
+      const std::string why = apart > kOwnOrbit ? fmt::format("{} is asked for", kOwnOrbit) : contacts.text;
+      near_ = fmt::format("near {}, {:.2g} away: {}", name, apart, why);
+      result.orbit = std::move(orbit);
     } else {
       accept(std::move(orbit), found);
       return true;
@@ -114,7 +114,7 @@ class Attempts {
   const Motion& motion_;
   const Reference& reference_;
   std::optional<Motion> from_rest_;
-  std::string near_, refutation_, nothing_found_;
+  std::string near_, refutation_, nothing_found_;  // reasons
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ inline constexpr double kOwnOrbit = 0.1;
 /// The certificate of an answer, and the orbit that its errors are measured against.
 struct CertifiedAnswer {
   Certificate certificate;
-  std::optional<Motion> orbit = {};  ///< at the answer's own phase; none unless certified
+  std::optional<Motion> orbit = {};  ///< at the answer's own phase; of one that is only near, too
 };
 
 /// Looks for the orbit of `problem` (under the law that the answer represents) behind an answer, from the

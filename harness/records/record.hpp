@@ -118,7 +118,7 @@ struct Certificate {
   std::optional<bool> stable = {};
 };
 
-/// Against the certified orbit, relative.
+/// Against the certified orbit, or one that is near, relative.
 struct Errors {
   Measure x_l2 = {}, x_max = {}, u_l2 = {}, velocity_l2 = {}, impulse = {}, force_l2 = {};
   Measure x_l2_scene = {};  ///< against the scene's own reference where the represented law is another

@@ -18,9 +18,9 @@ namespace signorini {
 /// Guarantee: a converged motion repeats itself within ten tolerances of the scales of motion; against closed
 /// forms its error is about `tolerance`, down to a few 1e-12. With flow = modal the motion between events is
 /// closed-form (at most 300 coordinates), `tolerance` that of the events and of the periodicity. Measured
-/// cost: 300 right-hand sides per flight, and about omega_max T / 1.2 per period where the structure is stiff
-/// (explicit Adams): a beam with omega_max T = 1e4 takes 1e5. Coordinates without mass
-/// follow the others statically (`condense`); damped ones are not supported.
+/// cost with flow = adams: 300 right-hand sides per flight, and about omega_max T / 1.2 per period: a beam
+/// with omega_max T = 1e4 takes 1e5. flow = bdf does without the latter where the fastest modes only decay.
+/// Coordinates without mass follow the others statically (`condense`); damped ones are not supported.
 class EventDriven final : public Method {
  public:
   enum class Steady { marching, shooting };
@@ -42,7 +42,9 @@ class EventDriven final : public Method {
       field("tolerance", tolerance, "[-]",
             "relative error aimed at (local errors are held to 1 % of it), in [1e-13, 1e-3]");
       field("steady", steady, "[-]", "marching | shooting: how the periodic motion is reached");
-      field("flow", flow, "[-]", "cvode | modal (closed form): the motion between events");
+      field(
+          "flow", flow, "[-]",
+          "cvode (bdf if stiff, else adams) | adams | bdf | modal (closed form): the motion between events");
       field("max_iterations", max_iterations, "[-]",
             "periods marched, or Newton steps of the shooting, >= 1");
       field("max_order", max_order, "[-]", "highest period order that marching detects, 1..64");
@@ -67,7 +69,7 @@ struct EnumNames<EventDriven::Steady> {
 
 template <>
 struct EnumNames<Integrator> {
-  static constexpr std::array<std::string_view, 2> values{"cvode", "modal"};
+  static constexpr std::array<std::string_view, 4> values{"cvode", "adams", "bdf", "modal"};
 };
 
 }  // namespace signorini

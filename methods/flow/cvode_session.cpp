@@ -2,6 +2,8 @@
 
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include <exception>
@@ -13,7 +15,9 @@ namespace signorini {
 struct CvodeSession::Handles {
   SUNContext context = nullptr;
   N_Vector y = nullptr, output = nullptr, tolerance = nullptr;
-  SUNNonlinearSolver iteration = nullptr;
+  SUNNonlinearSolver iteration = nullptr;  // of Adams
+  SUNMatrix jacobian = nullptr;            // of BDF
+  SUNLinearSolver linear = nullptr;
   void* memory = nullptr;
 
   Rhs rhs;
@@ -25,6 +29,8 @@ struct CvodeSession::Handles {
   ~Handles() {
     if (memory != nullptr) CVodeFree(&memory);
     if (iteration != nullptr) SUNNonlinSolFree(iteration);
+    if (linear != nullptr) SUNLinSolFree(linear);
+    if (jacobian != nullptr) SUNMatDestroy(jacobian);
     for (N_Vector vector : {y, output, tolerance}) {
       if (vector != nullptr) N_VDestroy(vector);
     }
@@ -54,7 +60,8 @@ Eigen::Map<Eigen::VectorXd> view(N_Vector vector) {
 
 }  // namespace
 
-CvodeSession::CvodeSession(double relative_tolerance, const Eigen::VectorXd& absolute_tolerance, Rhs rhs)
+CvodeSession::CvodeSession(double relative_tolerance, const Eigen::VectorXd& absolute_tolerance, Rhs rhs,
+                           Multistep multistep)
     : handles_(std::make_unique<Handles>()) {
   Handles& h = *handles_;
   h.rhs = std::move(rhs);
@@ -80,13 +87,21 @@ CvodeSession::CvodeSession(double relative_tolerance, const Eigen::VectorXd& abs
   const CVErrHandlerFn keep_message = [](int, const char*, const char*, char* message, void* user) {
     static_cast<Handles*>(user)->last_message = message;
   };
-  h.memory = h.check_made(CVodeCreate(CV_ADAMS, h.context), "CVodeCreate");
+  h.memory =
+      h.check_made(CVodeCreate(multistep == Multistep::adams ? CV_ADAMS : CV_BDF, h.context), "CVodeCreate");
   h.check(CVodeSetErrHandlerFn(h.memory, keep_message, &h), "CVodeSetErrHandlerFn");
   h.check(CVodeInit(h.memory, call, 0.0, h.y), "CVodeInit");
   h.check(CVodeSetUserData(h.memory, &h), "CVodeSetUserData");
   h.check(CVodeSVtolerances(h.memory, relative_tolerance, h.tolerance), "CVodeSVtolerances");
-  h.iteration = h.check_made(SUNNonlinSol_FixedPoint(h.y, 0, h.context), "SUNNonlinSol_FixedPoint");
-  h.check(CVodeSetNonlinearSolver(h.memory, h.iteration), "CVodeSetNonlinearSolver");
+  if (multistep == Multistep::adams) {
+    h.iteration = h.check_made(SUNNonlinSol_FixedPoint(h.y, 0, h.context), "SUNNonlinSol_FixedPoint");
+    h.check(CVodeSetNonlinearSolver(h.memory, h.iteration), "CVodeSetNonlinearSolver");
+    return;
+  }
+  const auto size = static_cast<sunindextype>(absolute_tolerance.size());
+  h.jacobian = h.check_made(SUNDenseMatrix(size, size, h.context), "SUNDenseMatrix");
+  h.linear = h.check_made(SUNLinSol_Dense(h.y, h.jacobian, h.context), "SUNLinSol_Dense");
+  h.check(CVodeSetLinearSolver(h.memory, h.linear, h.jacobian), "CVodeSetLinearSolver");
 }
 
 CvodeSession::~CvodeSession() = default;

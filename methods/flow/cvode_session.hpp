@@ -14,8 +14,14 @@ class IntegrationError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Adams method of variable order 1..12 with fixed-point iteration for y' = rhs(t, y), step by step.
-/// The local error of each step is held below rtol |y_i| + atol_i in the root mean square.
+/// Families of linear multistep methods of variable order and step.
+enum class Multistep {
+  adams,  ///< order 1..12, fixed-point iteration: steps no longer than the fastest rate of the system allows
+  bdf     ///< backward differentiation, order 1..5, Newton iteration with a dense Jacobian by differences
+};
+
+/// y' = rhs(t, y), step by step. The local error of each step is held below rtol |y_i| + atol_i in the root
+/// mean square [hindmarsh2005].
 class CvodeSession {
  public:
   /// Writes y' at a time and a state.
@@ -24,7 +30,8 @@ class CvodeSession {
 
   /// \param absolute_tolerance  one per component, > 0, in the unit of y_i
   /// \throws IntegrationError
-  CvodeSession(double relative_tolerance, const Eigen::VectorXd& absolute_tolerance, Rhs rhs);
+  CvodeSession(double relative_tolerance, const Eigen::VectorXd& absolute_tolerance, Rhs rhs,
+               Multistep multistep = Multistep::adams);
   ~CvodeSession();
   CvodeSession(const CvodeSession&) = delete;
   CvodeSession& operator=(const CvodeSession&) = delete;

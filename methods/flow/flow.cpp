@@ -23,7 +23,9 @@ EventFlow::EventFlow(const ContactDynamics& dynamics, double tolerance, std::fun
   if (integrator == Integrator::modal) {
     between_ = std::make_unique<ClosedFormStretch>(flows_, tolerance);
   } else {
-    between_ = std::make_unique<CvodeStretch>(dynamics, tolerance);
+    const bool stiff = integrator == Integrator::cvode && dynamics.structure().stiff;
+    const bool bdf = stiff || integrator == Integrator::bdf;
+    between_ = std::make_unique<CvodeStretch>(dynamics, tolerance, bdf ? Multistep::bdf : Multistep::adams);
   }
 }
 

@@ -15,7 +15,9 @@ namespace signorini {
 
 /// What fills the time between two events.
 enum class Integrator {
-  cvode,  ///< CVODE, Adams
+  cvode,  ///< CVODE: BDF where the structure is stiff (FlowStructure::stiff), else Adams
+  adams,  ///< CVODE, Adams
+  bdf,    ///< CVODE, backward differentiation
   modal,  ///< closed form (LinearFlow)
 };
 

@@ -68,7 +68,7 @@ FlowNode StateStretch::node(double time, const State& state) const {
   return {.time = time, .x = motion.x, .lambda = motion.lambda.leftCols(kNodeOrder)};
 }
 
-CvodeStretch::CvodeStretch(const ContactDynamics& dynamics, double tolerance)
+CvodeStretch::CvodeStretch(const ContactDynamics& dynamics, double tolerance, Multistep multistep)
     : StateStretch(dynamics, event_noise(tolerance)),
       session_(
           local_tolerance(tolerance), absolute_tolerances(dynamics, local_tolerance(tolerance)),
@@ -76,7 +76,8 @@ CvodeStretch::CvodeStretch(const ContactDynamics& dynamics, double tolerance)
             const Eigen::Index n = y.size() / 2;
             rate.head(n) = y.tail(n);
             dynamics_.acceleration(*mode_, time, y.head(n), y.tail(n), rate.tail(n));
-          }) {}
+          },
+          multistep) {}
 
 void CvodeStretch::start(const ContactMode& mode, const FlowState& flow, double end, bool) {
   constexpr double kStepsPerPeriod = 16;

@@ -110,7 +110,7 @@ class StateStretch : public Stretch {
 class CvodeStretch final : public StateStretch {
  public:
   /// \param tolerance  relative error aimed at over some periods [-]
-  CvodeStretch(const ContactDynamics& dynamics, double tolerance);
+  CvodeStretch(const ContactDynamics& dynamics, double tolerance, Multistep multistep);
 
   void start(const ContactMode& mode, const FlowState& flow, double end, bool dense) override;
   void step() override;

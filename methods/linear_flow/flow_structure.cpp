@@ -86,6 +86,7 @@ Eigen::MatrixXd FlowStructure::impulse_of_velocity(const std::vector<int>& pushe
 void FlowStructure::measure_rates() {
   constexpr int kIterations = 40;
   constexpr double kMargin = 1.1;
+  constexpr double kFast = 100.0;  // below, explicit steps follow the load anyway
   const auto largest = [&](const SparseMatrix& A) {
     Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(size(), 1.0, 2.0);
     for (int i = 1; i < size(); i += 2) x[i] = -x[i];  // the fastest modes alternate in sign
@@ -97,8 +98,9 @@ void FlowStructure::measure_rates() {
     }
     return value;
   };
-  fastest_rate = std::max(
-      {kMargin * std::sqrt(largest(stiffness)), kMargin * largest(damping), highest_harmonic * frequency});
+  const double oscillation = std::sqrt(largest(stiffness)), decay = largest(damping);
+  fastest_rate = std::max({kMargin * oscillation, kMargin * decay, highest_harmonic * frequency});
+  stiff = decay > 2.0 * oscillation && decay > kFast * highest_harmonic * frequency;
 }
 
 namespace {

@@ -71,6 +71,9 @@ class FlowStructure {
   int highest_harmonic = 1;                    ///< of the load, at least 1
   /// Upper estimate of the fastest rate of structure and load, max(sqrt(K/M), D/M, h omega) [rad/s].
   double fastest_rate = 1.0;
+  /// The fastest motions decay without oscillating, D/M > 2 sqrt(K/M): an explicit integrator has to take
+  /// steps of 1 / fastest_rate for motions that are long gone.
+  bool stiff = false;
   MotionScales scales;  ///< of the motions to expect
 
  private:

@@ -19,7 +19,9 @@ struct ReturnCheck {
 /// CVODE's own error is taken as 3e-11 times the growth of errors over a period. A stiff structure, whose
 /// fastest modes it follows through thousands of oscillations, may leave it more: where the orbit is missed
 /// by more than that, the error is measured, as four times the distance to a run with ten times the local
-/// tolerance, and believed up to 1e-8.
+/// tolerance, and believed up to 1e-6. By Adams' method; where that does not return, by backward
+/// differentiation too: the check is that of the two which comes nearer. `distance` is what the orbit is
+/// confirmed to.
 ///
 /// \param dynamics  of the scene that `orbit` was found on
 /// \throws FlowError, IntegrationError if the flow fails

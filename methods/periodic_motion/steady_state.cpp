@@ -245,7 +245,7 @@ class March {
 
 double PeriodicMotionOptions::accepted() const {
   constexpr double kCvodeNoise = 5e-11, kModalNoise = 1e-12;
-  return std::max(10.0 * tolerance, integrator == Integrator::cvode ? kCvodeNoise : kModalNoise);
+  return std::max(10.0 * tolerance, integrator == Integrator::modal ? kModalNoise : kCvodeNoise);
 }
 
 void move_to_quiet_phase(PeriodMap& map, FlowState& state, const std::vector<ContactEvent>& events) {

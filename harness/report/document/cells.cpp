@@ -76,7 +76,8 @@ std::string law_text(const RepresentedLaw& law) {
 
 std::string error_text(const Record& record) {
   if (!answered(record)) return in_place(record);
-  if (record.certificate.status != CertificateStatus::certified) return "uncertified";
+  if (record.certificate.status != CertificateStatus::certified)
+    return record.errors.x_l2 ? fmt::format("near: {:.1e}", *record.errors.x_l2) : "uncertified";
   const bool field = !record.errors.x_l2.has_value();
   const Measure error = field ? record.errors.u_l2 : record.errors.x_l2;
   if (!error) return "no scale";

@@ -23,8 +23,9 @@ std::string law_text(const RepresentedLaw& law);
 /// The law that the method represents, marked where it is not the scene's.
 std::string represented_text(const Record& record);
 
-/// The relative error of x as tables print it: two digits, and `<` ten error bars where it is below that.
-/// Where there is none, the reason.
+/// The relative error of x as tables print it: two digits, `<` and what is known of the orbit where the error is
+/// below that; "near: 2.7e-01" of an answer that is near an orbit, but not certified by it. Where there is none,
+/// the reason.
 std::string error_text(const Record& record);
 
 /// An error against the certified orbit, "<" and ten error bars of that orbit where it is smaller.
