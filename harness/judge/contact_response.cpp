@@ -5,7 +5,6 @@
 
 #include "methods/solvers/constants.hpp"
 #include "methods/structure/receptance.hpp"
-#include "methods/structure/reduced_receptance.hpp"
 
 namespace signorini {
 

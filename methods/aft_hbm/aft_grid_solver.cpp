@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "methods/aft_hbm/aft_residual.hpp"
 #include "methods/complementarity/forms.hpp"
+#include "methods/discretisation/fourier_series.hpp"
 #include "methods/harmonic_balance/harmonic_setup.hpp"
 #include "methods/solvers/complementarity_solver.hpp"
 #include "methods/solvers/newton_krylov.hpp"
@@ -23,7 +24,7 @@ constexpr int kColdSteps = 5;
 
 class AftGridSolver final : public GridSolver {
  public:
-  explicit AftGridSolver(const AftSettings& settings) : settings_(settings) {}
+  AftGridSolver(const SolverSettings& settings, bool homotopy) : settings_(settings), homotopy_(homotopy) {}
 
   [[nodiscard]] Work initial_counts() const override { return {.iterations = 0}; }
 
@@ -34,13 +35,14 @@ class AftGridSolver final : public GridSolver {
     const bool cold = previous.size() == 0 && !start.guess;
     NewtonKrylovResult newton =
         newton_from(first_iterate(residual, equations, previous, start),
-                    cold && settings_.homotopy ? kColdSteps : kNewtonSteps, residual, start, work);
-    GridSolution solution{.message = newton.converged ? "Newton-Krylov" : "Newton-Krylov found no descent"};
-    if (!newton.converged && settings_.homotopy && !is_spent(work))
+                    cold && homotopy_ ? kColdSteps : kNewtonSteps, residual, start, work);
+    const auto converged = [&] { return newton.end == NewtonEnd::solved; };
+    GridSolution solution{.message = converged() ? "Newton-Krylov" : "Newton-Krylov found no descent"};
+    if (!converged() && homotopy_ && !is_spent(work))
       newton = from_homotopy(std::move(newton), residual, equations, start, work, solution.message);
-    solution.solved = newton.converged;
+    solution.solved = converged();
     // Newton alone that has lost its way is not helped by more samples.
-    solution.finer_may_help = (newton.converged || settings_.homotopy) && !start.expired();
+    solution.finer_may_help = (converged() || homotopy_) && !start.expired();
     solution.lambda = residual.coefficients(newton.unknowns);
     solution.residual = newton.residual;
     solution.condition = newton.condition;
@@ -72,9 +74,9 @@ class AftGridSolver final : public GridSolver {
                                                  const ProjectedEquations& equations, const Start& start,
                                                  Work& work, std::string& message) const {
     const auto& [receptance, gap, law] = equations;
-    SolverSettings settings{.tolerance = settings_.tolerance, .deadline = start.deadline};
-    if (settings_.max_iterations > 0)
-      settings.max_iterations = settings_.max_iterations - static_cast<int>(steps_spent(work));
+    SolverSettings settings = settings_;
+    settings.deadline = start.deadline;
+    if (settings.max_iterations > 0) settings.max_iterations -= static_cast<int>(steps_spent(work));
     Lcp lcp = projected_lcp(receptance, gap, law, residual.samples());
     const LcpResult path = solve_lcp(lcp, settings);
     work.pivots = work.pivots.value_or(0) + path.pivots;
@@ -93,13 +95,79 @@ class AftGridSolver final : public GridSolver {
     return settings_.max_iterations > 0 && steps_spent(work) >= settings_.max_iterations;
   }
 
-  AftSettings settings_;
+  SolverSettings settings_;
+  bool homotopy_;
 };
 
 }  // namespace
 
-std::unique_ptr<GridSolver> aft_grid_solver(const AftSettings& settings) {
-  return std::make_unique<AftGridSolver>(settings);
+AftResidual::AftResidual(const ProjectedEquations& equations, int samples)
+    : symbol_(equations.receptance, equations.law),
+      samples_(samples),
+      free_(free_penetration(equations.receptance.free_response, equations.gap, symbol_.root(), samples)),
+      fft_(samples) {
+  load_scale_ = std::sqrt(free_.cwiseMax(0.0).squaredNorm() / samples_);
+}
+
+Eigen::VectorXd AftResidual::gap_rate(const Eigen::VectorXd& v) {
+  const Eigen::MatrixXcd spectrum = symbol_.rate(v);
+  Eigen::VectorXd signal(samples_ * contacts());
+  for (int c = 0; c < contacts(); ++c) fft_.inverse(spectrum.col(c), signal.segment(c * samples_, samples_));
+  return signal;
+}
+
+Eigen::VectorXd AftResidual::project(const Eigen::VectorXd& signal) {
+  Eigen::MatrixXcd spectrum(symbol_.harmonics() + 1, contacts());
+  Eigen::VectorXcd full(fft_.coefficients());
+  for (int c = 0; c < contacts(); ++c) {
+    fft_.forward(signal.segment(c * samples_, samples_), full);
+    spectrum.col(c) = full.head(symbol_.harmonics() + 1);
+  }
+  return pack_harmonics(spectrum);
+}
+
+Eigen::VectorXd AftResidual::residual(const Eigen::VectorXd& lambda) {
+  const Eigen::VectorXd y = free_ + gap_rate(lambda);
+  in_contact_ = y.array() > 0.0;
+  return lambda + project(y.cwiseMax(0.0));
+}
+
+Eigen::VectorXd AftResidual::product(const Eigen::VectorXd& v) {
+  Eigen::VectorXd signal = gap_rate(v);
+  signal = in_contact_.select(signal, 0.0);
+  return v + project(signal);
+}
+
+LastingContactInverse AftResidual::lasting_inverse() const {
+  Eigen::VectorXd duty(contacts());
+  for (int c = 0; c < contacts(); ++c) {
+    duty[c] = static_cast<double>(in_contact_.segment(c * samples_, samples_).count()) / samples_;
+  }
+  return {symbol_, duty};
+}
+
+KrylovSolve AftResidual::solve_jacobian(const Eigen::VectorXd& r) {
+  constexpr double kLinearTolerance = 1e-12;
+  const LastingContactInverse lasting = lasting_inverse();
+  return solve_by_gmres([this](const Eigen::VectorXd& v) { return product(v); },
+                        [&lasting](const Eigen::VectorXd& v) { return lasting * v; }, r, kLinearTolerance);
+}
+
+double AftResidual::error(const Eigen::VectorXd& lambda, const Eigen::VectorXd& r) const {
+  const double scale = std::max(load_scale_, (r - lambda).norm());
+  return scale > 0.0 ? r.norm() / scale : 0.0;
+}
+
+Eigen::MatrixXcd AftResidual::coefficients(const Eigen::VectorXd& lambda) const {
+  return unpack_harmonics(lambda, symbol_.harmonics()) * symbol_.root().asDiagonal();
+}
+
+Eigen::VectorXd AftResidual::unknowns_of(const Eigen::MatrixXcd& coefficients) const {
+  return pack_harmonics(coefficients * symbol_.root().cwiseInverse().asDiagonal());
+}
+
+std::unique_ptr<GridSolver> aft_grid_solver(const SolverSettings& settings, bool homotopy) {
+  return std::make_unique<AftGridSolver>(settings, homotopy);
 }
 
 }  // namespace signorini

@@ -38,7 +38,7 @@ std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
       problem, common,
       {.law_at = std::move(law_at),
        .grid_solver = aft_grid_solver(
-           {.tolerance = common.tolerance, .max_iterations = common.max_iterations, .homotopy = homotopy}),
+           {.tolerance = common.tolerance, .max_iterations = common.max_iterations}, homotopy),
        .constant_is_chosen = options_.c.has_value() || options_.penalty.has_value(),
        .solver_is_open = homotopy,
        .newton_from_guess = false});  // its own Newton method takes the guess, on the first grid

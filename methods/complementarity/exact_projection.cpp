@@ -5,14 +5,17 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "methods/complementarity/contact_symbol.hpp"
 #include "methods/complementarity/exact_quadrature.hpp"
-#include "methods/discretisation/harmonic_vector.hpp"
+#include "methods/complementarity/projected_law.hpp"
+#include "methods/discretisation/fourier_series.hpp"
+#include "methods/discretisation/real_fft.hpp"
 #include "methods/solvers/condition_estimate.hpp"
 #include "methods/solvers/newton_krylov.hpp"
+#include "methods/solvers/small_lcp.hpp"
 
 namespace signorini {
 
@@ -20,7 +23,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// R as a JacobianSystem, in units of sqrt(c) per contact and packed as in harmonic_vector.hpp.
+/// R as a JacobianSystem, in units of sqrt(c) per contact and packed as in fourier_series.hpp.
 class ExactResidual {
  public:
   ExactResidual(const ProjectedEquations& equations, const ExactProjectionSettings& settings,
@@ -38,10 +41,12 @@ class ExactResidual {
 
   [[nodiscard]] const Eigen::VectorXd& root() const { return symbol_.root(); }
 
-  /// Short contacts press little on the mean, and much less than the load would: the force is the scale.
-  /// Below it lies the rounding of y, in which the load and the response to the force cancel.
-  [[nodiscard]] double scale(const Eigen::VectorXd& lambda, const Eigen::VectorXd& /*r*/) const {
-    return std::max(lambda.norm(), least_scale_);
+  /// |R|_2 / |lambda|_2. Short contacts press little on the mean, and much less than the load would: the
+  /// force is the scale. Below it lies the rounding of y, in which the load and the response to the force
+  /// cancel.
+  [[nodiscard]] double error(const Eigen::VectorXd& lambda, const Eigen::VectorXd& r) const {
+    const double scale = std::max(lambda.norm(), least_scale_);
+    return scale > 0.0 ? r.norm() / scale : 0.0;
   }
 
   /// R(lambda); keeps the intervals of contact for the Jacobian.
@@ -102,7 +107,7 @@ class ExactResidual {
   }
 
   /// What unit harmonics of one contact's lambda press at another one's samples in contact, in the packing
-  /// of harmonic_vector.hpp: a cosine of harmonic m drives s_m = B_m / sqrt 2, and (chi s)_n =
+  /// of fourier_series.hpp: a cosine of harmonic m drives s_m = B_m / sqrt 2, and (chi s)_n =
   /// chi_{n-m} s_m + chi_{n+m} conj(s_m) is packed with a factor sqrt 2.
   void fill_block(Eigen::Index row, Eigen::Index column, Eigen::Ref<Eigen::MatrixXd> block) const {
     const Eigen::VectorXcd& chi = indicators_[static_cast<std::size_t>(row)].spectrum();
@@ -135,6 +140,58 @@ class ExactResidual {
   std::vector<ContactIndicator> indicators_;
 };
 
+/// The contacts that the mean of the load alone closes, in rising order: the static complementarity problem
+/// of x_0 = x_f,0 + C_0 lambda_0 with the compliance of the stop, 1 / k_p = (1 - alpha) / c.
+std::vector<int> closed_under_mean_load(const ProjectedEquations& equations) {
+  const auto& [receptance, gap, law] = equations;
+  Eigen::MatrixXd compliance = receptance.receptance[0].real();
+  compliance.diagonal().array() += (1.0 - law.multiplier_weight.array()) / law.constant.array();
+  const Eigen::VectorXd open = gap - receptance.free_response.row(0).real().transpose();
+  const std::vector<bool> none(static_cast<std::size_t>(gap.size()), false);
+  std::vector<int> closed;
+  if (const auto pressure = solve_small_lcp(compliance, open, none)) {
+    for (int c = 0; c < gap.size(); ++c) {
+      if ((*pressure)[c] > 0.0) closed.push_back(c);
+    }
+  }
+  return closed;
+}
+
+/// lambda with these contacts closed throughout and the others open, n = 0..H.
+Eigen::MatrixXcd force_on_closed(const ProjectedEquations& equations, const std::vector<int>& closed) {
+  const auto& [receptance, gap, law] = equations;
+  Eigen::MatrixXcd lambda = Eigen::MatrixXcd::Zero(receptance.harmonics() + 1, receptance.contacts());
+  for (int n = 0; n <= receptance.harmonics(); ++n) {
+    Eigen::VectorXcd free = receptance.free_response.row(n).transpose();
+    if (n == 0) free -= gap;
+    // Where closed y = -lambda throughout: c (x_f - g) + (c C + 1 - alpha) lambda = 0.
+    Eigen::MatrixXcd block = law.constant.asDiagonal() * receptance.receptance[static_cast<std::size_t>(n)];
+    block.diagonal() += (1.0 - law.multiplier_weight.array()).matrix();
+    const Eigen::MatrixXcd held = block(closed, closed);
+    const Eigen::VectorXcd load = law.constant.cwiseProduct(free)(closed);
+    const Eigen::VectorXcd force = -held.partialPivLu().solve(load);
+    lambda(n, closed) = force.transpose();
+  }
+  return lambda;
+}
+
+/// Whether the closed contacts press and the others stay open at every sample.
+bool is_consistent(const ProjectedEquations& equations, const std::vector<int>& closed,
+                   const Eigen::MatrixXcd& lambda, int samples) {
+  Eigen::MatrixXcd penetration = contact_motion(equations.receptance, lambda);
+  penetration.row(0) -= equations.gap.transpose();
+  RealFft fft(samples);
+  Eigen::VectorXd signal(samples);
+  for (int c = 0; c < equations.receptance.contacts(); ++c) {
+    // Negative at all times: the force of a contact that presses, the penetration of one that is open.
+    const bool presses = std::binary_search(closed.begin(), closed.end(), c);
+    const Eigen::MatrixXcd& negative = presses ? lambda : penetration;
+    fft.inverse(negative.col(c), signal);
+    if (signal.maxCoeff() >= 0.0) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 ExactProjection project_exactly(const ProjectedEquations& equations, const Eigen::MatrixXcd& lambda,
@@ -145,11 +202,21 @@ ExactProjection project_exactly(const ProjectedEquations& equations, const Eigen
   NewtonKrylovResult newton = solve_newton_krylov(
       residual, pack_harmonics(lambda * root.cwiseInverse().asDiagonal()), settings.tolerance,
       {.max_steps = 40, .max_halvings = 10, .deadline = settings.deadline});
-  return {.converged = newton.converged,
+  return {.converged = newton.end == NewtonEnd::solved,
           .iterations = newton.iterations,
           .residual = newton.residual,
           .condition = newton.condition,
           .lambda = unpack_harmonics(newton.unknowns, equations.receptance.harmonics()) * root.asDiagonal()};
+}
+
+ExactProjection solve_permanent_contact(const ProjectedEquations& equations, double tolerance) {
+  const std::vector<int> closed = closed_under_mean_load(equations);
+  if (closed.empty()) return {};
+  const Eigen::MatrixXcd lambda = force_on_closed(equations, closed);
+  if (!lambda.allFinite()) return {};
+  const int samples = kResolvingSamples * std::max(1, equations.receptance.harmonics());
+  if (!is_consistent(equations, closed, lambda, samples)) return {};
+  return project_exactly(equations, lambda, {.samples = samples, .tolerance = tolerance});
 }
 
 }  // namespace signorini

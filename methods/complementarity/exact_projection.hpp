@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "methods/complementarity/projected_law.hpp"
-#include "methods/discretisation/stop_shift.hpp"
+#include "methods/discretisation/contact_phases.hpp"
 
 namespace signorini {
 
@@ -42,5 +42,13 @@ struct ExactProjection {
 ///        still does no net work, and with a speed it does speed J / T of it on the structure
 ExactProjection project_exactly(const ProjectedEquations& equations, const Eigen::MatrixXcd& lambda,
                                 const ExactProjectionSettings& settings, const StopShifts& shifts = {});
+
+/// The solution in which each contact presses at all times or never: which ones press, the mean of the load
+/// says (one small complementarity problem); their forces come from one small solve per harmonic,
+///
+///     c (x_f,n - g delta_n0) + (c C_n + 1 - alpha) lambda_n = 0.
+///
+/// `converged` if they press throughout and the others stay open; the residual is to be below `tolerance`.
+ExactProjection solve_permanent_contact(const ProjectedEquations& equations, double tolerance);
 
 }  // namespace signorini

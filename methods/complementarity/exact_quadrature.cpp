@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "methods/discretisation/fourier_series.hpp"
 #include "methods/discretisation/real_fft.hpp"
-#include "methods/discretisation/trigonometric_jet.hpp"
 #include "methods/solvers/constants.hpp"
 
 namespace signorini {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "methods/discretisation/contact_phases.hpp"
-#include "methods/discretisation/stop_shift.hpp"
 
 namespace signorini {
 
@@ -18,7 +17,7 @@ inline constexpr int kResolvingSamples = 16;
 ///
 /// \param y  n = 0..H
 /// \param samples  at least 8 H to tell every extremum
-/// \param shifts  shift(t) of one contact, see stop_shift.hpp
+/// \param shifts  shift(t) of one contact, see contact_phases.hpp
 std::vector<ContactInterval> positive_intervals(const Eigen::VectorXcd& y, int samples,
                                                 const std::vector<StopShift>& shifts = {},
                                                 double scale = 1.0);

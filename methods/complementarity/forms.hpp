@@ -2,16 +2,29 @@
 // Contact conditions as linear complementarity problems on the grid: the rows of docs/theory.md, section 2.
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "methods/complementarity/projected_law.hpp"
 #include "methods/solvers/lcp.hpp"
+#include "methods/structure/receptance.hpp"
+#include "problems/problem.hpp"
 
 namespace signorini {
+
+/// The penetration of the motion without contact forces, scale_c (x_f - g)_c at t_k = k T / N: positive
+/// where that motion lies beyond a stop. With the opposite sign it is q of a complementarity problem.
+/// \param free_response  coefficients n = 0..H of x_f, (H+1) x Nc [m]; those beyond N / 2 are dropped
+/// \param gap      g, Nc [m]
+/// \param scale    Nc, the unit of the result per metre
+/// \param samples  N >= 1 [-]
+/// \return contacts one after another, N Nc
+Eigen::VectorXd free_penetration(const Eigen::MatrixXcd& free_response, const Eigen::VectorXd& gap,
+                                 const Eigen::VectorXd& scale, int samples);
 
 /// The projected equations on N samples, (15) and (16) there, the penalty and the Lipschitz form: find
 /// z >= 0 with w = q + A z >= 0 and z^T w = 0, A block-circulant of symbol
 ///
-///     A_n = 1 + B_n for n <= H (contact_symbol.hpp), 1 above;   q = sqrt(c) (g - x_f).
+///     A_n = 1 + B_n for n <= H (projected_law.hpp), 1 above;   q = sqrt(c) (g - x_f).
 ///
 /// The unknown is z / sqrt(c) per contact, contact by contact, N Nc, which makes the blocks of A symmetric in
 /// the contacts and their diagonal of order one.
@@ -21,5 +34,38 @@ Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& ga
 /// Coefficients n = 0..H of lambda = -P z behind a solution of projected_lcp, (H+1) x Nc [N].
 Eigen::MatrixXcd force_coefficients(const ProjectedLaw& law, const Eigen::VectorXd& z_scaled, int samples,
                                     int harmonics);
+
+/// The stops of a scene as a grid of nodes sees them.
+struct NodalStops {
+  Eigen::VectorXd gap;                ///< g, Nc [m]
+  Eigen::VectorXd compliance;         ///< 1 / k_p of a spring stop, 0 of a rigid one, Nc [m/N]
+  std::optional<double> restitution;  ///< e in [0, 1] where the form imposes it [-]
+};
+
+/// Gaps and compliances of the scene, with the restitution that is to be imposed, if any.
+NodalStops nodal_stops(const Problem& problem, const std::optional<double>& restitution);
+
+/// A complementarity problem and the unit of its z.
+struct HatForm {
+  Lcp lcp;               ///< q and z in scaled units
+  Eigen::VectorXd unit;  ///< pressure of z = 1, Nc, > 0 [N]
+
+  /// -lambda behind z at the nodes, N Nc [N].
+  [[nodiscard]] Eigen::VectorXd pressure(const Eigen::VectorXd& z) const;
+  /// z of nodal pressures, N Nc.
+  [[nodiscard]] Eigen::VectorXd scaled(const Eigen::VectorXd& pressure) const;
+};
+
+/// z = -lambda / unit >= 0, w = q + A z >= 0, z^T w = 0 for one period on N nodes: at each node
+///
+///     w_k = g - (x_{k+1} + e x_{k-1}) / (1 + e) - compliance lambda_k,
+///
+/// the periodic form of the Paoli-Schatzman scheme [paoli2002], or w_k = g - x_k - compliance lambda_k
+/// without restitution. With s_n = restitution_shift, A_n = s_n C_n + compliance and q = g - S x_f, S the
+/// operator of symbol s_n; rows and columns are scaled by the unit of their contact.
+///
+/// \param receptance  C_n and free response for n = 0..N/2 under the scheme of the grid
+/// \param samples     N
+HatForm hat_form(const ContactReceptance& receptance, const NodalStops& stops, int samples);
 
 }  // namespace signorini

@@ -54,13 +54,10 @@ void BlockCirculant::gather_row(int row, std::span<const int> columns, double* o
 }
 
 Eigen::MatrixXd BlockCirculant::submatrix(std::span<const int> rows, std::span<const int> columns) const {
-  Eigen::MatrixXd block(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns.size()));
-  for (Eigen::Index j = 0; j < block.cols(); ++j) {
-    for (Eigen::Index i = 0; i < block.rows(); ++i) {
-      block(i, j) = (*this)(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);
-    }
-  }
-  return block;
+  const auto entry = [&](Eigen::Index i, Eigen::Index j) {
+    return (*this)(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);
+  };
+  return Eigen::MatrixXd::NullaryExpr(std::ssize(rows), std::ssize(columns), entry);
 }
 
 Eigen::VectorXd BlockCirculant::operator*(const Eigen::VectorXd& z) const {

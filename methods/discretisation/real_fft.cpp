@@ -56,9 +56,6 @@ RealFft::RealFft(int samples) {
   planned.push_front(plans_);
   if (planned.size() > kKept) planned.pop_back();
 }
-RealFft::~RealFft() = default;
-RealFft::RealFft(RealFft&&) noexcept = default;
-RealFft& RealFft::operator=(RealFft&&) noexcept = default;
 
 int RealFft::samples() const { return plans_->size; }
 

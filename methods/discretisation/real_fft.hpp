@@ -13,16 +13,11 @@ namespace signorini {
 ///
 /// so that coefficients do not depend on N (for even N the one at N/2 stands for both signs together).
 /// Planned with FFTW_ESTIMATE: results are the same from run to run. Plans are shared by all transforms of
-/// one size in a thread, so that a new one costs nothing; a transform must stay in its thread.
+/// one size in a thread, so that a new one or a copy costs nothing; a transform must stay in its thread.
 /// Source: [frigo2005].
 class RealFft {
  public:
   explicit RealFft(int samples);  ///< samples >= 1
-  ~RealFft();
-  RealFft(RealFft&&) noexcept;             ///< plan and memory change hands
-  RealFft& operator=(RealFft&&) noexcept;  ///< the same
-  RealFft(const RealFft&) = delete;
-  RealFft& operator=(const RealFft&) = delete;
 
   /// N.
   [[nodiscard]] int samples() const;

@@ -4,27 +4,21 @@
 
 namespace signorini {
 
-namespace {
-
-using Complex = std::complex<double>;
-
-}  // namespace
-
 HarmonicWeights exact_weights(double w) { return {{-w * w, 0.0}, {0.0, w}, {1.0, 0.0}, 1.0}; }
 
 HarmonicWeights scheme_weights(HatScheme scheme, double theta, double step) {
   if (scheme == HatScheme::backward) {
-    const Complex s = (1.0 - std::polar(1.0, -theta)) / step;
+    const std::complex<double> s = (1.0 - std::polar(1.0, -theta)) / step;
     return {s * s, s, 1.0, 1.0};
   }
   // 2 - 2 cos theta = 4 sin^2(theta / 2): the half angle keeps its digits at low harmonics, where the
   // difference would lose those that the inertia of a fine grid needs.
   const double half = std::sin(0.5 * theta);
   const double gram = scheme == HatScheme::galerkin ? 1.0 - 2.0 * half * half / 3.0 : 1.0;
-  return {-4.0 * half * half / (step * step), Complex(0.0, std::sin(theta) / step), gram, gram};
+  return {-4.0 * half * half / (step * step), std::complex<double>(0.0, std::sin(theta) / step), gram, gram};
 }
 
-Complex restitution_shift(const std::optional<double>& e, double theta) {
+std::complex<double> restitution_shift(const std::optional<double>& e, double theta) {
   if (!e) return 1.0;
   return (std::polar(1.0, theta) + *e * std::polar(1.0, -theta)) / (1.0 + *e);
 }

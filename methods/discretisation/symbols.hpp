@@ -3,6 +3,7 @@
 
 #include <array>
 #include <complex>
+#include <functional>
 #include <optional>
 #include <string_view>
 
@@ -18,6 +19,9 @@ struct HarmonicWeights {
   std::complex<double> stiffness;  ///< [-]
   double load = 1.0;               ///< [-]
 };
+
+/// The weights that a discretisation gives harmonic n = 0..H.
+using WeightsOfHarmonic = std::function<HarmonicWeights(int)>;
 
 /// Weights of the undiscretised equation of motion at angular frequency w: -w^2, i w, 1; load 1.
 HarmonicWeights exact_weights(double w);

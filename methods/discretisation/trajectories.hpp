@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "methods/discretisation/stop_shift.hpp"
+#include "methods/discretisation/contact_phases.hpp"
 #include "methods/solution.hpp"
 
 namespace signorini {
@@ -62,8 +62,6 @@ class NodalTrajectory final : public Trajectory {
   [[nodiscard]] Samples sample(int count) const override;
   [[nodiscard]] std::optional<int> bandwidth() const override { return static_cast<int>(x_.rows() - 1) / 2; }
   [[nodiscard]] std::optional<int> nodes() const override { return static_cast<int>(x_.rows()); }
-  /// N x Nc [N].
-  [[nodiscard]] const Eigen::MatrixXd& nodal_force() const { return force_; }
 
  private:
   double period_;

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "methods/complementarity/projected_law.hpp"
-#include "methods/harmonic_balance/lcp_grid_solver.hpp"
+#include "methods/harmonic_balance/grid_solver.hpp"
 #include "methods/harmonic_balance/strategy.hpp"
 #include "methods/hat_functions/hat_contact.hpp"
 #include "methods/linear_flow/linear_flow.hpp"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "methods/complementarity/projected_law.hpp"
-#include "methods/harmonic_balance/lcp_grid_solver.hpp"
+#include "methods/harmonic_balance/grid_solver.hpp"
 #include "methods/harmonic_balance/strategy.hpp"
 
 namespace signorini {

@@ -2,11 +2,14 @@
 // What a method of harmonic balance does on one grid of samples.
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "methods/complementarity/projected_law.hpp"
+#include "methods/harmonic_balance/harmonic_options.hpp"
 #include "methods/method.hpp"
+#include "methods/solvers/complementarity_solver.hpp"
 
 namespace signorini {
 
@@ -35,5 +38,24 @@ class GridSolver {
   /// The counts that the method reports of every solve, those without a grid included.
   [[nodiscard]] virtual Work initial_counts() const { return {}; }
 };
+
+/// Pivots and Newton steps of a solve so far.
+inline long steps_spent(const Work& work) { return work.pivots.value_or(0) + work.iterations.value_or(0); }
+
+/// Adds Newton steps to the work of a solve.
+inline void count_iterations(int steps, Work& work) { work.iterations = work.iterations.value_or(0) + steps; }
+
+/// Solves projected_lcp (forms.hpp) by pivoting or by Newton's method as `settings` ask, from the guess of
+/// the solve where there is one. A limit on iterations counts what was spent before.
+std::unique_ptr<GridSolver> lcp_grid_solver(const SolverSettings& settings);
+
+/// Settings of the complementarity solver for a method with these options: `plain` makes `auto` the source
+/// paper's Newton iteration.
+SolverSettings lcp_settings(const HarmonicOptions& options, ComplementaritySolver solver);
+
+/// Whether the way to the solution is left to such a method: neither `solver` nor `plain` sets it.
+inline bool leaves_solver_open(const HarmonicOptions& options, ComplementaritySolver solver) {
+  return !options.plain && solver == ComplementaritySolver::automatic;
+}
 
 }  // namespace signorini

@@ -46,14 +46,14 @@ ContinuationPoint continuation_start(const ContactReceptance& receptance) {
   return {harmonics, kStartFactor};
 }
 
-HarmonicContinuation continue_in_harmonics(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
-                                           const LawAt& law_at, const ContinuationPoint& start,
-                                           Eigen::MatrixXcd lambda, double tolerance, const Start& budget) {
+ExactProjection continue_in_harmonics(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                                      const LawAt& law_at, const ContinuationPoint& start,
+                                      Eigen::MatrixXcd lambda, double tolerance, const Start& budget) {
   const int all = receptance.harmonics();
   const auto grown = [all](int harmonics) {
     return std::min(all, static_cast<int>(std::ceil(kGrowth * harmonics)));
   };
-  HarmonicContinuation continuation;
+  int iterations = 0;
   ContinuationPoint here = start;
   ContinuationPoint next{grown(here.harmonics), 1.0};
   for (int trial = 0; trial < kContinuationSteps && !budget.expired(); ++trial) {
@@ -62,12 +62,12 @@ HarmonicContinuation continue_in_harmonics(const ContactReceptance& receptance, 
     ExactProjection exact = project_exactly(
         {level, gap, law}, extended(lambda, next.harmonics),
         {.samples = kResolvingSamples * next.harmonics, .tolerance = tolerance, .deadline = budget.deadline});
-    continuation.iterations += exact.iterations;
+    iterations += exact.iterations;
     if (exact.converged) {
       here = next;
       if (here.harmonics == all && here.stiffness_factor == 1.0) {
-        continuation.solution = std::move(exact);
-        break;
+        exact.iterations = iterations;
+        return exact;
       }
       lambda = std::move(exact.lambda);
       next = {grown(here.harmonics), 1.0};
@@ -80,7 +80,7 @@ HarmonicContinuation continue_in_harmonics(const ContactReceptance& receptance, 
       next = {halfway, softer};
     }
   }
-  return continuation;
+  return {.iterations = iterations, .lambda = {}};
 }
 
 }  // namespace signorini

@@ -24,24 +24,19 @@ struct ContinuationPoint {
 /// is all of them already, so that there is nothing to continue.
 ContinuationPoint continuation_start(const ContactReceptance& receptance);
 
-/// The end of a continuation.
-struct HarmonicContinuation {
-  int iterations = 0;  ///< Newton steps, those of failed trials included
-  ExactProjection
-      solution;  ///< with all harmonics and the law's own constant; not converged where it stalled
-};
-
 /// Follows a solution of the exactly projected equations (project_exactly) from `start` to all harmonics of
 /// `receptance` at the full constant. Each trial doubles the harmonics at the full constant; where Newton
 /// does not follow, the trial moves half of the way back, on logarithmic scales of both. A solution so found
 /// costs a few solves of (2 H + 1) Nc unknowns where a path of pivots on the fine grid costs thousands of
 /// updates (docs/decisions/0007).
 ///
+/// \return with all harmonics and the law's own constant; not converged where it stalled. Its iterations are
+///         all Newton steps, those of failed trials included
 /// \param lambda  the solution at `start`, (start.harmonics + 1) x Nc [N]
 /// \param tolerance  as of project_exactly
 /// \param budget  its deadline alone counts
-HarmonicContinuation continue_in_harmonics(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
-                                           const LawAt& law_at, const ContinuationPoint& start,
-                                           Eigen::MatrixXcd lambda, double tolerance, const Start& budget);
+ExactProjection continue_in_harmonics(const ContactReceptance& receptance, const Eigen::VectorXd& gap,
+                                      const LawAt& law_at, const ContinuationPoint& start,
+                                      Eigen::MatrixXcd lambda, double tolerance, const Start& budget);
 
 }  // namespace signorini

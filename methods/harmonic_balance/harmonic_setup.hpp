@@ -14,6 +14,9 @@
 
 namespace signorini {
 
+/// Nodes times contacts that a grid of hat functions beside a solve may have.
+inline constexpr int kMostHatUnknowns = 8192;
+
 /// What one method adds to the common options: its cell of the cube of methods.
 struct HarmonicMethod {
   LawAt law_at;                                   ///< the contact law as it imposes it
@@ -23,41 +26,33 @@ struct HarmonicMethod {
   bool newton_from_guess = true;  ///< whether a guess is given to project_exactly before any grid
 };
 
-/// How the equations of one scene are solved.
-struct HarmonicSettings {
-  std::optional<int> samples = {};            ///< N of the only grid; empty: see SampleLadder
-  Quadrature quadrature = Quadrature::exact;  ///< of the contact integral
-  double tolerance = 1e-10;                   ///< on relative residuals [-]
-  long limit = 0;                             ///< on pivots and Newton steps in all; 0: none [-]
-  bool without_grid = true;                   ///< solves of the exactly projected equations may replace grids
-  bool newton_from_guess = true;              ///< as of HarmonicMethod
-  double compensated_stiffness = 1.0;  ///< factor on the law's constant once impacts are compensated [-]
-};
-
 /// A scene prepared with H harmonics.
 struct HarmonicSetup {
-  ContactReceptance receptance;                         ///< n = 0..H
-  Eigen::VectorXd gap;                                  ///< Nc [m]
-  LawAt law_at;                                         ///< for fewer harmonics
-  ProjectedLaw law;                                     ///< for H
-  std::shared_ptr<const GridSolver> grid_solver;        ///< for the sampled equations
-  HarmonicSettings settings = {};                       ///< how
-  std::optional<ImpactCompensation> compensation = {};  ///< empty: impacts stay as the series has them
-  std::optional<Resolutions> hat_grids = {};  ///< the same scene on hat functions; empty: not to be asked
+  ContactReceptance receptance;  ///< n = 0..H
+  Eigen::VectorXd gap;           ///< Nc [m]
+  HarmonicMethod method;         ///< law, solver on a grid, what is left open
+  HarmonicOptions options;       ///< as of the method
+  ProjectedLaw law;              ///< for H
+  /// With which impacts are compensated; empty: they stay as the series has them.
+  std::optional<PeriodicGreenFunction> compensation = {};
+  /// The same scene on hat functions with restitution 1; empty: not to be asked, or too many contacts.
+  std::optional<Resolutions> hat_grids = {};
 
   /// The equations of all attempts; refers to this setup.
   [[nodiscard]] ProjectedEquations equations() const { return {receptance, gap, law}; }
+  /// Whether solves of the exactly projected equations may replace grids.
+  [[nodiscard]] bool without_grid() const {
+    return method.solver_is_open && options.grid_is_open(receptance.harmonics());
+  }
+  /// Factor on the law's constant once impacts are compensated: the harder the law, the nearer the force is
+  /// to an impulse, and the error to that of truncation alone (docs/decisions/0011). A constant that the user
+  /// chose stays [-].
+  [[nodiscard]] double compensated_stiffness() const { return method.constant_is_chosen ? 1.0 : 8.0; }
 };
 
 /// Sets a scene up with H harmonics; `problem` must outlive the result.
 /// \throws std::runtime_error if the structure cannot be factorised
 HarmonicSetup harmonic_setup(const Problem& problem, int harmonics, const HarmonicOptions& options,
                              const HarmonicMethod& method);
-
-/// Pivots and Newton steps of a solve so far.
-inline long steps_spent(const Work& work) { return work.pivots.value_or(0) + work.iterations.value_or(0); }
-
-/// Adds Newton steps to the work of a solve.
-inline void count_iterations(int steps, Work& work) { work.iterations = work.iterations.value_or(0) + steps; }
 
 }  // namespace signorini

@@ -1,14 +1,14 @@
 #include "methods/harmonic_balance/impact_compensation.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <optional>
 #include <utility>
 
-#include "methods/complementarity/contact_episodes.hpp"
-#include "methods/complementarity/impact_equations.hpp"
+#include "methods/complementarity/series_impacts.hpp"
 #include "methods/solvers/constants.hpp"
 
 namespace signorini {
@@ -31,67 +31,44 @@ struct ShiftedSeries {
 
 /// The series with its impacts moved by `share` of the way to `wanted`. Each keeps its shape: an episode that
 /// moves by tau and grows by f has the coefficients f e^{-2 pi i n tau} lambda_n.
-class ShiftedImpacts {
- public:
-  ShiftedImpacts(const ProjectedEquations& equations, const ContactEpisodes& episodes, const Impacts& wanted,
-                 double share)
-      : equations_(equations), episodes_(episodes), wanted_(wanted), share_(share) {}
-
-  [[nodiscard]] ShiftedSeries series() const {
-    Eigen::MatrixXcd lambda = moved_force();
-    const Eigen::MatrixXcd x = contact_motion(equations_.receptance, lambda);
-    StopShifts shifts(static_cast<std::size_t>(equations_.receptance.contacts()));
-    // A shift of nothing keeps the stop in its place where contact lasts.
-    for (const ContactEpisode& other : episodes_.lasting)
-      shifts[static_cast<std::size_t>(other.contact)].push_back({other.middle(), other.width(), 0.0, 0.0});
-    for (std::size_t k = 0; k < episodes_.impacts.size(); ++k) {
-      const int contact = episodes_.impacts[k].contact;
-      shifts[static_cast<std::size_t>(contact)].push_back(
-          shift_for(k, augmented_multiplier(equations_, contact, x, lambda)));
-    }
-    return {std::move(lambda), std::move(shifts)};
+ShiftedSeries with_impacts_moved(const ProjectedEquations& equations, const ContactEpisodes& episodes,
+                                 const Impacts& wanted, double share) {
+  const auto count = static_cast<Eigen::Index>(episodes.impacts.size());
+  const auto impact = [&](Eigen::Index k) -> const ContactEpisode& {
+    return episodes.impacts[static_cast<std::size_t>(k)];
+  };
+  Eigen::VectorXd way(count);     // tau, share of the period
+  Eigen::VectorXd growth(count);  // f
+  ShiftedSeries moved{episodes.lasting_force,
+                      StopShifts(static_cast<std::size_t>(equations.receptance.contacts()))};
+  for (Eigen::Index k = 0; k < count; ++k) {
+    way[k] = share * (wanted(0, k) - impact(k).centre);
+    growth[k] = 1.0 + share * (wanted(1, k) / impact(k).force - 1.0);
+    const Complex unit = std::polar(1.0, -kTwoPi * share * (wanted(0, k) - impact(k).centre));
+    Complex factor = growth[k];
+    for (Eigen::Index n = 0; n < moved.lambda.rows(); ++n, factor *= unit)
+      moved.lambda(n, impact(k).contact) += factor * impact(k).lambda[n];
   }
-
- private:
-  /// tau, share of the period.
-  [[nodiscard]] double way(std::size_t k) const {
-    return share_ * (wanted_.time[static_cast<Eigen::Index>(k)] - episodes_.impacts[k].centre);
+  const Eigen::MatrixXcd x = contact_motion(equations.receptance, moved.lambda);
+  // A shift of nothing keeps the stop in its place where contact lasts.
+  for (const ContactEpisode& other : episodes.lasting)
+    moved.shifts[static_cast<std::size_t>(other.contact)].push_back(
+        {other.middle(), other.width(), 0.0, 0.0});
+  for (Eigen::Index k = 0; k < count; ++k) {
+    // y at the centre is to grow as the force does, in value and slope; what the moved series alone lacks of
+    // that, c times the shift must give. The shift is stored at the middle of the episode.
+    const int contact = impact(k).contact;
+    const double constant = equations.law.constant[contact];
+    const Jet y = trigonometric_jet(augmented_multiplier(equations, contact, x, moved.lambda),
+                                    impact(k).centre + way[k]);
+    const double distance = (growth[k] * impact(k).load.value - y.value) / constant;
+    const double speed = (growth[k] * impact(k).load.slope - y.slope) / constant;
+    moved.shifts[static_cast<std::size_t>(contact)].push_back(
+        {impact(k).middle() + way[k], impact(k).width(),
+         distance + speed * (impact(k).middle() - impact(k).centre), speed});
   }
-  /// f.
-  [[nodiscard]] double growth(std::size_t k) const {
-    return 1.0 + share_ * (wanted_.force[static_cast<Eigen::Index>(k)] / episodes_.impacts[k].force - 1.0);
-  }
-
-  [[nodiscard]] Eigen::MatrixXcd moved_force() const {
-    Eigen::MatrixXcd lambda = episodes_.lasting_force;
-    for (std::size_t k = 0; k < episodes_.impacts.size(); ++k) {
-      const ContactEpisode& impact = episodes_.impacts[k];
-      const Complex unit =
-          std::polar(1.0, -kTwoPi * share_ * (wanted_.time[static_cast<Eigen::Index>(k)] - impact.centre));
-      Complex factor = growth(k);
-      for (Eigen::Index n = 0; n < lambda.rows(); ++n, factor *= unit)
-        lambda(n, impact.contact) += factor * impact.lambda[n];
-    }
-    return lambda;
-  }
-
-  /// y at the centre is to grow as the force does, in value and slope; what the moved series alone lacks of
-  /// that, c times the shift must give. The shift is stored at the middle of the episode.
-  [[nodiscard]] StopShift shift_for(std::size_t k, const Eigen::VectorXcd& y_of_series) const {
-    const ContactEpisode& impact = episodes_.impacts[k];
-    const double constant = equations_.law.constant[impact.contact];
-    const Jet y = trigonometric_jet(y_of_series, impact.centre + way(k));
-    const double distance = (growth(k) * impact.load.value - y.value) / constant;
-    const double speed = (growth(k) * impact.load.slope - y.slope) / constant;
-    return {impact.middle() + way(k), impact.width(), distance + speed * (impact.middle() - impact.centre),
-            speed};
-  }
-
-  const ProjectedEquations& equations_;
-  const ContactEpisodes& episodes_;
-  const Impacts& wanted_;
-  double share_;
-};
+  return moved;
+}
 
 double largest_shift(const ContactEpisodes& episodes, const StopShifts& shifts) {
   double distance = 0.0;
@@ -125,29 +102,21 @@ class DefectHistory {
   int slow_rounds_ = 0;
 };
 
-bool expired(const ExactProjectionSettings& settings) {
-  return settings.deadline != std::chrono::steady_clock::time_point::max() &&
-         std::chrono::steady_clock::now() > settings.deadline;
-}
-
 }  // namespace
 
-ImpactCompensation::ImpactCompensation(ContactReceptance extended) : response_(std::move(extended)) {}
-
-ImpactCompensation::Result ImpactCompensation::operator()(const ProjectedEquations& equations,
-                                                          const Eigen::MatrixXcd& lambda,
-                                                          const StopShifts& shifts,
-                                                          const ExactProjectionSettings& settings) const {
+CompensatedImpacts compensate_impacts(const PeriodicGreenFunction& response,
+                                      const ProjectedEquations& equations, const Eigen::MatrixXcd& lambda,
+                                      const StopShifts& shifts, const ExactProjectionSettings& settings) {
   ExactProjection series = project_exactly(equations, lambda, settings, shifts);
-  Result result{.exact = series.converged, .iterations = series.iterations, .shifts = shifts};
+  CompensatedImpacts result{.exact = series.converged, .iterations = series.iterations, .shifts = shifts};
   // Where the exact equations have no solution near by, the sampled one still says where the impacts are.
   if (!series.converged) series.lambda = lambda;
   DefectHistory history(settings.tolerance);
   bool full_step = false;
-  for (int round = 0; round < kRounds && !expired(settings); ++round) {
+  for (int round = 0; round < kRounds && std::chrono::steady_clock::now() <= settings.deadline; ++round) {
     const ContactEpisodes episodes =
-        contact_episodes(equations, response_, series.lambda, result.shifts, settings.samples);
-    const ImpactEquations law(response_, equations.gap, episodes.impacts,
+        contact_episodes(equations, response, series.lambda, result.shifts, settings.samples);
+    const ImpactEquations law(response, equations.gap, episodes.impacts,
                               contact_motion(equations.receptance, episodes.lasting_force));
     const Impacts present = impacts_of(episodes.impacts);
     result.impacts = static_cast<int>(episodes.impacts.size());
@@ -166,7 +135,7 @@ ImpactCompensation::Result ImpactCompensation::operator()(const ProjectedEquatio
     double share = 1.0;
     ExactProjection next;
     for (int trial = 0; trial < kStepLengths && !next.converged; ++trial, share *= 0.5) {
-      ShiftedSeries guess = ShiftedImpacts(equations, episodes, *wanted, share).series();
+      ShiftedSeries guess = with_impacts_moved(equations, episodes, *wanted, share);
       next = project_exactly(equations, guess.lambda, settings, guess.shifts);
       result.iterations += next.iterations;
       full_step = trial == 0;
@@ -179,8 +148,8 @@ ImpactCompensation::Result ImpactCompensation::operator()(const ProjectedEquatio
   return result;
 }
 
-std::optional<ImpactCompensation> impact_compensation(const Problem& problem,
-                                                      const ContactReceptance& receptance) {
+std::optional<PeriodicGreenFunction> response_to_impacts(const Problem& problem,
+                                                         const ContactReceptance& receptance) {
   if (!std::holds_alternative<Restitution>(problem.law)) return std::nullopt;
   const int harmonics = receptance.harmonics();
   const PeriodicGreenFunction kept(receptance);
@@ -193,9 +162,9 @@ std::optional<ImpactCompensation> impact_compensation(const Problem& problem,
   // A look at the harmonics at hand spares most structures with higher modes the search for more.
   if (!has_mass(kept, receptance.contacts(), harmonics - std::max(1, harmonics / 8))) return std::nullopt;
   try {
-    ContactReceptance extended = fourier_receptance(problem, 2 * harmonics);
-    if (!has_mass(PeriodicGreenFunction(extended), receptance.contacts(), harmonics)) return std::nullopt;
-    return ImpactCompensation(std::move(extended));
+    PeriodicGreenFunction extended(fourier_receptance(problem, 2 * harmonics));
+    if (!has_mass(extended, receptance.contacts(), harmonics)) return std::nullopt;
+    return extended;
   } catch (const SingularStiffness&) {
     return std::nullopt;  // an undamped mode answers to a harmonic beyond H
   }

@@ -6,11 +6,22 @@
 
 #include "methods/complementarity/exact_projection.hpp"
 #include "methods/complementarity/projected_law.hpp"
-#include "methods/discretisation/stop_shift.hpp"
+#include "methods/discretisation/contact_phases.hpp"
 #include "methods/structure/periodic_green_function.hpp"
 #include "methods/structure/receptance.hpp"
 
 namespace signorini {
+
+/// The end of a compensation.
+struct CompensatedImpacts {
+  bool converged = false;       ///< the impact law holds; true where there is no impact
+  bool exact = false;           ///< the projected equations have a solution near the one handed in
+  int impacts = 0;              ///< per period
+  int iterations = 0;           ///< Newton steps on the projected equations, all of them
+  double largest = 0.0;         ///< largest distance of a stop from its place while an impact acts [m]
+  ExactProjection series = {};  ///< of the projected equations with the stops there; none unless converged
+  StopShifts shifts = {};       ///< empty where nothing is shifted
+};
 
 /// Moves the stops that a truncated series meets, so that its motion obeys the law of impact.
 ///
@@ -29,43 +40,26 @@ namespace signorini {
 /// duration of the force. In X the contact does no net work; in the series it does what the harmonics beyond
 /// H dissipate, of order 1/H and of the damping.
 ///
-/// What counts as an impact is in contact_episodes.hpp: contact that lasts longer, is compliant, or has modes
+/// What counts as an impact is in series_impacts.hpp: contact that lasts longer, is compliant, or has modes
 /// beyond H behind it is left alone.
-class ImpactCompensation {
- public:
-  /// \param extended  C_n for n = 0..L, L > H; L = 2 H will do
-  explicit ImpactCompensation(ContactReceptance extended);
+///
+/// Begins at a solution `lambda` of the exactly projected equations with the stops at `shifts`, or near
+/// one. Each round solves X(t_k) = g, X'(t_k) = 0 for instants and impulses (ImpactEquations), takes the
+/// series' contacts there with stops that let each keep its shape, and solves the projected equations anew
+/// (project_exactly). Not converged where an impact comes or goes on the way, or the projected equations
+/// have no solution near by.
+///
+/// \param settings  as of project_exactly; its tolerance is also that of the law of impact, relative to the
+///        motion
+/// \param response  of the structure with C_n for n = 0..L, L > H; L = 2 H will do
+CompensatedImpacts compensate_impacts(const PeriodicGreenFunction& response,
+                                      const ProjectedEquations& equations, const Eigen::MatrixXcd& lambda,
+                                      const StopShifts& shifts, const ExactProjectionSettings& settings);
 
-  /// The end of a compensation.
-  struct Result {
-    bool converged = false;       ///< the impact law holds; true where there is no impact
-    bool exact = false;           ///< the projected equations have a solution near the one handed in
-    int impacts = 0;              ///< per period
-    int iterations = 0;           ///< Newton steps on the projected equations, all of them
-    double largest = 0.0;         ///< largest distance of a stop from its place while an impact acts [m]
-    ExactProjection series = {};  ///< of the projected equations with the stops there; none unless converged
-    StopShifts shifts = {};       ///< empty where nothing is shifted
-  };
-
-  /// Begins at a solution `lambda` of the exactly projected equations with the stops at `shifts`, or near
-  /// one. Each round solves X(t_k) = g, X'(t_k) = 0 for instants and impulses (ImpactEquations), takes the
-  /// series' contacts there with stops that let each keep its shape, and solves the projected equations anew
-  /// (project_exactly). Not converged where an impact comes or goes on the way, or the projected equations
-  /// have no solution near by.
-  ///
-  /// \param settings  as of project_exactly; its tolerance is also that of the law of impact, relative to the
-  ///        motion
-  [[nodiscard]] Result operator()(const ProjectedEquations& equations, const Eigen::MatrixXcd& lambda,
-                                  const StopShifts& shifts, const ExactProjectionSettings& settings) const;
-
- private:
-  PeriodicGreenFunction response_;
-};
-
-/// The compensation for a scene; nothing where there is none to offer: the stops are compliant or no contact
-/// has mass (the force is then a function of time), or none answers like a mass from H to 2 H.
-/// \param receptance  of the scene, n = 0..H
-std::optional<ImpactCompensation> impact_compensation(const Problem& problem,
-                                                      const ContactReceptance& receptance);
+/// The response to impacts of a scene whose impacts can be compensated, n = 0..2 H; nothing where none can:
+/// the stops are compliant or no contact has mass (the force is then a function of time), or none answers
+/// like a mass from H to 2 H. \param receptance  of the scene, n = 0..H
+std::optional<PeriodicGreenFunction> response_to_impacts(const Problem& problem,
+                                                         const ContactReceptance& receptance);
 
 }  // namespace signorini

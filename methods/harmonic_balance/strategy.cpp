@@ -13,11 +13,8 @@
 #include <utility>
 
 #include "methods/complementarity/exact_projection.hpp"
-#include "methods/complementarity/permanent_contact.hpp"
 #include "methods/harmonic_balance/compensated_answer.hpp"
 #include "methods/harmonic_balance/harmonic_continuation.hpp"
-#include "methods/harmonic_balance/hat_agreement.hpp"
-#include "methods/harmonic_balance/sample_grids.hpp"
 #include "methods/harmonic_balance/series_solution.hpp"
 #include "methods/refinement.hpp"
 #include "methods/structure/periodic_response.hpp"
@@ -29,12 +26,12 @@ namespace {
 /// Newton's method on the exactly projected equations from the guess (exact_projection). In a sweep this is
 /// all that most solves need.
 std::optional<Solution> newton_from_guess(const HarmonicSetup& setup, const Start& start, Work& work) {
-  if (!start.guess || !setup.settings.without_grid || !setup.settings.newton_from_guess) return std::nullopt;
+  if (!start.guess || !setup.without_grid() || !setup.method.newton_from_guess) return std::nullopt;
   const int harmonics = setup.receptance.harmonics();
   const ExactProjection near =
       project_exactly(setup.equations(), force_spectrum(*start.guess, harmonics),
                       {.samples = kCoarseSampling * std::max(harmonics, kFewestOnGrid),
-                       .tolerance = setup.settings.tolerance});
+                       .tolerance = setup.options.tolerance});
   count_iterations(near.iterations, work);
   if (!near.converged) return std::nullopt;
   return exact_solution(setup.equations(), near, "Newton from the guess");
@@ -43,8 +40,8 @@ std::optional<Solution> newton_from_guess(const HarmonicSetup& setup, const Star
 /// Contact that never opens (permanent_contact): one small solve per harmonic and a look at signs. It comes
 /// before any path of pivots, which starts with every gap open and would meet rattling motions first.
 std::optional<Solution> permanent_contact(const HarmonicSetup& setup, const Start& start) {
-  if (start.guess || !setup.settings.without_grid) return std::nullopt;
-  const ExactProjection closed = solve_permanent_contact(setup.equations(), setup.settings.tolerance);
+  if (start.guess || !setup.without_grid()) return std::nullopt;
+  const ExactProjection closed = solve_permanent_contact(setup.equations(), setup.options.tolerance);
   if (!closed.converged) return std::nullopt;
   return exact_solution(setup.equations(), closed, "permanent contact");
 }
@@ -52,13 +49,12 @@ std::optional<Solution> permanent_contact(const HarmonicSetup& setup, const Star
 /// The first harmonics alone and a softer law, with nothing that stands beside a solve.
 HarmonicSetup with_few_harmonics(const HarmonicSetup& setup, const ContinuationPoint& few) {
   ContactReceptance receptance = truncated(setup.receptance, few.harmonics);
-  ProjectedLaw law = with_stiffness_factor(setup.law_at(receptance), few.stiffness_factor);
+  ProjectedLaw law = with_stiffness_factor(setup.method.law_at(receptance), few.stiffness_factor);
   return {.receptance = std::move(receptance),
           .gap = setup.gap,
-          .law_at = setup.law_at,
-          .law = std::move(law),
-          .grid_solver = setup.grid_solver,
-          .settings = setup.settings};
+          .method = setup.method,
+          .options = setup.options,
+          .law = std::move(law)};
 }
 
 /// Continuation in harmonics (harmonic_continuation): few of them are solved as permanent contact or on
@@ -66,21 +62,21 @@ HarmonicSetup with_few_harmonics(const HarmonicSetup& setup, const ContinuationP
 /// while the equations themselves change little from H to 2 H.
 std::optional<Solution> continuation_in_harmonics(const HarmonicSetup& setup, const Start& start,
                                                   Work& work) {
-  if (start.guess || !setup.settings.without_grid) return std::nullopt;
+  if (start.guess || !setup.without_grid()) return std::nullopt;
   const ContinuationPoint first = continuation_start(setup.receptance);
   if (first.harmonics == 0) return std::nullopt;
   const HarmonicSetup few = with_few_harmonics(setup, first);
-  Work spent = setup.grid_solver->initial_counts();
+  Work spent = setup.method.grid_solver->initial_counts();
   std::optional<Solution> base = permanent_contact(few, start);
   if (!base) base = solve_on_grids(few, start, spent);
   add_effort(spent, work);
   if (base->verdict != Verdict::converged) return std::nullopt;
-  const HarmonicContinuation continuation =
-      continue_in_harmonics(setup.receptance, setup.gap, setup.law_at, first,
-                            base->trajectory->force_coefficients(), setup.settings.tolerance, start);
-  count_iterations(continuation.iterations, work);
-  if (!continuation.solution.converged) return std::nullopt;
-  return exact_solution(setup.equations(), continuation.solution,
+  const ExactProjection continued =
+      continue_in_harmonics(setup.receptance, setup.gap, setup.method.law_at, first,
+                            base->trajectory->force_coefficients(), setup.options.tolerance, start);
+  count_iterations(continued.iterations, work);
+  if (!continued.converged) return std::nullopt;
+  return exact_solution(setup.equations(), continued,
                         fmt::format("{} harmonics first, Newton from there", first.harmonics));
 }
 
@@ -162,7 +158,7 @@ class HarmonicBalance final : public PreparedMethod {
 Solution solve_by_harmonic_balance(HarmonicSetup& setup, const Start& start) {
   const ContactReceptance& receptance = setup.receptance;
   if (receptance.contacts() == 0) return contact_free_response(receptance);
-  Work work = setup.grid_solver->initial_counts();
+  Work work = setup.method.grid_solver->initial_counts();
   work.unknowns = (2L * receptance.harmonics() + 1) * receptance.contacts();
   Solution solution = solve_with_harmonics(setup, start, work);
   solution.work = work;

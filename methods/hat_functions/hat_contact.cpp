@@ -1,18 +1,32 @@
 #include "methods/hat_functions/hat_contact.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
-#include "methods/complementarity/hat_form.hpp"
+#include "methods/complementarity/forms.hpp"
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/discretisation/trajectories.hpp"
-#include "methods/hat_functions/hat_strategy.hpp"
+#include "methods/hat_functions/period_marching.hpp"
+#include "methods/solvers/complementarity_solver.hpp"
+#include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
 
 namespace signorini {
 
 namespace {
+
+// Pivots per unknown after which a path counts as long: scenes without chatter need one to two.
+constexpr int kShortPath = 4;
+// The same after which it is given up.
+constexpr int kLongPath = 100;
+// Marching either repeats its contacts soon, or follows a motion that is not periodic.
+constexpr int kMarchedPeriods = 300;
 
 /// C_n and free response under the scheme, n = 0..N/2.
 ContactReceptance scheme_receptance(const Problem& problem, const HatSettings& settings) {
@@ -33,23 +47,65 @@ class PreparedHat final : public PreparedMethod {
   Solution solve(const Start& start) override {
     if (receptance_.contacts() == 0) return finish(Eigen::VectorXd{}, {.status = LcpStatus::solved});
     const HatForm form = hat_form(receptance_, stops_, samples());
-    const LcpResult result = solve_hat_problem({problem_, stops_, form, options_}, start);
+    const LcpResult result = solve(form, start);
     return finish(form.pressure(result.z), result);
   }
 
  private:
   [[nodiscard]] int samples() const { return options_.samples; }
 
+  /// The list of attempts (hat_contact); pivots are summed over them.
+  [[nodiscard]] LcpResult solve(const HatForm& form, const Start& start) const {
+    const int asked = options_.max_iterations;  // 0: not limited
+    const Eigen::VectorXd guess =
+        start.guess ? pressure_samples(*start.guess, samples(), form.unit) : Eigen::VectorXd{};
+    if (options_.solver != ComplementaritySolver::automatic)
+      return follow_path(form.lcp, asked, start, guess);
+
+    const auto pivots = [&](long per_unknown) {
+      return static_cast<int>(
+          std::min<long>(per_unknown * form.lcp.matrix->size(), std::numeric_limits<int>::max()));
+    };
+    const bool within_limit = asked > 0 && asked <= pivots(kShortPath);
+    const LcpResult first = follow_path(form.lcp, within_limit ? asked : pivots(kShortPath), start, guess);
+    if (first.status != LcpStatus::limit || within_limit) return first;
+
+    LcpResult result = march(form, start);
+    if (result.status != LcpStatus::solved)
+      result = follow_path(form.lcp, asked > 0 ? asked : pivots(kLongPath), start, {});
+    result.pivots += first.pivots;
+    return result;
+  }
+
+  /// Attempts 1 and 2, or the solver asked for, with that many pivots or steps.
+  [[nodiscard]] LcpResult follow_path(const Lcp& lcp, int max_iterations, const Start& start,
+                                      const Eigen::VectorXd& guess) const {
+    return solve_lcp(lcp,
+                     {.solver = options_.solver,
+                      .tolerance = options_.tolerance,
+                      .max_iterations = max_iterations,
+                      .deadline = start.deadline,
+                      .cover_amplitude = options_.cover_amplitude,
+                      .cover_phase = options_.cover_phase},
+                     guess);
+  }
+
+  /// Attempt 3; not solved where no periodic contact is found or Newton's method fails from it.
+  [[nodiscard]] LcpResult march(const HatForm& form, const Start& start) const {
+    const Eigen::VectorXd pressure = march_to_period(
+        problem_, options_.scheme, samples(), stops_.restitution.value_or(0.0), kMarchedPeriods, start);
+    if (pressure.size() == 0) return {};
+    return solve_by_newton(form.lcp, {.tolerance = options_.tolerance, .deadline = start.deadline},
+                           form.scaled(pressure));
+  }
+
   /// Nodal motion behind the nodal pressures -lambda >= 0 [N].
   [[nodiscard]] Solution finish(const Eigen::VectorXd& pressure, const LcpResult& result) const {
     const int contacts = receptance_.contacts();
     RealFft fft(samples());
     Eigen::MatrixXcd spectrum(fft.coefficients(), contacts);
-    Eigen::MatrixXd force(samples(), contacts);
-    for (int c = 0; c < contacts; ++c) {
-      force.col(c) = -pressure.segment(c * samples(), samples());
-      fft.forward(force.col(c), spectrum.col(c));
-    }
+    Eigen::MatrixXd force = -pressure.reshaped(samples(), contacts);
+    for (int c = 0; c < contacts; ++c) fft.forward(force.col(c), spectrum.col(c));
     Eigen::MatrixXd x(samples(), contacts);
     if (contacts > 0) spectrum = contact_motion(receptance_, spectrum);
     for (int c = 0; c < contacts; ++c) fft.inverse(spectrum.col(c), x.col(c));
@@ -80,11 +136,54 @@ class PreparedHat final : public PreparedMethod {
   NodalStops stops_;
 };
 
+/// Whether the next grid is worth its cost. A pivot costs the square of the nodes in contact, and the next
+/// grid has four times as many of both. Long contacts are expensive and rarely disputed.
+bool cheap_on_the_next_grid(const Solution& solution) {
+  constexpr double kGrowth = 64.0;
+  constexpr double kOperations = 1e9;  // about a second
+  const Eigen::MatrixXd force = solution.trajectory->sample(solution.trajectory->nodes().value()).force;
+  const auto pressed = static_cast<double>((force.array() < 0.0).count());
+  return kGrowth * static_cast<double>(solution.work.pivots.value_or(0)) * pressed * pressed <= kOperations;
+}
+
+/// A motion smaller than this part of the static deflection is rounding [-].
+constexpr double kAtRest = 1e-6;
+
+/// Deflection of the softest contact under the load at its largest, held still [m].
+double static_deflection(const Problem& problem) {
+  double load = 0.0;
+  for (const ForceTerm& term : problem.force) load += std::hypot(term.cos, term.sin);
+  return load / contact_stiffness_scale(problem).minCoeff();
+}
+
 }  // namespace
 
 std::unique_ptr<PreparedMethod> hat_contact(const Problem& problem, const HatSettings& settings,
                                             std::optional<double> restitution) {
   return std::make_unique<PreparedHat>(problem, settings, restitution);
+}
+
+int coarsest_hat_grid(const Problem& problem) {
+  constexpr unsigned kPerOscillation = 16;
+  const unsigned needed = kPerOscillation * static_cast<unsigned>(load_bandwidth(problem));
+  return std::clamp(static_cast<int>(std::bit_ceil(needed)), 256, kFinestHatGrid);
+}
+
+Resolutions hat_grids(const Problem& problem, const HatSettings& settings,
+                      std::optional<double> restitution) {
+  constexpr int kFactor = 4;
+  return {rising_resolutions(coarsest_hat_grid(problem), kFactor, kFinestHatGrid),
+          [&problem, settings, restitution](int samples) {
+            HatSettings grid = settings;
+            grid.samples = samples;
+            return hat_contact(problem, grid, restitution);
+          }};
+}
+
+std::unique_ptr<PreparedMethod> refined_hat_contact(const Problem& problem, const HatSettings& settings,
+                                                    std::optional<double> restitution) {
+  return refined_until_agreed(hat_grids(problem, settings, restitution), "N", cheap_on_the_next_grid,
+                              kAtRest * static_deflection(problem));
 }
 
 }  // namespace signorini

@@ -5,16 +5,61 @@
 #include <memory>
 #include <optional>
 
-#include "methods/hat_functions/hat_settings.hpp"
+#include "methods/discretisation/symbols.hpp"
 #include "methods/method.hpp"
+#include "methods/refinement.hpp"
+#include "methods/solvers/complementarity_solver.hpp"
 
 namespace signorini {
 
+/// One grid of hat functions.
+struct HatSettings {
+  int samples = 256;                                                ///< N >= 4 nodes per period [-]
+  HatScheme scheme = HatScheme::galerkin;                           ///< the symbol
+  ComplementaritySolver solver = ComplementaritySolver::automatic;  ///< of the complementarity problem
+  double tolerance = 1e-10;                                         ///< on LcpResult::residual [-]
+  int max_iterations = 0;        ///< pivots or Newton steps; 0: the solver's own limit [-]
+  double cover_amplitude = 0.0;  ///< of the covering vector's wave (smooth_cover), in [0, 1) [-]
+  double cover_phase = 0.0;      ///< [rad]
+};
+
 /// The scene on N nodes as one linear complementarity problem, ready to be solved. Without `restitution` the
 /// condition holds on the nodal gaps; with it on g - (x_{k+1} + e x_{k-1}) / (1 + e), the periodic form of
-/// the Paoli-Schatzman scheme [paoli2002]. A spring stop adds its compliance. `problem` must outlive the
-/// result. \throws std::runtime_error if the structure cannot be factorised
+/// the Paoli-Schatzman scheme [paoli2002]. A spring stop adds its compliance.
+///
+/// A solve takes the solver asked for; with `automatic` the first of these attempts that succeeds:
+///
+///   1. permanent contact: w = 0 at all nodes, one linear solve;
+///   2. pivoting from the guess, then cold, then with other covering vectors where a path ends on a ray
+///      (`solve_lcp`), as long as the path is short, 4 pivots per unknown;
+///   3. where the path is long (chatter: as many solutions as bounces): marching in time from rest until the
+///      nodes in contact repeat, and Newton's method from there;
+///   4. pivoting to the end, 100 pivots per unknown.
+///
+/// An answer on one grid may still be wrong by its numerical dissipation: `refined_hat_contact` compares
+/// grids. `problem` must outlive the result.
+/// \throws std::runtime_error if the structure cannot be factorised
 std::unique_ptr<PreparedMethod> hat_contact(const Problem& problem, const HatSettings& settings,
                                             std::optional<double> restitution);
+
+/// Nodes of the finest grid that is tried unasked.
+inline constexpr int kFinestHatGrid = 4096;
+
+/// Nodes of the first grid: 256, doubled until there are 16 per oscillation of the load's highest harmonic,
+/// as far as the finest grid has them.
+int coarsest_hat_grid(const Problem& problem);
+
+/// The scene on the coarsest grid and on four times as many nodes, up to the finest.
+/// \param settings  of all grids but for the nodes
+/// \param restitution  as of hat_contact; `problem` must outlive the grids
+Resolutions hat_grids(const Problem& problem, const HatSettings& settings, std::optional<double> restitution);
+
+/// The scene on those grids, one after another, until two agree within 5 % (`refined_until_agreed`). A grid
+/// dissipates or feeds the motion at impacts, at a rate that falls with N, so that an answer on one grid
+/// alone may be of another motion (docs/decisions/0014). Motions below 1e-6 of the static deflection are at
+/// rest; a grid that would take more than about a second is not asked. \throws std::runtime_error if the
+/// structure cannot be factorised
+std::unique_ptr<PreparedMethod> refined_hat_contact(const Problem& problem, const HatSettings& settings,
+                                                    std::optional<double> restitution);
 
 }  // namespace signorini

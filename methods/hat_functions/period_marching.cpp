@@ -14,14 +14,14 @@ namespace {
 
 class Recurrence {
  public:
-  Recurrence(const Problem& problem, const HatSettings& options, double restitution)
-      : samples_(options.samples),
+  Recurrence(const Problem& problem, HatScheme scheme, int samples, double restitution)
+      : samples_(samples),
         contacts_(problem.contact_count()),
         restitution_(restitution),
         directions_(contact_directions(problem)),
         gap_(contact_gaps(problem)) {
     const double step = problem.period() / samples_;
-    const bool consistent = options.scheme == HatScheme::galerkin;
+    const bool consistent = scheme == HatScheme::galerkin;
     const double outer = consistent ? 1.0 / 6.0 : 0.0;
     const SparseMatrix inertia = problem.mass() / (step * step);
     const SparseMatrix drag = problem.damping() / (2.0 * step);
@@ -92,12 +92,12 @@ class Recurrence {
 
 }  // namespace
 
-Eigen::VectorXd march_to_period(const Problem& problem, const HatSettings& options, double restitution,
+Eigen::VectorXd march_to_period(const Problem& problem, HatScheme scheme, int samples, double restitution,
                                 int periods, const Start& start) {
   if (problem.size() > kMostInTime) return {};
-  Recurrence recurrence(problem, options, restitution);
+  Recurrence recurrence(problem, scheme, samples, restitution);
   if (!recurrence.usable()) return {};
-  Eigen::VectorXd pressure = Eigen::VectorXd::Zero(options.samples * problem.contact_count());
+  Eigen::VectorXd pressure = Eigen::VectorXd::Zero(samples * problem.contact_count());
   Eigen::VectorXd previous;
   for (int period = 0; period < periods; ++period) {
     previous = pressure;

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "methods/hat_functions/hat_settings.hpp"
+#include "methods/discretisation/symbols.hpp"
 #include "methods/method.hpp"
 
 namespace signorini {
@@ -17,7 +17,8 @@ namespace signorini {
 /// the last one, N Nc [N]. Complete chatter, where pivoting meets as many solutions as there are bounces,
 /// forgets its past within a period or two here.
 /// Empty if `periods` do not suffice, the steps grow without bound, or the budget is spent.
-Eigen::VectorXd march_to_period(const Problem& problem, const HatSettings& options, double restitution,
+/// \param samples  N nodes per period
+Eigen::VectorXd march_to_period(const Problem& problem, HatScheme scheme, int samples, double restitution,
                                 int periods, const Start& start);
 
 }  // namespace signorini

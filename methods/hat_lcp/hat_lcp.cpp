@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "methods/hat_functions/hat_grids.hpp"
+#include "methods/hat_functions/hat_contact.hpp"
 
 namespace signorini {
 

@@ -1,31 +1,86 @@
 #include "methods/solvers/complementarity_solver.hpp"
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
+#include <vector>
 
-#include "methods/solvers/covering_vector.hpp"
-#include "methods/solvers/newton.hpp"
+#include "methods/solvers/condition_estimate.hpp"
+#include "methods/solvers/newton_krylov.hpp"
 #include "methods/solvers/pivoting.hpp"
 
 namespace signorini {
 
 namespace {
 
+/// F(y) = max(0, -y) - q - A max(0, y) as a JacobianSystem.
+class NormalMap {
+ public:
+  explicit NormalMap(const Lcp& lcp) : lcp_(lcp) {}
+
+  [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& y) {
+    y_ = y;
+    return (-y).cwiseMax(0.0) - lcp_.offset - *lcp_.matrix * y.cwiseMax(0.0);
+  }
+
+  /// y - y_new. With the active set S = {y > 0} frozen, F is linear and its zero is A_SS z_S = -q_S, y = z on
+  /// S and y = -w = -(q + A z) off it. Empty where A_SS is singular.
+  [[nodiscard]] KrylovSolve solve_jacobian(const Eigen::VectorXd& /*r*/) {
+    ++factorisations_;
+    std::vector<int> active;
+    for (int i = 0; i < static_cast<int>(y_.size()); ++i) {
+      if (y_[i] > 0.0) active.push_back(i);
+    }
+    if (active.empty()) return {.x = y_ + lcp_.offset, .condition = std::nullopt};
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(lcp_.matrix->submatrix(active, active));
+    const Eigen::VectorXd held = lu.solve(Eigen::VectorXd(-lcp_.offset(active)));
+    if (!held.allFinite()) return {};
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(y_.size());
+    z(active) = held;
+    Eigen::VectorXd zero = -(lcp_.offset + *lcp_.matrix * z);
+    zero(active) = held;
+    return {.x = y_ - zero, .condition = condition_from(lu.rcond())};
+  }
+
+  /// Both the complementarity residual of z = max(0, y) and F itself must be small: F = 0 alone is relative
+  /// to y, which may be far larger than z where contact is loose.
+  [[nodiscard]] double error(const Eigen::VectorXd& y, const Eigen::VectorXd& value) {
+    natural_residual_ = natural_residual(lcp_, y.cwiseMax(0.0));
+    const double scale = std::max(lcp_.offset.lpNorm<Eigen::Infinity>(), y.lpNorm<Eigen::Infinity>());
+    const double largest = value.lpNorm<Eigen::Infinity>();
+    return std::max(natural_residual_, largest > 0.0 ? largest / scale : 0.0);
+  }
+
+  /// Of the iterate that `error` was asked for last.
+  [[nodiscard]] double last_natural_residual() const { return natural_residual_; }
+  [[nodiscard]] long factorisations() const { return factorisations_; }
+
+ private:
+  const Lcp& lcp_;
+  Eigen::VectorXd y_;  // whose residual was asked for last
+  double natural_residual_ = 0.0;
+  long factorisations_ = 0;
+};
+
+LcpStatus status_of(NewtonEnd end) {
+  // In the order of NewtonEnd: solved, limit, interrupted, singular, stalled.
+  constexpr std::array kStatus{LcpStatus::solved, LcpStatus::limit, LcpStatus::interrupted,
+                               LcpStatus::breakdown, LcpStatus::stalled};
+  return kStatus[static_cast<std::size_t>(end)];
+}
+
+/// Where the guess presses, y = z; elsewhere y = -w. Without a guess the contact-free response, z = 0.
+Eigen::VectorXd first_iterate(const Lcp& lcp, const Eigen::VectorXd& guess) {
+  if (guess.size() != lcp.offset.size()) return -lcp.offset;
+  return (guess.array() > 0.0).select(guess, -(lcp.offset + *lcp.matrix * guess));
+}
+
 // Covering vectors of the restarts, (amplitude, phase) of their wave: the stronger, the more different the
 // path from the first, constant one.
 constexpr std::array kRestarts{std::pair{0.03, 1.6}, std::pair{0.03, 4.7}, std::pair{0.3, 3.1},
                                std::pair{0.3, 0.0}};
-
-Eigen::VectorXd wave(const Lcp& lcp, double amplitude, double phase) {
-  return smooth_cover(lcp.samples, lcp.contacts(), amplitude, phase);
-}
-
-LcpResult by_newton(const Lcp& lcp, const SolverSettings& settings, const Eigen::VectorXd& guess) {
-  NewtonOptions options{.tolerance = settings.tolerance, .guess = guess, .deadline = settings.deadline};
-  if (settings.max_iterations > 0) options.max_iterations = settings.max_iterations;
-  return solve_by_newton(lcp, options);
-}
 
 /// The solution with z > 0 everywhere, if there is one: permanent contact, which the path of pivots would
 /// reach last, having met rattling motions on its way.
@@ -43,13 +98,6 @@ std::optional<LcpResult> permanent_contact(const Lcp& lcp, double tolerance) {
   return result;
 }
 
-/// The next path, its pivots added to those of the path before.
-LcpResult another_path(const Lcp& lcp, const PivotingOptions& options, const LcpResult& before) {
-  LcpResult result = solve_by_pivoting(lcp, options);
-  result.pivots += before.pivots;
-  return result;
-}
-
 /// Whether another covering vector may help. A path that ran out of pivots wanders through many solutions;
 /// with another cover it would wander as long.
 bool worth_a_restart(const LcpResult& result) {
@@ -58,29 +106,44 @@ bool worth_a_restart(const LcpResult& result) {
 
 }  // namespace
 
+LcpResult solve_by_newton(const Lcp& lcp, const SolverSettings& settings, const Eigen::VectorXd& guess) {
+  constexpr int kSteps = 100;
+  NormalMap equations(lcp);
+  const NewtonKrylovResult newton =
+      solve_newton_krylov(equations, first_iterate(lcp, guess), settings.tolerance,
+                          {.max_steps = settings.max_iterations > 0 ? settings.max_iterations : kSteps,
+                           .max_halvings = 20,
+                           .deadline = settings.deadline});
+  return {.status = status_of(newton.end),
+          .z = newton.unknowns.cwiseMax(0.0),
+          .residual = equations.last_natural_residual(),
+          .iterations = newton.iterations,
+          .factorisations = equations.factorisations(),
+          .condition = newton.condition};
+}
+
 LcpResult solve_lcp(const Lcp& lcp, const SolverSettings& settings, const Eigen::VectorXd& guess) {
-  if (settings.solver == ComplementaritySolver::newton) return by_newton(lcp, settings, guess);
+  if (settings.solver == ComplementaritySolver::newton) return solve_by_newton(lcp, settings, guess);
   const bool automatic = settings.solver == ComplementaritySolver::automatic;
   const bool warm = guess.size() > 0;
   if (automatic && !warm) {
     if (std::optional<LcpResult> pressed = permanent_contact(lcp, settings.tolerance))
       return *std::move(pressed);
   }
-  PivotingOptions path{.max_pivots = settings.max_iterations,
-                       .tolerance = settings.tolerance,
-                       .guess = guess,
-                       .deadline = settings.deadline};
-  if (settings.cover_amplitude > 0.0) path.cover = wave(lcp, settings.cover_amplitude, settings.cover_phase);
-  LcpResult result = solve_by_pivoting(lcp, path);
-  if (warm && result.status != LcpStatus::solved) {
-    path.guess.resize(0);
-    result = another_path(lcp, path, result);
-  }
+  LcpResult result = solve_by_pivoting(lcp, settings, guess);
+  const auto try_cold = [&](const SolverSettings& path) {
+    const long before = result.pivots;
+    result = solve_by_pivoting(lcp, path);
+    result.pivots += before;
+  };
+  if (warm && result.status != LcpStatus::solved) try_cold(settings);
   if (!automatic) return result;
+  SolverSettings path = settings;
   for (const auto& [amplitude, phase] : kRestarts) {
     if (!worth_a_restart(result)) break;
-    path.cover = wave(lcp, amplitude, phase);
-    result = another_path(lcp, path, result);
+    path.cover_amplitude = amplitude;
+    path.cover_phase = phase;
+    try_cold(path);
   }
   return result;
 }

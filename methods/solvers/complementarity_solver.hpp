@@ -1,39 +1,23 @@
 #pragma once
-// The solver shared by the complementarity methods: pivoting with restarts, or plain Newton.
+// The solvers of the complementarity methods: pivoting with restarts, or the source paper's Newton method.
 
-#include <array>
-#include <chrono>
-#include <string_view>
+#include <Eigen/Core>
 
-#include "methods/options.hpp"
 #include "methods/solvers/lcp.hpp"
 
 namespace signorini {
 
-/// How a complementarity problem is solved.
-enum class ComplementaritySolver {
-  automatic,  ///< pivoting, restarted with other covering vectors where the path fails
-  pivoting,   ///< pivoting, one path
-  newton,     ///< semi-smooth Newton with a line search, the source paper's solver
-};
-
-/// The values of the option `solver`.
-template <>
-struct EnumNames<ComplementaritySolver> {
-  /// In the order of the enumerators.
-  static constexpr std::array<std::string_view, 3> values{"auto", "pivoting", "newton"};
-};
-
-/// What a solve may do, and when it must end.
-struct SolverSettings {
-  ComplementaritySolver solver = ComplementaritySolver::automatic;  ///< which of them
-  double tolerance = 1e-10;                                         ///< on LcpResult::residual [-]
-  int max_iterations = 0;  ///< pivots or Newton iterations; 0: the solver's own limit
-  /// The end of the time budget.
-  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
-  double cover_amplitude = 0.0;  ///< of a wave on the first covering vector (smooth_cover), in [0, 1) [-]
-  double cover_phase = 0.0;      ///< [rad]
-};
+/// Solves F(y) = max(0, -y) - q - A max(0, y) = 0, z = max(0, y), w = max(0, -y), by Newton's method with
+/// a generalised Jacobian and a monotone line search on |F|_2 (halving down to 2^-20).
+///
+/// With y = c (x - g) - lambda this is the source paper's system [shi2015, eq. 23 and 36, corrected]: there
+/// y lies in the Fourier space plus a constant, and so do all Newton iterates here, so that the active set
+/// {y > 0}, the iterates and the full steps are the paper's own. Each step solves one dense |active|
+/// system, A_SS z_S = -q_S. Converges locally only; failure is reported, not repaired.
+/// \param settings  limit 100 steps unless told
+/// \param guess     z of a nearby problem; empty: the contact-free response
+LcpResult solve_by_newton(const Lcp& lcp, const SolverSettings& settings = {},
+                          const Eigen::VectorXd& guess = {});
 
 /// Solves the problem as the settings ask, from `guess` (z of a nearby problem) or cold when that is empty.
 /// `automatic` makes these attempts, in this order, until one succeeds:

@@ -57,26 +57,13 @@ struct DampedNewtonResult {
 template <NewtonEquations Equations>
 DampedNewtonResult damped_newton(Equations& equations, const DampedNewtonLimits& limits) {
   constexpr auto kNoDeadline = std::chrono::steady_clock::time_point::max();
-  DampedNewtonResult result;
-  while (true) {
-    if (equations.solved()) {
-      result.end = NewtonEnd::solved;
-      return result;
-    }
-    if (result.steps >= limits.max_steps) {
-      result.end = NewtonEnd::limit;
-      return result;
-    }
-    if (limits.deadline != kNoDeadline && std::chrono::steady_clock::now() > limits.deadline) {
-      result.end = NewtonEnd::interrupted;
-      return result;
-    }
+  for (int steps = 0;; ++steps) {
+    if (equations.solved()) return {NewtonEnd::solved, steps};
+    if (steps >= limits.max_steps) return {NewtonEnd::limit, steps};
+    if (limits.deadline != kNoDeadline && std::chrono::steady_clock::now() > limits.deadline)
+      return {NewtonEnd::interrupted, steps};
     const std::optional<double> longest = equations.find_step();
-    if (!longest) {
-      result.end = NewtonEnd::singular;
-      return result;
-    }
-    ++result.steps;
+    if (!longest) return {NewtonEnd::singular, steps};
     const double merit = equations.merit();
     double length = *longest;
     bool descended = false;
@@ -85,10 +72,7 @@ DampedNewtonResult damped_newton(Equations& equations, const DampedNewtonLimits&
       // A merit that is not a number never descends.
       descended = trial && *trial < (1.0 - limits.sufficient_decrease * length) * merit;
     }
-    if (!descended) {
-      result.end = NewtonEnd::stalled;
-      return result;
-    }
+    if (!descended) return {NewtonEnd::stalled, steps + 1};
     equations.accept();
   }
 }

@@ -1,6 +1,7 @@
 #include "methods/solvers/lcp.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace signorini {
@@ -14,21 +15,14 @@ double natural_residual(const Lcp& lcp, const Eigen::VectorXd& z) {
 }
 
 std::string describe(LcpStatus status) {
-  switch (status) {
-    case LcpStatus::solved:
-      return "solved";
-    case LcpStatus::ray:
-      return "the path of pivots ended on a ray";
-    case LcpStatus::stalled:
-      return "the line search found no descent";
-    case LcpStatus::limit:
-      return "pivots or iterations used up";
-    case LcpStatus::breakdown:
-      return "the active block is singular to working precision";
-    case LcpStatus::interrupted:
-      return "time budget used up";
-  }
-  return "unknown";
+  // In the order of the enumerators.
+  constexpr std::array kSentences{"solved",
+                                  "the path of pivots ended on a ray",
+                                  "the line search found no descent",
+                                  "pivots or iterations used up",
+                                  "the active block is singular to working precision",
+                                  "time budget used up"};
+  return kSentences[static_cast<std::size_t>(status)];
 }
 
 }  // namespace signorini

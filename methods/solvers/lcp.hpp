@@ -2,10 +2,15 @@
 // The complementarity problem that every periodic method ends in, and the result of solving it.
 
 #include <Eigen/Core>
+#include <array>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+
+#include "methods/options.hpp"
 
 namespace signorini {
 
@@ -50,6 +55,32 @@ struct Lcp {
 
   /// Nc, the runs of N unknowns.
   [[nodiscard]] int contacts() const { return static_cast<int>(offset.size()) / samples; }
+};
+
+/// How a complementarity problem is solved.
+enum class ComplementaritySolver {
+  automatic,  ///< pivoting, restarted with other covering vectors where the path fails
+  pivoting,   ///< pivoting, one path
+  newton,     ///< semi-smooth Newton with a line search, the source paper's solver
+};
+
+/// The values of the option `solver`.
+template <>
+struct EnumNames<ComplementaritySolver> {
+  /// In the order of the enumerators.
+  static constexpr std::array<std::string_view, 3> values{"auto", "pivoting", "newton"};
+};
+
+/// What a solve may do, and when it must end.
+struct SolverSettings {
+  ComplementaritySolver solver = ComplementaritySolver::automatic;  ///< which of them `solve_lcp` takes
+  double tolerance = 1e-10;                                         ///< on LcpResult::residual [-]
+  int max_iterations = 0;  ///< pivots or Newton iterations; 0: the solver's own limit
+  /// The end of the time budget.
+  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+  double cover_amplitude =
+      0.0;                   ///< of the wave of a cold path's covering vector (smooth_cover), in [0, 1) [-]
+  double cover_phase = 0.0;  ///< [rad]
 };
 
 /// How a solve ended.

@@ -1,11 +1,12 @@
 #include "methods/solvers/pivoting.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
-#include "methods/solvers/covering_vector.hpp"
 #include "methods/solvers/lemke_basis.hpp"
-#include "methods/solvers/ratio_test.hpp"
 
 namespace signorini {
 
@@ -21,23 +22,23 @@ constexpr long kClock = 64;  // pivots between two looks at the clock
 /// blocks; driving and blocking variable change places, and the complement of the blocking one drives next.
 class LemkePath {
  public:
-  LemkePath(const Lcp& lcp, const PivotingOptions& options)
-      : lcp_(lcp), options_(options), basis_(*lcp.matrix) {
+  LemkePath(const Lcp& lcp, const SolverSettings& settings, const Eigen::VectorXd& guess)
+      : lcp_(lcp), settings_(settings), guess_(guess), basis_(*lcp.matrix) {
     const long size = lcp.offset.size();
     q_scale_ = lcp.offset.lpNorm<Eigen::Infinity>();
-    limit_ = options.max_pivots > 0 ? options.max_pivots : 6000 + 10 * size;
+    limit_ = settings.max_iterations > 0 ? settings.max_iterations : 6000 + 10 * size;
   }
 
   LcpResult run() {
     const Eigen::VectorXd open = Eigen::VectorXd::Zero(lcp_.offset.size());
     if (!lcp_.offset.allFinite()) return finish(LcpStatus::breakdown, open);
-    const bool warm = options_.guess.size() == lcp_.offset.size() && options_.guess.maxCoeff() > 0.0;
+    const bool warm = guess_.size() == lcp_.offset.size() && guess_.maxCoeff() > 0.0;
     // z = 0 solves the problem, but a guess may stand near another solution.
     if (!warm && lcp_.offset.minCoeff() >= 0.0) return finish(LcpStatus::solved, open);
     if (!warm) start_cold();
     if (warm && start_warm()) return conclude();
     while (result_.pivots < limit_) {
-      if (result_.pivots % kClock == 0 && std::chrono::steady_clock::now() > options_.deadline)
+      if (result_.pivots % kClock == 0 && std::chrono::steady_clock::now() > settings_.deadline)
         return finish(LcpStatus::interrupted, open);
       if (since_refresh_++ % kRefresh == 0) recompute();
       if (!find_direction()) return finish(LcpStatus::breakdown, open);
@@ -55,8 +56,8 @@ class LemkePath {
   /// tau comes down from infinity with z = 0: at tau = max(-q_i / d_i) the tightest gap closes, tau takes the
   /// place of its w in the basis, and its z drives.
   void start_cold() {
-    const bool own = options_.cover.size() == lcp_.offset.size();
-    basis_.set_cover(own ? options_.cover : smooth_cover(static_cast<int>(lcp_.offset.size()), 1));
+    basis_.set_cover(
+        smooth_cover(lcp_.samples, lcp_.contacts(), settings_.cover_amplitude, settings_.cover_phase));
     (-lcp_.offset.array() / basis_.cover().array()).maxCoeff(&pair_);
     basis_.begin_with_tau(pair_);
     driving_z_ = true;
@@ -67,15 +68,15 @@ class LemkePath {
   bool start_warm() {
     std::vector<int> active;
     for (int i = 0; i < static_cast<int>(lcp_.offset.size()); ++i) {
-      if (options_.guess[i] > 0.0) active.push_back(i);
+      if (guess_[i] > 0.0) active.push_back(i);
     }
-    basis_.set_cover(cover_through(lcp_, options_.guess));
+    basis_.set_cover(cover_through(lcp_, guess_));
     basis_.begin_with(std::move(active));
     const Eigen::VectorXd& cover = basis_.cover();
     // A_SS z = -(q + d)_S at tau = 1; lowering tau by one changes z by A_SS dz = d_S.
-    value_.basic = -(basis_.gathered(lcp_.offset) + basis_.gathered(cover));
+    value_.basic = -(lcp_.offset + cover)(basis_.rows());
     basis_.solve(value_.basic);
-    rate_.basic = -basis_.gathered(cover);
+    rate_.basic = -cover(basis_.rows());
     basis_.solve(rate_.basic);
     rate_.basic = -rate_.basic;
     value_.w = lcp_.offset + cover;
@@ -95,8 +96,7 @@ class LemkePath {
 
   /// Values of the basic variables and of w from scratch: [A_RB, d_R] v = -q_R.
   void recompute() {
-    basis_.gather(lcp_.offset, value_.basic);
-    value_.basic = -value_.basic;
+    value_.basic = -lcp_.offset(basis_.rows());
     basis_.solve(value_.basic);
     value_.w = lcp_.offset;
     basis_.accumulate(value_.basic, value_.w);
@@ -106,7 +106,7 @@ class LemkePath {
   /// if it is a w. False if they are not finite.
   bool find_direction() {
     if (driving_z_) {
-      basis_.gather_column(pair_, rate_.basic);
+      lcp_.matrix->gather_column(basis_.rows(), pair_, rate_.basic);
       rate_.basic = -rate_.basic;
     } else {
       rate_.basic.setZero(std::ssize(basis_.rows()));
@@ -159,12 +159,12 @@ class LemkePath {
 
   /// tau has reached zero: what remains is A_SS z_S = -q_S.
   LcpResult conclude() {
-    Eigen::VectorXd active = -basis_.gathered(lcp_.offset);
+    Eigen::VectorXd active = -lcp_.offset(basis_.rows());
     basis_.solve(active);
     // One step of refinement recovers what the updated factors have lost.
     Eigen::VectorXd residual = lcp_.offset;
     basis_.accumulate(active, residual);
-    Eigen::VectorXd correction = -basis_.gathered(residual);
+    Eigen::VectorXd correction = -residual(basis_.rows());
     basis_.solve(correction);
     active += correction;
     const std::vector<int>& positive = basis_.basic_z();
@@ -180,13 +180,14 @@ class LemkePath {
     result_.z = std::move(z);
     result_.status = status;
     // The path may have ended well on a basis that is singular to working precision.
-    if (status == LcpStatus::solved && !(result_.residual <= options_.tolerance))
+    if (status == LcpStatus::solved && !(result_.residual <= settings_.tolerance))
       result_.status = LcpStatus::breakdown;
     return std::move(result_);
   }
 
   const Lcp& lcp_;
-  const PivotingOptions& options_;
+  const SolverSettings& settings_;
+  const Eigen::VectorXd& guess_;
   double q_scale_ = 1.0;
   long limit_ = 0;
   LemkeBasis basis_;
@@ -199,8 +200,32 @@ class LemkePath {
 
 }  // namespace
 
-LcpResult solve_by_pivoting(const Lcp& lcp, const PivotingOptions& options) {
-  return LemkePath(lcp, options).run();
+Eigen::VectorXd smooth_cover(int samples, int contacts, double amplitude, double phase) {
+  constexpr double kGolden = 0.6180339887498949;  // its multiples fill the unit interval without ties
+  constexpr double kTieBreak = 1e-9;  // far above rounding, far below what would lengthen the path
+  Eigen::VectorXd cover(samples * contacts);
+  for (int i = 0; i < samples * contacts; ++i) {
+    const double place = (i + 1) * kGolden;
+    cover[i] = 1.0 + amplitude * std::cos(2.0 * std::numbers::pi * (i % samples) / samples + phase) +
+               kTieBreak * (place - std::floor(place) - 0.5);
+  }
+  return cover;
+}
+
+Eigen::VectorXd cover_through(const Lcp& lcp, const Eigen::VectorXd& guess) {
+  constexpr double kRoom = 1e-3;
+  const double scale = lcp.offset.lpNorm<Eigen::Infinity>();
+  const Eigen::VectorXd w = lcp.offset + *lcp.matrix * guess.cwiseMax(0.0);
+  // d = -w makes w vanish at tau = 1; where the guess is zero, w may be positive and stays so.
+  Eigen::VectorXd cover = -w;
+  for (Eigen::Index i = 0; i < cover.size(); ++i) {
+    if (guess[i] <= 0.0) cover[i] += std::max(w[i], kRoom * scale);
+  }
+  return cover;
+}
+
+LcpResult solve_by_pivoting(const Lcp& lcp, const SolverSettings& settings, const Eigen::VectorXd& guess) {
+  return LemkePath(lcp, settings, guess).run();
 }
 
 }  // namespace signorini

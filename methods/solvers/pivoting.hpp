@@ -1,23 +1,24 @@
 #pragma once
 // Lemke's method as a homotopy in the gap, on the active set alone.
 
-#include <chrono>
-#include <optional>
-#include <vector>
+#include <Eigen/Core>
 
 #include "methods/solvers/lcp.hpp"
 
 namespace signorini {
 
-/// Where the path begins and when it must end.
-struct PivotingOptions {
-  long max_pivots = 0;         ///< 0: 6000 + 10 * size [-]
-  double tolerance = 1e-10;    ///< on LcpResult::residual [-]
-  Eigen::VectorXd cover = {};  ///< own covering vector d > 0, size of q; empty: smooth_cover without a wave
-  Eigen::VectorXd guess = {};  ///< warm start: z of a nearby problem; empty: cold start
-  /// The end of the time budget.
-  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
-};
+/// Covering vector with one smooth wave per period, d_{c,i} = 1 + amplitude * cos(2 pi i / N + phase), and
+/// an irregular part of size 1e-9 that separates the ties of symmetric problems, where pivoting could cycle.
+/// With amplitude 0 it does not depend on how the unknowns divide into samples and contacts.
+/// \param amplitude  in [0, 1) [-]
+/// \param phase      [rad]
+/// \return d > 0, samples * contacts [-]
+Eigen::VectorXd smooth_cover(int samples, int contacts, double amplitude = 0.0, double phase = 0.0);
+
+/// The d for which max(0, guess) solves w = q + tau d + A z at tau = 1: there w = 0 wherever the guess is
+/// positive, and w at least a thousandth of max |q| elsewhere, so that no other index is near its bound.
+/// \param guess  z of a nearby problem, size of q
+Eigen::VectorXd cover_through(const Lcp& lcp, const Eigen::VectorXd& guess);
 
 /// Follows the solution of w = q + tau d + A z, z >= 0, w >= 0, z^T w = 0 from a tau so large that z = 0
 /// (every gap is open) down to tau = 0. With d = 1 the parameter is an added gap. The path is piecewise
@@ -33,6 +34,9 @@ struct PivotingOptions {
 ///
 /// Guarantee: `solved` means residual <= tolerance. With strictly copositive-plus A no ray can occur
 /// [cottle2009, theorem 4.4.12]; for the periodic contact problems see docs/theory.md.
-LcpResult solve_by_pivoting(const Lcp& lcp, const PivotingOptions& options = {});
+/// \param settings  limit 6000 + 10 * size pivots unless told; its wave is that of a cold path's d
+/// \param guess     warm start: z of a nearby problem; empty: cold
+LcpResult solve_by_pivoting(const Lcp& lcp, const SolverSettings& settings = {},
+                            const Eigen::VectorXd& guess = {});
 
 }  // namespace signorini

@@ -43,18 +43,6 @@ class DenseMatrix final : public LcpMatrix {
   Eigen::MatrixXd matrix_;
 };
 
-// z on the indices in `basis`, zero elsewhere, with w = 0 on the basis.
-Eigen::VectorXd basic_solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& q,
-                               const std::vector<int>& basis) {
-  Eigen::VectorXd z = Eigen::VectorXd::Zero(q.size());
-  if (basis.empty()) return z;
-  const Eigen::MatrixXd block = A(basis, basis);
-  const Eigen::VectorXd right = -q(basis);
-  const Eigen::VectorXd on_basis = block.completeOrthogonalDecomposition().solve(right);
-  z(basis) = on_basis;
-  return z;
-}
-
 std::vector<int> indices_of(const std::vector<bool>& flags) {
   std::vector<int> indices;
   for (std::size_t i = 0; i < flags.size(); ++i) {
@@ -107,8 +95,15 @@ class PrincipalPivoting {
  private:
   static constexpr double kRoundOff = 64.0 * std::numeric_limits<double>::epsilon();
 
+  // z on the basic indices, zero elsewhere, with w = 0 on them: of least norm where their columns are
+  // dependent, as those of contacts at one place are.
   void evaluate() {
-    z_ = basic_solution(A_, q_, indices_of(basic_));
+    const std::vector<int> basis = indices_of(basic_);
+    z_.setZero(q_.size());
+    if (!basis.empty()) {
+      const Eigen::MatrixXd block = A_(basis, basis);
+      z_(basis) = block.completeOrthogonalDecomposition().solve(Eigen::VectorXd(-q_(basis))).eval();
+    }
     w_ = A_ * z_ + q_;
   }
 

@@ -8,11 +8,6 @@
 
 namespace signorini {
 
-void UpdatedQr::clear() {
-  rows_ = 0;
-  cols_ = 0;
-}
-
 void UpdatedQr::reserve(int size) {
   if (size <= qt_.rows()) return;
   const int capacity = std::max(16, 2 * size);
@@ -26,7 +21,7 @@ void UpdatedQr::reserve(int size) {
 }
 
 void UpdatedQr::factorise(const Eigen::MatrixXd& matrix) {
-  clear();
+  rows_ = cols_ = 0;  // nothing to keep when the memory grows
   const auto size = static_cast<int>(matrix.rows());
   reserve(size + 1);
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(matrix);

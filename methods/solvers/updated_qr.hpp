@@ -11,20 +11,13 @@ namespace signorini {
 /// Source: [golub2013], section 6.5.
 class UpdatedQr {
  public:
-  /// Starts over with an empty matrix; keeps the memory.
-  void clear();
   /// Starts over with the factors of a square matrix.
   void factorise(const Eigen::MatrixXd& matrix);
 
-  /// Rows of G.
-  [[nodiscard]] int rows() const { return rows_; }
-  /// Columns of G.
-  [[nodiscard]] int cols() const { return cols_; }
-
-  void append_column(const Eigen::VectorXd& column);  ///< column: rows()
-  void append_row(const Eigen::VectorXd& row);        ///< row: cols()
-  void remove_column(int index);                      ///< index: below cols()
-  void remove_row(int index);                         ///< index: below rows()
+  void append_column(const Eigen::VectorXd& column);  ///< column: as long as G has rows
+  void append_row(const Eigen::VectorXd& row);        ///< row: as long as G has columns
+  void remove_column(int index);                      ///< index: of a column
+  void remove_row(int index);                         ///< index: of a row
 
   /// Estimated condition number of square G (triangular_condition).
   [[nodiscard]] double condition() const;

@@ -52,13 +52,10 @@ class BlockLanczos {
   [[nodiscard]] const SparseCholesky& factors() const { return factors_; }
 
  private:
-  void adopt_next();
-  void prepare_next();
   // Splits columns, P-orthogonal to the basis and of P-Gram matrix `gram`, into a P-orthonormal block and its
   // coefficients, columns = next_ * coupling_; `before` is their squared P-norm before they were made
   // orthogonal. Returns the squared P-norm of what is left out, at most.
   double orthonormalise(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& gram, double before);
-
   void polish_next();
 
   const SparseMatrix& P_;

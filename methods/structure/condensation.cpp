@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/SparseCholesky>
-#include <algorithm>
 #include <complex>
 #include <limits>
+#include <map>
 
 #include "problems/definiteness.hpp"
 
@@ -47,22 +47,20 @@ bool touches(const SparseMatrix& A, const SparseMatrix& picked) {
          largest_entry(SparseMatrix(picked.transpose() * A)) > kRoundOff * largest_entry(A);
 }
 
-std::vector<double> load_rates(const Problem& problem) {
-  std::vector<double> rates{0.0};
-  for (const ForceTerm& term : problem.force) rates.push_back(term.harmonic * problem.frequency);
-  std::sort(rates.begin(), rates.end());
-  rates.erase(std::unique(rates.begin(), rates.end()), rates.end());
-  return rates;
-}
-
-Eigen::MatrixXcd load_amplitudes(const Problem& problem, const std::vector<double>& rates) {
-  Eigen::MatrixXcd load = Eigen::MatrixXcd::Zero(problem.size(), static_cast<Eigen::Index>(rates.size()));
+// Fills in h omega of the load's harmonics and their amplitudes on all coordinates.
+void take_load(const Problem& problem, CondensedStructure& result) {
+  std::map<double, Eigen::VectorXcd> amplitudes{{0.0, Eigen::VectorXcd::Zero(problem.size())}};
   for (const ForceTerm& term : problem.force) {
-    const auto at =
-        std::lower_bound(rates.begin(), rates.end(), term.harmonic * problem.frequency) - rates.begin();
-    load(term.dof, at) += std::complex<double>(term.cos, term.harmonic == 0 ? 0.0 : -term.sin);
+    const double rate = term.harmonic * problem.frequency;
+    Eigen::VectorXcd& load =
+        amplitudes.try_emplace(rate, Eigen::VectorXcd::Zero(problem.size())).first->second;
+    load[term.dof] += std::complex<double>(term.cos, term.harmonic == 0 ? 0.0 : -term.sin);
   }
-  return load;
+  result.load.resize(problem.size(), std::ssize(amplitudes));
+  for (const auto& [rate, load] : amplitudes) {
+    result.load.col(std::ssize(result.rates)) = load;
+    result.rates.push_back(rate);
+  }
 }
 
 // Static elimination of the massless coordinates picked by `b`.
@@ -115,8 +113,7 @@ CondensedStructure condense(const Problem& problem) {
   result.stiffness = i.transpose() * problem.stiffness() * i;
   result.directions = i.transpose() * contact_directions(problem);
   result.compliance = Eigen::MatrixXd::Zero(problem.contact_count(), problem.contact_count());
-  result.rates = load_rates(problem);
-  result.load = load_amplitudes(problem, result.rates);
+  take_load(problem, result);
   result.shift = Eigen::MatrixXcd::Zero(problem.contact_count(), result.load.cols());
   if (!split.massless.empty()) eliminate(problem, i, b, result);
   return result;

@@ -8,14 +8,7 @@
 
 namespace signorini {
 
-namespace {
-
-// Below this many coordinates a dense factorisation is the faster one.
-constexpr int kDenseLimit = 32;
-
-}  // namespace
-
-bool prefers_dense(const Problem& problem) { return problem.size() <= kDenseLimit; }
+bool prefers_dense(const Problem& problem) { return problem.size() <= 32; }
 
 struct DynamicStiffness::Factors {
   using SparseComplex = Eigen::SparseMatrix<std::complex<double>>;
@@ -76,7 +69,7 @@ struct DynamicStiffness::Factors {
 };
 
 DynamicStiffness::DynamicStiffness(const Problem& problem)
-    : factors_(std::make_unique<Factors>(problem, prefers_dense(problem))) {}
+    : DynamicStiffness(problem, prefers_dense(problem)) {}
 DynamicStiffness::DynamicStiffness(const Problem& problem, bool dense)
     : factors_(std::make_unique<Factors>(problem, dense)) {}
 DynamicStiffness::~DynamicStiffness() = default;

@@ -8,13 +8,6 @@
 
 namespace signorini {
 
-namespace {
-
-using Complex = std::complex<double>;
-constexpr double kPi = std::numbers::pi;
-
-}  // namespace
-
 PeriodicGreenFunction::PeriodicGreenFunction(ContactReceptance receptance)
     : receptance_(std::move(receptance)) {
   const double order = receptance_.harmonics();
@@ -24,9 +17,10 @@ PeriodicGreenFunction::PeriodicGreenFunction(ContactReceptance receptance)
 }
 
 Jet PeriodicGreenFunction::at(int row, int column, double turn) const {
+  constexpr double kPi = std::numbers::pi;
   const double theta = 2.0 * kPi * (turn - std::floor(turn));
-  const Complex unit = std::polar(1.0, theta);
-  Complex phase = 1.0;
+  const std::complex<double> unit = std::polar(1.0, theta);
+  std::complex<double> phase = 1.0;
   Jet sum{receptance_.receptance[0](row, column).real(), 0.0, 0.0};
   // Of sum over n > L of cos(n theta) / n^2 and its derivatives: the closed form less the first L terms.
   Jet tail{kPi * kPi / 6.0 - kPi * theta / 2.0 + theta * theta / 4.0,
@@ -34,7 +28,8 @@ Jet PeriodicGreenFunction::at(int row, int column, double turn) const {
   for (int n = 1; n <= receptance_.harmonics(); ++n) {
     phase *= unit;
     const double order = n;
-    const Complex term = 2.0 * receptance_.receptance[static_cast<std::size_t>(n)](row, column) * phase;
+    const std::complex<double> term =
+        2.0 * receptance_.receptance[static_cast<std::size_t>(n)](row, column) * phase;
     sum.value += term.real();
     sum.slope -= order * term.imag();
     sum.curvature -= order * order * term.real();
@@ -55,7 +50,7 @@ bool PeriodicGreenFunction::is_mass_beyond(int contact, int harmonics) const {
   if (!(a > 0.0)) return false;
   for (int n = harmonics + 1; n <= receptance_.harmonics(); ++n) {
     const double order = n;
-    const Complex c = receptance_.receptance[static_cast<std::size_t>(n)](contact, contact);
+    const std::complex<double> c = receptance_.receptance[static_cast<std::size_t>(n)](contact, contact);
     if (!(std::abs(order * order * c + a) <= kLike * a)) return false;
   }
   return true;

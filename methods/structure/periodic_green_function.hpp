@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "methods/discretisation/trigonometric_jet.hpp"
+#include "methods/discretisation/fourier_series.hpp"
 #include "methods/structure/receptance.hpp"
 
 namespace signorini {

@@ -89,20 +89,6 @@ Eigen::VectorXd pressure_samples(const Trajectory& trajectory, int count, const 
   return pressure;
 }
 
-Eigen::MatrixXd sample_series(const Eigen::MatrixXcd& coefficients, int count) {
-  // Finely enough for every harmonic, then thinned to the instants asked for.
-  const auto harmonics = static_cast<int>(coefficients.rows()) - 1;
-  const int refine = std::max(1, (2 * harmonics + count) / count);
-  RealFft fft(count * refine);
-  Eigen::MatrixXd result(count, coefficients.cols());
-  Eigen::VectorXd fine(count * refine);
-  for (Eigen::Index c = 0; c < coefficients.cols(); ++c) {
-    fft.inverse(coefficients.col(c), fine);
-    for (int i = 0; i < count; ++i) result(i, c) = fine[i * refine];
-  }
-  return result;
-}
-
 PeriodicResponse::PeriodicResponse(const Problem& problem, const Trajectory& trajectory, int max_harmonics)
     : PeriodicResponse(problem, force_series(problem, trajectory, max_harmonics)) {}
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "methods/discretisation/fourier_series.hpp"
 #include "methods/solution.hpp"
 #include "methods/structure/state.hpp"
 #include "problems/problem.hpp"
@@ -62,9 +63,5 @@ int samples_for_spectrum(int count);
 /// contact, count Nc: z of a nearby complementarity problem. An impulse J presses as J count / T on the
 /// instant nearest to it.
 Eigen::VectorXd pressure_samples(const Trajectory& trajectory, int count, const Eigen::VectorXd& unit);
-
-/// A real function of the period's time at `count` instants, count x k, from its coefficients n = 0..H, (H+1)
-/// x k.
-Eigen::MatrixXd sample_series(const Eigen::MatrixXcd& coefficients, int count);
 
 }  // namespace signorini

@@ -38,7 +38,6 @@ int run(int cubes, int contacts, int harmonics) {
   const ChildCost all = cost_of([&] {
     const ContactReceptance receptance =
         contact_receptance(problem, harmonics, [](int n) { return exact_weights(0.3 * n); });
-    fmt::print("basis {}, error {:.1e}\n", receptance.report.basis, receptance.report.error.value_or(0.0));
   });
   fmt::print("receptances: {:.2f} s, {:.0f} MB; {:.2f} x the time, {:.2f} x the memory\n", all.seconds,
              all.megabytes, all.seconds / one.seconds, all.megabytes / one.megabytes);

@@ -8,7 +8,7 @@
 
 #include "methods/discretisation/trajectories.hpp"
 #include "methods/event_driven/event_driven.hpp"
-#include "methods/harmonic_balance/lcp_grid_solver.hpp"
+#include "methods/harmonic_balance/grid_solver.hpp"
 #include "methods/harmonic_balance/strategy.hpp"
 #include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
@@ -51,9 +51,9 @@ Solution projected(int harmonics) {
   const ContactReceptance receptance = test::tip_receptance(bar, harmonics);
   HarmonicSetup setup{.receptance = receptance,
                       .gap = Eigen::VectorXd::Constant(1, bar.gap),
-                      .law_at = law,
-                      .law = law(receptance),
-                      .grid_solver = lcp_grid_solver({})};
+                      .method = {.law_at = law, .grid_solver = lcp_grid_solver({})},
+                      .options = {},
+                      .law = law(receptance)};
   return solve_by_harmonic_balance(setup, {});
 }
 

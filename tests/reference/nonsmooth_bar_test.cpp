@@ -12,7 +12,7 @@
 
 #include "methods/flow/event_trajectory.hpp"
 #include "methods/flow/flow.hpp"
-#include "methods/harmonic_balance/lcp_grid_solver.hpp"
+#include "methods/harmonic_balance/grid_solver.hpp"
 #include "methods/harmonic_balance/strategy.hpp"
 #include "problems/assembly/bar.hpp"
 #include "problems/validation.hpp"
@@ -90,9 +90,9 @@ HarmonicSetup setup_of(const NonsmoothBar& bar, int harmonics, const LawAt& law,
   const ContactReceptance receptance = tip_receptance(bar, harmonics);
   return {.receptance = receptance,
           .gap = Eigen::VectorXd::Constant(1, bar.gap),
-          .law_at = law,
-          .law = law(receptance),
-          .grid_solver = lcp_grid_solver(solver)};
+          .method = {.law_at = law, .grid_solver = lcp_grid_solver(solver)},
+          .options = {},
+          .law = law(receptance)};
 }
 
 // Without a load rest is a solution too: the search starts from the motion, its force made wrong by `factor`.
@@ -116,7 +116,7 @@ TEST(NonsmoothBar, HarmonicBalanceHasTheKnownEnergies) {
     for (const double factor : {0.7, 1.0, 1.3}) {
       HarmonicSetup setup =
           setup_of(bar, harmonics, constant(4.0), {.solver = ComplementaritySolver::newton});
-      setup.settings = {.samples = 20 * harmonics, .quadrature = Quadrature::sampled, .without_grid = false};
+      setup.options = {.samples = 20 * harmonics, .quadrature = Quadrature::sampled};
       const Solution solution = from_the_mode(bar, std::move(setup), factor);
       ASSERT_EQ(solution.verdict, Verdict::converged) << "T " << period << ": " << solution.message;
       const double energy = energy_at_mid_contact(solution.trajectory->force_coefficients(), period);

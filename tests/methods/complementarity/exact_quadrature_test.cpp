@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "methods/discretisation/harmonic_vector.hpp"
+#include "methods/discretisation/fourier_series.hpp"
 
 namespace signorini {
 namespace {

@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
+#include <complex>
 #include <variant>
 
+#include "methods/complementarity/exact_quadrature.hpp"
+#include "methods/discretisation/fourier_series.hpp"
+#include "methods/solvers/newton_krylov.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
 namespace signorini {
@@ -55,6 +60,99 @@ TEST(ProjectedMethodLaw, IsConservativeWhereTheStopIsRigid) {
   problem.law = Penalty{{100.0}};
   EXPECT_EQ(std::get<Penalty>(projected_method_law(problem)).stiffness.front(), 100.0);
   EXPECT_EQ(std::get<Penalty>(projected_method_law(problem, Scaled{7.0, false})).stiffness.front(), 7.0);
+}
+
+using Complex = std::complex<double>;
+
+/// Two masses of stiffness 1 and 2 coupled by 0.5, damping ratio about 0.05, driven at 1.3.
+ContactReceptance two_masses(int harmonics) {
+  ContactReceptance receptance;
+  receptance.period = 1.0;
+  for (int n = 0; n <= harmonics; ++n) {
+    const double w = 1.3 * n;
+    Eigen::Matrix2cd Z;
+    Z << Complex(1.5 - w * w, 0.1 * w), -0.5, -0.5, Complex(2.5 - w * w, 0.1 * w);
+    receptance.receptance.emplace_back(Z.inverse());
+  }
+  receptance.free_response = Eigen::MatrixXcd::Zero(harmonics + 1, 2);
+  return receptance;
+}
+
+ContactSymbol rigid_symbol(int harmonics) {
+  const double constant = 4.0 * std::pow(1.3 * harmonics, 2);
+  return {two_masses(harmonics), {Eigen::Vector2d(constant, 2.0 * constant), Eigen::Vector2d::Ones()}};
+}
+
+/// v + P chi B v with contact c closed on [begin[c], begin[c] + length[c]] of the period.
+Eigen::VectorXd jacobian_product(const ContactSymbol& symbol, const Eigen::Vector2d& begin,
+                                 const Eigen::Vector2d& length, const Eigen::VectorXd& v) {
+  Eigen::MatrixXcd rate = symbol.rate(v);
+  for (int c = 0; c < 2; ++c) {
+    const ContactIndicator chi({{begin[c], begin[c] + length[c]}}, symbol.harmonics());
+    rate.col(c) = chi.restrict(rate.col(c));
+  }
+  return v + pack_harmonics(rate);
+}
+
+Eigen::VectorXd some_vector(int size) {
+  Eigen::VectorXd v(size);
+  for (int i = 0; i < size; ++i) v[i] = std::sin(1.0 + i * i);
+  return v;
+}
+
+TEST(ContactSymbol, MultipliesHarmonicByHarmonicInUnitsOfTheConstant) {
+  const ContactReceptance receptance = two_masses(3);
+  const ProjectedLaw law{Eigen::Vector2d(4.0, 9.0), Eigen::Vector2d(1.0, 0.25)};
+  const ContactSymbol symbol(receptance, law);
+  Eigen::MatrixXcd spectrum = Eigen::MatrixXcd::Zero(4, 2);
+  spectrum(2, 1) = Complex(0.3, -0.7);
+  const Eigen::MatrixXcd rate = symbol.rate(pack_harmonics(spectrum));
+  const Eigen::MatrixXcd& C = receptance.receptance[2];
+  EXPECT_LE(std::abs(rate(2, 0) - 2.0 * C(0, 1) * 3.0 * spectrum(2, 1)), 1e-15);
+  EXPECT_LE(std::abs(rate(2, 1) - (9.0 * C(1, 1) - 0.25) * spectrum(2, 1)), 1e-14);
+  EXPECT_EQ(rate.row(0).norm() + rate.row(1).norm() + rate.row(3).norm(), 0.0);
+}
+
+TEST(LastingContactInverse, InvertsTheJacobianOfPermanentContact) {
+  const ContactSymbol symbol = rigid_symbol(12);
+  const Eigen::VectorXd v = some_vector(symbol.unknowns());
+  for (const Eigen::Vector2d& closed :
+       {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(1.0, 1.0)}) {
+    const LastingContactInverse inverse(symbol, closed);
+    const Eigen::VectorXd back = inverse * jacobian_product(symbol, Eigen::Vector2d::Zero(), closed, v);
+    EXPECT_LE((back - v).norm(), 1e-12 * v.norm()) << closed.transpose();
+  }
+}
+
+/// Products that GMRES takes to 1e-12 where contact c is closed for length[c] of the period.
+int products_needed(int harmonics, const Eigen::Vector2d& length) {
+  const ContactSymbol symbol = rigid_symbol(harmonics);
+  const Eigen::Vector2d begin(0.1, 0.4);
+  const LastingContactInverse inverse(symbol, length);
+  int products = 0;
+  const auto product = [&](const Eigen::VectorXd& v) {
+    ++products;
+    return jacobian_product(symbol, begin, length, v);
+  };
+  const Eigen::VectorXd b = jacobian_product(symbol, begin, length, some_vector(symbol.unknowns()));
+  const Eigen::VectorXd x = solve_by_gmres(
+                                product, [&](const Eigen::VectorXd& v) { return inverse * v; }, b, 1e-12)
+                                .x;
+  EXPECT_EQ(x.size(), b.size());
+  return products;
+}
+
+TEST(LastingContactInverse, LeavesGmresAsManyStepsForImpactsAtAnyNumberOfHarmonics) {
+  // After projection an impact is closed for about 1 / H of the period.
+  for (const int harmonics : {20, 80, 320}) {
+    EXPECT_LE(products_needed(harmonics, Eigen::Vector2d(0.8, 0.6) / harmonics), 15) << harmonics;
+  }
+}
+
+TEST(LastingContactInverse, LeavesGmresFarFewerStepsThanUnknownsWhereContactLasts) {
+  for (const int harmonics : {80, 320}) {
+    EXPECT_LE(products_needed(harmonics, {0.9, 0.8 / harmonics}), 2 * (2 * harmonics + 1) / 8) << harmonics;
+  }
 }
 
 }  // namespace

@@ -4,11 +4,16 @@
 
 #include <string>
 
+#include "methods/aft_hbm/aft_hbm.hpp"
 #include "methods/discretisation/trajectories.hpp"
-#include "methods/harmonic_balance/lcp_grid_solver.hpp"
-#include "methods/harmonic_balance/sample_grids.hpp"
+#include "methods/exact_orbit/exact_orbit_method.hpp"
+#include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
+#include "methods/harmonic_balance/grid_solver.hpp"
+#include "methods/harmonic_balance/series_solution.hpp"
+#include "methods/penalty_hbm/penalty_hbm.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/population.hpp"
 
 namespace signorini {
 namespace {
@@ -64,7 +69,7 @@ TEST(CompensatedSeries, IsTheSeriesItselfWhereNothingIsAnImpact) {
 
 TEST(CompensatedSeries, KeepsWithinALimit) {
   Solved solved(kStop);
-  solved.setup.settings.limit = 1;
+  solved.setup.options.max_iterations = 1;
   Work work{.pivots = 1};
   const CompensatedSeries compensated = compensate_series(solved.setup, solved.series, {}, work);
   EXPECT_FALSE(compensated.answer);
@@ -95,6 +100,96 @@ TEST(CompensatedFromMotion, LeadsFromANearbyMotionToTheAnswer) {
       compensated_from_motion(solved.setup, *solved.series.trajectory, "from the series", {}, work);
   ASSERT_TRUE(found);
   EXPECT_TRUE(says(*found, "from the series; 1 impact compensated")) << found->message;
+}
+
+using test::relative_distance;
+using test::solve;
+
+Problem hard_scene(int index) { return test::to_problem(test::hard_population(index + 1).back()); }
+
+/// Relative distance of an answer from the exact orbit that it leads to.
+double error_of(const Problem& problem, const Solution& solution) {
+  const Solution exact = solve<ExactOrbitMethod>(problem, {}, solution.trajectory);
+  EXPECT_EQ(exact.verdict, Verdict::converged) << exact.message;
+  return relative_distance(*solution.trajectory, *exact.trajectory);
+}
+
+// Twenty harmonics of this motion rattle: the path of pivots ends at a solution whose impacts cannot be
+// compensated.
+TEST(HatAgreement, FindsByHatFunctionsWhatFewHarmonicsMiss) {
+  const Problem problem = hard_scene(139);
+  const Solution alone = solve<FourierLipschitz>(
+      problem, {.common = {.harmonics = 20}, .solver = ComplementaritySolver::pivoting});
+  ASSERT_TRUE(says(alone, "impacts not compensated")) << alone.message;
+  const Solution lipschitz = solve<FourierLipschitz>(problem, {{.harmonics = 20}});
+  const Solution penalty = solve<PenaltyHbm>(problem, {{.harmonics = 20}});
+  const Solution aft = solve<AftHbm>(problem, {{.harmonics = 20}});
+  for (const Solution* solution : {&lipschitz, &penalty, &aft}) {
+    ASSERT_EQ(solution->verdict, Verdict::converged) << solution->message;
+    EXPECT_TRUE(says(*solution, "hat functions first")) << solution->message;
+    EXPECT_LE(error_of(problem, *solution), 0.02);
+  }
+}
+
+// The same by AFT with Newton alone, for which hat functions would be another homotopy.
+TEST(HatAgreement, LeavesNewtonAlone) {
+  const Solution newton = solve<AftHbm>(hard_scene(139), {.common = {.harmonics = 20}, .homotopy = false});
+  EXPECT_FALSE(says(newton, "hat functions")) << newton.message;
+}
+
+TEST(HatAgreement, DoesNotClaimWhatHatFunctionsContradict) {
+  const Problem problem = hard_scene(414);
+  const Solution few = solve<FourierLipschitz>(problem, {{.harmonics = 20}});
+  EXPECT_EQ(few.verdict, Verdict::not_converged);
+  EXPECT_TRUE(says(few, "away from the motion on hat functions")) << few.message;
+  // Left to the method, more harmonics are tried.
+  const Solution more = solve<FourierLipschitz>(problem, {});
+  ASSERT_EQ(more.verdict, Verdict::converged) << more.message;
+  EXPECT_TRUE(says(more, "; H = ")) << more.message;
+  EXPECT_LE(error_of(problem, more), 0.1);
+}
+
+TEST(HatAgreement, IsNotAskedUnderALimitOnIterations) {
+  const Solution limited =
+      solve<FourierLipschitz>(hard_scene(139), {{.harmonics = 20, .max_iterations = 100000}});
+  EXPECT_FALSE(says(limited, "hat functions")) << limited.message;
+}
+
+Solution claimed() { return {.verdict = Verdict::converged, .message = "solved"}; }
+
+TEST(ClaimIfBorneOut, KeepsAnExactSeriesThatHatFunctionsAreNear) {
+  const Solution kept = claim_if_borne_out(claimed(), true, {.asked = true, .distance = 0.3});
+  EXPECT_EQ(kept.verdict, Verdict::converged);
+  EXPECT_EQ(kept.message, "solved; impacts not compensated");
+}
+
+TEST(ClaimIfBorneOut, KeepsASeriesThatNoGridCarries) {
+  EXPECT_EQ(claim_if_borne_out(claimed(), false, {}).verdict, Verdict::converged);
+}
+
+TEST(ClaimIfBorneOut, WithdrawsEveryOtherClaimAndSaysWhy) {
+  const struct {
+    bool exact;
+    HatAgreement agreement;
+    std::string message;
+  } cases[] = {
+      {false,
+       {.asked = true, .distance = 0.3},
+       "solved; impacts not compensated, nor the contact integral exact"},
+      {true,
+       {.asked = true, .distance = 0.75},
+       "solved; impacts not compensated and 0.75 away from the motion on hat functions"},
+      {true, {.asked = true}, "solved; impacts not compensated, nor borne out by hat functions"},
+  };
+  for (const auto& [exact, agreement, message] : cases) {
+    const Solution withdrawn = claim_if_borne_out(claimed(), exact, agreement);
+    EXPECT_EQ(withdrawn.verdict, Verdict::not_converged);
+    EXPECT_EQ(withdrawn.message, message);
+  }
+}
+
+TEST(ClaimIfBorneOut, SaysNothingOfAnAnswerThatIsNotClaimed) {
+  EXPECT_EQ(claim_if_borne_out({.message = "stalled"}, false, {.asked = true}).message, "stalled");
 }
 
 }  // namespace

@@ -70,28 +70,28 @@ TEST(ContinueInHarmonics, CallsNothingConvergedThatDoesNotSolveTheEquations) {
   const Eigen::VectorXd gap = Eigen::VectorXd::Constant(1, kStop.gap);
   Eigen::MatrixXcd wild = Eigen::MatrixXcd::Constant(21, 1, std::complex<double>(1e3, -1e3));
   wild(0, 0) = 1e3;  // pulls
-  const HarmonicContinuation continuation = continue_in_harmonics(
+  const ExactProjection continued = continue_in_harmonics(
       receptance, gap, rigid_at, {.harmonics = 20, .stiffness_factor = 1.0 / 16.0}, wild, 1e-10, {});
   // It may end anywhere, but what it calls converged must solve the equations.
-  if (continuation.solution.converged) {
+  if (continued.converged) {
     const ProjectedLaw law = rigid_at(receptance);
-    const ExactProjection again = project_exactly({receptance, gap, law}, continuation.solution.lambda,
-                                                  {.samples = 16 * 80, .tolerance = 1e-9});
+    const ExactProjection again =
+        project_exactly({receptance, gap, law}, continued.lambda, {.samples = 16 * 80, .tolerance = 1e-9});
     EXPECT_EQ(again.iterations, 0);
     EXPECT_TRUE(again.converged);
   } else {
-    EXPECT_EQ(continuation.solution.lambda.size(), 0);
+    EXPECT_EQ(continued.lambda.size(), 0);
   }
 }
 
 TEST(ContinueInHarmonics, EndsWithItsTimeBudget) {
   const ContactReceptance receptance = fourier_receptance(test::to_problem(kStop), 80);
   const Start late{.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1)};
-  const HarmonicContinuation continuation = continue_in_harmonics(
+  const ExactProjection continued = continue_in_harmonics(
       receptance, Eigen::VectorXd::Constant(1, kStop.gap), rigid_at,
       {.harmonics = 20, .stiffness_factor = 1.0 / 16.0}, Eigen::MatrixXcd::Zero(21, 1), 1e-10, late);
-  EXPECT_FALSE(continuation.solution.converged);
-  EXPECT_EQ(continuation.iterations, 0);
+  EXPECT_FALSE(continued.converged);
+  EXPECT_EQ(continued.iterations, 0);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "methods/harmonic_balance/lcp_grid_solver.hpp"
+#include "methods/harmonic_balance/grid_solver.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
 namespace signorini {
@@ -26,7 +26,7 @@ TEST(HarmonicSetup, HoldsTheEquationsOfTheScene) {
   EXPECT_EQ(setup.receptance.harmonics(), 20);
   EXPECT_EQ(setup.gap[0], 0.2);
   EXPECT_EQ(&setup.equations().law, &setup.law);
-  EXPECT_EQ(setup.law.constant, setup.law_at(setup.receptance).constant);
+  EXPECT_EQ(setup.law.constant, setup.method.law_at(setup.receptance).constant);
 }
 
 TEST(HarmonicSetup, CompensatesImpactsOfAMassOnARigidStop) {
@@ -46,18 +46,29 @@ TEST(HarmonicSetup, AsksHatFunctionsOnlyWhereTheSolverIsOpenAndImpactsAreCompens
   EXPECT_FALSE(setup_of(problem, {.compensate = false}).hat_grids);
 }
 
+TEST(HarmonicSetup, AsksHatFunctionsFromCoarseToFineAndNoneForManyContacts) {
+  Problem problem = test::to_problem(kStop);
+  const HarmonicSetup setup = setup_of(problem, {});
+  ASSERT_EQ(setup.hat_grids->count(), 3U);
+  EXPECT_EQ(setup.hat_grids->value(0), 256);
+  EXPECT_EQ(setup.hat_grids->value(2), 4096);
+  const Contact contact = problem.contacts.front();
+  while (problem.contact_count() <= 32) problem.contacts.push_back(contact);
+  EXPECT_FALSE(setup_of(problem, {}).hat_grids);
+}
+
 TEST(HarmonicSetup, SolvesWithoutAGridOnlyWhereNothingFixesIt) {
   const Problem problem = test::to_problem(kStop);
-  EXPECT_TRUE(setup_of(problem, {}).settings.without_grid);
-  EXPECT_FALSE(setup_of(problem, {}, false).settings.without_grid);
-  EXPECT_FALSE(setup_of(problem, {.samples = 640}).settings.without_grid);
-  EXPECT_EQ(setup_of(problem, {.samples = 640}).settings.samples, 640);
+  EXPECT_TRUE(setup_of(problem, {}).without_grid());
+  EXPECT_FALSE(setup_of(problem, {}, false).without_grid());
+  EXPECT_FALSE(setup_of(problem, {.samples = 640}).without_grid());
+  EXPECT_EQ(setup_of(problem, {.samples = 640}).options.samples, 640);
 }
 
 TEST(HarmonicSetup, LeavesAConstantThatTheUserChose) {
   const Problem problem = test::to_problem(kStop);
-  EXPECT_EQ(setup_of(problem, {}).settings.compensated_stiffness, 8.0);
-  EXPECT_EQ(setup_of(problem, {}, true, true).settings.compensated_stiffness, 1.0);
+  EXPECT_EQ(setup_of(problem, {}).compensated_stiffness(), 8.0);
+  EXPECT_EQ(setup_of(problem, {}, true, true).compensated_stiffness(), 1.0);
 }
 
 }  // namespace

@@ -4,13 +4,58 @@
 
 #include <Eigen/LU>
 #include <array>
+#include <chrono>
+#include <numbers>
+#include <optional>
 #include <string>
 
+#include "methods/structure/receptance.hpp"
 #include "tests/support/damped_chain.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
 namespace signorini {
 namespace {
+
+const test::ImpactOscillator kImpacts{.damping = 0.1, .frequency = 1.5, .gap = 0.2, .restitution = 0.8};
+
+Solution solve(const test::ImpactOscillator& oscillator, const HatSettings& grid) {
+  const Problem scene = test::to_problem(oscillator);
+  return hat_contact(scene, grid, oscillator.restitution)->solve({});
+}
+
+TEST(HatContact, FindsTheSameContactByEverySolverThatConverges) {
+  const Solution expected = solve(kImpacts, {.samples = 128});
+  ASSERT_EQ(expected.verdict, Verdict::converged);
+  EXPECT_LE(expected.residual.value(), 1e-10);
+  const Solution by_pivots = solve(kImpacts, {.samples = 128, .solver = ComplementaritySolver::pivoting});
+  ASSERT_EQ(by_pivots.verdict, Verdict::converged);
+  const Eigen::MatrixXd force = expected.trajectory->sample(128).force;
+  EXPECT_LE((by_pivots.trajectory->sample(128).force - force).norm(), 1e-8 * force.norm());
+}
+
+TEST(HatContact, KeepsToTheLimitOnPivots) {
+  const Solution limited = solve(kImpacts, {.samples = 128, .max_iterations = 2});
+  EXPECT_EQ(limited.verdict, Verdict::not_converged);
+  EXPECT_EQ(limited.message, describe(LcpStatus::limit));
+  EXPECT_EQ(limited.work.pivots, 2);
+}
+
+TEST(HatContact, RecognisesPermanentContactWithoutAPivot) {
+  const Solution pressed =
+      solve({.damping = 0.1, .frequency = 1.5, .gap = -3.0, .restitution = 0.0}, {.samples = 64});
+  ASSERT_EQ(pressed.verdict, Verdict::converged);
+  EXPECT_LT(pressed.trajectory->sample(64).force.maxCoeff(), 0.0);
+  EXPECT_EQ(pressed.work.pivots, 0);
+}
+
+// Complete chatter of an inelastic contact: the path is long, marching is not.
+TEST(HatContact, LeavesALongPathForMarching) {
+  const Solution chatter =
+      solve({.damping = 0.02, .frequency = 0.25, .gap = 0.0, .restitution = 0.5}, {.samples = 512});
+  ASSERT_EQ(chatter.verdict, Verdict::converged);
+  EXPECT_LE(chatter.work.pivots.value(), 104 * 512);
+  EXPECT_LE(chatter.residual.value(), 1e-10);
+}
 
 constexpr int kNodes = 24;
 
@@ -85,6 +130,38 @@ TEST(HatContact, OfASceneWithoutContactsIsItsLinearResponse) {
   EXPECT_EQ(solution.verdict, Verdict::converged);
   EXPECT_NE(solution.message.find("no contact"), std::string::npos);
   EXPECT_EQ(solution.work.unknowns, 0);
+}
+
+Problem loaded_at(int harmonic, int subharmonic = 1) {
+  Problem problem = test::to_problem({.damping = 0.1, .frequency = 1.5, .gap = 0.2, .restitution = 0.8});
+  problem.force = {{0, harmonic, 1.0, 0.0}};
+  problem.subharmonic = subharmonic;
+  return problem;
+}
+
+TEST(CoarsestHatGrid, HasSixteenNodesPerOscillationOfTheLoadFrom256To4096) {
+  EXPECT_EQ(coarsest_hat_grid(loaded_at(1)), 256);
+  EXPECT_EQ(coarsest_hat_grid(loaded_at(16)), 256);
+  EXPECT_EQ(coarsest_hat_grid(loaded_at(17)), 512);
+  EXPECT_EQ(coarsest_hat_grid(loaded_at(10, 4)), 1024);
+  EXPECT_EQ(coarsest_hat_grid(loaded_at(10000)), 4096);
+}
+
+TEST(HatGrids, HaveFourTimesAsManyNodesEachUpToTheFinest) {
+  const Problem problem = loaded_at(1);
+  Resolutions grids = hat_grids(problem, {.samples = 7}, 0.8);
+  ASSERT_EQ(grids.count(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(grids.value(k), 256 << 2 * k);
+  // Each prepared for its own number of nodes, not for that of the settings.
+  EXPECT_EQ(grids.at(0).solve({}).work.unknowns, 256);
+}
+
+TEST(RefinedHatContact, AgreesOnTwoGridsBeforeItAnswers) {
+  const Problem problem = loaded_at(1);
+  const Solution solution = refined_hat_contact(problem, {}, 0.8)->solve({});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  EXPECT_GE(solution.work.unknowns, 1024);
+  EXPECT_NE(solution.message.find("N = "), std::string::npos);
 }
 
 }  // namespace

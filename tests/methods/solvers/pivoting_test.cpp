@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <random>
 
+#include "methods/complementarity/forms.hpp"
 #include "methods/discretisation/block_circulant.hpp"
-#include "methods/discretisation/free_penetration.hpp"
 #include "methods/solvers/small_lcp.hpp"
 #include "methods/structure/receptance.hpp"
 #include "tests/support/impact_oscillator.hpp"
@@ -17,6 +18,48 @@
 
 namespace signorini {
 namespace {
+
+TEST(SmoothCover, IsOneWavePerPeriodAndContactUpToItsIrregularPart) {
+  constexpr int kSamples = 32;
+  const Eigen::VectorXd cover = smooth_cover(kSamples, 2, 0.3, 1.1);
+  ASSERT_EQ(cover.size(), 2 * kSamples);
+  for (int c = 0; c < 2; ++c) {
+    for (int i = 0; i < kSamples; ++i) {
+      const double wave = 1.0 + 0.3 * std::cos(2.0 * std::numbers::pi * i / kSamples + 1.1);
+      EXPECT_NEAR(cover[c * kSamples + i], wave, 1e-9);
+    }
+  }
+}
+
+TEST(SmoothCover, HasNoTwoEqualEntries) {
+  Eigen::VectorXd cover = smooth_cover(4096, 2);
+  EXPECT_GT(cover.minCoeff(), 0.0);
+  std::sort(cover.begin(), cover.end());
+  const Eigen::Index last = cover.size() - 1;
+  EXPECT_GT((cover.tail(last) - cover.head(last)).minCoeff(), 0.0);
+}
+
+TEST(SmoothCover, WithoutAWaveDoesNotDependOnTheDivisionIntoContacts) {
+  EXPECT_EQ(smooth_cover(60, 1), smooth_cover(12, 5));
+}
+
+TEST(CoverThrough, MakesTheGuessASolutionOfTheRelaxedProblem) {
+  std::mt19937 random(21);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Eigen::MatrixXd a = test::random_p_matrix(7, random);
+    const Eigen::VectorXd q = test::random_vector(7, random);
+    const Eigen::VectorXd guess = test::random_vector(7, random);
+    const Eigen::VectorXd z = guess.cwiseMax(0.0);
+    const Eigen::VectorXd w = q + cover_through(dense_lcp(a, q), guess) + a * z;
+    const double scale = q.cwiseAbs().maxCoeff();
+    for (int i = 0; i < 7; ++i) {
+      if (guess[i] > 0.0)
+        EXPECT_NEAR(w[i], 0.0, 1e-13 * (scale + (a * z).norm()));
+      else
+        EXPECT_GE(w[i], 0.999e-3 * scale);
+    }
+  }
+}
 
 using test::enumerate_solutions;
 using test::random_p_matrix;
@@ -91,12 +134,11 @@ TEST(SolveByPivoting, SeparatesTiesOfACompletelySymmetricProblem) {
 TEST(SolveByPivoting, AnswerDoesNotDependOnTheCoverForPMatrices) {
   std::mt19937 random(4);
   const Eigen::MatrixXd a = random_p_matrix(8, random);
-  const Lcp lcp = dense_lcp(a, random_vector(8, random));
+  Lcp lcp = dense_lcp(a, random_vector(8, random));
+  lcp.samples = 8;
   const Eigen::VectorXd expected = solve_by_pivoting(lcp).z;
   for (int k = 0; k < 20; ++k) {
-    PivotingOptions options;
-    options.cover = random_vector(8, random).cwiseAbs() + Eigen::VectorXd::Constant(8, 0.1);
-    const LcpResult result = solve_by_pivoting(lcp, options);
+    const LcpResult result = solve_by_pivoting(lcp, {.cover_amplitude = 0.95, .cover_phase = 0.3 * k});
     ASSERT_EQ(result.status, LcpStatus::solved);
     EXPECT_LE((result.z - expected).norm(), 1e-10 * (1.0 + expected.norm()));
   }
@@ -105,12 +147,11 @@ TEST(SolveByPivoting, AnswerDoesNotDependOnTheCoverForPMatrices) {
 TEST(SolveByPivoting, WarmStartAtTheSolutionIsConfirmedWithoutPivots) {
   std::mt19937 random(5);
   const Lcp lcp = dense_lcp(random_p_matrix(8, random), random_vector(8, random));
-  PivotingOptions options;
-  options.guess = solve_by_pivoting(lcp).z;
-  const LcpResult result = solve_by_pivoting(lcp, options);
+  const Eigen::VectorXd guess = solve_by_pivoting(lcp).z;
+  const LcpResult result = solve_by_pivoting(lcp, {}, guess);
   EXPECT_EQ(result.status, LcpStatus::solved);
   EXPECT_EQ(result.pivots, 0);
-  EXPECT_LE((result.z - options.guess).norm(), 1e-12 * (1.0 + options.guess.norm()));
+  EXPECT_LE((result.z - guess).norm(), 1e-12 * (1.0 + guess.norm()));
 }
 
 TEST(SolveByPivoting, WarmStartFromANearbyProblemReachesTheSolution) {
@@ -120,9 +161,7 @@ TEST(SolveByPivoting, WarmStartFromANearbyProblemReachesTheSolution) {
     const Eigen::VectorXd q = random_vector(10, random);
     const Lcp before = dense_lcp(a, q + 0.3 * random_vector(10, random));
     const Lcp lcp = dense_lcp(a, q);
-    PivotingOptions options;
-    options.guess = solve_by_pivoting(before).z;
-    const LcpResult result = solve_by_pivoting(lcp, options);
+    const LcpResult result = solve_by_pivoting(lcp, {}, solve_by_pivoting(before).z);
     ASSERT_EQ(result.status, LcpStatus::solved) << "trial " << trial << ": " << describe(result.status);
     EXPECT_LE((result.z - solve_by_pivoting(lcp).z).norm(), 1e-9 * (1.0 + result.z.norm()));
   }
@@ -131,9 +170,7 @@ TEST(SolveByPivoting, WarmStartFromANearbyProblemReachesTheSolution) {
 TEST(SolveByPivoting, StopsAtItsPivotLimit) {
   std::mt19937 random(7);
   const Lcp lcp = dense_lcp(random_p_matrix(9, random), Eigen::VectorXd::Constant(9, -1.0));
-  PivotingOptions options;
-  options.max_pivots = 2;
-  const LcpResult result = solve_by_pivoting(lcp, options);
+  const LcpResult result = solve_by_pivoting(lcp, {.max_iterations = 2});
   EXPECT_EQ(result.status, LcpStatus::limit);
   EXPECT_EQ(result.pivots, 2);
 }

@@ -2,14 +2,84 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/SparseCholesky>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
 
+#include "methods/structure/dynamic_stiffness.hpp"
+#include "problems/assembly/beam.hpp"
 #include "problems/assembly/chain.hpp"
+#include "problems/assembly/damping.hpp"
+#include "problems/sparse_cholesky.hpp"
 #include "problems/validation.hpp"
+#include "tests/support/damped_chain.hpp"
+#include "tests/support/elastic_block.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
 namespace signorini {
 namespace {
+
+TEST(ContactMotion, IsTheFreeMotionAndWhatEachForceAddsHarmonicByHarmonic) {
+  ContactReceptance receptance;
+  for (int n = 0; n < 4; ++n) receptance.receptance.push_back(Eigen::MatrixXcd::Random(2, 2));
+  receptance.free_response = Eigen::MatrixXcd::Random(4, 2);
+  const Eigen::MatrixXcd lambda = Eigen::MatrixXcd::Random(6, 2);  // harmonics beyond H do not count
+  const Eigen::MatrixXcd x = contact_motion(receptance, lambda);
+  ASSERT_EQ(x.rows(), 4);
+  for (int n = 0; n < 4; ++n) {
+    for (int c = 0; c < 2; ++c) {
+      std::complex<double> expected = receptance.free_response(n, c);
+      for (int d = 0; d < 2; ++d)
+        expected += receptance.receptance[static_cast<std::size_t>(n)](c, d) * lambda(n, d);
+      EXPECT_LE(std::abs(x(n, c) - expected), 1e-14);
+    }
+  }
+}
+
+TEST(ContactReceptance, CountsItsHarmonicsAndContacts) {
+  ContactReceptance receptance;
+  receptance.receptance.assign(8, Eigen::MatrixXcd::Zero(3, 3));
+  receptance.free_response = Eigen::MatrixXcd::Zero(8, 3);
+  EXPECT_EQ(receptance.harmonics(), 7);
+  EXPECT_EQ(receptance.contacts(), 3);
+}
+
+// 40 contacts: more columns than are solved for at a time.
+TEST(FactorisedReceptance, IsTheInverseOfEachDynamicStiffnessSeenByTheContacts) {
+  constexpr int kHarmonics = 4;
+  const Problem problem = test::damped_chain(45, 40);
+  const Eigen::MatrixXd directions(contact_directions(problem));
+  const auto weights = [](int n) { return scheme_weights(HatScheme::galerkin, 0.4 * n, 0.3); };
+  for (const bool dense : {true, false}) {
+    const ContactReceptance receptance = factorised_receptance(problem, kHarmonics, weights, dense);
+    ASSERT_EQ(receptance.harmonics(), kHarmonics);
+    for (int n = 0; n <= kHarmonics; ++n) {
+      const HarmonicWeights w = weights(n);
+      const Eigen::MatrixXcd inverse =
+          test::dense_stiffness(problem, w.mass, w.damping, w.stiffness).fullPivLu().inverse();
+      const Eigen::MatrixXcd expected = directions.transpose() * inverse * directions;
+      EXPECT_LE((receptance.receptance[static_cast<std::size_t>(n)] - expected).norm(),
+                1e-11 * expected.norm());
+      const Eigen::VectorXcd free =
+          directions.transpose() * inverse * (w.load * load_coefficient(problem, n));
+      EXPECT_LE((receptance.free_response.row(n).transpose() - free).norm(), 1e-11 * (1e-3 + free.norm()));
+    }
+  }
+}
+
+TEST(FactorisedReceptance, DropsLoadsBeyondItsHarmonics) {
+  const Problem problem = test::damped_chain(5);  // loaded at harmonics 0, 1 and 3
+  const auto weights = [](int n) { return exact_weights(1.3 * n); };
+  const ContactReceptance few = factorised_receptance(problem, 2, weights, true);
+  const ContactReceptance more = factorised_receptance(problem, 3, weights, true);
+  EXPECT_EQ(few.free_response, more.free_response.topRows(3));
+  EXPECT_EQ(few.free_response.row(2).norm(), 0.0);
+  EXPECT_GT(more.free_response.row(3).norm(), 0.0);
+}
 
 /// Masses in a row, unequal, with loads and contacts away from each other.
 Problem chain_problem(int masses) {

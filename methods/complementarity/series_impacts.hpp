@@ -1,14 +1,15 @@
 #pragma once
-// A solution of the projected equations taken apart into impacts and contact that lasts.
+// The impacts of a truncated series: a solution of the projected equations taken apart into impacts and
+// contact that lasts, and the law of conservative impacts asked of the motion with all harmonics.
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "methods/complementarity/exact_quadrature.hpp"
 #include "methods/complementarity/projected_law.hpp"
 #include "methods/discretisation/contact_phases.hpp"
-#include "methods/discretisation/stop_shift.hpp"
-#include "methods/discretisation/trigonometric_jet.hpp"
+#include "methods/discretisation/fourier_series.hpp"
 #include "methods/structure/periodic_green_function.hpp"
 
 namespace signorini {
@@ -51,5 +52,43 @@ ContactEpisodes contact_episodes(const ProjectedEquations& equations, const Peri
 /// y = c (x - g) - alpha lambda of one contact, its stop in its place, n = 0..H [N].
 Eigen::VectorXcd augmented_multiplier(const ProjectedEquations& equations, int contact,
                                       const Eigen::MatrixXcd& x, const Eigen::MatrixXcd& lambda);
+
+/// When and how hard impacts are, a column for each: its instant, share of the period [-], and its mean force
+/// over the period, J / T > 0 [N].
+using Impacts = Eigen::Matrix2Xd;
+
+/// Instants and impulses of the impacts as the series has them.
+Impacts impacts_of(const std::vector<ContactEpisode>& episodes);
+
+/// For the motion with all harmonics behind impacts at t_l with impulses J_l,
+///
+///     X(t) = x_f(t) + C lambda_lasting - sum_l J_l G(t - t_l),
+///
+/// the equations X(t_k) = g and X'(t_k) = 0 of every impact k, X' being the mean of both sides:
+/// restitution 1.
+class ImpactEquations {
+ public:
+  /// Refers to all but `lasting_motion`; the episodes must all be impacts.
+  /// \param lasting_motion  x_f + C lambda_lasting, (H+1) x Nc [m]
+  ImpactEquations(const PeriodicGreenFunction& response, const Eigen::VectorXd& gap,
+                  const std::vector<ContactEpisode>& impacts, Eigen::MatrixXcd lasting_motion);
+
+  /// X(t_k) - g and X'(t_k) T / (2 pi), alternating [m].
+  [[nodiscard]] Eigen::VectorXd residual(const Impacts& impacts) const;
+  /// Its derivative by time and force of each impact, alternating [m], [m/N].
+  [[nodiscard]] Eigen::MatrixXd jacobian(const Impacts& impacts) const;
+  /// Impacts that solve the equations to `tolerance` [m], or to `rounding` [m] where Newton's method does not
+  /// get that far; nothing if it does not get there either. Forces stay positive.
+  [[nodiscard]] std::optional<Impacts> solve(const Impacts& from, double tolerance, double rounding) const;
+
+ private:
+  [[nodiscard]] int count() const { return static_cast<int>(impacts_.size()); }
+  [[nodiscard]] int contact(int k) const { return impacts_[static_cast<std::size_t>(k)].contact; }
+
+  const PeriodicGreenFunction& response_;
+  const Eigen::VectorXd& gap_;
+  const std::vector<ContactEpisode>& impacts_;
+  Eigen::MatrixXcd lasting_motion_;
+};
 
 }  // namespace signorini

@@ -1,4 +1,4 @@
-#include "methods/harmonic_balance/lcp_grid_solver.hpp"
+#include "methods/harmonic_balance/grid_solver.hpp"
 
 #include <gtest/gtest.h>
 

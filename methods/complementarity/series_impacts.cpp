@@ -1,10 +1,15 @@
-#include "methods/complementarity/contact_episodes.hpp"
+#include "methods/complementarity/series_impacts.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
+
+#include "methods/solvers/constants.hpp"
+#include "methods/solvers/newton_krylov.hpp"
 
 namespace signorini {
 
@@ -76,6 +81,29 @@ void measure_impact(ContactEpisode& episode, const Eigen::VectorXcd& y, const st
   episode.load.slope += constant * shift.speed;
 }
 
+/// ImpactEquations as a JacobianSystem in the instant and force of each impact, alternating. A point at which
+/// an impact pulls is outside their domain: its residual is no number, which no step is taken to.
+class ImpactSystem {
+ public:
+  explicit ImpactSystem(const ImpactEquations& equations) : equations_(equations) {}
+
+  [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& v) {
+    at_ = v.reshaped(2, v.size() / 2);
+    if ((at_.row(1).array() > 0.0).all()) return equations_.residual(at_);
+    return Eigen::VectorXd::Constant(v.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+  [[nodiscard]] KrylovSolve solve_jacobian(const Eigen::VectorXd& r) const {
+    return {.x = equations_.jacobian(at_).partialPivLu().solve(r)};
+  }
+  [[nodiscard]] double error(const Eigen::VectorXd& /*v*/, const Eigen::VectorXd& r) const {
+    return r.lpNorm<Eigen::Infinity>();
+  }
+
+ private:
+  const ImpactEquations& equations_;
+  Impacts at_;
+};
+
 }  // namespace
 
 Eigen::VectorXcd augmented_multiplier(const ProjectedEquations& equations, int contact,
@@ -117,6 +145,70 @@ ContactEpisodes contact_episodes(const ProjectedEquations& equations, const Peri
     }
   }
   return found;
+}
+
+Impacts impacts_of(const std::vector<ContactEpisode>& episodes) {
+  const auto count = static_cast<Eigen::Index>(episodes.size());
+  Impacts impacts(2, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const ContactEpisode& episode = episodes[static_cast<std::size_t>(k)];
+    impacts.col(k) << episode.centre, episode.force;
+  }
+  return impacts;
+}
+
+ImpactEquations::ImpactEquations(const PeriodicGreenFunction& response, const Eigen::VectorXd& gap,
+                                 const std::vector<ContactEpisode>& impacts, Eigen::MatrixXcd lasting_motion)
+    : response_(response), gap_(gap), impacts_(impacts), lasting_motion_(std::move(lasting_motion)) {}
+
+Eigen::VectorXd ImpactEquations::residual(const Impacts& p) const {
+  Eigen::VectorXd result(2 * count());
+  for (int k = 0; k < count(); ++k) {
+    const int c = contact(k);
+    Jet x = trigonometric_jet(lasting_motion_.col(c), p(0, k));
+    for (int l = 0; l < count(); ++l) {
+      // The kink of an impact's own response lies exactly at its instant: turn 0, the mean of both sides.
+      const Jet g = response_.at(c, contact(l), l == k ? 0.0 : p(0, k) - p(0, l));
+      x.value -= p(1, l) * g.value;
+      x.slope -= p(1, l) * g.slope;
+    }
+    result[2 * k] = x.value - gap_[c];
+    result[2 * k + 1] = x.slope / kTwoPi;
+  }
+  return result;
+}
+
+Eigen::MatrixXd ImpactEquations::jacobian(const Impacts& p) const {
+  Eigen::MatrixXd matrix(2 * count(), 2 * count());
+  for (int k = 0; k < count(); ++k) {
+    const int c = contact(k);
+    const Jet x = trigonometric_jet(lasting_motion_.col(c), p(0, k));
+    // dX(t_k) / dt_k, at which the impact's own response moves along and does not count.
+    double rate = x.slope;
+    double change = x.curvature;
+    for (int l = 0; l < count(); ++l) {
+      const Jet g = response_.at(c, contact(l), l == k ? 0.0 : p(0, k) - p(0, l));
+      matrix(2 * k, 2 * l + 1) = -g.value;
+      matrix(2 * k + 1, 2 * l + 1) = -g.slope / kTwoPi;
+      if (l == k) continue;
+      matrix(2 * k, 2 * l) = p(1, l) * g.slope;
+      matrix(2 * k + 1, 2 * l) = p(1, l) * g.curvature / kTwoPi;
+      rate -= p(1, l) * g.slope;
+      change -= p(1, l) * g.curvature;
+    }
+    matrix(2 * k, 2 * k) = rate;
+    matrix(2 * k + 1, 2 * k) = change / kTwoPi;
+  }
+  return matrix;
+}
+
+std::optional<Impacts> ImpactEquations::solve(const Impacts& from, double tolerance, double rounding) const {
+  ImpactSystem system(*this);
+  const NewtonKrylovResult newton =
+      solve_newton_krylov(system, from.reshaped(), tolerance, {.max_steps = 50, .max_halvings = 9});
+  if (newton.end == NewtonEnd::singular || !(newton.residual <= std::max(tolerance, rounding)))
+    return std::nullopt;
+  return newton.unknowns.reshaped(2, from.cols());
 }
 
 }  // namespace signorini

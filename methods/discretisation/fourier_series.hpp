@@ -1,5 +1,5 @@
 #pragma once
-// A trigonometric polynomial at one instant.
+// Truncated Fourier series: at an instant, on a grid of them, and as a real vector.
 
 #include <Eigen/Core>
 #include <complex>
@@ -29,5 +29,16 @@ inline Jet trigonometric_jet(const Eigen::Ref<const Eigen::VectorXcd>& y, double
   }
   return jet;
 }
+
+/// Real functions of the period's time at `count` equidistant instants, count x k, from their coefficients
+/// n = 0..H, (H+1) x k; exact whatever the count.
+Eigen::MatrixXd sample_series(const Eigen::MatrixXcd& coefficients, int count);
+
+/// Per contact (s_0, sqrt(2) Re s_1, sqrt(2) Im s_1, ..., sqrt(2) Im s_H), contacts one after another.
+/// \param spectrum (H+1) x Nc; the imaginary part of s_0 is dropped
+Eigen::VectorXd pack_harmonics(const Eigen::MatrixXcd& spectrum);
+
+/// The inverse; size (2 H + 1) Nc.
+Eigen::MatrixXcd unpack_harmonics(const Eigen::VectorXd& packed, int harmonics);
 
 }  // namespace signorini

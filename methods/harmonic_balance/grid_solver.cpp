@@ -1,8 +1,9 @@
-#include "methods/harmonic_balance/lcp_grid_solver.hpp"
+#include "methods/harmonic_balance/grid_solver.hpp"
 
 #include <algorithm>
 
 #include "methods/complementarity/forms.hpp"
+#include "methods/refinement.hpp"
 #include "methods/structure/periodic_response.hpp"
 
 namespace signorini {
@@ -22,7 +23,11 @@ class LcpGridSolver final : public GridSolver {
         start.guess ? pressure_samples(*start.guess, samples, law.constant.cwiseSqrt()) : Eigen::VectorXd{};
     const LcpResult result = solve_lcp(lcp, remaining(start, work), guess);
     work.unknowns = lcp.matrix->size();
-    count(result, work);
+    if (newton()) {
+      add_effort({.iterations = result.iterations, .factorisations = result.factorisations}, work);
+    } else {
+      add_effort({.pivots = result.pivots}, work);
+    }
     const bool solved = result.status == LcpStatus::solved;
     return {.solved = solved,
             // More samples repair a ray or a coarse quadrature, not a Newton iteration that has lost its way.
@@ -39,19 +44,9 @@ class LcpGridSolver final : public GridSolver {
   [[nodiscard]] SolverSettings remaining(const Start& start, const Work& work) const {
     SolverSettings settings = settings_;
     settings.deadline = start.deadline;
-    const long spent = work.pivots.value_or(0) + work.iterations.value_or(0);
     if (settings.max_iterations > 0)
-      settings.max_iterations = static_cast<int>(std::max(1L, settings.max_iterations - spent));
+      settings.max_iterations = static_cast<int>(std::max(1L, settings.max_iterations - steps_spent(work)));
     return settings;
-  }
-
-  void count(const LcpResult& result, Work& work) const {
-    if (newton()) {
-      work.iterations = work.iterations.value_or(0) + result.iterations;
-      work.factorisations = work.factorisations.value_or(0) + result.factorisations;
-    } else {
-      work.pivots = work.pivots.value_or(0) + result.pivots;
-    }
   }
 
   SolverSettings settings_;
