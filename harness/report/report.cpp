@@ -4,9 +4,8 @@
 #include <map>
 
 #include "harness/files.hpp"
+#include "harness/report/figures/figures.hpp"
 #include "harness/report/figures/gnuplot.hpp"
-#include "harness/report/figures/motion_figures.hpp"
-#include "harness/report/figures/work_precision_figure.hpp"
 #include "harness/report/formats/latex.hpp"
 #include "harness/report/formats/markdown.hpp"
 #include "harness/report/formats/page.hpp"
@@ -63,9 +62,7 @@ const std::vector<std::string>& report_formats() {
 
 std::vector<fs::path> write_report(const fs::path& folder, const Evaluation& evaluation,
                                    const std::vector<std::string>& formats) {
-  const auto wants = [&](const char* format) {
-    return std::find(formats.begin(), formats.end(), format) != formats.end();
-  };
+  const auto wants = [&](const char* format) { return std::ranges::count(formats, format) > 0; };
   const std::vector<Section> sections = sections_of(evaluation);
   std::vector<fs::path> files;
   const auto write = [&](const fs::path& file, const std::string& text) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "harness/report/evaluation/outcome.hpp"
+
 namespace signorini {
 
 namespace {
@@ -18,55 +20,23 @@ std::string shortened(const std::string& text) {
 
 }  // namespace
 
-Cell count_cell(int count) { return {std::to_string(count), static_cast<double>(count)}; }
+Cell count_cell(std::ptrdiff_t count) { return {std::to_string(count), static_cast<double>(count)}; }
 
-bool answered(const Record& record) {
-  return record.status == Status::converged || record.status == Status::inaccurate;
+Cell count_cell(std::ptrdiff_t count, std::ptrdiff_t all) {
+  return {fmt::format("{} of {}", count, all), static_cast<double>(count)};
 }
 
 std::string in_place(const Record& record) { return fmt::format("({})", status_name(record.status)); }
-
-std::string represented_text(const Record& record) {
-  if (!record.law) return in_place(record);
-  return law_text(*record.law) + (record.law_matches_scene == false ? " ≠ scene" : "");
-}
-
-std::string energy_text(const Record& record) {
-  if (!answered(record)) return in_place(record);
-  return record.physics.energy_defect ? fmt::format("{:.1e}", *record.physics.energy_defect) : "not defined";
-}
-
-std::string time_cell(const Record& record, double Seconds::*which) {
-  if (record.status != Status::converged) return in_place(record);
-  if (record.seconds) {
-    const bool shaky = which == &Seconds::median && record.seconds->unstable == true;
-    return time_text((*record.seconds).*which) + (shaky ? " (unstable)" : "");
-  }
-  return record.not_timed.empty() ? "not timed" : "not timed: " + record.not_timed;
-}
-
-std::string work_text(const Record& record) {
-  const Work& work = record.work.counts;
-  std::string text;
-  if (work.pivots) text = fmt::format("{} p", *work.pivots);
-  if (work.iterations) text += fmt::format("{}{} it", text.empty() ? "" : ", ", *work.iterations);
-  if (!text.empty()) return text;
-  return answered(record) ? "not counted" : in_place(record);
-}
 
 std::string law_text(const RepresentedLaw& law) {
   struct Printer {
     std::string operator()(std::monostate) const { return "no contact"; }
     std::string operator()(const Restitution& l) const { return fmt::format("e = {:g}", l.e); }
     std::string operator()(const Penalty& l) const {
-      std::string text = "k =";
-      const bool equal = std::equal(l.stiffness.begin() + (l.stiffness.empty() ? 0 : 1), l.stiffness.end(),
-                                    l.stiffness.begin());
-      for (std::size_t i = 0; i < (equal ? std::min<std::size_t>(1, l.stiffness.size()) : l.stiffness.size());
-           ++i) {
-        text += fmt::format("{} {:g}", i == 0 ? "" : ",", l.stiffness[i]);
-      }
-      return text + " N/m";
+      std::vector<double> shown = l.stiffness;
+      const bool equal = std::ranges::adjacent_find(shown, std::ranges::not_equal_to{}) == shown.end();
+      if (equal && !shown.empty()) shown.resize(1);
+      return fmt::format("k = {:g} N/m", fmt::join(shown, ", "));
     }
     std::string operator()(Massless) const { return "massless"; }
     std::string operator()(Undetermined) const { return "undetermined"; }
@@ -75,13 +45,12 @@ std::string law_text(const RepresentedLaw& law) {
 }
 
 std::string error_text(const Record& record) {
-  if (!answered(record)) return in_place(record);
+  if (!claim_of(record)) return in_place(record);
   if (record.certificate.status != CertificateStatus::certified)
     return record.errors.x_l2 ? fmt::format("near: {:.1e}", *record.errors.x_l2) : "uncertified";
-  const bool field = !record.errors.x_l2.has_value();
-  const Measure error = field ? record.errors.u_l2 : record.errors.x_l2;
+  const Measure error = recorded_error(record);
   if (!error) return "no scale";
-  return bounded_text(*error, record) + (field ? " (u)" : "");
+  return bounded_text(*error, record) + (record.errors.x_l2 ? "" : " (u)");
 }
 
 std::string bounded_text(double error, const Record& record) {

@@ -1,6 +1,7 @@
 #pragma once
 // The cells of one record in tables.
 
+#include <cstddef>
 #include <string>
 
 #include "harness/records/record.hpp"
@@ -9,19 +10,16 @@
 namespace signorini {
 
 /// A number of things, which sorts as one.
-Cell count_cell(int count);
+Cell count_cell(std::ptrdiff_t count);
 
-/// Whether there is a motion to look at: converged, or inaccurate.
-bool answered(const Record& record);
+/// "22 of 24", which sorts by the first.
+Cell count_cell(std::ptrdiff_t count, std::ptrdiff_t all);
 
 /// The status in parentheses, for cells of a run without an answer: "(timeout)".
 std::string in_place(const Record& record);
 
 /// "e = 0.8", "k = 1e+06 N/m", "massless", "undetermined", "no contact".
 std::string law_text(const RepresentedLaw& law);
-
-/// The law that the method represents, marked where it is not the scene's.
-std::string represented_text(const Record& record);
 
 /// The relative error of x as tables print it: two digits, `<` and what is known of the orbit where the error is
 /// below that; "near: 2.7e-01" of an answer that is near an orbit, but not certified by it. Where there is none,
@@ -31,17 +29,8 @@ std::string error_text(const Record& record);
 /// An error against the certified orbit, "<" and ten error bars of that orbit where it is smaller.
 std::string bounded_text(double error, const Record& record);
 
-/// Two digits, or why there is none.
-std::string energy_text(const Record& record);
-
 /// "0.31 ms" and so on.
 std::string time_text(double seconds);
-
-/// Least or median time of a converged run; a wrong answer has no time. Else the status or the reason.
-std::string time_cell(const Record& record, double Seconds::*which);
-
-/// "12 p, 3 it": pivots and iterations.
-std::string work_text(const Record& record);
 
 /// same | other (orbit) | certified without a reference | uncertified, with reasons.
 std::string orbit_text(const Record& record);

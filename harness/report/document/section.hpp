@@ -1,13 +1,24 @@
 #pragma once
-// A report is a list of sections; every format prints the same ones.
+// A report is a list of sections, each with its table and its figures; every format prints the same ones.
 
 #include <string>
 #include <vector>
 
-#include "harness/report/document/figure.hpp"
 #include "harness/table.hpp"
 
 namespace signorini {
+
+/// One figure. The script sets neither terminal nor output; its data are in `NAME.dat` beside it.
+struct Figure {
+  std::string name = {};  ///< lower-kebab-case: NAME.gp, NAME.dat, NAME.svg, NAME.pdf
+  std::string caption = {};
+  std::string script = {};
+  std::string data = {};               ///< blocks parted by two blank lines, gnuplot's `index`
+  double width = 16.0, height = 10.0;  ///< [cm]
+};
+
+/// Resolution of figures on a screen: 96 pixels per inch.
+inline constexpr double kPixelsPerCentimetre = 96.0 / 2.54;
 
 /// What the rows of a section's table are, which decides where a page shows it.
 enum class SectionKind {

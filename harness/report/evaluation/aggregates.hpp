@@ -1,9 +1,10 @@
 #pragma once
-// One number for many scenes, failures included.
+// Many scenes in few numbers, failures included: means, and performance profiles [dolan2002].
 
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace signorini {
 
@@ -13,7 +14,7 @@ inline constexpr double kMeanShift = 0.010;
 inline constexpr std::array kMeanShifts{0.001, kMeanShift, 0.100};
 
 /// Costs that are finite.
-std::size_t solved_count(std::span<const double> costs);
+std::ptrdiff_t solved_count(std::span<const double> costs);
 
 /// exp(mean log(cost + shift)) - shift, infinite costs taken as `failure`. The larger the shift, the less the
 /// small costs matter: which shift must be said with the figure. Requires at least one cost.
@@ -21,5 +22,25 @@ double shifted_geometric_mean(std::span<const double> costs, double shift, doubl
 
 /// Penalised average: the mean, infinite costs taken as twice the limit. Requires at least one cost.
 double par2(std::span<const double> costs, double limit);
+
+/// Cost to reach an error, [configuration][scene]; infinite where it is not reached. Zeros stay zeros.
+using Costs = std::vector<std::vector<double>>;
+
+/// For each configuration the ratios of its cost to the least cost on the scene, over the scenes it solves.
+struct PerformanceProfile {
+  std::size_t scenes = 0;                        ///< solved or not
+  std::vector<std::vector<double>> ratios = {};  ///< [configuration], finite, rising, >= 1
+
+  /// Share of all scenes that a configuration solves at `factor` times the least cost or less. A scene that
+  /// nobody solves is one of all; a failure has no factor, however large.
+  [[nodiscard]] double share(std::size_t configuration, double factor) const;
+};
+
+/// Joint profile of all rows. Where the least cost is zero, a cost above it has no finite ratio.
+PerformanceProfile performance_profile(const Costs& costs);
+
+/// Profile of two configurations alone. With more than two, a joint profile ranks nobody but the first: who
+/// is second changes with who else takes part [gould2016].
+PerformanceProfile pairwise_profile(const Costs& costs, std::size_t first, std::size_t second);
 
 }  // namespace signorini

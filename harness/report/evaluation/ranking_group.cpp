@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "harness/report/evaluation/work_precision.hpp"
-
 namespace signorini {
 
 namespace {

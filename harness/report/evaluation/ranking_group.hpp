@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/report/evaluation/cost_axis.hpp"
-#include "harness/report/evaluation/resolution_study.hpp"
+#include "harness/report/evaluation/aggregates.hpp"
+#include "harness/report/evaluation/work_precision.hpp"
 
 namespace signorini {
 
@@ -20,9 +20,6 @@ struct RankingGroup {
 /// run there, is not ranked there. One that does not apply to a scene has not solved it; one that applies to
 /// no scene of a group is left out of the group. The result points into `studies`.
 std::vector<RankingGroup> ranking_groups(const std::vector<ResolutionStudy>& studies);
-
-/// Cost to reach an error, [configuration][scene]; infinite where it is not reached. Zeros stay zeros.
-using Costs = std::vector<std::vector<double>>;
 
 /// Costs of all configurations of a group on all of its scenes.
 Costs costs_to_error(const RankingGroup& group, const CostAxis& axis, double error);

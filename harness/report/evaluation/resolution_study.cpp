@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "harness/plan/selection.hpp"
+#include "harness/report/evaluation/outcome.hpp"
 
 namespace signorini {
 
@@ -13,9 +14,9 @@ namespace {
 
 Eligibility eligibility_of(const std::vector<ScoredRun>& runs) {
   const auto other = [](const ScoredRun& run) { return run.record->law_matches_scene == false; };
-  if (std::any_of(runs.begin(), runs.end(), other)) return Eligibility::another_law;
+  if (std::ranges::any_of(runs, other)) return Eligibility::another_law;
   const auto refuses = [](const ScoredRun& run) { return run.record->status == Status::not_applicable; };
-  return std::all_of(runs.begin(), runs.end(), refuses) ? Eligibility::not_applicable : Eligibility::ranked;
+  return std::ranges::all_of(runs, refuses) ? Eligibility::not_applicable : Eligibility::ranked;
 }
 
 }  // namespace
@@ -36,21 +37,14 @@ std::string configuration_of(const Record& record) {
 
 ScoredRun scored_run(const Record& record) {
   ScoredRun run{.record = &record};
-  const Certificate& certificate = record.certificate;
-  const Measure error = record.errors.x_l2 ? record.errors.x_l2 : record.errors.u_l2;
-  if (record.status != Status::converged || certificate.status != CertificateStatus::certified ||
-      certificate.same_orbit == false || !error) {
-    return run;
-  }
-  const double floor = measurable_error(record);
-  run.bounded = *error < floor;
-  run.error = std::max(*error, floor);
+  if (record.certificate.same_orbit == false) return run;
+  run.error = certified_error(record);
+  run.bounded = run.error && *recorded_error(record) < *run.error;
   return run;
 }
 
-std::size_t solved_runs(const ResolutionStudy& study) {
-  return static_cast<std::size_t>(std::count_if(study.runs.begin(), study.runs.end(),
-                                                [](const ScoredRun& run) { return run.error.has_value(); }));
+std::ptrdiff_t solved_runs(const ResolutionStudy& study) {
+  return std::ranges::count_if(study.runs, [](const ScoredRun& run) { return run.error.has_value(); });
 }
 
 std::vector<ResolutionStudy> resolution_studies(const std::vector<Record>& records) {

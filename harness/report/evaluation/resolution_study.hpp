@@ -2,7 +2,7 @@
 // The runs of one configuration of a method on one scene at all of its resolutions, with their errors.
 
 #include <array>
-#include <optional>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,9 +21,8 @@ std::string configuration_of(const Record& record);
 /// One run of a study with its error.
 struct ScoredRun {
   const Record* record = nullptr;
-  /// Relative L2 of x (of u where there is no contact), not below ten error bars of the orbit. Absent unless
-  /// the harness says converged and certifies the orbit: the one reached from rest, where that is known.
-  std::optional<double> error = {};
+  /// certified_error; absent too where the orbit is known not to be the one reached from rest.
+  Measure error = {};
   bool bounded = false;  ///< below ten error bars: never ranked by its error
 };
 
@@ -53,9 +52,9 @@ struct ResolutionStudy {
 std::vector<ResolutionStudy> resolution_studies(const std::vector<Record>& records);
 
 /// How many of its runs have an error.
-std::size_t solved_runs(const ResolutionStudy& study);
+std::ptrdiff_t solved_runs(const ResolutionStudy& study);
 
-/// The run of a record with its error, see ScoredRun::error.
+/// The run of a record with its error.
 ScoredRun scored_run(const Record& record);
 
 }  // namespace signorini

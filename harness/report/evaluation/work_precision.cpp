@@ -4,6 +4,25 @@
 
 namespace signorini {
 
+const CostAxis& time_axis() {
+  static const CostAxis axis{"time", [](const Record& record) -> std::optional<double> {
+                               if (!record.seconds) return std::nullopt;
+                               return record.seconds->median;
+                             }};
+  return axis;
+}
+
+std::span<const CostAxis> work_axes() {
+  using Cost = std::optional<double>;
+  static const std::array<CostAxis, 5> axes{
+      {{"pivots", [](const Record& r) -> Cost { return r.work.counts.pivots; }},
+       {"iterations", [](const Record& r) -> Cost { return r.work.counts.iterations; }},
+       {"right-hand sides", [](const Record& r) -> Cost { return r.work.counts.rhs_evaluations; }},
+       {"factorisations", [](const Record& r) -> Cost { return r.work.counts.factorisations; }},
+       {"unknowns", [](const Record& r) -> Cost { return r.work.counts.unknowns; }}}};
+  return axes;
+}
+
 std::vector<CurvePoint> pareto_curve(const ResolutionStudy& study, const CostAxis& axis) {
   std::vector<CurvePoint> points;
   for (const ScoredRun& run : study.runs) {

@@ -3,12 +3,27 @@
 
 #include <array>
 #include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
-#include "harness/report/evaluation/cost_axis.hpp"
 #include "harness/report/evaluation/resolution_study.hpp"
 
 namespace signorini {
+
+/// A cost by which runs are compared: seconds, or a count of work.
+struct CostAxis {
+  std::string_view name = {};  ///< "time", "pivots"
+  std::optional<double> (*cost)(const Record&) = nullptr;
+};
+
+/// Median time of set-up and solve [s].
+const CostAxis& time_axis();
+
+/// Pivots, iterations, evaluations of right-hand sides, factorisations, unknowns: free of noise. What an
+/// iteration is differs between methods: counts compare resolutions of one method, or methods of one kind.
+std::span<const CostAxis> work_axes();
 
 /// Errors at which costs are compared [-].
 inline constexpr std::array kErrorLevels{1e-1, 1e-2, 1e-3, 1e-6, 1e-9};

@@ -1,12 +1,35 @@
 #pragma once
-// gnuplot as a subprocess.
+// gnuplot: what the scripts of all figures share, and gnuplot as a subprocess that draws them.
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
+#include <vector>
 
-#include "harness/report/document/figure.hpp"
+#include "harness/report/document/section.hpp"
 
 namespace signorini {
+
+/// The style of a configuration, the same in every figure: distinguished by colour (Okabe and Ito's, safe for
+/// colour-blind readers), dashes and mark, any one of which is enough.
+struct LineStyle {
+  std::string line = {};    ///< "lc rgb '#0072B2' dt 2 lw 1.5"
+  std::string mark = {};    ///< "pt 5"
+  std::string filled = {};  ///< mark and colour
+  std::string hollow = {};  ///< the same mark, hollow
+};
+LineStyle line_style(std::size_t configuration);
+
+/// An entry of a key: style and title.
+struct KeyEntry {
+  std::string style = {};
+  std::string title = {};
+};
+
+/// The part of a multiplot's script that fills its lowest `height` (a share of the whole) with a key for all
+/// panels, in so many columns if they fit.
+std::string key_panel(const std::vector<KeyEntry>& entries, double height, int columns);
 
 /// Writes NAME.gp and NAME.dat of each figure into the folder and has gnuplot make NAME.svg and NAME.pdf of
 /// them: the same bytes each time. `gnuplot NAME.gp` in the folder makes them again.

@@ -1,23 +1,16 @@
-#include "harness/report/figures/motion_figures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "harness/report/figures/figures.hpp"
+#include "harness/report/figures/gnuplot.hpp"
 
 namespace signorini {
 
 namespace {
 
-using Signals = std::vector<std::vector<double>> Waveform::*;
-
-/// A study and the record drawn of it: the coarsest answer with a certified orbit.
-struct Drawn {
-  const ResolutionStudy* study = nullptr;
-  const Record* record = nullptr;
-};
-
+/// The coarsest answer of a study with a certified orbit whose motion is kept; null if there is none.
 const Record* coarsest(const ResolutionStudy& study) {
   for (const ScoredRun& run : study.runs) {
     const auto& waveforms = run.record->waveforms;
@@ -26,11 +19,11 @@ const Record* coarsest(const ResolutionStudy& study) {
   return nullptr;
 }
 
-std::vector<Drawn> drawn_on(const Evaluation& evaluation, const std::string& scene) {
-  std::vector<Drawn> found;
+std::vector<const Record*> drawn_on(const Evaluation& evaluation, const std::string& scene) {
+  std::vector<const Record*> found;
   for (const ResolutionStudy& study : evaluation.studies()) {
     if (study.scene != scene || study.eligibility != Eligibility::ranked) continue;
-    if (const Record* record = coarsest(study)) found.push_back({&study, record});
+    if (const Record* record = coarsest(study)) found.push_back(record);
   }
   return found;
 }
@@ -63,15 +56,18 @@ std::size_t place_of_contact(const Waveforms& waveforms, int contact) {
 
 constexpr std::string_view kOrbitStyle = "lc rgb '#bbbbbb' lw 5";
 
-std::string curves(const Evaluation& evaluation, const std::vector<Drawn>& drawn, int abscissa, int ordinate,
-                   bool titled) {
+LineStyle style_of(const Evaluation& evaluation, const Record& record) {
+  return line_style(evaluation.place_of(configuration_of(record)));
+}
+
+std::string curves(const Evaluation& evaluation, const std::vector<const Record*>& drawn, int abscissa,
+                   int ordinate, bool titled) {
   std::string plots = fmt::format("data index 0 using {}:{} with lines {} {}", abscissa, ordinate,
                                   kOrbitStyle, titled ? "title 'certified orbit'" : "notitle");
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const LineStyle style = line_style(evaluation.place_of(drawn[i].study->configuration));
     plots += fmt::format(", \\\n  data index {} using {}:{} with lines {} {}", i + 1, abscissa, ordinate,
-                         style.line,
-                         titled ? fmt::format("title '{}'", resolution_of(*drawn[i].record)) : "notitle");
+                         style_of(evaluation, *drawn[i]).line,
+                         titled ? fmt::format("title '{}'", resolution_of(*drawn[i])) : "notitle");
   }
   return "plot " + plots + "\n";
 }
@@ -94,7 +90,7 @@ set key outside bottom center horizontal
 set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
 )";
 
-Figure waveform_figure(const Evaluation& evaluation, const std::vector<Drawn>& drawn,
+Figure waveform_figure(const Evaluation& evaluation, const std::vector<const Record*>& drawn,
                        const std::string& scene, double end) {
   Figure figure{.name = scene + "-waveforms", .width = 17.0, .height = 18.0};
   figure.script = std::string(kFrame) + fmt::format(kPanels, end);
@@ -105,15 +101,14 @@ Figure waveform_figure(const Evaluation& evaluation, const std::vector<Drawn>& d
                      curves(evaluation, drawn, 1, static_cast<int>(panel) + 2, false);
   }
   std::vector<KeyEntry> keys{{std::string(kOrbitStyle) + " pt -1", "certified orbit"}};
-  for (const Drawn& one : drawn) {
-    const LineStyle style = line_style(evaluation.place_of(one.study->configuration));
-    keys.push_back({style.line + " pt -1", resolution_of(*one.record)});
-  }
+  for (const Record* record : drawn)
+    keys.push_back({style_of(evaluation, *record).line + " pt -1", resolution_of(*record)});
   figure.script += key_panel(keys, 0.18, 2) + "unset multiplot\n";
   return figure;
 }
 
-Figure phase_figure(const Evaluation& evaluation, const std::vector<Drawn>& drawn, const std::string& scene) {
+Figure phase_figure(const Evaluation& evaluation, const std::vector<const Record*>& drawn,
+                    const std::string& scene) {
   Figure figure{.name = scene + "-phase", .width = 13.0, .height = 13.0};
   figure.script = std::string(kFrame) + std::string(kPhaseAxes) + curves(evaluation, drawn, 2, 3, true);
   return figure;
@@ -122,15 +117,15 @@ Figure phase_figure(const Evaluation& evaluation, const std::vector<Drawn>& draw
 }  // namespace
 
 std::vector<Figure> motion_figures(const Evaluation& evaluation, const std::string& scene) {
-  const std::vector<Drawn> drawn = drawn_on(evaluation, scene);
+  const std::vector<const Record*> drawn = drawn_on(evaluation, scene);
   if (drawn.empty()) return {};
-  const Waveforms& first = *drawn.front().record->waveforms;
+  const Waveforms& first = *drawn.front()->waveforms;
   const std::size_t place = busiest_contact(*first.orbit);
   const int contact = first.contacts[place];
   std::string data = block_of("certified orbit", *first.orbit, place);
-  for (const Drawn& one : drawn) {
-    const Waveforms& waveforms = *one.record->waveforms;
-    data += block_of(one.record->case_id, waveforms.answer, place_of_contact(waveforms, contact));
+  for (const Record* record : drawn) {
+    const Waveforms& kept = *record->waveforms;
+    data += block_of(record->case_id, kept.answer, place_of_contact(kept, contact));
   }
   std::vector<Figure> figures{waveform_figure(evaluation, drawn, scene, first.orbit->t.back()),
                               phase_figure(evaluation, drawn, scene)};

@@ -1,11 +1,10 @@
-#include "harness/report/figures/profile_figure.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
-#include "harness/report/evaluation/performance_profile.hpp"
-#include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/figures/figures.hpp"
+#include "harness/report/figures/gnuplot.hpp"
 
 namespace signorini {
 
@@ -47,7 +46,7 @@ double largest_ratio(const std::vector<PerformanceProfile>& profiles) {
 
 }  // namespace
 
-std::vector<Figure> profile_figures(const Evaluation& evaluation, std::size_t number) {
+Figure profile_figure(const Evaluation& evaluation, std::size_t number) {
   const RankingGroup& group = evaluation.groups()[number];
   std::vector<PerformanceProfile> profiles;
   for (const double error : kProfileErrors)
@@ -81,9 +80,8 @@ std::vector<Figure> profile_figures(const Evaluation& evaluation, std::size_t nu
     const LineStyle style = line_style(evaluation.place_of(configuration));
     keys.push_back({style.line + " " + style.mark, configuration});
   }
-  figure.script += key_panel(keys, 0.20, 4);
-  figure.script += "unset multiplot\n";
-  return {figure};
+  figure.script += key_panel(keys, 0.20, 4) + "unset multiplot\n";
+  return figure;
 }
 
 }  // namespace signorini

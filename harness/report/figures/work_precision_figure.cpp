@@ -1,11 +1,11 @@
-#include "harness/report/figures/work_precision_figure.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "harness/report/document/cells.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/figures/figures.hpp"
+#include "harness/report/figures/gnuplot.hpp"
 
 namespace signorini {
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
+#include <utility>
 
 namespace signorini {
 
@@ -25,12 +27,9 @@ std::string linked(const std::string& target, const std::string& text) {
 
 /// A title may be broken where a method's settings begin and where one ends.
 std::string breakable(const std::string& title) {
-  std::string text;
-  for (const char c : html_escaped(title)) {
-    if (c == '[') text += "<wbr>";
-    text += c;
-    if (c == ',') text += "<wbr>";
-  }
+  std::string text = html_escaped(title);
+  boost::replace_all(text, "[", "<wbr>[");
+  boost::replace_all(text, ",", ",<wbr>");
   return text;
 }
 
@@ -44,27 +43,12 @@ std::string cell_text(const std::string& column, const Cell& cell) {
 
 }  // namespace
 
-std::string html_escaped(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
+std::string html_escaped(std::string text) {
+  // The ampersand first: the others are spelled with it.
+  for (const auto& [plain, spelled] :
+       {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})
+    boost::replace_all(text, plain, spelled);
+  return text;
 }
 
 std::string html_text(const std::string& text) {

@@ -3,13 +3,12 @@
 
 #include <string>
 
-#include "harness/report/document/figure.hpp"
 #include "harness/report/document/section.hpp"
 
 namespace signorini {
 
 /// Text as it stands between tags and in quoted attributes.
-std::string html_escaped(const std::string& text);
+std::string html_escaped(std::string text);
 
 /// Plain text as paragraphs' content, `code` between backquotes.
 std::string html_text(const std::string& text);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
+#include "harness/records/json_line.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/report/document/cells.hpp"
 #include "harness/report/formats/html.hpp"
@@ -32,8 +33,9 @@ std::string navigation(std::span<const Section> sections, std::span<const SceneF
   };
   std::string last;
   for (const Section& section : sections) {
-    if (short_title(section) != last) text += item(section.id, short_title(section));
-    last = short_title(section);
+    const std::string title = short_title(section);
+    if (title != last) text += item(section.id, title);
+    last = title;
   }
   text += item("records", "Records") + "</ul>\n<p>Scenes</p>\n<ul class=\"scenes\">\n";
   for (const SceneFigures& scene : scenes) text += item("scene-" + scene.scene, scene.scene);
@@ -110,7 +112,7 @@ std::string printed(const Record& record) {
   json.erase("waveforms");
   std::string text = "{\n";
   for (const auto& [key, value] : json.items()) {
-    text += fmt::format("  \"{}\": {},\n", key, value.dump(-1, ' ', false, Json::error_handler_t::replace));
+    text += fmt::format("  \"{}\": {},\n", key, json_line(value));
   }
   text.erase(text.size() - 2, 1);  // the last comma
   return text + "}";

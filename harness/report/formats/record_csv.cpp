@@ -11,6 +11,7 @@
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_fields.hpp"
 #include "harness/report/document/cells.hpp"
+#include "harness/report/evaluation/outcome.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
 #include "harness/table.hpp"
 
@@ -20,7 +21,7 @@ namespace {
 
 /// Why cells of a row are empty, and other remarks on it.
 std::string csv_reason(const Record& record) {
-  if (!answered(record)) return fmt::format("{}: {}", status_name(record.status), record.message);
+  if (!claim_of(record)) return fmt::format("{}: {}", status_name(record.status), record.message);
   std::string text;
   const auto add = [&](const std::string& part) {
     if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
@@ -149,8 +150,8 @@ std::string measures_csv(const Evaluation& evaluation) {
                           study.configuration,
                           first.law ? law_text(*first.law) : "not recorded",
                           std::string(enum_name(study.eligibility)),
-                          std::to_string(study.runs.size()),
-                          std::to_string(solved_runs(study))};
+                          count_cell(std::ssize(study.runs)),
+                          count_cell(solved_runs(study))};
     for (const double error : kErrorLevels) {
       const double seconds = cost_to_error(study, time_axis(), error).cost;
       row.emplace_back(std::isfinite(seconds) ? fmt::format("{:.9e}", seconds) : "inf");

@@ -1,5 +1,3 @@
-#include "harness/report/sections/breakdown_sections.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,8 @@
 #include <vector>
 
 #include "harness/report/document/cells.hpp"
+#include "harness/report/evaluation/outcome.hpp"
+#include "harness/report/sections/sections.hpp"
 
 namespace signorini {
 
@@ -32,31 +32,19 @@ Families families_of(const Evaluation& evaluation) {
   return families;
 }
 
-/// Certified within the error. Which orbit it is does not matter here.
-bool is_solved(const Record& record, double error) {
-  return record.status == Status::converged && record.certificate.status == CertificateStatus::certified &&
-         std::max(record.errors.x_l2.value_or(2.0 * error), measurable_error(record)) <= error;
-}
-
-bool any_solved(const std::vector<const Record*>& records, double error) {
-  return std::any_of(records.begin(), records.end(),
-                     [error](const Record* record) { return is_solved(*record, error); });
-}
-
-bool of_another_law(const Levels& levels) {
-  return std::any_of(levels.begin(), levels.end(), [](const auto& level) {
-    return std::any_of(level.second.begin(), level.second.end(),
-                       [](const Record* record) { return record->law_matches_scene == false; });
-  });
-}
-
 /// The severest level up to which all are solved; how many are if later ones are too.
 Cell breakdown_cell(const Levels& levels, double error) {
-  int in_a_row = 0;
-  int solved = 0;
+  // Certified within the error; which orbit it is does not matter here.
+  const auto is_solved = [error](const Record* record) {
+    const Measure found = certified_error(*record);
+    return found && *found <= error;
+  };
+  int in_a_row = 0, solved = 0;
+  bool another_law = false;
   const Record* last = nullptr;
   for (const auto& [severity, records] : levels) {
-    if (!any_solved(records, error)) continue;
+    for (const Record* record : records) another_law |= record->law_matches_scene == false;
+    if (std::ranges::none_of(records, is_solved)) continue;
     ++solved;
     if (solved != severity) continue;
     ++in_a_row;
@@ -69,7 +57,7 @@ Cell breakdown_cell(const Levels& levels, double error) {
   else if (last != nullptr)
     text = level_label(last->family->level);
   if (solved > in_a_row) text += fmt::format(" ({} of {})", solved, all);
-  if (of_another_law(levels)) text += " ≠";
+  if (another_law) text += " ≠";
   return {text, static_cast<double>(in_a_row)};
 }
 
@@ -125,28 +113,19 @@ Section parameter_section(const Families& families) {
 
 /// How often a method reports convergence, and how often the harness refutes it.
 Section false_convergence_section(const Evaluation& evaluation) {
-  struct Tally {
-    int runs = 0, claims = 0, refuted = 0, certified = 0;
-  };
-  std::vector<Tally> tallies(evaluation.configurations().size());
+  std::vector<OutcomeCounts> counts(evaluation.configurations().size());
   for (const Record& record : evaluation.records()) {
-    if (!record.family || record.status == Status::not_applicable) continue;
-    Tally& tally = tallies[evaluation.place_of(configuration_of(record))];
-    ++tally.runs;
-    if (!answered(record)) continue;
-    ++tally.claims;
-    if (record.status == Status::inaccurate) ++tally.refuted;
-    if (record.certificate.status == CertificateStatus::certified) ++tally.certified;
+    if (record.family) counts[evaluation.place_of(configuration_of(record))].add(record);
   }
   Section section{.id = "false-convergence", .title = "Claims of convergence on the families"};
   section.table.header = {"method", "runs", "says converged", "certified", "refuted", "false convergence"};
-  for (std::size_t place = 0; place < tallies.size(); ++place) {
-    const Tally& tally = tallies[place];
-    if (tally.runs == 0) continue;
-    const double rate = tally.claims > 0 ? 100.0 * tally.refuted / tally.claims : 0.0;
-    section.table.rows.push_back({evaluation.configurations()[place], count_cell(tally.runs),
-                                  count_cell(tally.claims), count_cell(tally.certified),
-                                  count_cell(tally.refuted), Cell(fmt::format("{:.1f} %", rate), rate)});
+  for (std::size_t place = 0; place < counts.size(); ++place) {
+    const OutcomeCounts& count = counts[place];
+    if (count.applicable() == 0) continue;
+    const double rate = count.claims() > 0 ? 100.0 * count.refuted / count.claims() : 0.0;
+    section.table.rows.push_back({evaluation.configurations()[place], count_cell(count.applicable()),
+                                  count_cell(count.claims()), count_cell(count.certified),
+                                  count_cell(count.refuted), Cell(fmt::format("{:.1f} %", rate), rate)});
   }
   section.note =
       "Refuted: the orbit that the harness finds from the answer is farther away than half its norm, or the "
@@ -162,8 +141,7 @@ Cell condition_cell(const Levels& levels) {
   double largest = 0.0;
   for (const auto& [severity, records] : levels) {
     for (const Record* record : records) {
-      if (record->certificate.status == CertificateStatus::certified)
-        largest = std::max(largest, record->condition.value_or(0.0));
+      if (claim_of(*record) == Claim::certified) largest = std::max(largest, record->condition.value_or(0.0));
     }
   }
   return largest > 0.0 ? Cell(fmt::format("{:.0e}", largest), largest) : Cell("none");
@@ -183,10 +161,10 @@ Section condition_section(const Evaluation& evaluation, const Families& families
 
 }  // namespace
 
-std::vector<Section> breakdown_sections(const Evaluation& evaluation) {
+Sections breakdown_sections(const Evaluation& evaluation) {
   const Families families = families_of(evaluation);
   if (families.empty()) return {};
-  std::vector<Section> sections{parameter_section(families)};
+  Sections sections{parameter_section(families)};
   for (const double error : kSolvedWithin) sections.push_back(breakdown_section(evaluation, families, error));
   sections.push_back(false_convergence_section(evaluation));
   sections.push_back(condition_section(evaluation, families));

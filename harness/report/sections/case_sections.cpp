@@ -1,41 +1,59 @@
-#include "harness/report/sections/case_sections.hpp"
-
 #include <fmt/format.h>
 
 #include "harness/report/document/cells.hpp"
+#include "harness/report/evaluation/outcome.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/sections/sections.hpp"
 
 namespace signorini {
 
 namespace {
 
-Cell time_of(const Record& record, double Seconds::*which) {
-  const bool timed = record.status == Status::converged && record.seconds;
-  return {time_cell(record, which), timed ? (*record.seconds).*which : kNeverReached};
+/// The law that the method represents, marked where it is not the scene's.
+std::string represented_text(const Record& record) {
+  if (!record.law) return in_place(record);
+  return law_text(*record.law) + (record.law_matches_scene == false ? " ≠ scene" : "");
 }
 
-/// The value by which rows are sorted.
-double error_value(const Record& record) {
-  const Measure error = record.errors.x_l2 ? record.errors.x_l2 : record.errors.u_l2;
-  return error ? std::max(*error, measurable_error(record)) : kNeverReached;
+/// Two digits, or why there is none.
+std::string energy_text(const Record& record) {
+  if (!claim_of(record)) return in_place(record);
+  return record.physics.energy_defect ? fmt::format("{:.1e}", *record.physics.energy_defect) : "not defined";
 }
 
-Cell measure_of(std::string text, const Measure& value) {
-  return {std::move(text), value.value_or(kNeverReached)};
+/// Least or median time of a converged run; a wrong answer has no time. Else the status or the reason.
+Cell time_cell(const Record& record, double Seconds::*which) {
+  if (record.status != Status::converged) return {in_place(record), kNeverReached};
+  if (!record.seconds)
+    return {record.not_timed.empty() ? "not timed" : "not timed: " + record.not_timed, kNeverReached};
+  const double seconds = (*record.seconds).*which;
+  const bool shaky = which == &Seconds::median && record.seconds->unstable == true;
+  return {time_text(seconds) + (shaky ? " (unstable)" : ""), seconds};
+}
+
+/// "12 p, 3 it": pivots and iterations.
+std::string work_text(const Record& record) {
+  const Work& work = record.work.counts;
+  std::string text;
+  if (work.pivots) text = fmt::format("{} p", *work.pivots);
+  if (work.iterations) text += fmt::format("{}{} it", text.empty() ? "" : ", ", *work.iterations);
+  if (!text.empty()) return text;
+  return claim_of(record) ? "not counted" : in_place(record);
 }
 
 std::vector<Cell> case_row(const Evaluation& evaluation, const Record& record) {
-  return {record.scene,
-          record.scene_law ? law_text(*record.scene_law) : "not recorded",
-          resolution_of(record),
-          represented_text(record),
-          std::string(status_name(record.status)),
-          Cell(error_text(record), error_value(record), evaluation.place_of(record)),
-          measure_of(energy_text(record), record.physics.energy_defect),
-          time_of(record, &Seconds::min),
-          time_of(record, &Seconds::median),
-          work_text(record),
-          orbit_text(record)};
+  return {
+      record.scene,
+      record.scene_law ? law_text(*record.scene_law) : "not recorded",
+      resolution_of(record),
+      represented_text(record),
+      std::string(status_name(record.status)),
+      Cell(error_text(record), bounded_error(record).value_or(kNeverReached), evaluation.place_of(record)),
+      Cell(energy_text(record), record.physics.energy_defect.value_or(kNeverReached)),
+      time_cell(record, &Seconds::min),
+      time_cell(record, &Seconds::median),
+      work_text(record),
+      orbit_text(record)};
 }
 
 constexpr std::string_view kLegend =
@@ -46,20 +64,20 @@ unstable where rounds deviate by more than 5 % in the median. p: pivots, it:
 iterations (event-driven: periods marched or Newton steps). orbit: same as reached from rest under the represented
 law, or another one; unstable where a Floquet multiplier lies outside the unit circle. The orbits are exact ones,
 polished from each answer and followed by CVODE for a period; where there is none, they come from the event-driven
-method by shooting at tolerance 1e-12. Both methods are so judged by their own kin: exact-orbit by a second
+method by shooting at tolerance 1e-12. These two methods are judged by related computations: exact-orbit by a second
 evaluation of its orbit, and by CVODE to about 1e-10.)";
 
 /// Why a run did not converge or is not certified; empty for the others.
 std::string remark(const Record& record) {
-  const bool uncertified = answered(record) && record.certificate.status != CertificateStatus::certified;
-  if (record.status == Status::converged && !uncertified) return {};
-  const std::string& why = record.status == Status::converged ? record.certificate.reason : record.message;
+  const std::optional<Claim> claim = claim_of(record);
+  if (claim == Claim::certified) return {};
+  const std::string& why = claim == Claim::unproven ? record.certificate.reason : record.message;
   return why.empty() ? "no message" : why;
 }
 
 }  // namespace
 
-std::vector<Section> case_sections(const Evaluation& evaluation) {
+Sections case_sections(const Evaluation& evaluation) {
   Section section{
       .id = "cases", .kind = SectionKind::cases, .title = "Every case", .note = std::string(kLegend)};
   section.table.header = {"scene",      "law",           "method",   "represents",  "status",
@@ -70,15 +88,15 @@ std::vector<Section> case_sections(const Evaluation& evaluation) {
   return {section};
 }
 
-std::vector<Section> remark_sections(const Evaluation& evaluation) {
+Sections remark_sections(const Evaluation& evaluation) {
   Section section{.id = "otherwise", .kind = SectionKind::remarks, .title = "What went otherwise"};
   section.table.header = {"case", "status", "why"};
   for (const Record& record : evaluation.records()) {
     const std::string why = remark(record);
     if (why.empty()) continue;
-    const std::string_view status =
-        record.status == Status::converged ? "uncertified" : status_name(record.status);
-    section.table.rows.push_back({record.case_id, std::string(status), why});
+    const bool unproven = claim_of(record) == Claim::unproven;
+    const std::string status = unproven ? "uncertified" : std::string(status_name(record.status));
+    section.table.rows.push_back({record.case_id, status, why});
   }
   return {section};
 }

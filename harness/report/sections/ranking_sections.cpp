@@ -1,17 +1,14 @@
-#include "harness/report/sections/ranking_sections.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <ranges>
 
 #include "harness/report/document/cells.hpp"
-#include "harness/report/evaluation/aggregates.hpp"
-#include "harness/report/evaluation/performance_profile.hpp"
-#include "harness/report/evaluation/work_precision.hpp"
-#include "harness/report/figures/profile_figure.hpp"
+#include "harness/report/figures/figures.hpp"
+#include "harness/report/sections/sections.hpp"
 #include "harness/statistics.hpp"
 
 namespace signorini {
@@ -37,21 +34,17 @@ std::string field_of(const Evaluation& evaluation, const RankingGroup& group) {
 /// Whether any run of a group has a time: runs of a build that may not be timed have none, and cannot be
 /// ranked.
 bool is_timed(const RankingGroup& group) {
-  for (const auto& studies : group.studies) {
-    for (const ResolutionStudy* study : studies) {
-      for (const ScoredRun& run : study->runs) {
-        if (run.record->seconds) return true;
-      }
-    }
-  }
-  return false;
+  return std::ranges::any_of(group.studies | std::views::join, [](const ResolutionStudy* study) {
+    return std::ranges::any_of(study->runs,
+                               [](const ScoredRun& run) { return run.record->seconds.has_value(); });
+  });
 }
 
 /// One section per group; `fill` does the rest.
 template <class Fill>
-std::vector<Section> per_group(const Evaluation& evaluation, const std::string& id, const std::string& title,
-                               const Fill& fill) {
-  std::vector<Section> sections;
+Sections per_group(const Evaluation& evaluation, const std::string& id, const std::string& title,
+                   const Fill& fill) {
+  Sections sections;
   for (std::size_t k = 0; k < evaluation.groups().size(); ++k) {
     const RankingGroup& group = evaluation.groups()[k];
     Section section{.id = fmt::format("{}-{}", id, k + 1),
@@ -67,9 +60,8 @@ Cell share_cell(double share) { return {fmt::format("{:.0f} %", 100.0 * share), 
 /// "22 of 22, 410 us": success first; no time where half or more do not get there.
 Cell reached_cell(const std::vector<double>& costs) {
   const double middle = median(costs);
-  std::string text = fmt::format("{} of {}", solved_count(costs), costs.size());
-  if (std::isfinite(middle)) text += ", " + time_text(middle);
-  return {text, middle};
+  const std::string count = fmt::format("{} of {}", solved_count(costs), costs.size());
+  return {std::isfinite(middle) ? count + ", " + time_text(middle) : count, middle};
 }
 
 int runs_on_another_orbit(const std::vector<const ResolutionStudy*>& studies) {
@@ -109,10 +101,9 @@ void add_mean_rows(const RankingGroup& group, double error, double limit, Table&
   const Costs costs = costs_to_error(group, time_axis(), error);
   const PerformanceProfile profile = performance_profile(costs);
   for (std::size_t c = 0; c < costs.size(); ++c) {
-    const std::size_t solved = solved_count(costs[c]);
-    std::vector<Cell> row{
-        Cell(error_title(error), -error), group.configurations[c],
-        Cell(fmt::format("{} of {}", solved, costs[c].size()), static_cast<double>(solved))};
+    const std::ptrdiff_t solved = solved_count(costs[c]);
+    std::vector<Cell> row{Cell(error_title(error), -error), group.configurations[c],
+                          count_cell(solved, std::ssize(costs[c]))};
     const auto add_time = [&](double seconds) {
       row.emplace_back(solved == 0 ? "none solved" : time_text(seconds),
                        solved == 0 ? kNeverReached : seconds);
@@ -179,8 +170,7 @@ void fill_time_to_error(const RankingGroup& group, Section& section) {
     std::vector<Cell> row{group.configurations[c]};
     for (const double error : kErrorLevels)
       row.push_back(reached_cell(costs_to_error(group, time_axis(), error)[c]));
-    const int others = runs_on_another_orbit(group.studies[c]);
-    row.emplace_back(std::to_string(others), others);
+    row.push_back(count_cell(runs_on_another_orbit(group.studies[c])));
     section.table.rows.push_back(std::move(row));
   }
 }
@@ -229,24 +219,24 @@ void fill_work(const RankingGroup& group, Section& section) {
 
 }  // namespace
 
-std::vector<Section> time_to_error_sections(const Evaluation& evaluation) {
+Sections time_to_error_sections(const Evaluation& evaluation) {
   return per_group(evaluation, "time-to-error", "Time to error", fill_time_to_error);
 }
 
-std::vector<Section> mean_sections(const Evaluation& evaluation) {
-  std::vector<Section> sections =
+Sections mean_sections(const Evaluation& evaluation) {
+  Sections sections =
       per_group(evaluation, "means", "Means and profiles", [&](const RankingGroup& group, Section& section) {
         fill_means(group, evaluation.time_limit(), section);
       });
-  for (std::size_t k = 0; k < sections.size(); ++k) sections[k].figures = profile_figures(evaluation, k);
+  for (std::size_t k = 0; k < sections.size(); ++k) sections[k].figures = {profile_figure(evaluation, k)};
   return sections;
 }
 
-std::vector<Section> pairwise_sections(const Evaluation& evaluation) {
+Sections pairwise_sections(const Evaluation& evaluation) {
   return per_group(evaluation, "pairs", "Pair by pair", fill_pairs);
 }
 
-std::vector<Section> work_sections(const Evaluation& evaluation) {
+Sections work_sections(const Evaluation& evaluation) {
   return per_group(evaluation, "work", "Work to error", fill_work);
 }
 

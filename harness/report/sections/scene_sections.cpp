@@ -1,21 +1,14 @@
-#include "harness/report/sections/scene_sections.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "harness/report/document/cells.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/sections/sections.hpp"
 
 namespace signorini {
 
 namespace {
-
-/// How many of a study's runs have an error.
-Cell solved_cell(const ResolutionStudy& study) {
-  const std::size_t solved = solved_runs(study);
-  return {fmt::format("{} of {}", solved, study.runs.size()), static_cast<double>(solved)};
-}
 
 /// Time of the cheapest run that reaches an error, and that run.
 Cell reached_cell(const Evaluation& evaluation, const ResolutionStudy& study, double error) {
@@ -30,7 +23,8 @@ Cell reached_cell(const Evaluation& evaluation, const ResolutionStudy& study, do
 std::vector<Cell> study_row(const Evaluation& evaluation, const ResolutionStudy& study) {
   const Record& first = *study.runs.front().record;
   const std::string law = first.law ? law_text(*first.law) : in_place(first);
-  std::vector<Cell> row{study.scene, study.configuration, law, solved_cell(study)};
+  std::vector<Cell> row{study.scene, study.configuration, law,
+                        count_cell(solved_runs(study), std::ssize(study.runs))};
   for (const double error : kErrorLevels) row.push_back(reached_cell(evaluation, study, error));
   return row;
 }
@@ -47,7 +41,7 @@ Table study_table(const Evaluation& evaluation, bool another_law) {
 
 }  // namespace
 
-std::vector<Section> scene_sections(const Evaluation& evaluation) {
+Sections scene_sections(const Evaluation& evaluation) {
   return {{.id = "scenes",
            .kind = SectionKind::scenes,
            .title = "Time to error, scene by scene",
@@ -57,7 +51,7 @@ std::vector<Section> scene_sections(const Evaluation& evaluation) {
            .table = study_table(evaluation, false)}};
 }
 
-std::vector<Section> other_law_sections(const Evaluation& evaluation) {
+Sections other_law_sections(const Evaluation& evaluation) {
   return {{.id = "other-laws",
            .kind = SectionKind::scenes,
            .title = "Methods that represent another law",

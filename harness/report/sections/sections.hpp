@@ -1,5 +1,5 @@
 #pragma once
-// The sections of a report, in their order.
+// The sections of a report: every table, and their order.
 
 #include <vector>
 
@@ -8,10 +8,57 @@
 
 namespace signorini {
 
-/// Makes sections from a run; none where the run has nothing to show.
-using SectionMaker = std::vector<Section> (*)(const Evaluation& evaluation);
+/// Sections of a run; none where the run has nothing to show.
+using Sections = std::vector<Section>;
 
-/// Every section of a report that has rows. A new table is a SectionMaker and one line in this function.
-std::vector<Section> sections_of(const Evaluation& evaluation);
+/// Every section of a report that has rows. A new table is a function as those below and one line in this
+/// one.
+Sections sections_of(const Evaluation& evaluation);
+
+/// How many cases of each method ended how, and the median time.
+Sections summary_sections(const Evaluation& evaluation);
+
+/// Median error and time of each method at each resolution.
+Sections speed_sections(const Evaluation& evaluation);
+
+/// Where each method breaks, over families of scenes from easy to impossible: the families, the severest
+/// level that each method solves, false convergence, and condition estimates. Empty for a run without
+/// families.
+Sections breakdown_sections(const Evaluation& evaluation);
+
+/// Solved cases and errors at several values of one option, the others as stated.
+Sections sensitivity_sections(const Evaluation& evaluation);
+
+/// Errors with one option false and true, over all scenes and scene by scene.
+Sections switch_sections(const Evaluation& evaluation);
+
+/// How many repeated solves gave the same bits.
+Sections repeat_sections(const Evaluation& evaluation);
+
+// Rankings: one section per group of configurations that are compared.
+
+/// How many scenes each configuration solves to each error, and the median time.
+Sections time_to_error_sections(const Evaluation& evaluation);
+
+/// Shifted geometric means, PAR2 and shares of the joint performance profile, with its figure.
+Sections mean_sections(const Evaluation& evaluation);
+
+/// Performance profiles of two configurations at a time.
+Sections pairwise_sections(const Evaluation& evaluation);
+
+/// Counts of work to each error.
+Sections work_sections(const Evaluation& evaluation);
+
+/// Time to error, scene by scene, of configurations that represent the law of the scene.
+Sections scene_sections(const Evaluation& evaluation);
+
+/// The same of configurations that represent another law than the scene.
+Sections other_law_sections(const Evaluation& evaluation);
+
+/// One row per record.
+Sections case_sections(const Evaluation& evaluation);
+
+/// Records that did not converge or are not certified, with the reason.
+Sections remark_sections(const Evaluation& evaluation);
 
 }  // namespace signorini

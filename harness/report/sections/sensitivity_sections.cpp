@@ -1,11 +1,8 @@
-#include "harness/report/sections/sensitivity_sections.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,7 +11,9 @@
 #include <vector>
 
 #include "harness/report/document/cells.hpp"
-#include "harness/report/evaluation/resolution_study.hpp"
+#include "harness/report/evaluation/outcome.hpp"
+#include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/sections/sections.hpp"
 #include "harness/statistics.hpp"
 
 namespace signorini {
@@ -54,8 +53,7 @@ std::map<Varied, Variation> variations_of(const Evaluation& evaluation) {
 
 /// The record of a scene; null if there is none.
 const Record* record_of(const std::vector<const Record*>& records, const std::string& scene) {
-  const auto found = std::find_if(records.begin(), records.end(),
-                                  [&](const Record* record) { return record->scene == scene; });
+  const auto found = std::ranges::find(records, scene, &Record::scene);
   return found == records.end() ? nullptr : *found;
 }
 
@@ -63,11 +61,10 @@ const Record* record_of(const std::vector<const Record*>& records, const std::st
 /// same orbit, and neither error is below what is known of that.
 std::optional<double> gain_of(const Record& off, const Record& on) {
   const auto known = [](const Record& record) {
-    return record.status == Status::converged && record.certificate.status == CertificateStatus::certified &&
-           record.errors.x_l2.value_or(0.0) > measurable_error(record);
+    return certified_error(record).value_or(0.0) > measurable_error(record);
   };
   if (!known(off) || !known(on) || off.certificate.orbit != on.certificate.orbit) return std::nullopt;
-  return *off.errors.x_l2 / *on.errors.x_l2;
+  return *certified_error(off) / *certified_error(on);
 }
 
 Cell gain_cell(double gain) { return {fmt::format("{:.3g}", gain), gain}; }
@@ -83,33 +80,25 @@ std::optional<double> number_in(const std::string& value) {
 
 /// Numbers in rising order; words as they ran.
 std::vector<std::string> in_order(std::vector<std::string> values) {
-  const auto word = [](const std::string& value) { return !number_in(value); };
-  if (std::any_of(values.begin(), values.end(), word)) return values;
-  std::stable_sort(values.begin(), values.end(),
-                   [](const std::string& a, const std::string& b) { return *number_in(a) < *number_in(b); });
+  const auto is_number = [](const std::string& value) { return number_in(value).has_value(); };
+  if (std::ranges::all_of(values, is_number)) std::ranges::stable_sort(values, {}, number_in);
   return values;
 }
 
 /// Results of one method at one value.
-struct Outcome {
-  int cases = 0, solved = 0, same_orbit = 0, refuted = 0;
-  std::vector<double> errors = {};  // infinite where not solved
+struct Results {
+  OutcomeCounts counts = {};
+  std::vector<double> errors = {};  ///< of applicable cases, infinite where not solved
 };
 
-Outcome outcome_of(const std::vector<const Record*>& records) {
-  Outcome outcome;
+Results results_of(const std::vector<const Record*>& records) {
+  Results results;
   for (const Record* record : records) {
     if (record->status == Status::not_applicable) continue;
-    ++outcome.cases;
-    const bool solved = record->status == Status::converged &&
-                        record->certificate.status == CertificateStatus::certified && record->errors.x_l2;
-    outcome.solved += solved ? 1 : 0;
-    outcome.same_orbit += solved && record->certificate.same_orbit == true ? 1 : 0;
-    outcome.refuted += record->status == Status::inaccurate ? 1 : 0;
-    outcome.errors.push_back(solved ? std::max(*record->errors.x_l2, measurable_error(*record))
-                                    : std::numeric_limits<double>::infinity());
+    results.counts.add(*record);
+    results.errors.push_back(certified_error(*record).value_or(kNeverReached));
   }
-  return outcome;
+  return results;
 }
 
 Cell error_cell(double error) {
@@ -118,7 +107,7 @@ Cell error_cell(double error) {
 
 }  // namespace
 
-std::vector<Section> sensitivity_sections(const Evaluation& evaluation) {
+Sections sensitivity_sections(const Evaluation& evaluation) {
   Section section{.id = "sensitivity", .title = "Sensitivity to one option at a time"};
   section.text =
       "The same scenes at several values of one option, the others as stated. Solved: "
@@ -130,19 +119,18 @@ std::vector<Section> sensitivity_sections(const Evaluation& evaluation) {
   for (const auto& [varied, variation] : variations_of(evaluation)) {
     if (variation.values.size() < kFewestValues) continue;
     for (const std::string& value : in_order(variation.values)) {
-      const Outcome outcome = outcome_of(variation.records.at(value));
-      if (outcome.cases == 0) continue;
-      section.table.rows.push_back(
-          {varied.first, varied.second, value,
-           Cell(fmt::format("{} of {}", outcome.solved, outcome.cases), outcome.solved),
-           count_cell(outcome.same_orbit), count_cell(outcome.refuted), error_cell(median(outcome.errors)),
-           error_cell(*std::max_element(outcome.errors.begin(), outcome.errors.end()))});
+      const auto& [counts, errors] = results_of(variation.records.at(value));
+      if (counts.cases == 0) continue;
+      section.table.rows.push_back({varied.first, varied.second, value,
+                                    count_cell(counts.certified, counts.cases), count_cell(counts.same_orbit),
+                                    count_cell(counts.refuted), error_cell(median(errors)),
+                                    error_cell(std::ranges::max(errors))});
     }
   }
   return {std::move(section)};
 }
 
-std::vector<Section> switch_sections(const Evaluation& evaluation) {
+Sections switch_sections(const Evaluation& evaluation) {
   Section summary{.id = "switches", .title = "One switch off and on"};
   summary.text =
       "The same scenes with one option false and true, the others as stated. Gain: error of x with it off "
@@ -164,9 +152,10 @@ std::vector<Section> switch_sections(const Evaluation& evaluation) {
       scenes.table.rows.push_back({off->scene, varied.first, varied.second, error_text(*off), error_text(*on),
                                    gain ? gain_cell(*gain) : Cell("none")});
     }
-    const Outcome off = outcome_of(records.at("false")), on = outcome_of(records.at("true"));
-    std::vector<Cell> row{varied.first, varied.second, count_cell(on.cases), count_cell(off.solved),
-                          count_cell(on.solved)};
+    const OutcomeCounts off = results_of(records.at("false")).counts,
+                        on = results_of(records.at("true")).counts;
+    std::vector<Cell> row{varied.first, varied.second, count_cell(on.cases), count_cell(off.certified),
+                          count_cell(on.certified)};
     if (gains.empty()) {
       row.insert(row.end(), 3, Cell("none"));
     } else {
@@ -178,7 +167,7 @@ std::vector<Section> switch_sections(const Evaluation& evaluation) {
   return {std::move(summary), std::move(scenes)};
 }
 
-std::vector<Section> repeat_sections(const Evaluation& evaluation) {
+Sections repeat_sections(const Evaluation& evaluation) {
   struct Tally {
     int cases = 0, identical = 0, solves = 0;
   };
@@ -196,9 +185,8 @@ std::vector<Section> repeat_sections(const Evaluation& evaluation) {
       "same bits as the first.";
   section.table.header = {"method", "cases solved again", "solves compared", "same bits"};
   for (const auto& [method, tally] : tallies)
-    section.table.rows.push_back(
-        {method, count_cell(tally.cases), count_cell(tally.solves),
-         Cell(fmt::format("{} of {}", tally.identical, tally.cases), tally.identical)});
+    section.table.rows.push_back({method, count_cell(tally.cases), count_cell(tally.solves),
+                                  count_cell(tally.identical, tally.cases)});
   return {std::move(section)};
 }
 

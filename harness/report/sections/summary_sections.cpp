@@ -1,53 +1,47 @@
-#include "harness/report/sections/summary_sections.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "harness/plan/case_name.hpp"
 #include "harness/report/document/cells.hpp"
+#include "harness/report/evaluation/aggregates.hpp"
+#include "harness/report/evaluation/outcome.hpp"
+#include "harness/report/sections/sections.hpp"
 #include "harness/statistics.hpp"
 
 namespace signorini {
 
 namespace {
 
+/// What became of a method's cases.
 struct Tally {
-  int cases = 0, not_applicable = 0, converged = 0, certified = 0, same = 0, other = 0, inaccurate = 0;
+  OutcomeCounts counts = {};
   bool timed = true;
-  std::vector<double> times;  // of applicable cases, infinite where they failed
+  std::vector<double> times = {};  ///< of applicable cases, infinite where they failed
 };
 
 void count(const Record& record, Tally& tally) {
-  ++tally.cases;
-  if (record.status == Status::not_applicable) {
-    ++tally.not_applicable;
-    return;
-  }
+  tally.counts.add(record);
+  if (record.status == Status::not_applicable) return;
   const bool converged = record.status == Status::converged;
-  tally.converged += converged ? 1 : 0;
-  tally.inaccurate += record.status == Status::inaccurate ? 1 : 0;
   if (converged && !record.seconds) tally.timed = false;
-  tally.times.push_back(converged && record.seconds ? record.seconds->median
-                                                    : std::numeric_limits<double>::infinity());
-  if (!converged || record.certificate.status != CertificateStatus::certified) return;
-  ++tally.certified;
-  if (record.certificate.same_orbit) ++(*record.certificate.same_orbit ? tally.same : tally.other);
+  tally.times.push_back(converged && record.seconds ? record.seconds->median : kNeverReached);
 }
 
-double median_of(const Tally& tally) {
-  return tally.times.empty() || !tally.timed ? std::numeric_limits<double>::infinity() : median(tally.times);
+/// The median and how `print` puts it; a reason instead where failures are half or more.
+template <class Print>
+Cell median_cell(const std::vector<double>& values, const Print& print) {
+  const double middle = median(values);
+  return {std::isfinite(middle) ? print(middle) : "half or more failed", middle};
 }
 
-std::string median_text(const Tally& tally) {
-  if (tally.times.empty()) return "no applicable case";
-  if (tally.converged == 0) return "all failed";
-  if (!tally.timed) return "not timed";
-  const double middle = median_of(tally);
-  return std::isfinite(middle) ? time_text(middle) : "half or more failed";
+Cell time_cell(const Tally& tally) {
+  if (tally.times.empty()) return {"no applicable case", kNeverReached};
+  if (tally.counts.converged() == 0) return {"all failed", kNeverReached};
+  if (!tally.timed) return {"not timed", kNeverReached};
+  return median_cell(tally.times, time_text);
 }
 
 Table summary_table(const std::vector<Record>& records) {
@@ -57,50 +51,45 @@ Table summary_table(const std::vector<Record>& records) {
                "same orbit", "other orbit", "median time, failures infinite"},
               {}};
   for (const auto& [method, tally] : tallies) {
-    const int failed = tally.cases - tally.not_applicable - tally.converged - tally.inaccurate;
-    const int applicable = tally.cases - tally.not_applicable;
-    table.rows.push_back({method, count_cell(tally.cases), count_cell(tally.not_applicable),
-                          Cell(fmt::format("{} of {}", tally.converged, applicable), tally.converged),
-                          count_cell(tally.inaccurate), count_cell(failed), count_cell(tally.certified),
-                          count_cell(tally.same), count_cell(tally.other),
-                          Cell(median_text(tally), median_of(tally))});
+    const OutcomeCounts& n = tally.counts;
+    table.rows.push_back({method, count_cell(n.cases), count_cell(n.not_applicable),
+                          count_cell(n.converged(), n.applicable()), count_cell(n.refuted),
+                          count_cell(n.failed), count_cell(n.certified), count_cell(n.same_orbit),
+                          count_cell(n.other_orbit), time_cell(tally)});
   }
   return table;
 }
 
 /// The figures of one method at one resolution over all scenes to which it applies; infinite where it failed.
 struct Speed {
-  std::string method;
   std::vector<double> errors, times, ratios;
 };
 
-std::vector<Speed> speeds(const std::vector<Record>& records) {
-  const auto solved = [](const Record& r) {
-    return r.status == Status::converged && r.certificate.status == CertificateStatus::certified && r.seconds;
-  };
+/// Time of a certified answer; infinite for any other.
+double solved_time(const Record& record) {
+  return claim_of(record) == Claim::certified && record.seconds ? record.seconds->median : kNeverReached;
+}
+
+/// In natural order of the names of the resolutions.
+std::vector<std::pair<std::string, Speed>> speeds(const std::vector<Record>& records) {
   std::map<std::string, double> baseline;  // by scene
   for (const Record& r : records) {
-    if (resolution_of(r) == kTimeBaseline && solved(r)) baseline[r.scene] = r.seconds->median;
+    if (resolution_of(r) == kTimeBaseline && std::isfinite(solved_time(r)))
+      baseline[r.scene] = solved_time(r);
   }
-  std::vector<Speed> result;
-  std::map<std::string, std::size_t> place;
-  constexpr double kFailed = std::numeric_limits<double>::infinity();
+  std::vector<std::pair<std::string, Speed>> result;
+  std::map<std::string, std::size_t> places;
   for (const Record& r : records) {
     if (r.status == Status::not_applicable) continue;
-    const std::string method = resolution_of(r);
-    if (place.try_emplace(method, result.size()).second) result.push_back({method, {}, {}, {}});
-    Speed& speed = result[place[method]];
-    const bool good = solved(r);
-    const Measure error = r.errors.x_l2 ? r.errors.x_l2 : r.errors.u_l2;
-    const double floor = measurable_error(r);
-    speed.errors.push_back(good && error ? std::max(*error, floor) : kFailed);
-    speed.times.push_back(good ? r.seconds->median : kFailed);
+    const auto [place, fresh] = places.try_emplace(resolution_of(r), result.size());
+    if (fresh) result.push_back({place->first, {}});
+    Speed& speed = result[place->second].second;
+    speed.errors.push_back(certified_error(r).value_or(kNeverReached));
+    speed.times.push_back(solved_time(r));
     if (const auto found = baseline.find(r.scene); found != baseline.end())
-      speed.ratios.push_back(good ? r.seconds->median / found->second : kFailed);
+      speed.ratios.push_back(solved_time(r) / found->second);
   }
-  std::stable_sort(result.begin(), result.end(), [](const Speed& a, const Speed& b) {
-    return a.method != b.method && natural_less(a.method, b.method);
-  });
+  std::ranges::stable_sort(result, natural_less, &std::pair<std::string, Speed>::first);
   return result;
 }
 
@@ -108,26 +97,21 @@ Table speed_table(const std::vector<Record>& records) {
   Table table{{"method", "solved", "error of x, median", "time, median",
                fmt::format("time / {}, median", kTimeBaseline)},
               {}};
-  const auto text = [](const std::vector<double>& values, const auto& print) {
-    if (values.empty()) return Cell("not measured");
-    const double middle = median(values);
-    return Cell(std::isfinite(middle) ? print(middle) : std::string("half or more failed"), middle);
+  const auto printer = [](const char* format) {
+    return [=](double value) { return fmt::format(fmt::runtime(format), value); };
   };
-  for (const Speed& speed : speeds(records)) {
-    const auto solved = std::count_if(speed.times.begin(), speed.times.end(),
-                                      [](double time) { return std::isfinite(time); });
+  for (const auto& [method, speed] : speeds(records)) {
     table.rows.push_back(
-        {speed.method, Cell(fmt::format("{} of {}", solved, speed.times.size()), static_cast<double>(solved)),
-         text(speed.errors, [](double e) { return fmt::format("{:.1e}", e); }),
-         text(speed.times, [](double t) { return time_text(t); }),
-         text(speed.ratios, [](double r) { return fmt::format("{:.2g}", r); })});
+        {method, count_cell(solved_count(speed.times), std::ssize(speed.times)),
+         median_cell(speed.errors, printer("{:.1e}")), median_cell(speed.times, time_text),
+         speed.ratios.empty() ? "not measured" : median_cell(speed.ratios, printer("{:.2g}"))});
   }
   return table;
 }
 
 }  // namespace
 
-std::vector<Section> summary_sections(const Evaluation& evaluation) {
+Sections summary_sections(const Evaluation& evaluation) {
   return {
       {.id = "summary",
        .title = "Summary",
@@ -135,7 +119,7 @@ std::vector<Section> summary_sections(const Evaluation& evaluation) {
        .table = summary_table(evaluation.records())}};
 }
 
-std::vector<Section> speed_sections(const Evaluation& evaluation) {
+Sections speed_sections(const Evaluation& evaluation) {
   return {{.id = "speed",
            .title = "Speed beside error",
            .text =

@@ -34,34 +34,6 @@ TEST(LawText, NamesEveryLaw) {
   EXPECT_EQ(law_text(std::monostate{}), "no contact");
 }
 
-TEST(TimeCell, ShowsNoTimeOfAnAnswerThatIsWrong) {
-  Record record = test::good_record("s", "m", "n=1", 0.1, 0.5);
-  EXPECT_EQ(time_cell(record, &Seconds::median), "500 ms");
-  record.seconds->unstable = true;
-  EXPECT_EQ(time_cell(record, &Seconds::median), "500 ms (unstable)");
-  EXPECT_EQ(time_cell(record, &Seconds::min), "450 ms");
-  record.status = Status::inaccurate;
-  EXPECT_EQ(time_cell(record, &Seconds::median), "(inaccurate)");
-  record.status = Status::converged;
-  record.seconds.reset();
-  EXPECT_EQ(time_cell(record, &Seconds::median), "not timed");
-  record.not_timed = "not a Release build";
-  EXPECT_EQ(time_cell(record, &Seconds::median), "not timed: not a Release build");
-}
-
-TEST(WorkText, NamesTheCountsThatThereAre) {
-  Record record = test::good_record("s", "m", "n=1", 0.1, 0.5);
-  EXPECT_EQ(work_text(record), "12 p");
-  record.work.counts.iterations = 3;
-  EXPECT_EQ(work_text(record), "12 p, 3 it");
-  record.work.counts.pivots.reset();
-  EXPECT_EQ(work_text(record), "3 it");
-  record.work = {};
-  EXPECT_EQ(work_text(record), "not counted");
-  record.status = Status::timeout;
-  EXPECT_EQ(work_text(record), "(timeout)");
-}
-
 TEST(OrbitText, CutsALongReasonBetweenCharacters) {
   Record record = test::good_record("s", "m", "n=1", 0.1, 0.5);
   record.certificate = {.status = CertificateStatus::uncertified,

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini {
@@ -68,6 +70,23 @@ TEST(CostToError, DoesNotTakeAFastWrongAnswerForASolution) {
   records[0].status = Status::inaccurate;
   const std::vector<ResolutionStudy> studies = resolution_studies(records);
   EXPECT_EQ(cost_to_error(studies[0], time_axis(), 1e-2).cost, 1.0);
+}
+
+TEST(TimeAxis, IsTheMedianTimeIfTheRunWasTimed) {
+  Record record = test::good_record("s", "m", "n=1", 0.1, 0.25);
+  EXPECT_EQ(time_axis().cost(record), 0.25);
+  record.seconds.reset();
+  EXPECT_FALSE(time_axis().cost(record).has_value());
+}
+
+TEST(WorkAxes, AreTheCountsThatAMethodGives) {
+  const Record record = test::full_record();  // counts 1 to 5, each once
+  std::set<double> costs;
+  for (const CostAxis& axis : work_axes()) costs.insert(axis.cost(record).value());
+  EXPECT_EQ(costs, (std::set<double>{1.0, 2.0, 3.0, 4.0, 5.0}));
+  EXPECT_EQ(work_axes()[0].name, "pivots");
+  EXPECT_EQ(work_axes()[0].cost(record), 3.0);
+  for (const CostAxis& axis : work_axes()) EXPECT_FALSE(axis.cost(Record{}).has_value()) << axis.name;
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
-#include "harness/report/figures/motion_figures.hpp"
-
 #include <gtest/gtest.h>
 
+#include "harness/report/figures/figures.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini {

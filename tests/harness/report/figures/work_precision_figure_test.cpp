@@ -1,7 +1,7 @@
-#include "harness/report/figures/work_precision_figure.hpp"
-
 #include <gtest/gtest.h>
 
+#include "harness/report/figures/figures.hpp"
+#include "harness/report/figures/gnuplot.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini {

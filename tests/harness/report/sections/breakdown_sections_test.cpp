@@ -1,11 +1,10 @@
-#include "harness/report/sections/breakdown_sections.hpp"
-
 // Families in reports: the severest level solved, and claims of convergence.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini {

@@ -1,9 +1,9 @@
-#include "harness/report/sections/case_sections.hpp"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini {
@@ -46,6 +46,41 @@ TEST(RemarkSections, SayWhyARunDidNotConvergeOrIsNotCertified) {
                                                           : "because of " + status;
     EXPECT_EQ(row[2].text, expected);
   }
+}
+
+/// The text of a record's cell below this title.
+std::string text_of(const Record& record, const std::string& title) {
+  const Table table = case_sections(Evaluation({record})).front().table;
+  const auto column = std::ranges::find(table.header, title) - table.header.begin();
+  return table.rows.front().at(static_cast<std::size_t>(column)).text;
+}
+
+TEST(CaseSections, ShowNoTimeOfAnAnswerThatIsWrong) {
+  Record record = test::good_record("s", "m", "n=1", 0.1, 0.5);
+  EXPECT_EQ(text_of(record, "time median"), "500 ms");
+  record.seconds->unstable = true;
+  EXPECT_EQ(text_of(record, "time median"), "500 ms (unstable)");
+  EXPECT_EQ(text_of(record, "time min"), "450 ms");
+  record.status = Status::inaccurate;
+  EXPECT_EQ(text_of(record, "time median"), "(inaccurate)");
+  record.status = Status::converged;
+  record.seconds.reset();
+  EXPECT_EQ(text_of(record, "time median"), "not timed");
+  record.not_timed = "not a Release build";
+  EXPECT_EQ(text_of(record, "time median"), "not timed: not a Release build");
+}
+
+TEST(CaseSections, NameTheCountsThatThereAre) {
+  Record record = test::good_record("s", "m", "n=1", 0.1, 0.5);
+  EXPECT_EQ(text_of(record, "pivots, iterations"), "12 p");
+  record.work.counts.iterations = 3;
+  EXPECT_EQ(text_of(record, "pivots, iterations"), "12 p, 3 it");
+  record.work.counts.pivots.reset();
+  EXPECT_EQ(text_of(record, "pivots, iterations"), "3 it");
+  record.work = {};
+  EXPECT_EQ(text_of(record, "pivots, iterations"), "not counted");
+  record.status = Status::timeout;
+  EXPECT_EQ(text_of(record, "pivots, iterations"), "(timeout)");
 }
 
 }  // namespace

@@ -1,5 +1,3 @@
-#include "harness/report/sections/ranking_sections.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,11 +1,10 @@
-#include "harness/report/sections/sensitivity_sections.hpp"
-
 // Tables of what should not matter: one option at a time, and solves repeated.
 
 #include <gtest/gtest.h>
 
 #include <tuple>
 
+#include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini {

@@ -1,7 +1,6 @@
-#include "harness/report/sections/summary_sections.hpp"
-
 #include <gtest/gtest.h>
 
+#include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini {

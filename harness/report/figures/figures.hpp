@@ -1,0 +1,25 @@
+#pragma once
+// The figures of a report: work and precision, motions, performance profiles.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "harness/report/document/section.hpp"
+#include "harness/report/evaluation/evaluation.hpp"
+
+namespace signorini {
+
+/// Error against time on one scene, one curve per configuration; hollow marks: below ten error bars. A second
+/// figure shows configurations that represent another law, each against its own. Empty if no run has both
+/// error and time.
+std::vector<Figure> work_precision_figures(const Evaluation& evaluation, const std::string& scene);
+
+/// x, velocity, force and impulse over a period at one contact, and the phase portrait: the coarsest answer
+/// of each configuration that has one, on the certified orbit. Empty where the records keep no motions.
+std::vector<Figure> motion_figures(const Evaluation& evaluation, const std::string& scene);
+
+/// Joint performance profiles [dolan2002] of the group at this place of Evaluation::groups, at three errors.
+Figure profile_figure(const Evaluation& evaluation, std::size_t group);
+
+}  // namespace signorini
