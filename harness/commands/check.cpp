@@ -54,15 +54,6 @@ std::vector<Scene> scenes_of(const CheckArguments& arguments) {
   return scenes;
 }
 
-void add_json(const MethodEntry& entry, const std::vector<CheckResult>& results,
-              nlohmann::ordered_json& list) {
-  for (const CheckResult& result : results) {
-    nlohmann::ordered_json json{{"method", entry.name}};
-    json.update(to_json(result));
-    list.push_back(std::move(json));
-  }
-}
-
 int check(const CheckArguments& arguments) {
   const std::vector<const MethodEntry*> methods = methods_of(arguments);
   const CheckOptions options{
@@ -78,7 +69,10 @@ int check(const CheckArguments& arguments) {
     failed = failed || any_failed(results);
     progress.advance();
     if (arguments.json) {
-      add_json(*entry, results, list);
+      for (const CheckResult& result : results) {
+        list.push_back({{"method", entry->name}});
+        list.back().update(to_json(result));
+      }
     } else {
       fmt::print("{}{}", entry == methods.front() ? "" : "\n", review_text(*entry, results));
       std::fflush(stdout);

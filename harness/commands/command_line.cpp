@@ -12,8 +12,8 @@
 #include "harness/extend/plugins/plugins.hpp"
 #include "harness/failure.hpp"
 #include "methods/options.hpp"
-#include "problems/invalid_problem.hpp"
 #include "problems/scene/scene_file.hpp"
+#include "problems/validation.hpp"
 
 namespace signorini {
 
@@ -113,23 +113,13 @@ int run_command_line(int argc, char** argv) {
   words.insert(words.end(), argv + std::min(1, argc), argv + argc);
   app.set_version_flag("--version", version_text);
   app.require_subcommand(1);
-  add_list_command(app, exit_code);
-  add_show_command(app, exit_code);
-  add_solve_command(app, exit_code);
+  for (const auto add : {add_list_command, add_show_command, add_solve_command}) add(app, exit_code);
   add_run_command(app, exit_code, words);
-  add_status_command(app, exit_code);
-  add_merge_command(app, exit_code);
-  add_compare_command(app, exit_code);
-  add_submit_command(app, exit_code);
-  add_doctor_command(app, exit_code);
-  add_report_command(app, exit_code);
-  add_orbits_command(app, exit_code);
-  add_sweep_command(app, exit_code);
-  add_verify_command(app, exit_code);
-  add_check_command(app, exit_code);
-  add_new_command(app, exit_code);
-  add_completion_command(app, exit_code);
-  add_man_command(app, exit_code);
+  for (const auto add :
+       {add_status_command, add_merge_command, add_compare_command, add_submit_command, add_doctor_command,
+        add_report_command, add_orbits_command, add_sweep_command, add_verify_command, add_check_command,
+        add_new_command, add_completion_command, add_man_command})
+    add(app, exit_code);
   const auto plugins = std::make_shared<std::vector<std::string>>();
   add_plugin_options(app, plugins);
   app.parse_complete_callback([plugins] { load_plugins(*plugins); });  // before the callback of the command

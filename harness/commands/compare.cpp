@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <memory>
 
 #include "harness/commands/command_line.hpp"
@@ -12,24 +13,14 @@ namespace signorini {
 
 namespace {
 
-std::string verdict_text(TimeChange verdict) {
-  switch (verdict) {
-    case TimeChange::slower:
-      return "slower";
-    case TimeChange::faster:
-      return "faster";
-    case TimeChange::none:
-      break;
-  }
-  return "no difference";
-}
-
 void print_methods(const std::vector<MethodTimes>& methods) {
   if (methods.empty()) return;
+  constexpr std::array kVerdicts{"faster", "no difference", "slower"};  // in the order of TimeChange
   Table table{{"method", "cases timed", "new / old, median", "probability of chance", "verdict"}, {}};
   for (const MethodTimes& one : methods) {
     table.rows.push_back({one.method, std::to_string(one.cases), fmt::format("{:.3f}", one.ratio),
-                          fmt::format("{:.2g}", one.probability), verdict_text(one.verdict)});
+                          fmt::format("{:.2g}", one.probability),
+                          kVerdicts.at(static_cast<std::size_t>(one.verdict))});
   }
   fmt::print("{}\n", to_markdown(table));
 }

@@ -1,10 +1,15 @@
-#include "harness/commands/description.hpp"
+// The command line described for shells and for man, from what CLI11 knows of it: it cannot go stale.
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
+#include <memory>
+#include <ranges>
 #include <vector>
+
+#include "harness/build_info.hpp"
+#include "harness/commands/command_line.hpp"
 
 namespace signorini {
 
@@ -28,37 +33,20 @@ std::vector<Page> pages(const CLI::App& app, const std::string& path = "") {
   return found;
 }
 
-/// All commands in the order in which a shell has to match them: "submit slurm" before "submit".
-std::vector<Page> deepest_first(const CLI::App& app) {
-  std::vector<Page> found = pages(app);
-  std::reverse(found.begin(), found.end());
-  return found;
-}
-
-std::vector<std::string> command_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  return names;
-}
-
 /// The words that may follow a command: its own commands and long options.
 std::vector<std::string> words_after(const CLI::App& app) {
-  std::vector<std::string> words = command_names(app);
+  std::vector<std::string> words;
+  for (const CLI::App* command : app.get_subcommands({})) words.push_back(command->get_name());
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
   }
   return words;
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
-    text.replace(at, what.size(), by);
-  return text;
-}
-
 /// An entry 'word:description' for zsh's _describe.
 std::string zsh_entry(const std::string& word, const std::string& description) {
-  return fmt::format("'{}:{}'", word, replaced(replaced(description, "'", "'\\''"), ":", "\\:"));
+  const std::string quoted = boost::replace_all_copy(description, "'", "'\\''");
+  return fmt::format("'{}:{}'", word, boost::replace_all_copy(quoted, ":", "\\:"));
 }
 
 std::string zsh_entries(const CLI::App& app) {
@@ -74,7 +62,8 @@ std::string zsh_entries(const CLI::App& app) {
 
 /// Text with the characters escaped that mean something to troff.
 std::string roff(const std::string& text) {
-  std::string safe = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
+  std::string safe = boost::replace_all_copy(text, "\\", "\\e");
+  boost::replace_all(safe, "-", "\\-");
   if (!safe.empty() && (safe.front() == '.' || safe.front() == '\'')) safe.insert(0, "\\&");
   return safe;
 }
@@ -84,7 +73,9 @@ std::string roff(const std::string& text) {
 template <class Branch>
 std::string branches(const CLI::App& app, const Branch& branch) {
   std::string text;
-  for (const Page& page : deepest_first(app)) text += branch(fmt::format("'{} '*", page.path), *page.command);
+  const std::vector<Page> commands = pages(app);
+  for (const Page& page : commands | std::views::reverse)
+    text += branch(fmt::format("'{} '*", page.path), *page.command);
   return text + branch("*", app);
 }
 
@@ -104,8 +95,7 @@ std::string roff_command(const Page& page) {
   return footer.empty() ? text : text + fmt::format(".PP\n{}\n", roff(footer));
 }
 
-}  // namespace
-
+/// A script for bash that completes commands and options, file names elsewhere.
 std::string bash_completion(const CLI::App& app) {
   std::string text =
       "# Completion of signorini for bash, written by `signorini completion bash`.\n"
@@ -122,6 +112,7 @@ std::string bash_completion(const CLI::App& app) {
          "complete -o default -F _signorini signorini\n";
 }
 
+/// The same for zsh, with descriptions.
 std::string zsh_completion(const CLI::App& app) {
   std::string text =
       "#compdef signorini\n"
@@ -136,12 +127,13 @@ std::string zsh_completion(const CLI::App& app) {
          "_describe 'command or option' entries || _files\n";
 }
 
-std::string man_page(const CLI::App& app, const std::string& version) {
+/// A page for man, section 1.
+std::string man_page(const CLI::App& app) {
   std::string text = fmt::format(
       ".TH SIGNORINI 1 \"\" \"signorini {}\"\n.SH NAME\nsignorini \\- {}\n"
       ".SH SYNOPSIS\n.B signorini\n.I COMMAND\n[\\fIARGUMENTS\\fR]\n"
       ".SH DESCRIPTION\n{}\nResults go to standard output, remarks to standard error.\n.SH COMMANDS\n",
-      version, roff("compares methods for periodic vibrations with unilateral contact"),
+      build_info().version, roff("compares methods for periodic vibrations with unilateral contact"),
       roff(app.get_description()));
   for (const Page& page : pages(app)) text += roff_command(page);
   text +=
@@ -152,6 +144,27 @@ std::string man_page(const CLI::App& app, const std::string& version) {
       "nothing\n.TP\n.B 4\n"
       "compare found a regression\n.TP\n.B 5\ninternal error\n.TP\n.B 130\ninterrupted, resumable\n";
   return text;
+}
+
+}  // namespace
+
+void add_completion_command(CLI::App& app, int& exit_code) {
+  auto* command =
+      app.add_subcommand("completion", "A script that completes commands and options in a shell.");
+  const auto shell = std::make_shared<std::string>();
+  command->add_option("shell", *shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
+  command->callback([&app, shell, &exit_code] {
+    fmt::print("{}", *shell == "bash" ? bash_completion(app) : zsh_completion(app));
+    exit_code = kDone;
+  });
+}
+
+void add_man_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("man", "This description as a page for man: signorini man | man -l -");
+  command->callback([&app, &exit_code] {
+    fmt::print("{}", man_page(app));
+    exit_code = kDone;
+  });
 }
 
 }  // namespace signorini

@@ -17,7 +17,6 @@
 #include "harness/records/shards.hpp"
 #include "harness/report/formats/markdown.hpp"
 #include "harness/report/report.hpp"
-#include "harness/report/sections/case_sections.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "harness/run/suite_run.hpp"
 #include "problems/scene/scene_file.hpp"
@@ -143,14 +142,14 @@ int run_suite(const RunArguments& arguments) {
                result.ran + result.present, plan.cases.size(), folder.string());
     return kInterrupted;
   }
-  const std::vector<Record> records = read_current_records(folder);
-  const Evaluation evaluation(records, runner.limits());
+  // Read as `report` reads them: a run that resumes another reports the records of both.
+  const Evaluation evaluation(read_current_records(folder), runner.limits());
   write_report(folder, evaluation, {"md", "csv"});
   fmt::print("{}", markdown_report(closing_sections(evaluation, result.present == 0)));
   fmt::print(
       "\n{} cases run, {} already there; records, manifest and tables (table.md, table.csv) are in {}\n",
       result.ran, result.present, folder.string());
-  const std::vector<std::string> failures = unexpected_failures(records, suite);
+  const std::vector<std::string> failures = unexpected_failures(evaluation.records(), suite);
   if (!failures.empty())
     fmt::print(stderr, "{} cases did not converge that were expected to\n", failures.size());
   return failures.empty() ? kDone : kUnexpectedFailure;

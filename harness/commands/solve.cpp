@@ -7,6 +7,7 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
+#include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 #include "harness/report/document/cells.hpp"
@@ -31,11 +32,6 @@ void print_measure(const char* name, const Measure& value) {
   if (value) fmt::print("{:<22}{:.3e}\n", name, *value);
 }
 
-/// No smaller than the orbit is known.
-void print_error(const char* name, const Measure& value, const Record& record) {
-  if (value) fmt::print("{:<22}{}\n", name, bounded_text(*value, record));
-}
-
 void print_report(const Record& record) {
   fmt::print("{}: {}{}{}\n", record.case_id, status_name(record.status), record.message.empty() ? "" : ": ",
              record.message);
@@ -46,10 +42,12 @@ void print_report(const Record& record) {
   print_measure("period [s]", record.period);
   fmt::print("{:<22}{}\n", "orbit", orbit_text(record));
   fmt::print("{:<22}{}\n", "error of x", error_text(record));
-  print_error("  largest", record.errors.x_max, record);
-  print_error("error of u", record.errors.u_l2, record);
-  print_error("error of velocity", record.errors.velocity_l2, record);
-  print_error("error of impulse", record.errors.impulse, record);
+  const Errors& errors = record.errors;
+  for (const auto& [name, value] :
+       {std::pair{"  largest", errors.x_max}, std::pair{"error of u", errors.u_l2},
+        std::pair{"error of velocity", errors.velocity_l2}, std::pair{"error of impulse", errors.impulse}}) {
+    if (value) fmt::print("{:<22}{}\n", name, bounded_text(*value, record));
+  }
   print_measure("penetration", record.physics.penetration);
   print_measure("complementarity", record.physics.complementarity);
   print_measure("energy defect", record.physics.energy_defect);

@@ -24,14 +24,7 @@ struct VerifyArguments {
 /// `update` writes these. \return the exit code of the command
 int verify_references(const VerifyArguments& arguments, const std::filesystem::path& folder);
 
-/// Runs the cases of a run again and prints what differs from its records. \return the exit code of the
-/// command
-int verify_records(const VerifyArguments& arguments, const std::filesystem::path& folder);
-
 /// \throws UsageError: the folder holds neither references nor records
 [[noreturn]] void refuse_folder(const std::filesystem::path& folder);
-
-/// One line each on standard output.
-void print_lines(const std::vector<std::string>& lines);
 
 }  // namespace signorini

@@ -70,29 +70,32 @@ std::vector<std::string> scenes_to_verify(const VerifyArguments& arguments, cons
   return names;
 }
 
+void print_lines(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) fmt::print("{}\n", line);
+}
+
 /// Searches the orbits of a scene; empty if the search was not completed, for it would prove nothing.
-std::optional<OrbitFile> search(const Scene& scene, const OrbitSearchOptions& options,
-                                std::vector<std::string>& differences) {
+std::optional<OrbitFile> search(const Scene& scene, const OrbitSearchOptions& options) {
   const SceneOrbits orbits = find_all_orbits(scene.problem, options);
   if (orbits.interrupted) return std::nullopt;
   if (orbits.expired) {
-    differences.push_back(fmt::format("{}: the search did not end within {:g} s (--timeout)",
-                                      scene.problem.name, options.timeout));
+    fmt::print("{}: the search did not end within {:g} s (--timeout)\n", scene.problem.name, options.timeout);
     return std::nullopt;
   }
   return make_orbit_file(scene, options, orbits);
 }
 
-void update_scene(const VerifyArguments& arguments, const fs::path& file, const Scene& scene,
-                  std::vector<std::string>& differences) {
+/// Writes the orbits of a scene. \return the number of differences: 1 if the search was not completed
+std::size_t update_scene(const VerifyArguments& arguments, const fs::path& file, const Scene& scene) {
   OrbitSearchOptions options = arguments.options;
   options.subharmonics = arguments.subharmonics.value_or(default_subharmonics(scene.problem));
-  const auto found = search(scene, options, differences);
-  if (!found) return;
+  const auto found = search(scene, options);
+  if (!found) return 1;
   const std::string text = print_orbit_file(*found);
   const bool same = fs::exists(file) && read_file(file) == text;
   if (!same) write_whole(file, text);
   fmt::print("{}: {} orbits {}\n", scene.problem.name, found->orbits.size(), same ? "unchanged" : "written");
+  return 0;
 }
 
 /// Certifies the kept orbits with impacts that the search missed, from their own events, and adds them to
@@ -111,34 +114,30 @@ void add_missed(const Scene& scene, const OrbitFile& kept, OrbitFile& now) {
   }
 }
 
-void verify_scene(const VerifyArguments& arguments, const fs::path& file, const std::string& name,
-                  std::vector<std::string>& differences) {
+/// Prints how the orbits of a scene differ from the kept ones. \return the number of differences
+std::size_t verify_scene(const VerifyArguments& arguments, const fs::path& file, const std::string& name) {
   if (!fs::exists(file)) {
-    differences.push_back(name + ": no orbits are kept for this scene (verify --update keeps them)");
-    return;
+    fmt::print("{}: no orbits are kept for this scene (verify --update keeps them)\n", name);
+    return 1;
   }
   const OrbitFile kept = parse_orbit_file(read_file(file), file.string());
   const Scene scene = read_scene(find_scene(name));
   OrbitDifferences result;
-  std::vector<std::string> failures;
   if (kept.scene_sha256 != scene.sha256) {  // a search would be in vain
     result = compare_orbits(kept, make_orbit_file(scene, kept.options, {}));
   } else {
     OrbitSearchOptions options = kept.options;
     options.timeout = arguments.options.timeout;
-    auto now = search(scene, options, failures);
-    if (interrupted()) return;
-    if (now) {
-      add_missed(scene, kept, *now);
-      result = compare_orbits(kept, *now);
-    }
+    auto now = search(scene, options);
+    if (!now || interrupted()) return 1;
+    add_missed(scene, kept, *now);
+    result = compare_orbits(kept, *now);
   }
-  result.differences.insert(result.differences.end(), failures.begin(), failures.end());
   print_lines(result.differences);
   print_lines(result.fresh);
   if (result.differences.empty())
     fmt::print("{}: {} orbits as kept, {} new\n", name, kept.orbits.size(), result.fresh.size());
-  differences.insert(differences.end(), result.differences.begin(), result.differences.end());
+  return result.differences.size();
 }
 
 }  // namespace
@@ -146,28 +145,22 @@ void verify_scene(const VerifyArguments& arguments, const fs::path& file, const 
 int verify_references(const VerifyArguments& arguments, const fs::path& folder) {
   const std::vector<std::string> names = scenes_to_verify(arguments, folder);
   if (arguments.update) fs::create_directories(folder);
-  std::vector<std::string> differences;
+  std::size_t differences = 0;
   Progress progress(names.size());
   for (const std::string& name : names) {
     if (interrupted()) break;
     progress.begin(name);
-    const std::size_t before = differences.size();
     const fs::path file = folder / (name + ".json");
-    if (arguments.update) {
-      update_scene(arguments, file, read_scene(find_scene(name)), differences);
-    } else {
-      verify_scene(arguments, file, name, differences);
-    }
-    if (arguments.update || !fs::exists(file))
-      print_lines({differences.begin() + static_cast<std::ptrdiff_t>(before), differences.end()});
+    differences += arguments.update ? update_scene(arguments, file, read_scene(find_scene(name)))
+                                    : verify_scene(arguments, file, name);
     progress.advance();
   }
   if (interrupted()) {
     fmt::print(stderr, "interrupted\n");
     return kInterrupted;
   }
-  if (!arguments.update) fmt::print("{} scenes, {} differences\n", names.size(), differences.size());
-  return differences.empty() ? kDone : kUnexpectedFailure;
+  if (!arguments.update) fmt::print("{} scenes, {} differences\n", names.size(), differences);
+  return differences == 0 ? kDone : kUnexpectedFailure;
 }
 
 }  // namespace signorini

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
-#include "harness/records/json_line.hpp"
+#include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/report/document/cells.hpp"
 #include "harness/report/formats/html.hpp"
