@@ -5,7 +5,7 @@
 #include <complex>
 #include <stdexcept>
 
-#include "problems/definiteness.hpp"
+#include "problems/matrix_properties.hpp"
 #include "problems/sparse_cholesky.hpp"
 
 namespace signorini {
@@ -27,17 +27,6 @@ Eigen::VectorXd reduced(const SparseMatrix& A, const SparseMatrix& W) {
     forms(j) = form > least * length2 ? form / (length2 * length2) : 0.0;
   }
   return forms;
-}
-
-// max |w_j| of every column.
-Eigen::VectorXd largest_of_columns(const SparseMatrix& W) {
-  Eigen::VectorXd largest = Eigen::VectorXd::Zero(W.cols());
-  for (int j = 0; j < W.outerSize(); ++j) {
-    for (SparseMatrix::InnerIterator entry(W, j); entry; ++entry) {
-      largest(j) = std::max(largest(j), std::abs(entry.value()));
-    }
-  }
-  return largest;
 }
 
 }  // namespace
@@ -129,16 +118,17 @@ Eigen::VectorXd contact_stiffness_scale(const Problem& problem) {
 
 std::vector<bool> contacts_with_mass(const Problem& problem) {
   const SparseMatrix W = contact_directions(problem);
-  const Eigen::VectorXd momentum = largest_of_columns(problem.mass() * W);
-  const Eigen::VectorXd least = kNothing * largest_entry(problem.mass()) * largest_of_columns(W);
+  const SparseMatrix momenta = problem.mass() * W;
+  const double least = kNothing * largest_entry(problem.mass());
   std::vector<bool> massive;
-  for (int j = 0; j < problem.contact_count(); ++j) massive.push_back(momentum(j) > least(j));
+  for (int j = 0; j < W.cols(); ++j)
+    massive.push_back(largest_entry(momenta.col(j)) > least * largest_entry(W.col(j)));
   return massive;
 }
 
 bool contacts_are_massless(const Problem& problem) {
   const std::vector<bool> massive = contacts_with_mass(problem);
-  return std::none_of(massive.begin(), massive.end(), [](bool carries) { return carries; });
+  return std::find(massive.begin(), massive.end(), true) == massive.end();
 }
 
 }  // namespace signorini

@@ -1,8 +1,8 @@
 #include "problems/sparse_cholesky.hpp"
 
-#include <cholmod.h>
 #include <omp.h>
 
+#include <Eigen/CholmodSupport>
 #include <algorithm>
 #include <limits>
 #include <new>
@@ -10,39 +10,6 @@
 #include <string>
 
 namespace signorini {
-
-namespace {
-
-cholmod_sparse lower_triangle_of(SparseMatrix& A) {
-  cholmod_sparse view{};
-  view.nrow = static_cast<std::size_t>(A.rows());
-  view.ncol = static_cast<std::size_t>(A.cols());
-  view.nzmax = static_cast<std::size_t>(A.nonZeros());
-  view.p = A.outerIndexPtr();
-  view.i = A.innerIndexPtr();
-  view.x = A.valuePtr();
-  view.stype = -1;
-  view.itype = CHOLMOD_INT;
-  view.xtype = CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  view.sorted = 1;
-  view.packed = 1;
-  return view;
-}
-
-cholmod_dense view_of(Eigen::MatrixXd& columns) {
-  cholmod_dense view{};
-  view.nrow = static_cast<std::size_t>(columns.rows());
-  view.ncol = static_cast<std::size_t>(columns.cols());
-  view.nzmax = view.nrow * view.ncol;
-  view.d = view.nrow;
-  view.x = columns.data();
-  view.xtype = CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  return view;
-}
-
-}  // namespace
 
 struct SparseCholesky::Handle {
   Handle() {
@@ -101,8 +68,8 @@ SparseCholesky::SparseCholesky(const SparseMatrix& A) : handle_(std::make_unique
   // factorises again would wait for them for ever.
   omp_set_max_active_levels(0);
   Handle& h = *handle_;
-  SparseMatrix lower = A.triangularView<Eigen::Lower>();
-  cholmod_sparse view = lower_triangle_of(lower);
+  const SparseMatrix lower = A.triangularView<Eigen::Lower>();
+  cholmod_sparse view = Eigen::viewAsCholmod(lower.selfadjointView<Eigen::Lower>());
   h.factor = cholmod_analyze(&view, &h.common);
   h.check();
   cholmod_factorize(&view, h.factor, &h.common);
@@ -131,9 +98,9 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& rhs) {
   Eigen::MatrixXd solution(rhs.rows(), rhs.cols());
   if (rhs.cols() == 0) return solution;
   // CHOLMOD only reads it.
-  cholmod_dense given =
-      view_of(const_cast<Eigen::MatrixXd&>(rhs));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
-  cholmod_dense found = view_of(solution);
+  cholmod_dense given = Eigen::viewAsCholmod(
+      const_cast<Eigen::MatrixXd&>(rhs));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+  cholmod_dense found = Eigen::viewAsCholmod(solution);
   cholmod_dense* out = &found;
   cholmod_solve2(CHOLMOD_A, h.factor, &given, nullptr, &out, nullptr, &h.workspace, &h.second_workspace,
                  &h.common);

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "problems/definiteness.hpp"
-#include "problems/proportional_damping.hpp"
+#include "problems/matrix_properties.hpp"
 
 namespace signorini {
 

@@ -14,7 +14,7 @@
 #include "methods/structure/condensation.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
-#include "problems/definiteness.hpp"
+#include "problems/matrix_properties.hpp"
 #include "problems/sparse_cholesky.hpp"
 
 namespace signorini {

@@ -23,7 +23,7 @@ class BlockLanczos {
   BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const SparseMatrix& B);
 
   /// False if the first factorisation found P not to be definite by the margin asked for in
-  /// problems/definiteness.hpp.
+  /// problems/matrix_properties.hpp.
   [[nodiscard]] bool definite() const { return definite_; }
   /// Adds the next power; nothing once the space is exhausted.
   void grow();

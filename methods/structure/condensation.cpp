@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include "problems/definiteness.hpp"
+#include "problems/matrix_properties.hpp"
 
 namespace signorini {
 

@@ -4,7 +4,7 @@
 #include <Eigen/UmfPackSupport>
 #include <limits>
 
-#include "problems/definiteness.hpp"
+#include "problems/matrix_properties.hpp"
 
 namespace signorini {
 

@@ -8,7 +8,7 @@
 #include "methods/discretisation/symbols.hpp"
 #include "methods/structure/block_lanczos.hpp"
 #include "problems/problem.hpp"
-#include "problems/proportional_damping.hpp"
+#include "problems/matrix_properties.hpp"
 
 namespace signorini {
 

@@ -13,7 +13,7 @@
 #include "methods/structure/block_lanczos.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
 #include "methods/structure/harmonic_pencil.hpp"
-#include "problems/proportional_damping.hpp"
+#include "problems/matrix_properties.hpp"
 
 namespace signorini {
 

@@ -1,7 +1,6 @@
 #include "problems/assembly/bar.hpp"
 
-#include "problems/assembly/element_row.hpp"
-#include "problems/invalid_problem.hpp"
+#include "problems/validation.hpp"
 
 namespace signorini {
 

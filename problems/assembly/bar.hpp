@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "problems/assembly/contact_mass.hpp"
+#include "problems/assembly/elements.hpp"
 #include "problems/structure.hpp"
 
 namespace signorini {

@@ -3,8 +3,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "problems/assembly/element_row.hpp"
-#include "problems/invalid_problem.hpp"
+#include "problems/validation.hpp"
 
 namespace signorini {
 
@@ -44,6 +43,28 @@ std::vector<Follower> followers(const Beam& beam) {
     result.push_back({.dof = 2 * node, .leaders = {leaders.begin(), leaders.end()}});
   }
   return result;
+}
+
+// A of one plane in both: coordinate 2 n + r of the plane p becomes 4 n + 2 p + r.
+SparseMatrix in_two_planes(const SparseMatrix& A) {
+  Entries entries;
+  const auto place = [](int i, int plane) { return 4 * (i / 2) + 2 * plane + i % 2; };
+  for (int column = 0; column < A.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry) {
+      for (int plane = 0; plane < 2; ++plane) {
+        entries.emplace_back(place(static_cast<int>(entry.row()), plane), place(column, plane),
+                             entry.value());
+      }
+    }
+  }
+  return from_entries(entries, 2 * A.rows());
+}
+
+// The matrix of one plane with `value` at the deflections of these nodes.
+SparseMatrix on_nodes(const std::vector<int>& nodes, double value, Eigen::Index size) {
+  Entries entries;
+  for (const int node : nodes) entries.emplace_back(2 * node, 2 * node, value);
+  return from_entries(entries, size);
 }
 
 }  // namespace
@@ -89,6 +110,15 @@ Structure assemble(const Beam& beam) {
   return {.mass = block_diagonal(masses),
           .damping = SparseMatrix(size * beam.count, size * beam.count),
           .stiffness = block_diagonal(springs)};
+}
+
+Structure assemble(const Shaft& shaft) {
+  const SparseMatrix mass = unclamped_mass(shaft.beam);
+  const std::vector<int> ends = {0, shaft.beam.elements};
+  return {.mass = in_two_planes(mass + on_nodes({shaft.disc_node}, shaft.disc_mass, mass.rows())),
+          .damping = in_two_planes(on_nodes(ends, shaft.bearing_damping, mass.rows())),
+          .stiffness = in_two_planes(unclamped_stiffness(shaft.beam) +
+                                     on_nodes(ends, shaft.bearing_stiffness, mass.rows()))};
 }
 
 }  // namespace signorini

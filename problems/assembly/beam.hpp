@@ -1,9 +1,10 @@
 #pragma once
-// A slender beam in bending (Euler-Bernoulli): 2-node finite elements with Hermite's cubic shape functions.
+// A slender beam in bending (Euler-Bernoulli): 2-node finite elements with Hermite's cubic shape functions;
+// and a flexible shaft, such a beam in two planes: what a rotor is where its support is not one spring.
 
 #include <vector>
 
-#include "problems/assembly/contact_mass.hpp"
+#include "problems/assembly/elements.hpp"
 #include "problems/structure.hpp"
 
 namespace signorini {
@@ -37,5 +38,20 @@ SparseMatrix unclamped_mass(const Beam& beam);
 
 /// K of a single beam before clamping, 2 (elements + 1) square.
 SparseMatrix unclamped_stiffness(const Beam& beam);
+
+/// A slender shaft of equal Hermite elements along x, on a bearing at each end, with a disc clamped on one of
+/// its nodes. Node n, at x = n length / elements, has four coordinates: 4 n and 4 n + 1 the deflection [m]
+/// and the rotation [rad] in one plane, 4 n + 2 and 4 n + 3 those in the plane at right angles to it.
+struct Shaft {
+  Beam beam;                       ///< mesh, section and material of one beam; nothing of it is clamped
+  double disc_mass = 0.0;          ///< >= 0 [kg]
+  int disc_node = 0;               ///< 0..elements
+  double bearing_stiffness = 1.0;  ///< of each bearing, in any direction, > 0 [N/m]
+  double bearing_damping = 0.0;    ///< >= 0 [N s/m]
+};
+
+/// M, K, and D of the bearings alone; Nd = 4 (elements + 1). The planes are not coupled: the shaft is seen
+/// from rest, its disc is thin, gyroscopic moments are left out.
+Structure assemble(const Shaft& shaft);
 
 }  // namespace signorini

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problems/assembly/element_row.hpp"
-#include "problems/invalid_problem.hpp"
+#include "problems/validation.hpp"
 
 namespace signorini {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "problems/assembly/block_mesh.hpp"
-#include "problems/assembly/contact_mass.hpp"
+#include "problems/assembly/elements.hpp"
 #include "problems/structure.hpp"
 
 namespace signorini {

@@ -1,16 +1,10 @@
 #include "problems/assembly/chain.hpp"
 
+#include "problems/assembly/elements.hpp"
+
 namespace signorini {
 
 namespace {
-
-using Entries = std::vector<Eigen::Triplet<double>>;
-
-SparseMatrix matrix_of(const Entries& entries, std::size_t size) {
-  SparseMatrix A(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
-  A.setFromTriplets(entries.begin(), entries.end());
-  return A;
-}
 
 // An element of constant `a` between masses i and j.
 void join(int i, int j, double a, Entries& entries) {
@@ -22,9 +16,9 @@ void join(int i, int j, double a, Entries& entries) {
 
 Entries diagonal(const std::vector<double>& values) {
   Entries entries;
-  entries.reserve(values.size());
-  for (int i = 0; i < std::ssize(values); ++i) {
-    entries.emplace_back(i, i, values[static_cast<std::size_t>(i)]);
+  for (const double value : values) {
+    const int i = static_cast<int>(entries.size());
+    entries.emplace_back(i, i, value);
   }
   return entries;
 }
@@ -44,7 +38,7 @@ SparseMatrix elements(const std::vector<double>& row, const std::vector<double>&
   for (const Link& link : links) {
     if (link.*constant != 0.0) join(link.first, link.second, link.*constant, entries);
   }
-  return matrix_of(entries, row.size());
+  return from_entries(entries, std::ssize(row));
 }
 
 }  // namespace
@@ -58,7 +52,7 @@ Structure assemble(const Chain& chain) {
       !fits(chain.ground_springs)) {
     throw std::invalid_argument("chain: masses, dampers and springs must have one entry per mass");
   }
-  return {.mass = matrix_of(diagonal(chain.masses), size),
+  return {.mass = from_entries(diagonal(chain.masses), std::ssize(chain.masses)),
           .damping = elements(chain.dampers, chain.ground_dampers, chain.links, &Link::damper),
           .stiffness = elements(chain.springs, chain.ground_springs, chain.links, &Link::spring)};
 }

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "problems/definiteness.hpp"
-
 namespace signorini {
 
 namespace {
@@ -46,7 +44,7 @@ SparseMatrix modal_damping(const std::vector<double>& ratios, const SparseMatrix
 
 SparseMatrix damping_matrix(const DampingModel& model, const SparseMatrix& mass,
                             const SparseMatrix& stiffness) {
-  if (const auto* rayleigh = std::get_if<RayleighDamping>(&model)) {
+  if (const auto* rayleigh = std::get_if<ProportionalDamping>(&model)) {
     return rayleigh->alpha * mass + rayleigh->beta * stiffness;
   }
   if (mass.rows() > kMostModalCoordinates) {

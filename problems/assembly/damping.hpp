@@ -5,15 +5,9 @@
 #include <variant>
 #include <vector>
 
-#include "problems/sparse_matrix.hpp"
+#include "problems/matrix_properties.hpp"
 
 namespace signorini {
-
-/// D = alpha M + beta K.
-struct RayleighDamping {
-  double alpha = 0.0;  ///< >= 0 [1/s]
-  double beta = 0.0;   ///< >= 0 [s]
-};
 
 /// D = sum over modes of 2 zeta_i w_i M phi_i phi_i^T M, phi_i^T M phi_i = 1, K phi_i = w_i^2 M phi_i.
 struct ModalDamping {
@@ -21,7 +15,8 @@ struct ModalDamping {
       ratios;  ///< zeta_i >= 0 [-], modes by rising frequency; the last one holds for all further
 };
 
-using DampingModel = std::variant<RayleighDamping, ModalDamping>;
+/// alpha, beta >= 0 in ProportionalDamping.
+using DampingModel = std::variant<ProportionalDamping, ModalDamping>;
 
 /// Largest number of coordinates for modal damping: it takes all modes, by dense arrays.
 inline constexpr int kMostModalCoordinates = 400;

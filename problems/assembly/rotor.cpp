@@ -7,10 +7,9 @@ namespace signorini {
 namespace {
 
 SparseMatrix twice(double value) {
-  SparseMatrix A(2, 2);
-  A.insert(0, 0) = value;
-  A.insert(1, 1) = value;
-  return A;
+  SparseMatrix identity(2, 2);
+  identity.setIdentity();
+  return value * identity;
 }
 
 // cos(2 pi part / whole), without the rounding of pi at right angles.

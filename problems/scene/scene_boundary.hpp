@@ -5,7 +5,7 @@
 
 #include "problems/problem.hpp"
 #include "problems/scene/scene_field.hpp"
-#include "problems/scene/system_description.hpp"
+#include "problems/scene/scene_system.hpp"
 
 namespace signorini {
 

@@ -1,6 +1,6 @@
-#include "problems/scene/scene_damping.hpp"
-
 #include <fmt/format.h>
+
+#include "problems/scene/scene_system.hpp"
 
 namespace signorini {
 
@@ -21,7 +21,7 @@ ModalDamping read_modal(const SceneField& modal, int size) {
   return damping;
 }
 
-RayleighDamping read_rayleigh(const SceneField& rayleigh) {
+ProportionalDamping read_rayleigh(const SceneField& rayleigh) {
   const auto read = [&](std::string_view key, std::string_view unit) {
     const SceneField field = rayleigh[key];
     return field.given() ? field.number(fmt::format("must be a number >= 0 {}", unit), 0.0) : 0.0;

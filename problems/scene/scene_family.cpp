@@ -25,22 +25,6 @@ std::vector<double> read_levels(const SceneField& family) {
   return levels;
 }
 
-// The value that a path stands for; null where it leads nowhere.
-TomlNode* follow(TomlNode& document, std::string_view path) {
-  TomlNode* node = &document;
-  while (node != nullptr && !path.empty()) {
-    const std::optional<PathStep> step = take_step(path);
-    if (!step) return nullptr;
-    if (!step->index) {
-      node = const_cast<TomlNode*>(std::as_const(*node).find(step->key));
-      continue;
-    }
-    auto* array = std::get_if<TomlArray>(&node->value);
-    node = array != nullptr && *step->index < array->size() ? &(*array)[*step->index] : nullptr;
-  }
-  return node;
-}
-
 // Writes the value of this level to every place that the family names.
 void write_values(TomlNode& document, const SceneField& values, std::size_t level, std::size_t levels) {
   if (!values.is_table() || values.keys().empty()) values.refuse(kValues);
@@ -48,9 +32,10 @@ void write_values(TomlNode& document, const SceneField& values, std::size_t leve
     const SceneField given = values[path];
     const std::string requirement = fmt::format(
         "must be a list of {} values, one per level, for something that stands in this file", levels);
-    TomlNode* place = follow(document, path);
-    if (place == nullptr || given.items(requirement).size() != levels) given.refuse(requirement);
-    *place = given.items(requirement)[level].node();
+    const SceneField place = SceneField(document, values.file()).at(path);
+    if (!place.given() || given.items(requirement).size() != levels) given.refuse(requirement);
+    // The field is a reader's; it leads into the document, which is ours to write.
+    const_cast<TomlNode&>(place.node()) = given.items(requirement)[level].node();
   }
 }
 

@@ -23,7 +23,7 @@ SceneField SceneField::operator[](std::string_view key) const {
 }
 
 SceneField SceneField::item(std::size_t index) const {
-  const auto* array = given() ? std::get_if<TomlArray>(&node_->value) : nullptr;
+  const auto* array = as<TomlArray>();
   const TomlNode* entry = array != nullptr && index < array->size() ? &(*array)[index] : nullptr;
   return {entry, fmt::format("{}[{}]", path_, index), entry != nullptr ? entry->line : line_, file_};
 }
@@ -38,20 +38,16 @@ SceneField SceneField::at(std::string_view path) const {
   return field;
 }
 
-bool SceneField::is_table() const { return given() && std::holds_alternative<TomlTable>(node_->value); }
-
-bool SceneField::is_array() const { return given() && std::holds_alternative<TomlArray>(node_->value); }
-
 std::vector<std::string> SceneField::keys() const {
   std::vector<std::string> names;
   if (!is_table()) return names;
-  for (const TomlEntry& entry : std::get<TomlTable>(node_->value)) names.push_back(entry.key);
+  for (const TomlEntry& entry : *as<TomlTable>()) names.push_back(entry.key);
   return names;
 }
 
 void SceneField::allow_only(std::initializer_list<std::string_view> keys,
                             std::string_view requirement) const {
-  const auto* table = given() ? std::get_if<TomlTable>(&node_->value) : nullptr;
+  const auto* table = as<TomlTable>();
   if (table == nullptr) refuse(requirement);
   for (const TomlEntry& entry : *table) {
     if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
@@ -62,7 +58,7 @@ void SceneField::allow_only(std::initializer_list<std::string_view> keys,
 }
 
 std::vector<SceneField> SceneField::items(std::string_view requirement) const {
-  const auto* array = given() ? std::get_if<TomlArray>(&node_->value) : nullptr;
+  const auto* array = as<TomlArray>();
   if (array == nullptr || array->empty()) refuse(requirement);
   std::vector<SceneField> fields;
   fields.reserve(array->size());
@@ -71,16 +67,11 @@ std::vector<SceneField> SceneField::items(std::string_view requirement) const {
 }
 
 double SceneField::number(std::string_view requirement, double least) const {
-  if (!given()) refuse(requirement);
   double value = std::numeric_limits<double>::quiet_NaN();
-  if (const auto* whole = std::get_if<std::int64_t>(&node_->value)) value = static_cast<double>(*whole);
-  if (const auto* real = std::get_if<double>(&node_->value)) value = *real;
+  if (const auto* whole = as<std::int64_t>()) value = static_cast<double>(*whole);
+  if (const auto* real = as<double>()) value = *real;
   if (!std::isfinite(value) || value < least) refuse(requirement);
   return value;
-}
-
-double SceneField::number(std::string_view requirement) const {
-  return number(requirement, std::numeric_limits<double>::lowest());
 }
 
 double SceneField::number_or(double otherwise, std::string_view requirement) const {
@@ -88,7 +79,7 @@ double SceneField::number_or(double otherwise, std::string_view requirement) con
 }
 
 int SceneField::whole(std::string_view requirement, int least, int most) const {
-  const auto* value = given() ? std::get_if<std::int64_t>(&node_->value) : nullptr;
+  const auto* value = as<std::int64_t>();
   if (value == nullptr || *value < least || *value > most) refuse(requirement);
   return static_cast<int>(*value);
 }
@@ -98,7 +89,7 @@ int SceneField::whole_or(int otherwise, std::string_view requirement, int least,
 }
 
 std::string SceneField::text(std::string_view requirement) const {
-  const auto* value = given() ? std::get_if<std::string>(&node_->value) : nullptr;
+  const auto* value = as<std::string>();
   if (value == nullptr) refuse(requirement);
   const bool one_line_only = std::none_of(value->begin(), value->end(), [](char c) {
     return static_cast<unsigned char>(c) < 0x20U || c == '\x7F';

@@ -27,8 +27,8 @@ class SceneField {
   /// Field of a dotted path with indices relative to this one; missing where the path leads nowhere.
   [[nodiscard]] SceneField at(std::string_view path) const;
   [[nodiscard]] bool given() const { return node_ != nullptr; }
-  [[nodiscard]] bool is_table() const;
-  [[nodiscard]] bool is_array() const;
+  [[nodiscard]] bool is_table() const { return as<TomlTable>() != nullptr; }
+  [[nodiscard]] bool is_array() const { return as<TomlArray>() != nullptr; }
   [[nodiscard]] const std::string& path() const { return path_; }
   /// This field under another path, for a part that was taken out of its document.
   [[nodiscard]] SceneField named(std::string path) const { return {node_, std::move(path), line_, file_}; }
@@ -44,8 +44,8 @@ class SceneField {
   /// Items of an array; refuses an empty one.
   [[nodiscard]] std::vector<SceneField> items(std::string_view requirement) const;
   /// A finite number, >= least if that is given; TOML integers will do.
-  [[nodiscard]] double number(std::string_view requirement) const;
-  [[nodiscard]] double number(std::string_view requirement, double least) const;
+  [[nodiscard]] double number(std::string_view requirement,
+                              double least = std::numeric_limits<double>::lowest()) const;
   [[nodiscard]] double number_or(double otherwise, std::string_view requirement) const;
   /// A whole number in least..most.
   [[nodiscard]] int whole(std::string_view requirement, int least, int most) const;
@@ -61,6 +61,11 @@ class SceneField {
  private:
   SceneField(const TomlNode* node, std::string path, int line, const std::string* file);
   [[nodiscard]] SceneField item(std::size_t index) const;
+  // The value if it is of this type, else null.
+  template <class Value>
+  [[nodiscard]] const Value* as() const {
+    return given() ? std::get_if<Value>(&node_->value) : nullptr;
+  }
 
   const TomlNode* node_;  // null: missing
   std::string path_;

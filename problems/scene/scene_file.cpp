@@ -6,6 +6,7 @@
 #include <array>
 #include <fstream>
 #include <set>
+#include <tuple>
 
 #include "problems/scene/kebab_case.hpp"
 #include "problems/scene/scene_boundary.hpp"
@@ -55,8 +56,7 @@ std::vector<double> read_penalty(const SceneField& penalty, std::size_t contacts
 }
 
 SceneHeader read_header(const SceneField& document, std::optional<FamilyLevel> family) {
-  static_cast<void>(
-      document["schema"].whole("must be 1", kSchema, kSchema));  // first: others may have other keys
+  std::ignore = document["schema"].whole("must be 1", kSchema, kSchema);  // first: others may have other keys
   document.allow_only({"schema", "name", "title", "reference", "tags", "system", "forcing", "contact", "law"},
                       "must be a table");
   SceneHeader header{.name = read_name(document["name"]),
@@ -183,18 +183,6 @@ TomlNode parse_document(std::string_view text, const std::string& name) {
   }
 }
 
-// A document that is one scene, and which of its family.
-struct LevelDocument {
-  TomlNode tree = {};
-  std::optional<FamilyLevel> family = {};
-};
-
-LevelDocument parse_level(std::string_view text, const std::string& name, std::string_view level) {
-  LevelDocument document{.tree = parse_document(text, name)};
-  document.family = choose_level(document.tree, name, level);
-  return document;
-}
-
 }  // namespace
 
 bool SceneHeader::carries(std::string_view tag) const {
@@ -207,17 +195,19 @@ std::vector<std::string> load_levels(const std::filesystem::path& path) {
 
 SceneHeader load_header(const SceneSource& source) {
   const std::string name = source.file.string();
-  const LevelDocument document = parse_level(read_text(source.file), name, source.level);
-  return read_header(SceneField(document.tree, name), document.family);
+  TomlNode document = parse_document(read_text(source.file), name);
+  const std::optional<FamilyLevel> family = choose_level(document, name, source.level);
+  return read_header(SceneField(document, name), family);
 }
 
 SceneWithSources parse_scene_with_sources(std::string_view text, const std::string& name,
                                           std::string_view level) {
-  const LevelDocument document = parse_level(text, name, level);
-  const SceneField root(document.tree, name);
+  TomlNode document = parse_document(text, name);
+  const std::optional<FamilyLevel> family = choose_level(document, name, level);
+  const SceneField root(document, name);
   ReadScene scene;
   try {
-    read_scene(root, document.family, scene);
+    read_scene(root, family, scene);
     validate(scene.problem, scene.definiteness);
     return scene;
   } catch (const InvalidProblem& error) {

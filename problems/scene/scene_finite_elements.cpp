@@ -1,5 +1,3 @@
-#include "problems/scene/scene_finite_elements.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,10 +6,8 @@
 #include "problems/assembly/bar.hpp"
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/block.hpp"
-#include "problems/assembly/shaft.hpp"
-#include "problems/definiteness.hpp"
-#include "problems/invalid_problem.hpp"
-#include "problems/scene/scene_damping.hpp"
+#include "problems/matrix_properties.hpp"
+#include "problems/scene/scene_system.hpp"
 
 namespace signorini {
 

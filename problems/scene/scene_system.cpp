@@ -11,10 +11,8 @@
 
 #include "problems/assembly/chain.hpp"
 #include "problems/assembly/rotor.hpp"
-#include "problems/definiteness.hpp"
+#include "problems/matrix_properties.hpp"
 #include "problems/scene/matrix_market.hpp"
-#include "problems/scene/scene_damping.hpp"
-#include "problems/scene/scene_finite_elements.hpp"
 
 namespace signorini {
 

@@ -1,15 +1,51 @@
 #pragma once
 // The [system] table of a scene file: which kind of structure, and its matrices.
 
+#include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "problems/assembly/block_mesh.hpp"
+#include "problems/assembly/damping.hpp"
 #include "problems/scene/scene_field.hpp"
-#include "problems/scene/system_description.hpp"
+#include "problems/structure.hpp"
+#include "problems/validation.hpp"
 
 namespace signorini {
 
+/// A [system] table that has been read and checked. Contacts name coordinates and the mass of a structure may
+/// depend on where its contacts are: the matrices come last.
+struct SystemDescription {
+  std::string kind = {};                                    ///< as the scene names it, "beam"
+  int size = 0;                                             ///< Nd
+  std::optional<BlockMesh> mesh = {};                       ///< whose faces contacts and loads may name
+  Definiteness definiteness = Definiteness::to_be_checked;  ///< whether M and K are known to be definite
+  std::vector<std::filesystem::path> files = {};            ///< Matrix Market files it was read from
+  /// The matrices, given the coordinates that contacts touch.
+  /// \throws InvalidProblem if contacts there and the system do not go together
+  std::function<Structure(const std::vector<int>& contact_coordinates)> assemble = {};
+};
+
 /// \throws SceneError for anything but a sound [system] table
 SystemDescription read_system(const SceneField& system);
+
+// The kinds that are finite-element structures. \throws SceneError for anything but a sound table of its kind
+
+SystemDescription read_bar(const SceneField& system);
+SystemDescription read_beam(const SceneField& system);
+SystemDescription read_block(const SceneField& system);
+SystemDescription read_shaft(const SceneField& system);
+
+/// { alpha = .., beta = .. } or { modal = .. } for a system of `size` coordinates. \throws SceneError
+DampingModel read_damping(const SceneField& damping, int size);
+
+/// Damping ratios: one, or a list of them, for a system of `size` coordinates. \throws SceneError
+ModalDamping read_modal(const SceneField& modal, int size);
+
+/// alpha and beta of a table, 0 where absent. \throws SceneError
+ProportionalDamping read_rayleigh(const SceneField& rayleigh);
 
 /// The field of the document that a matrix path of validate() ("system.mass") stands for in a system of its
 /// kind; other paths as they are.

@@ -18,63 +18,35 @@ int line_of(const toml::source_region& region) { return std::max(1, static_cast<
 
 TomlNode convert(const toml::node& node);
 
-TomlTable convert_table(const toml::table& table) {
+TomlTable converted(const toml::table& table) {
   TomlTable entries;
-  for (const auto& [key, value] : table) {
+  for (const auto& [key, value] : table)
     entries.push_back({std::string(key.str()), line_of(key.source()), convert(value)});
-  }
-  std::stable_sort(entries.begin(), entries.end(),
-                   [](const TomlEntry& a, const TomlEntry& b) { return a.line < b.line; });
+  std::ranges::stable_sort(entries, {}, &TomlEntry::line);
   return entries;
 }
 
-TomlArray convert_array(const toml::array& array) {
+TomlArray converted(const toml::array& array) {
   TomlArray items;
-  items.reserve(array.size());
   for (const toml::node& item : array) items.push_back(convert(item));
   return items;
 }
 
-template <class T>
-std::string printed(const T& value) {
-  std::ostringstream stream;
-  stream << value;
-  return stream.str();
+/// Strings, numbers and booleans as they are, dates and times by their text.
+template <class Value>
+auto converted(const toml::value<Value>& value) {
+  if constexpr (toml::is_chronological<Value>) {
+    std::ostringstream stream;
+    stream << value.get();
+    return TomlMoment{stream.str()};
+  } else {
+    return value.get();
+  }
 }
 
 TomlNode convert(const toml::node& node) {
   TomlNode result{.line = line_of(node.source()), .value = {}};
-  switch (node.type()) {
-    case toml::node_type::table:
-      result.value = convert_table(*node.as_table());
-      break;
-    case toml::node_type::array:
-      result.value = convert_array(*node.as_array());
-      break;
-    case toml::node_type::string:
-      result.value = node.as_string()->get();
-      break;
-    case toml::node_type::integer:
-      result.value = node.as_integer()->get();
-      break;
-    case toml::node_type::floating_point:
-      result.value = node.as_floating_point()->get();
-      break;
-    case toml::node_type::boolean:
-      result.value = node.as_boolean()->get();
-      break;
-    case toml::node_type::date:
-      result.value = TomlMoment{printed(node.as_date()->get())};
-      break;
-    case toml::node_type::time:
-      result.value = TomlMoment{printed(node.as_time()->get())};
-      break;
-    case toml::node_type::date_time:
-      result.value = TomlMoment{printed(node.as_date_time()->get())};
-      break;
-    case toml::node_type::none:
-      break;
-  }
+  node.visit([&](const auto& value) { result.value = converted(value); });
   return result;
 }
 

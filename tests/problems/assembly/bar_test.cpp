@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "problems/definiteness.hpp"
-#include "problems/invalid_problem.hpp"
+#include "problems/matrix_properties.hpp"
+#include "problems/validation.hpp"
 
 namespace signorini {
 namespace {

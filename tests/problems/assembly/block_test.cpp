@@ -9,8 +9,8 @@
 #include <functional>
 #include <numbers>
 
-#include "problems/definiteness.hpp"
-#include "problems/invalid_problem.hpp"
+#include "problems/matrix_properties.hpp"
+#include "problems/validation.hpp"
 
 namespace signorini {
 namespace {

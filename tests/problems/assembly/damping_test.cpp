@@ -8,7 +8,7 @@
 #include "problems/assembly/bar.hpp"
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/chain.hpp"
-#include "problems/definiteness.hpp"
+#include "problems/matrix_properties.hpp"
 
 namespace signorini {
 namespace {
@@ -33,7 +33,7 @@ Ratios ratios(const Structure& structure, const SparseMatrix& damping) {
 TEST(RayleighDamping, CombinesMassAndStiffness) {
   const Structure bar = assemble(Bar{.elements = 4, .density = 3.0});
   const Eigen::MatrixXd D =
-      damping_matrix(RayleighDamping{.alpha = 0.3, .beta = 0.02}, bar.mass, bar.stiffness);
+      damping_matrix(ProportionalDamping{.alpha = 0.3, .beta = 0.02}, bar.mass, bar.stiffness);
   EXPECT_TRUE(D.isApprox(0.3 * Eigen::MatrixXd(bar.mass) + 0.02 * Eigen::MatrixXd(bar.stiffness), 1e-15));
 }
 
@@ -87,7 +87,7 @@ TEST(ModalDamping, LeavesRigidMotionsAlone) {
 TEST(ModalDamping, RefusesLargeSystems) {
   const Structure bar = assemble(Bar{.elements = kMostModalCoordinates + 1});
   EXPECT_THROW(damping_matrix(ModalDamping{{0.1}}, bar.mass, bar.stiffness), std::invalid_argument);
-  EXPECT_NO_THROW(damping_matrix(RayleighDamping{.alpha = 0.1}, bar.mass, bar.stiffness));
+  EXPECT_NO_THROW(damping_matrix(ProportionalDamping{.alpha = 0.1}, bar.mass, bar.stiffness));
 }
 
 }  // namespace

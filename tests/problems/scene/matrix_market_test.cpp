@@ -162,8 +162,8 @@ class MatrixScene : public testing::Test {
  protected:
   MatrixScene() {
     structure_ = assemble(Beam{.elements = 3});
-    structure_.damping =
-        damping_matrix(RayleighDamping{.alpha = 0.5, .beta = 0.01}, structure_.mass, structure_.stiffness);
+    structure_.damping = damping_matrix(ProportionalDamping{.alpha = 0.5, .beta = 0.01}, structure_.mass,
+                                        structure_.stiffness);
     write("model/M.mtx", written(structure_.mass, true, true));
     write("model/K.mtx", written(structure_.stiffness, true, false));
     write("model/D.mtx", written(structure_.damping, false, true));

@@ -1,8 +1,7 @@
-#include "problems/scene/scene_damping.hpp"
-
 #include <gtest/gtest.h>
 
 #include "problems/scene/scene_error.hpp"
+#include "problems/scene/scene_system.hpp"
 
 namespace signorini {
 namespace {
@@ -23,10 +22,10 @@ std::string refusal(const std::string& value, int size = 3) {
 }
 
 TEST(ReadDamping, TakesRayleighsCoefficientsAbsentOnesAsZero) {
-  const auto both = std::get<RayleighDamping>(read("{ alpha = 0.5, beta = 1e-3 }"));
+  const auto both = std::get<ProportionalDamping>(read("{ alpha = 0.5, beta = 1e-3 }"));
   EXPECT_EQ(both.alpha, 0.5);
   EXPECT_EQ(both.beta, 1e-3);
-  EXPECT_EQ(std::get<RayleighDamping>(read("{ beta = 2 }")).alpha, 0.0);
+  EXPECT_EQ(std::get<ProportionalDamping>(read("{ beta = 2 }")).alpha, 0.0);
 }
 
 TEST(ReadDamping, TakesOneRatioOrOneForEachMode) {

@@ -1,5 +1,7 @@
 #pragma once
-// Symmetry and definiteness of structural matrices, up to rounding.
+// Properties of structural matrices, up to rounding: symmetry, definiteness, proportional damping.
+
+#include <optional>
 
 #include "problems/sparse_matrix.hpp"
 
@@ -18,5 +20,15 @@ bool is_semidefinite(const SparseMatrix& A);
 
 /// x^T A x > 0 for all x != 0, by a margin of 1e-13 of the diagonal. A is symmetric and finite.
 bool is_definite(const SparseMatrix& A);
+
+/// D = alpha M + beta K.
+struct ProportionalDamping {
+  double alpha = 0.0;  ///< [1/s]
+  double beta = 0.0;   ///< [s]
+};
+
+/// alpha and beta with |D - alpha M - beta K| <= 1e-12 max |d_ij|, entry by entry; nothing for any other D.
+std::optional<ProportionalDamping> proportional_damping(const SparseMatrix& M, const SparseMatrix& K,
+                                                        const SparseMatrix& D);
 
 }  // namespace signorini

@@ -1,12 +1,30 @@
 #pragma once
-// How the mass of a finite-element structure is spread, and how contact coordinates are freed of it.
+// What the matrices of structures are made of: equal finite elements in a row along x, first free at both
+// ends, then clamped at x = 0; and how their mass is spread, and contact coordinates freed of it.
 
+#include <Eigen/Core>
 #include <utility>
 #include <vector>
 
 #include "problems/sparse_matrix.hpp"
 
 namespace signorini {
+
+/// Entries of a matrix; those at the same place add up.
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+/// The square matrix of these entries, size x size.
+SparseMatrix from_entries(const Entries& entries, Eigen::Index size);
+
+/// Sum of `elements` copies of one symmetric element matrix (2 d x 2 d: the d coordinates of its left node,
+/// then those of its right one) along elements + 1 nodes: d (elements + 1) square, node by node from x = 0.
+SparseMatrix sum_of_elements(int elements, const Eigen::MatrixXd& element);
+
+/// The square matrices one after the other along the diagonal: structures side by side.
+SparseMatrix block_diagonal(const std::vector<SparseMatrix>& parts);
+
+/// A without its first `coordinates` rows and columns: these are held at rest.
+SparseMatrix clamped(const SparseMatrix& A, int coordinates);
 
 enum class ContactMass {
   consistent,  ///< the mass matrix of the shape functions
