@@ -51,7 +51,7 @@ void add_report_command(CLI::App& app, int& exit_code) {
           "md (table.md), csv (table.csv, measures.csv), tex (tables/*.tex), html (report.html), separated "
           "by commas; tex and html also draw figures/*.svg and *.pdf, which needs gnuplot")
       ->delimiter(',')
-      ->check(CLI::IsMember(report_formats()))
+      ->check(CLI::IsMember(kReportFormats))
       ->capture_default_str();
   command->add_option(
       "--into", arguments->document,

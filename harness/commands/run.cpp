@@ -15,7 +15,7 @@
 #include "harness/records/merge.hpp"
 #include "harness/records/run_folder.hpp"
 #include "harness/records/shards.hpp"
-#include "harness/report/formats/markdown.hpp"
+#include "harness/report/formats/formats.hpp"
 #include "harness/report/report.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "harness/run/suite_run.hpp"

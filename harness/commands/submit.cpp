@@ -40,56 +40,40 @@ struct Script {
   std::string text;
 };
 
-/// The launcher of the shards and its settings.
-struct Launcher {
-  std::string program;
-  std::string (*run_command)(const Submission&, const std::string& index);
-  std::vector<Script> (*scripts)(const Submission&);
-};
-
-int submit(SubmitArguments& arguments, const std::vector<std::string>& run_words, const Launcher& launcher) {
-  Submission& submission = arguments.submission;
+/// The shards of a command line: its options, and the words of `run` with plugins by absolute paths, for this
+/// command has parsed them itself.
+Submission submission_of(const SubmitArguments& arguments, const CLI::App& command) {
+  Submission submission = arguments.submission;
   submission.program = fs::read_symlink("/proc/self/exe");
   submission.folder = fs::absolute(arguments.folder).lexically_normal();
-  submission.run_words = run_words;
-  if (const int refused = check_run_command(launcher.run_command(submission, "1")); refused != kDone)
-    return refused;
-  const std::vector<Script> scripts = launcher.scripts(submission);
+  submission.run_words = command.remaining();
+  for (const std::string& plugin : command.get_option("--plugin")->results()) {
+    submission.run_words.emplace_back("--plugin");
+    submission.run_words.push_back(fs::absolute(plugin).lexically_normal().string());
+  }
+  return submission;
+}
+
+/// Writes the scripts and starts the last one, which starts the others, unless it is a dry run.
+int submit(const SubmitArguments& arguments, const fs::path& folder, const std::string& launcher,
+           const std::string& run_command, const std::vector<Script>& scripts) {
+  if (const int refused = check_run_command(run_command); refused != kDone) return refused;
   if (arguments.dry_run) {
     for (const Script& script : scripts)
       fmt::print("# {}/{}\n{}\n", arguments.folder, script.name, script.text);
     return kDone;
   }
-  if (shell("command -v " + launcher.program + " >/dev/null") != 0)
-    throw UsageError(fmt::format("launcher = {} (must be installed)", launcher.program));
+  if (shell("command -v " + launcher + " >/dev/null") != 0)
+    throw UsageError(fmt::format("launcher = {} (must be installed)", launcher));
   std::error_code failure;
-  fs::create_directories(submission.folder, failure);
-  for (const Script& script : scripts) write_whole(submission.folder / script.name, script.text);
-  // The last one starts the others.
-  const int code = shell("sh " + shell_word((submission.folder / scripts.back().name).string()));
+  fs::create_directories(folder, failure);
+  for (const Script& script : scripts) write_whole(folder / script.name, script.text);
+  const int code = shell("sh " + shell_word((folder / scripts.back().name).string()));
   if (code != 0) {
-    throw UsageError(fmt::format("launcher = {} (must take {}, which ended with exit code {})",
-                                 launcher.program, (submission.folder / scripts.back().name).string(), code));
+    throw UsageError(fmt::format("launcher = {} (must take {}, which ended with exit code {})", launcher,
+                                 (folder / scripts.back().name).string(), code));
   }
   return kDone;
-}
-
-std::vector<Script> slurm_scripts(const Submission& s) {
-  return {{"array.sh", slurm_array_script(s)},
-          {"merge.sh", slurm_merge_script(s)},
-          {"submit.sh", slurm_submit_script(s)}};
-}
-
-std::vector<Script> parallel_scripts(const Submission& s) { return {{"parallel.sh", parallel_script(s)}}; }
-
-/// The arguments of `run`, with the plugins by absolute paths: this command has parsed them itself.
-std::vector<std::string> run_words(const CLI::App& command) {
-  std::vector<std::string> words = command.remaining();
-  for (const std::string& plugin : command.get_option("--plugin")->results()) {
-    words.emplace_back("--plugin");
-    words.push_back(fs::absolute(plugin).lexically_normal().string());
-  }
-  return words;
 }
 
 std::shared_ptr<SubmitArguments> add_common(CLI::App& command) {
@@ -122,7 +106,11 @@ void add_submit_command(CLI::App& app, int& exit_code) {
                    "an option of sbatch, as --sbatch=--time=60; repeatable")
       ->allow_extra_args(false);
   slurm->callback([slurm, array, &exit_code] {
-    exit_code = submit(*array, run_words(*slurm), {"sbatch", slurm_run_command, slurm_scripts});
+    const Submission s = submission_of(*array, *slurm);
+    exit_code = submit(*array, s.folder, "sbatch", slurm_run_command(s, "1"),
+                       {{"array.sh", slurm_array_script(s)},
+                        {"merge.sh", slurm_merge_script(s)},
+                        {"submit.sh", slurm_submit_script(s)}});
   });
   auto* parallel =
       command->add_subcommand("parallel", "Shards by GNU parallel on this machine, then the merge.");
@@ -133,7 +121,9 @@ void add_submit_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   parallel->callback([parallel, tasks, &exit_code] {
-    exit_code = submit(*tasks, run_words(*parallel), {"parallel", parallel_run_command, parallel_scripts});
+    const Submission s = submission_of(*tasks, *parallel);
+    exit_code = submit(*tasks, s.folder, "parallel", parallel_run_command(s, "1"),
+                       {{"parallel.sh", parallel_script(s)}});
   });
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "harness/commands/command_line.hpp"
 #include "harness/commands/verify.hpp"
@@ -39,31 +40,25 @@ bool is_asked_for(const SceneSource& source, const std::optional<std::string>& f
 }
 
 /// Names of the scenes that have a file in the folder.
-std::vector<std::string> kept_scenes(const fs::path& folder) {
-  std::vector<std::string> names;
+std::set<std::string> kept_scenes(const fs::path& folder) {
+  std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+    if (entry.path().extension() == ".json") names.insert(entry.path().stem().string());
   }
   return names;
 }
 
 /// Scenes that ship and those that have a file in the folder, if the filter takes them.
-std::vector<std::string> scenes_to_verify(const VerifyArguments& arguments, const fs::path& folder) {
-  std::vector<std::string> names, left_out;
-  for (const SceneSource& source : shipped_scenes())
-    (is_asked_for(source, arguments.scenes) ? names : left_out).push_back(name_of(source));
-  if (!arguments.update) {
-    const std::vector<std::string> kept = kept_scenes(folder);
-    if (kept.empty() && !arguments.scenes) refuse_folder(folder);
-    names.insert(names.end(), kept.begin(), kept.end());
+std::set<std::string> scenes_to_verify(const VerifyArguments& arguments, const fs::path& folder) {
+  std::set<std::string> names;
+  if (!arguments.update) names = kept_scenes(folder);
+  if (!arguments.update && names.empty() && !arguments.scenes) refuse_folder(folder);
+  for (const SceneSource& source : shipped_scenes()) {
+    names.erase(name_of(source));
+    if (is_asked_for(source, arguments.scenes)) names.insert(name_of(source));
   }
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
   const std::string filter = arguments.scenes.value_or("*");
-  std::erase_if(names, [&](const std::string& name) {
-    return !scene_filter_matches(filter, name) ||
-           std::find(left_out.begin(), left_out.end(), name) != left_out.end();
-  });
+  std::erase_if(names, [&](const std::string& name) { return !scene_filter_matches(filter, name); });
   if (names.empty()) {
     throw NothingMatched(fmt::format("scenes = {} (matches no scene; see `signorini list scenes`)", filter));
   }
@@ -143,7 +138,7 @@ std::size_t verify_scene(const VerifyArguments& arguments, const fs::path& file,
 }  // namespace
 
 int verify_references(const VerifyArguments& arguments, const fs::path& folder) {
-  const std::vector<std::string> names = scenes_to_verify(arguments, folder);
+  const std::set<std::string> names = scenes_to_verify(arguments, folder);
   if (arguments.update) fs::create_directories(folder);
   std::size_t differences = 0;
   Progress progress(names.size());

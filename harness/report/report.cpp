@@ -6,10 +6,7 @@
 #include "harness/files.hpp"
 #include "harness/report/figures/figures.hpp"
 #include "harness/report/figures/gnuplot.hpp"
-#include "harness/report/formats/latex.hpp"
-#include "harness/report/formats/markdown.hpp"
-#include "harness/report/formats/page.hpp"
-#include "harness/report/formats/record_csv.hpp"
+#include "harness/report/formats/formats.hpp"
 #include "harness/report/sections/sections.hpp"
 
 namespace signorini {
@@ -55,11 +52,6 @@ std::string manifest_text(const fs::path& folder) {
 
 }  // namespace
 
-const std::vector<std::string>& report_formats() {
-  static const std::vector<std::string> formats{"md", "csv", "tex", "html"};
-  return formats;
-}
-
 std::vector<fs::path> write_report(const fs::path& folder, const Evaluation& evaluation,
                                    const std::vector<std::string>& formats) {
   const auto wants = [&](const char* format) { return std::ranges::count(formats, format) > 0; };
@@ -83,8 +75,8 @@ std::vector<fs::path> write_report(const fs::path& folder, const Evaluation& eva
       write(folder / "tables" / (section.id + ".tex"), to_latex(section));
   }
   if (wants("html")) {
-    write(folder / "report.html", html_page(name_of(folder), facts_of_manifest(manifest_text(folder)),
-                                            evaluation, sections, scenes, svgs));
+    write(folder / "report.html",
+          html_page(name_of(folder), manifest_text(folder), evaluation, sections, scenes, svgs));
   }
   return files;
 }

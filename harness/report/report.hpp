@@ -11,8 +11,8 @@
 
 namespace signorini {
 
-/// Formats of reports: "md", "csv", "tex", "html".
-const std::vector<std::string>& report_formats();
+/// Formats of reports.
+inline const std::vector<std::string> kReportFormats{"md", "csv", "tex", "html"};
 
 /// Writes the report of a run in these formats, the same bytes whatever the order of the records:
 ///

@@ -7,8 +7,8 @@
 
 #include "methods/discretisation/symbols.hpp"
 #include "methods/structure/block_lanczos.hpp"
-#include "problems/problem.hpp"
 #include "problems/matrix_properties.hpp"
+#include "problems/problem.hpp"
 
 namespace signorini {
 

@@ -68,12 +68,11 @@ class Reader {
   }
 
  private:
+  // At the line that was read last, or at another one.
   [[noreturn]] void refuse(std::string_view what, std::string_view found, std::string_view required,
-                           int line) const {
-    throw SceneError(fmt::format("{}:{}: {} = {} ({})", name_, std::max(line, 1), what, found, required));
-  }
-  [[noreturn]] void refuse(std::string_view what, std::string_view found, std::string_view required) const {
-    refuse(what, found, required, line_);
+                           std::optional<int> line = {}) const {
+    throw SceneError(
+        fmt::format("{}:{}: {} = {} ({})", name_, std::max(line.value_or(line_), 1), what, found, required));
   }
   [[noreturn]] void refuse_line(std::string_view what, std::string_view required) const {
     refuse(what, fmt::format("\"{}\"", one_line(fmt::format("{}", fmt::join(words_, " ")))), required);

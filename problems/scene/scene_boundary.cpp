@@ -49,11 +49,9 @@ Patch read_patch(const SceneField& field, const Face& face, const BlockMesh& mes
   }
   if (!field.given()) return patch;
   constexpr std::string_view kPatch = "must be [[from, to], [from, to]], along the two axes of the face [m]";
-  const std::vector<SceneField> sides = field.items(kPatch);
-  if (sides.size() != 2) field.refuse(kPatch);
+  const std::vector<SceneField> sides = field.items(kPatch, 2);
   for (std::size_t side = 0; side < 2; ++side) {
-    const std::vector<SceneField> ends = sides[side].items(kPatch);
-    if (ends.size() != 2) sides[side].refuse(kPatch);
+    const std::vector<SceneField> ends = sides[side].items(kPatch, 2);
     patch[side] = {ends[0].number(kGap), ends[1].number(kGap)};
   }
   return patch;
@@ -83,8 +81,7 @@ std::vector<std::pair<int, double>> read_normal(const SceneField& contact, int s
   constexpr std::string_view kPair = "must be a pair [dof, coefficient]";
   std::vector<std::pair<int, double>> result;
   for (const SceneField& entry : normal.items("must be a list of pairs [dof, coefficient]")) {
-    const std::vector<SceneField> pair = entry.items(kPair);
-    if (pair.size() != 2) entry.refuse(kPair);
+    const std::vector<SceneField> pair = entry.items(kPair, 2);
     result.emplace_back(read_dof(pair[0], size), pair[1].number(kNumber));
   }
   return result;
@@ -96,8 +93,7 @@ std::vector<Contact> read_ring(const SceneField& contact, int size) {
     if (contact[key].given()) contact[key].refuse("must be absent: a ring of facets has dofs, a pair");
   }
   constexpr std::string_view kPair = "must be a pair of different coordinates";
-  const std::vector<SceneField> pair = contact["dofs"].items(kPair);
-  if (pair.size() != 2) contact["dofs"].refuse(kPair);
+  const std::vector<SceneField> pair = contact["dofs"].items(kPair, 2);
   const int first = read_dof(pair[0], size);
   const int second = read_dof(pair[1], size);
   if (first == second) contact["dofs"].refuse(kPair);

@@ -61,12 +61,6 @@ bool means(std::string_view label, double level) {
   return end.ec == std::errc() && end.ptr == label.data() + label.size() && asked == level;
 }
 
-std::vector<std::string> labels_of(const std::vector<double>& levels) {
-  std::vector<std::string> labels;
-  for (const double level : levels) labels.push_back(level_label(level));
-  return labels;
-}
-
 }  // namespace
 
 std::string level_label(double level) {
@@ -80,7 +74,10 @@ std::string level_label(double level) {
 
 std::vector<std::string> family_labels(const TomlNode& document, const std::string& file) {
   const SceneField family = SceneField(document, file)["family"];
-  return family.given() ? labels_of(read_levels(family)) : std::vector<std::string>();
+  std::vector<std::string> labels;
+  if (!family.given()) return labels;
+  for (const double level : read_levels(family)) labels.push_back(level_label(level));
+  return labels;
 }
 
 std::optional<FamilyLevel> choose_level(TomlNode& document, const std::string& file, std::string_view label) {

@@ -57,11 +57,10 @@ void SceneField::allow_only(std::initializer_list<std::string_view> keys,
   }
 }
 
-std::vector<SceneField> SceneField::items(std::string_view requirement) const {
+std::vector<SceneField> SceneField::items(std::string_view requirement, std::size_t count) const {
   const auto* array = as<TomlArray>();
-  if (array == nullptr || array->empty()) refuse(requirement);
+  if (array == nullptr || array->empty() || (count != 0 && array->size() != count)) refuse(requirement);
   std::vector<SceneField> fields;
-  fields.reserve(array->size());
   for (std::size_t i = 0; i < array->size(); ++i) fields.push_back(item(i));
   return fields;
 }

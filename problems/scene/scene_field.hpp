@@ -1,6 +1,7 @@
 #pragma once
 // A value of a scene file that knows its path and line, so that every complaint names both.
 
+#include <cstddef>
 #include <initializer_list>
 #include <limits>
 #include <string>
@@ -41,8 +42,8 @@ class SceneField {
 
   /// Refuses anything but a table, and in it any key but these.
   void allow_only(std::initializer_list<std::string_view> keys, std::string_view requirement) const;
-  /// Items of an array; refuses an empty one.
-  [[nodiscard]] std::vector<SceneField> items(std::string_view requirement) const;
+  /// Items of an array; refuses an empty one, and one of another length than `count` if that is given.
+  [[nodiscard]] std::vector<SceneField> items(std::string_view requirement, std::size_t count = 0) const;
   /// A finite number, >= least if that is given; TOML integers will do.
   [[nodiscard]] double number(std::string_view requirement,
                               double least = std::numeric_limits<double>::lowest()) const;

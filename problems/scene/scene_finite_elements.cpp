@@ -77,16 +77,10 @@ Beam read_section_and_material(const SceneField& system) {
           .density = read_positive(system["density"], "[kg/m^3]")};
 }
 
-std::array<SceneField, 3> three(const SceneField& field, std::string_view requirement) {
-  const std::vector<SceneField> items = field.items(requirement);
-  if (items.size() != 3) field.refuse(requirement);
-  return {items[0], items[1], items[2]};
-}
-
 BlockMesh read_mesh(const SceneField& system) {
   const SceneField elements = system["elements"];
-  const auto bricks = three(elements, "must be three whole numbers: bricks along x, y and z");
-  const auto lengths = three(system["lengths"], "must be three positive numbers, along x, y and z [m]");
+  const auto bricks = elements.items("must be three whole numbers: bricks along x, y and z", 3);
+  const auto lengths = system["lengths"].items("must be three positive numbers, along x, y and z [m]", 3);
   BlockMesh mesh;
   for (std::size_t a = 0; a < 3; ++a) {
     mesh.elements[a] = read_element_count(bricks[a]);
@@ -101,6 +95,42 @@ BlockMesh read_mesh(const SceneField& system) {
 }
 
 }  // namespace
+
+ModalDamping read_modal(const SceneField& modal, int size) {
+  constexpr std::string_view kRequirement = "must be a damping ratio >= 0 [-], or a list of them";
+  if (size > kMostModalCoordinates) {
+    modal.refuse(fmt::format("a system of {} coordinates", size),
+                 fmt::format("modal damping takes at most {}: use alpha and beta", kMostModalCoordinates));
+  }
+  if (!modal.is_array()) return {{modal.number(kRequirement, 0.0)}};
+  ModalDamping damping;
+  for (const SceneField& item : modal.items(kRequirement)) {
+    damping.ratios.push_back(item.number("must be a damping ratio >= 0 [-]", 0.0));
+  }
+  if (std::ssize(damping.ratios) > size) {
+    modal.refuse(fmt::format("{} values", damping.ratios.size()), fmt::format("has at most {} modes", size));
+  }
+  return damping;
+}
+
+ProportionalDamping read_rayleigh(const SceneField& rayleigh) {
+  const auto read = [&](std::string_view key, std::string_view unit) {
+    const SceneField field = rayleigh[key];
+    return field.given() ? field.number(fmt::format("must be a number >= 0 {}", unit), 0.0) : 0.0;
+  };
+  return {.alpha = read("alpha", "[1/s]"), .beta = read("beta", "[s]")};
+}
+
+DampingModel read_damping(const SceneField& damping, int size) {
+  constexpr std::string_view kRequirement = "must be { alpha = .., beta = .. } or { modal = .. }";
+  damping.allow_only({"alpha", "beta", "modal"}, kRequirement);
+  const SceneField modal = damping["modal"];
+  const bool rayleigh = damping["alpha"].given() || damping["beta"].given();
+  if (modal.given() && rayleigh) modal.refuse("must be absent: alpha or beta is given");
+  if (modal.given()) return read_modal(modal, size);
+  if (!rayleigh) damping.refuse(kRequirement);
+  return read_rayleigh(damping);
+}
 
 SystemDescription read_bar(const SceneField& system) {
   system.allow_only({"kind", "elements", "length", "area", "young", "density", "damping", "contact_mass"},

@@ -38,20 +38,22 @@ SystemDescription independent_of_contacts(Structure structure) {
           .assemble = [structure = std::move(structure)](const std::vector<int>&) { return structure; }};
 }
 
-SystemDescription read_sdof(const SceneField& system) {
+Rotor read_disc(const SceneField& system) {
   system.allow_only({"kind", "mass", "damping", "stiffness"}, "must be a table");
-  return independent_of_contacts(
-      assemble(Chain{.masses = {system["mass"].number("must be a positive number [kg]", kLeastPositive)},
-                     .dampers = {system["damping"].number("must be a number >= 0 [N s/m]", 0.0)},
-                     .springs = {system["stiffness"].number("must be a number >= 0 [N/m]", 0.0)}}));
+  return {.mass = system["mass"].number("must be a positive number [kg]", kLeastPositive),
+          .damping = system["damping"].number("must be a number >= 0 [N s/m]", 0.0),
+          .stiffness = system["stiffness"].number("must be a number >= 0 [N/m]", 0.0)};
 }
 
 SystemDescription read_rotor(const SceneField& system) {
-  system.allow_only({"kind", "mass", "damping", "stiffness"}, "must be a table");
+  return independent_of_contacts(assemble(read_disc(system)));
+}
+
+// One coordinate of a rotor by itself.
+SystemDescription read_sdof(const SceneField& system) {
+  const auto [mass, damping, stiffness] = read_disc(system);
   return independent_of_contacts(
-      assemble(Rotor{.mass = system["mass"].number("must be a positive number [kg]", kLeastPositive),
-                     .damping = system["damping"].number("must be a number >= 0 [N s/m]", 0.0),
-                     .stiffness = system["stiffness"].number("must be a number >= 0 [N/m]", 0.0)}));
+      assemble(Chain{.masses = {mass}, .dampers = {damping}, .springs = {stiffness}}));
 }
 
 // Absent: empty.
@@ -65,8 +67,7 @@ std::vector<Link> read_links(const SceneField& links, int size) {
   constexpr std::string_view kLink = "must be [mass, another mass, spring, damper]";
   const std::string mass = fmt::format("must be a mass of the chain, 0..{}", size - 1);
   for (const SceneField& link : links.items("must be a list of [mass, another mass, spring, damper]")) {
-    const std::vector<SceneField> items = link.items(kLink);
-    if (items.size() != 4) link.refuse(kLink);
+    const std::vector<SceneField> items = link.items(kLink, 4);
     result.push_back({.first = items[0].whole(mass, 0, size - 1),
                       .second = items[1].whole(mass, 0, size - 1),
                       .spring = items[2].number("must be a number >= 0 [N/m]", 0.0),

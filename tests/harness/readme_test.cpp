@@ -8,7 +8,7 @@
 #include "harness/files.hpp"
 #include "harness/records/record_store.hpp"
 #include "harness/records/run_folder.hpp"
-#include "harness/report/formats/markdown.hpp"
+#include "harness/report/formats/formats.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "tests/support/data_folder.hpp"
 

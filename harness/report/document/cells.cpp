@@ -66,14 +66,9 @@ std::string time_text(double seconds) {
 
 std::string orbit_text(const Record& record) {
   const Certificate& certificate = record.certificate;
-  switch (certificate.status) {
-    case CertificateStatus::none:
-      return in_place(record);
-    case CertificateStatus::uncertified:
-      return "uncertified: " + shortened(certificate.reason.empty() ? "no reason given" : certificate.reason);
-    case CertificateStatus::certified:
-      break;
-  }
+  if (certificate.status == CertificateStatus::none) return in_place(record);
+  if (certificate.status == CertificateStatus::uncertified)
+    return "uncertified: " + shortened(certificate.reason.empty() ? "no reason given" : certificate.reason);
   const std::string name = certificate.orbit.value_or("unnamed");
   if (!certificate.same_orbit) {
     return fmt::format(

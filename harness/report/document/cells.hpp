@@ -21,9 +21,9 @@ std::string in_place(const Record& record);
 /// "e = 0.8", "k = 1e+06 N/m", "massless", "undetermined", "no contact".
 std::string law_text(const RepresentedLaw& law);
 
-/// The relative error of x as tables print it: two digits, `<` and what is known of the orbit where the error is
-/// below that; "near: 2.7e-01" of an answer that is near an orbit, but not certified by it. Where there is none,
-/// the reason.
+/// The relative error of x as tables print it: two digits, `<` and what is known of the orbit where the error
+/// is below that; "near: 2.7e-01" of an answer that is near an orbit, but not certified by it. Where there is
+/// none, the reason.
 std::string error_text(const Record& record);
 
 /// An error against the certified orbit, "<" and ten error bars of that orbit where it is smaller.

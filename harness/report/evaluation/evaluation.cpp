@@ -15,18 +15,13 @@ bool before(const Record& a, const Record& b) {
   return a.key < b.key;
 }
 
-std::vector<Record> sorted(std::vector<Record> records) {
-  std::stable_sort(records.begin(), records.end(), before);
-  return records;
-}
-
 }  // namespace
 
 Evaluation::Evaluation(std::vector<Record> records, const Limits& limits)
-    : records_(sorted(std::move(records))),
-      time_limit_(limits.timeout),
-      studies_(resolution_studies(records_)),
-      groups_(ranking_groups(studies_)) {
+    : records_(std::move(records)), time_limit_(limits.timeout) {
+  std::ranges::stable_sort(records_, before);
+  studies_ = resolution_studies(records_);
+  groups_ = ranking_groups(studies_);
   for (const ResolutionStudy& study : studies_) {
     configurations_.push_back(study.configuration);
     if (scenes_.empty() || scenes_.back() != study.scene) scenes_.push_back(study.scene);

@@ -6,7 +6,7 @@
 
 #include "harness/plan/suite.hpp"
 #include "harness/records/record.hpp"
-#include "harness/report/evaluation/ranking_group.hpp"
+#include "harness/report/evaluation/ranking.hpp"
 
 namespace signorini {
 

@@ -30,11 +30,8 @@ std::vector<const Record*> drawn_on(const Evaluation& evaluation, const std::str
 
 /// The contact that exchanges most impulse, by its place among those kept.
 std::size_t busiest_contact(const Waveform& orbit) {
-  std::size_t busiest = 0;
-  for (std::size_t c = 1; c < orbit.impulse.size(); ++c) {
-    if (orbit.impulse[c].back() < orbit.impulse[busiest].back()) busiest = c;
-  }
-  return busiest;
+  const auto total = [](const std::vector<double>& impulse) { return impulse.back(); };
+  return static_cast<std::size_t>(std::ranges::min_element(orbit.impulse, {}, total) - orbit.impulse.begin());
 }
 
 std::string block_of(const std::string& name, const Waveform& waveform, std::size_t contact) {

@@ -5,6 +5,7 @@
 
 #include <boost/algorithm/string/replace.hpp>
 #include <cmath>
+#include <regex>
 #include <utility>
 
 namespace signorini {
@@ -52,17 +53,8 @@ std::string html_escaped(std::string text) {
 }
 
 std::string html_text(const std::string& text) {
-  std::string result;
-  bool code = false;
-  for (const char c : html_escaped(text)) {
-    if (c != '`') {
-      result += c;
-      continue;
-    }
-    result += code ? "</code>" : "<code>";
-    code = !code;
-  }
-  return result;
+  static const std::regex code("`([^`]*)`");
+  return std::regex_replace(html_escaped(text), code, "<code>$1</code>");
 }
 
 std::string record_anchor(std::size_t place) { return fmt::format("record-{}", place + 1); }

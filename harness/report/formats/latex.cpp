@@ -1,10 +1,11 @@
-#include "harness/report/formats/latex.hpp"
-
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
+
+#include "harness/report/formats/formats.hpp"
 
 namespace signorini {
 
@@ -44,15 +45,13 @@ std::string latex_escaped(const std::string& text) {
        {"\n", " "}}};
   std::string escaped;
   for (std::size_t i = 0; i < text.size();) {
-    bool spelled = false;
-    for (const auto& [plain, word] : kSpelled) {
-      if (text.compare(i, plain.size(), plain) != 0) continue;
-      escaped += word;
-      i += plain.size();
-      spelled = true;
-      break;
+    const auto spelled = std::ranges::find_if(
+        kSpelled, [&](const auto& pair) { return text.compare(i, pair.first.size(), pair.first) == 0; });
+    if (spelled != kSpelled.end()) {
+      escaped += spelled->second;
+      i += spelled->first.size();
+      continue;
     }
-    if (spelled) continue;
     const auto byte = static_cast<unsigned char>(text[i++]);
     constexpr unsigned char kBeyondAscii = 0x80, kContinuation = 0xC0;
     if (byte < kBeyondAscii) {

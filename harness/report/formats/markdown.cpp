@@ -1,11 +1,10 @@
-#include "harness/report/formats/markdown.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <sstream>
 
 #include "harness/failure.hpp"
+#include "harness/report/formats/formats.hpp"
 
 namespace signorini {
 

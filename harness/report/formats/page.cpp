@@ -1,5 +1,3 @@
-#include "harness/report/formats/page.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/report/document/cells.hpp"
+#include "harness/report/formats/formats.hpp"
 #include "harness/report/formats/html.hpp"
 
 namespace signorini {
@@ -128,27 +127,19 @@ std::string records_of(const Evaluation& evaluation) {
   return text + "</section>\n";
 }
 
-std::string header_of(const std::string& title, const RunFacts& facts, const Evaluation& evaluation) {
-  std::string text = fmt::format("<header><h1>{}</h1>\n<p>{} runs: {} methods on {} scenes.</p>\n<dl>",
-                                 html_escaped(title), evaluation.records().size(),
-                                 evaluation.configurations().size(), evaluation.scenes().size());
-  for (const auto& [name, value] : facts)
-    text += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", html_escaped(name), html_escaped(value));
-  return text + "</dl></header>\n";
-}
-
-}  // namespace
-
-RunFacts facts_of_manifest(const std::string& text) {
-  if (text.empty()) return {};
-  const Json json = Json::parse(text, nullptr, false);
+/// What a manifest says of the run, as entries of a definition list. \throws UsageError if it is no JSON
+/// object
+std::string facts_of(const std::string& manifest) {
+  if (manifest.empty()) return {};
+  const Json json = Json::parse(manifest, nullptr, false);
   if (!json.is_object()) throw UsageError("manifest.json = unreadable (must be one JSON object)");
-  RunFacts facts;
+  std::string facts;
   const auto add = [&](const char* name, const char* pointer) {
     const Json::json_pointer place{pointer};
     if (!json.contains(place)) return;
     const Json& value = json[place];
-    facts.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
+    facts += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", html_escaped(name),
+                         html_escaped(value.is_string() ? value.get<std::string>() : value.dump()));
   };
   add("suite", "/suite");
   add("date", "/date");
@@ -161,7 +152,16 @@ RunFacts facts_of_manifest(const std::string& text) {
   return facts;
 }
 
-std::string html_page(const std::string& title, const RunFacts& facts, const Evaluation& evaluation,
+std::string header_of(const std::string& title, const std::string& manifest, const Evaluation& evaluation) {
+  std::string text = fmt::format("<header><h1>{}</h1>\n<p>{} runs: {} methods on {} scenes.</p>\n<dl>",
+                                 html_escaped(title), evaluation.records().size(),
+                                 evaluation.configurations().size(), evaluation.scenes().size());
+  return text + facts_of(manifest) + "</dl></header>\n";
+}
+
+}  // namespace
+
+std::string html_page(const std::string& title, const std::string& manifest, const Evaluation& evaluation,
                       std::span<const Section> sections, std::span<const SceneFigures> scenes,
                       const std::map<std::string, std::string>& svgs) {
   std::string text = fmt::format(
@@ -171,7 +171,7 @@ std::string html_page(const std::string& title, const RunFacts& facts, const Eva
       "<link rel=\"icon\" href=\"data:,\">\n<title>{} - "
       "signorini</title>\n<style>\n{}</style></head>\n<body>\n",
       html_escaped(title), kPageStyle);
-  text += navigation(sections, scenes) + "<main>\n" + header_of(title, facts, evaluation);
+  text += navigation(sections, scenes) + "<main>\n" + header_of(title, manifest, evaluation);
   for (const Section& section : sections) {
     if (is_overview(section)) text += section_of(section, svgs);
   }

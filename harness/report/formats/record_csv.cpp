@@ -1,5 +1,3 @@
-#include "harness/report/formats/record_csv.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -13,6 +11,7 @@
 #include "harness/report/document/cells.hpp"
 #include "harness/report/evaluation/outcome.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/formats/formats.hpp"
 #include "harness/table.hpp"
 
 namespace signorini {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <ranges>
 #include <vector>
 
 #include "harness/report/document/cells.hpp"
@@ -92,21 +93,19 @@ Section breakdown_section(const Evaluation& evaluation, const Families& families
 }
 
 /// The parameter and the levels of each family.
-Section parameter_section(const Families& families) {
+Section parameter_section(const Evaluation& evaluation) {
+  std::map<std::string, std::string> parameters;             // by family
+  std::map<std::string, std::map<int, std::string>> labels;  // and severity
+  for (const Record& record : evaluation.records()) {
+    if (!record.family) continue;
+    parameters[record.family->family] = record.family->parameter;
+    labels[record.family->family][record.family->severity] = level_label(record.family->level);
+  }
   Section section{.id = "families", .title = "Families"};
   section.table.header = {"family", "parameter", "levels, easiest first"};
-  for (const auto& [family, configurations] : families) {
-    std::map<int, std::string> labels;
-    const Record* any = nullptr;
-    for (const auto& [place, levels] : configurations) {
-      for (const auto& [severity, records] : levels) {
-        any = records.front();
-        labels[severity] = level_label(any->family->level);
-      }
-    }
-    std::string list;
-    for (const auto& [severity, label] : labels) list += (list.empty() ? "" : ", ") + label;
-    section.table.rows.push_back({family, any->family->parameter, list});
+  for (const auto& [family, parameter] : parameters) {
+    const std::string list = fmt::format("{}", fmt::join(std::views::values(labels[family]), ", "));
+    section.table.rows.push_back({family, parameter, list});
   }
   return section;
 }
@@ -139,10 +138,8 @@ Section false_convergence_section(const Evaluation& evaluation) {
 /// The largest estimate of a certified answer.
 Cell condition_cell(const Levels& levels) {
   double largest = 0.0;
-  for (const auto& [severity, records] : levels) {
-    for (const Record* record : records) {
-      if (claim_of(*record) == Claim::certified) largest = std::max(largest, record->condition.value_or(0.0));
-    }
+  for (const Record* record : levels | std::views::values | std::views::join) {
+    if (claim_of(*record) == Claim::certified) largest = std::max(largest, record->condition.value_or(0.0));
   }
   return largest > 0.0 ? Cell(fmt::format("{:.0e}", largest), largest) : Cell("none");
 }
@@ -164,7 +161,7 @@ Section condition_section(const Evaluation& evaluation, const Families& families
 Sections breakdown_sections(const Evaluation& evaluation) {
   const Families families = families_of(evaluation);
   if (families.empty()) return {};
-  Sections sections{parameter_section(families)};
+  Sections sections{parameter_section(evaluation)};
   for (const double error : kSolvedWithin) sections.push_back(breakdown_section(evaluation, families, error));
   sections.push_back(false_convergence_section(evaluation));
   sections.push_back(condition_section(evaluation, families));

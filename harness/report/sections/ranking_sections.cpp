@@ -64,14 +64,12 @@ Cell reached_cell(const std::vector<double>& costs) {
   return {std::isfinite(middle) ? count + ", " + time_text(middle) : count, middle};
 }
 
-int runs_on_another_orbit(const std::vector<const ResolutionStudy*>& studies) {
-  int runs = 0;
-  for (const ResolutionStudy* study : studies) {
-    for (const ScoredRun& run : study->runs) {
-      const Certificate& certificate = run.record->certificate;
-      if (run.record->status == Status::converged && certificate.same_orbit == false) ++runs;
-    }
-  }
+std::ptrdiff_t runs_on_another_orbit(const std::vector<const ResolutionStudy*>& studies) {
+  const auto on_another = [](const ScoredRun& run) {
+    return run.record->status == Status::converged && run.record->certificate.same_orbit == false;
+  };
+  std::ptrdiff_t runs = 0;
+  for (const ResolutionStudy* study : studies) runs += std::ranges::count_if(study->runs, on_another);
   return runs;
 }
 
@@ -198,7 +196,8 @@ void fill_pairs(const RankingGroup& group, Section& section) {
     for (std::size_t a = 0; a < costs.size(); ++a) {
       std::vector<Cell> row{Cell(error_title(error), -error), group.configurations[a]};
       for (std::size_t b = 0; b < costs.size(); ++b)
-        row.push_back(a == b ? Cell("·") : share_cell(pairwise_profile(costs, a, b).share(0, 1.0)));
+        row.push_back(a == b ? Cell("·")
+                             : share_cell(performance_profile({costs[a], costs[b]}).share(0, 1.0)));
       section.table.rows.push_back(std::move(row));
     }
   }

@@ -6,8 +6,8 @@
 
 #include "harness/plan/case_name.hpp"
 #include "harness/report/document/cells.hpp"
-#include "harness/report/evaluation/aggregates.hpp"
 #include "harness/report/evaluation/outcome.hpp"
+#include "harness/report/evaluation/ranking.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "harness/statistics.hpp"
 

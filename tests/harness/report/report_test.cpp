@@ -10,8 +10,7 @@
 #include <sstream>
 
 #include "harness/files.hpp"
-#include "harness/report/formats/markdown.hpp"
-#include "harness/report/formats/record_csv.hpp"
+#include "harness/report/formats/formats.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
@@ -36,7 +35,7 @@ TEST(WriteReport, IsByteIdenticalWhateverTheOrderOfTheRecords) {
   if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
   std::vector<Record> records = test::records_of_a_run();
   const fs::path folder = test::fresh_folder("report");
-  write_report(folder, Evaluation(records), report_formats());
+  write_report(folder, Evaluation(records), kReportFormats);
   const auto before = contents(folder);
   EXPECT_TRUE(before.contains("table.md"));
   EXPECT_TRUE(before.contains("measures.csv"));
@@ -48,7 +47,7 @@ TEST(WriteReport, IsByteIdenticalWhateverTheOrderOfTheRecords) {
   fs::create_directories(folder);
   std::mt19937 random(3);
   std::shuffle(records.begin(), records.end(), random);
-  write_report(folder, Evaluation(records), report_formats());
+  write_report(folder, Evaluation(records), kReportFormats);
   const auto after = contents(folder);
   ASSERT_EQ(after.size(), before.size());
   for (const auto& [name, text] : before) EXPECT_TRUE(after.at(name) == text) << name;

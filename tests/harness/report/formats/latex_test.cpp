@@ -1,5 +1,3 @@
-#include "harness/report/formats/latex.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -8,6 +6,7 @@
 #include <sstream>
 
 #include "harness/files.hpp"
+#include "harness/report/formats/formats.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"

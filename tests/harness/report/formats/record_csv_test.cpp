@@ -1,10 +1,9 @@
-#include "harness/report/formats/record_csv.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <sstream>
 
+#include "harness/report/formats/formats.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini {

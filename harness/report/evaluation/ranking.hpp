@@ -1,10 +1,14 @@
 #pragma once
-// Many scenes in few numbers, failures included: means, and performance profiles [dolan2002].
+// Rankings: which configurations are compared, by what costs, and many scenes in few numbers, failures
+// included: means, and performance profiles [dolan2002].
 
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
+
+#include "harness/report/evaluation/work_precision.hpp"
 
 namespace signorini {
 
@@ -36,11 +40,24 @@ struct PerformanceProfile {
   [[nodiscard]] double share(std::size_t configuration, double factor) const;
 };
 
-/// Joint profile of all rows. Where the least cost is zero, a cost above it has no finite ratio.
+/// Joint profile of all rows. Where the least cost is zero, a cost above it has no finite ratio. With more
+/// than two rows a profile ranks nobody but the first: who is second changes with who else takes part
+/// [gould2016].
 PerformanceProfile performance_profile(const Costs& costs);
 
-/// Profile of two configurations alone. With more than two, a joint profile ranks nobody but the first: who
-/// is second changes with who else takes part [gould2016].
-PerformanceProfile pairwise_profile(const Costs& costs, std::size_t first, std::size_t second);
+/// Configurations that represent the laws of the same scenes. Each scene belongs to one group.
+struct RankingGroup {
+  std::vector<std::string> configurations = {};
+  std::vector<std::string> scenes = {};
+  std::vector<std::vector<const ResolutionStudy*>> studies = {};  ///< [configuration][scene]
+};
+
+/// Groups of studies, the largest first. A configuration that represents another law on a scene, or was not
+/// run there, is not ranked there. One that does not apply to a scene has not solved it; one that applies to
+/// no scene of a group is left out of the group. The result points into `studies`.
+std::vector<RankingGroup> ranking_groups(const std::vector<ResolutionStudy>& studies);
+
+/// Costs of all configurations of a group on all of its scenes.
+Costs costs_to_error(const RankingGroup& group, const CostAxis& axis, double error);
 
 }  // namespace signorini

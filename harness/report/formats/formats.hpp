@@ -1,0 +1,60 @@
+#pragma once
+// A report in each of its formats: Markdown, LaTeX, CSV, HTML.
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/report/document/section.hpp"
+#include "harness/report/evaluation/evaluation.hpp"
+
+namespace signorini {
+
+/// All sections as Markdown, one below the other.
+std::string markdown_report(std::span<const Section> sections);
+
+/// A document with its tables brought up to date: what stands between a line
+/// `<!-- table RUN/SECTION [WORD] -->` and the next `<!-- /table -->` becomes the table of that section, of
+/// its rows only those whose first cell is WORD. Markers of other runs stay as they are. \throws UsageError
+/// for a section that is not there, or a marker without its end, NothingMatched where no marker is of this
+/// run or no row begins with WORD
+std::string with_tables(const std::string& document, const std::string& run,
+                        std::span<const Section> sections);
+
+/// The table of a section, ready for \input: a `tabular` with the rules of the package booktabs, a
+/// `longtable` where it is longer than a page.
+std::string to_latex(const Section& section);
+
+/// Text with the characters that TeX takes for its own, and those beyond ASCII that our tables use, spelled
+/// out.
+std::string latex_escaped(const std::string& text);
+
+/// One row per record with all measures as plain numbers. An empty cell is explained in the last column.
+std::string csv_report(const Evaluation& evaluation);
+
+/// One row per scene and configuration: its eligibility (competes, another-law, not-applicable), how many of
+/// its runs are solved, and seconds to each error of kErrorLevels; `inf` where it is not reached.
+std::string measures_csv(const Evaluation& evaluation);
+
+/// The figures of one scene.
+struct SceneFigures {
+  std::string scene = {};
+  std::vector<Figure> figures = {};
+};
+
+/// A run as one HTML page that needs nothing but itself: overview, sections, scenes with their figures, and
+/// the record behind every number.
+/// \param title     of the run
+/// \param manifest  text of its manifest.json, for the header; none if empty
+/// \param svgs      each figure as drawn, by name
+/// \throws UsageError if the manifest is no JSON object
+std::string html_page(const std::string& title, const std::string& manifest, const Evaluation& evaluation,
+                      std::span<const Section> sections, std::span<const SceneFigures> scenes,
+                      const std::map<std::string, std::string>& svgs);
+
+// page.css and page.js of this folder.
+extern const std::string_view kPageStyle, kPageScript;
+
+}  // namespace signorini
