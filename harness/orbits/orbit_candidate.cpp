@@ -1,82 +1,50 @@
 #include "harness/orbits/orbit_candidate.hpp"
 
-#include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
-#include <string_view>
-#include <utility>
 #include <vector>
 
-#include "harness/records/record_json.hpp"
+#include "harness/records/json_fields.hpp"
+#include "harness/records/record_fields.hpp"
 
 namespace signorini {
 
-namespace {
-
-using Json = nlohmann::ordered_json;
-using Origin = OrbitCandidate::Origin;
-
-constexpr std::array<std::pair<Origin, std::string_view>, 4> kOrigins{
-    {{Origin::rest, "rest"}, {Origin::method, "method"}, {Origin::grid, "grid"}, {Origin::state, "state"}}};
-constexpr std::array<std::pair<ContactEvent::Kind, std::string_view>, 3> kKinds{
-    {{ContactEvent::Kind::impact, "impact"},
-     {ContactEvent::Kind::close, "close"},
-     {ContactEvent::Kind::open, "open"}}};
-
-template <class Names, class Value>
-std::string name_in(const Names& names, Value value) {
-  const auto found =
-      std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == value; });
-  return std::string(found->second);
-}
-
-template <class Names>
-auto value_in(const Names& names, const std::string& name) {
-  const auto found =
-      std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.second == name; });
-  if (found == names.end()) throw BadRecord("\"" + name + "\" is no value of this key");
-  return found->first;
-}
-
-Json list(const Eigen::VectorXd& values) { return std::vector<double>(values.begin(), values.end()); }
-
-Eigen::VectorXd vector(const Json& json) {
-  const auto values = json.get<std::vector<double>>();
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-Json guess_to_json(const OrbitGuess& guess) {
-  Json events = Json::array();
-  for (const SequenceEvent& event : guess.events) {
-    events.push_back({{"kind", name_in(kKinds, event.kind)},
-                      {"contact", event.contact},
-                      {"time", event.time},
-                      {"pushed", event.pushed},
-                      {"restitution", event.restitution},
-                      {"closed", event.closed}});
+template <>
+struct JsonForm<Eigen::VectorXd> {
+  static nlohmann::ordered_json write(const Eigen::VectorXd& values) {
+    return std::vector<double>(values.begin(), values.end());
   }
-  return {{"time", guess.start.time},     {"u", list(guess.start.state.u)}, {"v", list(guess.start.state.v)},
-          {"closed", guess.start.closed}, {"events", std::move(events)},    {"origin", guess.origin}};
-}
-
-OrbitGuess guess_from_json(const Json& json) {
-  OrbitGuess guess{.start = {.time = json.at("time"),
-                             .state = {.u = vector(json.at("u")), .v = vector(json.at("v"))},
-                             .closed = json.at("closed").get<std::vector<bool>>()},
-                   .events = {},
-                   .origin = json.at("origin")};
-  for (const Json& event : json.at("events")) {
-    guess.events.push_back({.kind = value_in(kKinds, event.at("kind").get<std::string>()),
-                            .contact = event.at("contact"),
-                            .time = event.at("time"),
-                            .pushed = event.at("pushed").get<std::vector<int>>(),
-                            .restitution = event.at("restitution").get<std::vector<double>>(),
-                            .closed = event.at("closed").get<std::vector<bool>>()});
+  static Eigen::VectorXd read(const nlohmann::ordered_json& json) {
+    const auto values = json.get<std::vector<double>>();
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
   }
-  return guess;
+};
+
+void visit_fields(Either<SequenceEvent> auto& event, auto&& field) {
+  field(required("kind"), event.kind);
+  field(required("contact"), event.contact);
+  field(required("time"), event.time);
+  field(required("pushed"), event.pushed);
+  field(required("restitution"), event.restitution);
+  field(required("closed"), event.closed);
 }
 
-}  // namespace
+void visit_fields(Either<OrbitGuess> auto& guess, auto&& field) {
+  field(required("time"), guess.start.time);
+  field(required("u"), guess.start.state.u);
+  field(required("v"), guess.start.state.v);
+  field(required("closed"), guess.start.closed);
+  field(required("events"), guess.events);
+  field(required("origin"), guess.origin);
+}
+
+void visit_fields(Either<OrbitCandidate> auto& candidate, auto&& field) {
+  field(required("origin"), candidate.origin);
+  field(required("source"), candidate.source);
+  field(required("order"), candidate.order);
+  field(required("near"), candidate.near);
+  field(required("reason"), candidate.reason);
+  field(Field{"orbit"}, candidate.orbit);
+}
 
 void take_search(const OrbitSearch& search, OrbitCandidate& candidate) {
   if (search.orbit.certified()) {
@@ -92,29 +60,16 @@ SearchOptions search_until(Deadline deadline) {
   return options;
 }
 
-Json to_json(const OrbitCandidate& candidate) {
-  Json json{{"origin", name_in(kOrigins, candidate.origin)},
-            {"source", candidate.source},
-            {"order", candidate.order},
-            {"near", candidate.near},
-            {"reason", candidate.reason}};
-  if (candidate.orbit) json["orbit"] = guess_to_json(*candidate.orbit);
-  return json;
-}
+nlohmann::ordered_json to_json(const OrbitCandidate& candidate) { return write_fields(candidate); }
 
-OrbitCandidate orbit_candidate_from_json(const Json& json) {
+OrbitCandidate orbit_candidate_from_json(const nlohmann::ordered_json& json) {
+  OrbitCandidate candidate;
   try {
-    OrbitCandidate candidate{.origin = value_in(kOrigins, json.at("origin").get<std::string>()),
-                             .source = json.at("source"),
-                             .order = json.at("order"),
-                             .near = json.at("near"),
-                             .orbit = {},
-                             .reason = json.at("reason")};
-    if (json.contains("orbit")) candidate.orbit = guess_from_json(json["orbit"]);
-    return candidate;
+    read_fields(json, candidate);
   } catch (const nlohmann::json::exception& error) {
     throw BadRecord(error.what());
   }
+  return candidate;
 }
 
 }  // namespace signorini

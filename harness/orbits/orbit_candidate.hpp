@@ -1,10 +1,12 @@
 #pragma once
 // One start of a search for orbits and the orbit that it led to, as it crosses from one process to another.
 
+#include <array>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "harness/judge/orbit_solver.hpp"
 #include "methods/orbit/exact_orbit.hpp"
@@ -25,6 +27,13 @@ struct OrbitCandidate {
   bool near = false;        ///< the orbit lies within kNearOrbit of the method's answer
   std::optional<OrbitGuess> orbit = {};  ///< solution of the orbit equations, admissible
   std::string reason = {};               ///< why there is none
+};
+
+/// The names between processes.
+template <>
+struct EnumNames<OrbitCandidate::Origin> {
+  /// In order.
+  static constexpr std::array<std::string_view, 4> values{"rest", "method", "grid", "state"};
 };
 
 /// Takes over the orbit of a search, or the reason why it found none.
