@@ -15,8 +15,9 @@ namespace signorini {
 std::filesystem::path references_folder();
 
 /// The orbit from rest that `folder`/SCENE.json keeps of this very scene (by its hash), under the scene's own
-/// law, rebuilt from its events. It is known to 1e-9 at least; CVODE, which confirmed it when it was kept, does
-/// not follow it again. Empty where none is kept, the file is not readable, or the events do not lead to it.
+/// law, rebuilt from its events. It is known to 1e-9 at least; CVODE, which confirmed it when it was kept,
+/// does not follow it again. Empty where none is kept, the file is not readable, or the events do not lead to
+/// it.
 std::optional<Reference> kept_reference(const Scene& scene, const std::filesystem::path& folder,
                                         const OrbitPolisher& polish);
 

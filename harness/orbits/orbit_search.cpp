@@ -221,8 +221,7 @@ SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& op
 }
 
 std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit& kept,
-                                        const OrbitPolisher& polish,
-                                        std::span<const Certificate> confirmed) {
+                                        const OrbitPolisher& polish, std::span<const Certificate> confirmed) {
   std::vector<ContactEvent> events;
   for (const OrbitEvent& event : kept.certified.events)
     events.push_back({event.kind, event.contact, event.time, event.value.value_or(0.0)});

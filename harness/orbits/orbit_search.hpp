@@ -65,9 +65,9 @@ using SearchProgress = std::function<void(int order)>;
 SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& options,
                             const OrbitPolisher& polish = {}, const SearchProgress& progress = {});
 
-/// Polishes and certifies an orbit anew from nothing but its events as they were kept. Empty if they lead to no
-/// certified orbit, as where a contact is pressed for ever, which is no event.
-/// \param confirmed  orbits that CVODE need not follow again, see OrbitPolisher
+/// Polishes and certifies an orbit anew from nothing but its events as they were kept. Empty if they lead to
+/// no certified orbit, as where a contact is pressed for ever, which is no event. \param confirmed  orbits
+/// that CVODE need not follow again, see OrbitPolisher
 std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit& kept,
                                         const OrbitPolisher& polish = {},
                                         std::span<const Certificate> confirmed = {});
