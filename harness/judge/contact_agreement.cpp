@@ -13,13 +13,13 @@ namespace signorini {
 
 namespace {
 
-constexpr double kTouching = 1e-6;    // of the unit of impulse
-constexpr double kHitting = 1e-3;     // of the unit of impulse
-constexpr double kClear = 1e-2;       // of the largest impulse of a contact
-constexpr double kFactor = 2.0;       // of total impulses
-constexpr double kStrongPhase = 0.1;  // of the impulse of its contact
-constexpr double kWeakPhase = 0.02;   // of the impulse of its contact
-constexpr double kShownApart = 6.0;   // resolutions in time: a coarse answer is late by two or three
+constexpr double kTouching = 1e-6;     // of the unit of impulse
+constexpr double kHitting = 1e-3;      // of the unit of impulse
+constexpr double kClear = 1e-2;        // of the largest impulse of a contact
+constexpr double kFactor = 2.0;        // of total impulses
+constexpr double kStrongPhase = 0.25;  // of the largest impulse of a phase of its contact
+constexpr double kWeakPhase = 0.05;    // of the same
+constexpr double kShownApart = 6.0;    // resolutions in time: a coarse answer is late by two or three
 
 /// Impulses of one motion per forcing period, and where they count as contact.
 struct Touches {
@@ -60,9 +60,10 @@ std::vector<double> phases_shown(const Motion& motion, int contact, double apart
   return shown;
 }
 
-/// How many phases have at least a share of their sum.
+/// How many phases have at least a share of the largest one's impulse.
 long count_above(const std::vector<double>& phases, double share) {
-  const double least = share * std::accumulate(phases.begin(), phases.end(), 0.0);
+  if (phases.empty()) return 0;
+  const double least = share * *std::max_element(phases.begin(), phases.end());
   return std::count_if(phases.begin(), phases.end(), [&](double impulse) { return impulse >= least; });
 }
 

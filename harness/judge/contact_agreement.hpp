@@ -22,9 +22,9 @@ struct ContactDifference {
 ///
 /// - no contact touches clearly in one of them and not at all in the other
 /// - the sums of |J_c| differ by a factor of at most 2
-/// - at every contact, phases of at least 10 % of J_c in one motion are no more than the phases of at least
-///   2 % in the other, per common period; phases closer than six times the coarser of the two resolutions
-///   in time count as one, since the coarser motion shows them as one.
+/// - at every contact, phases whose impulse is at least 25 % of the largest one's in one motion are no more
+///   than the phases of at least 5 % in the other, per common period; phases closer than six times the
+///   coarser of the two resolutions in time count as one, since the coarser motion shows them as one.
 ///
 /// They contradict each other if no contact of one touches, and the impulse of the other exceeds 1e-3 k_c X
 /// T.

@@ -36,7 +36,7 @@ class HatLcp final : public Method {
   static constexpr std::string_view kTitle =
       "Hat functions in time, one linear complementarity problem per period";
   static constexpr std::string_view kLaws = "restitution 0..1, penalty, massless; none: undetermined";
-  static constexpr std::string_view kLadder = "samples=64|256|1024";
+  static constexpr std::string_view kLadder = "samples=128|512|2048";
   static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 
   struct Options {
