@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <memory>
-#include <ranges>
 #include <vector>
 
 #include "harness/build_info.hpp"
@@ -73,9 +73,9 @@ std::string roff(const std::string& text) {
 template <class Branch>
 std::string branches(const CLI::App& app, const Branch& branch) {
   std::string text;
-  const std::vector<Page> commands = pages(app);
-  for (const Page& page : commands | std::views::reverse)
-    text += branch(fmt::format("'{} '*", page.path), *page.command);
+  std::vector<Page> commands = pages(app);
+  std::reverse(commands.begin(), commands.end());
+  for (const Page& page : commands) text += branch(fmt::format("'{} '*", page.path), *page.command);
   return text + branch("*", app);
 }
 

@@ -84,8 +84,9 @@ int solve(const SolveArguments& arguments) {
                                  extras.start->contact_count()));
   }
   watch_interrupts();
-  Runner runner(
-      {.certificate_timeout = arguments.certificate, .reference_timeout = arguments.reference.value_or(0.0)});
+  Runner runner({.repetitions = 1,
+                 .certificate_timeout = arguments.certificate,
+                 .reference_timeout = arguments.reference.value_or(0.0)});
   const std::vector<Job> jobs = runner.make_jobs(scene, cases);
   if (interrupted()) return kInterrupted;
   runner.compute_references(scene, jobs);

@@ -68,10 +68,11 @@ class Attempts {
   /// Whether an orbit was found near the answer that is not its own: another way leads there too.
   [[nodiscard]] bool near() const { return !near_.empty(); }
 
-  /// Says why there is no certificate. An orbit near by speaks against calling the answer wrong.
+  /// Says why there is no certificate. An orbit near by, or a search without an end, speaks against calling
+  /// the answer wrong.
   void give_up() {
     Certificate& certificate = result.certificate;
-    if (near_.empty()) certificate.refutation = refutation_;
+    if (near_.empty() && nothing_found_.empty()) certificate.refutation = refutation_;
     for (const std::string& reason : {near_, refutation_, nothing_found_}) {
       if (certificate.reason.empty()) certificate.reason = reason;
     }

@@ -21,10 +21,11 @@ struct ContactDifference {
 /// it also is above 1 % of the motion's largest. The two agree if
 ///
 /// - no contact touches clearly in one of them and not at all in the other
-/// - the sums of |J_c| differ by a factor of at most 2
+/// - J_c differs by a factor of at most 2 at every contact that touches clearly on the orbit
 /// - at every contact, phases whose impulse is at least 25 % of the largest one's in one motion are no more
 ///   than the phases of at least 5 % in the other, per common period; phases closer than six times the
-///   coarser of the two resolutions in time count as one, since the coarser motion shows them as one.
+///   coarser of the two resolutions in time, at most 0.15 forcing periods, count as one, since the coarser
+///   motion shows them as one.
 ///
 /// They contradict each other if no contact of one touches, and the impulse of the other exceeds 1e-3 k_c X
 /// T.

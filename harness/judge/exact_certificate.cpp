@@ -40,7 +40,7 @@ std::vector<OrbitEvent> events_of(const ExactTrajectory& orbit) {
 double relative_error_bar(const ExactOrbit& orbit, const Trajectory& motion, double displacement_scale) {
   const Samples samples = motion.sample(kNormInstants);
   if (samples.x.size() == 0) return orbit.error_bar;
-  const double norm = samples.x.norm() / std::sqrt(static_cast<double>(kNormInstants));
+  const double norm = std::sqrt((samples.x.rowwise() - samples.x.colwise().mean()).array().square().mean());
   return norm > 0.0 ? orbit.error_bar * displacement_scale / norm : orbit.error_bar;
 }
 

@@ -15,7 +15,7 @@ namespace signorini {
 
 namespace {
 
-/// Share of the contact-free motion that the size of a motion is taken to be at least.
+/// Share of the scale of the scene (`scene_length`) that the size of a motion is taken to be at least.
 constexpr double kLeastSize = 0.1;
 /// Digits of x that round-off may have taken, relative to the largest |x|.
 constexpr double kRoundOff = 1e-9;
@@ -79,12 +79,16 @@ Eigen::MatrixXcd spectrum_of(const Motion& motion, int count) {
 
 Eigen::Index per_period(const Motion& motion) { return motion.samples.x.rows() / motion.order; }
 
-/// Root mean square of the contact-free motion about its mean [m]; 0 where there is none.
-double contact_free_size(const Problem& problem) {
+/// Root mean square of the contact-free motion about its mean, but at most the largest distance of that mean
+/// from a stop: near resonance the contact-free motion is as large as damping lets it be, and no measure of a
+/// motion between stops [m]; 0 where there is no such motion.
+double scene_length(const Problem& problem) {
   constexpr int kInstants = 512;
   if (problem.contacts.empty()) return 0.0;
   const std::optional<Eigen::MatrixXd> free = contact_free_motion(problem, kInstants);
-  return free ? std::sqrt(Size(*free).mean_square) : 0.0;
+  if (!free) return 0.0;
+  const double room = (contact_gaps(problem) - free->colwise().mean().transpose()).cwiseAbs().maxCoeff();
+  return std::min(std::sqrt(Size(*free).mean_square), room);
 }
 
 }  // namespace
@@ -108,7 +112,7 @@ SampledAnswer sample_answer(const Problem& problem, const Trajectory& answer) {
   sampled.defect = samples_defect(motion.samples, kGrid * motion.order, problem.contact_count());
   if (!sampled.defect.empty()) return sampled;
   sampled.motion = std::move(motion);
-  sampled.motion.least = kLeastSize * contact_free_size(problem);
+  sampled.motion.least = kLeastSize * scene_length(problem);
   return sampled;
 }
 

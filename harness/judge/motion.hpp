@@ -26,8 +26,8 @@ struct Motion {
   std::vector<Impulse> impulses = {};
   std::optional<int> bandwidth = {};         ///< as Trajectory::bandwidth
   Eigen::MatrixXcd force_coefficients = {};  ///< as Trajectory::force_coefficients [N]
-  /// Sizes of x below this are not told from rest: a tenth of the size of the contact-free motion in an
-  /// answer (`sample_answer`), else 0 [m].
+  /// Sizes of x below this are not told from rest. In an answer (`sample_answer`) a tenth of the size of the
+  /// contact-free motion, or of the distance of its mean from the stops where that is less; else 0 [m].
   double least = 0.0;
 
   [[nodiscard]] double period() const { return order * forcing_period; }

@@ -38,7 +38,8 @@ std::optional<Reference> kept_reference(const Scene& scene, const fs::path& fold
   const std::array confirmed{Certificate{
       .error_bar = known.error_bar, .events = known.events, .return_distance = known.return_distance}};
   std::optional<FoundOrbit> orbit = certify_again(scene.problem, *kept, polish, confirmed);
-  if (!orbit || orbit->certified.error_bar > kKnown) return std::nullopt;
+  const bool same = orbit && orbit->order == kept->order && orbit->fingerprint == kept->fingerprint;
+  if (!same || orbit->certified.error_bar > kKnown) return std::nullopt;
   return as_reference(scene.problem, std::move(orbit->certified));
 }
 

@@ -32,7 +32,9 @@ class OrbitFinder::Search {
     ExactOrbit orbit;
     // More is rattling that the flow does not resolve; the work of the dense equations grows with their cube.
     if (guess.events.size() <= kMostEvents) {
-      orbit = polish_sequence(model_, guess, options_.polish);
+      PolishOptions polish = options_.polish;
+      polish.expired = options_.expired;
+      orbit = polish_sequence(model_, guess, polish);
     } else {
       orbit.reason = std::to_string(guess.events.size()) + " events in a period are more than a polish takes";
     }

@@ -3,6 +3,7 @@
 // them.
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -124,6 +125,8 @@ struct OrbitNewtonResult {
 /// mean nothing, and halved until the residual falls. Solved: residual <= max(tolerance, noise()),
 /// reduced by one more step where that is possible, or a residual that no longer falls and is within a
 /// hundred times its noise.
-OrbitNewtonResult solve(OrbitEquations& equations, double tolerance, int max_iterations);
+/// \param expired  asked before every step; true ends the search unsolved
+OrbitNewtonResult solve(OrbitEquations& equations, double tolerance, int max_iterations,
+                        const std::function<bool()>& expired = {});
 
 }  // namespace signorini

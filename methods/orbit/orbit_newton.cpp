@@ -14,8 +14,12 @@ namespace {
 // The equations of an orbit as damped_newton sees them, evaluated at the guess.
 class NewtonOnOrbit {
  public:
-  NewtonOnOrbit(OrbitEquations& equations, double tolerance)
-      : equations_(equations), tolerance_(tolerance), unknowns_(equations.guess()), residual_(norm()) {}
+  NewtonOnOrbit(OrbitEquations& equations, double tolerance, const std::function<bool()>& expired)
+      : equations_(equations),
+        tolerance_(tolerance),
+        expired_(expired),
+        unknowns_(equations.guess()),
+        residual_(norm()) {}
 
   // From here on a residual counts as solved only if it is zero.
   void refine() { refining_ = true; }
@@ -26,6 +30,8 @@ class NewtonOnOrbit {
   [[nodiscard]] bool solved() const { return !refining_ && residual_ <= accepted(); }
   [[nodiscard]] double merit() const { return residual_; }
   std::optional<double> find_step() {
+    interrupted_ = expired_ && expired_();
+    if (interrupted_) return std::nullopt;
     lu_.compute(equations_.jacobian());
     step_ = -lu_.solve(equations_.residual());
     if (!step_.allFinite()) return std::nullopt;
@@ -42,6 +48,7 @@ class NewtonOnOrbit {
     residual_ = norm();
   }
 
+  [[nodiscard]] bool interrupted() const { return interrupted_; }
   [[nodiscard]] bool merging() const { return short_steps_ >= kPatience; }
   [[nodiscard]] const Eigen::VectorXd& unknowns() const { return unknowns_; }
 
@@ -71,11 +78,13 @@ class NewtonOnOrbit {
 
   OrbitEquations& equations_;
   double tolerance_;
+  const std::function<bool()>& expired_;
   Eigen::VectorXd unknowns_, trial_, step_;
   double residual_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
   int short_steps_ = 0;
   bool refining_ = false;
+  bool interrupted_ = false;
 };
 
 // Why the first search failed; empty where its residual is round-off all the same.
@@ -83,6 +92,7 @@ std::string failure(const NewtonOnOrbit& newton, const DampedNewtonResult& searc
   constexpr double kNoise =
       100.0;  // cancellation between the arcs of a sequence, beyond OrbitEquations::noise
   const double residual = newton.merit();
+  if (newton.interrupted()) return "the time is up";
   if (newton.merging()) return fmt::format("the steps close an interval (residual {:.2g})", residual);
   switch (search.end) {
     case NewtonEnd::singular:
@@ -97,7 +107,8 @@ std::string failure(const NewtonOnOrbit& newton, const DampedNewtonResult& searc
 
 }  // namespace
 
-OrbitNewtonResult solve(OrbitEquations& equations, double tolerance, int max_iterations) {
+OrbitNewtonResult solve(OrbitEquations& equations, double tolerance, int max_iterations,
+                        const std::function<bool()>& expired) {
   constexpr DampedNewtonLimits kStep{.max_steps = 1, .max_halvings = 0, .sufficient_decrease = 0.1};
   OrbitNewtonResult result;
   result.unknowns = equations.guess();
@@ -105,7 +116,7 @@ OrbitNewtonResult solve(OrbitEquations& equations, double tolerance, int max_ite
     result.reason = "the flow is not finite";
     return result;
   }
-  NewtonOnOrbit newton(equations, tolerance);
+  NewtonOnOrbit newton(equations, tolerance, expired);
   const DampedNewtonResult search =
       damped_newton(newton, {.max_steps = max_iterations, .max_halvings = 11, .sufficient_decrease = 0.1});
   result.iterations = search.steps;

@@ -105,7 +105,8 @@ void conclude(const OrbitEquations& equations, const PolishOptions& options, Exa
 ExactOrbit polish(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& guess,
                   const PolishOptions& options) {
   OrbitEquations equations(*model, guess);
-  const OrbitNewtonResult newton = solve(equations, options.tolerance, options.max_iterations);
+  const OrbitNewtonResult newton =
+      solve(equations, options.tolerance, options.max_iterations, options.expired);
   ExactOrbit orbit{.origin = guess.origin, .residual = newton.residual, .iterations = newton.iterations};
   if (!newton.solved) {
     orbit.outcome = newton.merging ? OrbitOutcome::events_merge : OrbitOutcome::no_convergence;

@@ -2,6 +2,7 @@
 // From a sequence of events to an exact orbit: Newton's method, the contact conditions, the error bar.
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,10 +54,11 @@ std::string describe(OrbitOutcome outcome);
 
 /// How far a polish goes.
 struct PolishOptions {
-  double tolerance = 1e-12;        ///< of the residual, relative to the scales of the motion [-]
-  int max_iterations = 40;         ///< Newton steps
-  double grazing = 1e-7;           ///< approach speed over V below which an impact grazes [-]
-  bool second_evaluation = false;  ///< evaluate once more, by Green's function or exponentials
+  double tolerance = 1e-12;            ///< of the residual, relative to the scales of the motion [-]
+  int max_iterations = 40;             ///< Newton steps
+  double grazing = 1e-7;               ///< approach speed over V below which an impact grazes [-]
+  bool second_evaluation = false;      ///< evaluate once more, by Green's function or exponentials
+  std::function<bool()> expired = {};  ///< true ends it between two Newton steps
 };
 
 /// A polished orbit, or why there is none.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <ranges>
 #include <vector>
 
 #include "harness/report/document/cells.hpp"
@@ -104,8 +103,9 @@ Section parameter_section(const Evaluation& evaluation) {
   Section section{.id = "families", .title = "Families"};
   section.table.header = {"family", "parameter", "levels, easiest first"};
   for (const auto& [family, parameter] : parameters) {
-    const std::string list = fmt::format("{}", fmt::join(std::views::values(labels[family]), ", "));
-    section.table.rows.push_back({family, parameter, list});
+    std::vector<std::string> levels;
+    for (const auto& [severity, label] : labels[family]) levels.push_back(label);
+    section.table.rows.push_back({family, parameter, fmt::format("{}", fmt::join(levels, ", "))});
   }
   return section;
 }
@@ -138,8 +138,10 @@ Section false_convergence_section(const Evaluation& evaluation) {
 /// The largest estimate of a certified answer.
 Cell condition_cell(const Levels& levels) {
   double largest = 0.0;
-  for (const Record* record : levels | std::views::values | std::views::join) {
-    if (claim_of(*record) == Claim::certified) largest = std::max(largest, record->condition.value_or(0.0));
+  for (const auto& [severity, records] : levels) {
+    for (const Record* record : records) {
+      if (claim_of(*record) == Claim::certified) largest = std::max(largest, record->condition.value_or(0.0));
+    }
   }
   return largest > 0.0 ? Cell(fmt::format("{:.0e}", largest), largest) : Cell("none");
 }

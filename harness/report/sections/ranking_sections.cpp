@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <ranges>
 
 #include "harness/report/document/cells.hpp"
 #include "harness/report/figures/figures.hpp"
@@ -34,10 +33,13 @@ std::string field_of(const Evaluation& evaluation, const RankingGroup& group) {
 /// Whether any run of a group has a time: runs of a build that may not be timed have none, and cannot be
 /// ranked.
 bool is_timed(const RankingGroup& group) {
-  return std::ranges::any_of(group.studies | std::views::join, [](const ResolutionStudy* study) {
-    return std::ranges::any_of(study->runs,
-                               [](const ScoredRun& run) { return run.record->seconds.has_value(); });
-  });
+  const auto timed = [](const ScoredRun& run) { return run.record->seconds.has_value(); };
+  for (const std::vector<const ResolutionStudy*>& row : group.studies) {
+    for (const ResolutionStudy* study : row) {
+      if (std::any_of(study->runs.begin(), study->runs.end(), timed)) return true;
+    }
+  }
+  return false;
 }
 
 /// One section per group; `fill` does the rest.

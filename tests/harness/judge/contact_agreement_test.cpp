@@ -59,7 +59,7 @@ TEST(ContactDifference, OfAGrazeIsNoContradiction) {
 TEST(ContactDifference, AllowsAFactorOfTwoInTheImpulse) {
   EXPECT_EQ(compared(motion({{0.2, 1.9}}), motion({{0.2, 1.0}})).text, "");
   EXPECT_EQ(compared(motion({{0.2, 0.4}}), motion({{0.2, 1.0}})).text,
-            "its contact impulse is 0.4 times the orbit's");
+            "the impulse of contact 0 is 0.4 times the orbit's");
 }
 
 TEST(ContactDifference, CountsImpactsPerCommonPeriod) {
