@@ -14,11 +14,11 @@ TEST(CommandCheck, PrintsAReviewAndExitsOneWhereSomethingFailed) {
   const test::Outcome sound = test::run_program("check hat-lcp --scenes sdof-stop");
   EXPECT_EQ(sound.code, 0) << sound.err;
   EXPECT_NE(sound.out.find("hat-lcp: 16 passed, 0 failed"), std::string::npos) << sound.out;
-  // Sixty-four steps over two periods of the load are too few, as the suite quick says.
+  // 128 steps over two periods of the load are too few, as the suite quick says.
   const test::Outcome coarse =
       test::run_program("check hat-lcp --scenes sdof-subharmonic --checks certificate");
   EXPECT_EQ(coarse.code, 1);
-  EXPECT_NE(coarse.out.find("signorini solve sdof-subharmonic --method hat-lcp --set samples=64"),
+  EXPECT_NE(coarse.out.find("signorini solve sdof-subharmonic --method hat-lcp --set samples=128"),
             std::string::npos)
       << coarse.out;
 }
