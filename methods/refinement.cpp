@@ -104,7 +104,11 @@ double relative_distance(const Trajectory& a, const Trajectory& b, int instants,
   const Eigen::MatrixXd x_b = b.sample(instants).x;
   const double difference = (x_a - x_b).norm();
   if (difference == 0.0) return 0.0;
-  return difference / std::max({x_a.norm(), x_b.norm(), least * std::sqrt(static_cast<double>(instants))});
+  // Sizes are about the mean: where the origin of x is says nothing about a motion. Round-off goes with |x|.
+  constexpr double kRoundOff = 1e-9;
+  const auto size = [](const Eigen::MatrixXd& x) { return (x.rowwise() - x.colwise().mean()).norm(); };
+  return difference / std::max({size(x_a), size(x_b), least * std::sqrt(static_cast<double>(instants)),
+                                kRoundOff * std::max(x_a.norm(), x_b.norm())});
 }
 
 bool near_by(double distance) { return distance <= kNearOrbit; }

@@ -59,7 +59,8 @@ std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, st
 /// so far from the one on the next coarser grid.
 inline constexpr double kNearOrbit = 0.5;
 
-/// |x_a - x_b| over the largest of |x_a|, |x_b| and `least` [m], root mean squares at so many instants [-].
+/// |x_a - x_b| over the largest of the sizes of x_a and x_b about their means and `least` [m], root mean
+/// squares at so many instants [-].
 double relative_distance(const Trajectory& a, const Trajectory& b, int instants, double least = 0.0);
 
 /// Whether motions at this relative distance may be the same one, found with different errors: coarse answers

@@ -42,6 +42,7 @@ const test::KnownFailures& known_not_to_converge() {
       {"FourierLipschitz_sdof_very_light_damping", kRay},
       {"FourierLipschitz_sdof_very_light_damping_e08", kRay},
       {"PenaltyHbm_sdof_chatter", kRattles},
+      {"PenaltyHbm_sdof_preload_rest", kRattles},
       {"PenaltyHbm_sdof_very_light_damping", kRay},
       {"PenaltyHbm_sdof_very_light_damping_e08", kRay},
       {"AftHbm_sdof_very_light_damping", kRay},

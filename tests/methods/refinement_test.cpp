@@ -124,13 +124,19 @@ TEST(RefinedUntilAgreed, PreparesFinerResolutionsInEverySolve) {
   EXPECT_EQ(asked, (std::vector<int>{10, 20, 20}));
 }
 
-TEST(RelativeDistance, IsThatOfTheLargerMotion) {
-  const test::GivenMotion one(1.0, [](double) { return 1.0; });
-  const test::GivenMotion three(1.0, [](double) { return -3.0; });
-  const test::GivenMotion rest(1.0, [](double) { return 0.0; });
-  EXPECT_DOUBLE_EQ(signorini::relative_distance(one, three, 16), 4.0 / 3.0);
+/// offset + amplitude cos(2 pi t).
+test::GivenMotion wave(double offset, double amplitude) {
+  return {1.0, [=](double t) { return offset + amplitude * std::cos(2.0 * std::numbers::pi * t); }};
+}
+
+TEST(RelativeDistance, IsThatOfTheLargerMotionWhereverTheOriginIs) {
+  const test::GivenMotion rest = wave(0.0, 0.0);
+  for (const double offset : {0.0, 10.0})
+    EXPECT_NEAR(signorini::relative_distance(wave(offset, 1.0), wave(offset, -3.0), 16), 4.0 / 3.0, 1e-12);
   EXPECT_EQ(signorini::relative_distance(rest, rest, 16), 0.0);
-  EXPECT_EQ(signorini::relative_distance(rest, one, 16), 1.0);
+  EXPECT_NEAR(signorini::relative_distance(rest, wave(0.0, 1.0), 16), 1.0, 1e-12);
+  EXPECT_EQ(signorini::relative_distance(rest, wave(1.0, 0.0), 16, 2.0), 0.5)
+      << "both at rest: the least size";
 }
 
 TEST(RefinedUntilAgreed, ClaimsTheFinestOnlyIfItIsNearTheOneBefore) {
