@@ -7,7 +7,7 @@ program=$1
 folder=$2
 here=$(dirname -- "$0")
 scenes='sdof-stop:sdof-far-stop:chain2-stop:chain3-stop'
-methods='hat-lcp[samples=64|256]:penalty-hbm[harmonics=10]'
+methods='hat-lcp[samples=512|1024]:penalty-hbm[harmonics=10]'
 
 rm -rf "$folder"
 mkdir -p "$folder"
