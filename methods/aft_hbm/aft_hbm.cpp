@@ -28,18 +28,19 @@ RepresentedLaw AftHbm::law(const Problem& problem) const {
 }
 
 std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
-  LawAt law_at = [&problem, options = options_](const ContactReceptance& receptance) {
-    return options.law == ContactLaw::penalty ? penalty_law(problem, options.penalty, receptance)
-                                              : lipschitz_law(problem, options.c, receptance);
-  };
   const HarmonicOptions& common = options_.common;
+  LawAt law_at = [&problem, law = options_.law, c = common.lipschitz_constant(options_.c),
+                  penalty = common.penalty(options_.penalty, problem)](const ContactReceptance& receptance) {
+    return law == ContactLaw::penalty ? penalty_law(problem, penalty, receptance)
+                                      : lipschitz_law(problem, c, receptance);
+  };
   const bool homotopy = options_.homotopy.value_or(!common.plain);
   return prepare_harmonic_balance(
       problem, common,
       {.law_at = std::move(law_at),
        .grid_solver = aft_grid_solver(
            {.tolerance = common.tolerance, .max_iterations = common.max_iterations}, homotopy),
-       .constant_is_chosen = options_.c.has_value() || options_.penalty.has_value(),
+       .constant_is_chosen = options_.c.has_value() || options_.penalty.has_value() || common.plain,
        .solver_is_open = homotopy,
        .newton_from_guess = false});  // its own Newton method takes the guess, on the first grid
 }

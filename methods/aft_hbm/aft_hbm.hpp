@@ -21,8 +21,9 @@ namespace signorini {
 /// (complementarity_solver.hpp), and Newton finishes. On a rigid stop that carries mass, impacts are
 /// compensated as in fourier-lipschitz.
 ///
-/// `plain`: alternating frequency/time on 32 H samples and Newton from the contact-free response, without
-/// homotopy or compensation. It sets what is left at `auto`.
+/// `plain`: alternating frequency/time on 32 H samples and Newton from the contact-free response, or by
+/// `continuation=frequency` from where nothing touches, with the constants of fourier-lipschitz and
+/// penalty-hbm, without homotopy or compensation. It sets what is left at `auto`.
 class AftHbm final : public Method {
  public:
   enum class ContactLaw { dlft, penalty };
@@ -30,7 +31,7 @@ class AftHbm final : public Method {
   static constexpr std::string_view kName = "aft-hbm";
   static constexpr std::string_view kTitle = "Alternating frequency/time harmonic balance, Newton-Krylov";
   static constexpr std::string_view kLaws = "restitution 1, penalty, massless";
-  static constexpr std::string_view kLadder = "harmonics=10|40";
+  static constexpr std::string_view kLadder = "harmonics=10|40|160";
   static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 
   struct Options {
@@ -45,10 +46,10 @@ class AftHbm final : public Method {
         field("law", law, "[-]", "dlft (dynamic Lagrangian) | penalty");
         field("c", c, "[-]",
               "dlft: constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H, "
-              "compensated 32x");
+              "compensated 32x; plain 1x the static one");
         field("penalty", penalty, "[N/m]",
               "penalty: stiffness of the stop, 1e6 or 100x; auto: the scene's, else 8x (compensated 64x) the "
-              "dynamic one near H, stiffer if massless");
+              "dynamic one near H, stiffer if massless; plain 100x the static one");
       };
       const auto solver = [&] {
         field("homotopy", homotopy, "[-]",

@@ -65,6 +65,15 @@ Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& ga
                       -free_penetration(receptance.free_response, gap, rate.root(), samples));
 }
 
+Eigen::VectorXd augmented_multiplier(const ProjectedEquations& equations, const Eigen::MatrixXcd& lambda,
+                                     int samples) {
+  const auto& [receptance, gap, law] = equations;
+  // y = c ((x - alpha lambda / c) - g), in units of sqrt(c).
+  const Eigen::VectorXd weight = law.multiplier_weight.cwiseQuotient(law.constant);
+  return free_penetration(contact_motion(receptance, lambda) - lambda * weight.asDiagonal(), gap,
+                          law.constant.cwiseSqrt(), samples);
+}
+
 Eigen::MatrixXcd force_coefficients(const ProjectedLaw& law, const Eigen::VectorXd& z_scaled, int samples,
                                     int harmonics) {
   RealFft fft(samples);

@@ -31,6 +31,13 @@ Eigen::VectorXd free_penetration(const Eigen::MatrixXcd& free_response, const Ei
 Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
                   int samples);
 
+/// y = c (x - g) - alpha lambda of that form at t_k = k T / N under contact forces lambda, in its units: z is
+/// max(0, y) where lambda = -P z, so that it begins Newton's method (solve_by_newton_from) at these forces.
+/// \param lambda  n = 0..H, (H+1) x Nc [N]
+/// \return contacts one after another, N Nc
+Eigen::VectorXd augmented_multiplier(const ProjectedEquations& equations, const Eigen::MatrixXcd& lambda,
+                                     int samples);
+
 /// Coefficients n = 0..H of lambda = -P z behind a solution of projected_lcp, (H+1) x Nc [N].
 Eigen::MatrixXcd force_coefficients(const ProjectedLaw& law, const Eigen::VectorXd& z_scaled, int samples,
                                     int harmonics);

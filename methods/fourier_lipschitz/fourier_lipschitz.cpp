@@ -9,7 +9,7 @@
 namespace signorini {
 
 FourierLipschitz::FourierLipschitz(const Options& options) : options_(options) {
-  validate(options_.common);
+  validate(options_.common, options_.solver);
   require_option(!options_.c || *options_.c > 0.0, "c", options_.c, "must be positive, or auto");
 }
 
@@ -20,14 +20,13 @@ Support FourierLipschitz::supports(const Problem& problem) const {
 RepresentedLaw FourierLipschitz::law(const Problem& problem) const { return projected_method_law(problem); }
 
 std::unique_ptr<PreparedMethod> FourierLipschitz::prepare(const Problem& problem) const {
-  LawAt law_at = [&problem, c = options_.c](const ContactReceptance& receptance) {
-    return lipschitz_law(problem, c, receptance);
-  };
+  LawAt law_at = [&problem, c = options_.common.lipschitz_constant(options_.c)](
+                     const ContactReceptance& receptance) { return lipschitz_law(problem, c, receptance); };
   return prepare_harmonic_balance(
       problem, options_.common,
       {.law_at = std::move(law_at),
        .grid_solver = lcp_grid_solver(lcp_settings(options_.common, options_.solver)),
-       .constant_is_chosen = options_.c.has_value(),
+       .constant_is_chosen = options_.c.has_value() || options_.common.plain,
        .solver_is_open = leaves_solver_open(options_.common, options_.solver)});
 }
 

@@ -19,7 +19,8 @@ namespace signorini {
 /// the motion with all harmonics, which the equations above miss by 1/H.
 ///
 /// `plain`: the equations alone, the contact integral on 32 H samples, solved by the source paper's
-/// semi-smooth Newton iteration from the contact-free response. It sets what is left at `auto`: with
+/// semi-smooth Newton iteration from the contact-free response, or by `continuation=frequency` from where
+/// nothing touches; c is the static stiffness of the contact. It sets what is left at `auto`: with
 /// `plain=true,solver=pivoting` the literature's equations are solved from a cold start too.
 class FourierLipschitz final : public Method {
  public:
@@ -37,9 +38,10 @@ class FourierLipschitz final : public Method {
 
     void visit(auto&& field) {
       const auto law = [&] {
-        field(
-            "c", c, "[-]",
-            "constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H, compensated 32x");
+        field("c", c, "[-]",
+              "constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H, compensated "
+              "32x; plain "
+              "1x the static one");
       };
       const auto own_solver = [&] {
         field("solver", solver, "[-]", "auto (pivoting with restarts; newton if plain) | pivoting | newton");

@@ -15,13 +15,15 @@ class LcpGridSolver final : public GridSolver {
   explicit LcpGridSolver(const SolverSettings& settings) : settings_(settings) {}
 
   [[nodiscard]] GridSolution solve(const ProjectedEquations& equations, int samples,
-                                   const Eigen::MatrixXcd& /*previous*/, const Start& start,
+                                   const Eigen::MatrixXcd& previous, const Start& start,
                                    Work& work) const override {
     const auto& [receptance, gap, law] = equations;
-    Lcp lcp = projected_lcp(receptance, gap, law, samples);
-    const Eigen::VectorXd guess =
-        start.guess ? pressure_samples(*start.guess, samples, law.constant.cwiseSqrt()) : Eigen::VectorXd{};
-    const LcpResult result = solve_lcp(lcp, remaining(start, work), guess);
+    const Lcp lcp = projected_lcp(receptance, gap, law, samples);
+    const SolverSettings settings = remaining(start, work);
+    const LcpResult result =
+        newton() && previous.size() > 0
+            ? solve_by_newton_from(lcp, settings, augmented_multiplier(equations, previous, samples))
+            : solve_lcp(lcp, settings, first_pressure(equations, samples, start));
     work.unknowns = lcp.matrix->size();
     if (newton()) {
       add_effort({.iterations = result.iterations, .factorisations = result.factorisations}, work);
@@ -39,6 +41,13 @@ class LcpGridSolver final : public GridSolver {
   }
 
  private:
+  /// z of the guess; empty without one.
+  static Eigen::VectorXd first_pressure(const ProjectedEquations& equations, int samples,
+                                        const Start& start) {
+    if (!start.guess) return {};
+    return pressure_samples(*start.guess, samples, equations.law.constant.cwiseSqrt());
+  }
+
   [[nodiscard]] bool newton() const { return settings_.solver == ComplementaritySolver::newton; }
 
   [[nodiscard]] SolverSettings remaining(const Start& start, const Work& work) const {
@@ -56,6 +65,12 @@ class LcpGridSolver final : public GridSolver {
 
 std::unique_ptr<GridSolver> lcp_grid_solver(const SolverSettings& settings) {
   return std::make_unique<LcpGridSolver>(settings);
+}
+
+void validate(const HarmonicOptions& options, ComplementaritySolver solver) {
+  validate(options);
+  require_option(options.continuation == Continuation::none || solver != ComplementaritySolver::pivoting,
+                 "continuation", options.continuation, "must be none where solver = pivoting");
 }
 
 SolverSettings lcp_settings(const HarmonicOptions& options, ComplementaritySolver solver) {

@@ -30,7 +30,9 @@ class GridSolver {
  public:
   virtual ~GridSolver() = default;
   /// \param samples   N
-  /// \param previous  lambda solved on the grid before, (H+1) x Nc [N]; empty on the first
+  /// \param previous  lambda solved on the grid before, or at the frequency before, (H+1) x Nc [N]; empty on
+  /// the
+  ///        first. Newton's method begins there, pivoting does not
   /// \param work      of the whole solve so far; counts are added to it
   [[nodiscard]] virtual GridSolution solve(const ProjectedEquations& equations, int samples,
                                            const Eigen::MatrixXcd& previous, const Start& start,
@@ -48,6 +50,10 @@ inline void count_iterations(int steps, Work& work) { work.iterations = work.ite
 /// Solves projected_lcp (forms.hpp) by pivoting or by Newton's method as `settings` ask, from the guess of
 /// the solve where there is one. A limit on iterations counts what was spent before.
 std::unique_ptr<GridSolver> lcp_grid_solver(const SolverSettings& settings);
+
+/// Ranges of the shared options, beside that of the solver: pivoting takes nothing from the frequency before.
+/// \throws InvalidOption
+void validate(const HarmonicOptions& options, ComplementaritySolver solver);
 
 /// Settings of the complementarity solver for a method with these options: `plain` makes `auto` the source
 /// paper's Newton iteration.

@@ -6,6 +6,14 @@
 
 namespace signorini {
 
+namespace {
+
+// Of the literature, in units of the contact's static stiffness (docs/decisions/0027-literature-forms.md).
+constexpr double kLiteratureConstant = 1.0;
+constexpr Scaled kLiteraturePenalty{100.0, true};
+
+}  // namespace
+
 Quadrature HarmonicOptions::contact_integral() const {
   return quadrature.value_or(plain ? Quadrature::sampled : Quadrature::exact);
 }
@@ -17,6 +25,17 @@ bool HarmonicOptions::compensates_impacts() const {
 std::optional<int> HarmonicOptions::fixed_samples(int harmonics) const {
   constexpr int kPlain = 32;
   return plain ? samples.value_or(kPlain * harmonics) : samples;
+}
+
+std::optional<double> HarmonicOptions::lipschitz_constant(const std::optional<double>& asked) const {
+  return plain ? asked.value_or(kLiteratureConstant) : asked;
+}
+
+std::optional<Scaled> HarmonicOptions::penalty(const std::optional<Scaled>& asked,
+                                               const Problem& problem) const {
+  // The stop of a spring has the scene's own stiffness.
+  const bool regularised = !std::holds_alternative<Penalty>(problem.law);
+  return plain && regularised ? asked.value_or(kLiteraturePenalty) : asked;
 }
 
 int HarmonicOptions::first_harmonics(const Problem& problem) const {
@@ -39,6 +58,8 @@ void validate(const HarmonicOptions& options) {
                  "must be at least 2 * harmonics + 1, or auto");
   require_option(!options.samples || *options.samples <= 10000000, "samples", options.samples,
                  "must be at most 10000000");
+  require_option(options.continuation == Continuation::none || options.plain, "continuation",
+                 options.continuation, "must be none unless plain = true");
   require_option(options.tolerance > 0.0 && options.tolerance <= 1e-2, "tolerance", options.tolerance,
                  "must be in (0, 1e-2]");
   require_option(options.max_iterations >= 0, "max_iterations", options.max_iterations, "must be 0 or more");

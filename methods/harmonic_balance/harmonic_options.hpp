@@ -21,6 +21,17 @@ struct EnumNames<Quadrature> {
   static constexpr std::array<std::string_view, 2> values{"exact", "sampled"};
 };
 
+/// Where Newton's method of a plain form begins: at the motion without contact forces, or at what a
+/// continuation in the load's frequency leads to (frequency_continuation.hpp).
+enum class Continuation { none, frequency };
+
+/// The values of the option `continuation`.
+template <>
+struct EnumNames<Continuation> {
+  /// In the order of the enumerators.
+  static constexpr std::array<std::string_view, 2> values{"none", "frequency"};
+};
+
 /// H where it is left to the method and nothing asks for more.
 inline constexpr int kDefaultHarmonics = 20;
 /// Harmonics beyond which none are tried unasked.
@@ -28,11 +39,12 @@ inline constexpr int kMostHarmonics = 160;
 
 /// Options of every method of harmonic balance. A method adds those of its contact law and of its solver.
 struct HarmonicOptions {
-  std::optional<int> harmonics = {};          ///< H >= 1 [-]
-  std::optional<int> samples = {};            ///< N >= 2 H + 1 [-]
-  std::optional<Quadrature> quadrature = {};  ///< of the contact integral
-  std::optional<bool> compensate = {};        ///< impacts right with all harmonics
-  double tolerance = 1e-10;                   ///< on the relative residual of the method's equations [-]
+  std::optional<int> harmonics = {};               ///< H >= 1 [-]
+  std::optional<int> samples = {};                 ///< N >= 2 H + 1 [-]
+  std::optional<Quadrature> quadrature = {};       ///< of the contact integral
+  std::optional<bool> compensate = {};             ///< impacts right with all harmonics
+  Continuation continuation = Continuation::none;  ///< of the plain form
+  double tolerance = 1e-10;                        ///< on the relative residual of the method's equations [-]
   int max_iterations = 0;  ///< pivots and Newton steps in all; 0: the solver's own limit [-]
   bool plain = false;      ///< as the literature does it
 
@@ -49,9 +61,11 @@ struct HarmonicOptions {
     field("compensate", compensate, "[-]",
           "impacts right with all harmonics, the integral being exact: true | false; auto: unless plain");
     solver();
+    field("continuation", continuation, "[-]",
+          "if plain: none | frequency: in steps of the load's frequency, from where nothing touches");
     field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
     field("max_iterations", max_iterations, "[-]", "limit on pivots or Newton steps; 0: the solver's own");
-    field("plain", plain, "[-]", "true: as the literature does it; sets what is left at auto");
+    field("plain", plain, "[-]", "true: the literature's form and constants; sets what is left at auto");
   }
 
   /// The contact integral to take: the one asked for; else exact, sampled if `plain`.
@@ -62,6 +76,12 @@ struct HarmonicOptions {
   /// N to solve on with H harmonics: the one asked for; else 32 H if `plain`, and empty (as fine as the solve
   /// turns out to need) otherwise.
   [[nodiscard]] std::optional<int> fixed_samples(int harmonics) const;
+  /// The constant of the Lipschitz form, in units of contact_stiffness_scale: the one asked for; else the
+  /// literature's if `plain`, and empty (tied to the highest dynamic stiffness) otherwise.
+  [[nodiscard]] std::optional<double> lipschitz_constant(const std::optional<double>& asked) const;
+  /// The penalty: the one asked for; else, for a rigid stop, the literature's if `plain`; else empty.
+  [[nodiscard]] std::optional<Scaled> penalty(const std::optional<Scaled>& asked,
+                                              const Problem& problem) const;
   /// H to begin with: the one asked for; else 20, doubled until the load's harmonics are kept, at most 160.
   [[nodiscard]] int first_harmonics(const Problem& problem) const;
   /// Whether nothing that depends on the grid or on the number of steps is fixed by the user.

@@ -26,7 +26,8 @@ HarmonicSetup harmonic_setup(const Problem& problem, int harmonics, const Harmon
                       .gap = contact_gaps(problem),
                       .method = method,
                       .options = options,
-                      .law = std::move(law)};
+                      .law = std::move(law),
+                      .problem = &problem};
   if (options.compensates_impacts()) setup.compensation = response_to_impacts(problem, setup.receptance);
   if (setup.compensation && method.solver_is_open) setup.hat_grids = conservative_hat_grids(problem);
   return setup;

@@ -37,6 +37,8 @@ struct HarmonicSetup {
   std::optional<PeriodicGreenFunction> compensation = {};
   /// The same scene on hat functions with restitution 1; empty: not to be asked, or too many contacts.
   std::optional<Resolutions> hat_grids = {};
+  /// The scene, for a continuation in frequency; null where the receptance is not that of a scene.
+  const Problem* problem = nullptr;
 
   /// The equations of all attempts; refers to this setup.
   [[nodiscard]] ProjectedEquations equations() const { return {receptance, gap, law}; }

@@ -106,17 +106,15 @@ Solution contact_free_response(const ContactReceptance& receptance) {
           .residual = 0.0};
 }
 
-Solution solve_on_grids(const HarmonicSetup& setup, const Start& start, Work& work) {
+Solution solve_on_grids(const HarmonicSetup& setup, const Start& start, Work& work, Eigen::MatrixXcd near) {
   const HarmonicOptions& options = setup.options;
   const int harmonics = setup.receptance.harmonics();
   const bool sampled = options.contact_integral() == Quadrature::sampled;
   const std::optional<int> fixed = options.fixed_samples(harmonics);
   const int finest = fixed ? 0 : kFinest * harmonics;
   Solution solution;
-  Eigen::MatrixXcd previous;
   for (int samples = fixed.value_or(coarsest_grid(harmonics, options.contact_integral()));; samples *= 2) {
-    const GridSolution grid =
-        setup.method.grid_solver->solve(setup.equations(), samples, previous, start, work);
+    const GridSolution grid = setup.method.grid_solver->solve(setup.equations(), samples, near, start, work);
     Refined refined = refine_quadrature(setup, grid, samples, work);
     const double ratio = net_work_ratio(refined.data.x, refined.data.lambda);
     const bool in_limit = options.max_iterations == 0 || steps_spent(work) <= options.max_iterations;
@@ -133,7 +131,7 @@ Solution solve_on_grids(const HarmonicSetup& setup, const Start& start, Work& wo
     // On few samples the identity may hold by accident.
     const bool settled = grid.solved && (refined.exact || (samples >= kSampled * harmonics && identity));
     if (!in_limit || !grid.finer_may_help || settled || 2 * samples > finest) return solution;
-    if (grid.solved) previous = grid.lambda;
+    if (grid.solved) near = grid.lambda;
   }
 }
 

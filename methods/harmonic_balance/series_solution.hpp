@@ -49,6 +49,10 @@ inline constexpr int kCoarseSampling = 8;
 /// integral is exact or, from 32 H, the energy identity holds to 1e-3.
 ///
 /// Always gives an answer or the best iterate, its work apart: that is added to `work`.
-Solution solve_on_grids(const HarmonicSetup& setup, const Start& start, Work& work);
+/// \param near  lambda of a nearby problem, (H+1) x Nc [N], where Newton's method of the first grid begins;
+/// may be
+///        empty
+Solution solve_on_grids(const HarmonicSetup& setup, const Start& start, Work& work,
+                        Eigen::MatrixXcd near = {});
 
 }  // namespace signorini

@@ -14,6 +14,7 @@
 
 #include "methods/complementarity/exact_projection.hpp"
 #include "methods/harmonic_balance/compensated_answer.hpp"
+#include "methods/harmonic_balance/frequency_continuation.hpp"
 #include "methods/harmonic_balance/harmonic_continuation.hpp"
 #include "methods/harmonic_balance/series_solution.hpp"
 #include "methods/refinement.hpp"
@@ -80,6 +81,14 @@ std::optional<Solution> continuation_in_harmonics(const HarmonicSetup& setup, co
                         fmt::format("{} harmonics first, Newton from there", first.harmonics));
 }
 
+/// Continuation in frequency (frequency_continuation) where a plain form asks for it.
+std::optional<Solution> continuation_in_frequency(const HarmonicSetup& setup, const Start& start,
+                                                  Work& work) {
+  const bool asked = setup.options.continuation == Continuation::frequency && setup.problem != nullptr;
+  if (start.guess || !asked) return std::nullopt;
+  return continue_in_frequency(setup, start, work);
+}
+
 /// One solve with the harmonics of the setup. Each attempt is asked only where those before it gave nothing.
 Solution solve_with_harmonics(HarmonicSetup& setup, const Start& start, Work& work) {
   // A guess whose impacts are compensated already needs Newton's method alone.
@@ -89,6 +98,7 @@ Solution solve_with_harmonics(HarmonicSetup& setup, const Start& start, Work& wo
   std::optional<Solution> series = newton_from_guess(setup, start, work);
   if (!series) series = permanent_contact(setup, start);
   if (!series) series = continuation_in_harmonics(setup, start, work);
+  if (!series) series = continuation_in_frequency(setup, start, work);
   if (!series) series = solve_on_grids(setup, start, work);  // the method's own solver; always ends with one
 
   if (!setup.compensation) return *std::move(series);

@@ -16,7 +16,8 @@ namespace signorini {
 /// (impact_compensation.hpp), which takes back both the truncation and the penetration of the spring.
 ///
 /// `plain`: the equations alone, the contact integral on 32 H samples, solved by Newton's method from the
-/// contact-free response. It sets what is left at `auto`.
+/// contact-free response, or by `continuation=frequency` from where nothing touches; eps is a hundred times
+/// the static stiffness of the contact. It sets what is left at `auto`.
 class PenaltyHbm final : public Method {
  public:
   static constexpr std::string_view kName = "penalty-hbm";
@@ -32,11 +33,10 @@ class PenaltyHbm final : public Method {
 
     void visit(auto&& field) {
       const auto law = [&] {
-        field(
-            "penalty", penalty, "[N/m]",
-            "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x (compensated 64x) "
-            "the "
-            "dynamic one near H, stiffer if massless");
+        field("penalty", penalty, "[N/m]",
+              "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x (compensated "
+              "64x) the "
+              "dynamic one near H, stiffer if massless; plain 100x the static one");
       };
       const auto own_solver = [&] {
         field("solver", solver, "[-]", "auto (pivoting with restarts; newton if plain) | pivoting | newton");

@@ -107,10 +107,14 @@ bool worth_a_restart(const LcpResult& result) {
 }  // namespace
 
 LcpResult solve_by_newton(const Lcp& lcp, const SolverSettings& settings, const Eigen::VectorXd& guess) {
+  return solve_by_newton_from(lcp, settings, first_iterate(lcp, guess));
+}
+
+LcpResult solve_by_newton_from(const Lcp& lcp, const SolverSettings& settings, Eigen::VectorXd y) {
   constexpr int kSteps = 100;
   NormalMap equations(lcp);
   const NewtonKrylovResult newton =
-      solve_newton_krylov(equations, first_iterate(lcp, guess), settings.tolerance,
+      solve_newton_krylov(equations, std::move(y), settings.tolerance,
                           {.max_steps = settings.max_iterations > 0 ? settings.max_iterations : kSteps,
                            .max_halvings = 20,
                            .deadline = settings.deadline});

@@ -19,6 +19,9 @@ namespace signorini {
 LcpResult solve_by_newton(const Lcp& lcp, const SolverSettings& settings = {},
                           const Eigen::VectorXd& guess = {});
 
+/// The same from an iterate y, of the size of q. y = -q is the contact-free response.
+LcpResult solve_by_newton_from(const Lcp& lcp, const SolverSettings& settings, Eigen::VectorXd y);
+
 /// Solves the problem as the settings ask, from `guess` (z of a nearby problem) or cold when that is empty.
 /// `automatic` makes these attempts, in this order, until one succeeds:
 ///

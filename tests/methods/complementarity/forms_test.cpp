@@ -76,7 +76,8 @@ Eigen::VectorXd motion_under(const ContactReceptance& receptance, const Eigen::V
 void expect_form_of(const ProjectedLaw& law) {
   const Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2});
   const ContactReceptance receptance = fourier_receptance(problem, kHarmonics);
-  Lcp lcp = projected_lcp(receptance, contact_gaps(problem), law, kSamples);
+  const Eigen::VectorXd gap = contact_gaps(problem);
+  Lcp lcp = projected_lcp(receptance, gap, law, kSamples);
   Eigen::VectorXd z(kSamples);
   for (int i = 0; i < kSamples; ++i) z[i] = 1.0 + std::sin(1.0 + i * i);
   const double root = std::sqrt(law.constant[0]);
@@ -85,6 +86,9 @@ void expect_form_of(const ProjectedLaw& law) {
   const Eigen::VectorXd x = motion_under(receptance, z, &lambda);
   const Eigen::VectorXd y = law.constant[0] * (x.array() - 0.2).matrix() - law.multiplier_weight[0] * lambda;
   EXPECT_LE((w - (z - y)).norm(), 1e-12 * w.norm());
+  const Eigen::MatrixXcd forces = force_coefficients(law, z / root, kSamples, kHarmonics);
+  EXPECT_LE((root * augmented_multiplier({receptance, gap, law}, forces, kSamples) - y).norm(),
+            1e-12 * y.norm());
 }
 
 TEST(ProjectedLcp, IsTheLipschitzForm) {

@@ -25,6 +25,14 @@ TEST(LcpSettings, TheSolverIsOpenUnlessAnOptionSetsIt) {
   EXPECT_FALSE(leaves_solver_open({}, ComplementaritySolver::newton));
 }
 
+TEST(ValidateWithSolver, RefusesAContinuationByPivoting) {
+  const HarmonicOptions followed{.continuation = Continuation::frequency, .plain = true};
+  EXPECT_NO_THROW(validate(followed, ComplementaritySolver::automatic));
+  EXPECT_NO_THROW(validate(followed, ComplementaritySolver::newton));
+  EXPECT_THROW(validate(followed, ComplementaritySolver::pivoting), InvalidOption);
+  EXPECT_THROW(validate({.harmonics = 0}, ComplementaritySolver::automatic), InvalidOption);
+}
+
 /// The oscillator "S-A" under the Lipschitz law.
 struct Scene {
   Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2});
@@ -63,6 +71,19 @@ TEST(LcpGridSolver, CountsWhatWasSpentBeforeAgainstItsLimit) {
   EXPECT_FALSE(late.solved);
   EXPECT_EQ(late.message, describe(LcpStatus::limit));
   EXPECT_TRUE(late.finer_may_help);
+}
+
+TEST(LcpGridSolver, TakesNoNewtonStepFromItsOwnForces) {
+  const Scene scene;
+  Work work;
+  const GridSolution pivoted = scene.solve({}, work);
+  ASSERT_TRUE(pivoted.solved);
+  const ProjectedEquations equations{scene.receptance, scene.gap, scene.law};
+  const SolverSettings newton{.solver = ComplementaritySolver::newton, .tolerance = 1e-9};
+  Work again;
+  const GridSolution same = lcp_grid_solver(newton)->solve(equations, 320, pivoted.lambda, {}, again);
+  EXPECT_TRUE(same.solved) << same.message;
+  EXPECT_EQ(again.iterations, 0);
 }
 
 TEST(LcpGridSolver, AsksForNoFinerGridWhereNewtonHasLostItsWay) {

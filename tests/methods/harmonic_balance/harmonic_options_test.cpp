@@ -25,13 +25,13 @@ std::vector<std::string> names() {
 TEST(HarmonicOptions, AreEchoedInTheirOrderWithTheMethodsOwnAmongThem) {
   EXPECT_EQ(names<FourierLipschitz>(),
             (std::vector<std::string>{"harmonics", "samples", "c", "quadrature", "compensate", "solver",
-                                      "tolerance", "max_iterations", "plain"}));
+                                      "continuation", "tolerance", "max_iterations", "plain"}));
   EXPECT_EQ(names<PenaltyHbm>(),
             (std::vector<std::string>{"harmonics", "samples", "penalty", "quadrature", "compensate", "solver",
-                                      "tolerance", "max_iterations", "plain"}));
-  EXPECT_EQ(names<AftHbm>(),
-            (std::vector<std::string>{"harmonics", "samples", "law", "c", "penalty", "quadrature",
-                                      "compensate", "homotopy", "tolerance", "max_iterations", "plain"}));
+                                      "continuation", "tolerance", "max_iterations", "plain"}));
+  EXPECT_EQ(names<AftHbm>(), (std::vector<std::string>{"harmonics", "samples", "law", "c", "penalty",
+                                                       "quadrature", "compensate", "homotopy", "continuation",
+                                                       "tolerance", "max_iterations", "plain"}));
 }
 
 TEST(HarmonicOptions, PlainSetsWhatIsLeftOpen) {
@@ -50,6 +50,21 @@ TEST(HarmonicOptions, PlainSetsWhatIsLeftOpen) {
   EXPECT_EQ(asked.contact_integral(), Quadrature::exact);
   EXPECT_TRUE(asked.compensates_impacts());
   EXPECT_EQ(asked.fixed_samples(10), 64);
+}
+
+TEST(HarmonicOptions, PlainTakesTheLiteraturesConstantsUnlessOneIsGiven) {
+  Problem rigid = test::to_problem({.frequency = 2.2, .gap = 0.2});
+  Problem spring = rigid;
+  spring.law = Penalty{{300.0}};
+  const HarmonicOptions ours;
+  EXPECT_FALSE(ours.lipschitz_constant({}));
+  EXPECT_FALSE(ours.penalty({}, rigid));
+  const HarmonicOptions plain{.plain = true};
+  EXPECT_EQ(plain.lipschitz_constant({}), 1.0);
+  EXPECT_EQ(plain.lipschitz_constant(7.0), 7.0);
+  EXPECT_EQ(plain.penalty({}, rigid), (Scaled{100.0, true}));
+  EXPECT_EQ(plain.penalty(Scaled{1e6, false}, rigid), (Scaled{1e6, false}));
+  EXPECT_FALSE(plain.penalty({}, spring)) << "the spring's own stiffness";
 }
 
 TEST(HarmonicOptions, CompensateOnlyWhereTheContactIntegralIsExact) {
@@ -90,6 +105,9 @@ TEST(HarmonicOptions, AreRefusedOutOfTheirRanges) {
   EXPECT_EQ(refusal({.harmonics = 10, .samples = 20}),
             "samples = 20 (must be at least 2 * harmonics + 1, or auto)");
   EXPECT_EQ(refusal({.samples = 20000000}), "samples = 20000000 (must be at most 10000000)");
+  EXPECT_EQ(refusal({.continuation = Continuation::frequency}),
+            "continuation = frequency (must be none unless plain = true)");
+  EXPECT_EQ(refusal({.continuation = Continuation::frequency, .plain = true}), "");
   EXPECT_EQ(refusal({.tolerance = 1.0}), "tolerance = 1 (must be in (0, 1e-2])");
   EXPECT_EQ(refusal({.max_iterations = -1}), "max_iterations = -1 (must be 0 or more)");
 }

@@ -25,6 +25,7 @@ TEST(HarmonicSetup, HoldsTheEquationsOfTheScene) {
   const HarmonicSetup setup = setup_of(problem, {});
   EXPECT_EQ(setup.receptance.harmonics(), 20);
   EXPECT_EQ(setup.gap[0], 0.2);
+  EXPECT_EQ(setup.problem, &problem);
   EXPECT_EQ(&setup.equations().law, &setup.law);
   EXPECT_EQ(setup.law.constant, setup.method.law_at(setup.receptance).constant);
 }

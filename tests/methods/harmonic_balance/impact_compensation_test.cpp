@@ -175,29 +175,45 @@ TEST(Compensated, ForceProjectsToTheCoefficients) {
 }
 
 // The figures of the project's tables before compensation (docs/decisions/0011).
-TEST(Plain, GivesTheErrorsOfTheUncompensatedEquations) {
+TEST(Uncompensated, HasTheErrorsOfTheEquationsAlone) {
   const Problem problem = test::to_problem(kStop);
   const struct {
     int harmonics;
     double lipschitz, penalty;
   } levels[] = {{10, 1.817e-1, 1.879e-1}, {40, 5.507e-2, 5.717e-2}};
-  for (const auto& level : levels) {
-    FourierLipschitz::Options lipschitz{{.harmonics = level.harmonics}};
-    lipschitz.common.quadrature = Quadrature::exact;
-    lipschitz.solver = ComplementaritySolver::pivoting;
-    lipschitz.common.plain = true;
-    EXPECT_NEAR(orbit_error(kStop, solve<FourierLipschitz>(problem, lipschitz)), level.lipschitz, 1e-4);
-    PenaltyHbm::Options penalty{{.harmonics = level.harmonics}};
-    penalty.common.quadrature = Quadrature::exact;
-    penalty.solver = ComplementaritySolver::pivoting;
-    penalty.common.plain = true;
-    EXPECT_NEAR(orbit_error(kStop, solve<PenaltyHbm>(problem, penalty)), level.penalty, 1e-4);
-    // Sampled, as plain has it by itself: the same but for the quadrature.
-    lipschitz.common.quadrature.reset();
-    const Solution sampled = solve<FourierLipschitz>(problem, lipschitz);
-    EXPECT_NE(sampled.message.find("N = " + std::to_string(32 * level.harmonics)), std::string::npos);
-    EXPECT_NEAR(orbit_error(kStop, sampled), level.lipschitz, 0.05 * level.lipschitz);
+  for (const auto& [harmonics, lipschitz, penalty] : levels) {
+    const HarmonicOptions common{.harmonics = harmonics, .compensate = false};
+    const auto pivoting = ComplementaritySolver::pivoting;
+    const Solution exact = solve<FourierLipschitz>(problem, {.common = common, .solver = pivoting});
+    EXPECT_NEAR(orbit_error(kStop, exact), lipschitz, 1e-4);
+    const Solution spring = solve<PenaltyHbm>(problem, {.common = common, .solver = pivoting});
+    EXPECT_NEAR(orbit_error(kStop, spring), penalty, 1e-4);
+    // Sampled: the same but for the quadrature.
+    HarmonicOptions on_samples = common;
+    on_samples.samples = 32 * harmonics;
+    on_samples.quadrature = Quadrature::sampled;
+    const Solution sampled = solve<FourierLipschitz>(problem, {.common = on_samples, .solver = pivoting});
+    EXPECT_NE(sampled.message.find("N = " + std::to_string(32 * harmonics)), std::string::npos);
+    EXPECT_NEAR(orbit_error(kStop, sampled), lipschitz, 0.05 * lipschitz);
   }
+}
+
+// At equal c and eps the plain form is nothing but the uncompensated equations on 32 H samples.
+TEST(Plain, TakesTheLiteraturesConstants) {
+  const Problem problem = test::to_problem(kStop);
+  const auto pivoting = ComplementaritySolver::pivoting;
+  const HarmonicOptions plain{.harmonics = 10, .plain = true};
+  const HarmonicOptions sampled{
+      .harmonics = 10, .samples = 320, .quadrature = Quadrature::sampled, .compensate = false};
+  const Solution lipschitz = solve<FourierLipschitz>(problem, {.common = plain, .solver = pivoting});
+  ASSERT_EQ(lipschitz.verdict, Verdict::converged) << lipschitz.message;
+  const Solution given = solve<FourierLipschitz>(problem, {.common = sampled, .c = 1.0, .solver = pivoting});
+  EXPECT_EQ(relative_distance(*lipschitz.trajectory, *given.trajectory), 0.0);
+  const Solution penalty = solve<PenaltyHbm>(problem, {.common = plain, .solver = pivoting});
+  ASSERT_EQ(penalty.verdict, Verdict::converged) << penalty.message;
+  const Solution stiff =
+      solve<PenaltyHbm>(problem, {.common = sampled, .penalty = Scaled{100.0, false}, .solver = pivoting});
+  EXPECT_LE(relative_distance(*penalty.trajectory, *stiff.trajectory), 1e-12) << "k = 1";
 }
 
 TEST(Plain, SolvesAsTheLiteratureDoes) {

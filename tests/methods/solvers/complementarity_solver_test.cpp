@@ -43,6 +43,20 @@ TEST(SolveByNewton, NeedsOneStepFromTheRightActiveSet) {
 using test::random_p_matrix;
 using test::random_vector;
 
+TEST(SolveByNewtonFrom, BeginsAtTheIterateGiven) {
+  std::mt19937 random(10);
+  const Lcp lcp = dense_lcp(random_p_matrix(8, random), random_vector(8, random));
+  const LcpResult cold = solve_by_newton(lcp);
+  const LcpResult same = solve_by_newton_from(lcp, {}, -lcp.offset);
+  EXPECT_EQ(same.iterations, cold.iterations);
+  EXPECT_EQ(same.z, cold.z);
+  const Eigen::VectorXd z = solve_by_pivoting(lcp).z;
+  const Eigen::VectorXd w = lcp.offset + *lcp.matrix * z;
+  const LcpResult there = solve_by_newton_from(lcp, {}, z - w);
+  EXPECT_EQ(there.status, LcpStatus::solved);
+  EXPECT_EQ(there.iterations, 0);
+}
+
 TEST(SolveLcp, RestartsWithAnotherCoverWhereTheFirstPathEndsOnARay) {
   // Many random problems: `auto` solves every one that `pivoting` solves, and some more.
   std::mt19937 random(10);
