@@ -21,6 +21,10 @@ Sections summary_sections(const Evaluation& evaluation);
 /// Median error and time of each method at each resolution.
 Sections speed_sections(const Evaluation& evaluation);
 
+/// Methods from their plain form to their default, one addition after another. Empty for a run without plain
+/// forms.
+Sections ablation_sections(const Evaluation& evaluation);
+
 /// Where each method breaks, over families of scenes from easy to impossible: the families, the severest
 /// level that each method solves, false convergence, and condition estimates. Empty for a run without
 /// families.

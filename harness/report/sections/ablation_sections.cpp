@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "harness/plan/case_name.hpp"
+#include "harness/plan/selection.hpp"
+#include "harness/report/document/cells.hpp"
+#include "harness/report/evaluation/outcome.hpp"
+#include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/sections/sections.hpp"
+#include "harness/statistics.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr std::string_view kText = R"(`plain=true` is a method as the literature has it, each further setting
+adds one of our additions, and what is not plain is ours. All runs at the resolution of the plain ones, of
+whatever law. Says converged tells whether the method gets to a solution of its equations, certified whether
+that is near an orbit of its law. Medians are over the certified runs of the row, which are not the same ones
+in every row.)";
+
+/// What one form of a method makes of the scenes.
+struct Form {
+  OutcomeCounts counts = {};
+  std::vector<double> errors = {}, seconds = {};  ///< of certified runs
+};
+
+/// Where a form stands in its table: plain ones first, with more and more additions, then ours, with fewer
+/// and fewer of them switched off; its name.
+using Place = std::tuple<bool, std::ptrdiff_t, std::string>;
+
+bool is_plain(const Settings& settings) {
+  return std::ranges::find(settings, OptionSetting{"plain", "true"}) != settings.end();
+}
+
+bool has_start(const Settings& settings) {
+  return std::ranges::find(settings, kStartSetting, &OptionSetting::first) != settings.end();
+}
+
+Place place_of(const Record& record) {
+  const bool plain = is_plain(record.settings);
+  const auto additions = std::ssize(record.settings);
+  return {!plain, plain ? additions : -additions, method_label(record.method, record.settings)};
+}
+
+/// The method with the settings that are numbers: its resolution, and constants that are given.
+std::string level_of(const Record& record) {
+  Settings numbers = record.settings;
+  std::erase_if(numbers, [](const OptionSetting& setting) { return !is_numeric(setting.second); });
+  return method_label(record.method, numbers);
+}
+
+void add(const Record& record, Form& form) {
+  form.counts.add(record);
+  if (const Measure error = certified_error(record)) form.errors.push_back(*error);
+  if (claim_of(record) == Claim::certified && record.seconds) form.seconds.push_back(record.seconds->median);
+}
+
+std::vector<Cell> row_of(const Place& place, const Form& form) {
+  const OutcomeCounts& n = form.counts;
+  const auto middle = [](const std::vector<double>& values, const auto& print) -> Cell {
+    if (values.empty()) return {"-", kNeverReached};
+    return {print(median(values)), median(values)};
+  };
+  return {std::get<std::string>(place),
+          count_cell(n.applicable()),
+          count_cell(n.claims()),
+          count_cell(n.certified),
+          count_cell(n.refuted),
+          middle(form.errors, [](double error) { return fmt::format("{:.1e}", error); }),
+          middle(form.seconds, time_text)};
+}
+
+}  // namespace
+
+Sections ablation_sections(const Evaluation& evaluation) {
+  std::map<std::string, std::map<Place, Form>> levels;
+  for (const Record& record : evaluation.records()) {
+    if (!has_start(record.settings)) add(record, levels[level_of(record)][place_of(record)]);
+  }
+  Section section{.id = "ablation", .title = "From the literature's forms to ours"};
+  section.text = kText;
+  section.table.header = {"form", "runs", "says converged", "certified", "refuted", "error of x", "time"};
+  for (const auto& [level, forms] : levels) {
+    const bool compares = forms.size() > 1 && !std::get<bool>(forms.begin()->first);
+    if (!compares) continue;
+    for (const auto& [place, form] : forms) section.table.rows.push_back(row_of(place, form));
+  }
+  return {std::move(section)};
+}
+
+}  // namespace signorini
