@@ -9,6 +9,6 @@ namespace signorini {
 double median(std::vector<double> values);
 
 /// Median absolute deviation from the median. Requires at least one value.
-double median_deviation(const std::vector<double>& values);
+double median_deviation(std::vector<double> values);
 
 }  // namespace signorini

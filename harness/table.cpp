@@ -1,6 +1,7 @@
 #include "harness/table.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace signorini {
 
@@ -29,17 +30,6 @@ std::string quoted(const std::string& cell) {
     text += c;
   }
   return text + "\"";
-}
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-std::string_view take_digits(std::string_view& text) {
-  std::size_t end = 0;
-  while (end < text.size() && is_digit(text[end])) ++end;
-  std::string_view digits = text.substr(0, end);
-  text.remove_prefix(end);
-  while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
-  return digits;
 }
 
 /// Header and rows as they are printed.
@@ -104,20 +94,6 @@ std::string to_csv(const Table& table) {
   return text;
 }
 
-bool natural_less(std::string_view a, std::string_view b) {
-  while (!a.empty() && !b.empty()) {
-    if (is_digit(a.front()) && is_digit(b.front())) {
-      const std::string_view left = take_digits(a);
-      const std::string_view right = take_digits(b);
-      if (left.size() != right.size()) return left.size() < right.size();
-      if (left != right) return left < right;
-    } else {
-      if (a.front() != b.front()) return a.front() < b.front();
-      a.remove_prefix(1);
-      b.remove_prefix(1);
-    }
-  }
-  return a.size() < b.size();
-}
+bool natural_less(const std::string& a, const std::string& b) { return strverscmp(a.c_str(), b.c_str()) < 0; }
 
 }  // namespace signorini

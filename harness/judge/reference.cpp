@@ -6,7 +6,6 @@
 #include "harness/judge/orbit.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record.hpp"
-#include "harness/records/record_fields.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 

@@ -12,10 +12,10 @@ namespace signorini {
 
 /// Starts at period `order` forcing periods, in a fixed order:
 ///
-/// 1. at order 1: marching from rest (`from_rest`)
-/// 2. every method that applies, from a cold start (`cold_starts`)
-/// 3. coarse grids along other covering vectors (`coarse_grids`)
-/// 4. `starts` random states (`random_states`), the same ones first whatever `starts` is
+/// 1. at order 1: marching from rest on the closed-form flow
+/// 2. every method that applies, from cold starts with its defaults, its ladder and its further starts
+/// 3. hat functions on coarse grids along other covering vectors
+/// 4. `starts` random states, the same ones first whatever `starts` is
 ///
 /// \param problem  must outlive the units
 std::vector<CandidateUnit> candidate_units(const Problem& problem, int order, int starts, unsigned seed,

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "harness/records/json_fields.hpp"
-#include "harness/records/record_fields.hpp"
+#include "harness/records/record_json.hpp"
 
 namespace signorini {
 

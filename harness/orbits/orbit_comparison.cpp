@@ -188,9 +188,9 @@ OrbitDifferences compare_orbits(const OrbitFile& kept, const OrbitFile& now) {
         kept.scene));
     return result;
   }
-  if (law_to_json(kept.law) != law_to_json(now.law)) {
+  if (JsonForm<RepresentedLaw>::write(kept.law) != JsonForm<RepresentedLaw>::write(now.law)) {
     result.differences.push_back(
-        fmt::format("{}: the law became {}", kept.scene, law_to_json(now.law).dump()));
+        fmt::format("{}: the law became {}", kept.scene, JsonForm<RepresentedLaw>::write(now.law).dump()));
     return result;
   }
   std::vector<FoundOrbit> found = now.orbits;

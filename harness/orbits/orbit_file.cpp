@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "harness/failure.hpp"
-#include "harness/records/record_fields.hpp"
 #include "harness/records/record_json.hpp"
 
 namespace signorini {
@@ -17,39 +15,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kOrbitSchema = 1;
 
-FoundOrbit orbit_from_json(const Json& json) {
-  FoundOrbit orbit{.fingerprint = json.at("orbit"),
-                   .order = json.at("order"),
-                   .period = json.at("period"),
-                   .amplitude = json.at("amplitude"),
-                   .starts = json.at("starts"),
-                   .cold = json.at("found_by").get<std::vector<std::string>>(),
-                   .from_rest = json.at("from_rest")};
-  CertifiedOrbit& certified = orbit.certified;
-  certified.source = json.at("source");
-  certified.error_bar = json.at("error_bar");
-  read_field(json, Field{"residual"}, certified.residual);
-  read_field(json, Field{"return_distance"}, certified.return_distance);
-  read_field(json, Field{"floquet"}, certified.floquet);
-  read_field(json, Field{"stable"}, certified.stable);
-  read_field(json, required("events"), certified.events);
-  return orbit;
-}
-
-OrbitFile file_from_json(const Json& json) {
-  if (json.at("schema") != kOrbitSchema)
-    throw BadRecord(fmt::format("schema = {} (must be {})", json.at("schema").dump(), kOrbitSchema));
-  const Json& search = json.at("search");
-  OrbitFile file{.scene = json.at("scene"),
-                 .scene_sha256 = json.at("scene_sha256"),
-                 .law = law_from_json(json.at("law")),
-                 .options = {.starts = search.at("starts"),
-                             .subharmonics = search.at("subharmonics"),
-                             .seed = search.at("seed")}};
-  for (const Json& orbit : json.at("orbits")) file.orbits.push_back(orbit_from_json(orbit));
-  return file;
-}
-
 /// Messages of the JSON library begin with a code of its own in brackets.
 std::string without_code(const std::string& message) {
   const std::size_t end = message.find("] ");
@@ -57,6 +22,41 @@ std::string without_code(const std::string& message) {
 }
 
 }  // namespace
+
+void visit_fields(Either<OrbitSearchOptions> auto& options, auto&& field) {
+  field(required("starts"), options.starts);
+  field(required("subharmonics"), options.subharmonics);
+  field(required("seed"), options.seed);
+}
+
+void visit_fields(Either<FoundOrbit> auto& orbit, auto&& field) {
+  // For readers of the file; the events say the same.
+  int impacts = orbit.impacts(), contact_phases = orbit.contact_phases();
+  field(required("orbit"), orbit.fingerprint);
+  field(required("order"), orbit.order);
+  field(required("period", "s"), orbit.period);
+  field(required("amplitude", "m"), orbit.amplitude);
+  field(Field{"impacts", "", Presence::always}, impacts);
+  field(Field{"contact_phases", "", Presence::always}, contact_phases);
+  field(required("source"), orbit.certified.source);
+  field(required("error_bar"), orbit.certified.error_bar);
+  field(Field{"residual"}, orbit.certified.residual);
+  field(Field{"return_distance"}, orbit.certified.return_distance);
+  field(Field{"floquet"}, orbit.certified.floquet);
+  field(Field{"stable"}, orbit.certified.stable);
+  field(required("from_rest"), orbit.from_rest);
+  field(required("starts"), orbit.starts);
+  field(required("found_by"), orbit.cold);
+  field(required("events"), orbit.certified.events);
+}
+
+void visit_fields(Either<OrbitFile> auto& file, auto&& field) {
+  field(required("scene"), file.scene);
+  field(required("scene_sha256"), file.scene_sha256);
+  field(required("law"), file.law);
+  field(required("search"), file.options);
+  field(required("orbits"), file.orbits);
+}
 
 OrbitFile make_orbit_file(const Scene& scene, const OrbitSearchOptions& options, const SceneOrbits& found) {
   return {.scene = scene.problem.name,
@@ -66,32 +66,16 @@ OrbitFile make_orbit_file(const Scene& scene, const OrbitSearchOptions& options,
           .orbits = found.orbits};
 }
 
-Json to_json(const FoundOrbit& orbit) {
-  const CertifiedOrbit& certified = orbit.certified;
-  Json json{{"orbit", orbit.fingerprint}, {"order", orbit.order},
-            {"period", orbit.period},     {"amplitude", orbit.amplitude},
-            {"impacts", orbit.impacts()}, {"contact_phases", orbit.contact_phases()},
-            {"source", certified.source}, {"error_bar", certified.error_bar}};
-  write_field(json, Field{"residual"}, certified.residual);
-  write_field(json, Field{"return_distance"}, certified.return_distance);
-  write_field(json, Field{"floquet"}, certified.floquet);
-  write_field(json, Field{"stable"}, certified.stable);
-  json["from_rest"] = orbit.from_rest;
-  json["starts"] = orbit.starts;
-  json["found_by"] = orbit.cold;
-  write_field(json, Field{"events", "", Presence::always}, certified.events);
-  return json;
-}
+Json to_json(const FoundOrbit& orbit) { return write_fields(orbit); }
 
 std::string print_orbit_file(const OrbitFile& file) {
-  const Json search{{"starts", file.options.starts},
-                    {"subharmonics", file.options.subharmonics},
-                    {"seed", file.options.seed}};
-  std::string text = fmt::format(
-      "{{\n\"schema\": {},\n\"scene\": {},\n\"scene_sha256\": {},\n\"law\": {},\n\"search\": "
-      "{},\n\"orbits\": [",
-      kOrbitSchema, Json(file.scene).dump(), Json(file.scene_sha256).dump(), law_to_json(file.law).dump(),
-      search.dump());
+  Json json{{"schema", kOrbitSchema}};
+  json.update(write_fields(file));
+  std::string text;
+  for (const auto& [key, value] : json.items()) {
+    text +=
+        fmt::format("{}\"{}\": {}", text.empty() ? "{\n" : ",\n", key, key == "orbits" ? "[" : value.dump());
+  }
   for (std::size_t i = 0; i < file.orbits.size(); ++i)
     text += (i == 0 ? "\n" : ",\n") + to_json(file.orbits[i]).dump();
   return text + "\n]\n}\n";
@@ -99,7 +83,12 @@ std::string print_orbit_file(const OrbitFile& file) {
 
 OrbitFile parse_orbit_file(const std::string& text, const std::string& name) {
   try {
-    return file_from_json(Json::parse(text));
+    const Json json = Json::parse(text);
+    if (json.at("schema") != kOrbitSchema)
+      throw BadRecord(fmt::format("schema = {} (must be {})", json.at("schema").dump(), kOrbitSchema));
+    OrbitFile file;
+    read_fields(json, file);
+    return file;
   } catch (const nlohmann::json::exception& error) {
     throw UsageError(
         fmt::format("{}: {} (must be a file that verify --update wrote)", name, without_code(error.what())));

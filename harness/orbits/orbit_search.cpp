@@ -13,6 +13,7 @@
 #include "harness/judge/exact_certificate.hpp"
 #include "harness/judge/orbit.hpp"
 #include "harness/orbits/candidate_units.hpp"
+#include "harness/records/json_fields.hpp"
 #include "harness/records/record.hpp"
 #include "methods/structure/condensation.hpp"
 
@@ -150,11 +151,7 @@ void run_units(const std::vector<CandidateUnit>& units, Deadline deadline, Orbit
   std::vector<IsolatedWork> work;
   for (const CandidateUnit& unit : units) {
     work.push_back([&unit, deadline](const LineSender& send) {
-      unit.work(
-          [&send](const OrbitCandidate& candidate) {
-            send(to_json(candidate).dump(-1, ' ', false, Json::error_handler_t::replace));
-          },
-          deadline);
+      unit.work([&send](const OrbitCandidate& candidate) { send(json_line(to_json(candidate))); }, deadline);
     });
   }
   const std::vector<ChildEnd> ends = run_isolated_together(

@@ -4,8 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "harness/records/record_fields.hpp"
-
 namespace signorini {
 
 namespace {
@@ -40,9 +38,9 @@ OptionValue option_from_json(const Json& json) {
 
 }  // namespace
 
-Json law_to_json(const RepresentedLaw& law) { return std::visit(LawWriter{}, law); }
+Json JsonForm<RepresentedLaw>::write(const RepresentedLaw& law) { return std::visit(LawWriter{}, law); }
 
-RepresentedLaw law_from_json(const Json& json) {
+RepresentedLaw JsonForm<RepresentedLaw>::read(const Json& json) {
   if (json.contains("restitution")) return Restitution{json["restitution"].get<double>()};
   if (json.contains("penalty")) return Penalty{json["penalty"].get<std::vector<double>>()};
   if (json.contains("massless")) return Massless{};
@@ -50,10 +48,6 @@ RepresentedLaw law_from_json(const Json& json) {
   if (json.contains("none")) return std::monostate{};
   throw BadRecord("law = " + json.dump() + " (must be restitution, penalty, massless, undetermined or none)");
 }
-
-Json JsonForm<RepresentedLaw>::write(const RepresentedLaw& law) { return law_to_json(law); }
-
-RepresentedLaw JsonForm<RepresentedLaw>::read(const Json& json) { return law_from_json(json); }
 
 Json JsonForm<RecordedOptions>::write(const RecordedOptions& options) {
   Json json = Json::object();

@@ -1,8 +1,7 @@
 #pragma once
-// Records as JSON lines. What is written of each field follows from record_fields.hpp; here is what is
-// special: laws, options, rounds.
-
-#include <nlohmann/json_fwd.hpp>
+// Records as JSON lines: every field of a record with its name, its unit, and whether it may be absent
+// (docs/records.md has a row for each; a test compares the two), and the form of what is special: laws,
+// options, rounds.
 
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record.hpp"
@@ -17,14 +16,10 @@ nlohmann::ordered_json to_json(const Record& record);
 Record record_from_json(const nlohmann::ordered_json& json);
 
 /// One key, the law's name, with its constant: {"restitution": 0.8}.
-nlohmann::ordered_json law_to_json(const RepresentedLaw& law);
-RepresentedLaw law_from_json(const nlohmann::ordered_json& json);  ///< \throws BadRecord
-
-/// law_to_json and law_from_json.
 template <>
 struct JsonForm<RepresentedLaw> {
-  static nlohmann::ordered_json write(const RepresentedLaw& law);  ///< as law_to_json
-  static RepresentedLaw read(const nlohmann::ordered_json& json);  ///< as law_from_json
+  static nlohmann::ordered_json write(const RepresentedLaw& law);  ///< of any law
+  static RepresentedLaw read(const nlohmann::ordered_json& json);  ///< \throws BadRecord
 };
 
 /// An object, option by option.
@@ -47,5 +42,147 @@ struct JsonForm<TimedRound> {
   static nlohmann::ordered_json write(const TimedRound& round);  ///< [set-up, solve]
   static TimedRound read(const nlohmann::ordered_json& json);    ///< of two numbers
 };
+
+void visit_fields(Either<FamilyLevel> auto& level, auto&& field) {
+  field(required("name"), level.family);
+  field(required("parameter"), level.parameter);
+  field(required("level"), level.level);
+  field(required("severity"), level.severity);
+  field(required("levels"), level.levels);
+}
+
+void visit_fields(Either<WorkDone> auto& work, auto&& field) {
+  field(Field{"unknowns"}, work.counts.unknowns);
+  field(Field{"iterations"}, work.counts.iterations);
+  field(Field{"pivots"}, work.counts.pivots);
+  field(Field{"rhs_evaluations"}, work.counts.rhs_evaluations);
+  field(Field{"factorisations"}, work.counts.factorisations);
+  field(Field{"peak_memory_bytes", "bytes"}, work.peak_memory_bytes);
+}
+
+void visit_fields(Either<Seconds> auto& seconds, auto&& field) {
+  field(required("median", "s"), seconds.median);
+  field(required("min", "s"), seconds.min);
+  field(required("mad", "s"), seconds.mad);
+  field(required("repetitions"), seconds.repetitions);
+  field(required("setup", "s"), seconds.setup);
+  field(required("solve", "s"), seconds.solve);
+  field(Field{"unstable"}, seconds.unstable);
+  field(Field{"rounds", "s"}, seconds.rounds);
+  field(Field{"jobs"}, seconds.jobs);
+}
+
+void visit_fields(Either<Repeats> auto& repeats, auto&& field) {
+  field(required("solves"), repeats.solves);
+  field(required("identical"), repeats.identical);
+}
+
+void visit_fields(Either<OrbitEvent> auto& event, auto&& field) {
+  field(required("time", "s"), event.time);
+  field(required("contact"), event.contact);
+  field(required("kind"), event.kind);
+  field(Field{"value", "N s"}, event.value);
+}
+
+void visit_fields(Either<Certificate> auto& certificate, auto&& field) {
+  // An orbit without any event has an empty list; where there is no orbit, there is no list.
+  const bool has_orbit = certificate.status == CertificateStatus::certified;
+  field(required("status"), certificate.status);
+  field(Field{"reason"}, certificate.reason);
+  field(Field{"refutation"}, certificate.refutation);
+  field(Field{"source"}, certificate.source);
+  field(Field{"orbit"}, certificate.orbit);
+  field(Field{"order"}, certificate.order);
+  field(Field{"error_bar"}, certificate.error_bar);
+  field(Field{"residual"}, certificate.residual);
+  field(Field{"distance"}, certificate.distance);
+  field(Field{"reference"}, certificate.reference);
+  field(Field{"reference_reason"}, certificate.reference_reason);
+  field(Field{"same_orbit"}, certificate.same_orbit);
+  field(Field{"events", "", has_orbit ? Presence::always : Presence::unless_empty}, certificate.events);
+  field(Field{"return_distance"}, certificate.return_distance);
+  field(Field{"floquet"}, certificate.floquet);
+  field(Field{"stable"}, certificate.stable);
+}
+
+void visit_fields(Either<Errors> auto& errors, auto&& field) {
+  field(Field{"x_l2"}, errors.x_l2);
+  field(Field{"x_max"}, errors.x_max);
+  field(Field{"u_l2"}, errors.u_l2);
+  field(Field{"velocity_l2"}, errors.velocity_l2);
+  field(Field{"impulse"}, errors.impulse);
+  field(Field{"force_l2"}, errors.force_l2);
+  field(Field{"x_l2_scene"}, errors.x_l2_scene);
+}
+
+void visit_fields(Either<Physics> auto& physics, auto&& field) {
+  field(Field{"penetration"}, physics.penetration);
+  field(Field{"complementarity"}, physics.complementarity);
+  field(Field{"energy_defect"}, physics.energy_defect);
+  field(Field{"contact_ratio"}, physics.contact_ratio);
+  field(Field{"energy_reason"}, physics.energy_reason);
+  field(Field{"effective_restitution"}, physics.effective_restitution);
+}
+
+void visit_fields(Either<Impulse> auto& impulse, auto&& field) {
+  field(required("contact"), impulse.contact);
+  field(required("time", "s"), impulse.time);
+  field(required("value", "N s"), impulse.value);
+}
+
+void visit_fields(Either<TrajectorySamples> auto& samples, auto&& field) {
+  field(required("t", "s"), samples.t);
+  field(required("x", "m"), samples.x);
+  field(required("velocity", "m/s"), samples.velocity);
+  field(required("force", "N"), samples.force);
+  field(Field{"impulses", "", Presence::always}, samples.impulses);
+  field(Field{"bandwidth"}, samples.bandwidth);
+}
+
+void visit_fields(Either<Waveform> auto& waveform, auto&& field) {
+  field(required("t", "s"), waveform.t);
+  field(required("x", "m"), waveform.x);
+  field(required("velocity", "m/s"), waveform.velocity);
+  field(required("force", "N"), waveform.force);
+  field(required("impulse", "N s"), waveform.impulse);
+}
+
+void visit_fields(Either<Waveforms> auto& waveforms, auto&& field) {
+  field(required("contacts"), waveforms.contacts);
+  field(required("answer"), waveforms.answer);
+  field(Field{"orbit"}, waveforms.orbit);
+}
+
+void visit_fields(Either<Record> auto& record, auto&& field) {
+  field(Field{"case"}, record.case_id);
+  field(Field{"key"}, record.key);
+  field(required("scene"), record.scene);
+  field(required("scene_sha256"), record.scene_sha256);
+  field(Field{"family"}, record.family);
+  field(required("method"), record.method);
+  field(Field{"plugin"}, record.plugin);
+  field(Field{"settings"}, record.settings);
+  field(required("options"), record.options);
+  field(required("status"), record.status);
+  field(Field{"message"}, record.message);
+  field(Field{"signal"}, record.signal);
+  field(Field{"law"}, record.law);
+  field(Field{"scene_law"}, record.scene_law);
+  field(Field{"law_matches_scene"}, record.law_matches_scene);
+  field(Field{"period", "s"}, record.period);
+  field(Field{"residual"}, record.residual);
+  field(Field{"condition"}, record.condition);
+  field(Field{"work"}, record.work);
+  field(Field{"seconds"}, record.seconds);
+  field(Field{"not_timed"}, record.not_timed);
+  field(Field{"answer"}, record.answer);
+  field(Field{"repeats"}, record.repeats);
+  field(Field{"elapsed", "s"}, record.elapsed);
+  field(Field{"certificate", "", Presence::always}, record.certificate);
+  field(Field{"errors"}, record.errors);
+  field(Field{"physics"}, record.physics);
+  field(Field{"trajectory"}, record.trajectory);
+  field(Field{"waveforms"}, record.waveforms);
+}
 
 }  // namespace signorini

@@ -4,30 +4,27 @@
 
 #include "harness/interrupt.hpp"
 #include "harness/isolation/isolation.hpp"
-#include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"
 
 namespace signorini {
 
-namespace {
+/// What the child sends of a method; its own failure is the parent's to see.
+void visit_fields(Either<Applicability> auto& answer, auto&& field) {
+  field(required("applies"), answer.applies);
+  field(Field{"reason"}, answer.reason);
+  field(Field{"law"}, answer.law);
+}
 
-using Json = nlohmann::ordered_json;
+namespace {
 
 constexpr double kSecondsPerMethod = 10.0;
 
 void send_answer(const Scene& scene, const Case& planned_case, const LineSender& send) {
   const std::unique_ptr<Method> method = planned_case.choice.make();
   const Support support = method->supports(scene.problem);
-  Json json{{"applies", support.ok}, {"reason", support.reason}};
-  if (support.ok) json["law"] = law_to_json(method->law(scene.problem));
-  send(json_line(json));
-}
-
-Applicability read_answer(const std::string& line) {
-  const Json json = Json::parse(line);
-  Applicability answer{.applies = json.at("applies"), .reason = json.at("reason")};
-  if (json.contains("law")) answer.law = law_from_json(json["law"]);
-  return answer;
+  Applicability answer{.applies = support.ok, .reason = support.reason};
+  if (support.ok) answer.law = method->law(scene.problem);
+  send(json_line(write_fields(answer)));
 }
 
 }  // namespace
@@ -42,7 +39,8 @@ std::vector<Applicability> ask_applicability(const Scene& scene, std::span<const
           for (const Case* planned_case : rest) send_answer(scene, *planned_case, send);
         },
         {.stage_seconds = {kSecondsPerMethod}, .memory_mb = memory_mb});
-    for (const std::string& line : end.lines) answers.push_back(read_answer(line));
+    for (const std::string& line : end.lines)
+      read_fields(nlohmann::ordered_json::parse(line), answers.emplace_back());
     // The method that ended the child gets its ending; those after it are asked in another child.
     if (end.kind != ChildEnd::Kind::finished && answers.size() < cases.size())
       answers.push_back({.failure = end});

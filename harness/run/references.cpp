@@ -20,7 +20,7 @@ constexpr int kReferenceProcesses = 2;
 
 std::string key_of(const RepresentedLaw& law, const Problem& problem) {
   const bool undetermined = std::holds_alternative<Undetermined>(law);
-  return law_to_json(undetermined ? as_represented(problem.law) : law).dump();
+  return JsonForm<RepresentedLaw>::write(undetermined ? as_represented(problem.law) : law).dump();
 }
 
 /// As it is kept, or by marching from rest, which may take `seconds`.

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "harness/records/record_fields.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 #include "harness/run/trial.hpp"
@@ -53,7 +52,7 @@ Json write_problem(const Problem& problem) {
           {"period", problem.period()},
           {"force", std::move(force)},
           {"contacts", std::move(contacts)},
-          {"law", law_to_json(as_represented(problem.law))}};
+          {"law", JsonForm<RepresentedLaw>::write(as_represented(problem.law))}};
 }
 
 [[noreturn]] void refuse(const std::string& what) {

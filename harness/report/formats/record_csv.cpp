@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "harness/records/json_fields.hpp"
-#include "harness/records/record_fields.hpp"
+#include "harness/records/record_json.hpp"
 #include "harness/report/document/cells.hpp"
 #include "harness/report/evaluation/outcome.hpp"
 #include "harness/report/evaluation/work_precision.hpp"

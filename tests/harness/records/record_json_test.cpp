@@ -63,11 +63,11 @@ TEST(RecordJson, ComesBackAsItWentForEveryStatusAndLaw) {
   }
   for (const RepresentedLaw& law : std::vector<RepresentedLaw>{
            Restitution{0.25}, Penalty{{1.0, 2.0}}, Massless{}, Undetermined{}, std::monostate{}}) {
-    EXPECT_EQ(law_from_json(law_to_json(law)).index(), law.index());
+    EXPECT_EQ(JsonForm<RepresentedLaw>::read(JsonForm<RepresentedLaw>::write(law)).index(), law.index());
   }
-  EXPECT_EQ(law_to_json(Restitution{0.8}).dump(), R"({"restitution":0.8})");
-  EXPECT_EQ(law_to_json(Penalty{{1.5}}).dump(), R"({"penalty":[1.5]})");
-  EXPECT_EQ(law_to_json(Massless{}).dump(), R"({"massless":true})");
+  EXPECT_EQ(JsonForm<RepresentedLaw>::write(Restitution{0.8}).dump(), R"({"restitution":0.8})");
+  EXPECT_EQ(JsonForm<RepresentedLaw>::write(Penalty{{1.5}}).dump(), R"({"penalty":[1.5]})");
+  EXPECT_EQ(JsonForm<RepresentedLaw>::write(Massless{}).dump(), R"({"massless":true})");
 }
 
 TEST(RecordJson, LeavesOutWhatDoesNotExist) {

@@ -9,7 +9,6 @@
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
-#include "harness/records/record_fields.hpp"
 #include "harness/records/record_json.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"

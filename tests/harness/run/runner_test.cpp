@@ -218,16 +218,15 @@ TEST(Runner, RecordsTimesInReleaseBuildsOnly) {
 }
 
 TEST(Runner, CountsACrashInARepetitionAgainstTheMethod) {
-  if (!build_may_be_timed()) GTEST_SKIP() << "nothing is repeated in this build";
   const Record record = run_fake("crash_when_repeated");
-  EXPECT_EQ(record.status, Status::crashed);
-  EXPECT_EQ(record.message.rfind("in a repeated solve", 0), 0U) << record.message;
+  EXPECT_EQ(record.status, build_may_be_timed() ? Status::crashed : Status::converged);
+  EXPECT_EQ(record.message.starts_with("in a repeated solve"), build_may_be_timed()) << record.message;
 }
 
 TEST(Runner, SeesWhetherARepetitionGivesTheSameBits) {
-  if (!build_may_be_timed()) GTEST_SKIP() << "nothing is repeated in this build";
   const Record good = run_fake("good");
-  ASSERT_TRUE(good.repeats.has_value());
+  ASSERT_EQ(good.repeats.has_value(), build_may_be_timed());
+  if (!good.repeats) return;
   EXPECT_GE(good.repeats->solves, 2);  // in the first process, and in that of the second round
   EXPECT_EQ(good.repeats->identical, good.repeats->solves);
   const Record wavering = run_fake("waver");

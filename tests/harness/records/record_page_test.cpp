@@ -1,7 +1,5 @@
 // docs/records.md has every field of a record, and no other.
 
-#include "harness/records/record_fields.hpp"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -10,6 +8,7 @@
 #include <string>
 
 #include "harness/files.hpp"
+#include "harness/records/record_json.hpp"
 #include "tests/support/data_folder.hpp"
 
 namespace signorini {
