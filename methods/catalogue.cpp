@@ -54,6 +54,16 @@ void add_method(MethodEntry entry) {
   entries.insert(place, std::move(entry));
 }
 
+std::string same_equations_as(const MethodEntry& entry, std::span<const OptionEcho> options) {
+  for (const SameEquations& same : entry.same_equations) {
+    const auto holds = [&](const OptionEcho& option) {
+      return option.name == same.option && option.value == OptionValue(same.value);
+    };
+    if (std::any_of(options.begin(), options.end(), holds)) return same.method;
+  }
+  return {};
+}
+
 const MethodEntry& find_method(std::string_view name) {
   std::string names;
   for (const MethodEntry& entry : method_catalogue()) {

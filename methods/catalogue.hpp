@@ -8,10 +8,17 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "methods/method.hpp"
 
 namespace signorini {
+
+/// Another method that solves the same discrete equations by another algorithm, where an option has this
+/// value.
+struct SameEquations {
+  std::string option, value, method;
+};
 
 /// A method as the harness sees it before any scene: how to name it, describe it, make one.
 struct MethodEntry {
@@ -25,6 +32,9 @@ struct MethodEntry {
   /// p of error of x ~ h^p, h the step that the ladder refines, on motions with impacts; empty: none is
   /// claimed [-]
   std::optional<double> order = {};
+  /// Whose equations it solves too, wherever the options that both have are equal: an answer that agrees with
+  /// theirs confirms nothing.
+  std::vector<SameEquations> same_equations = {};
   /// \throws InvalidOption
   std::function<std::unique_ptr<Method>(std::span<const OptionSetting> settings)> make;
   std::string plugin = {};  ///< SHA-256 of the files that a method of a plugin consists of; else empty
@@ -55,6 +65,17 @@ constexpr std::string_view further_starts() {
   return {};
 }
 
+/// The methods that a method class names in its member `kSameEquations`, if it has one.
+template <class M>
+std::vector<SameEquations> named_equations() {
+  std::vector<SameEquations> named;
+  if constexpr (requires { M::kSameEquations; }) {
+    for (const auto& [option, value, method] : M::kSameEquations)
+      named.push_back({std::string(option), std::string(value), std::string(method)});
+  }
+  return named;
+}
+
 /// The catalogue entry of a method class: its constructor validates the options it is given.
 template <RegistrableMethod M>
 MethodEntry method_entry() {
@@ -64,6 +85,7 @@ MethodEntry method_entry() {
           .ladder = std::string(M::kLadder),
           .starts = std::string(further_starts<M>()),
           .order = claimed_order<M>(),
+          .same_equations = named_equations<M>(),
           .make = [](std::span<const OptionSetting> settings) -> std::unique_ptr<Method> {
             typename M::Options options;
             apply_settings(options, settings);
@@ -77,6 +99,9 @@ std::span<const MethodEntry> method_catalogue();
 /// Adds a method of a plugin. To be called before anyone keeps a pointer to an entry: they move.
 /// \throws InvalidOption unless the name is new and in lower-kebab-case
 void add_method(MethodEntry entry);
+
+/// The method whose equations this one solves too with these complete options; empty: none is known.
+std::string same_equations_as(const MethodEntry& entry, std::span<const OptionEcho> options);
 
 /// The entry of that name. \throws InvalidOption listing the names there are.
 const MethodEntry& find_method(std::string_view name);

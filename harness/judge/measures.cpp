@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "harness/judge/contact_response.hpp"
+#include "harness/judge/contact_work.hpp"
 #include "harness/judge/impacts.hpp"
 #include "methods/structure/condensation.hpp"
 #include "methods/structure/periodic_response.hpp"
@@ -164,17 +165,23 @@ EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, co
   // Without damping the exact work is zero: what round-off leaves of it is no scale.
   if (std::abs(work) <= kRounding * response.found->largest_work_of_load())
     return {.reason = "the load does no work"};
-  double lost = response.found->dissipation();
+  // What is missed: W_f - W_D is minus the work of the contacts.
+  double missed = 0.0;
   try {
-    if (!answer.bandwidth) lost += dissipation_tail(problem, answer, kEnergyHarmonics);
+    if (answer.events) {
+      missed = -contact_work(answer, law, contact_gaps(problem));
+    } else {
+      missed = work - response.found->dissipation();
+      if (!answer.bandwidth) missed -= dissipation_tail(problem, answer, kEnergyHarmonics);
+    }
     const auto* restitution = std::get_if<Restitution>(&law);
     if (restitution != nullptr && restitution->e < 1.0) {
-      lost += expected_loss(answer, restitution->e, delassus_matrix(problem));
+      missed -= expected_loss(answer, restitution->e, delassus_matrix(problem));
     }
   } catch (const std::invalid_argument& error) {
     return {.reason = error.what()};  // no Delassus matrix
   }
-  return {.value = std::abs(work - lost) / std::abs(work)};
+  return {.value = std::abs(missed) / std::abs(work)};
 }
 
 }  // namespace

@@ -40,11 +40,13 @@ Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const
 /// |W_f - W_D - W_loss| / |W_f|: work of the load, dissipation by damping, and the loss at impacts that the
 /// represented law prescribes for the impulses found:
 /// (1 - e) / (2 (1 + e)) p^T G p over impulses p at one instant, G the Delassus matrix; a closing that lasts
-/// loses v_before^2 / (2 G_jj) for e < 1. Penalty and massless laws, and e = 1, lose nothing. The part of W_D
-/// beyond the harmonics that the response is summed to is added in closed form for impulses that are listed.
-/// Absent, with a reason, where W_f is zero, the law is undetermined, or the structure has no response or no
-/// Delassus matrix. The response being linear, W_f - W_D is the work done on the stops at every harmonic: the
-/// defect judges the contact force against the law, on large structures and small ones alike.
+/// loses v_before^2 / (2 G_jj) for e < 1. Penalty and massless laws, and e = 1, lose nothing.
+///
+/// The response being linear, W_f - W_D is minus the work of the contact force. Of an answer that lists its
+/// events that work is taken from its own motion (`contact_work`), exact where forces jump. Of any other it
+/// is that of the response to the force, harmonic by harmonic; the part of W_D beyond the harmonics that are
+/// summed is then added in closed form for impulses that are listed. Absent, with a reason, where W_f is
+/// zero, the law is undetermined, or the structure has no response or no Delassus matrix.
 EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, const Motion& answer);
 
 /// Loss at impacts per period that a restitution e prescribes for the phases found [J].

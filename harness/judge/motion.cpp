@@ -99,6 +99,7 @@ Motion sample_motion(const Problem& problem, const Trajectory& trajectory, int p
   motion.order = std::max(1, static_cast<int>(std::lround(trajectory.period() / motion.forcing_period)));
   motion.samples = trajectory.sample(per_period * motion.order);
   motion.impulses = trajectory.impulses();
+  motion.events = trajectory.events();
   motion.bandwidth = trajectory.bandwidth();
   motion.force_coefficients = trajectory.force_coefficients();
   return motion;
@@ -125,6 +126,7 @@ Motion thinned(const Motion& motion, int step) {
   result.forcing_period = motion.forcing_period;
   result.samples = {every(motion.samples.x), every(motion.samples.velocity), every(motion.samples.force)};
   result.impulses = motion.impulses;
+  result.events = motion.events;
   result.bandwidth = motion.bandwidth;
   result.force_coefficients = motion.force_coefficients;
   result.least = motion.least;

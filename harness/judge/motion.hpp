@@ -24,8 +24,9 @@ struct Motion {
   double forcing_period = 1;  ///< [s]
   Samples samples = {};       ///< (order * per_period) x Nc
   std::vector<Impulse> impulses = {};
-  std::optional<int> bandwidth = {};         ///< as Trajectory::bandwidth
-  Eigen::MatrixXcd force_coefficients = {};  ///< as Trajectory::force_coefficients [N]
+  std::optional<std::vector<ContactEvent>> events = {};  ///< as Trajectory::events
+  std::optional<int> bandwidth = {};                     ///< as Trajectory::bandwidth
+  Eigen::MatrixXcd force_coefficients = {};              ///< as Trajectory::force_coefficients [N]
   /// Sizes of x below this are not told from rest. In an answer (`sample_answer`) a tenth of the size of the
   /// contact-free motion, or of the distance of its mean from the stops where that is less; else 0 [m].
   double least = 0.0;

@@ -169,11 +169,13 @@ struct Record {
   std::optional<FamilyLevel> family = {};  ///< of a scene that is one of a family
   Settings settings = {};                  ///< options as asked for; the rest of `options` are defaults
   RecordedOptions options = {};
+  std::string same_equations_as = {};  ///< a method that solves the same equations where options are equal
   Status status = Status::not_converged;
   std::string message = {};
   std::optional<int> signal = {};  ///< that ended a crashed run
   std::optional<RepresentedLaw> law = {}, scene_law = {};
   std::optional<bool> law_matches_scene = {};
+  std::string problem = {};  ///< digest of the problem as the method represents it (problem_digest)
   Measure period = {}, residual = {}, condition = {};
   WorkDone work = {};
   std::optional<Seconds> seconds = {};

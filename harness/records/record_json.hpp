@@ -163,12 +163,14 @@ void visit_fields(Either<Record> auto& record, auto&& field) {
   field(Field{"plugin"}, record.plugin);
   field(Field{"settings"}, record.settings);
   field(required("options"), record.options);
+  field(Field{"same_equations_as"}, record.same_equations_as);
   field(required("status"), record.status);
   field(Field{"message"}, record.message);
   field(Field{"signal"}, record.signal);
   field(Field{"law"}, record.law);
   field(Field{"scene_law"}, record.scene_law);
   field(Field{"law_matches_scene"}, record.law_matches_scene);
+  field(Field{"problem"}, record.problem);
   field(Field{"period", "s"}, record.period);
   field(Field{"residual"}, record.residual);
   field(Field{"condition"}, record.condition);

@@ -6,6 +6,7 @@
 #include "harness/interrupt.hpp"
 #include "harness/judge/certificate.hpp"
 #include "harness/plan/deadline.hpp"
+#include "harness/records/problem_digest.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/run/round_messages.hpp"
 #include "harness/run/timing.hpp"
@@ -70,9 +71,13 @@ Record Runner::blank(const Scene& scene, const Job& job) const {
   record.plugin = entry.plugin;
   for (const OptionEcho& option : planned_case.options)
     record.options.emplace_back(option.name, option.value);
+  record.same_equations_as = same_equations_as(entry, planned_case.options);
   record.scene_law = as_represented(scene.problem.law);
   record.law = job.method.law;
-  if (record.law) record.law_matches_scene = law_matches(*record.law, scene.problem.law);
+  if (record.law) {
+    record.law_matches_scene = law_matches(*record.law, scene.problem.law);
+    record.problem = problem_digest(scene.problem, *record.law);
+  }
   record.certificate.reason = "there is no answer to certify";
   return record;
 }

@@ -34,6 +34,10 @@ class AftHbm final : public Method {
   static constexpr std::string_view kLadder = "harmonics=10|40|160";
   static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 
+  /// With this value of an option, the equations are those of this method.
+  static constexpr std::array<std::array<std::string_view, 3>, 2> kSameEquations{
+      {{"law", "dlft", "fourier-lipschitz"}, {"law", "penalty", "penalty-hbm"}}};
+
   struct Options {
     HarmonicOptions common = {};
     ContactLaw law = ContactLaw::dlft;

@@ -44,6 +44,19 @@ TEST(MethodCatalogue, NamesAreUnique) {
     EXPECT_TRUE(seen.insert(std::string(entry.name)).second) << entry.name;
 }
 
+TEST(MethodCatalogue, EqualEquationsAreThoseOfAnotherMethodAndBelongToAValueOfAnOption) {
+  for (const MethodEntry& entry : method_catalogue()) {
+    EXPECT_EQ(same_equations_as(entry, {}), "") << entry.name;
+    for (const SameEquations& same : entry.same_equations) {
+      EXPECT_NE(find_method(same.method).name, entry.name);
+      const OptionSetting setting{same.option, same.value};
+      EXPECT_EQ(same_equations_as(entry, entry.make({&setting, 1})->options()), same.method) << entry.name;
+    }
+  }
+  const MethodEntry& aft = find_method("aft-hbm");
+  EXPECT_EQ(same_equations_as(aft, aft.make({})->options()), "fourier-lipschitz");
+}
+
 TEST(MethodCatalogue, AnUnknownNameIsRefusedWithTheNamesThereAre) {
   try {
     (void)find_method("time-machine");

@@ -6,6 +6,7 @@ Record full_record() {
   Record record = good_record("scene-a", "method-a", "n=1", 0.125, 0.5);
   record.message = "fine";
   record.plugin = "01ab";
+  record.problem = "fedcba9876543210";
   record.signal = 11;
   record.residual = 1e-12;
   record.condition = 1e3;
@@ -13,6 +14,7 @@ Record full_record() {
   record.answer = "0123456789abcdef";
   record.repeats = Repeats{.solves = 7, .identical = 6};
   record.options = {{"n", 1L}, {"tolerance", 1e-9}};
+  record.same_equations_as = "method-b";
   record.work.counts = {
       .unknowns = 1, .iterations = 2, .pivots = 3, .rhs_evaluations = 4, .factorisations = 5};
   record.work.peak_memory_bytes = 6;
@@ -27,8 +29,13 @@ Record full_record() {
       {.time = 0.5, .contact = 0, .kind = ContactEvent::Kind::impact, .value = -1.0}};
   record.certificate.floquet = {{0.5, 0.25}};
   record.certificate.stable = true;
-  record.errors = {
-      .x_l2 = 0.125, .x_max = 0.2, .u_l2 = 0.3, .velocity_l2 = 0.4, .impulse = 0.5, .x_l2_scene = 0.6};
+  record.errors = {.x_l2 = 0.125,
+                   .x_max = 0.2,
+                   .u_l2 = 0.3,
+                   .velocity_l2 = 0.4,
+                   .impulse = 0.5,
+                   .force_l2 = 0.55,
+                   .x_l2_scene = 0.6};
   record.physics = {.penetration = 0.1,
                     .complementarity = 0.2,
                     .energy_defect = 0.3,

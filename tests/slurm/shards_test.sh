@@ -72,9 +72,9 @@ wait_until 600 all_over
 [ -f "$folder/run/merged/table.csv" ] || fail 'nothing was merged'
 
 # Columns: case, status, errors, physics; the local table's rows are in the same order.
-accuracy() { cut -d, -f1,8-20 "$1"; }
-columns=$(head -n 1 "$folder/local/table.csv" | cut -d, -f8-20)
-[ "$columns" = "status,period,x_l2,x_max,u_l2,velocity_l2,impulse,x_l2_scene,error_bar,penetration,complementarity,energy_defect,contact_ratio" ] ||
+accuracy() { cut -d, -f1,8-21 "$1"; }
+columns=$(head -n 1 "$folder/local/table.csv" | cut -d, -f8-21)
+[ "$columns" = "status,period,x_l2,x_max,u_l2,velocity_l2,impulse,force_l2,x_l2_scene,error_bar,penetration,complementarity,energy_defect,contact_ratio" ] ||
   fail "other columns than expected: $columns"
 accuracy "$folder/local/table.csv" >"$folder/local.csv"
 accuracy "$folder/run/merged/table.csv" >"$folder/merged.csv"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "harness/report/evaluation/outcome.hpp"
 #include "harness/table.hpp"
 
 namespace signorini {
@@ -20,6 +21,7 @@ bool before(const Record& a, const Record& b) {
 Evaluation::Evaluation(std::vector<Record> records, const Limits& limits)
     : records_(std::move(records)), time_limit_(limits.timeout) {
   std::ranges::stable_sort(records_, before);
+  repeated_ = repeated_problems(records_);
   studies_ = resolution_studies(records_);
   groups_ = ranking_groups(studies_);
   for (const ResolutionStudy& study : studies_) {
@@ -28,6 +30,10 @@ Evaluation::Evaluation(std::vector<Record> records, const Limits& limits)
   }
   std::sort(configurations_.begin(), configurations_.end());
   configurations_.erase(std::unique(configurations_.begin(), configurations_.end()), configurations_.end());
+}
+
+bool Evaluation::is_repeated(const ResolutionStudy& study) const {
+  return std::ranges::all_of(study.runs, [&](const ScoredRun& run) { return is_repeated(*run.record); });
 }
 
 std::size_t Evaluation::place_of(const Record& record) const {

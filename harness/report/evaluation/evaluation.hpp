@@ -30,6 +30,10 @@ class Evaluation {
   [[nodiscard]] const std::vector<std::string>& configurations() const { return configurations_; }
   /// All scenes, sorted.
   [[nodiscard]] const std::vector<std::string>& scenes() const { return scenes_; }
+  /// Whether a record of this evaluation counts by another one: see `repeated_problems`.
+  [[nodiscard]] bool is_repeated(const Record& record) const { return repeated_[place_of(record)]; }
+  /// The same of all runs of a study.
+  [[nodiscard]] bool is_repeated(const ResolutionStudy& study) const;
   /// Where a record of this evaluation stands among its records.
   [[nodiscard]] std::size_t place_of(const Record& record) const;
   /// Where a configuration stands among all.
@@ -38,6 +42,7 @@ class Evaluation {
  private:
   std::vector<Record> records_;
   double time_limit_;
+  std::vector<bool> repeated_;  // by record
   std::vector<ResolutionStudy> studies_;
   std::vector<RankingGroup> groups_;
   std::vector<std::string> configurations_, scenes_;

@@ -1,10 +1,26 @@
 #pragma once
-// What became of cases, by which every table counts, ranks and averages. Solved is what claim_of calls
-// certified.
+// What became of cases, by which every table counts, ranks and averages.
+//
+// Solved is one notion in all of them: the harness certifies the answer (claim_of), and the law that the
+// method represents is the scene's. Which of the scene's orbits the answer is plays no part. What is
+// certified under another law is counted apart, and a problem that a method is given twice counts once.
+
+#include <vector>
 
 #include "harness/records/record.hpp"
 
 namespace signorini {
+
+/// Whether the case states another problem than its scene: the method represents another law.
+bool has_another_law(const Record& record);
+
+/// Whether the case is solved: certified, under the law of the scene.
+bool is_solved(const Record& record);
+
+/// For each record, whether it states a problem (Record::problem) that the same method with the same settings
+/// is given in another record too, which counts for both: one under its scene's law before others, else the
+/// first. False of records that do not know their problem.
+std::vector<bool> repeated_problems(const std::vector<Record>& records);
 
 /// Relative L2 error of x, of u where the scene has no contact. Whether its orbit certifies the answer is not
 /// asked.
@@ -20,9 +36,15 @@ Measure certified_error(const Record& record);
 struct OutcomeCounts {
   int cases = 0, not_applicable = 0, failed = 0, refuted = 0, unproven = 0, certified = 0;
   int same_orbit = 0, other_orbit = 0;  ///< certified, and the orbit reached from rest or another one
+  int another_law = 0;                  ///< applicable cases of another law than the scene's
+  int solved = 0;                       ///< certified cases of the scene's law
 
   void add(const Record& record);
   [[nodiscard]] int applicable() const { return cases - not_applicable; }
+  /// Applicable cases of the scene's law.
+  [[nodiscard]] int own_law() const { return applicable() - another_law; }
+  /// Certified cases of another law.
+  [[nodiscard]] int solved_under_another_law() const { return certified - solved; }
   /// Claims that are not refuted.
   [[nodiscard]] int converged() const { return certified + unproven; }
   [[nodiscard]] int claims() const { return converged() + refuted; }

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "harness/plan/selection.hpp"
+#include "harness/records/record_json.hpp"
 #include "harness/report/evaluation/outcome.hpp"
 
 namespace signorini {
@@ -13,10 +16,27 @@ namespace signorini {
 namespace {
 
 Eligibility eligibility_of(const std::vector<ScoredRun>& runs) {
-  const auto other = [](const ScoredRun& run) { return run.record->law_matches_scene == false; };
+  const auto other = [](const ScoredRun& run) { return has_another_law(*run.record); };
   if (std::ranges::any_of(runs, other)) return Eligibility::another_law;
   const auto refuses = [](const ScoredRun& run) { return run.record->status == Status::not_applicable; };
   return std::ranges::all_of(runs, refuses) ? Eligibility::not_applicable : Eligibility::ranked;
+}
+
+/// A configuration that does not apply says no law: where it has another one on scenes of the same law, it
+/// would have it here too.
+void take_laws_from_other_scenes(std::vector<ResolutionStudy>& studies) {
+  const auto key_of = [](const ResolutionStudy& study) {
+    const std::optional<RepresentedLaw>& law = study.runs.front().record->scene_law;
+    return std::pair(study.configuration, law ? JsonForm<RepresentedLaw>::write(*law).dump() : std::string());
+  };
+  std::set<std::pair<std::string, std::string>> other;
+  for (const ResolutionStudy& study : studies) {
+    if (study.eligibility == Eligibility::another_law) other.insert(key_of(study));
+  }
+  for (ResolutionStudy& study : studies) {
+    if (study.eligibility == Eligibility::not_applicable && other.contains(key_of(study)))
+      study.eligibility = Eligibility::another_law;
+  }
 }
 
 }  // namespace
@@ -37,7 +57,6 @@ std::string configuration_of(const Record& record) {
 
 ScoredRun scored_run(const Record& record) {
   ScoredRun run{.record = &record};
-  if (record.certificate.same_orbit == false) return run;
   run.error = certified_error(record);
   run.bounded = run.error && *recorded_error(record) < *run.error;
   return run;
@@ -57,6 +76,7 @@ std::vector<ResolutionStudy> resolution_studies(const std::vector<Record>& recor
     studies[place->second].runs.push_back(scored_run(record));
   }
   for (ResolutionStudy& study : studies) study.eligibility = eligibility_of(study.runs);
+  take_laws_from_other_scenes(studies);
   return studies;
 }
 

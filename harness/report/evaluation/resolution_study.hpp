@@ -21,15 +21,15 @@ std::string configuration_of(const Record& record);
 /// One run of a study with its error.
 struct ScoredRun {
   const Record* record = nullptr;
-  /// certified_error; absent too where the orbit is known not to be the one reached from rest.
-  Measure error = {};
+  Measure error = {};    ///< certified_error
   bool bounded = false;  ///< below ten error bars: never ranked by its error
 };
 
 /// Whether a configuration is ranked on a scene.
 enum class Eligibility {
-  ranked,         ///< it solves the problem that the scene states
-  another_law,    ///< it solves another problem than the scene states: shown apart, never ranked
+  ranked,  ///< it solves the problem that the scene states
+  /// It solves another problem than the scene states, or would if it applied: shown apart, never ranked.
+  another_law,
   not_applicable  ///< at none of its resolutions; ranked as unsolved where it applies to other scenes
 };
 

@@ -82,7 +82,7 @@ struct Column {
 
 /// Columns of table.csv, in order. Two of them are no fields: kResolution and kReason.
 constexpr std::string_view kResolution = "resolution", kReason = "reason";
-constexpr std::array<Column, 38> kColumns{{{"case", "case"},
+constexpr std::array<Column, 40> kColumns{{{"case", "case"},
                                            {"scene", "scene"},
                                            {"scene_law", "scene_law"},
                                            {"method", "method"},
@@ -96,6 +96,7 @@ constexpr std::array<Column, 38> kColumns{{{"case", "case"},
                                            {"u_l2", "errors.u_l2"},
                                            {"velocity_l2", "errors.velocity_l2"},
                                            {"impulse", "errors.impulse"},
+                                           {"force_l2", "errors.force_l2"},
                                            {"x_l2_scene", "errors.x_l2_scene"},
                                            {"error_bar", "certificate.error_bar"},
                                            {"penetration", "physics.penetration"},
@@ -117,6 +118,7 @@ constexpr std::array<Column, 38> kColumns{{{"case", "case"},
                                            {"certificate", "certificate.status"},
                                            {"orbit", "certificate.orbit"},
                                            {"same_orbit", "certificate.same_orbit"},
+                                           {"problem", "problem"},
                                            {"stable", "certificate.stable"},
                                            {"return_distance", "certificate.return_distance"},
                                            {kReason, kReason}}};

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "harness/report/document/cells.hpp"
-#include "harness/report/evaluation/outcome.hpp"
 #include "harness/report/sections/sections.hpp"
 
 namespace signorini {
@@ -16,49 +16,66 @@ namespace {
 /// Errors of x within which a level counts as solved: the motion is found, and found well [-].
 constexpr std::array kSolvedWithin{1e-1, 1e-3};
 
-/// Records of one configuration on one family, by severity.
-using Levels = std::map<int, std::vector<const Record*>>;
+/// One configuration on one family, by severity.
+using Levels = std::map<int, const ResolutionStudy*>;
 
 /// Contestants by place on every family, families by name.
 using Families = std::map<std::string, std::map<std::size_t, Levels>>;
 
+/// The family level of a study's scene; nothing where the scene is none of a family.
+const std::optional<FamilyLevel>& level_of(const ResolutionStudy& study) {
+  return study.runs.front().record->family;
+}
+
 Families families_of(const Evaluation& evaluation) {
   Families families;
-  for (const Record& record : evaluation.records()) {
-    if (!record.family) continue;
-    families[record.family->family][evaluation.place_of(configuration_of(record))][record.family->severity]
-        .push_back(&record);
+  for (const ResolutionStudy& study : evaluation.studies()) {
+    if (const std::optional<FamilyLevel>& level = level_of(study))
+      families[level->family][evaluation.place_of(study.configuration)][level->severity] = &study;
   }
   return families;
 }
 
-/// The severest level up to which all are solved; how many are if later ones are too.
-Cell breakdown_cell(const Levels& levels, double error) {
-  // Certified within the error; which orbit it is does not matter here.
-  const auto is_solved = [error](const Record* record) {
-    const Measure found = certified_error(*record);
-    return found && *found <= error;
-  };
-  int in_a_row = 0, solved = 0;
-  bool another_law = false;
-  const Record* last = nullptr;
-  for (const auto& [severity, records] : levels) {
-    for (const Record* record : records) another_law |= record->law_matches_scene == false;
-    if (std::ranges::none_of(records, is_solved)) continue;
+/// Levels of a family that state a problem of its own law, or of another; solved ones are certified within an
+/// error.
+struct LevelCount {
+  int levels = 0, solved = 0;
+  int in_a_row = 0;  ///< solved with all easier ones
+  const ResolutionStudy* last = nullptr;
+
+  void add(const ResolutionStudy& study, bool is_level_solved) {
+    ++levels;
+    if (!is_level_solved) return;
     ++solved;
-    if (solved != severity) continue;
+    if (solved != levels) return;
     ++in_a_row;
-    last = records.front();
+    last = &study;
   }
-  const int all = levels.begin()->second.front()->family->levels;
-  std::string text = "none";
-  if (in_a_row == all)
-    text = "all";
-  else if (last != nullptr)
-    text = level_label(last->family->level);
-  if (solved > in_a_row) text += fmt::format(" ({} of {})", solved, all);
-  if (another_law) text += " ≠";
-  return {text, static_cast<double>(in_a_row)};
+};
+
+/// "0.01 (3 of 5)": the severest level of the scene's law up to which all are solved; how many are if later
+/// ones are too. Behind it "≠ 2 of 2": levels solved under another law, each problem once.
+Cell breakdown_cell(const Evaluation& evaluation, const Levels& levels, double error) {
+  LevelCount own, other;
+  for (const auto& [severity, study] : levels) {
+    const bool solved = std::ranges::any_of(
+        study->runs, [error](const ScoredRun& run) { return run.error && *run.error <= error; });
+    if (study->eligibility != Eligibility::another_law)
+      own.add(*study, solved);
+    else if (!evaluation.is_repeated(*study))
+      other.add(*study, solved);
+  }
+  std::string text;
+  if (own.levels > 0) {
+    const bool all = own.in_a_row == level_of(*levels.begin()->second)->levels;
+    text = all ? "all" : own.last != nullptr ? level_label(level_of(*own.last)->level) : "none";
+    if (own.solved > own.in_a_row) text += fmt::format(" ({} of {})", own.solved, own.levels);
+  }
+  if (other.levels > 0)
+    text += fmt::format("{}≠ {} of {}", text.empty() ? "" : ", ", other.solved, other.levels);
+  else if (text.empty())
+    text = "≠ counted elsewhere";
+  return {text, static_cast<double>(own.in_a_row)};
 }
 
 /// A row for each family, a column for each configuration.
@@ -81,13 +98,15 @@ Section breakdown_section(const Evaluation& evaluation, const Families& families
   Section section{.id = fmt::format("breakdown-{:.0e}", error),
                   .title = fmt::format("Severest level solved with an error of x within {:.0e}", error)};
   section.text =
-      "Each family is driven from easy to impossible. A cell names the last of its levels that the method "
-      "solves, at any of "
-      "its resolutions, together with all easier ones; in brackets how many it solves if harder ones are "
-      "among them. `≠`: "
-      "the method represents another law than the scene, and is measured by its own.";
-  section.table = family_table(evaluation, families,
-                               [error](const Levels& levels) { return breakdown_cell(levels, error); });
+      "Each family is driven from easy to impossible. A cell names the last of the levels whose law the "
+      "method "
+      "represents that it solves, at any of its resolutions, together with all easier ones; in brackets how "
+      "many "
+      "it solves if harder ones are among them. `≠`: levels whose scenes have another law than the method, "
+      "of "
+      "which it solves so many under its own; those that state the same problem to it count once.";
+  section.table = family_table(
+      evaluation, families, [&](const Levels& levels) { return breakdown_cell(evaluation, levels, error); });
   return section;
 }
 
@@ -110,37 +129,13 @@ Section parameter_section(const Evaluation& evaluation) {
   return section;
 }
 
-/// How often a method reports convergence, and how often the harness refutes it.
-Section false_convergence_section(const Evaluation& evaluation) {
-  std::vector<OutcomeCounts> counts(evaluation.configurations().size());
-  for (const Record& record : evaluation.records()) {
-    if (record.family) counts[evaluation.place_of(configuration_of(record))].add(record);
-  }
-  Section section{.id = "false-convergence", .title = "Claims of convergence on the families"};
-  section.table.header = {"method", "runs", "says converged", "certified", "refuted", "false convergence"};
-  for (std::size_t place = 0; place < counts.size(); ++place) {
-    const OutcomeCounts& count = counts[place];
-    if (count.applicable() == 0) continue;
-    const double rate = count.claims() > 0 ? 100.0 * count.refuted / count.claims() : 0.0;
-    section.table.rows.push_back({evaluation.configurations()[place], count_cell(count.applicable()),
-                                  count_cell(count.claims()), count_cell(count.certified),
-                                  count_cell(count.refuted), Cell(fmt::format("{:.1f} %", rate), rate)});
-  }
-  section.note =
-      "Refuted: the orbit that the harness finds from the answer is farther away than half its norm, or the "
-      "answer penetrates "
-      "a rigid stop by more than half the amplitude. What is neither certified nor refuted has no orbit near "
-      "it that the "
-      "harness knows.";
-  return section;
-}
-
 /// The largest estimate of a certified answer.
 Cell condition_cell(const Levels& levels) {
   double largest = 0.0;
-  for (const auto& [severity, records] : levels) {
-    for (const Record* record : records) {
-      if (claim_of(*record) == Claim::certified) largest = std::max(largest, record->condition.value_or(0.0));
+  for (const auto& [severity, study] : levels) {
+    for (const ScoredRun& run : study->runs) {
+      if (claim_of(*run.record) == Claim::certified)
+        largest = std::max(largest, run.record->condition.value_or(0.0));
     }
   }
   return largest > 0.0 ? Cell(fmt::format("{:.0e}", largest), largest) : Cell("none");
@@ -165,7 +160,6 @@ Sections breakdown_sections(const Evaluation& evaluation) {
   if (families.empty()) return {};
   Sections sections{parameter_section(evaluation)};
   for (const double error : kSolvedWithin) sections.push_back(breakdown_section(evaluation, families, error));
-  sections.push_back(false_convergence_section(evaluation));
   sections.push_back(condition_section(evaluation, families));
   return sections;
 }

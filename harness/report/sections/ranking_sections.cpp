@@ -143,8 +143,8 @@ Cell work_cell(const std::vector<const ResolutionStudy*>& studies, const CostAxi
 
 constexpr std::string_view kTimeToErrorText = R"(On how many scenes a method gets its error down to that of
 the column at any of its resolutions, and the median over all scenes of the time of the cheapest that does.
-Nothing is interpolated; a scene that is not solved counts as infinite. Another orbit than the one reached from
-rest earns no time.)";
+Nothing is interpolated; a scene that is not solved counts as infinite. Runs on another orbit: those that
+found another motion of the scene than the one reached from rest, which counts as well.)";
 
 constexpr std::string_view kMeansText =
     R"(Times to error over all scenes. A failure counts as the time limit of

@@ -15,10 +15,18 @@ using Sections = std::vector<Section>;
 /// one.
 Sections sections_of(const Evaluation& evaluation);
 
-/// How many cases of each method ended how, and the median time.
+/// What each configuration solves under the scenes' own laws, at which error and in what time; and what under
+/// other laws.
 Sections summary_sections(const Evaluation& evaluation);
 
-/// Median error and time of each method at each resolution.
+/// How many runs of each configuration ended how: claims certified, unproven and refuted.
+Sections outcome_sections(const Evaluation& evaluation);
+
+/// Pairs of methods that solve the same equations, and how far apart their errors are. Empty where no record
+/// knows of any.
+Sections identity_sections(const Evaluation& evaluation);
+
+/// Median errors and time of each method at each resolution.
 Sections speed_sections(const Evaluation& evaluation);
 
 /// Methods from their plain form to their default, one addition after another. Empty for a run without plain
@@ -26,8 +34,7 @@ Sections speed_sections(const Evaluation& evaluation);
 Sections ablation_sections(const Evaluation& evaluation);
 
 /// Where each method breaks, over families of scenes from easy to impossible: the families, the severest
-/// level that each method solves, false convergence, and condition estimates. Empty for a run without
-/// families.
+/// level that each method solves, and condition estimates. Empty for a run without families.
 Sections breakdown_sections(const Evaluation& evaluation);
 
 /// Solved cases and errors at several values of one option, the others as stated.

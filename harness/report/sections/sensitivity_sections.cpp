@@ -88,7 +88,7 @@ std::vector<std::string> in_order(std::vector<std::string> values) {
 /// Results of one method at one value.
 struct Results {
   OutcomeCounts counts = {};
-  std::vector<double> errors = {};  ///< of applicable cases, infinite where not solved
+  std::vector<double> errors = {};  ///< of applicable cases of the scene's law, infinite where not solved
 };
 
 Results results_of(const std::vector<const Record*>& records) {
@@ -96,7 +96,7 @@ Results results_of(const std::vector<const Record*>& records) {
   for (const Record* record : records) {
     if (record->status == Status::not_applicable) continue;
     results.counts.add(*record);
-    results.errors.push_back(certified_error(*record).value_or(kNeverReached));
+    if (!has_another_law(*record)) results.errors.push_back(certified_error(*record).value_or(kNeverReached));
   }
   return results;
 }
@@ -111,20 +111,25 @@ Sections sensitivity_sections(const Evaluation& evaluation) {
   Section section{.id = "sensitivity", .title = "Sensitivity to one option at a time"};
   section.text =
       "The same scenes at several values of one option, the others as stated. Solved: "
-      "certified answers; reference orbit: those that are the motion reached from rest. Errors of x against "
-      "the certified orbit; a failure counts as infinite. `start`: the solve starts from the orbit reached "
+      "certified answers under the law of the scene; reference orbit: answers that are the motion reached "
+      "from "
+      "rest, of whatever law. Errors of x against the certified orbit, on scenes of that law; a failure "
+      "counts "
+      "as infinite. `start`: the solve starts from the orbit reached "
       "from rest, late by this share of its period.";
-  section.table.header = {"method",          "option",  "value",        "solved",
-                          "reference orbit", "refuted", "median error", "largest error"};
+  section.table.header = {"method",  "option",       "value",         "solved",           "reference orbit",
+                          "refuted", "median error", "largest error", "under another law"};
   for (const auto& [varied, variation] : variations_of(evaluation)) {
     if (variation.values.size() < kFewestValues) continue;
     for (const std::string& value : in_order(variation.values)) {
       const auto& [counts, errors] = results_of(variation.records.at(value));
       if (counts.cases == 0) continue;
       section.table.rows.push_back({varied.first, varied.second, value,
-                                    count_cell(counts.certified, counts.cases), count_cell(counts.same_orbit),
-                                    count_cell(counts.refuted), error_cell(median(errors)),
-                                    error_cell(std::ranges::max(errors))});
+                                    count_cell(counts.solved, counts.own_law()),
+                                    count_cell(counts.same_orbit), count_cell(counts.refuted),
+                                    errors.empty() ? Cell("-") : error_cell(median(errors)),
+                                    errors.empty() ? Cell("-") : error_cell(std::ranges::max(errors)),
+                                    count_cell(counts.solved_under_another_law())});
     }
   }
   return {std::move(section)};
@@ -154,8 +159,8 @@ Sections switch_sections(const Evaluation& evaluation) {
     }
     const OutcomeCounts off = results_of(records.at("false")).counts,
                         on = results_of(records.at("true")).counts;
-    std::vector<Cell> row{varied.first, varied.second, count_cell(on.cases), count_cell(off.certified),
-                          count_cell(on.certified)};
+    std::vector<Cell> row{varied.first, varied.second, count_cell(on.cases), count_cell(off.solved),
+                          count_cell(on.solved)};
     if (gains.empty()) {
       row.insert(row.end(), 3, Cell("none"));
     } else {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -15,117 +16,211 @@ namespace signorini {
 
 namespace {
 
-/// What became of a method's cases.
-struct Tally {
-  OutcomeCounts counts = {};
-  bool timed = true;
-  std::vector<double> times = {};  ///< of applicable cases, infinite where they failed
+/// Errors at which the summary gives a time [-].
+constexpr std::array kSummaryErrors{1e-1, 1e-2, 1e-3};
+
+/// On how many scenes an error is reached, and the time of each, infinite where it is not or was not taken.
+struct Reach {
+  int scenes = 0;
+  std::vector<double> seconds = {};
 };
 
-void count(const Record& record, Tally& tally) {
-  tally.counts.add(record);
-  if (record.status == Status::not_applicable) return;
-  const bool converged = record.status == Status::converged;
-  if (converged && !record.seconds) tally.timed = false;
-  tally.times.push_back(converged && record.seconds ? record.seconds->median : kNeverReached);
-}
+/// What a configuration, or one of its resolutions, makes of the scenes.
+struct Account {
+  int own = 0, solved = 0;          ///< scenes of its law
+  int other = 0, other_solved = 0;  ///< scenes of which it represents another law
+  // On scenes of its law, infinite where it does not solve them.
+  std::vector<double> errors = {}, impulses = {}, seconds = {}, ratios = {};
+  std::array<Reach, kSummaryErrors.size()> to_error = {};
+};
 
-/// The median and how `print` puts it; a reason instead where failures are half or more.
+/// The median as `print` puts it; words instead where there is none.
 template <class Print>
 Cell median_cell(const std::vector<double>& values, const Print& print) {
+  if (values.empty()) return {"-", kNeverReached};
   const double middle = median(values);
   return {std::isfinite(middle) ? print(middle) : "half or more failed", middle};
 }
 
-Cell time_cell(const Tally& tally) {
-  if (tally.times.empty()) return {"no applicable case", kNeverReached};
-  if (tally.counts.converged() == 0) return {"all failed", kNeverReached};
-  if (!tally.timed) return {"not timed", kNeverReached};
-  return median_cell(tally.times, time_text);
+Cell error_median(const std::vector<double>& errors) {
+  return median_cell(errors, [](double error) { return fmt::format("{:.1e}", error); });
 }
 
-Table summary_table(const std::vector<Record>& records) {
-  std::map<std::string, Tally> tallies;
-  for (const Record& record : records) count(record, tallies[record.method]);
-  Table table{{"method", "cases", "not applicable", "converged", "inaccurate", "failed", "certified",
-               "same orbit", "other orbit", "median time, failures infinite"},
-              {}};
-  for (const auto& [method, tally] : tallies) {
-    const OutcomeCounts& n = tally.counts;
-    table.rows.push_back({method, count_cell(n.cases), count_cell(n.not_applicable),
-                          count_cell(n.converged(), n.applicable()), count_cell(n.refuted),
-                          count_cell(n.failed), count_cell(n.certified), count_cell(n.same_orbit),
-                          count_cell(n.other_orbit), time_cell(tally)});
+Cell other_law_cell(const Account& account) {
+  return account.other == 0 ? Cell("-", 0.0) : count_cell(account.other_solved, account.other);
+}
+
+/// The error of the impulse, but not below what is known of the orbit.
+Measure bounded_impulse_error(const Record& record) {
+  const Measure error = record.errors.impulse;
+  return error ? std::max(*error, measurable_error(record)) : error;
+}
+
+/// Counts a scene with its certified answer, null if there is none; without errors if the law is another.
+void add_scene(bool another_law, const Record* certified, Account& account) {
+  ++(another_law ? account.other : account.own);
+  if (certified != nullptr) ++(another_law ? account.other_solved : account.solved);
+  if (another_law) return;
+  const auto add = [](const Measure& error, std::vector<double>& errors) {
+    if (error) errors.push_back(*error);  // else the notion does not exist: no contact takes an impulse, say
+  };
+  add(certified != nullptr ? bounded_error(*certified) : kNeverReached, account.errors);
+  add(certified != nullptr ? bounded_impulse_error(*certified) : kNeverReached, account.impulses);
+}
+
+/// The most accurate of the certified runs; null if there is none.
+const Record* best_of(const ResolutionStudy& study) {
+  const Record* best = nullptr;
+  const auto error_of = [](const Record& record) { return bounded_error(record).value_or(kNeverReached); };
+  for (const ScoredRun& run : study.runs) {
+    if (claim_of(*run.record) != Claim::certified) continue;
+    if (best == nullptr || error_of(*run.record) < error_of(*best)) best = run.record;
   }
-  return table;
+  return best;
 }
 
-/// The figures of one method at one resolution over all scenes to which it applies; infinite where it failed.
-struct Speed {
-  std::vector<double> errors, times, ratios;
-};
+void add_study(const ResolutionStudy& study, Account& account) {
+  const bool another_law = study.eligibility == Eligibility::another_law;
+  add_scene(another_law, best_of(study), account);
+  for (std::size_t i = 0; !another_law && i < kSummaryErrors.size(); ++i) {
+    Reach& reach = account.to_error[i];
+    reach.scenes += std::ranges::any_of(
+        study.runs, [&](const ScoredRun& run) { return run.error && *run.error <= kSummaryErrors[i]; });
+    reach.seconds.push_back(cost_to_error(study, time_axis(), kSummaryErrors[i]).cost);
+  }
+}
+
+/// "22 of 22, 410 us": success first; no time where half or more do not get there, or were not timed.
+Cell reach_cell(const Reach& reach) {
+  if (reach.seconds.empty()) return {"-", kNeverReached};
+  const std::string count = fmt::format("{} of {}", reach.scenes, reach.seconds.size());
+  const double middle = median(reach.seconds);
+  return {std::isfinite(middle) ? count + ", " + time_text(middle) : count, middle};
+}
+
+Cell solved_cell(const Account& account) {
+  return account.own == 0 ? Cell("none of its law", 0.0) : count_cell(account.solved, account.own);
+}
+
+/// How many studies state a problem that counts elsewhere, in words.
+std::string repeated_remark(std::ptrdiff_t repeated) {
+  if (repeated == 0) return {};
+  return fmt::format(
+      "Problems count once: {} time{} a method was given a problem that another scene states to it too, "
+      "under "
+      "the law that it represents, and is left out there.",
+      repeated, repeated == 1 ? "" : "s");
+}
+
+constexpr std::string_view kSummaryText = R"(Of the scenes whose law a method represents: on how many it is
+certified to have found a motion of that scene, at any of its resolutions; its least error of x, and the error of
+the contact impulse of that answer, medians over these scenes; then how many it solves with an error of x of at
+most 1e-1, 1e-2 and 1e-3, and the median time of the cheapest resolution that does. A scene that is not solved
+counts as infinite. Under another law: scenes of which the method solves another problem, one with another law of
+impact, and how many of those.)";
+
+constexpr std::string_view kOutcomesText = R"(Every run, of whatever law. A method that says converged is
+certified (the harness has found the exact orbit of its answer), refuted (it has found the answer wrong), or
+unproven (neither). Another orbit: certified, but not the motion reached from rest.)";
+
+constexpr std::string_view kSpeedText = R"(Each resolution over the scenes whose law the method represents.
+Medians take failures as infinite. Methods of other laws have other scenes, so that rows rank nothing: time at
+equal error and on equal scenes is in the sections on time to error.)";
 
 /// Time of a certified answer; infinite for any other.
 double solved_time(const Record& record) {
-  return claim_of(record) == Claim::certified && record.seconds ? record.seconds->median : kNeverReached;
+  return is_solved(record) && record.seconds ? record.seconds->median : kNeverReached;
 }
 
-/// In natural order of the names of the resolutions.
-std::vector<std::pair<std::string, Speed>> speeds(const std::vector<Record>& records) {
+/// By name of the resolution, in natural order.
+std::vector<std::pair<std::string, Account>> accounts_by_resolution(const Evaluation& evaluation) {
   std::map<std::string, double> baseline;  // by scene
-  for (const Record& r : records) {
+  for (const Record& r : evaluation.records()) {
     if (resolution_of(r) == kTimeBaseline && std::isfinite(solved_time(r)))
       baseline[r.scene] = solved_time(r);
   }
-  std::vector<std::pair<std::string, Speed>> result;
+  std::vector<std::pair<std::string, Account>> result;
   std::map<std::string, std::size_t> places;
-  for (const Record& r : records) {
-    if (r.status == Status::not_applicable) continue;
+  for (const Record& r : evaluation.records()) {
+    if (r.status == Status::not_applicable || evaluation.is_repeated(r)) continue;
     const auto [place, fresh] = places.try_emplace(resolution_of(r), result.size());
     if (fresh) result.push_back({place->first, {}});
-    Speed& speed = result[place->second].second;
-    speed.errors.push_back(certified_error(r).value_or(kNeverReached));
-    speed.times.push_back(solved_time(r));
+    Account& account = result[place->second].second;
+    add_scene(has_another_law(r), claim_of(r) == Claim::certified ? &r : nullptr, account);
+    if (has_another_law(r)) continue;
+    account.seconds.push_back(solved_time(r));
     if (const auto found = baseline.find(r.scene); found != baseline.end())
-      speed.ratios.push_back(solved_time(r) / found->second);
+      account.ratios.push_back(solved_time(r) / found->second);
   }
-  std::ranges::stable_sort(result, natural_less, &std::pair<std::string, Speed>::first);
+  std::ranges::stable_sort(result, natural_less, &std::pair<std::string, Account>::first);
   return result;
-}
-
-Table speed_table(const std::vector<Record>& records) {
-  Table table{{"method", "solved", "error of x, median", "time, median",
-               fmt::format("time / {}, median", kTimeBaseline)},
-              {}};
-  const auto printer = [](const char* format) {
-    return [=](double value) { return fmt::format(fmt::runtime(format), value); };
-  };
-  for (const auto& [method, speed] : speeds(records)) {
-    table.rows.push_back(
-        {method, count_cell(solved_count(speed.times), std::ssize(speed.times)),
-         median_cell(speed.errors, printer("{:.1e}")), median_cell(speed.times, time_text),
-         speed.ratios.empty() ? "not measured" : median_cell(speed.ratios, printer("{:.2g}"))});
-  }
-  return table;
 }
 
 }  // namespace
 
 Sections summary_sections(const Evaluation& evaluation) {
-  return {
-      {.id = "summary",
-       .title = "Summary",
-       .text = "What became of every case, and only then a time; failures count as infinite in the median.",
-       .table = summary_table(evaluation.records())}};
+  std::vector<Account> accounts(evaluation.configurations().size());
+  std::ptrdiff_t repeated = 0;
+  for (const ResolutionStudy& study : evaluation.studies()) {
+    if (evaluation.is_repeated(study))
+      ++repeated;
+    else
+      add_study(study, accounts[evaluation.place_of(study.configuration)]);
+  }
+  Section section{.id = "summary", .title = "What is solved, how well, and how fast"};
+  section.text = kSummaryText;
+  section.table.header = {"method", "solved", "error of x", "error of impulse"};
+  for (const double error : kSummaryErrors) section.table.header.push_back(fmt::format("to {:.0e}", error));
+  section.table.header.emplace_back("under another law");
+  for (std::size_t place = 0; place < accounts.size(); ++place) {
+    const Account& account = accounts[place];
+    std::vector<Cell> row{evaluation.configurations()[place], solved_cell(account),
+                          error_median(account.errors), error_median(account.impulses)};
+    for (const Reach& reach : account.to_error) row.push_back(reach_cell(reach));
+    row.push_back(other_law_cell(account));
+    section.table.rows.push_back(std::move(row));
+  }
+  section.note = repeated_remark(repeated);
+  return {std::move(section)};
+}
+
+Sections outcome_sections(const Evaluation& evaluation) {
+  std::vector<OutcomeCounts> counts(evaluation.configurations().size());
+  for (const Record& record : evaluation.records())
+    counts[evaluation.place_of(configuration_of(record))].add(record);
+  Section section{.id = "outcomes", .title = "What became of every run"};
+  section.text = kOutcomesText;
+  section.table.header = {"method",    "runs",     "not applicable", "failed",       "says converged",
+                          "certified", "unproven", "refuted",        "another orbit"};
+  for (std::size_t place = 0; place < counts.size(); ++place) {
+    const OutcomeCounts& n = counts[place];
+    section.table.rows.push_back({evaluation.configurations()[place], count_cell(n.cases),
+                                  count_cell(n.not_applicable), count_cell(n.failed), count_cell(n.claims()),
+                                  count_cell(n.certified), count_cell(n.unproven), count_cell(n.refuted),
+                                  count_cell(n.other_orbit)});
+  }
+  return {std::move(section)};
 }
 
 Sections speed_sections(const Evaluation& evaluation) {
-  return {{.id = "speed",
-           .title = "Speed beside error",
-           .text =
-               "Each resolution over all scenes. Medians take failures as infinite; the errors mix laws and "
-               "scenes, and rank nothing.",
-           .table = speed_table(evaluation.records())}};
+  Section section{.id = "speed", .title = "Speed beside error"};
+  section.text = kSpeedText;
+  section.table.header = {"method",
+                          "solved",
+                          "error of x, median",
+                          "error of impulse, median",
+                          "time, median",
+                          fmt::format("time / {}, median", kTimeBaseline),
+                          "under another law"};
+  const auto ratio_text = [](double ratio) { return fmt::format("{:.2g}", ratio); };
+  for (const auto& [method, account] : accounts_by_resolution(evaluation)) {
+    section.table.rows.push_back(
+        {method, solved_cell(account), error_median(account.errors), error_median(account.impulses),
+         median_cell(account.seconds, time_text),
+         account.ratios.empty() ? "not measured" : median_cell(account.ratios, ratio_text),
+         other_law_cell(account)});
+  }
+  return {std::move(section)};
 }
 
 }  // namespace signorini

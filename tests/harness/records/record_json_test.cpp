@@ -26,12 +26,22 @@ Keys keys(const Json& json) {
 
 TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
   const Json json = to_json(test::full_record());
-  EXPECT_EQ(keys(json), (Keys{"schema",    "case",     "key",        "scene",     "scene_sha256",
-                              "method",    "plugin",   "settings",   "options",   "status",
-                              "message",   "signal",   "law",        "scene_law", "law_matches_scene",
-                              "period",    "residual", "condition",  "work",      "seconds",
-                              "not_timed", "answer",   "repeats",    "elapsed",   "certificate",
-                              "errors",    "physics",  "trajectory", "waveforms"}));
+  EXPECT_EQ(keys(json), (Keys{"schema",       "case",
+                              "key",          "scene",
+                              "scene_sha256", "method",
+                              "plugin",       "settings",
+                              "options",      "same_equations_as",
+                              "status",       "message",
+                              "signal",       "law",
+                              "scene_law",    "law_matches_scene",
+                              "problem",      "period",
+                              "residual",     "condition",
+                              "work",         "seconds",
+                              "not_timed",    "answer",
+                              "repeats",      "elapsed",
+                              "certificate",  "errors",
+                              "physics",      "trajectory",
+                              "waveforms"}));
   EXPECT_EQ(keys(json["work"]), (Keys{"unknowns", "iterations", "pivots", "rhs_evaluations", "factorisations",
                                       "peak_memory_bytes"}));
   EXPECT_EQ(keys(json["seconds"]),
@@ -40,7 +50,8 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
             (Keys{"status", "reason", "source", "orbit", "order", "error_bar", "residual", "distance",
                   "reference", "reference_reason", "same_orbit", "events", "floquet", "stable"}));
   EXPECT_EQ(keys(json["certificate"]["events"][0]), (Keys{"time", "contact", "kind", "value"}));
-  EXPECT_EQ(keys(json["errors"]), (Keys{"x_l2", "x_max", "u_l2", "velocity_l2", "impulse", "x_l2_scene"}));
+  EXPECT_EQ(keys(json["errors"]),
+            (Keys{"x_l2", "x_max", "u_l2", "velocity_l2", "impulse", "force_l2", "x_l2_scene"}));
   EXPECT_EQ(keys(json["physics"]), (Keys{"penetration", "complementarity", "energy_defect", "energy_reason",
                                          "effective_restitution", "contact_ratio"}));
   EXPECT_EQ(keys(json["trajectory"]), (Keys{"t", "x", "velocity", "force", "impulses", "bandwidth"}));

@@ -38,6 +38,21 @@ TEST(Evaluation, KnowsThePlacesOfItsRecordsAndConfigurations) {
   EXPECT_EQ(evaluation.time_limit(), 12.0);
 }
 
+TEST(Evaluation, CountsAStudyElsewhereOnlyIfAllItsRunsDo) {
+  std::vector<Record> records = test::records_of_two_methods();  // a at n=1, 2, b at n=1, 2; s1, then s2
+  records[0].problem = records[1].problem = "one";
+  records[4].problem = records[5].problem = "one";
+  records[2].problem = records[6].problem = "one";
+  const Evaluation evaluation(records);
+  const auto repeated = [&](std::size_t study) {
+    return evaluation.is_repeated(evaluation.studies()[study]);
+  };
+  EXPECT_FALSE(repeated(0)) << "a on s1: the first";
+  EXPECT_TRUE(repeated(2)) << "a on s2";
+  EXPECT_FALSE(repeated(3)) << "b on s2 at n=2 is not known to be the same";
+  EXPECT_TRUE(evaluation.is_repeated(*evaluation.studies()[3].runs[0].record));
+}
+
 TEST(Evaluation, PointsIntoItsOwnRecords) {
   const Evaluation evaluation(test::records_of_two_methods());
   ASSERT_EQ(evaluation.studies().size(), 4U);

@@ -41,5 +41,46 @@ TEST(OutcomeCounts, HoldEveryCaseOnce) {
   EXPECT_EQ(counts.applicable(), 9);
 }
 
+TEST(IsSolved, AsksForACertificateUnderTheLawOfTheSceneOnAnyOrbit) {
+  Record record = test::good_record("s", "m", "n=1", 0.01, 1.0);
+  EXPECT_TRUE(is_solved(record));
+  record.certificate.same_orbit = false;
+  EXPECT_TRUE(is_solved(record)) << "another orbit of the scene";
+  record.law_matches_scene = false;
+  EXPECT_FALSE(is_solved(record)) << "another problem";
+  record.law_matches_scene = true;
+  record.certificate.status = CertificateStatus::uncertified;
+  EXPECT_FALSE(is_solved(record)) << "unproven";
+}
+
+TEST(OutcomeCounts, KeepWhatIsSolvedUnderAnotherLawApart) {
+  OutcomeCounts counts;
+  Record record = test::good_record("s", "m", "n=1", 0.01, 1.0);
+  counts.add(record);
+  record.law_matches_scene = false;
+  counts.add(record);
+  counts.add(record);
+  record.status = Status::timeout;
+  counts.add(record);
+  EXPECT_EQ(counts.certified, 3);
+  EXPECT_EQ(counts.solved, 1);
+  EXPECT_EQ(counts.own_law(), 1);
+  EXPECT_EQ(counts.another_law, 3);
+  EXPECT_EQ(counts.solved_under_another_law(), 2);
+}
+
+TEST(RepeatedProblems, CountOncePerMethodAndForTheSceneThatStatesThem) {
+  std::vector<Record> records{
+      test::good_record("e08", "m", "n=1", 0.01, 1.0), test::good_record("e1", "m", "n=1", 0.01, 1.0),
+      test::good_record("e1", "m", "n=2", 0.01, 1.0),  test::good_record("e1", "other", "n=1", 0.01, 1.0),
+      test::good_record("e05", "m", "n=1", 0.01, 1.0), test::good_record("e06", "m", "n=1", 0.01, 1.0)};
+  for (Record& record : records) record.problem = "0123456789abcdef";
+  for (const std::size_t i : {0U, 4U, 5U}) records[i].law_matches_scene = false;
+  records[5].problem = "fedcba9876543210";
+  EXPECT_EQ(repeated_problems(records), (std::vector<bool>{true, false, false, false, true, false}));
+  for (Record& record : records) record.problem.clear();  // as in records of earlier versions
+  EXPECT_EQ(repeated_problems(records), std::vector<bool>(6, false));
+}
+
 }  // namespace
 }  // namespace signorini

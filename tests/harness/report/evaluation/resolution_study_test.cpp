@@ -34,7 +34,7 @@ TEST(ScoredRun, HasAnErrorOnlyIfTheHarnessItselfHasCertifiedIt) {
   EXPECT_FALSE(scored_run(uncertified).error);
   Record elsewhere = good;
   elsewhere.certificate.same_orbit = false;
-  EXPECT_FALSE(scored_run(elsewhere).error);
+  EXPECT_EQ(scored_run(elsewhere).error, 0.1) << "another orbit of the scene solves it too";
   Record without_reference = good;
   without_reference.certificate.same_orbit.reset();
   EXPECT_EQ(scored_run(without_reference).error, 0.1);
@@ -60,6 +60,22 @@ TEST(ResolutionStudies, SetMethodsOfAnotherLawApart) {
   EXPECT_EQ(studies[0].eligibility, Eligibility::ranked);
   EXPECT_EQ(studies[1].eligibility, Eligibility::another_law);
   EXPECT_EQ(studies[2].eligibility, Eligibility::not_applicable);
+}
+
+TEST(ResolutionStudies, TakeTheLawOfAMethodThatDoesNotApplyFromScenesOfTheSameLaw) {
+  std::vector<Record> records{test::good_record("s", "a", "n=1", 0.1, 1.0),
+                              test::good_record("t", "a", "n=1", 0.1, 1.0),
+                              test::good_record("u", "a", "n=1", 0.1, 1.0)};
+  records[0].law_matches_scene = false;
+  for (const std::size_t i : {0U, 1U}) records[i].scene_law = Restitution{0.5};
+  for (const std::size_t i : {1U, 2U}) {
+    records[i].status = Status::not_applicable;
+    records[i].law.reset();
+    records[i].law_matches_scene.reset();
+  }
+  const std::vector<ResolutionStudy> studies = resolution_studies(records);
+  EXPECT_EQ(studies[1].eligibility, Eligibility::another_law);
+  EXPECT_EQ(studies[2].eligibility, Eligibility::not_applicable) << "a scene of another law";
 }
 
 }  // namespace

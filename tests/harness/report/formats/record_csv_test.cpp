@@ -51,7 +51,7 @@ TEST(CsvReport, ShowsEveryColumnOfARecordThatHasEveryField) {
   Record record = test::full_record();
   record.certificate.return_distance = 1e-9;
   const auto [titles, cells] = columns_of(record);
-  ASSERT_EQ(titles.size(), 38U);
+  ASSERT_EQ(titles.size(), 40U);
   ASSERT_EQ(cells.size(), titles.size());
   for (std::size_t i = 0; i < cells.size(); ++i) EXPECT_FALSE(cells[i].empty()) << titles[i];
 }
@@ -68,6 +68,8 @@ TEST(CsvReport, HasTheValueOfTheFieldUnderItsTitle) {
   EXPECT_EQ(cell("law_matches_scene"), "true");
   EXPECT_EQ(cell("status"), "converged");
   EXPECT_EQ(cell("x_l2"), "1.250000000e-01");
+  EXPECT_EQ(cell("force_l2"), "5.500000000e-01");
+  EXPECT_EQ(cell("problem"), "fedcba9876543210");
   EXPECT_EQ(cell("x_l2_scene"), "6.000000000e-01");
   EXPECT_EQ(cell("contact_ratio"), "4.000000000e-01");
   EXPECT_EQ(cell("seconds_median"), "5.000000000e-01");

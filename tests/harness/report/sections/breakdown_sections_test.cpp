@@ -1,4 +1,4 @@
-// Families in reports: the severest level solved, and claims of convergence.
+// Families in reports: the severest level solved.
 
 #include <gtest/gtest.h>
 
@@ -45,10 +45,10 @@ TEST(Breakdown, NamesTheSeverestLevelSolvedWithAllEasierOnes) {
 TEST(Breakdown, DoesNotCountWhatIsNotCertified) {
   std::vector<Record> records{at_level(1, "m", 1e-4), at_level(2, "m", 1e-4)};
   records[0].certificate.status = CertificateStatus::uncertified;
-  EXPECT_EQ(cell_of(records, "breakdown-1e-01", "m"), "none (1 of 4)");
+  EXPECT_EQ(cell_of(records, "breakdown-1e-01", "m"), "none (1 of 2)");
   records[0] = at_level(1, "m", 1e-4);
   records[0].status = Status::inaccurate;
-  EXPECT_EQ(cell_of(records, "breakdown-1e-01", "m"), "none (1 of 4)");
+  EXPECT_EQ(cell_of(records, "breakdown-1e-01", "m"), "none (1 of 2)");
 }
 
 TEST(Breakdown, CountsALevelThatAnyResolutionSolves) {
@@ -57,26 +57,25 @@ TEST(Breakdown, CountsALevelThatAnyResolutionSolves) {
   EXPECT_EQ(cell_of(records, "breakdown-1e-03", "m"), "0.1");
 }
 
-TEST(Breakdown, MarksAMethodOfAnotherLaw) {
-  std::vector<Record> records{at_level(1, "m", 1e-4)};
+TEST(Breakdown, CountsLevelsOfAnotherLawApartAndProblemsOnce) {
+  std::vector<Record> records{at_level(1, "m", 1e-4), at_level(2, "m", 1e-4), at_level(3, "m", 1e-4),
+                              at_level(4, "m", 0.5)};
+  for (std::size_t i = 1; i < 4; ++i) records[i].law_matches_scene = false;
+  EXPECT_EQ(cell_of(records, "breakdown-1e-03", "m"), "0.1, ≠ 2 of 3");
   records[0].law_matches_scene = false;
-  EXPECT_EQ(cell_of(records, "breakdown-1e-03", "m"), "0.1 ≠");
+  EXPECT_EQ(cell_of(records, "breakdown-1e-03", "m"), "≠ 3 of 4");
+  for (const std::size_t i : {0U, 1U, 2U}) records[i].problem = "the same";
+  EXPECT_EQ(cell_of(records, "breakdown-1e-03", "m"), "≠ 1 of 2");
+  records[0].law_matches_scene = true;
+  records[3].problem = "the same";
+  EXPECT_EQ(cell_of(records, "breakdown-1e-03", "m"), "0.1");
 }
 
-TEST(Breakdown, CountsClaimsThatTheHarnessRefutes) {
-  std::vector<Record> records{at_level(1, "m", 1e-4), at_level(2, "m", 1e-4), at_level(3, "m", 1e-4),
-                              at_level(4, "m", 1e-4)};
-  records[1].status = Status::inaccurate;
-  records[1].certificate.status = CertificateStatus::uncertified;
-  records[2].status = Status::not_converged;
-  const Evaluation evaluation(records);
-  const std::vector<Section> sections = breakdown_sections(evaluation);
-  const auto section = std::find_if(sections.begin(), sections.end(),
-                                    [](const Section& one) { return one.id == "false-convergence"; });
-  ASSERT_NE(section, sections.end());
-  std::vector<std::string> row;
-  for (const Cell& cell : section->table.rows.at(0)) row.push_back(cell.text);
-  EXPECT_EQ(row, (std::vector<std::string>{"m", "4", "3", "2", "1", "33.3 %"}));
+TEST(Breakdown, SaysWhereEveryLevelCountsElsewhere) {
+  std::vector<Record> records{at_level(1, "m", 1e-4), test::good_record("e1", "m", "n=10", 1e-4, 1.0)};
+  for (Record& record : records) record.problem = "the same";
+  records[0].law_matches_scene = false;
+  EXPECT_EQ(cell_of(records, "breakdown-1e-03", "m"), "≠ counted elsewhere");
 }
 
 TEST(Breakdown, NamesTheLargestConditionEstimateOfACertifiedAnswer) {

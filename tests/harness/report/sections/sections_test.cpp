@@ -13,8 +13,8 @@ TEST(SectionsOf, ComeInTheOrderOfTheDocumentation) {
   std::vector<std::string> ids;
   for (const Section& section : sections_of(Evaluation(test::records_of_two_methods())))
     ids.push_back(section.id);
-  EXPECT_EQ(ids, (std::vector<std::string>{"summary", "speed", "time-to-error-1", "means-1", "work-1",
-                                           "scenes", "cases"}));
+  EXPECT_EQ(ids, (std::vector<std::string>{"summary", "outcomes", "speed", "time-to-error-1", "means-1",
+                                           "work-1", "scenes", "cases"}));
 }
 
 TEST(SectionsOf, HaveRowsAsLongAsTheirHeaderAndNamesOfTheirOwn) {

@@ -36,9 +36,22 @@ TEST(Sensitivity, HasARowForEachValueOfWhatIsVaried) {
   records[4].status = Status::inaccurate;
   records[7].status = Status::not_applicable;
   records[1].certificate.same_orbit = false;
-  EXPECT_EQ(sensitivity(records), (Rows{{"m[h=40]", "c", "0.1", "3 of 3", "3", "0", "1.0e-02", "1.0e-02"},
-                                        {"m[h=40]", "c", "1", "1 of 2", "0", "1", "not solved", "not solved"},
-                                        {"m[h=40]", "c", "1e3", "3 of 3", "3", "0", "1.0e-03", "1.0e-03"}}));
+  EXPECT_EQ(sensitivity(records),
+            (Rows{{"m[h=40]", "c", "0.1", "3 of 3", "3", "0", "1.0e-02", "1.0e-02", "0"},
+                  {"m[h=40]", "c", "1", "1 of 2", "0", "1", "not solved", "not solved", "0"},
+                  {"m[h=40]", "c", "1e3", "3 of 3", "3", "0", "1.0e-03", "1.0e-03", "0"}}));
+}
+
+TEST(Sensitivity, KeepsWhatIsSolvedUnderAnotherLawApart) {
+  std::vector<Record> records;
+  for (const char* c : {"1", "2", "3"}) {
+    for (const char* scene : {"own", "other"})
+      records.push_back(test::good_record(scene, "m", std::string("h=40,c=") + c, 1e-2, 1.0));
+    records.back().law_matches_scene = false;
+    records.back().errors.x_l2 = 0.05;
+  }
+  EXPECT_EQ(sensitivity(records)[0],
+            (Rows::value_type{"m[h=40]", "c", "1", "1 of 1", "2", "0", "1.0e-02", "1.0e-02", "1"}));
 }
 
 TEST(Sensitivity, HasNumbersInRisingOrderHoweverTheyAreSpelt) {

@@ -18,32 +18,69 @@ Row row_of(const Section& section, const std::string& first) {
   return texts;
 }
 
-TEST(SummarySections, CountEveryStatusOnce) {
+Row summary_of(const std::vector<Record>& records, const std::string& method) {
+  return row_of(summary_sections(Evaluation(records)).front(), method);
+}
+
+TEST(SummarySections, AnswerWhatIsSolvedHowWellAndHowFast) {
   std::vector<Record> records;
-  for (int i = 0; i < 5; ++i)
+  const double errors[] = {1e-4, 5e-3, 5e-2};
+  for (int i = 0; i < 3; ++i) {
+    const std::string scene = "s" + std::to_string(i);
+    records.push_back(test::good_record(scene, "m", "n=1", 10.0 * errors[i], 1e-3));
+    records.push_back(test::good_record(scene, "m", "n=2", errors[i], 1.0));
+    records.back().errors.impulse = 2.0 * errors[i];
+  }
+  // method, solved, error of x, of impulse, to 1e-1, 1e-2, 1e-3, under another law
+  EXPECT_EQ(summary_of(records, "m"),
+            (Row{"m", "3 of 3", "5.0e-03", "1.0e-02", "3 of 3, 1 ms", "2 of 3, 1 s", "1 of 3", "-"}));
+}
+
+TEST(SummarySections, TakeAFailureForInfinite) {
+  std::vector<Record> records{test::good_record("s1", "m", "n=1", 1e-4, 1.0),
+                              test::good_record("s2", "m", "n=1", 1e-4, 1.0)};
+  records[0].errors.impulse = 1e-3;
+  records[1].status = Status::timeout;
+  EXPECT_EQ(summary_of(records, "m"), (Row{"m", "1 of 2", "half or more failed", "half or more failed",
+                                           "1 of 2", "1 of 2", "1 of 2", "-"}));
+}
+
+TEST(SummarySections, HoldTheScenesLawAndCountProblemsOnce) {
+  std::vector<Record> records;
+  for (const char* scene : {"e1", "e08", "e05", "e03"})
+    records.push_back(test::good_record(scene, "m", "n=1", 1e-4, 1.0));
+  for (std::size_t i = 1; i < 4; ++i) records[i].law_matches_scene = false;
+  records[3].status = Status::timeout;
+  EXPECT_EQ(summary_of(records, "m")[1], "1 of 1");
+  EXPECT_EQ(summary_of(records, "m").back(), "2 of 3");
+  records[0].problem = records[1].problem = "the same with e = 1";
+  const Section section = summary_sections(Evaluation(records)).front();
+  EXPECT_EQ(row_of(section, "m")[1], "1 of 1");
+  EXPECT_EQ(row_of(section, "m").back(), "1 of 2");
+  EXPECT_NE(section.note.find("1 time a method"), std::string::npos) << section.note;
+}
+
+TEST(SummarySections, SayWhereAMethodRepresentsNoSceneAndWhereNothingWasTimed) {
+  std::vector<Record> records{test::good_record("s", "m", "n=1", 1e-4, 1.0)};
+  records[0].seconds.reset();
+  EXPECT_EQ(summary_of(records, "m"), (Row{"m", "1 of 1", "1.0e-04", "-", "1 of 1", "1 of 1", "1 of 1", "-"}))
+      << "an old record without an error of the impulse";
+  records[0].law_matches_scene = false;
+  EXPECT_EQ(summary_of(records, "m"), (Row{"m", "none of its law", "-", "-", "-", "-", "-", "1 of 1"}));
+}
+
+TEST(OutcomeSections, CountEveryRunOnceAndEveryClaimInThreeWays) {
+  std::vector<Record> records;
+  for (int i = 0; i < 6; ++i)
     records.push_back(test::good_record("s" + std::to_string(i), "m", "n=1", 0.1, 1.0 + i));
   records[1].status = Status::not_applicable;
   records[2].certificate.same_orbit = false;
   records[3].status = Status::inaccurate;
   records[4].status = Status::crashed;
-  // method, cases, not applicable, converged, inaccurate, failed, certified, same, other, median of {1, 3,
-  // inf, inf}
-  EXPECT_EQ(row_of(summary_sections(Evaluation(records)).front(), "m"),
-            (Row{"m", "5", "1", "2 of 4", "1", "1", "2", "1", "1", "half or more failed"}));
-  records[3].status = Status::converged;
-  EXPECT_EQ(row_of(summary_sections(Evaluation(records)).front(), "m").back(), "3.5 s")
-      << "the middle of 1, 3, 4 and infinity";
-}
-
-TEST(SummarySections, SayWhyThereIsNoTime) {
-  std::vector<Record> records{test::good_record("s", "m", "n=1", 0.1, 1.0)};
-  const auto time = [&] { return row_of(summary_sections(Evaluation(records)).front(), "m").back(); };
-  records[0].seconds.reset();
-  EXPECT_EQ(time(), "not timed");
-  records[0].status = Status::timeout;
-  EXPECT_EQ(time(), "all failed");
-  records[0].status = Status::not_applicable;
-  EXPECT_EQ(time(), "no applicable case");
+  records[5].certificate.status = CertificateStatus::uncertified;
+  // method, runs, not applicable, failed, says converged, certified, unproven, refuted, another orbit
+  EXPECT_EQ(row_of(outcome_sections(Evaluation(records)).front(), "m"),
+            (Row{"m", "6", "1", "1", "4", "2", "1", "1", "1"}));
 }
 
 TEST(SpeedSections, CompareEachResolutionWithTheBaselineOnTheSameScene) {
@@ -54,12 +91,21 @@ TEST(SpeedSections, CompareEachResolutionWithTheBaselineOnTheSameScene) {
     records.push_back(test::good_record(scene, "m", "n=1", 0.1, 0.5 * seconds));
   }
   EXPECT_EQ(row_of(speed_sections(Evaluation(records)).front(), "m[n=1]"),
-            (Row{"m[n=1]", "3 of 3", "1.0e-01", "5 s", "0.5"}));
+            (Row{"m[n=1]", "3 of 3", "1.0e-01", "-", "5 s", "0.5", "-"}));
 }
 
 TEST(SpeedSections, MeasureNothingWithoutABaseline) {
   const std::vector<Record> records{test::good_record("s", "m", "n=1", 0.1, 1.0)};
-  EXPECT_EQ(row_of(speed_sections(Evaluation(records)).front(), "m[n=1]").back(), "not measured");
+  EXPECT_EQ(row_of(speed_sections(Evaluation(records)).front(), "m[n=1]")[5], "not measured");
+}
+
+TEST(SpeedSections, HoldTheScenesLaw) {
+  std::vector<Record> records{test::good_record("s", "m", "n=1", 0.1, 1.0),
+                              test::good_record("t", "m", "n=1", 1e-6, 1e-3)};
+  records[0].errors.impulse = 0.25;
+  records[1].law_matches_scene = false;
+  EXPECT_EQ(row_of(speed_sections(Evaluation(records)).front(), "m[n=1]"),
+            (Row{"m[n=1]", "1 of 1", "1.0e-01", "2.5e-01", "1 s", "not measured", "1 of 1"}));
 }
 
 }  // namespace

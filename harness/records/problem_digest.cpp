@@ -1,0 +1,48 @@
+#include "harness/records/problem_digest.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "harness/files.hpp"
+#include "harness/records/record_json.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Entries in (1, 2) without a pattern that the structure of a matrix could share: the fractions of i times
+/// the golden ratio.
+Eigen::VectorXd probe(Eigen::Index size) {
+  constexpr double kGoldenRatio = 1.6180339887498949;
+  Eigen::VectorXd entries(size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const double turn = static_cast<double>(i + 1) * kGoldenRatio;
+    entries[i] = 1.0 + turn - std::floor(turn);
+  }
+  return entries;
+}
+
+}  // namespace
+
+std::string problem_digest(const Problem& problem, const RepresentedLaw& law) {
+  constexpr std::size_t kDigits = 16;
+  std::string bytes = fmt::format("{} {:a} {} {}\n", problem.size(), problem.frequency, problem.subharmonic,
+                                  JsonForm<RepresentedLaw>::write(law).dump());
+  const Eigen::VectorXd vector = probe(problem.size());
+  for (const SparseMatrix* matrix : {&problem.mass(), &problem.damping(), &problem.stiffness()}) {
+    const Eigen::VectorXd product = *matrix * vector;
+    bytes.append(reinterpret_cast<const char*>(product.data()),
+                 static_cast<std::size_t>(product.size()) * sizeof(double));
+  }
+  for (const ForceTerm& term : problem.force)
+    bytes += fmt::format("f {} {} {:a} {:a}\n", term.dof, term.harmonic, term.cos, term.sin);
+  for (const Contact& contact : problem.contacts) {
+    bytes += fmt::format("g {:a}", contact.gap);
+    for (const auto& [dof, coefficient] : contact.normal) bytes += fmt::format(" {} {:a}", dof, coefficient);
+    bytes += "\n";
+  }
+  return sha256(bytes).substr(0, kDigits);
+}
+
+}  // namespace signorini
