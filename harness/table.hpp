@@ -42,6 +42,6 @@ std::string to_narrow_markdown(const Table& table);
 std::string to_csv(const Table& table);
 
 /// Compares text with runs of digits by their value: "n=9" comes before "n=10".
-bool natural_less(std::string_view a, std::string_view b);
+bool natural_less(const std::string& a, const std::string& b);
 
 }  // namespace signorini
