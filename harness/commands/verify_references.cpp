@@ -12,6 +12,7 @@
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/orbits/orbit_comparison.hpp"
+#include "harness/plan/deadline.hpp"
 #include "harness/progress.hpp"
 #include "problems/scene/scene_file.hpp"
 
@@ -95,13 +96,13 @@ std::size_t update_scene(const VerifyArguments& arguments, const fs::path& file,
 
 /// Certifies the kept orbits with impacts that the search missed, from their own events, and adds them to
 /// `now`: a search may miss an orbit that exists, for example at a time limit.
-void add_missed(const Scene& scene, const OrbitFile& kept, OrbitFile& now) {
+void add_missed(const Scene& scene, const OrbitFile& kept, Deadline deadline, OrbitFile& now) {
   for (const FoundOrbit& orbit : kept.orbits) {
     const auto same = [&](const FoundOrbit& found) {
       return found.order == orbit.order && found.fingerprint == orbit.fingerprint;
     };
     if (std::any_of(now.orbits.begin(), now.orbits.end(), same)) continue;
-    auto again = certify_again(scene.problem, orbit);
+    auto again = certify_again(scene.problem, orbit, deadline);
     if (!again || !same(*again)) continue;
     fmt::print("{}: orbit {} of order {}: not met by the search, certified again from its events\n",
                scene.problem.name, orbit.fingerprint, orbit.order);
@@ -125,7 +126,7 @@ std::size_t verify_scene(const VerifyArguments& arguments, const fs::path& file,
     options.timeout = arguments.options.timeout;
     auto now = search(scene, options);
     if (!now || interrupted()) return 1;
-    add_missed(scene, kept, *now);
+    add_missed(scene, kept, deadline_after(options.timeout), *now);
     result = compare_orbits(kept, *now);
   }
   print_lines(result.differences);

@@ -13,9 +13,6 @@ namespace signorini {
 
 namespace {
 
-/// Two computations of a scene's reference must agree to this, relative.
-constexpr double kReferenceErrorBar = 1e-9;
-
 struct LawSetter {
   Law scene;
   Law operator()(Undetermined) const { return scene; }

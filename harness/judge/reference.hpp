@@ -14,6 +14,9 @@
 
 namespace signorini {
 
+/// The largest error bar of a reference, relative [-].
+inline constexpr double kReferenceErrorBar = 1e-9;
+
 /// What is known of a scene under one law before an answer is judged: the motion reached from rest, which is
 /// what "the same orbit" in tables means, and the orbits confirmed so far.
 struct Reference {

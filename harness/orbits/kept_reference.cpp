@@ -19,10 +19,22 @@ fs::path references_folder() {
   }
 }
 
+namespace {
+
+fs::path file_of(const Scene& scene, const fs::path& folder) {
+  return folder / (scene.problem.name + ".json");
+}
+
+}  // namespace
+
+std::string kept_reference_digest(const Scene& scene, const fs::path& folder) {
+  const fs::path path = file_of(scene, folder);
+  return fs::is_regular_file(path) ? sha256_of_file(path) : std::string();
+}
+
 std::optional<Reference> kept_reference(const Scene& scene, const fs::path& folder,
-                                        const OrbitPolisher& polish) {
-  constexpr double kKnown = 1e-9;  // as a reference must be that is computed anew
-  const fs::path path = folder / (scene.problem.name + ".json");
+                                        const OrbitPolisher& polish, Deadline deadline) {
+  const fs::path path = file_of(scene, folder);
   if (!polish || !fs::is_regular_file(path)) return std::nullopt;
   std::optional<OrbitFile> file;
   try {
@@ -37,9 +49,9 @@ std::optional<Reference> kept_reference(const Scene& scene, const fs::path& fold
   const CertifiedOrbit& known = kept->certified;
   const std::array confirmed{Certificate{
       .error_bar = known.error_bar, .events = known.events, .return_distance = known.return_distance}};
-  std::optional<FoundOrbit> orbit = certify_again(scene.problem, *kept, polish, confirmed);
+  std::optional<FoundOrbit> orbit = certify_again(scene.problem, *kept, deadline, polish, confirmed);
   const bool same = orbit && orbit->order == kept->order && orbit->fingerprint == kept->fingerprint;
-  if (!same || orbit->certified.error_bar > kKnown) return std::nullopt;
+  if (!same || orbit->certified.error_bar > kReferenceErrorBar) return std::nullopt;
   return as_reference(scene.problem, std::move(orbit->certified));
 }
 

@@ -217,7 +217,7 @@ SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& op
   return std::move(collection.result);
 }
 
-std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit& kept,
+std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit& kept, Deadline deadline,
                                         const OrbitPolisher& polish, std::span<const Certificate> confirmed) {
   std::vector<ContactEvent> events;
   for (const OrbitEvent& event : kept.certified.events)
@@ -225,7 +225,7 @@ std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit
   const Problem at_order = with_subharmonic(problem, kept.order);
   const OrbitPolisher certify = polish ? polish : exact_orbits();
   const ListedEvents listed(problem.contact_count(), at_order.period(), std::move(events));
-  CertifiedOrbit checked = certify(at_order, listed, confirmed, Deadline::max());
+  CertifiedOrbit checked = certify(at_order, listed, confirmed, deadline);
   if (!checked.motion) return std::nullopt;
   FoundOrbit found = describe_orbit(problem, kept.order, std::move(checked));
   found.from_rest = kept.from_rest;  // not asked here

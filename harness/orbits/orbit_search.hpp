@@ -66,9 +66,9 @@ SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& op
                             const OrbitPolisher& polish = {}, const SearchProgress& progress = {});
 
 /// Polishes and certifies an orbit anew from nothing but its events as they were kept. Empty if they lead to
-/// no certified orbit, as where a contact is pressed for ever, which is no event. \param confirmed  orbits
-/// that CVODE need not follow again, see OrbitPolisher
-std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit& kept,
+/// no certified orbit before the deadline, as where a contact is pressed for ever, which is no event. \param
+/// confirmed  orbits that CVODE need not follow again, see OrbitPolisher
+std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit& kept, Deadline deadline,
                                         const OrbitPolisher& polish = {},
                                         std::span<const Certificate> confirmed = {});
 

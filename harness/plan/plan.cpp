@@ -89,13 +89,14 @@ Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const M
 }
 
 std::string case_key(const Scene& scene, const Case& planned_case, const Limits& limits,
-                     std::string_view code_version) {
+                     std::string_view code_version, std::string_view reference) {
   std::string text = fmt::format("{}\n{}\n", scene.sha256, planned_case.choice.entry->name);
   for (const OptionEcho& option : planned_case.options)
     text += option.name + "=" + print_option(option.value) + "\n";
   text += fmt::format("timeout={}\nmemory={}\nrepetitions={}\ncertificate={}\nreference={}\ncode={}\n",
                       limits.timeout, limits.memory_mb, limits.repetitions, limits.certificate_timeout,
                       limits.reference_timeout, code_version);
+  if (!reference.empty()) text += fmt::format("kept={}\n", reference);
   if (!planned_case.choice.entry->plugin.empty())
     text += fmt::format("plugin={}\n", planned_case.choice.entry->plugin);
   return sha256(text);

@@ -63,9 +63,10 @@ Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const M
                std::span<const SceneSource> sources);
 
 /// Identifies a run for --resume: SHA-256 of scene file, method, complete options, limits and code version,
-/// with the files of the plugin that the method comes from, if any.
+/// with the files of the plugin that the method comes from, if any, and the digest of the orbits that are
+/// kept of the scene (`reference`), which answers are compared with.
 std::string case_key(const Scene& scene, const Case& planned_case, const Limits& limits,
-                     std::string_view code_version);
+                     std::string_view code_version, std::string_view reference = {});
 
 /// An option's value as text, "auto" where the method chooses.
 std::string print_option(const OptionValue& value);

@@ -18,6 +18,9 @@ namespace {
 /// Processes at the same time: nothing is being timed while references are computed.
 constexpr int kReferenceProcesses = 2;
 
+/// For an orbit that is kept, where no time is given to the search for one [s].
+constexpr double kKeptSeconds = 1.0;
+
 std::string key_of(const RepresentedLaw& law, const Problem& problem) {
   const bool undetermined = std::holds_alternative<Undetermined>(law);
   return JsonForm<RepresentedLaw>::write(undetermined ? as_represented(problem.law) : law).dump();
@@ -27,7 +30,8 @@ std::string key_of(const RepresentedLaw& law, const Problem& problem) {
 Reference find_reference(const Scene& scene, const RepresentedLaw& law, const OrbitTools& tools,
                          double seconds) {
   if (law_matches(law, scene.problem.law)) {
-    if (std::optional<Reference> kept = kept_reference(scene, references_folder(), tools.polish))
+    if (std::optional<Reference> kept = kept_reference(scene, references_folder(), tools.polish,
+                                                       deadline_after(std::max(kKeptSeconds, seconds))))
       return *std::move(kept);
   }
   if (seconds == 0.0) return {.reason = "not searched for"};

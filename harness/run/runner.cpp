@@ -5,6 +5,7 @@
 
 #include "harness/interrupt.hpp"
 #include "harness/judge/certificate.hpp"
+#include "harness/orbits/kept_reference.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/records/problem_digest.hpp"
 #include "harness/records/record_json.hpp"
@@ -35,7 +36,8 @@ Runner::Runner(Limits limits, OrbitTools orbits, CodeVersion version)
     : limits_(limits), orbits_(std::move(orbits)), code_version_(std::move(version)) {}
 
 std::string Runner::key_of(const Scene& scene, const Case& planned_case) const {
-  return case_key(scene, planned_case, limits_, code_version_(planned_case.choice.entry->name));
+  return case_key(scene, planned_case, limits_, code_version_(planned_case.choice.entry->name),
+                  kept_reference_digest(scene, references_folder()));
 }
 
 std::vector<Job> Runner::make_jobs(const Scene& scene, std::span<const Case* const> cases) const {

@@ -162,11 +162,12 @@ struct Check {
 }  // namespace
 
 Admissibility check_admissible(const OrbitModel& model, const OrbitGuess& orbit,
-                               const OrbitEquations& equations) {
+                               const OrbitEquations& equations, const Expired& expired) {
   Check check{.dynamics = model.dynamics, .orbit = orbit, .equations = equations};
   check.result.weakest_impact = std::numeric_limits<double>::infinity();
   double begin = orbit.start.time;
   for (std::size_t i = 0; i < orbit.events.size(); ++i) {
+    require_time(expired);
     check.arc(*equations.arcs()[i], begin, orbit.events[i].time);
     check.event(i);
     begin = orbit.events[i].time;

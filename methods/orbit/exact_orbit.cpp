@@ -116,10 +116,14 @@ OrbitSearch OrbitFinder::find(const OrbitGuess& guess, const SearchOptions& opti
 }
 
 OrbitSearch OrbitFinder::find(const Trajectory& trajectory, const SearchOptions& options) {
-  const auto guess = orbit_guess(*model_, trajectory);
-  if (guess) return find(*guess, options);
   OrbitSearch result;
-  result.orbit.reason = "the structure has no unique response to the contact force";
+  try {
+    const auto guess = orbit_guess(*model_, trajectory, options.expired);
+    if (guess) return find(*guess, options);
+    result.orbit.reason = "the structure has no unique response to the contact force";
+  } catch (const std::runtime_error& error) {  // a flow that cannot be formed; the time is up
+    result.orbit.reason = error.what();
+  }
   return result;
 }
 

@@ -69,10 +69,10 @@ bool join(const ContactDynamics& dynamics, const std::vector<ContactEvent>& toge
 }
 
 // The state at the section for which the instants of `guess` come nearest to an orbit's.
-std::optional<State> state_for_instants(OrbitModel& model, const OrbitGuess& guess) {
+std::optional<State> state_for_instants(OrbitModel& model, const OrbitGuess& guess, const Expired& expired) {
   // The motion is linear between given instants: one step from any state solves closure and guards for the
   // state, more equations (2 Nd + m) than unknowns (2 Nd), in the least squares.
-  OrbitEquations equations(model, guess);
+  OrbitEquations equations(model, guess, expired);
   const Eigen::Index states = equations.size() - equations.events();
   Eigen::VectorXd unknowns = equations.guess();
   if (!equations.evaluate(unknowns)) return std::nullopt;
@@ -85,7 +85,7 @@ std::optional<State> state_for_instants(OrbitModel& model, const OrbitGuess& gue
 }  // namespace
 
 std::optional<OrbitGuess> listed_sequence(OrbitModel& model, std::vector<ContactEvent> events, double section,
-                                          const std::vector<bool>& pushing) {
+                                          const std::vector<bool>& pushing, const Expired& expired) {
   constexpr double kSameInstant = 1e-12;  // of the period
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.dynamics.size());
   for (ContactEvent& event : events) event.time = section + wrapped_time(event.time - section, model.period);
@@ -106,7 +106,7 @@ std::optional<OrbitGuess> listed_sequence(OrbitModel& model, std::vector<Contact
     first = last;
   }
   if (closed != guess.start.closed) return std::nullopt;
-  auto state = state_for_instants(model, guess);
+  auto state = state_for_instants(model, guess, expired);
   if (!state) return std::nullopt;
   guess.start.state = std::move(*state);
   return guess;

@@ -3,12 +3,19 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 namespace signorini {
 
-OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess)
+void require_time(const Expired& expired) {
+  if (expired && expired()) throw std::runtime_error("the time is up");
+}
+
+OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired)
     : model_(model),
       sequence_(guess),
+      expired_(std::move(expired)),
       n_(model.dynamics.size()),
       m_(static_cast<Eigen::Index>(guess.events.size())),
       x_unit_(model.dynamics.scales().displacement),
@@ -24,6 +31,7 @@ OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess)
   for (Eigen::Index i = 0; i < m_; ++i) {
     const SequenceEvent& event = guess.events[static_cast<std::size_t>(i)];
     first_[2 * n_ + i] = (event.time - guess.start.time) / t_unit_;
+    require_time(expired_);
     flows_.push_back(&model_.flows.of(event.closed));
     EventLaw law;
     law.of_force = event.kind == ContactEvent::Kind::open;
@@ -89,6 +97,7 @@ bool OrbitEquations::evaluate(const Eigen::VectorXd& unknowns) {
   largest_state_ = 1.0;
   double begin = start;
   for (Eigen::Index i = 0; i <= m_; ++i) {
+    require_time(expired_);
     const auto index = static_cast<std::size_t>(i);
     LinearArc& arc = *arcs_[index];
     arc.start(begin, state_);

@@ -38,6 +38,11 @@ struct OrbitGuess {
   std::string origin;                 ///< how it was found, for messages
 };
 
+/// Asked now and then by what takes long; true ends it. Empty: no limit.
+using Expired = std::function<bool()>;
+/// \throws std::runtime_error "the time is up" if it is
+void require_time(const Expired& expired);
+
 /// Unknowns: the state y_0 at the section and the instants t_1 < ... < t_m of the events, in the scales
 /// (X, V, 1 / omega), 2 Nd + m. Equations, as many:
 ///
@@ -56,15 +61,17 @@ struct OrbitGuess {
 /// multiplied out, these are the saltation matrices.
 class OrbitEquations {
  public:
-  /// \throws std::runtime_error if a flow cannot be formed
-  OrbitEquations(OrbitModel& model, const OrbitGuess& guess);
+  /// \param expired  asked before each flow is formed and each event is passed
+  /// \throws std::runtime_error if a flow cannot be formed, or the time is up
+  OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired = {});
 
   [[nodiscard]] Eigen::Index size() const { return 2 * n_ + m_; }        ///< 2 Nd + m
   [[nodiscard]] Eigen::Index events() const { return m_; }               ///< m
   [[nodiscard]] const Eigen::VectorXd& guess() const { return first_; }  ///< the unknowns to begin with
   /// The instant at which the section comes again, in the unit of the instants [-].
   [[nodiscard]] double end() const { return model_.period * model_.dynamics.structure().frequency; }
-  /// Evaluates residual and Jacobian; false if anything is not finite.
+  /// Evaluates residual and Jacobian; false if anything is not finite. \throws std::runtime_error if the time
+  /// is up
   bool evaluate(const Eigen::VectorXd& unknowns);
 
   /// Left sides of the equations, in scales, of the last evaluation [-].
@@ -99,6 +106,7 @@ class OrbitEquations {
 
   OrbitModel& model_;
   OrbitGuess sequence_;
+  Expired expired_;
   Eigen::Index n_ = 0, m_ = 0;
   double x_unit_ = 1.0, v_unit_ = 1.0, t_unit_ = 1.0, largest_state_ = 0.0;
   Eigen::VectorXd first_, residual_, a_;

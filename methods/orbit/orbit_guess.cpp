@@ -209,11 +209,12 @@ std::vector<bool> pushing_throughout(const Trajectory& trajectory) {
   return pushing;
 }
 
-std::optional<OrbitGuess> from_events(OrbitModel& model, const Trajectory& trajectory) {
+std::optional<OrbitGuess> from_events(OrbitModel& model, const Trajectory& trajectory,
+                                      const Expired& expired) {
   auto events = trajectory.events();
   if (!events || events->size() > kMostEvents) return std::nullopt;
   const double section = quiet_instant(pushes_of(*events, model.period), model.period);
-  return listed_sequence(model, std::move(*events), section, pushing_throughout(trajectory));
+  return listed_sequence(model, std::move(*events), section, pushing_throughout(trajectory), expired);
 }
 
 std::optional<OrbitGuess> from_force(OrbitModel& model, const Trajectory& trajectory) {
@@ -247,12 +248,13 @@ std::optional<OrbitGuess> from_force(OrbitModel& model, const Trajectory& trajec
 
 }  // namespace
 
-std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& trajectory) {
+std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& trajectory,
+                                      const Expired& expired) {
   constexpr double kSamePeriod = 1e-6;
   if (std::abs(trajectory.period() - model.period) > kSamePeriod * model.period ||
       trajectory.contact_count() != model.dynamics.contact_count())
     return std::nullopt;
-  if (auto guess = from_events(model, trajectory)) return guess;
+  if (auto guess = from_events(model, trajectory, expired)) return guess;
   return from_force(model, trajectory);
 }
 

@@ -26,7 +26,9 @@ inline constexpr std::size_t kMostEvents = 400;
 ///
 /// The section lies in the middle of the longest time without a force, or of the longest between two events.
 /// Empty if the structure has no unique periodic response or the motion is not of the model's period.
-std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& trajectory);
+/// \throws std::runtime_error if a flow cannot be formed, or the time is up
+std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& trajectory,
+                                      const Expired& expired = {});
 
 /// One period of a motion from its own list of events, cut open at `section`:
 ///
@@ -45,9 +47,9 @@ std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& traje
 /// \param section  [s], no event's instant
 /// \param pushing  Nc, contacts that push throughout where they list neither a closing nor an opening
 /// \return empty where the list contradicts itself (a contact opens twice, ...) or no state is found
-/// \throws std::runtime_error if a flow cannot be formed
+/// \throws std::runtime_error if a flow cannot be formed, or the time is up
 std::optional<OrbitGuess> listed_sequence(OrbitModel& model, std::vector<ContactEvent> events, double section,
-                                          const std::vector<bool>& pushing);
+                                          const std::vector<bool>& pushing, const Expired& expired = {});
 
 /// The events met in one period from the state of `guess` by the modal event-driven flow (tolerance 1e-12),
 /// the section moved to the middle of the longest time between two of them. Empty where the flow fails or the

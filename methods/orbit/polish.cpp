@@ -62,7 +62,7 @@ void measure_error(const OrbitModel& model, const OrbitEquations& equations, con
     return;
   }
   OrbitModel other(model, FlowForm::exponential);
-  OrbitEquations again(other, orbit.trajectory->orbit());
+  OrbitEquations again(other, orbit.trajectory->orbit(), options.expired);
   if (!again.evaluate(again.guess())) return;
   orbit.error_bar = std::max(orbit.error_bar, (inverse * again.residual()).lpNorm<Eigen::Infinity>());
 }
@@ -104,7 +104,7 @@ void conclude(const OrbitEquations& equations, const PolishOptions& options, Exa
 
 ExactOrbit polish(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& guess,
                   const PolishOptions& options) {
-  OrbitEquations equations(*model, guess);
+  OrbitEquations equations(*model, guess, options.expired);
   const OrbitNewtonResult newton =
       solve(equations, options.tolerance, options.max_iterations, options.expired);
   ExactOrbit orbit{.origin = guess.origin, .residual = newton.residual, .iterations = newton.iterations};
@@ -118,7 +118,7 @@ ExactOrbit polish(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& gu
   const auto trajectory =
       std::make_shared<ExactTrajectory>(model, path, equations.arcs(), equations.crossings());
   orbit.trajectory = trajectory;
-  orbit.admissibility = check_admissible(*model, path, equations);
+  orbit.admissibility = check_admissible(*model, path, equations, options.expired);
   measure_error(*model, equations, options, orbit);
   conclude(equations, options, orbit);
   trajectory->set_quality({.error_bar = orbit.error_bar, .multipliers = orbit.multipliers});
@@ -137,7 +137,7 @@ ExactOrbit polish_sequence(const std::shared_ptr<OrbitModel>& model, const Orbit
                            const PolishOptions& options) {
   try {
     return polish(model, guess, options);
-  } catch (const std::exception& error) {  // a mode whose flow cannot be formed
+  } catch (const std::exception& error) {  // a mode whose flow cannot be formed; the time is up
     return {.reason = error.what(), .origin = guess.origin};
   }
 }

@@ -36,8 +36,10 @@ struct Admissibility {
 /// impulses compressive, each impact by the scene's law, all to kAdmissible in the scales of the motion. A
 /// contact that stops with e > 0 is accepted as the limit of a chatter if the rest of the geometric sequence
 /// displaces less than kLeftOut X.
+///
+/// \param expired  asked before each arc \throws std::runtime_error if the time is up
 Admissibility check_admissible(const OrbitModel& model, const OrbitGuess& orbit,
-                               const OrbitEquations& equations);
+                               const OrbitEquations& equations, const Expired& expired = {});
 
 /// What became of a sequence, from an orbit of the scene to what tells least of one.
 enum class OrbitOutcome {
@@ -54,11 +56,11 @@ std::string describe(OrbitOutcome outcome);
 
 /// How far a polish goes.
 struct PolishOptions {
-  double tolerance = 1e-12;            ///< of the residual, relative to the scales of the motion [-]
-  int max_iterations = 40;             ///< Newton steps
-  double grazing = 1e-7;               ///< approach speed over V below which an impact grazes [-]
-  bool second_evaluation = false;      ///< evaluate once more, by Green's function or exponentials
-  std::function<bool()> expired = {};  ///< true ends it between two Newton steps
+  double tolerance = 1e-12;        ///< of the residual, relative to the scales of the motion [-]
+  int max_iterations = 40;         ///< Newton steps
+  double grazing = 1e-7;           ///< approach speed over V below which an impact grazes [-]
+  bool second_evaluation = false;  ///< evaluate once more, by Green's function or exponentials
+  Expired expired = {};            ///< true ends it between two events
 };
 
 /// A polished orbit, or why there is none.

@@ -12,11 +12,6 @@ namespace {
 constexpr double kTolerance = 1e-13;  // CVODE's local tolerance is at its floor
 constexpr double kTenfold = 1e-10;    // and ten times as large
 
-double distance(const State& a, const State& b, const MotionScales& scales) {
-  return std::max((a.u - b.u).lpNorm<Eigen::Infinity>() / scales.displacement,
-                  (a.v - b.v).lpNorm<Eigen::Infinity>() / scales.velocity);
-}
-
 State one_period_later(const ContactDynamics& dynamics, const ExactTrajectory& orbit, Integrator integrator,
                        double tolerance, const std::function<bool()>& expired) {
   EventFlow flow(dynamics, tolerance, expired, integrator);
@@ -59,11 +54,11 @@ ReturnCheck cvode_return(const ContactDynamics& dynamics, const ExactTrajectory&
   for (const Integrator integrator : {Integrator::adams, Integrator::bdf}) {
     try {
       const State end = one_period_later(dynamics, orbit, integrator, kTolerance, expired);
-      const double missed = distance(end, start, scales);
+      const double missed = scales.distance(end, start);
       double allowed = expected;
       if (missed > allowed && missed <= kLargest) {
         const State coarse = one_period_later(dynamics, orbit, integrator, kTenfold, expired);
-        allowed = std::min(kLargest, std::max(allowed, kSafety * distance(coarse, end, scales)));
+        allowed = std::min(kLargest, std::max(allowed, kSafety * scales.distance(coarse, end)));
       }
       if (missed < check.distance) check = {missed <= allowed, missed, allowed};
     } catch (const IntegrationError&) {

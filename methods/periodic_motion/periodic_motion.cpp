@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "methods/flow/event_trajectory.hpp"
@@ -67,17 +68,19 @@ Solution find_periodic_motion(const Problem& problem, const ContactDynamics& dyn
                               const PeriodicMotionOptions& options, const Start& start) {
   Solution solution;
   solution.work.unknowns = 2L * dynamics.size();
-  EventFlow flow(
-      dynamics, options.tolerance, [&start] { return start.expired(); }, options.integrator);
-  PeriodMap map(flow);
+  std::optional<EventFlow> flow;
+  std::optional<PeriodMap> map;
   try {
-    search(problem, dynamics, options, start, map, solution);
-  } catch (const std::exception& error) {
+    flow.emplace(
+        dynamics, options.tolerance, [&start] { return start.expired(); }, options.integrator);
+    map.emplace(*flow);
+    search(problem, dynamics, options, start, *map, solution);
+  } catch (const std::exception& error) {  // of the integrator's set-up, too
     solution.verdict = Verdict::not_converged;
     solution.message = error.what();
-    solution.work.iterations = map.periods();
+    if (map) solution.work.iterations = map->periods();
   }
-  solution.work.rhs_evaluations = flow.rhs_evaluations();
+  if (flow) solution.work.rhs_evaluations = flow->rhs_evaluations();
   return solution;
 }
 

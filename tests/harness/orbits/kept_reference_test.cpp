@@ -17,7 +17,7 @@ Scene scene_of(const std::string& name) { return read_scene(find_scene(name)); }
 TEST(KeptReference, IsTheMotionThatMarchingReaches) {
   for (const std::string name : {"sdof-stop", "sdof-stick", "sdof-subharmonic"}) {
     const Scene scene = scene_of(name);
-    const auto kept = kept_reference(scene, references_folder(), exact_orbits());
+    const auto kept = kept_reference(scene, references_folder(), exact_orbits(), Deadline::max());
     ASSERT_TRUE(kept) << name;
     const Reference marched = compute_reference(scene.problem, orbit_tools(), Deadline::max());
     ASSERT_TRUE(marched.orbit) << marched.reason;
@@ -33,15 +33,15 @@ TEST(KeptReference, IsTheMotionThatMarchingReaches) {
 TEST(KeptReference, IsOfTheSceneAsItStandsOnly) {
   Scene scene = scene_of("sdof-stop");
   scene.sha256 = "another";
-  EXPECT_FALSE(kept_reference(scene, references_folder(), exact_orbits()));
+  EXPECT_FALSE(kept_reference(scene, references_folder(), exact_orbits(), Deadline::max()));
 }
 
 TEST(KeptReference, IsNoneWhereTheFileIsNotReadable) {
   const auto folder = test::fresh_folder("kept");
   const Scene scene = scene_of("sdof-stop");
-  EXPECT_FALSE(kept_reference(scene, folder, exact_orbits()));
+  EXPECT_FALSE(kept_reference(scene, folder, exact_orbits(), Deadline::max()));
   write_whole(folder / "sdof-stop.json", "{");
-  EXPECT_FALSE(kept_reference(scene, folder, exact_orbits()));
+  EXPECT_FALSE(kept_reference(scene, folder, exact_orbits(), Deadline::max()));
 }
 
 }  // namespace

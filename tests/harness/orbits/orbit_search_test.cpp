@@ -138,7 +138,7 @@ TEST(CertifyAgain, ComesBackToAnOrbitFromItsEventsAlone) {
     FoundOrbit kept = orbit;
     kept.certified.motion = nullptr;
     kept.certified.events.front().time += 1e-4;
-    const std::optional<FoundOrbit> again = certify_again(problem, kept);
+    const std::optional<FoundOrbit> again = certify_again(problem, kept, Deadline::max());
     ASSERT_TRUE(again.has_value());
     EXPECT_EQ(again->fingerprint, orbit.fingerprint);
     EXPECT_NEAR(again->certified.events.front().time, orbit.certified.events.front().time, 1e-11);
@@ -153,7 +153,7 @@ TEST(CertifyAgain, KnowsContactPhasesFromTheirEvents) {
   ASSERT_EQ(found.orbits.front().contact_phases(), 1);
   FoundOrbit kept = found.orbits.front();
   kept.certified.motion = nullptr;
-  const std::optional<FoundOrbit> again = certify_again(problem, kept);
+  const std::optional<FoundOrbit> again = certify_again(problem, kept, Deadline::max());
   ASSERT_TRUE(again.has_value());
   EXPECT_EQ(again->fingerprint, kept.fingerprint);
 }

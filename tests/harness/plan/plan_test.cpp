@@ -117,6 +117,7 @@ TEST(CaseKey, DependsOnSceneOptionsLimitsAndCode) {
   EXPECT_NE(key, case_key(scene, test::fake_case(scene, "lie"), {}, "v1"));
   EXPECT_NE(key, case_key(scene, run, {.timeout = 1.0}, "v1"));
   EXPECT_NE(key, case_key(scene, run, {.repetitions = 9}, "v1"));
+  EXPECT_NE(key, case_key(scene, run, {}, "v1", "kept orbits"));
 }
 
 TEST(CaseKey, DependsOnTheFilesOfAPlugin) {

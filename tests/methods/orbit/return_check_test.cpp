@@ -37,6 +37,15 @@ TEST(ReturnCheck, RefusesTheOrbitOfAnotherScene) {
   EXPECT_GT(check.distance, check.allowed);
 }
 
+TEST(ReturnCheck, AllowsNoMoreThanAMillionthHoweverUncertainTheOrbit) {
+  const Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2});
+  const auto found = test::cold_orbit(problem);
+  ASSERT_TRUE(found.orbit);
+  ExactTrajectory uncertain = *found.orbit;
+  uncertain.set_quality({.error_bar = 0.1, .multipliers = found.orbit->quality().multipliers});
+  EXPECT_EQ(cvode_return(ContactDynamics(problem), uncertain, kNever).allowed, 1e-6);
+}
+
 TEST(ReturnCheck, EndsWithTheTimeBudget) {
   const Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2});
   const auto found = test::cold_orbit(problem);
