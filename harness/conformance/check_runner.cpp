@@ -45,7 +45,7 @@ constexpr std::array<Check<MethodEntry>, 3> kMethodChecks{{
 }};
 
 /// Of the method on a scene.
-constexpr std::array<Check<CheckedMethod>, 10> kSceneChecks{{
+constexpr std::array<Check<CheckedMethod>, 11> kSceneChecks{{
     {"applicability", "refuses a scene only with a reason, and declares a law that fits",
      check_applicability},
     {"trajectory", "answers with a sound trajectory", check_trajectory},
@@ -56,6 +56,7 @@ constexpr std::array<Check<CheckedMethod>, 10> kSceneChecks{{
     {"time-scaling", "does not depend on the unit of time", check_time_scaling},
     {"numbering", "does not depend on the numbering of coordinates", check_numbering},
     {"time-shift", "comes later with the load", check_time_shift},
+    {"origin-shift", "does not depend on where the origin of x is", check_origin_shift},
     {"contact-free", "is the linear response where no stop is in reach", check_contact_free},
 }};
 

@@ -37,6 +37,9 @@ CheckResult check_time_scaling(const CheckedMethod& checked);
 CheckResult check_numbering(const CheckedMethod& checked);
 /// A load that is delayed by whole steps of the grid: the answer is delayed by as much.
 CheckResult check_time_shift(const CheckedMethod& checked);
+/// The origin of x ten times the motion away: the same motion and force, and harness errors of x that agree
+/// to 1 %.
+CheckResult check_origin_shift(const CheckedMethod& checked);
 /// With all stops out of reach the contact force is zero and x is the linear response: to rounding, or with
 /// an error that decays along the ladder.
 CheckResult check_contact_free(const CheckedMethod& checked);

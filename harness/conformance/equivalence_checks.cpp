@@ -11,6 +11,7 @@
 #include "harness/conformance/checks.hpp"
 #include "harness/conformance/resolution_series.hpp"
 #include "harness/conformance/transformations.hpp"
+#include "harness/judge/motion.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
@@ -64,7 +65,9 @@ double deviation(const CheckedMethod& checked, const Trajectory& before, const T
   for (int i = 0; i < count; ++i) {
     // Instant i of the scene is instant i + delay of the equivalent problem, modulo the period.
     const int j = ((i + map.delay) % count + count) % count;
-    const auto x = (found.x.row(j) / map.displacement - expected.x.row(i)).cwiseAbs().maxCoeff();
+    Eigen::RowVectorXd back = found.x.row(j);
+    if (map.origin.size() > 0) back -= map.origin.transpose();
+    const auto x = (back / map.displacement - expected.x.row(i)).cwiseAbs().maxCoeff();
     const auto force = (found.force.row(j) / map.force - expected.force.row(i)).cwiseAbs().maxCoeff();
     worst = std::max({worst, x / x_scale, force / f_scale});
   }
@@ -123,6 +126,18 @@ std::string difference(const Solution& a, const Solution& b) {
   const Samples x = a.trajectory->sample(kCount), y = b.trajectory->sample(kCount);
   const double largest = x.x.size() > 0 ? (x.x - y.x).cwiseAbs().maxCoeff() : 0.0;
   return fmt::format("their trajectories, x by {:.1e} m", largest);
+}
+
+/// Distance of the new origin of x, in units of the motion [-].
+constexpr double kFarOrigin = 10.0;
+/// Errors of x at two origins may differ by this [-].
+constexpr double kSameError = 0.01;
+
+/// The harness's error of x of an answer that comes a fraction of a period late [-].
+double late_error(const Problem& problem, const std::shared_ptr<const Trajectory>& answer) {
+  const SampledAnswer here = sample_answer(problem, *answer);
+  const MappedMotion late(answer, {.delay = 1, .grid = kGrid / 8});
+  return distance(sample_motion(problem, late), here.motion).x_l2.value_or(0.0);
 }
 
 constexpr int kInstants = 1024;  // of a period of the load
@@ -209,6 +224,24 @@ CheckResult check_time_shift(const CheckedMethod& checked) {
   const Problem delayed = with_load_delayed(problem, steps * problem.period() / grid);
   // A subharmonic motion may come any number of forcing periods later still.
   return compare(checked, delayed, {.delay = steps, .grid = grid}, problem.subharmonic);
+}
+
+CheckResult check_origin_shift(const CheckedMethod& checked) {
+  if (auto no_answer = unless_answered(checked)) return *no_answer;
+  const Problem& problem = checked.problem();
+  if (problem.contacts.empty()) return not_applicable("there is no contact to look at");
+  const Samples samples = checked.answer().trajectory->sample(checked.settings().grid);
+  const double motion = (samples.x.rowwise() - samples.x.colwise().mean()).cwiseAbs().maxCoeff();
+  const double size = motion > 0.0 ? motion : displacement_scale(problem, samples);
+  const Eigen::VectorXd u_0 = origin_before_stops(problem, kFarOrigin * size);
+  const Problem moved = with_origin_moved(problem, u_0);
+  const MotionMap map{.origin = contact_directions(problem).transpose() * u_0};
+  const double here = late_error(problem, checked.answer().trajectory);
+  const double there = late_error(moved, std::make_shared<MappedMotion>(checked.answer().trajectory, map));
+  if (std::abs(there - here) > kSameError * here)
+    return failed(
+        fmt::format("the error of a late answer is {:.3e}, and {:.3e} where the origin is far", here, there));
+  return compare(checked, moved, map);
 }
 
 CheckResult check_contact_free(const CheckedMethod& checked) {

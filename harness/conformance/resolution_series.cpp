@@ -108,6 +108,24 @@ bool says_converged(const Record& record) {
          record.status == Status::invalid_output;
 }
 
+/// Errors below this are round-off, whatever the orbit is known to [-].
+constexpr double kErrorFloor = 1e-9;
+
+/// Which of two results of one check stands: the higher one.
+int severity(CheckOutcome outcome) {
+  switch (outcome) {
+    case CheckOutcome::not_applicable:
+      return 0;
+    case CheckOutcome::passed:
+      return 1;
+    case CheckOutcome::remarked:
+      return 2;
+    case CheckOutcome::failed:
+      return 3;
+  }
+  return 0;
+}
+
 /// Whether an orbit is known to measure its error against: its own, or one that is near.
 bool has_orbit(const Record& record) {
   return claim_of(record) == Claim::certified || (claim_of(record) == Claim::unproven && record.errors.x_l2);
@@ -181,22 +199,33 @@ CheckResult check_certificate(const LadderRecords& ladder) {
 CheckResult check_order(const LadderRecords& ladder) {
   if (auto nothing = unless_recorded(ladder)) return *nothing;
   CheckResult worst = not_applicable("no step has an orbit to measure its error against");
+  const auto worsen = [&worst](CheckResult result) {
+    if (severity(result.outcome) > severity(worst.outcome)) worst = std::move(result);
+  };
   for (const ResolutionSeries& series : resolution_series(ladder.ladder)) {
     std::vector<ResolutionStep> steps;
-    double floor = 1e-9;
+    double floor = 0.0;  // of the finest step
+    std::optional<std::size_t> unjudged;
     for (std::size_t i = 0; i < series.places.size(); ++i) {
       const Record& record = ladder.records[series.places[i]];
       const Measure error = record.errors.x_l2 ? record.errors.x_l2 : record.errors.u_l2;
-      if (!has_orbit(record) || !error) continue;
+      if (!has_orbit(record) || !error) {
+        if (says_converged(record)) unjudged = series.places[i];
+        continue;
+      }
+      unjudged.reset();
       if (record.law && std::holds_alternative<Undetermined>(*record.law))
         return not_applicable("its law is undetermined: no orbit is the one that it approaches");
-      floor = std::max(floor, measurable_error(record));
+      floor = std::max(kErrorFloor, measurable_error(record));
       steps.push_back({.size = series.sizes[i], .error = *error});
     }
     if (steps.empty()) continue;
     CheckResult result = check_error_decay(steps, ladder.entry.order, floor);
     if (result.outcome == CheckOutcome::failed) return at_step(result, ladder, series.places.back());
-    worst = std::move(result);
+    worsen(std::move(result));
+    if (unjudged)
+      worsen(at_step(remarked("a finer step than those judged has no orbit to measure its error against"),
+                     ladder, *unjudged));
   }
   return worst;
 }

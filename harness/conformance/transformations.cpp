@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace signorini {
 
@@ -85,12 +86,35 @@ Problem with_stops_at(Problem problem, double gap) {
   return problem;
 }
 
+Eigen::VectorXd origin_before_stops(const Problem& problem, double distance) {
+  const Eigen::MatrixXd W = contact_directions(problem);
+  Eigen::VectorXd u_0 = Eigen::VectorXd::Zero(problem.size());
+  for (const auto& normal : W.colwise()) {
+    constexpr double kOrthogonal = 1e-9;
+    if (std::abs(normal.dot(u_0)) <= kOrthogonal * normal.norm() * distance)
+      u_0 += distance / normal.squaredNorm() * normal;
+  }
+  return u_0;
+}
+
+Problem with_origin_moved(Problem problem, const Eigen::VectorXd& u_0) {
+  const Eigen::VectorXd shift = contact_directions(problem).transpose() * u_0;
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c)
+    problem.contacts[c].gap += shift[static_cast<Eigen::Index>(c)];
+  const Eigen::VectorXd load = problem.stiffness() * u_0;
+  for (int dof = 0; dof < problem.size(); ++dof) {
+    if (load[dof] != 0.0) problem.force.push_back({.dof = dof, .harmonic = 0, .cos = load[dof], .sin = 0.0});
+  }
+  return problem;
+}
+
 MotionMap MotionMap::inverse() const {
   return {.displacement = 1.0 / displacement,
           .force = 1.0 / force,
           .time = 1.0 / time,
           .delay = -delay,
-          .grid = grid};
+          .grid = grid,
+          .origin = -origin / displacement};
 }
 
 Samples MappedMotion::sample(int count) const {
@@ -100,8 +124,9 @@ Samples MappedMotion::sample(int count) const {
   const auto turn = static_cast<long>(total) * map_.delay / map_.grid % total;
   const auto first = static_cast<Eigen::Index>((total - turn) % total);
   const Samples motion = motion_->sample(total);
-  return {every(motion.x, first, fine) * map_.displacement,
-          every(motion.velocity, first, fine) * (map_.displacement / map_.time),
+  Eigen::MatrixXd x = every(motion.x, first, fine) * map_.displacement;
+  if (map_.origin.size() > 0) x.rowwise() += map_.origin.transpose();
+  return {std::move(x), every(motion.velocity, first, fine) * (map_.displacement / map_.time),
           every(motion.force, first, fine) * map_.force};
 }
 

@@ -25,16 +25,26 @@ Problem with_load_delayed(Problem problem, double shift);
 /// Coordinates in reverse order: x and lambda at the contacts are the same.
 Problem with_coordinates_reversed(const Problem& problem);
 
+/// The displacements u_0 (Nd) of a new origin of u that lies `distance` before each stop along its normal: of
+/// contacts whose normals are not orthogonal, the first one, and the others by what that makes of them [m].
+Eigen::VectorXd origin_before_stops(const Problem& problem, double distance);
+
+/// The origin of u at -u_0: gaps g + W^T u_0 and the static load K u_0 beside the scene's own. The answer is
+/// x + W^T u_0, lambda is the same.
+Problem with_origin_moved(Problem problem, const Eigen::VectorXd& u_0);
+
 /// All stops at `gap`. If the linear response stays within it, it is the answer.
 Problem with_stops_at(Problem problem, double gap);
 
-/// From the answer of a problem to that of an equivalent one: (x, lambda)(t) -> (a x, b lambda)((t - d) / s).
+/// From the answer of a problem to that of an equivalent one: (x, lambda)(t) -> (a x + x_0, b lambda)((t - d)
+/// / s).
 struct MotionMap {
-  double displacement = 1.0;  ///< a [-]
-  double force = 1.0;         ///< b [-]
-  double time = 1.0;          ///< factor of the period [-]
-  int delay = 0;              ///< d in steps of T / grid
-  int grid = 1;               ///< steps in a period
+  double displacement = 1.0;    ///< a [-]
+  double force = 1.0;           ///< b [-]
+  double time = 1.0;            ///< factor of the period [-]
+  int delay = 0;                ///< d in steps of T / grid
+  int grid = 1;                 ///< steps in a period
+  Eigen::VectorXd origin = {};  ///< x_0, Nc [m]; empty: 0
 
   /// The inverse map.
   [[nodiscard]] MotionMap inverse() const;

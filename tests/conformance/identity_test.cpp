@@ -59,6 +59,8 @@ TEST_P(Identity, AnswerIsTheSameInOtherUnitsOfTime) { expect("time-scaling", che
 
 TEST_P(Identity, NumberingOfCoordinatesDoesNotMatter) { expect("numbering", check_numbering(checked_)); }
 
+TEST_P(Identity, OriginOfDisplacementsDoesNotMatter) { expect("origin-shift", check_origin_shift(checked_)); }
+
 TEST_P(Identity, AnswerComesLaterWithTheLoad) { expect("time-shift", check_time_shift(checked_)); }
 
 TEST_P(Identity, TwoSolvesGiveTheSameBits) { expect("determinism", check_determinism(checked_)); }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "problems/assembly/chain.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini {
@@ -58,6 +59,44 @@ TEST(MappedMotion, IsUndoneByTheInverseMap) {
   EXPECT_LE((before.x - after.x).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_LE((before.velocity - after.velocity).cwiseAbs().maxCoeff(), 1e-11);
   EXPECT_LE((before.force - after.force).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+Problem two_masses_with_two_stops() {
+  Problem problem;
+  problem.structure = std::make_shared<const Structure>(
+      assemble(Chain{.masses = {1.0, 2.0}, .dampers = {0.1, 0.2}, .springs = {3.0, 4.0}}));
+  problem.frequency = 1.3;
+  problem.force = {{.dof = 1, .harmonic = 0, .cos = 0.5, .sin = 0.0},
+                   {.dof = 0, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
+  problem.contacts = {{.normal = {{0, 1.0}}, .gap = 0.2}, {.normal = {{1, -0.5}}, .gap = 0.4}};
+  return problem;
+}
+
+// A motion u(t) of the scene leaves M u'' + D u' + K u - f; u + u_0 leaves the same of the moved scene.
+TEST(WithOriginMoved, KeepsTheEquationsAndTheRoomBeforeEachStop) {
+  const Problem problem = two_masses_with_two_stops();
+  const Eigen::VectorXd u_0 = origin_before_stops(problem, 7.0);
+  const Problem moved = with_origin_moved(problem, u_0);
+  const Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(problem.size(), 0.3, -1.1);
+  const Eigen::VectorXd before = problem.stiffness() * u - load_harmonic(problem, 0).real();
+  const Eigen::VectorXd after = moved.stiffness() * (u + u_0) - load_harmonic(moved, 0).real();
+  EXPECT_LE((before - after).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_EQ(load_harmonic(problem, 1), load_harmonic(moved, 1));
+  const Eigen::MatrixXd W = contact_directions(problem);
+  EXPECT_LE((contact_gaps(problem) - W.transpose() * u - contact_gaps(moved) + W.transpose() * (u + u_0))
+                .cwiseAbs()
+                .maxCoeff(),
+            1e-13);
+  EXPECT_LE(((W.transpose() * u_0).cwiseAbs().array() - 7.0).abs().maxCoeff(), 1e-13);
+}
+
+TEST(MappedMotion, MovesTheOriginAndBack) {
+  const MotionMap map{.displacement = 2.0, .origin = Eigen::VectorXd::Constant(1, 5.0)};
+  const auto moved = std::make_shared<MappedMotion>(motion(), map);
+  const Samples before = motion()->sample(16), there = moved->sample(16);
+  EXPECT_LE((there.x - 2.0 * before.x).array().cwiseAbs().maxCoeff(), 5.0 + 1e-14);
+  EXPECT_GE((there.x - 2.0 * before.x).minCoeff(), 5.0 - 1e-14);
+  EXPECT_LE((MappedMotion(moved, map.inverse()).sample(16).x - before.x).cwiseAbs().maxCoeff(), 1e-14);
 }
 
 }  // namespace
