@@ -24,6 +24,7 @@ class Attempts {
       : problem_(problem), motion_(motion), reference_(reference) {
     Certificate& certificate = result.certificate;
     certificate.status = CertificateStatus::uncertified;
+    certificate.rule = kCertificateRule;
     if (reference.orbit) {
       from_rest_ = sample_motion(problem, *reference.orbit);
       certificate.reference = reference.fingerprint;

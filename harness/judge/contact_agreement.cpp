@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <vector>
 
@@ -21,6 +22,7 @@ constexpr double kStrongPhase = 0.25;   // of the largest impulse of a phase of 
 constexpr double kWeakPhase = 0.05;     // of the same
 constexpr double kShownApart = 6.0;     // resolutions in time: a coarse answer is late by two or three
 constexpr double kLongestApart = 0.15;  // of the forcing period
+constexpr double kLate = 0.05;          // of the forcing period, what an x within 10 % may be late by
 
 /// Impulses of one motion per forcing period, and where they count as contact.
 struct Touches {
@@ -39,49 +41,76 @@ struct Touches {
   double largest;
 };
 
-/// |J| of the phases of one contact over a period, those closer than `apart` [s] as one.
-std::vector<double> phases_shown(const Motion& motion, int contact, double apart) {
-  std::vector<double> shown;
-  double first = 0.0, last = 0.0;
+/// A push of one contact, or several that the coarser of two motions shows as one.
+struct Push {
+  double begin = 0.0, end = 0.0;  // [s]
+  double impulse = 0.0;           // |J| [N s]
+};
+
+/// The pushes of one contact over so many periods of its motion, those closer than `apart` [s] as one.
+std::vector<Push> pushes_shown(const Motion& motion, int contact, double apart, int periods) {
+  std::vector<Push> shown;
   for (const ContactPhase& phase : contact_phases(motion)) {
     if (phase.contact != contact) continue;
-    if (shown.empty()) first = phase.begin;
-    if (!shown.empty() && phase.begin - last < apart) {
-      shown.back() += std::abs(phase.impulse);
+    if (!shown.empty() && phase.begin - shown.back().end < apart) {
+      shown.back().impulse += std::abs(phase.impulse);
+      shown.back().end = std::max(shown.back().end, phase.end);
     } else {
-      shown.push_back(std::abs(phase.impulse));
+      shown.push_back({phase.begin, phase.end, std::abs(phase.impulse)});
     }
-    last = std::max(last, phase.end);
   }
   // The last one may go on at the beginning of the period.
-  if (shown.size() > 1 && first + motion.period() - last < apart) {
-    shown.front() += shown.back();
+  if (shown.size() > 1 && shown.front().begin + motion.period() - shown.back().end < apart) {
+    shown.front().impulse += shown.back().impulse;
+    shown.front().begin = shown.back().begin - motion.period();
     shown.pop_back();
+  }
+  const std::vector<Push> once = shown;
+  for (int k = 1; k < periods; ++k) {
+    for (const Push& push : once)
+      shown.push_back({push.begin + k * motion.period(), push.end + k * motion.period(), push.impulse});
   }
   return shown;
 }
 
-/// How many phases have at least a share of the largest one's impulse.
-long count_above(const std::vector<double>& phases, double share) {
-  if (phases.empty()) return 0;
-  const double least = share * *std::max_element(phases.begin(), phases.end());
-  return std::count_if(phases.begin(), phases.end(), [&](double impulse) { return impulse >= least; });
+/// The pushes with at least a share of the largest one's impulse.
+std::vector<Push> above(const std::vector<Push>& pushes, double share) {
+  double largest = 0.0;
+  for (const Push& push : pushes) largest = std::max(largest, push.impulse);
+  std::vector<Push> strong;
+  std::ranges::copy_if(pushes, std::back_inserter(strong),
+                       [&](const Push& push) { return push.impulse >= share * largest; });
+  return strong;
+}
+
+/// Whether each push has one of the others at most `late` [s] before or after it, cyclically.
+bool all_met(const std::vector<Push>& pushes, const std::vector<Push>& others, double late, double period) {
+  return std::ranges::all_of(pushes, [&](const Push& push) {
+    return std::ranges::any_of(others, [&](const Push& other) {
+      const double centres = 0.5 * (push.begin + push.end - other.begin - other.end);
+      const double lengths = 0.5 * (push.end - push.begin + other.end - other.begin);
+      return std::abs(std::remainder(centres, period)) - lengths <= late;
+    });
+  });
 }
 
 std::string phase_difference(const Motion& answer, const Motion& orbit, int contact) {
   const double apart = std::min(kShownApart * std::max(time_resolution(answer), time_resolution(orbit)),
                                 kLongestApart * orbit.forcing_period);
-  const std::vector<double> found = phases_shown(answer, contact, apart);
-  const std::vector<double> exact = phases_shown(orbit, contact, apart);
-  // Both over the common period.
   const int common = std::lcm(answer.order, orbit.order);
-  const long found_copies = common / answer.order, exact_copies = common / orbit.order;
-  if (found_copies * count_above(found, kStrongPhase) <= exact_copies * count_above(exact, kWeakPhase) &&
-      exact_copies * count_above(exact, kStrongPhase) <= found_copies * count_above(found, kWeakPhase))
+  const std::vector<Push> found = pushes_shown(answer, contact, apart, common / answer.order);
+  const std::vector<Push> exact = pushes_shown(orbit, contact, apart, common / orbit.order);
+  const std::vector<Push> found_weak = above(found, kWeakPhase), exact_weak = above(exact, kWeakPhase);
+  const std::vector<Push> found_strong = above(found, kStrongPhase),
+                          exact_strong = above(exact, kStrongPhase);
+  if (found_strong.size() > exact_weak.size() || exact_strong.size() > found_weak.size())
+    return fmt::format("contact {} pushes {} times in {} forcing periods, on the orbit {} times", contact,
+                       found_weak.size(), common, exact_weak.size());
+  const double late = std::max(apart, kLate * orbit.forcing_period);
+  const double period = common * orbit.forcing_period;
+  if (all_met(found_strong, exact_weak, late, period) && all_met(exact_strong, found_weak, late, period))
     return {};
-  return fmt::format("contact {} pushes {} times in {} forcing periods, on the orbit {} times", contact,
-                     found_copies * count_above(found, kWeakPhase), common,
-                     exact_copies * count_above(exact, kWeakPhase));
+  return fmt::format("contact {} pushes at other times than on the orbit", contact);
 }
 
 }  // namespace

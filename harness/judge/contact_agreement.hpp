@@ -25,7 +25,9 @@ struct ContactDifference {
 /// - at every contact, phases whose impulse is at least 25 % of the largest one's in one motion are no more
 ///   than the phases of at least 5 % in the other, per common period; phases closer than six times the
 ///   coarser of the two resolutions in time, at most 0.15 forcing periods, count as one, since the coarser
-///   motion shows them as one.
+///   motion shows them as one
+/// - each of those strong phases has one of the other motion beside it, no farther in time than phases that
+///   count as one, or 0.05 forcing periods if that is more.
 ///
 /// They contradict each other if no contact of one touches, and the impulse of the other exceeds 1e-3 k_c X
 /// T.

@@ -1,6 +1,7 @@
 #include "harness/records/record.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace signorini {
 
@@ -25,8 +26,14 @@ std::optional<Claim> claim_of(const Record& record) {
 
 double measurable_error(const Record& record) {
   constexpr double kErrorBars = 10.0;
-  return std::max(kErrorBars * record.certificate.error_bar.value_or(0.0),
-                  record.certificate.return_distance.value_or(0.0));
+  const Certificate& certificate = record.certificate;
+  // A state that is off by d returns (P - I) d away: d is up to 1 / min |1 - mu| times as large.
+  double nearest = 1.0;
+  for (const auto& [re, im] : certificate.floquet.value_or(FloquetMultipliers{}))
+    nearest = std::min(nearest, std::hypot(1.0 - re, im));
+  const double returned = certificate.return_distance.value_or(0.0);
+  return std::max(kErrorBars * certificate.error_bar.value_or(0.0),
+                  returned > 0.0 ? returned / nearest : 0.0);
 }
 
 }  // namespace signorini

@@ -97,9 +97,14 @@ struct OrbitEvent {
 /// Real and imaginary parts.
 using FloquetMultipliers = std::vector<std::pair<double, double>>;
 
+/// The rules of certificates: those of records without this number accepted the motion reached from rest as
+/// the orbit of an answer within 0.5 of it.
+inline constexpr int kCertificateRule = 2;
+
 /// Whether a true orbit of the represented law stands behind an answer, and which.
 struct Certificate {
   CertificateStatus status = CertificateStatus::none;
+  std::optional<int> rule = {};           ///< by which an answer was judged: kCertificateRule of that time
   std::string reason = {};                ///< of uncertified or none; empty when certified
   std::string refutation = {};            ///< why the answer is wrong, where its orbit shows that
   std::string source = {};                ///< how the orbit was found
@@ -206,8 +211,9 @@ enum class Claim {
 /// Nothing where the method claims nothing.
 std::optional<Claim> claim_of(const Record& record);
 
-/// An error below this is not measured but bounded: ten error bars of the certified orbit, and how far CVODE,
-/// which shares nothing with the methods, returned from it after a period.
+/// An error below this is not measured but bounded: ten error bars of the certified orbit, and how far away
+/// an orbit is to which CVODE, which shares nothing with the methods, would return: the distance it returned
+/// to after a period over the distance of the Floquet multipliers from 1, where that is less than 1.
 double measurable_error(const Record& record);
 
 }  // namespace signorini

@@ -88,6 +88,7 @@ void visit_fields(Either<Certificate> auto& certificate, auto&& field) {
   // An orbit without any event has an empty list; where there is no orbit, there is no list.
   const bool has_orbit = certificate.status == CertificateStatus::certified;
   field(required("status"), certificate.status);
+  field(Field{"rule"}, certificate.rule);
   field(Field{"reason"}, certificate.reason);
   field(Field{"refutation"}, certificate.refutation);
   field(Field{"source"}, certificate.source);

@@ -37,18 +37,34 @@ std::string place_defect(std::string_view what, int contact, double time, double
   return {};
 }
 
+/// The largest |momentum| of a list times the round-off that is allowed: stops push, they do not pull.
+template <class Listed>
+double largest_pull(const std::vector<Listed>& list, double Listed::*momentum) {
+  constexpr double kRoundOff = 1e-9;
+  double largest = 0.0;
+  for (const Listed& one : list) largest = std::max(largest, std::abs(one.*momentum));
+  return kRoundOff * largest;
+}
+
 /// What is wrong with the impulses and events of a period.
 std::string list_defect(const std::vector<Impulse>& impulses,
-                        const std::optional<std::vector<ContactEvent>>& events, int contacts, double period) {
+                        const std::optional<std::vector<ContactEvent>>& listed, int contacts, double period) {
   std::string defect;
+  const double impulse_pull = largest_pull(impulses, &Impulse::value);
   for (const Impulse& one : impulses) {
     defect = place_defect("an impulse", one.contact, one.time, one.value, contacts, period);
+    if (defect.empty() && one.value > impulse_pull)
+      defect = fmt::format("an impulse of {} N s at {} s pulls", one.value, one.time);
     if (!defect.empty()) return defect;
   }
+  const std::vector<ContactEvent> events = listed.value_or(std::vector<ContactEvent>{});
+  const double event_pull = largest_pull(events, &ContactEvent::impulse);
   double last = 0.0;
-  for (const ContactEvent& event : events.value_or(std::vector<ContactEvent>{})) {
+  for (const ContactEvent& event : events) {
     const std::string what = fmt::format("the event {}", name_of(event.kind));
     defect = place_defect(what, event.contact, event.time, event.impulse, contacts, period);
+    if (defect.empty() && event.impulse > event_pull)
+      defect = fmt::format("{} at {} s pulls with {} N s", what, event.time, event.impulse);
     if (!defect.empty()) return defect;
     if (event.time < last) return fmt::format("{} at {} s comes after one at {} s", what, event.time, last);
     last = event.time;

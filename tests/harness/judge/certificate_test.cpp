@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include "harness/records/record_store.hpp"
 #include "tests/harness/judge/fake_orbits.hpp"
+#include "tests/support/data_folder.hpp"
 
 namespace signorini {
 namespace {
@@ -99,6 +103,43 @@ TEST(Certify, RefusesAnOrbitThatIsNotKnownWellEnough) {
   EXPECT_NE(answer.certificate.reason.find("known to 1.0e-04 only"), std::string::npos)
       << answer.certificate.reason;
   EXPECT_FALSE(answer.orbit);
+}
+
+/// Whether an answer without the impulses of its orbit was certified.
+bool lacks_its_impulses(const Record& record) {
+  const auto hits = [](const OrbitEvent& event) { return event.kind != ContactEvent::Kind::open; };
+  const bool orbit_hits = std::ranges::any_of(record.certificate.events, hits);
+  const bool touches =
+      record.physics.contact_ratio.value_or(0.0) > 0.0 || !record.physics.effective_restitution.empty();
+  constexpr double kFactorOfTwo = 1.02;  // |2 J - J| / |J|, and contacts that hardly press
+  return orbit_hits && (!touches || record.errors.impulse.value_or(0.0) > kFactorOfTwo);
+}
+
+// The rule holds of every record in results/ that was made under it. Those of earlier rules, which the file
+// says by having no `rule`, are known to break it.
+TEST(CommittedRecords, AreNotCertifiedByMotionsWithoutTheImpulsesOfTheirOrbits) {
+  for (const auto& folder : std::filesystem::directory_iterator(test::data_folder() / "../../results")) {
+    const std::filesystem::path file = folder.path() / "records.jsonl";
+    if (!std::filesystem::exists(file)) continue;
+    for (const Record& record : read_records(file)) {
+      if (record.certificate.status != CertificateStatus::certified || !record.certificate.rule) continue;
+      EXPECT_FALSE(lacks_its_impulses(record)) << file << ": " << record.case_id;
+    }
+  }
+}
+
+TEST(CommittedRecords, WouldBeFoundOutWithoutImpulses) {
+  Record record;
+  record.certificate.events = {
+      {.time = 0.5, .contact = 0, .kind = ContactEvent::Kind::impact, .value = -1.0}};
+  record.errors.impulse = 1.0;
+  EXPECT_TRUE(lacks_its_impulses(record));
+  record.physics.effective_restitution = {1.0};
+  EXPECT_FALSE(lacks_its_impulses(record)) << "twice the impulse is allowed";
+  record.errors.impulse = 1.1;
+  EXPECT_TRUE(lacks_its_impulses(record));
+  record.certificate.events.clear();
+  EXPECT_FALSE(lacks_its_impulses(record));
 }
 
 }  // namespace

@@ -80,6 +80,18 @@ TEST(ContactDifference, AsksForNoImpactsThatTheAnswerCannotShow) {
   EXPECT_NE(compared(motion({{0.2, 1.0}}), motion({{0.2, 1.0}, {0.7, 0.5}})).text, "");
 }
 
+TEST(ContactDifference, AsksForImpactsAtTheirTimes) {
+  EXPECT_EQ(compared(motion({{0.2, 1.0}}), motion({{0.24, 1.0}})).text, "");
+  EXPECT_EQ(compared(motion({{0.2, 1.0}}), motion({{0.3, 1.0}})).text,
+            "contact 0 pushes at other times than on the orbit");
+  EXPECT_EQ(compared(motion({{0.99, 1.0}}), motion({{0.02, 1.0}})).text, "")
+      << "across the end of the period";
+  // Once in each of two forcing periods, the second time a quarter of a period late.
+  EXPECT_NE(compared(motion({{0.2, 1.0}}), motion({{0.1, 1.0}, {0.725, 1.0}}, 2)).text, "");
+  // Both impacts of the answer beside the same one of the orbit.
+  EXPECT_NE(compared(motion({{0.2, 1.0}, {0.23, 1.0}}), motion({{0.21, 1.0}, {0.7, 1.0}})).text, "");
+}
+
 TEST(ContactDifference, JoinsPhasesAcrossTheEndOfThePeriod) {
   EXPECT_EQ(compared(motion({{0.99995, 0.5}, {0.00005, 0.5}}), motion({{0.0, 1.0}})).text, "");
 }

@@ -41,6 +41,30 @@ TEST(Distance, IsTakenOverTheCommonPeriod) {
   EXPECT_EQ(distance(motion(2, 0.5), motion(2, 0.5)).x_l2.value(), 0.0);
 }
 
+TEST(Distance, KnowsNoOriginOfDisplacements) {
+  Motion a = motion(2, 0.5), b = motion(1, 0.0);
+  const Distance before = distance(a, b);
+  a.samples.x.array() += 1e3;
+  b.samples.x.array() += 1e3;
+  const Distance after = distance(a, b);
+  EXPECT_NEAR(after.x_l2.value(), before.x_l2.value(), 1e-9);
+  EXPECT_NEAR(after.x_max.value(), before.x_max.value(), 1e-9);
+  EXPECT_EQ(after.velocity_l2, before.velocity_l2);
+}
+
+TEST(Distance, HasTheLeastSizeOfEitherMotionAsItsUnit) {
+  // |0.5 cos t| against |cos 2 t|, of a root mean square of 1 / sqrt(2): smaller than what is told from rest.
+  Motion a = motion(2, 0.5);
+  const Motion b = motion(1, 0.0);
+  const double apart = 0.5 * std::numbers::sqrt2 / 2.0;
+  a.least = 3.0;
+  EXPECT_NEAR(distance(a, b).x_l2.value(), apart / 3.0, 1e-12);
+  EXPECT_NEAR(distance(a, b).x_max.value(), 0.5 / (3.0 * std::numbers::sqrt2), 1e-12);
+  EXPECT_NEAR(distance(b, a).x_l2.value(), apart / 3.0, 1e-12);
+  // x' of a - b is 0.5 sin t; the unit of speed is 2 pi / T = 2 times that of x.
+  EXPECT_NEAR(distance(a, b).velocity_l2.value(), apart / 6.0, 1e-12);
+}
+
 TEST(BestShift, UndoesAShiftByForcingPeriods) {
   const Motion original = motion(2, 0.5);
   const Motion late = motion(2, 0.5, 1);

@@ -37,6 +37,21 @@ TEST(MeasurableError, IsTenErrorBarsOfTheOrbit) {
   EXPECT_EQ(measurable_error(record), 0.0);
   record.certificate.error_bar = 1e-12;
   EXPECT_DOUBLE_EQ(measurable_error(record), 1e-11);
+  record.certificate.return_distance = 3e-11;
+  EXPECT_DOUBLE_EQ(measurable_error(record), 3e-11);
+  record.certificate.return_distance = 3e-12;
+  EXPECT_DOUBLE_EQ(measurable_error(record), 1e-11);
+}
+
+// x_{k+1} = mu x_k: a state that is off by d comes back off by mu d, a distance (1 - mu) d away.
+TEST(MeasurableError, CountsAReturnByHowSlowlyAnErrorShowsInIt) {
+  Record record;
+  const double off = 1e-8, mu = 0.999;
+  record.certificate.return_distance = (1.0 - mu) * off;
+  record.certificate.floquet = {{mu, 0.0}, {-0.5, 0.0}};
+  EXPECT_NEAR(measurable_error(record), off, 1e-6 * off);
+  record.certificate.floquet = {{-0.5, 0.0}, {-2.0, 0.0}};
+  EXPECT_DOUBLE_EQ(measurable_error(record), (1.0 - mu) * off) << "no error shows less than itself";
 }
 
 TEST(AsRepresented, KeepsTheLawAndItsConstant) {
