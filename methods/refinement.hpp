@@ -59,6 +59,9 @@ std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, st
 /// so far from the one on the next coarser grid.
 inline constexpr double kNearOrbit = 0.5;
 
+/// Motions within this distance are told to be the same one by a method that chooses its resolution itself.
+inline constexpr double kOwnMotion = 0.1;
+
 /// |x_a - x_b| over the largest of the sizes of x_a and x_b about their means and `least` [m], root mean
 /// squares at so many instants [-].
 double relative_distance(const Trajectory& a, const Trajectory& b, int instants, double least = 0.0);

@@ -154,11 +154,11 @@ HatAgreement compare_with_hat_functions(HarmonicSetup& setup, const Solution& se
   return agreement;
 }
 
-Solution claim_if_borne_out(Solution series, bool exact, const HatAgreement& agreement) {
+Solution claim_if_borne_out(Solution series, bool exact, const HatAgreement& agreement, double nearest) {
   if (series.verdict != Verdict::converged) return series;
   series.message += "; impacts not compensated";
   if (!agreement.asked) return series;
-  const bool borne_out = agreement.distance && near_by(*agreement.distance);
+  const bool borne_out = agreement.distance && *agreement.distance <= nearest;
   if (borne_out && exact) return series;
   series.verdict = Verdict::not_converged;
   if (borne_out) {

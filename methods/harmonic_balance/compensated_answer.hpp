@@ -47,7 +47,8 @@ HatAgreement compare_with_hat_functions(HarmonicSetup& setup, const Solution& se
                                         Work& work);
 
 /// A series whose impacts are not compensated, with the verdict that it deserves: claimed if its contact
-/// integral is exact (`exact`) and the motion on hat functions is near it, or none was to be asked.
-Solution claim_if_borne_out(Solution series, bool exact, const HatAgreement& agreement);
+/// integral is exact (`exact`) and the motion on hat functions is at most `nearest` away, or none was to be
+/// asked.
+Solution claim_if_borne_out(Solution series, bool exact, const HatAgreement& agreement, double nearest);
 
 }  // namespace signorini

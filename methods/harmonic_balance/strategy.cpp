@@ -112,7 +112,9 @@ Solution solve_with_harmonics(HarmonicSetup& setup, const Start& start, Work& wo
   // functions come to their motion by another way: it may lead to an answer, or bear this one out.
   HatAgreement agreement = compare_with_hat_functions(setup, *series, start, work);
   if (agreement.answer) return *std::move(agreement.answer);
-  return claim_if_borne_out(*std::move(series), compensated.exact, agreement);
+  // A coarse answer that was asked for may be off by much; who chooses the harmonics may take more of them.
+  const double nearest = setup.options.harmonics ? kNearOrbit : kOwnMotion;
+  return claim_if_borne_out(*std::move(series), compensated.exact, agreement, nearest);
 }
 
 class HarmonicBalance final : public PreparedMethod {

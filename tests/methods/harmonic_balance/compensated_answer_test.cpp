@@ -158,13 +158,13 @@ TEST(HatAgreement, IsNotAskedUnderALimitOnIterations) {
 Solution claimed() { return {.verdict = Verdict::converged, .message = "solved"}; }
 
 TEST(ClaimIfBorneOut, KeepsAnExactSeriesThatHatFunctionsAreNear) {
-  const Solution kept = claim_if_borne_out(claimed(), true, {.asked = true, .distance = 0.3});
+  const Solution kept = claim_if_borne_out(claimed(), true, {.asked = true, .distance = 0.3}, 0.5);
   EXPECT_EQ(kept.verdict, Verdict::converged);
   EXPECT_EQ(kept.message, "solved; impacts not compensated");
 }
 
 TEST(ClaimIfBorneOut, KeepsASeriesThatNoGridCarries) {
-  EXPECT_EQ(claim_if_borne_out(claimed(), false, {}).verdict, Verdict::converged);
+  EXPECT_EQ(claim_if_borne_out(claimed(), false, {}, 0.1).verdict, Verdict::converged);
 }
 
 TEST(ClaimIfBorneOut, WithdrawsEveryOtherClaimAndSaysWhy) {
@@ -182,14 +182,14 @@ TEST(ClaimIfBorneOut, WithdrawsEveryOtherClaimAndSaysWhy) {
       {true, {.asked = true}, "solved; impacts not compensated, nor borne out by hat functions"},
   };
   for (const auto& [exact, agreement, message] : cases) {
-    const Solution withdrawn = claim_if_borne_out(claimed(), exact, agreement);
+    const Solution withdrawn = claim_if_borne_out(claimed(), exact, agreement, 0.5);
     EXPECT_EQ(withdrawn.verdict, Verdict::not_converged);
     EXPECT_EQ(withdrawn.message, message);
   }
 }
 
 TEST(ClaimIfBorneOut, SaysNothingOfAnAnswerThatIsNotClaimed) {
-  EXPECT_EQ(claim_if_borne_out({.message = "stalled"}, false, {.asked = true}).message, "stalled");
+  EXPECT_EQ(claim_if_borne_out({.message = "stalled"}, false, {.asked = true}, 0.5).message, "stalled");
 }
 
 }  // namespace
