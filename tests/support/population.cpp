@@ -42,6 +42,44 @@ Eigen::VectorXd free_amplitudes(const Problem& problem) {
   return Z.fullPivLu().solve(load_harmonic(problem, 1)).cwiseAbs();
 }
 
+// A structure of 1 to 4 masses, its load and its frequency.
+Problem mixed_structure(Random& random, int masses) {
+  Chain chain;
+  for (int i = 0; i < masses; ++i) {
+    chain.masses.push_back(masses == 1 ? 1.0 : random.uniform(0.5, 2.0));
+    chain.springs.push_back(masses == 1 ? 1.0 : random.uniform(0.5, 2.0));
+    chain.dampers.push_back(0.0);
+  }
+  Structure structure = assemble(chain);
+  const double ratio = std::pow(10.0, random.uniform(-3.0, std::log10(0.2)));
+  structure.damping = damping_matrix(ModalDamping{{ratio}}, structure.mass, structure.stiffness);
+  Problem problem;
+  problem.name = masses == 1 ? "random-mass" : "random-chain";
+  problem.kind = "chain";
+  problem.structure = std::make_shared<const Structure>(std::move(structure));
+  problem.frequency = random.uniform(0.4, 3.0);
+  problem.force = {{.dof = random.below(masses), .harmonic = 1, .cos = 1.0, .sin = 0.0}};
+  return problem;
+}
+
+// One to three stops on distinct masses, one at most per mass. True if the contact-free motion reaches one.
+bool add_stops(Random& random, Problem& problem) {
+  const Eigen::VectorXd deflection =
+      Eigen::MatrixXd(problem.stiffness()).ldlt().solve(load_harmonic(problem, 1).real()).cwiseAbs();
+  const Eigen::VectorXd amplitude = free_amplitudes(problem);
+  const int masses = problem.size(), stops = 1 + random.below(std::min(3, masses));
+  const int first = random.below(masses);
+  bool reached = false;
+  for (int j = 0; j < stops; ++j) {
+    const int dof = (first + j) % masses;
+    const double facing = random.below(2) == 0 ? 1.0 : -1.0;
+    const double gap = random.uniform(-0.5, 1.0) * deflection[dof];
+    problem.contacts.push_back({.normal = {{dof, facing}}, .gap = gap});
+    reached = reached || amplitude[dof] > gap;
+  }
+  return reached;
+}
+
 }  // namespace
 
 std::vector<ImpactOscillator> hard_population(int count) {
@@ -86,6 +124,18 @@ std::vector<Problem> chain_population(int count, unsigned long seed) {
       problem.contacts.push_back({.normal = {{dof, 1.0}}, .gap = random.uniform(-0.1, 0.9) * amplitude[dof]});
     }
     problem.law = Restitution{kRestitutions[static_cast<std::size_t>(scene) % std::size(kRestitutions)]};
+    scenes.push_back(std::move(problem));
+  }
+  return scenes;
+}
+
+std::vector<Problem> mixed_population(int count, unsigned long seed) {
+  Random random(seed);
+  std::vector<Problem> scenes;
+  while (static_cast<int>(scenes.size()) < count) {
+    Problem problem = mixed_structure(random, scenes.size() % 2 == 0 ? 1 : 2 + random.below(3));
+    if (!add_stops(random, problem)) continue;
+    problem.law = Restitution{kRestitutions[scenes.size() / 2 % std::size(kRestitutions)]};
     scenes.push_back(std::move(problem));
   }
   return scenes;

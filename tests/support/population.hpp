@@ -1,5 +1,5 @@
 #pragma once
-// The seeded population of one-mass scenes on which robustness is measured.
+// The seeded populations of scenes on which robustness is measured.
 
 #include <vector>
 
@@ -25,6 +25,13 @@ std::vector<Problem> restitution_population(int count, unsigned long seed = 2026
 /// and, in every other chain, on a second one, gaps between -0.1 and 0.9 of the contact-free amplitude there;
 /// restitutions 0, 0.3, 0.5, 0.8 and 1 in turn.
 std::vector<Problem> chain_population(int count, unsigned long seed = 20260102);
+
+/// `count` scenes of wide parameters for the judge: one mass in every other scene, with one stop, else a
+/// chain of two to four masses fixed at one end with one to three stops on distinct masses, facing either
+/// way. Masses and springs in [0.5, 2] (one mass: 1), all modes of one damping ratio 10^[-3, log 0.2], one
+/// unit load on a random mass, frequency in [0.4, 3], gaps of -0.5 to 1 of the static deflection under that
+/// load; kept where the contact-free motion reaches a stop; restitutions 0, 0.3, 0.5, 0.8 and 1 in turn.
+std::vector<Problem> mixed_population(int count, unsigned long seed);
 
 /// `count` cantilever beams of 20 elements, in units of their length, mass and bending stiffness, driven at
 /// the tip between 0.4 and 7 times the first eigenfrequency: 1 to 10 stops in turn on distinct deflections of
