@@ -47,7 +47,7 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
   EXPECT_EQ(keys(json["seconds"]),
             (Keys{"median", "min", "mad", "repetitions", "setup", "solve", "unstable", "rounds", "jobs"}));
   EXPECT_EQ(keys(json["certificate"]),
-            (Keys{"status", "reason", "source", "orbit", "order", "error_bar", "residual", "distance",
+            (Keys{"status", "rule", "reason", "source", "orbit", "order", "error_bar", "residual", "distance",
                   "reference", "reference_reason", "same_orbit", "events", "floquet", "stable"}));
   EXPECT_EQ(keys(json["certificate"]["events"][0]), (Keys{"time", "contact", "kind", "value"}));
   EXPECT_EQ(keys(json["errors"]),
