@@ -1,7 +1,6 @@
 #include "methods/catalogue.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -2,7 +2,23 @@
 
 #include <fmt/format.h>
 
-namespace signorini::option_detail {
+#include <charconv>
+#include <cmath>
+
+namespace signorini {
+
+namespace {
+
+struct OptionPrinter {
+  std::string operator()(std::monostate) const { return "auto"; }
+  std::string operator()(const auto& value) const { return fmt::format("{}", value); }
+};
+
+}  // namespace
+
+std::string print_option(const OptionValue& value) { return std::visit(OptionPrinter{}, value); }
+
+namespace option_detail {
 
 std::string refuse(std::string_view key, std::string_view text, std::string_view requirement) {
   return fmt::format("{} = {} ({})", key, text, requirement);
@@ -50,4 +66,6 @@ int parse_name(std::string_view key, std::string_view text, std::span<const std:
 
 std::string print(const Scaled& value) { return fmt::format("{}{}", value.value, value.relative ? "x" : ""); }
 
-}  // namespace signorini::option_detail
+}  // namespace option_detail
+
+}  // namespace signorini

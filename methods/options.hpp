@@ -2,8 +2,6 @@
 // Options of a method: one `visit` per option struct drives parsing, validation, help and echo.
 
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <concepts>
 #include <optional>
 #include <span>
@@ -52,6 +50,9 @@ struct OptionEcho {
   std::string unit;     ///< "[-]", "[N/m]", ...
   std::string meaning;  ///< one line, with the range allowed
 };
+
+/// As --set takes it; "auto" where the method chooses.
+std::string print_option(const OptionValue& value);
 
 namespace option_detail {
 
@@ -148,18 +149,7 @@ std::vector<OptionEcho> echo_options(Options options) {
 template <class T>
 void require_option(bool ok, std::string_view name, const T& value, std::string_view requirement) {
   if (ok) return;
-  const OptionValue echo = option_detail::echo_of(value);
-  std::string text = "auto";
-  if (const auto* number = std::get_if<double>(&echo)) {
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), *number).ptr;
-    text.assign(buffer.data(), end);
-  } else if (const auto* whole = std::get_if<long>(&echo)) {
-    text = std::to_string(*whole);
-  } else if (const auto* word = std::get_if<std::string>(&echo)) {
-    text = *word;
-  }
-  throw InvalidOption(option_detail::refuse(name, text, requirement));
+  throw InvalidOption(option_detail::refuse(name, print_option(option_detail::echo_of(value)), requirement));
 }
 
 }  // namespace signorini

@@ -14,11 +14,8 @@ namespace {
 
 class RefinedUntilAgreed final : public PreparedMethod {
  public:
-  RefinedUntilAgreed(Resolutions resolutions, std::string symbol, WorthChecking worth_checking, double least)
-      : resolutions_(std::move(resolutions)),
-        symbol_(std::move(symbol)),
-        worth_checking_(std::move(worth_checking)),
-        least_(least) {
+  RefinedUntilAgreed(Resolutions resolutions, WorthChecking worth_checking, double least)
+      : resolutions_(std::move(resolutions)), worth_checking_(std::move(worth_checking)), least_(least) {
     resolutions_.at(0);
   }
 
@@ -34,7 +31,7 @@ class RefinedUntilAgreed final : public PreparedMethod {
       if (cut_short) break;
       latest = k == 0 ? resolutions_.at(0).solve(start) : resolutions_.solve_at(k, start);
       add_effort(latest.work, spent);
-      latest.message += fmt::format("; {} = {}", symbol_, resolutions_.value(k));
+      latest.message += fmt::format("; N = {}", resolutions_.value(k));
       if (latest.verdict != Verdict::converged) continue;
       const std::optional<Solution> before = std::exchange(answer, latest);
       if (before) {
@@ -60,7 +57,6 @@ class RefinedUntilAgreed final : public PreparedMethod {
   static constexpr double kAgreed = 0.05;
 
   Resolutions resolutions_;
-  std::string symbol_;
   WorthChecking worth_checking_;
   double least_;
 };
@@ -93,10 +89,9 @@ void Resolutions::forget_from(std::size_t k) {
   for (; k < prepared_.size(); ++k) prepared_[k].reset();
 }
 
-std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, std::string symbol,
-                                                     WorthChecking worth_checking, double least) {
-  return std::make_unique<RefinedUntilAgreed>(std::move(resolutions), std::move(symbol),
-                                              std::move(worth_checking), least);
+std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, WorthChecking worth_checking,
+                                                     double least) {
+  return std::make_unique<RefinedUntilAgreed>(std::move(resolutions), std::move(worth_checking), least);
 }
 
 double relative_distance(const Trajectory& a, const Trajectory& b, int instants, double least) {

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "methods/method.hpp"
@@ -49,10 +48,9 @@ using WorthChecking = std::function<bool(const Solution&)>;
 /// before (`near_by`); an answer that is not worth the next resolution is taken as it is; one that could not
 /// be checked because the time was up is not claimed. The answer is the finest found. The first resolution is
 /// prepared at once, the others anew in every solve, whose part they are; the work is that of all. The
-/// message names the resolution of the answer by its `symbol`, "N". Motions smaller than `least` [m] are at
-/// rest.
-std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, std::string symbol,
-                                                     WorthChecking worth_checking, double least);
+/// message names the resolution of the answer, "N = 1024". Motions smaller than `least` [m] are at rest.
+std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, WorthChecking worth_checking,
+                                                     double least);
 
 /// A motion farther from another than this, relative root mean square of x over the period, is not an
 /// approximation of it: the judge certifies no answer by an orbit so far away, and a method claims no motion

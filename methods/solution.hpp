@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace signorini {
@@ -40,19 +39,6 @@ struct ContactEvent {
   double time = 0.0;         ///< in [0, period) [s]; t = 0 is the time origin of the forcing terms
   double impulse = 0.0;      ///< on the structure along the contact coordinate, <= 0 [N s]
 };
-
-/// "impact", "close" or "open": the word for it in records and exchanges.
-constexpr std::string_view name_of(ContactEvent::Kind kind) {
-  switch (kind) {
-    case ContactEvent::Kind::impact:
-      return "impact";
-    case ContactEvent::Kind::close:
-      return "close";
-    case ContactEvent::Kind::open:
-      return "open";
-  }
-  return {};
-}
 
 /// A periodic motion seen at the contacts, in the method's own representation. The harness samples
 /// it wherever it likes, so that no interpolation error enters the scores.

@@ -2,9 +2,7 @@
 
 #include <Eigen/QR>
 #include <Eigen/SparseCholesky>
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "problems/sparse_cholesky.hpp"
 

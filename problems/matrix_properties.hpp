@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "problems/sparse_matrix.hpp"
+#include "problems/structure.hpp"
 
 namespace signorini {
 

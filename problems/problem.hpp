@@ -9,7 +9,6 @@
 #include <variant>
 #include <vector>
 
-#include "problems/sparse_matrix.hpp"
 #include "problems/structure.hpp"
 
 namespace signorini {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "problems/sparse_matrix.hpp"
+#include "problems/structure.hpp"
 
 namespace signorini {
 

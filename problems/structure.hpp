@@ -1,9 +1,12 @@
 #pragma once
 // A linear structure without its loads and contacts: the three matrices of its equation of motion.
 
-#include "problems/sparse_matrix.hpp"
+#include <Eigen/SparseCore>
 
 namespace signorini {
+
+/// The one sparse matrix type of the project: real, compressed by columns, with int indices.
+using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// M u'' + D u' + K u = forces; all three matrices are Nd x Nd.
 struct Structure {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 
 #include "harness/commands/command_line.hpp"
@@ -28,7 +27,7 @@ void list_scenes() {
 }
 
 void list_suites() {
-  for (const auto& file : catalogue_suites()) {
+  for (const auto& file : shipped_files("suites")) {
     const Suite suite = load_suite(file.string());
     fmt::print("{:<20} {}\n", suite.name, suite.title);
   }

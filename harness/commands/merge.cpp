@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "harness/commands/command_line.hpp"
-#include "harness/compare/rerun.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/records/record_json.hpp"

@@ -7,7 +7,6 @@
 
 #include "harness/commands/command_line.hpp"
 #include "harness/extend/scaffold/scaffold.hpp"
-#include "harness/extend/scaffold/source_tree.hpp"
 #include "harness/failure.hpp"
 
 namespace signorini {

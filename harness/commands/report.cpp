@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "harness/commands/command_line.hpp"
-#include "harness/compare/rerun.hpp"
 #include "harness/failure.hpp"
 #include "harness/records/run_folder.hpp"
 

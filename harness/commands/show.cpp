@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <optional>
 
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"

@@ -11,7 +11,7 @@
 #include "harness/files.hpp"
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/orbits/orbit_comparison.hpp"
+#include "harness/orbits/orbit_file.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/progress.hpp"
 #include "problems/scene/scene_file.hpp"

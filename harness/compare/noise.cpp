@@ -1,11 +1,10 @@
-#include "harness/compare/noise.hpp"
-
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <map>
 
+#include "harness/compare/comparison.hpp"
 #include "harness/statistics.hpp"
 
 namespace signorini {

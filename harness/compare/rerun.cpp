@@ -10,7 +10,7 @@
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/plan/case_name.hpp"
-#include "harness/plan/selection.hpp"
+#include "harness/plan/plan.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/run/suite_run.hpp"
 
@@ -31,16 +31,6 @@ Case case_of(const Record& record, const Scene& scene, std::span<const MethodEnt
   if (entry == catalogue.end()) throw no_method(resolution_of(record));
   return make_case(scene, 0, {&*entry, record.settings});
 }
-
-/// Passes on what is being run.
-class RerunObserver final : public RoundObserver {
- public:
-  explicit RerunObserver(const std::function<void(const std::string&)>& news) : news_(news) {}
-  void begins(const std::string& what) override { news_(what); }
-
- private:
-  const std::function<void(const std::string&)>& news_;
-};
 
 void compare_case(const Record& kept, const Record& now, Rerun& result) {
   ++result.cases;
@@ -71,9 +61,8 @@ void rerun_scene(const std::vector<const Record*>& kept, const Limits& limits,
   const std::vector<Job> jobs = runner.make_jobs(scene, cases);
   if (interrupted()) return;
   runner.compute_references(scene, jobs);
-  RerunObserver observer(news);
   const std::vector<std::optional<Record>> now =
-      run_rounds(runner, scene, jobs, std::vector<std::optional<Record>>(cases.size()), {}, observer);
+      run_rounds(runner, scene, jobs, std::vector<std::optional<Record>>(cases.size()), {}, {.begins = news});
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (now[i]) compare_case(*kept[i], *now[i], result);
   }

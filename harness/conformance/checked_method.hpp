@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "harness/conformance/check_result.hpp"
-#include "harness/plan/selection.hpp"
+#include "harness/plan/plan.hpp"
 #include "methods/catalogue.hpp"
 #include "problems/problem.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "harness/conformance/checks.hpp"
 #include "harness/failure.hpp"
-#include "harness/plan/selection.hpp"
+#include "harness/plan/plan.hpp"
 #include "problems/scene/kebab_case.hpp"
 
 namespace signorini {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/conformance/check_result.hpp"
-#include "harness/plan/selection.hpp"
+#include "harness/plan/plan.hpp"
 #include "harness/records/record.hpp"
 
 namespace signorini {

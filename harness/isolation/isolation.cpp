@@ -17,7 +17,6 @@
 #include <fstream>
 #include <memory>
 #include <new>
-#include <optional>
 
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"

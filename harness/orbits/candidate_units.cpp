@@ -1,5 +1,3 @@
-#include "harness/orbits/candidate_units.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +10,8 @@
 #include <utility>
 
 #include "harness/judge/motion.hpp"
-#include "harness/plan/selection.hpp"
+#include "harness/orbits/orbit_candidate.hpp"
+#include "harness/plan/plan.hpp"
 #include "harness/records/record.hpp"
 #include "methods/flow/flow.hpp"
 #include "methods/hat_functions/hat_contact.hpp"

@@ -1,9 +1,7 @@
-#include "harness/orbits/kept_reference.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/orbits/orbit_file.hpp"
 

@@ -1,15 +1,19 @@
 #pragma once
-// One start of a search for orbits and the orbit that it led to, as it crosses from one process to another.
+// What a start of the search for orbits leads to, and where the search starts from.
 
 #include <array>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "harness/judge/orbit_solver.hpp"
+#include "methods/catalogue.hpp"
 #include "methods/orbit/exact_orbit.hpp"
+#include "problems/problem.hpp"
 
 namespace signorini {
 
@@ -54,5 +58,16 @@ struct CandidateUnit {
   std::string name = {};
   std::function<void(const Deliver& deliver, Deadline deadline)> work = {};
 };
+
+/// Starts at period `order` forcing periods, in a fixed order:
+///
+/// 1. at order 1: marching from rest on the closed-form flow
+/// 2. every method that applies, from cold starts with its defaults, its ladder and its further starts
+/// 3. hat functions on coarse grids along other covering vectors
+/// 4. `starts` random states, the same ones first whatever `starts` is
+///
+/// \param problem  must outlive the units
+std::vector<CandidateUnit> candidate_units(const Problem& problem, int order, int starts, unsigned seed,
+                                           std::span<const MethodEntry> catalogue = method_catalogue());
 
 }  // namespace signorini

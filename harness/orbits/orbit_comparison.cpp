@@ -1,5 +1,3 @@
-#include "harness/orbits/orbit_comparison.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "harness/orbits/orbit_file.hpp"
 #include "harness/records/record.hpp"
 #include "harness/records/record_json.hpp"
 
@@ -77,7 +76,7 @@ Gap event_gap(const FoundOrbit& kept, const FoundOrbit& now, double shift) {
       return rank(a) < rank(b);
     });
     const std::string name =
-        fmt::format("event {} ({} at contact {})", i + 1, name_of(event.kind), event.contact);
+        fmt::format("event {} ({} at contact {})", i + 1, enum_name(event.kind), event.contact);
     if (nearest->kind != event.kind || nearest->contact != event.contact) {
       gap.widen(std::numeric_limits<double>::infinity(), name + " is gone");
       return gap;

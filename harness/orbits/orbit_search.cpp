@@ -12,7 +12,7 @@
 #include "harness/isolation/isolation.hpp"
 #include "harness/judge/exact_certificate.hpp"
 #include "harness/judge/orbit.hpp"
-#include "harness/orbits/candidate_units.hpp"
+#include "harness/orbits/orbit_candidate.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record.hpp"
 #include "methods/structure/condensation.hpp"

@@ -9,16 +9,10 @@
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/glob.hpp"
-#include "problems/scene/scene_file.hpp"
 
 namespace signorini {
 
 namespace {
-
-struct OptionPrinter {
-  std::string operator()(std::monostate) const { return "auto"; }
-  std::string operator()(const auto& value) const { return fmt::format("{}", value); }
-};
 
 bool belongs(const Suite& suite, const SceneHeader& scene) {
   const auto named = [&](const std::string& glob) { return scene_glob_match(glob, scene.name); };
@@ -28,8 +22,6 @@ bool belongs(const Suite& suite, const SceneHeader& scene) {
 }
 
 }  // namespace
-
-std::string print_option(const OptionValue& value) { return std::visit(OptionPrinter{}, value); }
 
 Scene read_scene(const SceneSource& source) {
   const std::string name = source.file.string();

@@ -1,11 +1,9 @@
-#include "harness/plan/selection.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "harness/failure.hpp"
 #include "harness/glob.hpp"
+#include "harness/plan/plan.hpp"
 
 namespace signorini {
 

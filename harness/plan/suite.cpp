@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 
 #include "harness/failure.hpp"
@@ -60,12 +59,7 @@ std::vector<ExpectedFailure> read_expected(const SceneField& field) {
 }  // namespace
 
 Suite parse_suite(std::string_view text, const std::string& file) {
-  TomlNode document;
-  try {
-    document = parse_toml(text);
-  } catch (const TomlSyntaxError& error) {
-    throw SceneError(fmt::format("{}:{}: {}", file, error.line, error.what()));
-  }
+  const TomlNode document = parse_toml(text, file);
   const SceneField root(document, file);
   static_cast<void>(root["schema"].whole("must be 1", 1, 1));  // first: another schema may have other keys
   root.allow_only(
@@ -87,16 +81,6 @@ Suite parse_suite(std::string_view text, const std::string& file) {
   return suite;
 }
 
-std::vector<fs::path> catalogue_suites() {
-  std::vector<fs::path> suites;
-  std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(problems_folder() / "suites", none)) {
-    if (entry.path().extension() == ".toml") suites.push_back(entry.path());
-  }
-  std::ranges::sort(suites);
-  return suites;
-}
-
 Suite load_suite(const std::string& name_or_path) {
   const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
   const fs::path path =
@@ -104,7 +88,7 @@ Suite load_suite(const std::string& name_or_path) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) {
     std::string names;
-    for (const fs::path& suite : catalogue_suites())
+    for (const fs::path& suite : shipped_files("suites"))
       names += (names.empty() ? "" : ", ") + suite.stem().string();
     throw UsageError(fmt::format("suite = {} (must be a TOML file or one of {})", name_or_path, names));
   }

@@ -1,7 +1,6 @@
 #pragma once
 // A named set of scenes with, where needed, settings of methods and limits: problems/suites/*.toml.
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,9 +36,6 @@ struct Suite {
 
 /// \throws SceneError in the form `FILE:LINE: field = value (what is required)`
 Suite parse_suite(std::string_view text, const std::string& file);
-
-/// Every suite file of the catalogue, sorted by name.
-std::vector<std::filesystem::path> catalogue_suites();
 
 /// A suite by catalogue name ("quick") or path. \throws UsageError if there is none; SceneError if it is bad
 Suite load_suite(const std::string& name_or_path);

@@ -73,13 +73,11 @@ std::string_view enum_name(Enum value) {
 /// The enumerator of a name, by EnumNames. \throws BadRecord that names the field
 template <class Enum>
 Enum enum_from_name(std::string_view field, std::string_view name) {
-  const auto& names = EnumNames<Enum>::values;
-  std::string known;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == name) return static_cast<Enum>(i);
-    known += (known.empty() ? "" : ", ") + std::string(names[i]);
+  try {
+    return static_cast<Enum>(option_detail::parse_name(field, name, EnumNames<Enum>::values));
+  } catch (const InvalidOption& error) {
+    throw BadRecord(error.what());
   }
-  throw BadRecord(std::string(field) + " = " + std::string(name) + " (must be one of " + known + ")");
 }
 
 /// A visited struct as a JSON object, its fields in the order of the visit.

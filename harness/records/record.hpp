@@ -82,9 +82,7 @@ struct EnumNames<CertificateStatus> {
 template <>
 struct EnumNames<ContactEvent::Kind> {
   /// In order.
-  static constexpr std::array<std::string_view, 3> values{name_of(ContactEvent::Kind::impact),
-                                                          name_of(ContactEvent::Kind::close),
-                                                          name_of(ContactEvent::Kind::open)};
+  static constexpr std::array<std::string_view, 3> values{"impact", "close", "open"};
 };
 
 struct OrbitEvent {

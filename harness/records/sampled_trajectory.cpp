@@ -61,7 +61,7 @@ std::string list_defect(const std::vector<Impulse>& impulses,
   const double event_pull = largest_pull(events, &ContactEvent::impulse);
   double last = 0.0;
   for (const ContactEvent& event : events) {
-    const std::string what = fmt::format("the event {}", name_of(event.kind));
+    const std::string what = fmt::format("the event {}", enum_name(event.kind));
     defect = place_defect(what, event.contact, event.time, event.impulse, contacts, period);
     if (defect.empty() && event.impulse > event_pull)
       defect = fmt::format("{} at {} s pulls with {} N s", what, event.time, event.impulse);

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/interrupt.hpp"
-#include "harness/isolation/isolation.hpp"
 #include "harness/records/record_json.hpp"
 
 namespace signorini {

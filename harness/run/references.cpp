@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/isolation/isolation.hpp"
-#include "harness/orbits/kept_reference.hpp"
+#include "harness/orbits/orbit_file.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"

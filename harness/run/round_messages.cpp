@@ -1,12 +1,11 @@
 #include "harness/run/round_messages.hpp"
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "harness/judge/certificate.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"
-#include "harness/run/timing.hpp"
+#include "harness/run/trial.hpp"
 
 namespace signorini {
 

@@ -10,7 +10,7 @@
 #include "harness/records/problem_digest.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/run/round_messages.hpp"
-#include "harness/run/timing.hpp"
+#include "harness/run/trial.hpp"
 
 namespace signorini {
 

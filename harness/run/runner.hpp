@@ -9,9 +9,7 @@
 #include <vector>
 
 #include "harness/build_info.hpp"
-#include "harness/isolation/isolation.hpp"
 #include "harness/judge/exact_certificate.hpp"
-#include "harness/judge/reference.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/records/record.hpp"
 #include "harness/run/applicability.hpp"

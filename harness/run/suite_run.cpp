@@ -14,30 +14,6 @@ namespace signorini {
 
 namespace {
 
-/// Stores the records of one scene's cases and shows the progress.
-class SceneObserver final : public RoundObserver {
- public:
-  SceneObserver(RecordStore& store, Progress& progress, std::size_t cases, int rounds)
-      : store_(store), progress_(progress), share_of_round_(1.0 / rounds), rest_(cases, 1.0) {}
-
-  void begins(const std::string& what) override { progress_.begin(what); }
-  void round_done(std::size_t index, const Record& record) override {
-    store_.keep_unfinished(record);
-    progress_.advance(share_of_round_);
-    rest_[index] -= share_of_round_;
-  }
-  void case_done(std::size_t index, const Record& record) override {
-    store_.append(record);
-    progress_.advance(rest_[index]);
-  }
-
- private:
-  RecordStore& store_;
-  Progress& progress_;
-  double share_of_round_;     // of a case, for the progress
-  std::vector<double> rest_;  // of each case
-};
-
 /// Runs cases of one scene. \return the records of those that no interrupt prevented, in the order of the
 /// cases
 std::vector<Record> run_scene(const Scene& scene, const std::vector<const Case*>& cases,
@@ -50,7 +26,20 @@ std::vector<Record> run_scene(const Scene& scene, const std::vector<const Case*>
   std::vector<std::optional<Record>> begun;
   for (const Case* planned_case : cases)
     begun.push_back(store.unfinished(runner.key_of(scene, *planned_case)));
-  SceneObserver observer(store, progress, cases.size(), runner.limits().repetitions);
+  const double share_of_round = 1.0 / runner.limits().repetitions;  // of a case, for the progress
+  std::vector<double> rest(cases.size(), 1.0);                      // of each case
+  const RoundObserver observer{.begins = [&](const std::string& what) { progress.begin(what); },
+                               .round_done =
+                                   [&](std::size_t index, const Record& record) {
+                                     store.keep_unfinished(record);
+                                     progress.advance(share_of_round);
+                                     rest[index] -= share_of_round;
+                                   },
+                               .case_done =
+                                   [&](std::size_t index, const Record& record) {
+                                     store.append(record);
+                                     progress.advance(rest[index]);
+                                   }};
   std::vector<Record> records;
   for (std::optional<Record>& record :
        run_rounds(runner, scene, jobs, std::move(begun), schedule, observer)) {
@@ -78,7 +67,7 @@ struct SceneRounds {
   std::span<const Job> jobs;
   std::vector<std::optional<Record>> records;
   Schedule schedule;
-  RoundObserver& observer;
+  const RoundObserver& observer;
 
   std::vector<std::optional<Record>> run() {
     for (int round = 0; round < runner.limits().repetitions; ++round) run_round(round);
@@ -181,7 +170,7 @@ std::vector<std::string> unexpected_failures(const std::vector<Record>& records,
 
 std::vector<std::optional<Record>> run_rounds(Runner& runner, const Scene& scene, std::span<const Job> jobs,
                                               std::vector<std::optional<Record>> begun,
-                                              const Schedule& schedule, RoundObserver& observer) {
+                                              const Schedule& schedule, const RoundObserver& observer) {
   return SceneRounds{runner, scene, jobs, std::move(begun), schedule, observer}.run();
 }
 

@@ -37,15 +37,12 @@ std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner);
 std::vector<std::string> unexpected_failures(const std::vector<Record>& records, const Suite& suite);
 
 /// Follows the cases of a scene through their rounds; `index` is that of the job.
-class RoundObserver {
- public:
-  virtual ~RoundObserver() = default;
+struct RoundObserver {
   /// \param what  the case, or the round of several, for a person
-  virtual void begins(const std::string& /*what*/) {}
-  /// The record lacks rounds of timing yet.
-  virtual void round_done(std::size_t /*index*/, const Record& /*record*/) {}
-  /// The record is complete.
-  virtual void case_done(std::size_t /*index*/, const Record& /*record*/) {}
+  std::function<void(const std::string& what)> begins = [](const std::string&) {};
+  using Take = std::function<void(std::size_t index, const Record& record)>;
+  Take round_done = [](std::size_t, const Record&) {};  ///< the record lacks rounds of timing yet
+  Take case_done = [](std::size_t, const Record&) {};   ///< the record is complete
 };
 
 /// Runs every job, round by round in random order: the first round solves, measures and certifies, the later
@@ -53,6 +50,6 @@ class RoundObserver {
 /// of each job, if anything \return the record of each job; nothing of one that an interrupt left incomplete
 std::vector<std::optional<Record>> run_rounds(Runner& runner, const Scene& scene, std::span<const Job> jobs,
                                               std::vector<std::optional<Record>> begun,
-                                              const Schedule& schedule, RoundObserver& observer);
+                                              const Schedule& schedule, const RoundObserver& observer);
 
 }  // namespace signorini

@@ -1,10 +1,9 @@
-#include "harness/run/timing.hpp"
-
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "harness/run/trial.hpp"
 #include "harness/statistics.hpp"
 
 namespace signorini {

@@ -12,7 +12,6 @@
 #include "harness/judge/waveform.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/records/sampled_trajectory.hpp"
-#include "harness/run/timing.hpp"
 
 namespace signorini {
 

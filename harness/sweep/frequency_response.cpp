@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
-#include "harness/interrupt.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 #include "harness/run/runner.hpp"
 

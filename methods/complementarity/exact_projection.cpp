@@ -5,17 +5,14 @@
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "methods/complementarity/exact_quadrature.hpp"
-#include "methods/complementarity/projected_law.hpp"
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/solvers/condition_estimate.hpp"
+#include "methods/solvers/lcp.hpp"
 #include "methods/solvers/newton_krylov.hpp"
-#include "methods/solvers/small_lcp.hpp"
 
 namespace signorini {
 

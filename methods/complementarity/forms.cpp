@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "methods/complementarity/projected_law.hpp"
 #include "methods/discretisation/block_circulant.hpp"
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/discretisation/symbols.hpp"

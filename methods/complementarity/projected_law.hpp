@@ -3,7 +3,6 @@
 // preconditioner.
 
 #include <Eigen/Core>
-#include <complex>
 #include <functional>
 #include <optional>
 #include <vector>

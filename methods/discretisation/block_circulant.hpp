@@ -2,7 +2,6 @@
 // A block-circulant matrix known by its Fourier symbol: every periodic method's operator.
 
 #include <Eigen/Core>
-#include <complex>
 #include <span>
 #include <vector>
 

@@ -1,7 +1,5 @@
 #include "methods/discretisation/contact_phases.hpp"
 
-#include <algorithm>
-
 namespace signorini {
 
 std::vector<std::vector<ContactInterval>> contact_phases(const std::vector<ContactInterval>& pushing,

@@ -1,8 +1,5 @@
 #include "methods/discretisation/fourier_series.hpp"
 
-#include <complex>
-#include <numbers>
-
 #include "methods/discretisation/real_fft.hpp"
 
 namespace signorini {

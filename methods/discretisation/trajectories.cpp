@@ -1,7 +1,6 @@
 #include "methods/discretisation/trajectories.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 

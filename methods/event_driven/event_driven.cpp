@@ -1,7 +1,5 @@
 #include "methods/event_driven/event_driven.hpp"
 
-#include <variant>
-
 #include "methods/linear_flow/contact_dynamics.hpp"
 #include "methods/periodic_motion/periodic_motion.hpp"
 #include "methods/structure/condensation.hpp"

@@ -213,13 +213,7 @@ Support ExactOrbitMethod::supports(const Problem& problem) const {
     return {false, fmt::format("{} coordinates: the closed-form flow is dense, at most {}", problem.size(),
                                kMostInDenseFlow)};
   }
-  const int needed = load_bandwidth(problem);
-  if (2 * needed >= options_.samples) {
-    return {false,
-            fmt::format("the load reaches harmonic {} of the motion's base frequency: samples = {} cannot "
-                        "resolve it",
-                        needed, options_.samples)};
-  }
+  if (Support grid = grid_support(problem, options_.samples); !grid.ok) return grid;
   const std::string obstacle = flow_obstacle(problem);
   return {.ok = obstacle.empty(), .reason = obstacle};
 }

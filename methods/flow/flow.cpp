@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "methods/linear_flow/exponential_flow.hpp"
+#include "methods/linear_flow/linear_flow.hpp"
 #include "methods/solvers/constants.hpp"
 
 namespace signorini {

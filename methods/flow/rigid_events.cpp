@@ -4,7 +4,7 @@
 
 #include "methods/flow/stop_events.hpp"
 #include "methods/solvers/constants.hpp"
-#include "methods/solvers/small_lcp.hpp"
+#include "methods/solvers/lcp.hpp"
 
 namespace signorini {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "methods/solvers/small_lcp.hpp"
+#include "methods/solvers/lcp.hpp"
 
 namespace signorini {
 

@@ -1,19 +1,18 @@
 #include "methods/hat_functions/hat_contact.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "methods/complementarity/forms.hpp"
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/discretisation/trajectories.hpp"
 #include "methods/hat_functions/period_marching.hpp"
-#include "methods/solvers/complementarity_solver.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
 
@@ -163,6 +162,15 @@ std::unique_ptr<PreparedMethod> hat_contact(const Problem& problem, const HatSet
   return std::make_unique<PreparedHat>(problem, settings, restitution);
 }
 
+Support grid_support(const Problem& problem, int samples) {
+  const int needed = load_bandwidth(problem);
+  if (2 * needed < samples) return {};
+  return {false,
+          fmt::format(
+              "the load reaches harmonic {} of the motion's base frequency: samples = {} cannot resolve it",
+              needed, samples)};
+}
+
 int coarsest_hat_grid(const Problem& problem) {
   constexpr unsigned kPerOscillation = 16;
   const unsigned needed = kPerOscillation * static_cast<unsigned>(load_bandwidth(problem));
@@ -182,7 +190,7 @@ Resolutions hat_grids(const Problem& problem, const HatSettings& settings,
 
 std::unique_ptr<PreparedMethod> refined_hat_contact(const Problem& problem, const HatSettings& settings,
                                                     std::optional<double> restitution) {
-  return refined_until_agreed(hat_grids(problem, settings, restitution), "N", cheap_on_the_next_grid,
+  return refined_until_agreed(hat_grids(problem, settings, restitution), cheap_on_the_next_grid,
                               kAtRest * static_deflection(problem));
 }
 

@@ -8,7 +8,7 @@
 #include "methods/discretisation/symbols.hpp"
 #include "methods/method.hpp"
 #include "methods/refinement.hpp"
-#include "methods/solvers/complementarity_solver.hpp"
+#include "methods/solvers/lcp.hpp"
 
 namespace signorini {
 
@@ -41,6 +41,9 @@ struct HatSettings {
 /// \throws std::runtime_error if the structure cannot be factorised
 std::unique_ptr<PreparedMethod> hat_contact(const Problem& problem, const HatSettings& settings,
                                             std::optional<double> restitution);
+
+/// Whether a grid of so many nodes resolves the load.
+Support grid_support(const Problem& problem, int samples);
 
 /// Nodes of the finest grid that is tried unasked.
 inline constexpr int kFinestHatGrid = 4096;

@@ -1,11 +1,9 @@
 #include "methods/hat_functions/period_marching.hpp"
 
 #include <Eigen/SparseLU>
-#include <cmath>
-#include <numbers>
 
-#include "methods/solvers/pivoting.hpp"
-#include "methods/solvers/small_lcp.hpp"
+#include "methods/solvers/complementarity_solver.hpp"
+#include "methods/solvers/lcp.hpp"
 #include "methods/structure/condensation.hpp"
 
 namespace signorini {

@@ -1,11 +1,6 @@
 #include "methods/hat_lcp/hat_lcp.hpp"
 
-#include <fmt/format.h>
-
-#include <optional>
 #include <utility>
-
-#include "methods/hat_functions/hat_contact.hpp"
 
 namespace signorini {
 
@@ -27,12 +22,7 @@ int HatLcp::first_samples(const Problem& problem) const {
 }
 
 Support HatLcp::supports(const Problem& problem) const {
-  const int needed = load_bandwidth(problem);
-  if (2 * needed < first_samples(problem)) return {};
-  return {false,
-          fmt::format(
-              "the load reaches harmonic {} of the motion's base frequency: samples = {} cannot resolve it",
-              needed, first_samples(problem))};
+  return grid_support(problem, first_samples(problem));
 }
 
 RepresentedLaw HatLcp::law(const Problem& problem) const {

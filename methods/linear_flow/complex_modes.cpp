@@ -3,7 +3,7 @@
 #include <complex>
 #include <vector>
 
-#include "methods/linear_flow/modal_flow.hpp"
+#include "methods/linear_flow/linear_flow.hpp"
 
 namespace signorini {
 

@@ -1,10 +1,10 @@
-#include "methods/linear_flow/exponential_flow.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
+
+#include "methods/linear_flow/linear_flow.hpp"
 
 namespace signorini {
 

@@ -1,15 +1,11 @@
 #include "methods/linear_flow/flow_structure.hpp"
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
 
-#include "methods/structure/condensation.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
 
 namespace signorini {
@@ -33,22 +29,14 @@ Eigen::VectorXd wave_derivative(const Eigen::MatrixXcd& amplitudes, const std::v
 }  // namespace
 
 FlowStructure::FlowStructure(const Problem& problem)
-    : gaps(contact_gaps(problem)),
+    : CondensedStructure(condense(problem)),
+      gaps(contact_gaps(problem)),
       frequency(problem.frequency),
       forcing_period(problem.forcing_period()),
       highest_harmonic(std::max(1, highest_load_harmonic(problem))) {
-  CondensedStructure condensed = condense(problem);
-  if (!condensed.obstacle.empty()) throw std::runtime_error(condensed.obstacle);
-  kept = std::move(condensed.kept);
-  mass = std::move(condensed.mass);
-  damping = std::move(condensed.damping);
-  stiffness = std::move(condensed.stiffness);
-  directions = std::move(condensed.directions);
-  massless_compliance = condensed.compliance;
-  compliance = std::move(condensed.compliance);
-  rates = std::move(condensed.rates);
-  load = std::move(condensed.load);
-  shift = std::move(condensed.shift);
+  if (!obstacle.empty()) throw std::runtime_error(obstacle);
+  directions = normals;
+  compliance = massless_compliance;
   factors.compute(mass);
   if (factors.info() != Eigen::Success) throw std::runtime_error(flow_obstacle(problem));
   if (const auto* law = std::get_if<Penalty>(&problem.law)) {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "methods/structure/condensation.hpp"
 #include "methods/structure/state.hpp"
-#include "problems/problem.hpp"
 
 namespace signorini {
 
@@ -30,7 +30,7 @@ struct MotionScales {
 ///     M u'' + D u' + K u = f(t) + W lambda,    x = W^T u + s(t) + C_0 lambda <= g,    lambda <= 0,
 ///
 /// f(t) = Re sum_h f_h e^{i r_h t} and s(t) likewise, over the rates r_h of the harmonics present.
-class FlowStructure {
+class FlowStructure : public CondensedStructure {
  public:
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
   explicit FlowStructure(const Problem& problem);
@@ -52,23 +52,15 @@ class FlowStructure {
   [[nodiscard]] Eigen::MatrixXd impulse_of_velocity(const std::vector<int>& pushed,
                                                     const std::vector<double>& restitution) const;
 
-  std::vector<int> kept;                       ///< coordinates of the scene that carry mass, Nd of them
-  SparseMatrix mass;                           ///< M [kg]
-  SparseMatrix damping;                        ///< D [N s/m]
-  SparseMatrix stiffness;                      ///< K [N/m]
   Eigen::SimplicialLLT<SparseMatrix> factors;  ///< of M
-  std::vector<double> rates;                   ///< r_h, ascending, 0 always the first [rad/s]
-  Eigen::MatrixXcd load;                       ///< f_h, Nd x Nh [N]
-  Eigen::MatrixXcd shift;                      ///< s_h, Nc x Nh [m]
-  Eigen::MatrixXd directions;                  ///< W, Nd x Nc [-]
+  Eigen::MatrixXd directions;                  ///< W, the dense normals, Nd x Nc [-]
   Eigen::MatrixXd velocity_per_impulse;        ///< M^-1 W, Nd x Nc [1/kg]
   Eigen::MatrixXd delassus;                    ///< G = W^T M^-1 W, Nc x Nc [1/kg]
-  Eigen::MatrixXd compliance;                  ///< C = C_0 + diag(1 / k) of springs, Nc x Nc [m/N]
-  Eigen::MatrixXd massless_compliance;         ///< C_0, by which a force moves the contacts at once [m/N]
-  Eigen::VectorXd gaps;                        ///< g, Nc [m]
-  double frequency = 1.0;                      ///< omega [rad/s]
-  double forcing_period = 1.0;                 ///< 2 pi / omega [s]
-  int highest_harmonic = 1;                    ///< of the load, at least 1
+  Eigen::MatrixXd compliance;   ///< C = C_0 + diag(1 / k) of springs, C_0 the massless, Nc x Nc [m/N]
+  Eigen::VectorXd gaps;         ///< g, Nc [m]
+  double frequency = 1.0;       ///< omega [rad/s]
+  double forcing_period = 1.0;  ///< 2 pi / omega [s]
+  int highest_harmonic = 1;     ///< of the load, at least 1
   /// Upper estimate of the fastest rate of structure and load, max(sqrt(K/M), D/M, h omega) [rad/s].
   double fastest_rate = 1.0;
   /// The fastest motions decay without oscillating, D/M > 2 sqrt(K/M): an explicit integrator has to take

@@ -1,9 +1,11 @@
 #pragma once
-// The exact flows of a contact scene while the set of closed contacts does not change.
+// The linear motion between events in closed form: by complex modes, or where they fail by the matrix
+// exponential.
 
 #include <Eigen/Core>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -116,6 +118,87 @@ class LinearFlows {
   const ContactDynamics& dynamics_;
   FlowForm form_;
   std::map<std::vector<bool>, std::unique_ptr<const LinearFlow>> flows_;
+};
+
+/// The motions of a damped structure M q'' + D q' + K q = f, damping proportional or not:
+///
+///     q(t) = Re sum_k w_k shapes_k a_k(t),   a_k' = mu_k a_k + of_load_k f,   a(0) = left (q(0), q'(0)),
+///
+/// Im mu_k >= 0; w_k = 2 for a pair, 1 for a real mu_k.
+struct ComplexModes {
+  Eigen::VectorXcd mu;       ///< Nm [rad/s]
+  Eigen::VectorXd weight;    ///< w_k, Nm
+  Eigen::MatrixXcd shapes;   ///< Nr x Nm
+  Eigen::MatrixXcd left;     ///< Nm x 2 Nr
+  Eigen::MatrixXcd of_load;  ///< Nm x Nr
+
+  /// Complex amplitude P of q = P e^{i rate t} under the load f e^{i rate t}, Nr; rate is no eigenvalue.
+  [[nodiscard]] Eigen::VectorXcd forced(const Eigen::VectorXcd& load, double rate) const;
+};
+
+/// The modes, found in the coordinates of the energy, with long double for up to 12 coordinates. None where
+/// they are ill-conditioned (critical damping, a rigid-body motion: more than three digits would cancel
+/// between them) or M or K is not definite.
+std::optional<ComplexModes> complex_modes(const EnergyForm& form);
+
+/// The complex modes of a mode's structure; empty where they cannot carry its flow: they are ill-conditioned
+/// (critical damping, a rigid-body motion), or the load resonates with one of them, so that the periodic
+/// response and the free motion would cancel in their leading digits.
+std::optional<ComplexModes> modes_of_flow(const ModeEquations& equations, const EnergyForm& energy);
+
+/// With the complex modes (mu_k, U_k) of the structure, proportional damping or not,
+///
+///     u(t) = Re sum_k w_k U_k a_k e^{mu_k (t - t0)} + Re sum_h P_h e^{i h omega t},
+///
+/// Im mu_k >= 0, w_k = 2 for a pair and 1 for a real mu_k (ComplexModes), P_h the periodic response to the
+/// load. Evaluations allocate nothing.
+class ModalFlow final : public LinearFlow {
+ public:
+  /// \param modes  modes_of_flow(equations, equations.energy())
+  ModalFlow(ModeEquations equations, const ComplexModes& modes);
+
+  [[nodiscard]] std::unique_ptr<LinearArc> arc() const override;
+  [[nodiscard]] Eigen::MatrixXd transition(double duration) const override;
+  [[nodiscard]] State response(const std::vector<Impulse>& impulses) const override;
+
+ private:
+  class Arc;
+
+  Eigen::VectorXcd mu_;               // Nm
+  Eigen::VectorXd weight_;            // w_k
+  Eigen::MatrixXcd shapes_;           // U, Nd x Nm
+  Eigen::MatrixXcd left_;             // Nm x 2 Nd: a = left ((u, v) - forced)
+  Eigen::MatrixXcd forced_;           // P, Nd x Nh
+  Eigen::MatrixXcd row_of_mode_;      // outputs x Nm, w_k included
+  Eigen::MatrixXcd row_of_harmonic_;  // outputs x Nh
+};
+
+/// e^A of a square matrix, by scaling and squaring with Padé approximants (Higham 2005); its error is a small
+/// multiple of the rounding of ||A|| ||e^A|| as long as no power of e^A on the way is much larger than e^A.
+Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& A);
+
+/// The exponential of the structure augmented by the harmonic generators of the load, (cos, sin)' =
+/// rate (-sin, cos), in the coordinates of the energy (EnergyForm): there no motion grows on its way, and
+/// squaring the exponential loses no digits to it. Defined for every structure, resonances and critical
+/// damping included; each evaluation forms an exponential.
+class ExponentialFlow final : public LinearFlow {
+ public:
+  /// \param energy  equations.energy()
+  ExponentialFlow(ModeEquations equations, const EnergyForm& energy);
+
+  [[nodiscard]] std::unique_ptr<LinearArc> arc() const override;
+  [[nodiscard]] Eigen::MatrixXd transition(double duration) const override;
+  [[nodiscard]] State response(const std::vector<Impulse>& impulses) const override;
+
+ private:
+  class Arc;
+
+  // The coordinates of the energy, e of the position and z' of the velocity, Nr each.
+  Eigen::MatrixXd u_of_e_, v_of_z_;  // Nd x Nr
+  Eigen::MatrixXd e_of_u_, z_of_v_;  // Nr x Nd
+  Eigen::MatrixXd generator_;        // of (e, z', cos and sin of each harmonic)
+  Eigen::MatrixXd output_;           // outputs x generator size
+  double fastest_rate_ = 0.0;        // of structure and load [rad/s]
 };
 
 }  // namespace signorini

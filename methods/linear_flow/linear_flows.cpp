@@ -2,8 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "methods/linear_flow/exponential_flow.hpp"
-#include "methods/linear_flow/modal_flow.hpp"
+#include "methods/linear_flow/linear_flow.hpp"
 
 namespace signorini {
 

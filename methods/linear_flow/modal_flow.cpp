@@ -1,10 +1,10 @@
-#include "methods/linear_flow/modal_flow.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <utility>
+
+#include "methods/linear_flow/linear_flow.hpp"
 
 namespace signorini {
 

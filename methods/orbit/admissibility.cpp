@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "methods/orbit/polish.hpp"
+#include "methods/orbit/exact_orbit.hpp"
 
 namespace signorini {
 

@@ -1,7 +1,6 @@
 #include "methods/orbit/exact_orbit.hpp"
 
 #include <exception>
-#include <stdexcept>
 #include <string>
 #include <utility>
 

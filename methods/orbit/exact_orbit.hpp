@@ -1,13 +1,104 @@
 #pragma once
-// The exact periodic orbit behind any motion of a scene.
+// An exact periodic orbit: the polish of one sequence of events, and the search for a sequence that has one.
 
+#include <Eigen/Core>
 #include <functional>
 #include <memory>
+#include <string>
 
+#include "methods/orbit/exact_trajectory.hpp"
 #include "methods/orbit/orbit_guess.hpp"
-#include "methods/orbit/polish.hpp"
 
 namespace signorini {
+
+/// Penetration and tension allowed, in the scales of the motion [-]
+inline constexpr double kAdmissible = 1e-11;
+/// Displacement that the summed rest of a chatter may leave out, over X [-]
+inline constexpr double kLeftOut = 1e-9;
+
+/// Whether a solution of the orbit equations is a motion of the scene.
+struct Admissibility {
+  bool ok = true;           ///< all conditions hold
+  std::string reason = {};  ///< which one fails first, where
+  /// Largest x_j - g_j of an open contact between events over X, or lambda_j of a closed one over its scale
+  /// [-].
+  double violation = 0.0;
+  double weakest_impact = 0.0;  ///< smallest approach speed of an impact, relative to V; 0 without one [-]
+  /// Displacement that the summed rest of a chatter leaves out, over X; 0 where no infinite sequence of
+  /// impacts ends in sticking [-].
+  double chatter_error = 0.0;
+  int impacts = 0;  ///< resolved
+};
+
+/// Checks an orbit as last evaluated: between events no open contact beyond its stop and no closed one
+/// pulling (sampled at a sixteenth of the fastest period still alive in the guards, local maxima polished by
+/// Newton's method, those between two samples found by where the rate turns), approach speeds positive,
+/// impulses compressive, each impact by the scene's law, all to kAdmissible in the scales of the motion. A
+/// contact that stops with e > 0 is accepted as the limit of a chatter if the rest of the geometric sequence
+/// displaces less than kLeftOut X.
+///
+/// \param expired  asked before each arc \throws std::runtime_error if the time is up
+Admissibility check_admissible(const OrbitModel& model, const OrbitGuess& orbit,
+                               const OrbitEquations& equations, const Expired& expired = {});
+
+/// What became of a sequence, from an orbit of the scene to what tells least of one.
+enum class OrbitOutcome {
+  converged,       ///< an admissible orbit
+  chatter,         ///< an admissible orbit with a complete chatter: infinitely many impacts, then contact
+  grazing,         ///< an orbit with an impact too slow to tell from none: multipliers undefined
+  not_admissible,  ///< the equations hold, the contact conditions do not
+  events_merge,    ///< two events of the sequence come together: there is no orbit with it nearby
+  no_convergence,  ///< Newton's method failed, or no sequence was found
+};
+
+/// Lower-case words for messages and records: "converged", "not admissible", ...
+std::string describe(OrbitOutcome outcome);
+
+/// How far a polish goes.
+struct PolishOptions {
+  double tolerance = 1e-12;        ///< of the residual, relative to the scales of the motion [-]
+  int max_iterations = 40;         ///< Newton steps
+  double grazing = 1e-7;           ///< approach speed over V below which an impact grazes [-]
+  bool second_evaluation = false;  ///< evaluate once more, by Green's function or exponentials
+  Expired expired = {};            ///< true ends it between two events
+};
+
+/// A polished orbit, or why there is none.
+struct ExactOrbit {
+  OrbitOutcome outcome = OrbitOutcome::no_convergence;     ///< what became of the sequence
+  std::string reason = {};                                 ///< one clause
+  std::string origin = {};                                 ///< of the sequence that led here
+  std::shared_ptr<const ExactTrajectory> trajectory = {};  ///< where the equations were solved
+  double residual = 0.0;                                   ///< largest of the equations, in scales [-]
+  double attainable = 0.0;                                 ///< round-off of the residual [-]
+  /// Of the motion, relative to X: |J^-1| times the residual and its noise [-].
+  double error_bar = 0.0;
+  double condition = 1.0;             ///< estimate for J, in its scales; where there is a trajectory [-]
+  int iterations = 0;                 ///< Newton steps
+  Eigen::VectorXcd multipliers = {};  ///< Floquet, 2 Nd; empty where undefined
+  Admissibility admissibility = {};   ///< where there is a trajectory
+
+  /// An orbit of the scene stands behind this.
+  [[nodiscard]] bool certified() const {
+    return outcome == OrbitOutcome::converged || outcome == OrbitOutcome::chatter;
+  }
+  /// Of `multipliers`, in magnitude; 0 where there are none.
+  [[nodiscard]] double largest_multiplier() const {
+    return multipliers.size() == 0 ? 0.0 : multipliers.cwiseAbs().maxCoeff();
+  }
+};
+
+/// Solves the orbit equations from a guess by Newton's method. Steps are shortened so that no interval
+/// between events loses more than four fifths of its length, and halved until the residual falls.
+///
+/// Converged: residual <= tolerance, or at the round-off of its evaluation (`attainable`, 32 epsilon times
+/// the largest state met). The error bar is the largest row sum of |J^-1|, rows of instants weighted with the
+/// speed there, times residual plus `attainable`; with `second_evaluation` no less than
+/// the distance to a second evaluation: of purely impulsive orbits the motion by the periodic Green's
+/// function at 17 instants, else |J^-1 r'|, r' the residual by matrix exponentials. Failures are outcomes,
+/// never exceptions.
+ExactOrbit polish_sequence(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& guess,
+                           const PolishOptions& options = {});
 
 /// What a search found, and what was tried on the way.
 struct OrbitSearch {

@@ -1,8 +1,6 @@
 #include "methods/orbit/exact_trajectory.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "methods/discretisation/periodic_time.hpp"
 

@@ -1,7 +1,6 @@
 #include "methods/orbit/modal_green_function.hpp"
 
 #include <Eigen/Dense>
-#include <cmath>
 #include <complex>
 
 #include "methods/discretisation/periodic_time.hpp"

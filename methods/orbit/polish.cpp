@@ -1,14 +1,11 @@
-#include "methods/orbit/polish.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <limits>
-#include <utility>
 
+#include "methods/orbit/exact_orbit.hpp"
 #include "methods/orbit/modal_green_function.hpp"
 #include "methods/solvers/condition_estimate.hpp"
 

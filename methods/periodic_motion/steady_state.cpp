@@ -1,5 +1,3 @@
-#include "methods/periodic_motion/steady_state.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
@@ -10,6 +8,8 @@
 #include <optional>
 #include <string>
 #include <utility>
+
+#include "methods/periodic_motion/periodic_motion.hpp"
 
 namespace signorini {
 

@@ -9,7 +9,6 @@
 
 #include "methods/solvers/condition_estimate.hpp"
 #include "methods/solvers/newton_krylov.hpp"
-#include "methods/solvers/pivoting.hpp"
 
 namespace signorini {
 

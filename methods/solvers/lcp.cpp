@@ -1,7 +1,6 @@
 #include "methods/solvers/lcp.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace signorini {

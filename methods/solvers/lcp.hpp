@@ -1,5 +1,5 @@
 #pragma once
-// The complementarity problem that every periodic method ends in, and the result of solving it.
+// The linear complementarity problem, and those of a few unknowns that are solved at an instant.
 
 #include <Eigen/Core>
 #include <array>
@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "methods/options.hpp"
 
@@ -110,5 +111,23 @@ double natural_residual(const Lcp& lcp, const Eigen::VectorXd& z);
 
 /// One sentence on how a solve ended.
 std::string describe(LcpStatus status);
+
+/// The problem w = q + A z of a single instant, for the solvers of any complementarity problem.
+/// \param matrix  A as an array, m x m
+/// \param offset  q, m
+Lcp dense_lcp(Eigen::MatrixXd matrix, Eigen::VectorXd offset);
+
+/// Finds z with w = A z + q, z_i w_i = 0, z_i >= 0, w_i >= 0, except that indices in `held` are
+/// equalities: w_i = 0, z_i of any sign.
+///
+/// \param A     m x m, symmetric positive semi-definite with a positive diagonal (a Delassus matrix)
+/// \param q     m
+/// \param held  one flag per index
+/// \return m; unique when A is positive definite. For a singular A, where w is unique but z is not, z is
+///         the one of least norm on its support. Empty if there is none, or if rounding decides.
+/// Block principal pivoting, by the least index where that stagnates [judice1994]; then, for a singular A,
+/// Lemke's method. A dense solve of the active set per pivot.
+std::optional<Eigen::VectorXd> solve_small_lcp(const Eigen::MatrixXd& A, const Eigen::VectorXd& q,
+                                               const std::vector<bool>& held);
 
 }  // namespace signorini

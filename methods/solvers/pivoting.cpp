@@ -1,11 +1,10 @@
-#include "methods/solvers/pivoting.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include "methods/solvers/complementarity_solver.hpp"
 #include "methods/solvers/lemke_basis.hpp"
 
 namespace signorini {

@@ -1,5 +1,3 @@
-#include "methods/solvers/small_lcp.hpp"
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -9,7 +7,8 @@
 #include <span>
 #include <utility>
 
-#include "methods/solvers/pivoting.hpp"
+#include "methods/solvers/complementarity_solver.hpp"
+#include "methods/solvers/lcp.hpp"
 
 namespace signorini {
 

@@ -84,8 +84,8 @@ void eliminate(const Problem& problem, const SparseMatrix& i, const SparseMatrix
   // K_ib K_bb^-1 K_bi is symmetric but for the rounding of the solves; methods rely on exact symmetry.
   const SparseMatrix pulled = K_bi.transpose() * follows;
   result.stiffness -= SparseMatrix(0.5 * (pulled + SparseMatrix(pulled.transpose())));
-  result.directions -= SparseMatrix(K_bi.transpose() * moved);
-  result.compliance = Eigen::MatrixXd(W_b.transpose() * moved);
+  result.normals -= SparseMatrix(K_bi.transpose() * moved);
+  result.massless_compliance = Eigen::MatrixXd(W_b.transpose() * moved);
   result.shift = W_b.transpose().cast<std::complex<double>>() * carried;
   result.load = (i.transpose().cast<std::complex<double>>() * result.load -
                  K_bi.transpose().cast<std::complex<double>>() * carried)
@@ -111,8 +111,8 @@ CondensedStructure condense(const Problem& problem) {
   result.mass = i.transpose() * problem.mass() * i;
   result.damping = i.transpose() * problem.damping() * i;
   result.stiffness = i.transpose() * problem.stiffness() * i;
-  result.directions = i.transpose() * contact_directions(problem);
-  result.compliance = Eigen::MatrixXd::Zero(problem.contact_count(), problem.contact_count());
+  result.normals = i.transpose() * contact_directions(problem);
+  result.massless_compliance = Eigen::MatrixXd::Zero(problem.contact_count(), problem.contact_count());
   take_load(problem, result);
   result.shift = Eigen::MatrixXcd::Zero(problem.contact_count(), result.load.cols());
   if (!split.massless.empty()) eliminate(problem, i, b, result);

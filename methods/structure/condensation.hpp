@@ -24,13 +24,13 @@ namespace signorini {
 /// W_b are independent: lambda is a Lipschitz function of (u_i, t), and no impact law is needed
 /// [khenous2008]. A scene without massless coordinates is left as it is: N = W, C = 0, s = 0.
 struct CondensedStructure {
-  std::string obstacle;        ///< why this cannot be done, one clause; the rest is then empty
-  std::vector<int> kept;       ///< i, ascending: coordinates of the scene
-  SparseMatrix mass;           ///< Nd x Nd, Nd = |i| [kg]
-  SparseMatrix damping;        ///< Nd x Nd [N s/m]
-  SparseMatrix stiffness;      ///< Nd x Nd [N/m]
-  SparseMatrix directions;     ///< N, Nd x Nc
-  Eigen::MatrixXd compliance;  ///< C, Nc x Nc [m/N]
+  std::string obstacle;                 ///< why this cannot be done, one clause; the rest is then empty
+  std::vector<int> kept;                ///< i, ascending: coordinates of the scene
+  SparseMatrix mass;                    ///< Nd x Nd, Nd = |i| [kg]
+  SparseMatrix damping;                 ///< Nd x Nd [N s/m]
+  SparseMatrix stiffness;               ///< Nd x Nd [N/m]
+  SparseMatrix normals;                 ///< N, Nd x Nc [-]
+  Eigen::MatrixXd massless_compliance;  ///< C, by which a force moves the contacts at once, Nc x Nc [m/N]
   /// h omega of the harmonics in the load, ascending, 0 always the first [rad/s].
   std::vector<double> rates;
   Eigen::MatrixXcd load;   ///< of e^{i h omega t}, its real part to be taken; Nd x Nh [N]

@@ -8,10 +8,8 @@
 #include <limits>
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "methods/structure/block_lanczos.hpp"
-#include "methods/structure/dynamic_stiffness.hpp"
 #include "methods/structure/harmonic_pencil.hpp"
 #include "problems/matrix_properties.hpp"
 

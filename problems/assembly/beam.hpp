@@ -1,5 +1,6 @@
 #pragma once
-// A slender beam in bending (Euler-Bernoulli): 2-node finite elements with Hermite's cubic shape functions;
+// Slender structures. A bar in tension and compression: 2-node finite elements with linear shape functions; a
+// beam in bending (Euler-Bernoulli): 2-node finite elements with Hermite's cubic shape functions;
 // and a flexible shaft, such a beam in two planes: what a rotor is where its support is not one spring.
 
 #include <vector>
@@ -8,6 +9,26 @@
 #include "problems/structure.hpp"
 
 namespace signorini {
+
+/// A straight bar of equal elements, clamped at x = 0. Coordinate i is the displacement along x of node i +
+/// 1, at x = (i + 1) length / elements; the last one is the free end.
+struct Bar {
+  int elements = 1;                                    ///< >= 1; Nd = elements
+  double length = 1.0;                                 ///< > 0 [m]
+  double area = 1.0;                                   ///< > 0 [m^2]
+  double young = 1.0;                                  ///< > 0 [N/m^2]
+  double density = 1.0;                                ///< > 0 [kg/m^3]
+  ContactMass contact_mass = ContactMass::consistent;  ///< how mass is spread over the nodes
+  std::vector<int> contacts = {};  ///< coordinates that contacts touch; of use for ContactMass::massless only
+};
+
+/// M and K, both tridiagonal, and D = 0. A massless node follows the straight line through its two nearest
+/// nodes without contact (the clamped one included): total mass, first and second moments of the free bar are
+/// kept. \throws InvalidProblem (system.contact_mass) if too few nodes are left to carry the mass
+Structure assemble(const Bar& bar);
+
+/// M before clamping, elements + 1 square: coordinate i is node i.
+SparseMatrix unclamped_mass(const Bar& bar);
 
 /// A straight beam of equal elements, clamped at x = 0. Node i + 1, at x = (i + 1) length / elements, has two
 /// coordinates: 2 i its deflection w [m], 2 i + 1 its rotation dw/dx [rad]. There may be several such beams,

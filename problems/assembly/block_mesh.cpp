@@ -1,4 +1,4 @@
-#include "problems/assembly/block_mesh.hpp"
+#include "problems/assembly/block.hpp"
 
 namespace signorini {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "problems/sparse_matrix.hpp"
+#include "problems/structure.hpp"
 
 namespace signorini {
 

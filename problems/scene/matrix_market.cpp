@@ -1,5 +1,3 @@
-#include "problems/scene/matrix_market.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "problems/scene/scene_error.hpp"
+#include "problems/scene/scene_system.hpp"
 #include "problems/scene/toml_tree.hpp"
 
 namespace signorini {

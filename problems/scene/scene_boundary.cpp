@@ -1,11 +1,9 @@
-#include "problems/scene/scene_boundary.hpp"
-
 #include <fmt/format.h>
 
 #include <limits>
-#include <optional>
 
 #include "problems/assembly/rotor.hpp"
+#include "problems/scene/scene_system.hpp"
 
 namespace signorini {
 

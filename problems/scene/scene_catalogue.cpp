@@ -16,17 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostSuggestions = 3;
 
-std::vector<fs::path> scene_files(const char* folder) {
-  std::vector<fs::path> files;
-  std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(problems_folder() / folder, none)) {
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end(),
-            [](const fs::path& a, const fs::path& b) { return a.stem().string() < b.stem().string(); });
-  return files;
-}
-
 bool is_file(const fs::path& path) {
   std::error_code ignored;
   return fs::exists(path, ignored) && !fs::is_directory(path, ignored);
@@ -51,8 +40,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::vector<std::string> close_names(const std::string& name) {
   const std::size_t farthest = std::max<std::size_t>(2, name.size() / 4);
   std::vector<std::pair<std::size_t, std::string>> close;
-  std::vector<fs::path> files = scene_files("catalogue");
-  for (fs::path& family : scene_files("families")) files.push_back(std::move(family));
+  std::vector<fs::path> files = shipped_files("catalogue");
+  for (fs::path& family : shipped_files("families")) files.push_back(std::move(family));
   for (const fs::path& path : files) {
     const std::string known = path.stem().string();
     const std::size_t distance = edit_distance(name, known);
@@ -89,20 +78,23 @@ fs::path problems_folder() {
   return built;
 }
 
-std::vector<fs::path> catalogue_scenes() { return scene_files("catalogue"); }
-
-std::vector<SceneSource> family_scenes() {
-  std::vector<SceneSource> scenes;
-  for (const fs::path& file : scene_files("families")) {
-    for (std::string& level : load_levels(file)) scenes.emplace_back(file, std::move(level));
+std::vector<fs::path> shipped_files(const char* folder) {
+  std::vector<fs::path> files;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(problems_folder() / folder, none)) {
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
   }
-  return scenes;
+  std::sort(files.begin(), files.end(),
+            [](const fs::path& a, const fs::path& b) { return a.stem().string() < b.stem().string(); });
+  return files;
 }
 
 std::vector<SceneSource> shipped_scenes() {
-  const std::vector<fs::path> single = catalogue_scenes();
+  const std::vector<fs::path> single = shipped_files("catalogue");
   std::vector<SceneSource> scenes(single.begin(), single.end());
-  for (SceneSource& scene : family_scenes()) scenes.push_back(std::move(scene));
+  for (const fs::path& file : shipped_files("families")) {
+    for (std::string& level : load_levels(file)) scenes.emplace_back(file, std::move(level));
+  }
   return scenes;
 }
 

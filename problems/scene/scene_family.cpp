@@ -6,7 +6,6 @@
 #include <array>
 #include <charconv>
 
-#include "problems/scene/scene_error.hpp"
 #include "problems/scene/scene_field.hpp"
 
 namespace signorini {

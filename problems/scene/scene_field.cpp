@@ -4,9 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include "problems/scene/scene_error.hpp"
 
 namespace signorini {
 

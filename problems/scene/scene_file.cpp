@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "problems/scene/kebab_case.hpp"
-#include "problems/scene/scene_boundary.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/scene_system.hpp"
 #include "problems/scene/toml_tree.hpp"
@@ -174,15 +173,6 @@ std::string read_text(const std::filesystem::path& path) {
   return text;
 }
 
-TomlNode parse_document(std::string_view text, const std::string& name) {
-  try {
-    return parse_toml(text);
-  } catch (const TomlSyntaxError& error) {
-    throw SceneError(
-        fmt::format("{}:{}: file = not TOML (must be valid TOML 1.0; {})", name, error.line, error.what()));
-  }
-}
-
 }  // namespace
 
 bool SceneHeader::carries(std::string_view tag) const {
@@ -190,19 +180,19 @@ bool SceneHeader::carries(std::string_view tag) const {
 }
 
 std::vector<std::string> load_levels(const std::filesystem::path& path) {
-  return family_labels(parse_document(read_text(path), path.string()), path.string());
+  return family_labels(parse_toml(read_text(path), path.string()), path.string());
 }
 
 SceneHeader load_header(const SceneSource& source) {
   const std::string name = source.file.string();
-  TomlNode document = parse_document(read_text(source.file), name);
+  TomlNode document = parse_toml(read_text(source.file), name);
   const std::optional<FamilyLevel> family = choose_level(document, name, source.level);
   return read_header(SceneField(document, name), family);
 }
 
 SceneWithSources parse_scene_with_sources(std::string_view text, const std::string& name,
                                           std::string_view level) {
-  TomlNode document = parse_document(text, name);
+  TomlNode document = parse_toml(text, name);
   const std::optional<FamilyLevel> family = choose_level(document, name, level);
   const SceneField root(document, name);
   ReadScene scene;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "problems/problem.hpp"
-#include "problems/scene/scene_error.hpp"
 #include "problems/scene/scene_family.hpp"
 
 namespace signorini {
@@ -72,14 +71,11 @@ SceneWithSources parse_scene_with_sources(std::string_view text, const std::stri
 /// with the program that runs, in share/signorini; else that of the sources. \throws SceneError if it is gone
 std::filesystem::path problems_folder();
 
-/// Every scene file of the catalogue, sorted by name.
-std::vector<std::filesystem::path> catalogue_scenes();
+/// Every TOML file in one of its folders, "catalogue", "families" or "suites", sorted by name.
+std::vector<std::filesystem::path> shipped_files(const char* folder);
 
-/// The scenes of every family file, sorted by the family's name, each family from easy to hard.
-/// \throws SceneError for a file that cannot be used
-std::vector<SceneSource> family_scenes();
-
-/// All that ships: the catalogue, then the families.
+/// All scenes that ship: the catalogue, then those of every family file, each family from easy to hard.
+/// \throws SceneError for a family file that cannot be used
 std::vector<SceneSource> shipped_scenes();
 
 /// A scene given by name ("sdof-stop", of a family "grazing@1e-4") or by path to a TOML file ("own.toml",

@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
-#include "problems/assembly/bar.hpp"
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/block.hpp"
 #include "problems/matrix_properties.hpp"

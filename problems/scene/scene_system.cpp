@@ -3,16 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
-#include <filesystem>
 #include <fstream>
-#include <limits>
 #include <utility>
 
 #include "problems/assembly/chain.hpp"
 #include "problems/assembly/rotor.hpp"
 #include "problems/matrix_properties.hpp"
-#include "problems/scene/matrix_market.hpp"
 
 namespace signorini {
 

@@ -1,13 +1,15 @@
 #pragma once
-// The [system] table of a scene file: which kind of structure, and its matrices.
+// The tables [system], [forcing] and [[contact]] of a scene file: which kind of structure, its matrices and
+// files of matrices, and what acts on it from outside.
 
 #include <filesystem>
 #include <functional>
+#include <istream>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "problems/assembly/block_mesh.hpp"
+#include "problems/assembly/block.hpp"
 #include "problems/assembly/damping.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/structure.hpp"
@@ -50,5 +52,37 @@ ProportionalDamping read_rayleigh(const SceneField& rayleigh);
 /// The field of the document that a matrix path of validate() ("system.mass") stands for in a system of its
 /// kind; other paths as they are.
 SceneField system_field_as_written(const SceneField& document, const std::string& path);
+
+/// Things made from a list of tables; one table may make many.
+template <class Thing>
+struct FromTables {
+  std::vector<Thing> things = {};
+  std::vector<int> tables = {};  ///< for each thing, the table it was made from
+
+  void add(Thing thing, int table) {
+    things.push_back(std::move(thing));
+    tables.push_back(table);
+  }
+};
+
+/// The load: [[forcing.term]] tables, each on a coordinate or spread over a face. \throws SceneError
+FromTables<ForceTerm> read_load(const SceneField& terms, const SystemDescription& system);
+
+/// [[contact]] tables, each a contact, a ring of them, or those of a face. \throws SceneError
+FromTables<Contact> read_contacts(const SceneField& contacts, const SystemDescription& system);
+
+/// A whole number of any size: ranges are validate()'s business.
+int read_int(const SceneField& field, int otherwise);
+
+/// Largest number of rows that is read.
+inline constexpr int kMostMatrixRows = 10'000'000;
+
+/// Reads one square matrix: `%%MatrixMarket matrix coordinate|array real|integer general|symmetric`
+/// [boisvert1996], rows and columns counted from 1, symmetric ones by their lower triangle; comments and
+/// blank lines may stand anywhere after the first line. Stored zeros are dropped. `name` stands for the file
+/// in messages. \throws SceneError `NAME:LINE: what = found (what is required)` for anything else: a complex,
+/// pattern, skew or rectangular matrix, a number that is none or not finite, an index out of range, an entry
+/// given twice or above the diagonal of a symmetric matrix, too few or too many entries
+SparseMatrix read_matrix_market(std::istream& stream, const std::string& name);
 
 }  // namespace signorini

@@ -88,11 +88,12 @@ const TomlNode* TomlNode::find(std::string_view key) const {
   return entry == table->end() ? nullptr : &entry->value;
 }
 
-TomlNode parse_toml(std::string_view text) {
+TomlNode parse_toml(std::string_view text, const std::string& file) {
   try {
     return convert(toml::parse(text));
   } catch (const toml::parse_error& error) {
-    throw TomlSyntaxError(one_line(error.description(), kLongestReason), line_of(error.source()));
+    throw SceneError(fmt::format("{}:{}: file = not TOML (must be valid TOML 1.0; {})", file,
+                                 line_of(error.source()), one_line(error.description(), kLongestReason)));
   }
 }
 

@@ -37,15 +37,17 @@ struct TomlEntry {
   TomlNode value;
 };
 
-/// Text that is not TOML.
-class TomlSyntaxError : public std::runtime_error {
+/// A file that cannot be used. what() is the one line for the user,
+/// `FILE:LINE: field = value (what is required)`; the line is absent where none applies.
+class SceneError : public std::runtime_error {
  public:
-  TomlSyntaxError(const std::string& reason, int error_line) : std::runtime_error(reason), line(error_line) {}
-  int line;
+  using std::runtime_error::runtime_error;
 };
 
-/// The whole document, a table. \throws TomlSyntaxError
-TomlNode parse_toml(std::string_view text);
+/// The whole document, a table.
+/// \param file  named in messages
+/// \throws SceneError if it is not TOML
+TomlNode parse_toml(std::string_view text, const std::string& file);
 
 /// A step of a dotted path with indices, "forcing.term[0].dof": a key, or an index.
 struct PathStep {

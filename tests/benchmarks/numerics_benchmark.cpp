@@ -7,7 +7,7 @@
 
 #include "methods/complementarity/forms.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
-#include "methods/solvers/pivoting.hpp"
+#include "methods/solvers/complementarity_solver.hpp"
 #include "methods/solvers/updated_qr.hpp"
 #include "tests/support/population.hpp"
 

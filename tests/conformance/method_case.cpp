@@ -31,7 +31,7 @@ void PrintTo(const MethodCase& pair, std::ostream* out) { *out << pair.name(); }
 std::vector<MethodCase> all_cases() {
   std::vector<MethodCase> pairs;
   for (const MethodEntry& entry : method_catalogue()) {
-    for (const auto& path : catalogue_scenes()) {
+    for (const auto& path : shipped_files("catalogue")) {
       if (!load_header(path).carries("structure"))
         pairs.push_back({std::string(entry.name), path.stem().string()});
     }

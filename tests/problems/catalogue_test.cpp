@@ -18,7 +18,7 @@ namespace {
 // All but the large ones.
 std::vector<Problem> load_catalogue() {
   std::vector<Problem> scenes;
-  for (const auto& path : catalogue_scenes()) {
+  for (const auto& path : shipped_files("catalogue")) {
     if (!load_header(path).carries(kLarge)) scenes.push_back(load_scene(path));
   }
   return scenes;
@@ -59,7 +59,7 @@ TEST(Catalogue, PassesTheWholeCheck) {
 
 TEST(Catalogue, NamesAreFileNames) {
   ASSERT_GE(catalogue().size(), 16U);
-  for (const auto& path : catalogue_scenes()) {
+  for (const auto& path : shipped_files("catalogue")) {
     const std::string name = load_header(path).name;
     EXPECT_EQ(name, path.stem().string());
     EXPECT_EQ(find_scene(name), path);
@@ -68,7 +68,7 @@ TEST(Catalogue, NamesAreFileNames) {
 
 TEST(Catalogue, EverySceneIsDescribed) {
   std::set<std::string> titles;
-  for (const auto& path : catalogue_scenes()) {
+  for (const auto& path : shipped_files("catalogue")) {
     const SceneHeader scene = load_header(path);
     EXPECT_TRUE(titles.insert(scene.title).second) << scene.name << ": " << scene.title;
     EXPECT_FALSE(scene.title.empty()) << scene.name;
@@ -205,7 +205,7 @@ TEST(Catalogue, CoversStructuresWithManyContacts) {
   }
   EXPECT_GE(count([](const Problem& scene) { return scene.kind == "matrices"; }), 1);
   int large_blocks = 0;
-  for (const auto& path : catalogue_scenes()) {
+  for (const auto& path : shipped_files("catalogue")) {
     const SceneHeader scene = load_header(path);
     if (scene.carries(kLarge)) {
       EXPECT_TRUE(scene.carries("structure")) << scene.name << ": of use in no suite otherwise";

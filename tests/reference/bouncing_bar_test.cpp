@@ -9,7 +9,7 @@
 
 #include "methods/flow/event_trajectory.hpp"
 #include "methods/flow/flow.hpp"
-#include "problems/assembly/bar.hpp"
+#include "problems/assembly/beam.hpp"
 #include "problems/validation.hpp"
 
 namespace signorini {

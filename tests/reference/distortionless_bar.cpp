@@ -5,7 +5,7 @@
 #include <complex>
 #include <numbers>
 
-#include "problems/assembly/bar.hpp"
+#include "problems/assembly/beam.hpp"
 
 namespace signorini::test {
 

@@ -14,7 +14,7 @@
 #include "methods/flow/flow.hpp"
 #include "methods/harmonic_balance/grid_solver.hpp"
 #include "methods/harmonic_balance/strategy.hpp"
-#include "problems/assembly/bar.hpp"
+#include "problems/assembly/beam.hpp"
 #include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
 

@@ -1,5 +1,3 @@
-#include "harness/extend/plugins/command_exchange.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -7,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "harness/extend/plugins/command_method.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 #include "harness/run/trial.hpp"

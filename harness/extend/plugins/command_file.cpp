@@ -1,5 +1,3 @@
-#include "harness/extend/plugins/command_file.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -7,6 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "harness/extend/plugins/command_method.hpp"
 #include "harness/files.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/scene_file.hpp"
@@ -158,14 +157,6 @@ std::optional<int> read_limit(const SceneField& field) {
   return field.whole("must be a whole number, 1 or more", 1, kMost);
 }
 
-TomlNode parse(const std::string& text, const fs::path& file) {
-  try {
-    return parse_toml(text);
-  } catch (const TomlSyntaxError& error) {
-    throw SceneError(fmt::format("{}:{}: {}", file.string(), error.line, error.what()));
-  }
-}
-
 }  // namespace
 
 std::optional<RepresentedLaw> RepresentedLaws::on(const Law& scene) const {
@@ -187,7 +178,7 @@ std::string RepresentedLaws::text() const {
 CommandDescription read_command_file(const fs::path& file) {
   const std::string text = read_file(file);
   const std::string name = file.string();
-  const TomlNode document = parse(text, file);
+  const TomlNode document = parse_toml(text, name);
   const SceneField root(document, name);
   static_cast<void>(root["schema"].whole("must be 1", 1, 1));  // first: another schema may have other keys
   root.allow_only({"schema", "name", "title", "ladder", "command", "files", "most_coordinates",

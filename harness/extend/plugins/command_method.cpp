@@ -6,12 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "harness/extend/plugins/command_exchange.hpp"
-#include "harness/extend/plugins/command_file.hpp"
-#include "harness/extend/plugins/command_process.hpp"
 #include "harness/failure.hpp"
 #include "harness/plan/plan.hpp"
-#include "harness/plan/selection.hpp"
 #include "harness/run/trial.hpp"
 #include "problems/scene/toml_tree.hpp"
 

@@ -1,5 +1,3 @@
-#include "harness/extend/plugins/command_process.hpp"
-
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/resource.h>
@@ -14,6 +12,7 @@
 #include <cstring>
 #include <utility>
 
+#include "harness/extend/plugins/command_method.hpp"
 #include "harness/isolation/child_process.hpp"
 
 namespace signorini {

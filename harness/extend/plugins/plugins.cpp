@@ -8,14 +8,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
-#include <string>
 #include <string_view>
 
 #include "harness/extend/plugins/command_method.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/isolation/isolation.hpp"
-#include "harness/plan/selection.hpp"
+#include "harness/plan/plan.hpp"
 #include "methods/catalogue.hpp"
 #include "methods/plugin/plugin.hpp"
 

@@ -6,7 +6,6 @@
 #include <cassert>
 #include <system_error>
 
-#include "harness/extend/scaffold/source_tree.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "methods/catalogue.hpp"

@@ -1,10 +1,9 @@
-#include "harness/extend/scaffold/source_tree.hpp"
-
 #include <fmt/format.h>
 
 #include <regex>
 #include <sstream>
 
+#include "harness/extend/scaffold/scaffold.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 

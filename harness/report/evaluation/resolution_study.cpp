@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "harness/plan/selection.hpp"
+#include "harness/plan/plan.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/report/evaluation/outcome.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "harness/plan/case_name.hpp"
-#include "harness/plan/selection.hpp"
+#include "harness/plan/plan.hpp"
 #include "harness/report/document/cells.hpp"
 #include "harness/report/evaluation/outcome.hpp"
 #include "harness/report/evaluation/work_precision.hpp"

@@ -8,7 +8,7 @@
 #include <functional>
 #include <random>
 
-#include "harness/run/timing.hpp"
+#include "harness/run/trial.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini {

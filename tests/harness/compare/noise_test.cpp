@@ -1,6 +1,6 @@
-#include "harness/compare/noise.hpp"
-
 #include <gtest/gtest.h>
+
+#include "harness/compare/comparison.hpp"
 
 namespace signorini {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "harness/conformance/transformations.hpp"
-#include "harness/plan/selection.hpp"
+#include "harness/plan/plan.hpp"
 
 namespace signorini::test {
 

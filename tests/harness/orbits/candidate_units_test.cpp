@@ -1,10 +1,9 @@
-#include "harness/orbits/candidate_units.hpp"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "harness/orbits/orbit_candidate.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini {

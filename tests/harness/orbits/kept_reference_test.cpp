@@ -1,12 +1,11 @@
 // References taken from results/references.
 
-#include "harness/orbits/kept_reference.hpp"
-
 #include <gtest/gtest.h>
 
 #include "harness/files.hpp"
 #include "harness/judge/exact_certificate.hpp"
 #include "harness/judge/motion.hpp"
+#include "harness/orbits/orbit_file.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini {

@@ -1,7 +1,6 @@
-#include "harness/orbits/orbit_comparison.hpp"
-
 #include <gtest/gtest.h>
 
+#include "harness/orbits/orbit_file.hpp"
 #include "tests/harness/orbits/sample_orbits.hpp"
 
 namespace signorini {

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
-#include "harness/orbits/orbit_comparison.hpp"
 #include "tests/harness/orbits/sample_orbits.hpp"
 
 namespace signorini {

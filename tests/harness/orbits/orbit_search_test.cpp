@@ -11,7 +11,7 @@
 #include <set>
 
 #include "harness/judge/exact_certificate.hpp"
-#include "harness/orbits/candidate_units.hpp"
+#include "harness/orbits/orbit_candidate.hpp"
 #include "harness/orbits/orbit_file.hpp"
 #include "harness/records/record_json.hpp"
 #include "problems/scene/scene_file.hpp"

@@ -1,10 +1,9 @@
-#include "harness/plan/selection.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
 
 #include "harness/failure.hpp"
+#include "harness/plan/plan.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini {

@@ -168,7 +168,7 @@ constexpr Limits kThreeRounds{.timeout = 2.0,
                               .reference_timeout = 5.0};
 
 /// What became of cases "behaviour=good,level=k" for k = 1..count on the scene of one mass.
-class Rounds : public testing::Test, public RoundObserver {
+class Rounds : public testing::Test {
  protected:
   void add(const std::string& behaviour, const std::string& level) {
     cases_.push_back(make_case(
@@ -180,16 +180,17 @@ class Rounds : public testing::Test, public RoundObserver {
     const std::vector<Job> jobs = runner.make_jobs(scene_, cases_);
     runner.compute_references(scene_, jobs);
     begun.resize(cases_.size());
-    const auto records = run_rounds(runner, scene_, jobs, begun, schedule, *this);
+    const RoundObserver observer{
+        .begins = [&](const std::string& what) { begun_.push_back(what); },
+        .round_done = [&](std::size_t i, const Record& record) { unfinished_[i].push_back(record); },
+        .case_done =
+            [&](std::size_t i, const Record& record) {
+              EXPECT_FALSE(complete_.contains(i)) << "told twice";
+              complete_[i] = record;
+            }};
+    const auto records = run_rounds(runner, scene_, jobs, begun, schedule, observer);
     ASSERT_EQ(records.size(), complete_.size());
     for (const auto& [index, record] : complete_) EXPECT_EQ(records[index].value().case_id, record.case_id);
-  }
-
-  void begins(const std::string& what) override { begun_.push_back(what); }
-  void round_done(std::size_t index, const Record& record) override { unfinished_[index].push_back(record); }
-  void case_done(std::size_t index, const Record& record) override {
-    EXPECT_FALSE(complete_.contains(index)) << "told twice";
-    complete_[index] = record;
   }
 
   /// Where nothing is timed, the first round of a case is the only one.

@@ -1,6 +1,6 @@
-#include "harness/run/timing.hpp"
-
 #include <gtest/gtest.h>
+
+#include "harness/run/trial.hpp"
 
 namespace signorini {
 namespace {

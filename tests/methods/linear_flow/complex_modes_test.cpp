@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 
-#include "methods/linear_flow/modal_flow.hpp"
+#include "methods/linear_flow/linear_flow.hpp"
 
 namespace signorini {
 namespace {

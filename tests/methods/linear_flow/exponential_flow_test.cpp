@@ -1,8 +1,8 @@
-#include "methods/linear_flow/exponential_flow.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "methods/linear_flow/linear_flow.hpp"
 
 namespace signorini {
 namespace {

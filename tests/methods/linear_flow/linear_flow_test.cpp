@@ -12,8 +12,6 @@
 #include "methods/event_driven/event_driven.hpp"
 #include "methods/flow/flow.hpp"
 #include "methods/flow/stop_events.hpp"
-#include "methods/linear_flow/exponential_flow.hpp"
-#include "methods/linear_flow/modal_flow.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"

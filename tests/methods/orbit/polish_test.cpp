@@ -1,13 +1,12 @@
 // What becomes of a sequence: an orbit with its error bar, or the reason why there is none.
 
-#include "methods/orbit/polish.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 #include <string>
 
+#include "methods/orbit/exact_orbit.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"

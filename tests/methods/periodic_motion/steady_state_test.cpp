@@ -1,11 +1,10 @@
-#include "methods/periodic_motion/steady_state.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
 
+#include "methods/periodic_motion/periodic_motion.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
 #include "tests/methods/periodic_motion/steady_state_cases.hpp"
 

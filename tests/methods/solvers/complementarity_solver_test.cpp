@@ -6,8 +6,7 @@
 #include <random>
 
 #include "methods/discretisation/block_circulant.hpp"
-#include "methods/solvers/pivoting.hpp"
-#include "methods/solvers/small_lcp.hpp"
+#include "methods/solvers/lcp.hpp"
 #include "tests/support/random_lcp.hpp"
 
 namespace signorini {

@@ -7,8 +7,6 @@
 #include <set>
 #include <string>
 
-#include "methods/solvers/small_lcp.hpp"
-
 namespace signorini {
 namespace {
 

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "methods/solvers/small_lcp.hpp"
+#include "methods/solvers/lcp.hpp"
 #include "tests/support/random_lcp.hpp"
 
 namespace signorini {

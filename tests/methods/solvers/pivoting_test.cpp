@@ -1,5 +1,3 @@
-#include "methods/solvers/pivoting.hpp"
-
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -11,7 +9,8 @@
 
 #include "methods/complementarity/forms.hpp"
 #include "methods/discretisation/block_circulant.hpp"
-#include "methods/solvers/small_lcp.hpp"
+#include "methods/solvers/complementarity_solver.hpp"
+#include "methods/solvers/lcp.hpp"
 #include "methods/structure/receptance.hpp"
 #include "tests/support/impact_oscillator.hpp"
 #include "tests/support/random_lcp.hpp"

@@ -1,10 +1,10 @@
-#include "methods/solvers/small_lcp.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <cmath>
 #include <random>
+
+#include "methods/solvers/lcp.hpp"
 
 namespace signorini {
 namespace {

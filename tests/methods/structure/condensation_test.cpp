@@ -18,8 +18,8 @@ TEST(Condense, TurnsAMasslessNodeIntoACompliantStop) {
   EXPECT_EQ(condensed.kept, (std::vector<int>{0}));
   EXPECT_EQ(condensed.mass.coeff(0, 0), 1.0);
   EXPECT_NEAR(condensed.stiffness.coeff(0, 0), 1.0, 1e-14);
-  EXPECT_NEAR(condensed.directions.coeff(0, 0), 1.0, 1e-15);
-  EXPECT_NEAR(condensed.compliance(0, 0), 1.0 / 20.0, 1e-17);
+  EXPECT_NEAR(condensed.normals.coeff(0, 0), 1.0, 1e-15);
+  EXPECT_NEAR(condensed.massless_compliance(0, 0), 1.0 / 20.0, 1e-17);
 }
 
 TEST(Condense, LeavesAStructureWithMassEverywhereAsItIs) {
@@ -27,8 +27,8 @@ TEST(Condense, LeavesAStructureWithMassEverywhereAsItIs) {
   const CondensedStructure condensed = condense(problem);
   EXPECT_EQ(condensed.kept.size(), 5U);
   EXPECT_EQ(Eigen::MatrixXd(condensed.stiffness - problem.stiffness()).norm(), 0.0);
-  EXPECT_EQ(Eigen::MatrixXd(condensed.directions - contact_directions(problem)).norm(), 0.0);
-  EXPECT_TRUE(condensed.compliance.isZero(0.0));
+  EXPECT_EQ(Eigen::MatrixXd(condensed.normals - contact_directions(problem)).norm(), 0.0);
+  EXPECT_TRUE(condensed.massless_compliance.isZero(0.0));
   EXPECT_TRUE(condensed.shift.isZero(0.0));
 }
 
@@ -43,7 +43,7 @@ TEST(Condense, KeepsTheReceptanceOfCoupledAndLoadedContacts) {
                             Complex(0.0, w) * Eigen::MatrixXd(D).cast<Complex>());
   };
   const Eigen::MatrixXcd W = Eigen::MatrixXd(contact_directions(problem)).cast<Complex>();
-  const Eigen::MatrixXcd N = Eigen::MatrixXd(condensed.directions).cast<Complex>();
+  const Eigen::MatrixXcd N = Eigen::MatrixXd(condensed.normals).cast<Complex>();
   for (std::size_t h = 0; h < condensed.rates.size(); ++h) {
     const auto column = static_cast<Eigen::Index>(h);
     const double w = condensed.rates[h];
@@ -53,7 +53,7 @@ TEST(Condense, KeepsTheReceptanceOfCoupledAndLoadedContacts) {
         stiffness(condensed.mass, condensed.damping, condensed.stiffness, w));
     const Eigen::MatrixXcd C = W.transpose() * whole.solve(W);
     const Eigen::MatrixXcd C_condensed =
-        N.transpose() * reduced.solve(N) + condensed.compliance.cast<Complex>();
+        N.transpose() * reduced.solve(N) + condensed.massless_compliance.cast<Complex>();
     EXPECT_LT((C - C_condensed).norm(), 1e-13 * C.norm()) << "rate " << w;
     const Eigen::VectorXcd x = W.transpose() * whole.solve(load_harmonic(problem, static_cast<int>(h)));
     const Eigen::VectorXcd x_condensed =

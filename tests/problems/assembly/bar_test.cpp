@@ -1,5 +1,3 @@
-#include "problems/assembly/bar.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -7,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "problems/assembly/beam.hpp"
 #include "problems/matrix_properties.hpp"
 #include "problems/validation.hpp"
 

@@ -1,6 +1,6 @@
-#include "problems/assembly/block_mesh.hpp"
-
 #include <gtest/gtest.h>
+
+#include "problems/assembly/block.hpp"
 
 namespace signorini {
 namespace {

@@ -5,7 +5,6 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "problems/assembly/bar.hpp"
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/chain.hpp"
 #include "problems/matrix_properties.hpp"

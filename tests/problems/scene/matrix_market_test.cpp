@@ -1,5 +1,3 @@
-#include "problems/scene/matrix_market.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -11,6 +9,7 @@
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/damping.hpp"
 #include "problems/scene/scene_file.hpp"
+#include "problems/scene/scene_system.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
 namespace signorini::test {

@@ -1,11 +1,10 @@
-#include "problems/scene/scene_boundary.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "problems/scene/scene_error.hpp"
+#include "problems/scene/scene_system.hpp"
+#include "problems/scene/toml_tree.hpp"
 
 namespace signorini {
 namespace {
@@ -22,12 +21,12 @@ SystemDescription block() {
 }
 
 FromTables<Contact> contacts(const std::string& text, const SystemDescription& system = points()) {
-  const TomlNode tree = parse_toml(text);
+  const TomlNode tree = parse_toml(text, "file.toml");
   return read_contacts(SceneField(tree, kFile)["contact"], system);
 }
 
 FromTables<ForceTerm> load(const std::string& text, const SystemDescription& system = points()) {
-  const TomlNode tree = parse_toml(text);
+  const TomlNode tree = parse_toml(text, "file.toml");
   return read_load(SceneField(tree, kFile)["term"], system);
 }
 

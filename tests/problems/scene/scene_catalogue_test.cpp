@@ -82,7 +82,7 @@ TEST(CatalogueScenes, AreTheTomlFilesInOrderOfName) {
   const CatalogueAt catalogue(folder.path());
 
   std::vector<std::string> names;
-  for (const fs::path& path : catalogue_scenes()) names.push_back(path.stem().string());
+  for (const fs::path& path : shipped_files("catalogue")) names.push_back(path.stem().string());
   EXPECT_EQ(names, (std::vector<std::string>{"a", "a-2", "b"}));
 }
 

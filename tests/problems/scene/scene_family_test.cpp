@@ -127,7 +127,7 @@ TEST(SceneFamily, HasNoLevelWhereThereIsNone) {
 
 TEST(ShippedFamilies, DriveAtLeastFiveValidLevelsEach) {
   std::map<std::string, std::set<double>> levels;
-  for (const SceneSource& source : family_scenes()) {
+  for (const SceneSource& source : shipped_scenes()) {
     SCOPED_TRACE(source.file.string() + "@" + source.level);
     const Problem scene = load_scene(source);
     const SceneHeader header = load_header(source);
@@ -153,7 +153,7 @@ TEST(ShippedFamilies, StateOneSceneInSeveralUnits) {
   };
   const Eigen::Vector3d expected = numbers(load_scene(find_scene("units@1")));
   int others = 0;
-  for (const SceneSource& source : family_scenes()) {
+  for (const SceneSource& source : shipped_scenes()) {
     if (source.file.stem() != "units" || source.level == "1") continue;
     ++others;
     EXPECT_LE((numbers(load_scene(source)) - expected).norm(), 1e-14 * expected.norm()) << source.level;

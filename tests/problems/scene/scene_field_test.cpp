@@ -4,8 +4,6 @@
 
 #include <functional>
 
-#include "problems/scene/scene_error.hpp"
-
 namespace signorini {
 namespace {
 
@@ -25,7 +23,8 @@ class Fields : public testing::Test {
  private:
   std::string file_ = "scene.toml";
   TomlNode tree_ = parse_toml(
-      "[forcing]\nfrequency = 2\n[[forcing.term]]\ndof = 3\n[[forcing.term]]\ndof = -1\nname = \"a\\nb\"\n");
+      "[forcing]\nfrequency = 2\n[[forcing.term]]\ndof = 3\n[[forcing.term]]\ndof = -1\nname = \"a\\nb\"\n",
+      file_);
 };
 
 TEST_F(Fields, AreFoundByTheirPath) {

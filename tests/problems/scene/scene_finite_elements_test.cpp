@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "problems/scene/scene_error.hpp"
 #include "problems/scene/scene_system.hpp"
 
 namespace signorini {
@@ -8,7 +7,7 @@ namespace {
 
 DampingModel read(const std::string& value, int size = 3) {
   const std::string file = "scene.toml";
-  const TomlNode tree = parse_toml("damping = " + value);
+  const TomlNode tree = parse_toml("damping = " + value, "file.toml");
   return read_damping(SceneField(tree, file)["damping"], size);
 }
 

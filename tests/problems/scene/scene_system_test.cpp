@@ -4,14 +4,12 @@
 
 #include <Eigen/Dense>
 
-#include "problems/scene/scene_error.hpp"
-
 namespace signorini {
 namespace {
 
 SystemDescription read(const std::string& system) {
   const std::string file = "scene.toml";
-  const TomlNode tree = parse_toml("[system]\n" + system);
+  const TomlNode tree = parse_toml("[system]\n" + system, "file.toml");
   return read_system(SceneField(tree, file)["system"]);
 }
 
@@ -55,7 +53,7 @@ TEST(ReadSystem, RefusesUnknownKindsAndKeys) {
 
 TEST(SystemFieldAsWritten, IsTheKeyThatTheKindUses) {
   const std::string file = "scene.toml";
-  const TomlNode tree = parse_toml("[system]\nmasses = [1]\nstiffness = 2");
+  const TomlNode tree = parse_toml("[system]\nmasses = [1]\nstiffness = 2", "file.toml");
   const SceneField document(tree, file);
   EXPECT_EQ(system_field_as_written(document, "system.mass").path(), "system.masses");
   EXPECT_EQ(system_field_as_written(document, "system.stiffness").path(), "system.stiffness");

@@ -1,9 +1,8 @@
-#include "harness/extend/plugins/command_exchange.hpp"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
+#include "harness/extend/plugins/command_method.hpp"
 #include "harness/run/trial.hpp"
 #include "tests/harness/fake_method.hpp"
 

@@ -1,9 +1,8 @@
-#include "harness/extend/plugins/command_file.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 
+#include "harness/extend/plugins/command_method.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
 

@@ -1,10 +1,10 @@
-#include "harness/extend/plugins/command_process.hpp"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <csignal>
 #include <limits>
+
+#include "harness/extend/plugins/command_method.hpp"
 
 namespace signorini {
 namespace {

@@ -1,9 +1,8 @@
-#include "harness/extend/scaffold/source_tree.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 
+#include "harness/extend/scaffold/scaffold.hpp"
 #include "harness/failure.hpp"
 #include "tests/harness/fake_method.hpp"
 
