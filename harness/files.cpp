@@ -5,30 +5,30 @@
 
 #include <array>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <system_error>
 
 #include "harness/failure.hpp"
+#include "problems/scene/input_file.hpp"
 
 namespace signorini {
 
-std::string read_file(const std::filesystem::path& path) {
-  std::error_code unknown;  // a path that cannot be looked up cannot be opened either
-  std::ifstream stream;
-  // A folder can be opened; reading it would throw.
-  if (!std::filesystem::is_directory(path, unknown)) stream.open(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.is_open() || stream.bad())
-    throw UsageError(fmt::format("file = {} (must be a readable file)", path.string()));
-  return bytes;
+std::string read_file(const std::filesystem::path& path, std::size_t most) {
+  try {
+    return read_input_file(path, most);
+  } catch (const UnreadableFile& error) {
+    throw UsageError(
+        fmt::format("file = {} (must be a readable file; it is {})", path.string(), error.found));
+  }
 }
 
 std::string first_line(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  std::string line;
-  std::getline(stream, line);
-  return line;
+  try {
+    const std::string text = read_input_file(path, kLargestFile);
+    return text.substr(0, text.find('\n'));
+  } catch (const UnreadableFile&) {
+    return {};
+  }
 }
 
 void write_whole(const std::filesystem::path& file, const std::string& text) {

@@ -1,14 +1,19 @@
 #pragma once
 // Whole files: read, written in one piece, identified by their bytes.
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace signorini {
 
-/// All bytes of a file. \throws UsageError if it cannot be read
-std::string read_file(const std::filesystem::path& path);
+/// Largest file that is read whole [bytes]: records with waveforms of some 50,000 cases.
+inline constexpr std::size_t kLargestFile = std::size_t{1} << 32U;
+
+/// All bytes of a regular file. \throws UsageError if it cannot be read, or is no regular file of at most
+/// `most` bytes
+std::string read_file(const std::filesystem::path& path, std::size_t most = kLargestFile);
 
 /// The first line of a file; empty where there is none.
 std::string first_line(const std::filesystem::path& path);

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "problems/matrix_properties.hpp"
 
@@ -23,6 +26,17 @@ void require_finite(double value, const std::string& field) {
   require(std::isfinite(value), field, fmt::format("{}", value), "must be a finite number");
 }
 
+// Norms and energies are sums of squares and products: between these bounds none of them leaves the range of
+// doubles, however lengths, masses and times are combined.
+constexpr double kSmallest = 1e-60;
+constexpr double kLargest = 1e60;
+constexpr double kSlowest = 1e-20, kFastest = 1e20;  // [rad/s]
+
+void require_magnitude(double size, const std::string& field) {
+  require(size == 0.0 || (size >= kSmallest && size <= kLargest), field, fmt::format("{:g}", size),
+          fmt::format("must be 0 or between {:g} and {:g}: choose other units", kSmallest, kLargest));
+}
+
 void require_dof(int dof, const Problem& problem, const std::string& field) {
   require(dof >= 0 && dof < problem.size(), field, std::to_string(dof),
           fmt::format("must be a coordinate of the system, 0..{}", problem.size() - 1));
@@ -32,6 +46,7 @@ void check_matrix(const SparseMatrix& A, int size, const std::string& field) {
   require(A.rows() == size && A.cols() == size, field, fmt::format("{} x {} matrix", A.rows(), A.cols()),
           fmt::format("must be {} x {}", size, size));
   require_finite(largest_entry(A), field);
+  require_magnitude(largest_entry(A), field);
 }
 
 void check_symmetric(const SparseMatrix& A, const std::string& field, Definiteness definiteness) {
@@ -72,9 +87,11 @@ void check_matrices(const Problem& problem, Definiteness definiteness) {
 }
 
 void check_forcing(const Problem& problem) {
-  require(
-      std::isfinite(problem.frequency) && problem.frequency > 0.0 && std::isfinite(1.0 / problem.frequency),
-      "forcing.frequency", fmt::format("{}", problem.frequency), "must be a positive number [rad/s]");
+  require(std::isfinite(problem.frequency) && problem.frequency > 0.0, "forcing.frequency",
+          fmt::format("{}", problem.frequency), "must be a positive number [rad/s]");
+  require(problem.frequency >= kSlowest && problem.frequency <= kFastest, "forcing.frequency",
+          fmt::format("{:g}", problem.frequency),
+          fmt::format("must be between {:g} and {:g} [rad/s]: choose other units", kSlowest, kFastest));
   require(problem.subharmonic >= 1 && problem.subharmonic <= kMaxSubharmonic, "forcing.subharmonic",
           std::to_string(problem.subharmonic), fmt::format("must be a whole number, 1..{}", kMaxSubharmonic));
   for (std::size_t i = 0; i < problem.force.size(); ++i) {
@@ -85,6 +102,8 @@ void check_forcing(const Problem& problem) {
             std::to_string(term.harmonic), fmt::format("must be a whole number, 0..{}", kMaxLoadHarmonic));
     require_finite(term.cos, field + ".cos");
     require_finite(term.sin, field + ".sin");
+    require_magnitude(std::abs(term.cos), field + ".cos");
+    require_magnitude(std::abs(term.sin), field + ".sin");
     require(term.harmonic > 0 || term.sin == 0.0, field + ".sin", fmt::format("{}", term.sin),
             "must be 0 or absent: at harmonic 0 a sine is nothing");
   }
@@ -99,6 +118,7 @@ void check_normal(const Contact& contact, const Problem& problem, const std::str
     require_dof(dof, problem, entry + "[0]");
     require(seen.insert(dof).second, entry + "[0]", std::to_string(dof), "must name each coordinate once");
     require_finite(coefficient, entry + "[1]");
+    require_magnitude(std::abs(coefficient), entry + "[1]");
     nonzero = nonzero || coefficient != 0.0;
   }
   require(nonzero, field, contact.normal.empty() ? "[]" : "zero vector", "needs a nonzero coefficient");
@@ -109,6 +129,48 @@ void check_contacts(const Problem& problem) {
     const std::string field = fmt::format("contact[{}]", j);
     check_normal(problem.contacts[j], problem, field + ".normal");
     require_finite(problem.contacts[j].gap, field + ".gap");
+    require(std::abs(problem.contacts[j].gap) <= kLargest, field + ".gap",
+            fmt::format("{:g}", problem.contacts[j].gap), fmt::format("must be at most {:g}", kLargest));
+  }
+}
+
+// How far rigid stops along one line let the structure go, d^T u between `least` and `most`.
+struct Room {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  std::size_t least_by = 0, most_by = 0;  // contacts
+};
+
+// A normal w = a d with the first nonzero coefficient of d one: a, and d as text that is equal for parallel
+// normals, whatever their last digits.
+std::pair<double, std::string> line_of(const Contact& contact) {
+  std::vector<std::pair<int, double>> normal = contact.normal;
+  std::erase_if(normal, [](const auto& entry) { return entry.second == 0.0; });
+  std::ranges::sort(normal);
+  const double first = normal.front().second;
+  std::string direction;
+  for (const auto& [dof, coefficient] : normal)
+    direction += fmt::format("{}:{:.12g} ", dof, coefficient / first);
+  return {first, direction};
+}
+
+// Rigid stops against each other leave no admissible displacement where they cross, and no motion where they
+// meet. Stops along different lines may exclude each other too; only a method sees that.
+void check_room(const Problem& problem) {
+  std::map<std::string, Room> rooms;
+  for (std::size_t j = 0; j < problem.contacts.size(); ++j) {
+    const auto [factor, line] = line_of(problem.contacts[j]);
+    const double bound = problem.contacts[j].gap / factor;
+    Room& room = rooms[line];
+    if (factor > 0.0 && bound < room.most) room.most = bound, room.most_by = j;
+    if (factor < 0.0 && bound > room.least) room.least = bound, room.least_by = j;
+    const double rounding = 1e-12 * std::max(std::abs(room.least), std::abs(room.most));
+    if (!std::isfinite(rounding) || room.most - room.least > rounding) continue;
+    throw InvalidProblem(
+        fmt::format("contact[{}].gap", j), fmt::format("{:g}", problem.contacts[j].gap),
+        fmt::format("must leave room: contact {} holds its coordinate at {:g} or less, contact "
+                    "{} at {:g} or more",
+                    room.most_by, room.most, room.least_by, room.least));
   }
 }
 
@@ -118,8 +180,10 @@ void check_penalty(const Penalty& penalty, const Problem& problem) {
           fmt::format("must be one number, or one per contact: {}", problem.contacts.size()));
   for (std::size_t j = 0; j < penalty.stiffness.size(); ++j) {
     const double stiffness = penalty.stiffness[j];
-    require(std::isfinite(stiffness) && stiffness > 0.0, fmt::format("law.penalty[{}]", j),
-            fmt::format("{}", stiffness), "must be a positive number [N/m]");
+    const std::string field = fmt::format("law.penalty[{}]", j);
+    require(std::isfinite(stiffness) && stiffness > 0.0, field, fmt::format("{}", stiffness),
+            "must be a positive number [N/m]");
+    require_magnitude(stiffness, field);
   }
 }
 
@@ -166,6 +230,7 @@ void check_law(const Problem& problem) {
     check_penalty(*penalty, problem);
   } else {
     check_rigid_law(problem);
+    check_room(problem);
   }
 }
 

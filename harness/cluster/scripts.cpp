@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
+
+#include "harness/failure.hpp"
 
 namespace signorini {
 
@@ -20,12 +23,31 @@ std::string sbatch_lines(const Submission& s) {
   return lines;
 }
 
+/// A path in a line of #SBATCH, which no shell reads: in double quotes, "%" of a name doubled.
+std::string sbatch_path(const std::filesystem::path& folder, std::string_view file) {
+  return fmt::format("\"{}/{}\"", boost::replace_all_copy(folder.string(), "%", "%%"), file);
+}
+
 std::string merge_command(const Submission& s) {
   return fmt::format("{} merge {}/shard-* --out {}/merged", shell_word(s.program.string()),
                      shell_word(s.folder.string()), shell_word(s.folder.string()));
 }
 
 }  // namespace
+
+void require_quotable(const Submission& s) {
+  const auto controls = [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7F; };
+  const std::string folder = s.folder.string();
+  if (std::ranges::any_of(folder, controls) || folder.find_first_of("\"\\{}") != std::string::npos) {
+    throw UsageError(fmt::format(
+        "dir = {} (must be a path without control characters, quotation marks, backslashes and braces)",
+        folder));
+  }
+  for (const std::string& word : s.sbatch_words) {
+    if (std::ranges::any_of(word, controls))
+      throw UsageError(fmt::format("sbatch = {} (must be one option without control characters)", word));
+  }
+}
 
 std::string shell_word(const std::string& text) {
   const auto plain = [](char c) {
@@ -51,18 +73,19 @@ std::string slurm_array_script(const Submission& s) {
   return fmt::format(
       "#!/bin/sh\n#SBATCH --job-name=signorini\n#SBATCH --array=1-{}\n#SBATCH --requeue\n"
       "#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=1\n#SBATCH --exclusive\n#SBATCH --open-mode=append\n"
-      "#SBATCH --output=\"{}/log-%a.txt\"\n"
+      "#SBATCH --output={}\n"
       "{}# Requeued after the loss of a node, a task resumes; cases that fail are records, not failures of "
       "the task.\n"
       "{}\nstatus=$?\n[ \"$status\" -le 1 ] && exit 0\nexit \"$status\"\n",
-      s.shards, s.folder.string(), sbatch_lines(s), slurm_run_command(s, "\"$SLURM_ARRAY_TASK_ID\""));
+      s.shards, sbatch_path(s.folder, "log-%a.txt"), sbatch_lines(s),
+      slurm_run_command(s, "\"$SLURM_ARRAY_TASK_ID\""));
 }
 
 std::string slurm_merge_script(const Submission& s) {
   return fmt::format(
       "#!/bin/sh\n#SBATCH --job-name=signorini-merge\n#SBATCH --ntasks=1\n#SBATCH "
-      "--output=\"{}/log-merge.txt\"\n{}exec {}\n",
-      s.folder.string(), sbatch_lines(s), merge_command(s));
+      "--output={}\n{}exec {}\n",
+      sbatch_path(s.folder, "log-merge.txt"), sbatch_lines(s), merge_command(s));
 }
 
 std::string slurm_submit_script(const Submission& s) {

@@ -17,6 +17,10 @@ struct Submission {
   std::vector<std::string> sbatch_words = {};  ///< further options of sbatch, as "--time=60"
 };
 
+/// Lines of #SBATCH know no escape for a quotation mark or a line break, and GNU parallel replaces what
+/// stands in braces: such folders and options are refused. \throws UsageError
+void require_quotable(const Submission& submission);
+
 /// The command of one shard in the job array. \param index  its number, or a shell variable with that value
 std::string slurm_run_command(const Submission& submission, const std::string& index);
 

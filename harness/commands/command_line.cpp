@@ -13,6 +13,7 @@
 #include "harness/failure.hpp"
 #include "methods/options.hpp"
 #include "problems/scene/scene_file.hpp"
+#include "problems/scene/toml_tree.hpp"
 #include "problems/validation.hpp"
 
 namespace signorini {
@@ -31,15 +32,18 @@ std::string version_text() {
   return text;
 }
 
-int complain(const std::exception& error, int code) {
-  fmt::print(stderr, "{}\n", error.what());
+/// Prints a complaint as one line that does nothing to a terminal: it may quote arguments and files.
+int complain(const std::string& line, int code) {
+  constexpr std::size_t kLongestLine = 1000;
+  fmt::print(stderr, "{}\n", one_line(line, kLongestLine));
   return code;
 }
 
 /// Reports a path of the wrong kind (a file for a folder) or without the permission that is needed.
 int complain_of_file(const std::filesystem::filesystem_error& error) {
-  fmt::print(stderr, "path = {} (must be usable: {})\n", error.path1().string(), error.code().message());
-  return kBadUsage;
+  return complain(
+      fmt::format("path = {} (must be usable: {})", error.path1().string(), error.code().message()),
+      kBadUsage);
 }
 
 /// The program with the commands of the command line, "signorini submit slurm".
@@ -53,8 +57,7 @@ int complain_usage(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
   std::string line = error.what();
   line = line.substr(0, line.find('\n'));
-  fmt::print(stderr, "{} (see `{} --help`)\n", line, command_path(app));
-  return kBadUsage;
+  return complain(fmt::format("{} (see `{} --help`)", one_line(line, 500), command_path(app)), kBadUsage);
 }
 
 /// Names the commands where the first word is none; CLI11 would only say that a command is missing.
@@ -130,20 +133,19 @@ int run_command_line(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return complain_usage(app, error);
   } catch (const NothingMatched& error) {
-    return complain(error, kNothingMatched);
+    return complain(error.what(), kNothingMatched);
   } catch (const UsageError& error) {
-    return complain(error, kBadUsage);
+    return complain(error.what(), kBadUsage);
   } catch (const SceneError& error) {
-    return complain(error, kBadUsage);
+    return complain(error.what(), kBadUsage);
   } catch (const InvalidProblem& error) {
-    return complain(error, kBadUsage);
+    return complain(error.what(), kBadUsage);
   } catch (const InvalidOption& error) {
-    return complain(error, kBadUsage);
+    return complain(error.what(), kBadUsage);
   } catch (const std::filesystem::filesystem_error& error) {
     return complain_of_file(error);
   } catch (...) {
-    fmt::print(stderr, "internal error: {}\n", current_exception_text());
-    return kInternalError;
+    return complain("internal error: " + current_exception_text(), kInternalError);
   }
 }
 

@@ -100,6 +100,9 @@ int solve(const SolveArguments& arguments) {
   return record->status == Status::converged ? kDone : kUnexpectedFailure;
 }
 
+// A record is one JSON object: at 65,536 instants some 5 MB for each contact.
+constexpr int kMostSamples = 1 << 16;
+
 }  // namespace
 
 void add_solve_command(CLI::App& app, int& exit_code) {
@@ -111,7 +114,7 @@ void add_solve_command(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE");
   command->add_option("--samples", arguments->samples, "add the motion at this many instants of its period")
-      ->check(CLI::Range(1, 1 << 22));
+      ->check(CLI::Range(1, kMostSamples));
   command->add_option("--start", arguments->start,
                       "start from the motion in a file that solve --json --samples wrote");
   command

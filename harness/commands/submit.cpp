@@ -51,6 +51,7 @@ Submission submission_of(const SubmitArguments& arguments, const CLI::App& comma
     submission.run_words.emplace_back("--plugin");
     submission.run_words.push_back(fs::absolute(plugin).lexically_normal().string());
   }
+  require_quotable(submission);
   return submission;
 }
 

@@ -33,6 +33,8 @@ constexpr char kFinished = 'F';
 constexpr char kThrew = 'X';
 constexpr char kOutOfMemory = 'M';
 
+/// Longest line that a child may send: a record with 65,536 instants of ten contacts.
+constexpr std::size_t kLongestLine = 1U << 26U;
 constexpr rlim_t kLogBytes = 1U << 20U;
 constexpr off_t kLastWordsBytes = 400;
 
@@ -166,14 +168,18 @@ class IsolatedChild {
   }
 
   void read_lines() {
-    read_available(pipe_.read, partial_line_);
+    read_available(pipe_.read, partial_line_, kLongestLine);
     std::size_t begin = 0;
-    for (std::size_t end = partial_line_.find('\n'); end != std::string::npos;
+    // What was searched before holds no line break: a child that sends none must not be searched anew each
+    // time.
+    for (std::size_t end = partial_line_.find('\n', searched_); end != std::string::npos;
          end = partial_line_.find('\n', begin)) {
       take_line(std::string_view(partial_line_).substr(begin, end - begin));
       begin = end + 1;
     }
     partial_line_.erase(0, begin);
+    searched_ = partial_line_.size();
+    if (searched_ > kLongestLine && !stopped_) stop(ChildEnd::Kind::flooded);
   }
 
   void stop(ChildEnd::Kind reason) {
@@ -213,7 +219,8 @@ class IsolatedChild {
   Descriptor log_;  ///< stdout and stderr of the child, a file in memory
   ChildProcess process_;
   std::string partial_line_;
-  bool work_ended_ = false;  ///< the child reported how its work ended
+  std::size_t searched_ = 0;  ///< bytes of it without a line break
+  bool work_ended_ = false;   ///< the child reported how its work ended
   std::optional<ChildEnd::Kind> stopped_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Deadline deadline_;
@@ -277,6 +284,8 @@ std::string describe(const ChildEnd& end) {
       return "stopped at the time limit";
     case ChildEnd::Kind::out_of_processor_time:
       return "stopped at the limit of processor time: more than one thread is at work";
+    case ChildEnd::Kind::flooded:
+      return "stopped: it wrote more than a record into the pipe of the harness";
     case ChildEnd::Kind::interrupted:
       return "interrupted";
   }

@@ -28,6 +28,7 @@ struct ChildEnd {
     signalled,              ///< signal `code` ended the process
     timed_out,              ///< the parent ended it at its limit of wall time
     out_of_processor_time,  ///< the system ended it at its limit of processor time
+    flooded,                ///< the parent ended it because it sent a line without end
     interrupted             ///< the parent ended it because it was itself asked to stop (SIGINT, SIGTERM)
   };
   Kind kind = Kind::finished;

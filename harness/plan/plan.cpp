@@ -25,7 +25,7 @@ bool belongs(const Suite& suite, const SceneHeader& scene) {
 
 Scene read_scene(const SceneSource& source) {
   const std::string name = source.file.string();
-  const std::string text = read_file(source.file);
+  const std::string text = read_file(source.file, kLargestScene);
   // Read once, so that the hash is of what was parsed.
   SceneWithSources scene = parse_scene_with_sources(text, name, source.level);
   std::string identity = text;

@@ -38,7 +38,8 @@ Piece parse_piece(const std::string& text) {
     return {.glob = text};
   }
   const std::string_view inside = std::string_view(text).substr(open + 1);
-  if (open == 0 || inside.find('[') != std::string_view::npos || inside.find(']') != inside.size() - 1) {
+  if (open == 0 || inside.empty() || inside.find('[') != std::string_view::npos ||
+      inside.find(']') != inside.size() - 1) {
     refuse(text, kForm);
   }
   return {.glob = text.substr(0, open),

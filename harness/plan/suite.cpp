@@ -92,7 +92,7 @@ Suite load_suite(const std::string& name_or_path) {
       names += (names.empty() ? "" : ", ") + suite.stem().string();
     throw UsageError(fmt::format("suite = {} (must be a TOML file or one of {})", name_or_path, names));
   }
-  return parse_suite(read_file(path), path.string());
+  return parse_suite(read_file(path, kLargestScene), path.string());
 }
 
 }  // namespace signorini

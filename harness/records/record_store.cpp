@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
@@ -15,6 +16,7 @@
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
+#include "harness/records/record_check.hpp"
 #include "harness/records/record_json.hpp"
 
 namespace signorini {
@@ -29,19 +31,15 @@ struct Contents {
   std::size_t whole_bytes = 0;  // up to the end of the last whole line
 };
 
-Record parse_line(const std::string& line, const fs::path& file, std::size_t number) {
+/// The record of a line. \throws BadRecord
+Record parse_line(const std::string& line) {
   const Json json = Json::parse(line, nullptr, false);
-  if (!json.is_object()) {
-    throw UsageError(
-        fmt::format("{}:{}: record = unreadable (must be one JSON object)", file.string(), number));
-  }
-  try {
-    return record_from_json(json);
-  } catch (const BadRecord& error) {
-    throw UsageError(fmt::format("{}:{}: {}", file.string(), number, error.what()));
-  }
+  if (!json.is_object()) throw BadRecord("record = unreadable (must be one JSON object)");
+  return record_from_json(json);
 }
 
+/// The records of a file. A line that holds none is left out with a warning, and its case counts as one that
+/// has not run: the others are worth as much as before.
 Contents read_contents(const fs::path& file) {
   Contents contents;
   const std::string text = read_file(file);
@@ -50,7 +48,12 @@ Contents read_contents(const fs::path& file) {
   for (std::size_t number = 1; true; ++number) {
     const std::size_t end = text.find('\n', begin);
     if (end == std::string::npos) break;
-    if (end > begin) contents.records.push_back(parse_line(text.substr(begin, end - begin), file, number));
+    try {
+      if (end > begin) contents.records.push_back(parse_line(text.substr(begin, end - begin)));
+    } catch (const BadRecord& error) {
+      fmt::print(stderr, "{}:{}: {}; this line is left out, and `run --resume` runs its case again\n",
+                 as_message(file.string()), number, as_message(error.what()));
+    }
     begin = end + 1;
   }
   contents.whole_bytes = begin;
@@ -79,8 +82,12 @@ Descriptor open_to_append(const fs::path& file) {
 void write_line(const Descriptor& descriptor, const Record& record, const fs::path& file) {
   const std::string line = json_line(to_json(record)) + "\n";
   // One write to a file opened with O_APPEND: a kill can tear the last line only.
-  if (write(descriptor.number(), line.data(), line.size()) != static_cast<ssize_t>(line.size()))
-    throw std::system_error(errno, std::generic_category(), file.string());
+  const ssize_t written = write(descriptor.number(), line.data(), line.size());
+  if (written == static_cast<ssize_t>(line.size())) return;
+  // A write that stops short sets no error: the disk is full, or a limit of file sizes is reached.
+  const std::error_code reason(written < 0 ? errno : ENOSPC, std::generic_category());
+  throw UsageError(fmt::format("out = {} (must have room: {}; `run --resume` goes on from here)",
+                               file.string(), reason.message()));
 }
 
 /// Tries the lock for a moment: children of a run that was killed may hold it for an instant longer.

@@ -13,8 +13,9 @@
 
 namespace signorini {
 
-/// Records of a file in order; of several with one key the last. A last line that a kill tore is left out.
-/// \throws UsageError if the file cannot be read or another line is no record (file and line named)
+/// Records of a file in order; of several with one key the last. A last line that a kill tore is left out,
+/// and so is, with a warning on stderr that names file and line, one that is no record. \throws UsageError if
+/// the file cannot be read
 std::vector<Record> read_records(const std::filesystem::path& file);
 
 /// True while a run writes there.
@@ -24,18 +25,18 @@ class RecordStore {
  public:
   /// Opens DIR/records.jsonl, making the folder, and keeps other runs out of it. With `resume` what is there
   /// stays, and a torn last line is cut off; otherwise a file that is there is kept as
-  /// records.previous.jsonl. \throws UsageError if folder or file cannot be written, another run writes
-  /// there, or a whole line is no record
+  /// records.previous.jsonl. \throws UsageError if folder or file cannot be written, or another run writes
+  /// there
   RecordStore(const std::filesystem::path& folder, bool resume);
   ~RecordStore();
 
   [[nodiscard]] bool contains(const std::string& key) const { return keys_.contains(key); }
   /// Appends by one write and fsync; a key that is there already is not written again.
-  /// \throws std::system_error if the disk refuses
+  /// \throws UsageError if there is no room, std::system_error if the disk refuses otherwise
   void append(const Record& record);
 
   /// Keeps what is known of a case whose rounds are not complete, for a run that resumes this one.
-  /// \throws std::system_error if the disk refuses
+  /// \throws UsageError if there is no room
   void keep_unfinished(const Record& record);
   /// What was kept of a case and is not complete; empty if nothing was.
   [[nodiscard]] std::optional<Record> unfinished(const std::string& key) const;

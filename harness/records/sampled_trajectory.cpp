@@ -202,6 +202,10 @@ std::string trajectory_defect(const Trajectory& trajectory, int contacts, double
     return fmt::format("the period {} s is no whole multiple of the forcing period {} s", trajectory.period(),
                        forcing_period);
   }
+  constexpr double kMostPeriods = 256.0;  // every one of them is sampled
+  if (ratio > kMostPeriods) {
+    return fmt::format("the period {} s is more than {} forcing periods", trajectory.period(), kMostPeriods);
+  }
   return list_defect(trajectory.impulses(), trajectory.events(), contacts, trajectory.period());
 }
 

@@ -4,6 +4,7 @@
 
 #include "harness/judge/certificate.hpp"
 #include "harness/records/json_fields.hpp"
+#include "harness/records/record_check.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/run/trial.hpp"
 
@@ -15,18 +16,34 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kRepeated = "in a repeated solve: ";
 
-/// A child that died after its answer had arrived. While it timed the method or destroyed its objects that is
-/// a failure of the method, between the two one of the harness.
+/// What a child was doing when it died after the answer had arrived, for the message of its record.
+const char* work_after(TrialStage last) {
+  switch (last) {
+    case TrialStage::solved:
+      return kRepeated;
+    case TrialStage::certified:
+      return "in its clean-up: ";
+    default:
+      return "in the harness's check of its answer: ";
+  }
+}
+
+/// A child that died after its answer had arrived. An answer whose check has died is nobody's: the check runs
+/// in the method's process, whose memory the method may have spoilt. Only a check that takes too long leaves
+/// the claim as it is, unproven.
 void take_late_end(const ChildEnd& end, Record& record) {
   if (end.kind == ChildEnd::Kind::finished) return;
   const auto last = static_cast<TrialStage>(end.lines.size() - 1);
-  if (last == TrialStage::solved || last == TrialStage::certified) {
-    take_failure(end, record);
-    record.message = (last == TrialStage::solved ? kRepeated : "in its clean-up: ") + record.message;
-    return;
+  const bool checking = last == TrialStage::timed || last == TrialStage::measured;
+  if (checking) {
+    record.certificate.status = CertificateStatus::uncertified;
+    record.certificate.reason = as_message("the harness's own check ended by " + describe(end));
+    const bool late =
+        end.kind == ChildEnd::Kind::timed_out || end.kind == ChildEnd::Kind::out_of_processor_time;
+    if (late) return;
   }
-  record.certificate.status = CertificateStatus::uncertified;
-  record.certificate.reason = "the harness's own check ended by " + describe(end);
+  take_failure(end, record);
+  record.message = work_after(last) + record.message;
 }
 
 }  // namespace
@@ -87,11 +104,11 @@ void take_later_round(const ChildEnd& end, Record& record) {
 }
 
 void take_failure(const ChildEnd& end, Record& record) {
-  record.message = describe(end);
+  record.message = as_message(describe(end));
   switch (end.kind) {
     case ChildEnd::Kind::threw:
       record.status = Status::exception;
-      record.message = end.detail;
+      record.message = as_message(end.detail);
       break;
     case ChildEnd::Kind::out_of_memory:
       record.status = Status::out_of_memory;
@@ -105,6 +122,7 @@ void take_failure(const ChildEnd& end, Record& record) {
       record.status = Status::crashed;
       break;
     case ChildEnd::Kind::exited:
+    case ChildEnd::Kind::flooded:
     case ChildEnd::Kind::finished:
     case ChildEnd::Kind::interrupted:
       record.status = Status::crashed;

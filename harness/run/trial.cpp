@@ -7,10 +7,12 @@
 #include <fstream>
 
 #include "harness/build_info.hpp"
+#include "harness/isolation/process_state.hpp"
 #include "harness/judge/certificate.hpp"
 #include "harness/judge/measures.hpp"
 #include "harness/judge/waveform.hpp"
 #include "harness/plan/deadline.hpp"
+#include "harness/records/record_check.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 
 namespace signorini {
@@ -46,7 +48,7 @@ std::optional<long> restart_peak_memory() {
 /// measured on it; nothing where there is no answer.
 std::optional<Motion> take_solution(const Trial& trial, const Solution& solution, bool expired,
                                     Record& record) {
-  record.message = solution.message;
+  record.message = as_message(solution.message);
   record.work.counts = solution.work;
   record.residual = solution.residual;
   record.condition = solution.condition;
@@ -68,8 +70,18 @@ std::optional<Motion> take_solution(const Trial& trial, const Solution& solution
   return std::move(answer.motion);
 }
 
+/// The problem as a method is given it: one from outside the tree gets matrices of its own, so that the
+/// harness judges by those of the scene whatever the method writes.
+Problem problem_for(const Case& planned_case, const Problem& problem) {
+  Problem given = problem;
+  if (!planned_case.choice.entry->plugin.empty())
+    given.structure = std::make_shared<const Structure>(*problem.structure);
+  return given;
+}
+
 /// What was set up and solved for the first time in this process.
 struct FirstCall {
+  const Problem& problem;  ///< as the method is given it
   const Method& method;
   PreparedMethod& prepared;
   std::shared_ptr<const Trajectory> start = {};
@@ -89,13 +101,12 @@ std::string digest_of(const Solution& solution) {
   return answered ? answer_digest(*solution.trajectory) : std::string();
 }
 
-Round round_from(const FirstCall& first, const std::string& name, const Problem& problem,
-                 const Limits& limits) {
+Round round_from(const FirstCall& first, const std::string& name, const Limits& limits) {
   Round round;
   std::optional<Solution> latest;
   const auto set_up = [&] {
     std::unique_ptr<PreparedMethod> fresh;
-    return seconds_of([&] { fresh = first.method.prepare(problem); });
+    return seconds_of([&] { fresh = first.method.prepare(first.problem); });
   };
   const auto solve = [&] {
     const Start start{.guess = first.start, .deadline = deadline_after(limits.timeout)};
@@ -119,7 +130,7 @@ void take_times(const Trial& trial, const FirstCall& first, Record& record) {
   } else if (!build_may_be_timed()) {
     record.not_timed = "not a Release build";
   } else {
-    const Round round = round_from(first, record.case_id, trial.scene.problem, trial.limits);
+    const Round round = round_from(first, record.case_id, trial.limits);
     record.seconds = summarise({round.times});
     if (round.latest) count_repeat(*round.latest, record);
   }
@@ -154,14 +165,16 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   const std::unique_ptr<Method> method = trial.planned_case.choice.make();
   std::unique_ptr<PreparedMethod> prepared;
   Solution solution;
+  const Problem problem = problem_for(trial.planned_case, trial.scene.problem);
+  const ProcessState usual;
   const std::optional<long> before = restart_peak_memory();
   const Start start{.guess = trial.start, .deadline = deadline_after(trial.limits.timeout)};
   double setup = 0.0;
   try {
-    setup = seconds_of([&] { prepared = method->prepare(trial.scene.problem); });
+    setup = seconds_of([&] { prepared = method->prepare(problem); });
   } catch (const std::runtime_error& error) {  // as Method::prepare states: the structure is singular
     record.status = Status::not_converged;
-    record.message = error.what();
+    record.message = as_message(error.what());
     stage_done(record);
     return;
   }
@@ -170,17 +183,20 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
     solve = seconds_of([&] { solution = prepared->solve(start); });
   } catch (const CommandFailure& failure) {
     record.status = failure.status;
-    record.message = failure.what();
+    record.message = as_message(failure.what());
     record.signal = failure.signal;
     stage_done(record);
     return;
   }
   if (const auto peak = status_bytes("VmHWM"); peak && before)
     record.work.peak_memory_bytes = *peak - *before;
+  const std::string changed = usual.restore();
   const std::optional<Motion> motion = take_solution(trial, solution, start.expired(), record);
+  if (!changed.empty()) record.message += fmt::format("; it changed {}, which was restored", changed);
   stage_done(record);
   if (!motion) return;
-  take_times(trial, {*method, *prepared, trial.start, setup, solve}, record);
+  take_times(trial, {problem, *method, *prepared, trial.start, setup, solve}, record);
+  static_cast<void>(usual.restore());  // said above
   stage_done(record);
   record.physics = measure_physics(trial.scene.problem, trial.law, *motion);
   stage_done(record);
@@ -197,15 +213,14 @@ RepeatedSolve repeat_solve(const Scene& scene, const Case& planned_case, const L
   const std::unique_ptr<Method> method = planned_case.choice.make();
   std::unique_ptr<PreparedMethod> prepared;
   Solution solution;
-  const double setup = seconds_of([&] { prepared = method->prepare(scene.problem); });
+  const Problem problem = problem_for(planned_case, scene.problem);
+  const double setup = seconds_of([&] { prepared = method->prepare(problem); });
   const Start begin{.guess = start, .deadline = deadline_after(limits.timeout)};
   const double solve = seconds_of([&] { solution = prepared->solve(begin); });
   const std::string answer = digest_of(solution);
-  if (answer.empty()) return {.times = {}, .message = solution.message};
-  return {
-      .times =
-          round_from({*method, *prepared, start, setup, solve}, planned_case.id, scene.problem, limits).times,
-      .answer = answer};
+  if (answer.empty()) return {.times = {}, .message = as_message(solution.message)};
+  const FirstCall first{problem, *method, *prepared, start, setup, solve};
+  return {.times = round_from(first, planned_case.id, limits).times, .answer = answer};
 }
 
 StartPoint start_point(const Case& planned_case, const Problem& problem, const Reference& reference) {

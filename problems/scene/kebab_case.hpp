@@ -18,4 +18,15 @@ inline bool is_lower_kebab_case(std::string_view name) {
          name.front() != '-' && name.back() != '-' && name.find("--") == std::string_view::npos;
 }
 
+/// True if a name is that of a scene: in lower-kebab-case, and for one of a family followed by "@" and the
+/// label of its level, a number.
+inline bool is_scene_name(std::string_view name) {
+  const std::size_t at = name.find('@');
+  if (at == std::string_view::npos) return is_lower_kebab_case(name);
+  const std::string_view level = name.substr(at + 1);
+  const auto fits = [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == 'e'; };
+  return is_lower_kebab_case(name.substr(0, at)) && !level.empty() && level.size() <= kLongestName &&
+         std::all_of(level.begin(), level.end(), fits);
+}
+
 }  // namespace signorini

@@ -1,3 +1,5 @@
+#include "problems/scene/matrix_market.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include <optional>
 #include <string_view>
 
-#include "problems/scene/scene_system.hpp"
 #include "problems/scene/toml_tree.hpp"
 
 namespace signorini {
@@ -50,7 +51,7 @@ std::optional<Number> number_of(std::string_view word) {
 
 class Reader {
  public:
-  Reader(std::istream& stream, const std::string& name) : stream_(stream), name_(name) {}
+  Reader(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
 
   SparseMatrix read() {
     read_header();
@@ -73,27 +74,43 @@ class Reader {
         fmt::format("{}:{}: {} = {} ({})", name_, std::max(line.value_or(line_), 1), what, found, required));
   }
   [[noreturn]] void refuse_line(std::string_view what, std::string_view required) const {
-    refuse(what, fmt::format("\"{}\"", one_line(fmt::format("{}", fmt::join(words_, " ")))), required);
+    refuse(what, fmt::format("\"{}\"", one_line(first_words())), required);
+  }
+
+  // As many words as a message shows: a line may be as long as the file.
+  [[nodiscard]] std::string first_words() const {
+    constexpr std::size_t kEnough = 64;
+    std::string text;
+    for (const std::string_view word : words_) {
+      if (text.size() > kEnough) break;
+      text += fmt::format("{}{}", text.empty() ? "" : " ", word.substr(0, kEnough));
+    }
+    return text;
   }
 
   // The next line with something on it that is no comment.
   bool next_line() {
-    while (std::getline(stream_, text_)) {
-      ++line_;
-      words_ = words_of(text_);
+    while (!rest_.empty()) {
+      words_ = words_of(take_line());
       if (!words_.empty() && words_[0][0] != '%') return true;
     }
-    if (stream_.bad()) refuse("file", "unreadable", "must be a file that may be read");
     return false;
   }
 
+  std::string_view take_line() {
+    const std::string_view line = rest_.substr(0, rest_.find('\n'));
+    rest_.remove_prefix(std::min(rest_.size(), line.size() + 1));
+    ++line_;
+    return line;
+  }
+
   void read_header() {
-    if (!std::getline(stream_, text_)) refuse("header", "missing", kHeader);
-    line_ = 1;
-    std::string lower = text_.substr(0, 200);
+    if (rest_.empty()) refuse("header", "missing", kHeader);
+    const std::string_view first = take_line();
+    std::string lower(first.substr(0, 200));
     std::transform(lower.begin(), lower.end(), lower.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    words_ = words_of(text_);
+    words_ = words_of(first);
     const std::vector<std::string_view> header = words_of(lower);
     const auto is = [&](std::size_t i, std::string_view one, std::string_view other) {
       return header[i] == one || header[i] == other;
@@ -194,10 +211,9 @@ class Reader {
     return A;
   }
 
-  std::istream& stream_;
+  std::string_view rest_;  // what has not been read
   const std::string& name_;
-  std::string text_;                     // the line, and
-  std::vector<std::string_view> words_;  // what it says
+  std::vector<std::string_view> words_;  // of the line that was read last
   int line_ = 0;
   bool coordinate_ = true;
   bool integer_ = false;
@@ -211,8 +227,8 @@ class Reader {
 
 }  // namespace
 
-SparseMatrix read_matrix_market(std::istream& stream, const std::string& name) {
-  return Reader(stream, name).read();
+SparseMatrix read_matrix_market(std::string_view text, const std::string& name) {
+  return Reader(text, name).read();
 }
 
 }  // namespace signorini

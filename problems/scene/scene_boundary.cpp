@@ -9,7 +9,8 @@ namespace signorini {
 
 namespace {
 
-constexpr int kMostFacets = 1000;  // of one ring
+constexpr int kMostFacets = 1000;              // of one ring
+constexpr std::size_t kMostContacts = 100000;  // of a scene
 constexpr std::string_view kNumber = "must be a finite number";
 constexpr std::string_view kGap = "must be a finite number [m]";
 constexpr std::string_view kAxes = "xyz";
@@ -153,6 +154,10 @@ FromTables<Contact> read_contacts(const SceneField& contacts, const SystemDescri
   int table = 0;
   for (const SceneField& contact : contacts.items("must be [[contact]] tables; left out if there is none")) {
     for (Contact& one : read_contact(contact, system)) made.add(std::move(one), table);
+    if (made.things.size() > kMostContacts) {
+      contact.refuse(fmt::format("{} contacts so far", made.things.size()),
+                     fmt::format("must make at most {} in all", kMostContacts));
+    }
     ++table;
   }
   return made;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <set>
 
 #include "problems/scene/scene_field.hpp"
 
@@ -16,10 +17,17 @@ constexpr std::string_view kValues = "must be a table of places in this file, ea
 
 std::vector<double> read_levels(const SceneField& family) {
   constexpr std::string_view kRequirement = "must be a list of different numbers, easiest first";
+  constexpr std::size_t kMostLevels = 1000;  // each is a scene, read from the whole file
   std::vector<double> levels;
-  for (const SceneField& item : family["levels"].items(kRequirement)) {
+  const std::vector<SceneField> items = family["levels"].items(kRequirement);
+  if (items.size() > kMostLevels) {
+    family["levels"].refuse(fmt::format("{} levels", items.size()),
+                            fmt::format("must be at most {}", kMostLevels));
+  }
+  std::set<double> known;
+  for (const SceneField& item : items) {
     levels.push_back(item.number("must be a number"));
-    if (std::count(levels.begin(), levels.end(), levels.back()) > 1) item.refuse(kRequirement);
+    if (!known.insert(levels.back()).second) item.refuse(kRequirement);
   }
   return levels;
 }

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <fstream>
 #include <set>
 #include <tuple>
 
+#include "problems/scene/input_file.hpp"
 #include "problems/scene/kebab_case.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/scene_system.hpp"
@@ -19,7 +18,6 @@ namespace signorini {
 namespace {
 
 constexpr int kSchema = 1;
-constexpr std::size_t kLargestFile = std::size_t{1} << 24;  // bytes; a scene is text written by hand
 
 std::string read_name(const SceneField& field) {
   constexpr std::string_view kRequirement =
@@ -155,22 +153,11 @@ void read_scene(const SceneField& document, std::optional<FamilyLevel> family, R
 }
 
 std::string read_text(const std::filesystem::path& path) {
-  const auto refuse = [&](std::string_view found, std::string_view requirement) {
-    throw SceneError(fmt::format("{}: file = {} ({})", path.string(), found, requirement));
-  };
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) refuse("missing", "must exist");
-  if (std::filesystem::is_directory(path, ignored)) refuse("a folder", "must be a TOML file");
-  std::ifstream stream(path, std::ios::binary);
-  std::string text;
-  std::array<char, 65536> block{};
-  while (stream && text.size() <= kLargestFile) {
-    stream.read(block.data(), block.size());
-    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+  try {
+    return read_input_file(path, kLargestScene);
+  } catch (const UnreadableFile& error) {
+    throw SceneError(fmt::format("{}: file = {}", path.string(), error.what()));
   }
-  if (stream.bad() || !stream.is_open()) refuse("unreadable", "must be a file that may be read");
-  if (text.size() > kLargestFile) refuse("more than 16 MiB", "must be a scene of at most 16 MiB");
-  return text;
 }
 
 }  // namespace
@@ -202,6 +189,9 @@ SceneWithSources parse_scene_with_sources(std::string_view text, const std::stri
     return scene;
   } catch (const InvalidProblem& error) {
     as_written(root, scene, error.field).refuse(error.found, error.requirement);
+  } catch (const std::invalid_argument& error) {  // of an assembly whose numbers leave the range of doubles
+    root["system"].refuse("what it is",
+                          fmt::format("must be a structure that can be assembled: {}", error.what()));
   }
 }
 

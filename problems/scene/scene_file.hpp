@@ -17,6 +17,9 @@ inline constexpr std::string_view kLarge = "large";
 /// The tag of scenes whose orbits take minutes to search.
 inline constexpr std::string_view kLongSearch = "long-search";
 
+/// Largest scene file that is read [bytes]: a scene is text written by hand.
+inline constexpr std::size_t kLargestScene = std::size_t{1} << 24U;
+
 /// Where a scene is read from: a file, and for one of a family its level.
 struct SceneSource {
   /// A file that is a scene by itself unless a level is given.

@@ -149,6 +149,10 @@ SystemDescription read_beam(const SceneField& system) {
   Beam beam = read_section_and_material(system);
   beam.count =
       system["count"].whole_or(1, fmt::format("must be a whole number, 1..{}", kMostBeams), 1, kMostBeams);
+  if (beam.elements * beam.count > kMostElements) {
+    system["count"].refuse(fmt::format("{} beams of {} elements", beam.count, beam.elements),
+                           fmt::format("must make at most {} elements in all", kMostElements));
+  }
   beam.contact_mass = read_contact_mass(system["contact_mass"]);
   const int size = 2 * beam.elements * beam.count;
   return damped(assembly_of(beam), read_damping(system["damping"], size), size);

@@ -3,17 +3,19 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <fstream>
 #include <utility>
 
 #include "problems/assembly/chain.hpp"
 #include "problems/assembly/rotor.hpp"
 #include "problems/matrix_properties.hpp"
+#include "problems/scene/input_file.hpp"
+#include "problems/scene/matrix_market.hpp"
 
 namespace signorini {
 
 namespace {
 
+constexpr std::size_t kLargestMatrixFile = std::size_t{1} << 29U;  // bytes: some 20 million entries
 constexpr std::string_view kKinds =
     "\"sdof\", \"chain\", \"bar\", \"beam\", \"block\", \"rotor\", \"shaft\" or \"matrices\"";
 
@@ -95,11 +97,12 @@ SparseMatrix read_matrix(const SceneField& field) {
       "must be the name of a Matrix Market file, relative to the scene's folder";
   const std::string name = field.text(kRequirement);
   const std::filesystem::path path = matrix_file(field, name);
-  std::error_code ignored;
-  if (name.empty() || std::filesystem::is_directory(path, ignored)) field.refuse(kRequirement);
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream.is_open()) field.refuse("must be a file that may be read, relative to the scene's folder");
-  return read_matrix_market(stream, path.string());
+  if (name.empty()) field.refuse(kRequirement);
+  try {
+    return read_matrix_market(read_input_file(path, kLargestMatrixFile), path.string());
+  } catch (const UnreadableFile& error) {
+    field.refuse(fmt::format("{}; it is {}", kRequirement, error.found));
+  }
 }
 
 SparseMatrix read_matrix(const SceneField& field, Eigen::Index size) {

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <istream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,16 +72,5 @@ FromTables<Contact> read_contacts(const SceneField& contacts, const SystemDescri
 
 /// A whole number of any size: ranges are validate()'s business.
 int read_int(const SceneField& field, int otherwise);
-
-/// Largest number of rows that is read.
-inline constexpr int kMostMatrixRows = 10'000'000;
-
-/// Reads one square matrix: `%%MatrixMarket matrix coordinate|array real|integer general|symmetric`
-/// [boisvert1996], rows and columns counted from 1, symmetric ones by their lower triangle; comments and
-/// blank lines may stand anywhere after the first line. Stored zeros are dropped. `name` stands for the file
-/// in messages. \throws SceneError `NAME:LINE: what = found (what is required)` for anything else: a complex,
-/// pattern, skew or rectangular matrix, a number that is none or not finite, an index out of range, an entry
-/// given twice or above the diagonal of a symmetric matrix, too few or too many entries
-SparseMatrix read_matrix_market(std::istream& stream, const std::string& name);
 
 }  // namespace signorini

@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::size_t kLongestPrint = 60;    // of a value
 constexpr std::size_t kLongestReason = 200;  // of the parser
+// Keys "a.b.c": each part is a table in a table, which the library and `convert` visit by recursion. The
+// library bounds the nesting of values, not that of keys.
+constexpr int kMostParts = 100;
 
 int line_of(const toml::source_region& region) { return std::max(1, static_cast<int>(region.begin.line)); }
 
@@ -48,6 +51,64 @@ TomlNode convert(const toml::node& node) {
   TomlNode result{.line = line_of(node.source()), .value = {}};
   node.visit([&](const auto& value) { result.value = converted(value); });
   return result;
+}
+
+/// Where a quoted text that begins at `at` ends, past its last quote; the end where it does not.
+std::size_t end_of_quoted(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  const std::string three(3, quote);
+  const bool multiline = text.substr(at, 3) == three;
+  const std::string_view closing = multiline ? std::string_view(three) : text.substr(at, 1);
+  for (std::size_t i = at + closing.size(); i < text.size(); ++i) {
+    if (text.substr(i).starts_with(closing)) return i + closing.size();
+    if (quote == '"' && text[i] == '\\') ++i;     // of an escaped quote
+    if (!multiline && text[i] == '\n') return i;  // no TOML; the parser says so
+  }
+  return text.size();
+}
+
+[[noreturn]] void refuse(const std::string& file, int line, std::string_view reason) {
+  throw SceneError(fmt::format("{}:{}: file = not TOML (must be valid TOML 1.0; {})", file, line,
+                               one_line(reason, kLongestReason)));
+}
+
+/// Refuses keys of more than kMostParts parts before the library sees them. \throws SceneError
+void require_short_keys(std::string_view text, const std::string& file) {
+  constexpr std::string_view kBare = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_- \t";
+  int dots = 0;  // since the last character that can be no part of a key
+  int line = 1;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    const std::size_t begin = i;
+    if (c == '"' || c == '\'') {
+      i = end_of_quoted(text, i);
+    } else if (c == '#') {
+      i = std::min(text.find('\n', i), text.size());
+    } else {
+      if (c == '.') ++dots;
+      if (c != '.' && kBare.find(c) == std::string_view::npos) dots = 0;
+      ++i;
+    }
+    if (dots >= kMostParts)
+      refuse(file, line, fmt::format("a key has more than {} parts", kMostParts));
+    line += static_cast<int>(std::ranges::count(text.substr(begin, i - begin), '\n'));
+  }
+}
+
+/// Bytes of the UTF-8 character at the front of the text; 0 where none begins there.
+std::size_t length_of_character(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned first = byte(0);
+  const std::size_t length = first < 0x80U                     ? 1
+                             : first >= 0xC2U && first < 0xE0U ? 2
+                             : (first & 0xF0U) == 0xE0U        ? 3
+                             : first >= 0xF0U && first < 0xF5U ? 4
+                                                               : 0;
+  if (length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+  }
+  return length;
 }
 
 struct Printer {
@@ -89,11 +150,11 @@ const TomlNode* TomlNode::find(std::string_view key) const {
 }
 
 TomlNode parse_toml(std::string_view text, const std::string& file) {
+  require_short_keys(text, file);
   try {
     return convert(toml::parse(text));
   } catch (const toml::parse_error& error) {
-    throw SceneError(fmt::format("{}:{}: file = not TOML (must be valid TOML 1.0; {})", file,
-                                 line_of(error.source()), one_line(error.description(), kLongestReason)));
+    refuse(file, line_of(error.source()), error.description());
   }
 }
 
@@ -122,17 +183,22 @@ std::string print(const TomlNode& node) {
 
 std::string one_line(std::string_view text, std::size_t length) {
   std::string line;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool begins_character = (byte & 0xC0U) != 0x80U;
-    if (line.size() >= length && begins_character) return line + "...";
-    if (c == '\n') {
+  while (!text.empty()) {
+    if (line.size() >= length) return line + "...";
+    const auto byte = static_cast<unsigned char>(text.front());
+    std::size_t size = length_of_character(text);
+    // C1 control characters, U+0080 to U+009F, mean as much to a terminal as ESC does.
+    const bool second_control = size == 2 && byte == 0xC2U && static_cast<unsigned char>(text[1]) < 0xA0U;
+    if (byte == '\n') {
       line += "\\n";
-    } else if (byte < 0x20U || byte == 0x7FU) {
-      line += fmt::format("\\x{:02x}", byte);
+    } else if (size == 0 || byte < 0x20U || byte == 0x7FU || second_control) {
+      size = second_control ? 2 : 1;
+      for (const char c : text.substr(0, size))
+        line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
     } else {
-      line += c;
+      line += text.substr(0, size);
     }
+    text.remove_prefix(size);
   }
   return line;
 }

@@ -46,7 +46,7 @@ class SceneError : public std::runtime_error {
 
 /// The whole document, a table.
 /// \param file  named in messages
-/// \throws SceneError if it is not TOML
+/// \throws SceneError if it is not TOML, or a key has more than 100 parts
 TomlNode parse_toml(std::string_view text, const std::string& file);
 
 /// A step of a dotted path with indices, "forcing.term[0].dof": a key, or an index.
@@ -62,7 +62,8 @@ std::optional<PathStep> take_step(std::string_view& path);
 /// The value on one line as a message shows it: strings quoted, control characters escaped, long ones cut.
 std::string print(const TomlNode& node);
 
-/// Control characters as \n or \x1b, what follows the first `length` bytes as "...": for one-line messages.
+/// Control characters, and bytes that are no UTF-8, as \n or \x1b; what follows the first `length` bytes as
+/// "...": for one-line messages, safe on a terminal.
 std::string one_line(std::string_view text, std::size_t length = 60);
 
 }  // namespace signorini

@@ -120,7 +120,8 @@ TEST(Validate, RefusesForcingOutOfRange) {
   EXPECT_EQ(frequency(0.0), "forcing.frequency = 0 (must be a positive number [rad/s])");
   EXPECT_EQ(frequency(-1.0), "forcing.frequency = -1 (must be a positive number [rad/s])");
   EXPECT_EQ(frequency(kNaN), "forcing.frequency = nan (must be a positive number [rad/s])");
-  EXPECT_EQ(frequency(1e-320), "forcing.frequency = 1e-320 (must be a positive number [rad/s])");
+  EXPECT_EQ(frequency(1e-320),
+            "forcing.frequency = 9.99989e-321 (must be between 1e-20 and 1e+20 [rad/s]: choose other units)");
   EXPECT_EQ(complaint_after([](Problem& p) { p.subharmonic = 0; }),
             "forcing.subharmonic = 0 (must be a whole number, 1..64)");
   EXPECT_EQ(complaint_after([](Problem& p) { p.subharmonic = 65; }),
@@ -203,6 +204,48 @@ TEST(Validate, WantsOnePositivePenaltyPerContact) {
             "law.penalty[0] = 0 (must be a positive number [N/m])");
   EXPECT_EQ(complaint_after([](Problem& p) { p.law = Penalty{{INFINITY}}; }),
             "law.penalty[0] = inf (must be a positive number [N/m])");
+}
+
+TEST(Validate, RefusesMagnitudesWhoseSquaresLeaveTheRangeOfDoubles) {
+  const std::string bounds = "(must be 0 or between 1e-60 and 1e+60: choose other units)";
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.mass *= 1e-200; })),
+            "system.mass = 4e-200 " + bounds);
+  EXPECT_EQ(complaint_after(to_structure([](Structure& s) { s.stiffness *= 1e100; })).substr(0, 19),
+            "system.stiffness = ");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.force[0].cos = 1e-200; }),
+            "forcing.term[0].cos = 1e-200 " + bounds);
+  EXPECT_EQ(complaint_after([](Problem& p) { p.contacts[0].gap = -1e61; }),
+            "contact[0].gap = -1e+61 (must be at most 1e+60)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Penalty{{5e-324}}; }),
+            "law.penalty[0] = 4.94066e-324 " + bounds);
+  EXPECT_EQ(complaint_after([](Problem& p) { p.contacts[0].gap = 1e-300; }), "");
+}
+
+std::string complaint_with_stops(const std::vector<Contact>& stops) {
+  return complaint_after([&](Problem& p) { p.contacts = stops; });
+}
+
+TEST(Validate, RefusesRigidStopsThatLeaveNoRoom) {
+  EXPECT_EQ(
+      complaint_with_stops({{.normal = {{0, 1.0}}, .gap = -0.1}, {.normal = {{0, -1.0}}, .gap = -0.1}}),
+      "contact[1].gap = -0.1 (must leave room: contact 0 holds its coordinate at -0.1 or less, contact 1 at "
+      "0.1 or more)");
+  // Along a combination of coordinates, in another order and scale; and stops that meet.
+  EXPECT_NE(complaint_with_stops({{.normal = {{0, 0.3}, {1, -0.6}}, .gap = 0.3},
+                                  {.normal = {{2, 1.0}}, .gap = 0.0},
+                                  {.normal = {{1, 2.0}, {0, -1.0}}, .gap = -1.1}}),
+            "");
+  EXPECT_NE(complaint_with_stops({{.normal = {{0, 1.0}}, .gap = 0.0}, {.normal = {{0, -1.0}}, .gap = 0.0}}),
+            "");
+  EXPECT_EQ(complaint_with_stops({{.normal = {{0, 1.0}}, .gap = 0.1}, {.normal = {{0, -1.0}}, .gap = -0.09}}),
+            "");
+  EXPECT_EQ(complaint_with_stops({{.normal = {{0, 1.0}}, .gap = 0.1}, {.normal = {{0, 1.0}}, .gap = 0.1}}),
+            "");
+  EXPECT_EQ(complaint_after([](Problem& p) {
+              p.contacts = {{.normal = {{0, 1.0}}, .gap = -0.1}, {.normal = {{0, -1.0}}, .gap = -0.1}};
+              p.law = Penalty{{100.0, 100.0}};  // springs, both compressed
+            }),
+            "");
 }
 
 }  // namespace

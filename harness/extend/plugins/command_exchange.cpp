@@ -101,6 +101,9 @@ std::vector<ContactEvent> read_events(const Json& json) {
 std::shared_ptr<const Trajectory> read_motion(const Json& json, double period) {
   TrajectorySamples samples;
   read_fields(json.at("trajectory"), samples);
+  constexpr int kMostHarmonics = 1000000;
+  if (samples.bandwidth && (*samples.bandwidth < 0 || *samples.bandwidth > kMostHarmonics))
+    refuse(fmt::format("trajectory.bandwidth = {} (must be in 0..{})", *samples.bandwidth, kMostHarmonics));
   require_equidistant(samples.t, period);
   const auto motion = trajectory_of(period, samples);
   if (!json.contains("events")) return motion;
@@ -113,6 +116,19 @@ std::shared_ptr<const Trajectory> read_motion(const Json& json, double period) {
   }
 }
 
+/// Counts of work: those of a record, none of them negative.
+Work read_work(const Json& json) {
+  WorkDone work;
+  const Json known = write_fields(WorkDone{.counts = {0, 0, 0, 0, 0}});
+  for (const auto& [key, value] : json.items()) {
+    if (!known.contains(key)) refuse(fmt::format("work.{} = unknown", one_line(key)));
+    if (!value.is_number() || value.get<double>() < 0.0)
+      refuse(fmt::format("work.{} = {} (must be 0 or more)", key, one_line(value.dump())));
+  }
+  read_fields(json, work);
+  return work.counts;
+}
+
 Solution read_solution(const Json& json, double period) {
   allow_only(json);
   Solution solution{.verdict = read_verdict(json)};
@@ -120,10 +136,7 @@ Solution read_solution(const Json& json, double period) {
                                               : "the command gave no message";
   if (json.contains("residual")) solution.residual = json["residual"].get<double>();
   if (json.contains("condition")) solution.condition = json["condition"].get<double>();
-  if (WorkDone work; json.contains("work")) {
-    read_fields(json["work"], work);
-    solution.work = work.counts;
-  }
+  if (json.contains("work")) solution.work = read_work(json["work"]);
   if (!json.contains("trajectory")) return solution;
   if (json.contains("period")) period = json["period"].get<double>();
   solution.trajectory = read_motion(json, period);

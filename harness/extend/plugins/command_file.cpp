@@ -176,7 +176,7 @@ std::string RepresentedLaws::text() const {
 }
 
 CommandDescription read_command_file(const fs::path& file) {
-  const std::string text = read_file(file);
+  const std::string text = read_file(file, kLargestScene);
   const std::string name = file.string();
   const TomlNode document = parse_toml(text, name);
   const SceneField root(document, name);

@@ -4,16 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cfenv>
 #include <cstdlib>
 #include <filesystem>
-#include <limits>
 #include <string_view>
 
 #include "harness/extend/plugins/command_method.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/isolation/isolation.hpp"
+#include "harness/isolation/process_state.hpp"
 #include "harness/plan/plan.hpp"
 #include "methods/catalogue.hpp"
 #include "methods/plugin/plugin.hpp"
@@ -89,13 +88,6 @@ std::string abi_difference(std::string_view there, std::string_view here) {
     return fmt::format("{} is {} there, {} here", item, theirs, ours);
   }
   return {};
-}
-
-/// Rounding to nearest, and numbers below the smallest normal one kept: what every result here is computed
-/// with.
-bool floating_point_is_usual() {
-  const volatile double smallest = std::numeric_limits<double>::min();
-  return std::fegetround() == FE_TONEAREST && smallest / 2.0 > 0.0;
 }
 
 /// What the entry point returns, once all that must be equal is found to be. \throws UsageError

@@ -52,8 +52,8 @@ void add_study(const ResolutionStudy& study, const LineStyle& style, const std::
   add_block(study.configuration + ", runs", runs, fmt::format("points {} ps 1.1", style.filled), canvas);
   add_block(study.configuration + ", runs below ten error bars", bounds,
             fmt::format("points {} ps 1.1", style.hollow), canvas);
-  canvas.plots +=
-      fmt::format(", \\\n  keyentry with linespoints {} {} title '{}'", style.line, style.mark, label);
+  canvas.plots += fmt::format(", \\\n  keyentry with linespoints {} {} title {}", style.line, style.mark,
+                              gnuplot_string(label));
 }
 
 /// Ten error bars of the least certain orbit.

@@ -6,7 +6,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <string_view>
 
@@ -24,7 +26,7 @@ constexpr const char* kLog = "gnuplot.log";
 
 /// Runs gnuplot in the folder; its exit code, or that it could not be started.
 int run_gnuplot(const fs::path& folder, const std::vector<std::string>& scripts) {
-  std::vector<std::string> words{"gnuplot"};
+  std::vector<std::string> words{"gnuplot", "-d"};  // without what ~/.gnuplot would add
   words.insert(words.end(), scripts.begin(), scripts.end());
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
@@ -45,7 +47,26 @@ int run_gnuplot(const fs::path& folder, const std::vector<std::string>& scripts)
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+/// Names stand in scripts and become files of the folder.
+void require_plain_name(const std::string& name) {
+  const auto plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 ||
+           std::string_view("@._-").find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  if (!name.empty() && name.front() != '.' && name.front() != '-' && std::ranges::all_of(name, plain)) return;
+  throw UsageError(fmt::format("figure = {} (must be a name of letters, digits and \"@._-\")", name));
+}
+
 }  // namespace
+
+std::string gnuplot_string(std::string_view text) {
+  std::string literal = "'";
+  for (const char c : text) {
+    if (c == '\'') literal += '\'';  // doubled: the only character with a meaning in such a literal
+    literal += static_cast<unsigned char>(c) < 0x20U ? ' ' : c;
+  }
+  return literal + "'";
+}
 
 LineStyle line_style(std::size_t configuration) {
   // Okabe and Ito's palette without its yellow, which vanishes on white.
@@ -80,7 +101,8 @@ set key center center horizontal maxcols {} Left reverse samplen 3 font ',9' noe
 plot 2 notitle)",
                                    height, columns);
   for (const KeyEntry& entry : entries)
-    script += fmt::format(", \\\n  keyentry with linespoints {} title '{}'", entry.style, entry.title);
+    script += fmt::format(", \\\n  keyentry with linespoints {} title {}", entry.style,
+                          gnuplot_string(entry.title));
   return script + "\n";
 }
 
@@ -113,6 +135,7 @@ void draw_figures(const fs::path& folder, std::span<const Figure> figures) {
   if (figures.empty()) return;
   std::vector<std::string> scripts;
   for (const Figure& figure : figures) {
+    require_plain_name(figure.name);
     write_whole(folder / (figure.name + ".dat"), figure.data);
     write_whole(folder / (figure.name + ".gp"), whole_script(figure));
     scripts.push_back(figure.name + ".gp");

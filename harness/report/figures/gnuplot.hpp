@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/report/document/section.hpp"
@@ -21,6 +22,10 @@ struct LineStyle {
 };
 LineStyle line_style(std::size_t configuration);
 
+/// A text as gnuplot's string literal in single quotes, which knows no escapes and no commands; line breaks
+/// become blanks.
+std::string gnuplot_string(std::string_view text);
+
 /// An entry of a key: style and title.
 struct KeyEntry {
   std::string style = {};
@@ -33,7 +38,8 @@ std::string key_panel(const std::vector<KeyEntry>& entries, double height, int c
 
 /// Writes NAME.gp and NAME.dat of each figure into the folder and has gnuplot make NAME.svg and NAME.pdf of
 /// them: the same bytes each time. `gnuplot NAME.gp` in the folder makes them again.
-/// \throws UsageError if gnuplot is not installed, refuses a script, or the folder cannot be written
+/// \throws UsageError if gnuplot is not installed, refuses a script, the folder cannot be written, or the
+/// name of a figure is more than letters, digits and "@._-"
 void draw_figures(const std::filesystem::path& folder, std::span<const Figure> figures);
 
 /// The whole of NAME.gp.

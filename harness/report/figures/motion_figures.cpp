@@ -64,7 +64,7 @@ std::string curves(const Evaluation& evaluation, const std::vector<const Record*
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     plots += fmt::format(", \\\n  data index {} using {}:{} with lines {} {}", i + 1, abscissa, ordinate,
                          style_of(evaluation, *drawn[i]).line,
-                         titled ? fmt::format("title '{}'", resolution_of(*drawn[i])) : "notitle");
+                         titled ? "title " + gnuplot_string(resolution_of(*drawn[i])) : "notitle");
   }
   return "plot " + plots + "\n";
 }

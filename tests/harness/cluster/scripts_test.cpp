@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "harness/failure.hpp"
+
 namespace signorini {
 namespace {
 
@@ -34,6 +36,23 @@ TEST(SlurmScripts, RunOneShardPerTaskAndMergeWhenAllHaveEnded) {
             std::string::npos);
   EXPECT_NE(slurm_submit_script(submission()).find("--dependency=\"afterany:${array%%;*}\""),
             std::string::npos);
+}
+
+TEST(SlurmScripts, TakeFoldersThatMeanWhatTheySay) {
+  Submission job = submission();
+  job.folder = "/data/50 %j of it";
+  EXPECT_NO_THROW(require_quotable(job));
+  EXPECT_NE(slurm_array_script(job).find("#SBATCH --output=\"/data/50 %%j of it/log-%a.txt\"\n"),
+            std::string::npos);
+  EXPECT_NE(slurm_merge_script(job).find("#SBATCH --output=\"/data/50 %%j of it/log-merge.txt\"\n"),
+            std::string::npos);
+  for (const char* folder : {"/data/nl\nrm -rf x", "/data/\"x", "/data/a{}b", "/data/a\\b", "/data/\x1b"}) {
+    job.folder = folder;
+    EXPECT_THROW(require_quotable(job), UsageError) << folder;
+  }
+  job.folder = "/data/run";
+  job.sbatch_words = {"--time=60\nrm -rf x"};
+  EXPECT_THROW(require_quotable(job), UsageError);
 }
 
 TEST(ParallelScript, NumbersTheShardsAndSaysHowManyRunAtOnce) {

@@ -173,6 +173,20 @@ TEST(RunIsolated, SurvivesAChildThatTalksWithoutEnd) {
   EXPECT_EQ(end.lines.size(), 1U);
 }
 
+TEST(RunIsolated, StopsAChildWhoseLineHasNoEnd) {
+  const ChildEnd end = run_isolated(
+      [](const LineSender&) {
+        // Straight into the harness's pipe, as a method may that looks for open descriptors.
+        const std::string block(1U << 20U, 'x');
+        for (int number = STDERR_FILENO + 1; number < 64; ++number) {
+          while (write(number, block.data(), block.size()) > 0) continue;
+        }
+      },
+      {.stage_seconds = {20.0}, .grace = 0.1});
+  EXPECT_EQ(end.kind, Kind::flooded);
+  EXPECT_LT(end.seconds, 10.0);
+}
+
 TEST(RunIsolatedTogether, KeepsTheOrderOfTheWork) {
   std::vector<IsolatedWork> work;
   for (int i = 0; i < 7; ++i) {

@@ -87,13 +87,15 @@ TEST(FirstRound, BlamesTheMethodForADeathWhileItIsTimedOrCleanedUp) {
   EXPECT_TRUE(cleaned.message.starts_with("in its clean-up: ")) << cleaned.message;
 }
 
-TEST(FirstRound, BlamesTheHarnessForADeathWhileItMeasures) {
+TEST(FirstRound, LeavesNoClaimStandingWhoseCheckHasDied) {
   const Record record = received_first_round(blank_record(), send_stages(
                                                                  blank_record(), [] { _exit(3); }, 2));
+  EXPECT_EQ(record.status, Status::crashed);
+  EXPECT_EQ(claim_of(record), std::nullopt);
+  EXPECT_TRUE(record.message.starts_with("in the harness's check of its answer: ")) << record.message;
   EXPECT_EQ(record.certificate.status, CertificateStatus::uncertified);
   EXPECT_TRUE(record.certificate.reason.starts_with("the harness's own check ended by "))
       << record.certificate.reason;
-  EXPECT_EQ(record.message, "solved");
 }
 
 TEST(LaterRound, IsAddedToTheRecordWithItsTimesAndItsAnswer) {

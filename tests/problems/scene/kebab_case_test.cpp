@@ -22,5 +22,12 @@ TEST(IsLowerKebabCase, EndsAtTheLongestName) {
   EXPECT_FALSE(is_lower_kebab_case(std::string(kLongestName + 1, 'a')));
 }
 
+TEST(IsSceneName, IsANameOrOneOfAFamilyWithItsLevel) {
+  for (const std::string_view name : {"sdof-stop", "grazing@1e-4", "preload@-0.9", "units@1000000"})
+    EXPECT_TRUE(is_scene_name(name)) << name;
+  for (const std::string_view name : {"", "@1", "a@", "a@x", "a@1/2", "a@1@2", "a/b", "../a", "a'b", "A@1"})
+    EXPECT_FALSE(is_scene_name(name)) << name;
+}
+
 }  // namespace
 }  // namespace signorini

@@ -1,3 +1,5 @@
+#include "problems/scene/matrix_market.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -9,16 +11,12 @@
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/damping.hpp"
 #include "problems/scene/scene_file.hpp"
-#include "problems/scene/scene_system.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
 namespace signorini::test {
 namespace {
 
-SparseMatrix read(const std::string& text) {
-  std::istringstream stream(text);
-  return read_matrix_market(stream, "A.mtx");
-}
+SparseMatrix read(const std::string& text) { return read_matrix_market(text, "A.mtx"); }
 
 std::string complaint(const std::function<void()>& action) {
   try {
@@ -222,9 +220,10 @@ TEST_F(MatrixScene, IsRefusedInOneLineThatNamesTheCulprit) {
       refusal(5, "mass = \"model\""),
       "scene.toml:5: system.mass = \"model\" (must be the name of a Matrix Market file, relative to the "
       "scene's folder)");
-  EXPECT_EQ(refusal(5, "mass = \"M.mtx\""),
-            "scene.toml:5: system.mass = \"M.mtx\" (must be a file that may be read, relative to the scene's "
-            "folder)");
+  EXPECT_EQ(
+      refusal(5, "mass = \"M.mtx\""),
+      "scene.toml:5: system.mass = \"M.mtx\" (must be the name of a Matrix Market file, relative to the "
+      "scene's folder; it is missing)");
   EXPECT_EQ(
       refusal(7, ""),
       "scene.toml:3: system.damping = missing (must be the name of a Matrix Market file, relative to the "

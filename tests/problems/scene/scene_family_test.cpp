@@ -9,6 +9,7 @@
 #include <set>
 
 #include "problems/scene/scene_file.hpp"
+#include "tests/problems/temporary_folder.hpp"
 
 namespace signorini::test {
 namespace {
@@ -159,6 +160,20 @@ TEST(ShippedFamilies, StateOneSceneInSeveralUnits) {
     EXPECT_LE((numbers(load_scene(source)) - expected).norm(), 1e-14 * expected.norm()) << source.level;
   }
   EXPECT_GE(others, 4);
+}
+
+TEST(SceneFamily, HasAtMostAThousandLevels) {
+  std::string levels;
+  for (int i = 0; i < 300000; ++i) levels += std::to_string(i) + ", ";
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("many.toml", "[family]\nlevels = [" + levels + "]\n");
+  try {
+    load_levels(file);
+    ADD_FAILURE();
+  } catch (const SceneError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              file.string() + ":2: family.levels = 300000 levels (must be at most 1000)");
+  }
 }
 
 }  // namespace

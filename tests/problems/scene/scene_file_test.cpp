@@ -277,10 +277,10 @@ TEST(LoadScene, NamesTheFileInItsComplaint) {
   const fs::path absent = folder.path() / "absent.toml";
   EXPECT_EQ(scene_error([&] { load_scene(absent); }), absent.string() + ": file = missing (must exist)");
   EXPECT_EQ(scene_error([&] { load_scene(folder.path()); }),
-            folder.path().string() + ": file = a folder (must be a TOML file)");
+            folder.path().string() + ": file = a folder (must be a file)");
   const fs::path huge = folder.write("huge.toml", std::string((1U << 24U) + 1, '#'));
   EXPECT_EQ(scene_error([&] { load_scene(huge); }),
-            huge.string() + ": file = more than 16 MiB (must be a scene of at most 16 MiB)");
+            huge.string() + ": file = more than 16 MiB (must be a file of at most 16 MiB)");
 }
 
 TEST(LoadScene, RefusesAFileThatCannotBeRead) {

@@ -79,5 +79,43 @@ TEST(OneLine, CutsLongTextBetweenCharacters) {
   EXPECT_EQ(one_line("a\x01"), "a\\x01");
 }
 
+TEST(ParseToml, RefusesKeysOfMoreThanAHundredParts) {
+  const auto key_of = [](int parts, const std::string& part) {
+    std::string key = part;
+    for (int i = 1; i < parts; ++i) key += "." + part;
+    return key;
+  };
+  EXPECT_NO_THROW(parse_toml(key_of(100, "a") + " = 1", "f.toml"));
+  for (const char* part : {"a", "\"a\"", "\"a,b\"", "'a.b'", "\"\\\"\""}) {
+    const std::string deep = key_of(20000, part);
+    for (const std::string& text :
+         {deep + " = 1", "[" + deep + "]", "[[" + deep + "]]", "x = {" + deep + " = 1}"}) {
+      try {
+        parse_toml("# a comment, a.b.c\n" + text, "f.toml");
+        ADD_FAILURE() << part;
+      } catch (const SceneError& error) {
+        EXPECT_STREQ(error.what(),
+                     "f.toml:2: file = not TOML (must be valid TOML 1.0; a key has more than 100 parts)");
+      }
+    }
+  }
+}
+
+TEST(ParseToml, TakesAsManyDotsInTextsNumbersAndCommentsAsThereAre) {
+  std::string dots, numbers = "n = [0.5";
+  for (int i = 0; i < 300; ++i) dots += "so. ", numbers += ", 1.5";
+  const TomlNode document =
+      parse_toml("# " + dots + "\na = \"" + dots + "\"\nb = '" + dots + "'\nc = \"\"\"\n" + dots +
+                 "\n\"\"\"\nd = \"\\\"" + dots + "\"\n" + numbers + "]\n", "f.toml");
+  EXPECT_EQ(std::get<TomlArray>(document.find("n")->value).size(), 301U);
+}
+
+TEST(OneLine, LeavesNothingToATerminal) {
+  EXPECT_EQ(one_line("\x1b[31m\x7f\xc2\x9b"), "\\x1b[31m\\x7f\\xc2\\x9b");
+  EXPECT_EQ(one_line("\xff\xc3(\xe2\x82"), "\\xff\\xc3(\\xe2\\x82") << "bytes that are no UTF-8";
+  EXPECT_EQ(one_line("\xc0\xaf"), "\\xc0\\xaf") << "a slash spelt in two bytes";
+  EXPECT_EQ(one_line("µ = 3 ‖x‖"), "µ = 3 ‖x‖");
+}
+
 }  // namespace
 }  // namespace signorini

@@ -109,6 +109,20 @@ TEST(ReadCommandAnswer, RefusesEventsThatCannotBe) {
   EXPECT_NE(refused(Json::array({1})), "accepted");
 }
 
+TEST(ReadCommandAnswer, RefusesCountsThatNobodyCounted) {
+  Json negative = answer();
+  negative["work"]["iterations"] = -7;
+  EXPECT_NE(refusal(negative).find("work.iterations = -7 (must be 0 or more)"), std::string::npos);
+  Json unknown = answer();
+  unknown["work"]["flops"] = 7;
+  EXPECT_NE(refusal(unknown).find("work.flops = unknown"), std::string::npos);
+  for (const long bandwidth : {-5L, 2'000'000'000L}) {
+    Json wide = answer();
+    wide["trajectory"]["bandwidth"] = bandwidth;
+    EXPECT_NE(refusal(wide).find("trajectory.bandwidth = "), std::string::npos) << bandwidth;
+  }
+}
+
 TEST(ReadCommandAnswer, RefusesWhatIsNoAnswer) {
   Json json = answer();
   json["colour"] = "red";

@@ -84,5 +84,31 @@ TEST(KeyPanel, HasOneEntryPerLineAndPlotsNothing) {
       << script;
 }
 
+TEST(GnuplotString, HasNoCharacterThatEndsIt) {
+  EXPECT_EQ(gnuplot_string("hat-lcp[samples=64]"), "'hat-lcp[samples=64]'");
+  EXPECT_EQ(gnuplot_string("x'.system('touch PWN').'"), "'x''.system(''touch PWN'').'''");
+  EXPECT_EQ(gnuplot_string("a\nb"), "'a b'");
+}
+
+TEST(DrawFigures, RunsNoCommandThatATitleHolds) {
+  if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  const std::filesystem::path folder = test::fresh_folder("gnuplot-attack");
+  Figure figure = parabola();
+  figure.script = "set key noenhanced\nplot data using 1:2 title " +
+                  gnuplot_string("x'.system('touch${IFS}PWN').'`touch PWN`@data\\") + "\n";
+  draw_figures(folder, std::vector{figure});
+  EXPECT_FALSE(std::filesystem::exists(folder / "PWN"));
+}
+
+TEST(DrawFigures, WritesNoFileOutsideItsFolder) {
+  const std::filesystem::path folder = test::fresh_folder("gnuplot-names");
+  for (const char* name : {"../escape", "a'b", "", ".hidden", "-option", "a b"}) {
+    Figure figure = parabola();
+    figure.name = name;
+    EXPECT_THROW(draw_figures(folder / "figures", std::vector{figure}), UsageError) << name;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "escape.gp"));
+}
+
 }  // namespace
 }  // namespace signorini

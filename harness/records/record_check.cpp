@@ -1,0 +1,72 @@
+#include "harness/records/record_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "harness/records/record_json.hpp"
+#include "problems/scene/kebab_case.hpp"
+#include "problems/scene/toml_tree.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr std::size_t kLongestMessage = 1000;
+
+void require_plain(const std::string& text) {
+  const auto controls = [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7F; };
+  if (text.size() <= kLongestText && std::ranges::none_of(text, controls)) return;
+  throw BadRecord(fmt::format("text = {} (must be at most {} bytes without control characters)",
+                              one_line(text), kLongestText));
+}
+
+[[noreturn]] void refuse(std::string_view field, std::string_view value, std::string_view requirement) {
+  throw BadRecord(fmt::format("{} = {} ({})", field, value, requirement));
+}
+
+/// Refuses numbers below zero in every field of a visited struct.
+void require_no_less_than_zero(std::string_view group, const auto& object) {
+  visit_fields(object, [&]<class T>(const Field& field, const T& value) {
+    double number = 0.0;
+    if constexpr (std::is_arithmetic_v<T>) number = static_cast<double>(value);
+    if constexpr (requires { number = static_cast<double>(*value); }) {
+      if (value) number = static_cast<double>(*value);
+    }
+    if (number < 0.0)
+      refuse(fmt::format("{}.{}", group, field.name), fmt::format("{}", number), "must be 0 or more");
+  });
+}
+
+}  // namespace
+
+std::string as_message(const std::string& text) { return one_line(text, kLongestMessage); }
+
+void require_plain_texts(const nlohmann::ordered_json& json) {
+  if (json.is_string()) require_plain(json.get_ref<const std::string&>());
+  if (!json.is_structured()) return;
+  for (const auto& item : json.items()) {
+    if (json.is_object()) require_plain(item.key());
+    require_plain_texts(item.value());
+  }
+}
+
+void require_plausible(const Record& record) {
+  if (!is_scene_name(record.scene)) refuse("scene", record.scene, "must be the name of a scene");
+  if (!is_lower_kebab_case(record.method)) refuse("method", record.method, "must be the name of a method");
+  require_no_less_than_zero("work", record.work);
+  require_no_less_than_zero("errors", record.errors);
+  if (record.seconds) require_no_less_than_zero("seconds", *record.seconds);
+  if (record.period && !(*record.period > 0.0))
+    refuse("period", fmt::format("{}", *record.period), "must be positive");
+  if (!record.family) return;
+  const FamilyLevel& family = *record.family;
+  if (!is_lower_kebab_case(family.family))
+    refuse("family.name", family.family, "must be the name of a family");
+  if (family.severity < 1 || family.severity > family.levels)
+    refuse("family.severity", fmt::format("{}", family.severity), "must be in 1..levels");
+}
+
+}  // namespace signorini
