@@ -14,6 +14,7 @@
 
 #include "methods/complementarity/exact_projection.hpp"
 #include "methods/harmonic_balance/compensated_answer.hpp"
+#include "methods/harmonic_balance/distinct_stops.hpp"
 #include "methods/harmonic_balance/frequency_continuation.hpp"
 #include "methods/harmonic_balance/harmonic_continuation.hpp"
 #include "methods/harmonic_balance/series_solution.hpp"
@@ -119,15 +120,28 @@ Solution solve_with_harmonics(HarmonicSetup& setup, const Start& start, Work& wo
 
 class HarmonicBalance final : public PreparedMethod {
  public:
+  /// A stop that stands twice makes the equations of its forces singular, and no impact on it could be
+  /// compensated: the scene is solved with each stop once.
   HarmonicBalance(const Problem& problem, const HarmonicOptions& options, HarmonicMethod method)
-      : problem_(problem),
+      : stops_(distinct_stops(problem)),
+        problem_(stops_ ? stops_->problem : problem),
         options_(options),
         method_(std::move(method)),
         first_(options.first_harmonics(problem)),
-        setup_(harmonic_setup(problem, first_, options_, method_)) {}
+        setup_(harmonic_setup(problem_, first_, options_, method_)) {}
 
-  /// With the first number of harmonics, and with twice as many where so many do not converge.
   Solution solve(const Start& start) override {
+    if (!stops_) return solve_distinct(start);
+    Start reduced = start;
+    if (start.guess) reduced.guess = on_distinct_stops(start.guess, *stops_);
+    Solution solution = solve_distinct(reduced);
+    if (solution.trajectory) solution.trajectory = on_all_contacts(solution.trajectory, *stops_);
+    return solution;
+  }
+
+ private:
+  /// With the first number of harmonics, and with twice as many where so many do not converge.
+  Solution solve_distinct(const Start& start) {
     Solution solution = solve_by_harmonic_balance(setup_, start);
     for (int harmonics = 2 * first_; harmonics <= most(); harmonics *= 2) {
       if (solution.verdict == Verdict::converged || start.expired()) break;
@@ -139,7 +153,6 @@ class HarmonicBalance final : public PreparedMethod {
     return solution;
   }
 
- private:
   /// Where more harmonics cannot be prepared, an undamped resonance lying among them or memory being short,
   /// there is no motion.
   [[nodiscard]] Solution prepare_and_solve(int harmonics, const Start& start) const {
@@ -158,7 +171,8 @@ class HarmonicBalance final : public PreparedMethod {
     return left_open ? kMostHarmonics : first_;
   }
 
-  const Problem& problem_;
+  std::optional<DistinctStops> stops_;  ///< where some stop stands twice
+  const Problem& problem_;              ///< with each stop once
   HarmonicOptions options_;
   HarmonicMethod method_;
   int first_;
