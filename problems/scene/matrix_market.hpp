@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "problems/sparse_matrix.hpp"
+#include "problems/structure.hpp"
 
 namespace signorini {
 
