@@ -80,7 +80,7 @@ struct Comparison {
 /// The first run is the one of before. A case is broken that converged and ends otherwise, or has no record;
 /// it is less accurate where the harness finds it inaccurate, its certificate is lost, or its error grew by
 /// kErrorFactor and is above ten error bars. Times are compared if both runs are of the same machine, one
-/// case at a time; see noise.hpp.
+/// case at a time.
 Comparison compare_runs(const RunFolder& before, const RunFolder& after);
 
 /// Something is broken, less accurate or slower.
