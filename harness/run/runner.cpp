@@ -5,7 +5,7 @@
 
 #include "harness/interrupt.hpp"
 #include "harness/judge/certificate.hpp"
-#include "harness/orbits/kept_reference.hpp"
+#include "harness/orbits/orbit_file.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/records/problem_digest.hpp"
 #include "harness/records/record_json.hpp"
