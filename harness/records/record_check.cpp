@@ -40,10 +40,7 @@ void require_no_less_than_zero(std::string_view group, const auto& object) {
   });
 }
 
-}  // namespace
-
-std::string as_message(const std::string& text) { return one_line(text, kLongestMessage); }
-
+/// All texts of a value.
 void require_plain_texts(const nlohmann::ordered_json& json) {
   if (json.is_string()) require_plain(json.get_ref<const std::string&>());
   if (!json.is_structured()) return;
@@ -53,6 +50,7 @@ void require_plain_texts(const nlohmann::ordered_json& json) {
   }
 }
 
+/// Names, counts and numbers as a run gives them.
 void require_plausible(const Record& record) {
   if (!is_scene_name(record.scene)) refuse("scene", record.scene, "must be the name of a scene");
   if (!is_lower_kebab_case(record.method)) refuse("method", record.method, "must be the name of a method");
@@ -67,6 +65,17 @@ void require_plausible(const Record& record) {
     refuse("family.name", family.family, "must be the name of a family");
   if (family.severity < 1 || family.severity > family.levels)
     refuse("family.severity", fmt::format("{}", family.severity), "must be in 1..levels");
+}
+
+}  // namespace
+
+std::string as_message(const std::string& text) { return one_line(text, kLongestMessage); }
+
+Record checked_record(const nlohmann::ordered_json& json) {
+  require_plain_texts(json);
+  Record record = record_from_json(json);
+  require_plausible(record);
+  return record;
 }
 
 }  // namespace signorini

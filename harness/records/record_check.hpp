@@ -16,13 +16,11 @@ inline constexpr std::size_t kLongestText = 4000;
 /// what is no UTF-8 escaped, at most some 1000 bytes.
 std::string as_message(const std::string& text);
 
-/// \throws BadRecord unless every text in the object is at most kLongestText long and without control
-/// characters
-void require_plain_texts(const nlohmann::ordered_json& json);
-
-/// \throws BadRecord unless scene and method are names as the program gives them, "sdof-stop",
+/// A record of a file that anybody may have written, as record_from_json reads it.
+/// \throws BadRecord also unless every text in it, names of options included, is at most kLongestText long
+/// and without control characters; scene and method are names as the program gives them, "sdof-stop",
 /// "grazing@1e-4", "hat-lcp"; counts, times and errors are 0 or more, and a family's severity is one of its
 /// levels
-void require_plausible(const Record& record);
+Record checked_record(const nlohmann::ordered_json& json);
 
 }  // namespace signorini

@@ -35,7 +35,7 @@ struct Contents {
 Record parse_line(const std::string& line) {
   const Json json = Json::parse(line, nullptr, false);
   if (!json.is_object()) throw BadRecord("record = unreadable (must be one JSON object)");
-  return record_from_json(json);
+  return checked_record(json);
 }
 
 /// The records of a file. A line that holds none is left out with a warning, and its case counts as one that

@@ -17,7 +17,7 @@ std::string complaint(const std::function<void(Json&)>& edit) {
   Json json = to_json(test::good_record("sdof-stop", "hat-lcp", "samples=64", 0.1, 0.1));
   edit(json);
   try {
-    record_from_json(json);
+    checked_record(json);
     return "";
   } catch (const BadRecord& error) {
     return error.what();
