@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 
@@ -111,6 +112,7 @@ int run_command_line(int argc, char** argv) {
   CLI::App app{"Compares methods for periodic vibrations of structures with unilateral contact.",
                "signorini"};
   int exit_code = kDone;
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of the write, which names the file
   // Not argv[0]: local paths stay out of the manifest.
   std::vector<std::string> words{"signorini"};
   words.insert(words.end(), argv + std::min(1, argc), argv + argc);

@@ -47,6 +47,23 @@ TEST(CommandRun, RunsASceneFileInPlaceOfTheSuites) {
   EXPECT_EQ(outcome.out, "my-stop/hat-lcp[samples=64]\n");
 }
 
+TEST(CommandRun, SaysThatThereIsNoRoomAndKeepsWhatItHas) {
+  const auto folder = test::fresh_folder("no-room");
+  const std::string arguments =
+      "run quick --scenes sdof-stop --methods 'hat-lcp[samples=64|128|256|512]' --repetitions 1 --out run";
+  // Four blocks of 1024 bytes: less than two records.
+  const std::string binary = SIGNORINI_BINARY;
+  const std::string limited =
+      "cd '" + folder.string() + "' && ulimit -f 4 && '" + binary + "' " + arguments + " >out.txt 2>err.txt";
+  const int status = std::system(("bash -c \"" + limited + "\"").c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  const std::string complaint = read_file(folder / "err.txt");
+  EXPECT_NE(complaint.find("must have room: "), std::string::npos) << complaint;
+  const auto resumed = test::run_program(arguments + " --resume", folder.string());
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_EQ(read_records(folder / "run" / "records.jsonl").size(), 4U);
+}
+
 TEST(CommandRun, RunsASuiteReportsAndResumesIt) {
   const auto folder = test::fresh_folder("run");
   const std::string command =
