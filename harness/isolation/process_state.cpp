@@ -7,8 +7,9 @@ namespace signorini {
 
 namespace {
 
+/// What is called; std::signal changes the flags, which nobody misses.
 bool same_handler(const struct sigaction& a, const struct sigaction& b) {
-  return a.sa_handler == b.sa_handler && a.sa_flags == b.sa_flags;
+  return a.sa_handler == b.sa_handler;
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ void find_texts(const Json& json, const std::string& place, std::vector<std::str
 fs::path attacked_run(const std::string& attack) {
   const fs::path folder = test::fresh_folder("attacked-run");
   const RunFolder run = test::part_of_a_run((folder / "run").string(), {"n=1", "n=2"});
+  fs::create_directories(folder / "run");
   std::ofstream(folder / "run" / "manifest.json") << run.manifest.dump();
   std::ofstream lines(folder / "run" / "records.jsonl");
   for (const Record& record : run.records) lines << json_line(to_json(record)) << "\n";

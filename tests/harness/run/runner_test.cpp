@@ -196,12 +196,13 @@ TEST(Runner, SaysWhyAnAnswerIsUncertified) {
   EXPECT_FALSE(record.errors.x_l2.has_value());
 }
 
-TEST(Runner, KeepsTheAnswerWhereItsOwnReferenceCrashes) {
+TEST(Runner, LeavesNoClaimWhereItsOwnCheckCrashes) {
   const OrbitSolver crash = [](const Problem&, const PeriodicMotionOptions&, const Start&) -> Solution {
     std::abort();
   };
   const Record record = run_fake("good", test::one_mass_scene(), crash);
-  EXPECT_EQ(record.status, Status::converged);
+  EXPECT_EQ(record.status, Status::crashed);
+  EXPECT_EQ(record.signal, SIGABRT);
   EXPECT_EQ(record.certificate.status, CertificateStatus::uncertified);
   EXPECT_NE(record.certificate.reason.find("signal 6"), std::string::npos);
   EXPECT_TRUE(record.physics.energy_defect.has_value());

@@ -219,7 +219,7 @@ TEST_F(MatrixScene, IsRefusedInOneLineThatNamesTheCulprit) {
   EXPECT_EQ(
       refusal(5, "mass = \"model\""),
       "scene.toml:5: system.mass = \"model\" (must be the name of a Matrix Market file, relative to the "
-      "scene's folder)");
+      "scene's folder; it is a folder)");
   EXPECT_EQ(
       refusal(5, "mass = \"M.mtx\""),
       "scene.toml:5: system.mass = \"M.mtx\" (must be the name of a Matrix Market file, relative to the "

@@ -129,6 +129,7 @@ TEST(SceneFamily, HasNoLevelWhereThereIsNone) {
 TEST(ShippedFamilies, DriveAtLeastFiveValidLevelsEach) {
   std::map<std::string, std::set<double>> levels;
   for (const SceneSource& source : shipped_scenes()) {
+    if (source.level.empty()) continue;  // a scene by itself
     SCOPED_TRACE(source.file.string() + "@" + source.level);
     const Problem scene = load_scene(source);
     const SceneHeader header = load_header(source);
