@@ -89,8 +89,7 @@ void require_short_keys(std::string_view text, const std::string& file) {
       if (c != '.' && kBare.find(c) == std::string_view::npos) dots = 0;
       ++i;
     }
-    if (dots >= kMostParts)
-      refuse(file, line, fmt::format("a key has more than {} parts", kMostParts));
+    if (dots >= kMostParts) refuse(file, line, fmt::format("a key has more than {} parts", kMostParts));
     line += static_cast<int>(std::ranges::count(text.substr(begin, i - begin), '\n'));
   }
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 #include <regex>
@@ -45,6 +46,9 @@ std::string cell_text(const std::string& column, const Cell& cell) {
 }  // namespace
 
 std::string html_escaped(std::string text) {
+  // Control characters, which HTML forbids.
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return (c < 0x20U && c != '\n' && c != '\t') || c == 0x7FU; }, ' ');
   // The ampersand first: the others are spelled with it.
   for (const auto& [plain, spelled] :
        {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})

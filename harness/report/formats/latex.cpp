@@ -70,8 +70,8 @@ std::string to_latex(const Section& section) {
   for (const std::string& title : table.header) header.push_back(latex_escaped(title));
   std::string text =
       fmt::format("% {}\n% needs \\usepackage{{booktabs{}}}\n\\begin{{{}}}{{{}}}\n\\toprule\n{}\\midrule\n",
-                  section.title, is_long ? ",longtable" : "", is_long ? "longtable" : "tabular",
-                  columns_of(table), row_of(header));
+                  latex_escaped(section.title), is_long ? ",longtable" : "",
+                  is_long ? "longtable" : "tabular", columns_of(table), row_of(header));
   if (is_long) text += "\\endhead\n\\bottomrule\n\\endfoot\n";
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;

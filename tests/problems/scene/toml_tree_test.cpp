@@ -106,7 +106,8 @@ TEST(ParseToml, TakesAsManyDotsInTextsNumbersAndCommentsAsThereAre) {
   for (int i = 0; i < 300; ++i) dots += "so. ", numbers += ", 1.5";
   const TomlNode document =
       parse_toml("# " + dots + "\na = \"" + dots + "\"\nb = '" + dots + "'\nc = \"\"\"\n" + dots +
-                 "\n\"\"\"\nd = \"\\\"" + dots + "\"\n" + numbers + "]\n", "f.toml");
+                     "\n\"\"\"\nd = \"\\\"" + dots + "\"\n" + numbers + "]\n",
+                 "f.toml");
   EXPECT_EQ(std::get<TomlArray>(document.find("n")->value).size(), 301U);
 }
 
