@@ -17,7 +17,9 @@ namespace signorini {
 /// Another method that solves the same discrete equations by another algorithm, where an option has this
 /// value.
 struct SameEquations {
-  std::string option, value, method;
+  std::string option;  ///< of this method
+  std::string value;   ///< as it is set, "penalty"
+  std::string method;  ///< name of the other one
 };
 
 /// A method as the harness sees it before any scene: how to name it, describe it, make one.
