@@ -209,7 +209,7 @@ TEST(JudgedCatalogue, IsJudgedWithinTheTimeGiven) {
   constexpr int kMostFollowed =
       400;  // coordinates: larger structures are not polished, and take minutes to set up
   const MethodEntry& entry = find_method("hat-lcp");
-  for (const std::filesystem::path& file : catalogue_scenes()) {
+  for (const std::filesystem::path& file : shipped_files("catalogue")) {
     const Scene scene = read_scene(file);
     if (scene.problem.size() > kMostFollowed) continue;
     if (entry.make({})->supports(scene.problem).ok) run(entry, scene.problem, kShort, kShort);
