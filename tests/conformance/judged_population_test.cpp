@@ -151,12 +151,12 @@ class Table : public testing::Environment {
   std::string rows_;
 };
 
-Table* const table = dynamic_cast<Table*>(testing::AddGlobalTestEnvironment(new Table));
+Table* const kTable = dynamic_cast<Table*>(testing::AddGlobalTestEnvironment(new Table));
 
 Tally judge_into_table(const std::string& method, const std::string& population,
                        const std::vector<Problem>& problems) {
   const Tally tally = judge(method, population, problems);
-  table->add(method, population, tally);
+  kTable->add(method, population, tally);
   EXPECT_LE(tally.count(Claim::refuted) * kScenesPerFalseClaim, tally.scenes) << method << ", " << population;
   return tally;
 }
