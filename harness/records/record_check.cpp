@@ -15,6 +15,7 @@ namespace signorini {
 namespace {
 
 constexpr std::size_t kLongestMessage = 1000;
+constexpr int kDeepest = 32;  // levels of a record; those of a run have eight at most
 
 void require_plain(const std::string& text) {
   const auto controls = [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7F; };
@@ -40,13 +41,15 @@ void require_no_less_than_zero(std::string_view group, const auto& object) {
   });
 }
 
-/// All texts of a value.
-void require_plain_texts(const nlohmann::ordered_json& json) {
+/// All texts of a value that nests no deeper than `depth`: each level is a call here, and the parser allows
+/// any number of them.
+void require_plain_texts(const nlohmann::ordered_json& json, int depth) {
   if (json.is_string()) require_plain(json.get_ref<const std::string&>());
   if (!json.is_structured()) return;
+  if (depth == 0) throw BadRecord(fmt::format("record = nested (must be at most {} levels deep)", kDeepest));
   for (const auto& item : json.items()) {
     if (json.is_object()) require_plain(item.key());
-    require_plain_texts(item.value());
+    require_plain_texts(item.value(), depth - 1);
   }
 }
 
@@ -72,7 +75,7 @@ void require_plausible(const Record& record) {
 std::string as_message(const std::string& text) { return one_line(text, kLongestMessage); }
 
 Record checked_record(const nlohmann::ordered_json& json) {
-  require_plain_texts(json);
+  require_plain_texts(json, kDeepest);
   Record record = record_from_json(json);
   require_plausible(record);
   return record;

@@ -19,8 +19,8 @@ std::string as_message(const std::string& text);
 /// A record of a file that anybody may have written, as record_from_json reads it.
 /// \throws BadRecord also unless every text in it, names of options included, is at most kLongestText long
 /// and without control characters; scene and method are names as the program gives them, "sdof-stop",
-/// "grazing@1e-4", "hat-lcp"; counts, times and errors are 0 or more, and a family's severity is one of its
-/// levels
+/// "grazing@1e-4", "hat-lcp"; counts, times and errors are 0 or more, a family's severity is one of its
+/// levels, and it nests at most 32 levels deep
 Record checked_record(const nlohmann::ordered_json& json);
 
 }  // namespace signorini

@@ -47,6 +47,14 @@ TEST(RecordCheck, RefusesControlCharactersAndEndlessTextsWhereverTheyStand) {
   EXPECT_NE(complaint([](Json& json) { json["certificate"]["reason"] = "\x7f"; }), "");
 }
 
+TEST(RecordCheck, RefusesWhatNestsWithoutEnd) {
+  constexpr int kLevels = 200000;
+  Json deep = "x";
+  for (int i = 0; i < kLevels; ++i) deep = Json::array({std::move(deep)});
+  EXPECT_EQ(complaint([&](Json& json) { json["unknown"] = std::move(deep); }),
+            "record = nested (must be at most 32 levels deep)");
+}
+
 TEST(RecordCheck, RefusesNumbersThatNoRunGives) {
   EXPECT_EQ(complaint([](Json& json) { json["errors"]["x_l2"] = -0.1; }),
             "errors.x_l2 = -0.1 (must be 0 or more)");
