@@ -6,6 +6,7 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include "harness/failure.hpp"
+#include "problems/scene/toml_tree.hpp"
 
 namespace signorini {
 
@@ -36,15 +37,14 @@ std::string merge_command(const Submission& s) {
 }  // namespace
 
 void require_quotable(const Submission& s) {
-  const auto controls = [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7F; };
   const std::string folder = s.folder.string();
-  if (std::ranges::any_of(folder, controls) || folder.find_first_of("\"\\{}") != std::string::npos) {
+  if (has_control_characters(folder) || folder.find_first_of("\"\\{}") != std::string::npos) {
     throw UsageError(fmt::format(
         "dir = {} (must be a path without control characters, quotation marks, backslashes and braces)",
         folder));
   }
   for (const std::string& word : s.sbatch_words) {
-    if (std::ranges::any_of(word, controls))
+    if (has_control_characters(word))
       throw UsageError(fmt::format("sbatch = {} (must be one option without control characters)", word));
   }
 }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -18,8 +17,7 @@ constexpr std::size_t kLongestMessage = 1000;
 constexpr int kDeepest = 32;  // levels of a record; those of a run have eight at most
 
 void require_plain(const std::string& text) {
-  const auto controls = [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7F; };
-  if (text.size() <= kLongestText && std::ranges::none_of(text, controls)) return;
+  if (text.size() <= kLongestText && !has_control_characters(text)) return;
   throw BadRecord(fmt::format("text = {} (must be at most {} bytes without control characters)",
                               one_line(text), kLongestText));
 }

@@ -94,6 +94,8 @@ void require_short_keys(std::string_view text, const std::string& file) {
   }
 }
 
+bool is_control_character(char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7F; }
+
 /// Bytes of the UTF-8 character at the front of the text; 0 where none begins there.
 std::size_t length_of_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -180,6 +182,8 @@ std::string print(const TomlNode& node) {
   return one_line(printer.text, kLongestPrint);
 }
 
+bool has_control_characters(std::string_view text) { return std::ranges::any_of(text, is_control_character); }
+
 std::string one_line(std::string_view text, std::size_t length) {
   std::string line;
   while (!text.empty()) {
@@ -190,7 +194,7 @@ std::string one_line(std::string_view text, std::size_t length) {
     const bool second_control = size == 2 && byte == 0xC2U && static_cast<unsigned char>(text[1]) < 0xA0U;
     if (byte == '\n') {
       line += "\\n";
-    } else if (size == 0 || byte < 0x20U || byte == 0x7FU || second_control) {
+    } else if (size == 0 || is_control_character(text.front()) || second_control) {
       size = second_control ? 2 : 1;
       for (const char c : text.substr(0, size))
         line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));

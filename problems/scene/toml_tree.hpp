@@ -62,6 +62,9 @@ std::optional<PathStep> take_step(std::string_view& path);
 /// The value on one line as a message shows it: strings quoted, control characters escaped, long ones cut.
 std::string print(const TomlNode& node);
 
+/// Whether a text holds an ASCII control character, line breaks and DEL among them.
+bool has_control_characters(std::string_view text);
+
 /// Control characters, and bytes that are no UTF-8, as \n or \x1b; what follows the first `length` bytes as
 /// "...": for one-line messages, safe on a terminal.
 std::string one_line(std::string_view text, std::size_t length = 60);
