@@ -26,8 +26,14 @@ double crossing(const Motion& motion, int contact, int inside, int outside) {
   return (inside + (outside - inside) * share) * motion.step();
 }
 
-std::string rounded(double value, double scale) {
-  return std::abs(value) <= 1e-9 * scale ? "0" : fmt::format("{:.3e}", value);
+/// Four figures of a value, or 0 where it is no more than `noise`.
+std::string rounded(double value, double noise) {
+  return std::abs(value) <= noise ? "0" : fmt::format("{:.3e}", value);
+}
+
+/// Root mean square about the mean, which a shift of the origin leaves as it is.
+double fluctuation(const Eigen::Ref<const Eigen::VectorXd>& x) {
+  return std::sqrt((x.array() - x.mean()).square().mean());
 }
 
 }  // namespace
@@ -64,13 +70,15 @@ std::string fingerprint(const Motion& motion) {
   const double force_scale =
       motion.samples.force.size() > 0 ? motion.samples.force.cwiseAbs().maxCoeff() : 0.0;
   std::string text = fmt::format("{} {}", order, impacts / copies);
+  const double impulse_noise = 1e-9 * (motion.forcing_period * force_scale + largest);
   for (int c = 0; c < static_cast<int>(motion.samples.x.cols()); ++c) {
-    const double length = motion.samples.x.col(c).cwiseAbs().maxCoeff();
+    const auto x = motion.samples.x.col(c);
     double impulse = motion.samples.force.col(c).sum() * motion.step();
     for (const Impulse& one : motion.impulses) impulse += one.contact == c ? one.value : 0.0;
+    // What is left of a motion at rest is the rounding of its coordinate, wherever the origin is.
+    const double rest = 1e-13 * x.cwiseAbs().maxCoeff();
     text +=
-        fmt::format(" {} {}", rounded(impulse / motion.order, motion.forcing_period * force_scale + largest),
-                    rounded(std::sqrt(motion.samples.x.col(c).squaredNorm() / motion.count()), length));
+        fmt::format(" {} {}", rounded(impulse / motion.order, impulse_noise), rounded(fluctuation(x), rest));
   }
   return sha256(text).substr(0, 8);
 }

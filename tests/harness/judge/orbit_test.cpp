@@ -16,12 +16,14 @@ using test::FormulaMotion;
 constexpr double kPeriod = std::numbers::pi;  // of one_mass(): omega = 2
 
 /// cos(omega t) and a subharmonic of half the frequency, over `order` forcing periods, `shift` of them late.
-Motion motion(int order, double subharmonic, int shift = 0, std::vector<Impulse> impulses = {}) {
+Motion motion(int order, double subharmonic, int shift = 0, std::vector<Impulse> impulses = {},
+              double origin = 0.0) {
   const double late = shift * kPeriod;
   return sample_motion(
       test::one_mass(),
       FormulaMotion(
-          order * kPeriod, [=](double t) { return std::cos(2.0 * t) + subharmonic * std::cos(t - late); },
+          order * kPeriod,
+          [=](double t) { return origin + std::cos(2.0 * t) + subharmonic * std::cos(t - late); },
           [=](double t) { return -2.0 * std::sin(2.0 * t) - subharmonic * std::sin(t - late); },
           [](double) { return 0.0; }, std::move(impulses)));
 }
@@ -38,8 +40,9 @@ TEST(Fingerprint, IsEqualForEqualOrbits) {
   const std::vector<Impulse> twice{{0, 1.0, -0.5}, {0, 1.0 + 2.0 * kPeriod, -0.5}};
   const std::string print = fingerprint(motion(2, 0.5, 0, once));
   EXPECT_EQ(print.size(), 8U);
-  EXPECT_EQ(print, fingerprint(motion(2, 0.5, 1, late)));   // one forcing period later
-  EXPECT_EQ(print, fingerprint(motion(4, 0.5, 0, twice)));  // written over two of its periods
+  EXPECT_EQ(print, fingerprint(motion(2, 0.5, 1, late)));          // one forcing period later
+  EXPECT_EQ(print, fingerprint(motion(4, 0.5, 0, twice)));         // written over two of its periods
+  EXPECT_EQ(print, fingerprint(motion(2, 0.5, 0, once, 1000.0)));  // from another origin
 }
 
 TEST(Fingerprint, DiffersForOtherOrbits) {
