@@ -161,9 +161,9 @@ expect_lines 0 'a later run says nothing of its own'
 
 fresh 1000 all
 bench test
-expect_call "ctest <--test-dir> <$tree/build/release> <--output-on-failure> <--no-tests=error> <--parallel> <2> <-LE> <^slow\$>" 'test'
+expect_call "ctest <--test-dir> <$tree/build/release> <--output-on-failure> <--no-tests=error> <--parallel> <2> <-LE> <^(slow|long)\$>" 'test'
 bench test -R 'A b'
-expect_calls '<-LE> <^slow\$> <-R> <A b>' 1 'test with options'
+expect_calls '<-LE> <^(slow|long)\$> <-R> <A b>' 1 'test with options'
 : >"$calls"
 bench test --all -V
 expect_calls '^ctest .*<-V>' 1 'all tests'
@@ -171,7 +171,7 @@ expect_calls '<-LE>' 0 'all tests'
 : >"$calls"
 (cd / && CI=true PATH="$tools:/usr/bin:/bin" "$tree/bench" test >/dev/null)
 expect_calls '^ctest' 1 'CI=true'
-expect_calls '<-LE>' 0 'CI=true'
+expect_calls '<-LE> <^long\$>' 1 'CI=true'
 
 fresh 1000 all
 touch "$fail.--build"
