@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <Eigen/SparseCholesky>
 #include <cmath>
+#include <vector>
 
 #include "problems/sparse_cholesky.hpp"
 
@@ -14,6 +15,7 @@ constexpr double kAsymmetry = 1e-12;  // of the largest entry
 constexpr double kCurvature = 1e-10;  // of the unit diagonal
 constexpr double kMargin = 1e-13;     // of the unit diagonal
 constexpr int kLarge = 2000;          // coordinates from which nested dissection and supernodes pay
+constexpr int kFull = 200000;         // entries from which they do as well: a dense matrix of 450 rows
 
 template <class Visit>
 void for_each_entry(const SparseMatrix& A, Visit visit) {
@@ -24,27 +26,42 @@ void for_each_entry(const SparseMatrix& A, Visit visit) {
   }
 }
 
+// The lower triangle of E A E + shift I, E = diag(a_ii)^{-1/2}. Coordinates without diagonal are left out:
+// their diagonal is 1 + shift.
+SparseMatrix lower_triangle_scaled(const SparseMatrix& A, const Eigen::VectorXd& diagonal, double shift) {
+  SparseMatrix scaled(A.rows(), A.cols());
+  scaled.reserve((A.nonZeros() + A.rows()) / 2 + A.rows());
+  for (int column = 0; column < A.outerSize(); ++column) {
+    scaled.startVec(column);
+    scaled.insertBackByOuterInner(column, column) = 1.0 + shift;
+    if (diagonal(column) <= 0.0) continue;
+    for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry) {
+      const auto row = static_cast<int>(entry.row());
+      if (row <= column || diagonal(row) <= 0.0) continue;
+      scaled.insertBackByOuterInner(column, row) =
+          entry.value() / (std::sqrt(diagonal(row)) * std::sqrt(diagonal(column)));
+    }
+  }
+  scaled.finalize();
+  return scaled;
+}
+
 // Smallest pivot of E A E + shift I, E = diag(a_ii)^{-1/2}. Coordinates without diagonal are left out (their
 // pivot is 1 + shift); -1 if they are coupled to anything or if the factorisation breaks down.
 double smallest_pivot(const SparseMatrix& A, double shift) {
   const double rounding = kAsymmetry * largest_entry(A);
   const Eigen::VectorXd diagonal = A.diagonal();
   if ((diagonal.array() < -rounding).any()) return -1.0;
-  std::vector<Eigen::Triplet<double>> entries;
   bool coupled_to_nothing = true;
   for_each_entry(A, [&](int row, int column, double value) {
-    if (row == column) return;
-    if (diagonal(row) > 0.0 && diagonal(column) > 0.0) {
-      entries.emplace_back(row, column, value / (std::sqrt(diagonal(row)) * std::sqrt(diagonal(column))));
-    } else if (std::abs(value) > rounding) {
-      coupled_to_nothing = false;
-    }
+    if (row == column || (diagonal(row) > 0.0 && diagonal(column) > 0.0)) return;
+    if (std::abs(value) > rounding) coupled_to_nothing = false;
   });
   if (!coupled_to_nothing) return -1.0;
-  for (int i = 0; i < A.rows(); ++i) entries.emplace_back(i, i, 1.0 + shift);
-  SparseMatrix scaled(A.rows(), A.cols());
-  scaled.setFromTriplets(entries.begin(), entries.end());
-  if (A.rows() > kLarge) return (1.0 + shift) * SparseCholesky(scaled).smallest_pivot();
+  const SparseMatrix scaled = lower_triangle_scaled(A, diagonal, shift);
+  if (A.rows() > kLarge || A.nonZeros() > kFull) {
+    return (1.0 + shift) * SparseCholesky(scaled).smallest_pivot();
+  }
   const Eigen::SimplicialLDLT<SparseMatrix> factors(scaled);
   return factors.info() == Eigen::Success ? factors.vectorD().minCoeff() : -1.0;
 }
@@ -84,9 +101,31 @@ double largest_entry(const SparseMatrix& A) {
   return largest;
 }
 
+// As columns are gone through, the entries above the diagonal of each are met in order by their partners
+// below it: one place per column tells how far. A transpose would take as much memory as the matrix.
 bool is_symmetric(const SparseMatrix& A) {
-  const SparseMatrix difference = A - SparseMatrix(A.transpose());
-  return largest_entry(difference) <= kAsymmetry * largest_entry(A);
+  const auto* rows = A.innerIndexPtr();
+  const auto* values = A.valuePtr();
+  const auto* begin = A.outerIndexPtr();
+  const auto end = [&](int column) {
+    return A.isCompressed() ? begin[column + 1] : begin[column] + A.innerNonZeroPtr()[column];
+  };
+  const double rounding = kAsymmetry * largest_entry(A);
+  bool symmetric = !std::isnan(rounding);
+  const auto compare = [&](double a, double b) { symmetric = symmetric && std::abs(a - b) <= rounding; };
+  std::vector<int> next(begin, begin + A.cols());  // the first entry of each column without partner yet
+  const auto pass_to = [&](int column, int row) {
+    int& place = next[static_cast<std::size_t>(column)];
+    for (; place < end(column) && rows[place] < row; ++place) compare(values[place], 0.0);
+    return place < end(column) && rows[place] == row ? values[place++] : 0.0;
+  };
+  for (int column = 0; column < A.cols(); ++column) {
+    for (int k = begin[column]; k < end(column); ++k) {
+      if (rows[k] > column) compare(values[k], pass_to(rows[k], column));
+    }
+  }
+  for (int column = 0; column < A.cols(); ++column) pass_to(column, column);
+  return symmetric;
 }
 
 bool is_semidefinite(const SparseMatrix& A) {
@@ -95,6 +134,27 @@ bool is_semidefinite(const SparseMatrix& A) {
 
 bool is_definite(const SparseMatrix& A) {
   return (A.diagonal().array() > 0.0).all() && smallest_pivot(A, 0.0) > kMargin;
+}
+
+SparseMatrix combination(const ProportionalDamping& factors, const SparseMatrix& M, const SparseMatrix& K) {
+  SparseMatrix sum(M.rows(), M.cols());
+  sum.reserve(M.nonZeros() + K.nonZeros());
+  for (int column = 0; column < M.outerSize(); ++column) {
+    sum.startVec(column);
+    SparseMatrix::InnerIterator m(M, column);
+    SparseMatrix::InnerIterator k(K, column);
+    while (m || k) {
+      const bool of_m = m && (!k || m.row() <= k.row());
+      const bool of_k = k && (!m || k.row() <= m.row());
+      const int row = static_cast<int>(of_m ? m.row() : k.row());
+      sum.insertBackByOuterInner(column, row) =
+          (of_m ? factors.alpha * m.value() : 0.0) + (of_k ? factors.beta * k.value() : 0.0);
+      if (of_m) ++m;
+      if (of_k) ++k;
+    }
+  }
+  sum.finalize();
+  return sum;
 }
 
 std::optional<ProportionalDamping> proportional_damping(const SparseMatrix& M, const SparseMatrix& K,

@@ -27,6 +27,10 @@ struct ProportionalDamping {
   double beta = 0.0;   ///< [s]
 };
 
+/// alpha M + beta K. Memory for the sum alone is taken: sums of sparse matrices as Eigen evaluates them grow
+/// by doubling, and of a large block each is a gigabyte.
+SparseMatrix combination(const ProportionalDamping& factors, const SparseMatrix& M, const SparseMatrix& K);
+
 /// alpha and beta with |D - alpha M - beta K| <= 1e-12 max |d_ij|, entry by entry; nothing for any other D.
 std::optional<ProportionalDamping> proportional_damping(const SparseMatrix& M, const SparseMatrix& K,
                                                         const SparseMatrix& D);

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <set>
-#include <utility>
 
+#include "problems/admissible_set.hpp"
 #include "problems/matrix_properties.hpp"
 
 namespace signorini {
@@ -57,9 +56,26 @@ void check_symmetric(const SparseMatrix& A, const std::string& field, Definitene
 
 // Coordinates alone are looked at where combinations of them need not be: numbers too small to be told from 0
 // leave nothing of an element.
-bool every_motion_is_resisted(const SparseMatrix& all, Definiteness definiteness) {
-  if (definiteness == Definiteness::to_be_checked) return is_definite(all);
-  return (all.diagonal().array() > 0.0).all();
+bool every_motion_is_resisted(const std::array<const SparseMatrix*, 3>& matrices, Definiteness definiteness) {
+  const Eigen::Index size = matrices.front()->rows();
+  if (definiteness == Definiteness::by_construction) {
+    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(size);
+    for (const SparseMatrix* A : matrices) diagonal += A->diagonal();
+    return (diagonal.array() > 0.0).all();
+  }
+  SparseMatrix all(size, size);
+  for (const SparseMatrix* A : matrices) {
+    const double scale = largest_entry(*A);
+    if (scale > 0.0) all = combination({.alpha = 1.0, .beta = 1.0 / scale}, all, *A);
+  }
+  return is_definite(all);
+}
+
+// By construction D is alpha M + beta K with alpha, beta >= 0, a sum over modes, or these and dampers.
+bool dissipates(const Problem& problem, const SparseMatrix& dissipative, Definiteness definiteness) {
+  if (definiteness == Definiteness::by_construction) return (dissipative.diagonal().array() >= 0.0).all();
+  const auto parts = proportional_damping(problem.mass(), problem.stiffness(), dissipative);
+  return (parts && parts->alpha >= 0.0 && parts->beta >= 0.0) || is_semidefinite(dissipative);
 }
 
 void check_matrices(const Problem& problem, Definiteness definiteness) {
@@ -69,20 +85,17 @@ void check_matrices(const Problem& problem, Definiteness definiteness) {
   check_matrix(problem.mass(), size, "system.mass");
   check_matrix(problem.damping(), size, "system.damping");
   check_matrix(problem.stiffness(), size, "system.stiffness");
-  const double inertia = largest_entry(problem.mass());
-  require(inertia > 0.0, "system.mass", "0", "some coordinate must carry mass");
+  require(largest_entry(problem.mass()) > 0.0, "system.mass", "0", "some coordinate must carry mass");
   check_symmetric(problem.mass(), "system.mass", definiteness);
   check_symmetric(problem.stiffness(), "system.stiffness", definiteness);
-  const SparseMatrix dissipative = 0.5 * (problem.damping() + SparseMatrix(problem.damping().transpose()));
-  const auto combination = proportional_damping(problem.mass(), problem.stiffness(), dissipative);
-  const bool dissipates = combination && combination->alpha >= 0.0 && combination->beta >= 0.0;
-  require(dissipates || is_semidefinite(dissipative), "system.damping", "matrix that feeds energy",
+  SparseMatrix symmetric_part;
+  if (!is_symmetric(problem.damping()))
+    symmetric_part = 0.5 * (problem.damping() + SparseMatrix(problem.damping().transpose()));
+  const SparseMatrix& dissipative = symmetric_part.size() > 0 ? symmetric_part : problem.damping();
+  require(dissipates(problem, dissipative, definiteness), "system.damping", "matrix that feeds energy",
           "its symmetric part must be positive semi-definite");
-  SparseMatrix all = problem.mass() / inertia;
-  for (const SparseMatrix* A : {&dissipative, &problem.stiffness()}) {
-    if (const double scale = largest_entry(*A); scale > 0.0) all += *A / scale;
-  }
-  require(every_motion_is_resisted(all, definiteness), "system", "structure with a loose coordinate",
+  require(every_motion_is_resisted({&problem.mass(), &dissipative, &problem.stiffness()}, definiteness),
+          "system", "structure with a loose coordinate",
           "every motion must meet a mass, a damper or a spring");
 }
 
@@ -134,46 +147,6 @@ void check_contacts(const Problem& problem) {
   }
 }
 
-// How far rigid stops along one line let the structure go, d^T u between `least` and `most`.
-struct Room {
-  double least = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
-  std::size_t least_by = 0, most_by = 0;  // contacts
-};
-
-// A normal w = a d with the first nonzero coefficient of d one: a, and d as text that is equal for parallel
-// normals, whatever their last digits.
-std::pair<double, std::string> line_of(const Contact& contact) {
-  std::vector<std::pair<int, double>> normal = contact.normal;
-  std::erase_if(normal, [](const auto& entry) { return entry.second == 0.0; });
-  std::ranges::sort(normal);
-  const double first = normal.front().second;
-  std::string direction;
-  for (const auto& [dof, coefficient] : normal)
-    direction += fmt::format("{}:{:.12g} ", dof, coefficient / first);
-  return {first, direction};
-}
-
-// Rigid stops against each other leave no admissible displacement where they cross, and no motion where they
-// meet. Stops along different lines may exclude each other too; only a method sees that.
-void check_room(const Problem& problem) {
-  std::map<std::string, Room> rooms;
-  for (std::size_t j = 0; j < problem.contacts.size(); ++j) {
-    const auto [factor, line] = line_of(problem.contacts[j]);
-    const double bound = problem.contacts[j].gap / factor;
-    Room& room = rooms[line];
-    if (factor > 0.0 && bound < room.most) room.most = bound, room.most_by = j;
-    if (factor < 0.0 && bound > room.least) room.least = bound, room.least_by = j;
-    const double rounding = 1e-12 * std::max(std::abs(room.least), std::abs(room.most));
-    if (!std::isfinite(rounding) || room.most - room.least > rounding) continue;
-    throw InvalidProblem(
-        fmt::format("contact[{}].gap", j), fmt::format("{:g}", problem.contacts[j].gap),
-        fmt::format("must leave room: contact {} holds its coordinate at {:g} or less, contact "
-                    "{} at {:g} or more",
-                    room.most_by, room.most, room.least_by, room.least));
-  }
-}
-
 void check_penalty(const Penalty& penalty, const Problem& problem) {
   require(penalty.stiffness.size() == problem.contacts.size(), "law.penalty",
           fmt::format("{} values", penalty.stiffness.size()),
@@ -220,6 +193,14 @@ void check_rigid_law(const Problem& problem) {
   }
   require(std::holds_alternative<Massless>(problem.law), "law", "none",
           "must be massless: no contact coordinate carries mass");
+}
+
+void check_room(const Problem& problem) {
+  const auto conflict = stop_conflict(problem.contacts);
+  if (!conflict) return;
+  throw InvalidProblem(fmt::format("contact[{}].gap", conflict->contact),
+                       fmt::format("{:g}", problem.contacts[static_cast<std::size_t>(conflict->contact)].gap),
+                       conflict->requirement);
 }
 
 void check_law(const Problem& problem) {

@@ -38,8 +38,8 @@ enum class Definiteness { to_be_checked, by_construction };
 /// contacts carry mass (on every coordinate of their normals) or none does. `name` and `kind` are not looked
 /// at.
 ///
-/// With Definiteness::by_construction it is taken for granted that M and K are semi-definite and have no null
-/// vector in common with D. Damping still must be alpha M + beta K with alpha, beta >= 0, or pass the check.
+/// With Definiteness::by_construction it is taken for granted that M, K and the symmetric part of D are
+/// semi-definite and have no null vector in common; of these, only diagonals are looked at.
 /// \throws InvalidProblem on the first violation
 void validate(const Problem& problem, Definiteness definiteness = Definiteness::to_be_checked);
 

@@ -19,7 +19,7 @@ namespace signorini {
 namespace {
 
 /// Largest number of coordinates for which eigenfrequencies are shown: the eigenproblem is solved dense.
-constexpr int kMostEigen = 2000;
+constexpr int kMostEigen = 1000;
 constexpr std::ptrdiff_t kMostShown = 12;
 
 /// Undamped angular eigenfrequencies, ascending [rad/s]; empty text says why there are none.

@@ -120,6 +120,9 @@ Eigen::Matrix3d coupling(const BlockMesh& mesh, const BrickMatrix& brick, const 
 SparseMatrix sum_of_bricks(const BlockMesh& mesh, const BrickMatrix& brick) {
   const int size = mesh.clamped() * (mesh.elements[0] + 1);
   SparseMatrix A(size, size);
+  Eigen::Index pairs = 1;  // of neighbouring nodes, a node with itself included
+  for (const int bricks : mesh.elements) pairs *= 3 * bricks + 1;
+  A.reserve(9 * pairs);
   std::vector<std::pair<int, Eigen::Matrix3d>> neighbours;
   for_each_node({0, 0, 0}, mesh.elements, [&](const Node& node) {
     Node first;
@@ -180,8 +183,8 @@ std::vector<Follower> followers(const Block& block) {
 }  // namespace
 
 SparseMatrix unclamped_mass(const Block& block) {
-  const SparseMatrix sum = sum_of_bricks(block.mesh, brick_mass(block));
-  return block.contact_mass == ContactMass::massless ? redistributed(sum, followers(block)) : sum;
+  if (block.contact_mass != ContactMass::massless) return sum_of_bricks(block.mesh, brick_mass(block));
+  return redistributed(sum_of_bricks(block.mesh, brick_mass(block)), followers(block));
 }
 
 SparseMatrix unclamped_stiffness(const Block& block) {
@@ -190,9 +193,11 @@ SparseMatrix unclamped_stiffness(const Block& block) {
 
 Structure assemble(const Block& block) {
   const int fixed = block.mesh.clamped();
-  return {.mass = clamped(unclamped_mass(block), fixed),
-          .damping = SparseMatrix(block.mesh.size(), block.mesh.size()),
-          .stiffness = clamped(unclamped_stiffness(block), fixed)};
+  Structure structure{.mass = {}, .damping = {block.mesh.size(), block.mesh.size()}, .stiffness = {}};
+  // A statement each: what is not clamped is gone before the next matrix is made.
+  clamped(unclamped_mass(block), fixed).swap(structure.mass);
+  clamped(unclamped_stiffness(block), fixed).swap(structure.stiffness);
+  return structure;
 }
 
 }  // namespace signorini

@@ -45,7 +45,7 @@ SparseMatrix modal_damping(const std::vector<double>& ratios, const SparseMatrix
 SparseMatrix damping_matrix(const DampingModel& model, const SparseMatrix& mass,
                             const SparseMatrix& stiffness) {
   if (const auto* rayleigh = std::get_if<ProportionalDamping>(&model)) {
-    return rayleigh->alpha * mass + rayleigh->beta * stiffness;
+    return combination(*rayleigh, mass, stiffness);
   }
   if (mass.rows() > kMostModalCoordinates) {
     throw std::invalid_argument("modal damping: too many coordinates");

@@ -53,7 +53,17 @@ SparseMatrix block_diagonal(const std::vector<SparseMatrix>& parts) {
 
 SparseMatrix clamped(const SparseMatrix& A, int coordinates) {
   const Eigen::Index left = A.rows() - coordinates;
-  return A.bottomRightCorner(left, left);
+  SparseMatrix corner(left, left);
+  corner.reserve(A.nonZeros());
+  for (int column = 0; column < left; ++column) {
+    corner.startVec(column);
+    for (SparseMatrix::InnerIterator entry(A, column + coordinates); entry; ++entry) {
+      const int row = static_cast<int>(entry.row()) - coordinates;
+      if (row >= 0) corner.insertBackByOuterInner(column, row) = entry.value();
+    }
+  }
+  corner.finalize();
+  return corner;
 }
 
 SparseMatrix redistributed(const SparseMatrix& mass, const std::vector<Follower>& followers) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "problems/scene/toml_tree.hpp"
 
@@ -146,6 +147,11 @@ class Reader {
     if (expected_ < 0 || expected_ > most) {
       refuse_line("size", fmt::format("must promise 0..{} entries", most));
     }
+    if (expected_ > (symmetric_ ? (kMostMatrixEntries + n) / 2 : kMostMatrixEntries)) {
+      refuse_line("size",
+                  fmt::format("must make at most {} entries, both triangles of a symmetric matrix counted",
+                              kMostMatrixEntries));
+    }
   }
 
   double value_of(std::string_view word) const {
@@ -182,13 +188,18 @@ class Reader {
     row_ = symmetric_ ? column_ : 0;
   }
 
-  void refuse_repetition() {
-    const auto place = [](const Entry& entry) { return std::pair(entry.column, entry.row); };
-    std::stable_sort(entries_.begin(), entries_.end(),
-                     [&](const Entry& a, const Entry& b) { return place(a) < place(b); });
-    const auto twin =
-        std::adjacent_find(entries_.begin(), entries_.end(),
-                           [&](const Entry& a, const Entry& b) { return place(a) == place(b); });
+  // Most files are in this order already.
+  void sort_entries() {
+    const auto before = [](const Entry& a, const Entry& b) { return place(a) < place(b); };
+    if (!std::is_sorted(entries_.begin(), entries_.end(), before))
+      std::stable_sort(entries_.begin(), entries_.end(), before);
+  }
+
+  static std::pair<int, int> place(const Entry& entry) { return {entry.column, entry.row}; }
+
+  void refuse_repetition() const {
+    const auto twin = std::adjacent_find(entries_.begin(), entries_.end(),
+                                         [](const Entry& a, const Entry& b) { return place(a) == place(b); });
     if (twin == entries_.end()) return;
     refuse("entry", fmt::format("row {}, column {}", twin->row + 1, twin->column + 1),
            fmt::format("must be given once; it stands in line {} already", twin->line),
@@ -196,19 +207,21 @@ class Reader {
   }
 
   SparseMatrix assemble() {
+    sort_entries();
     refuse_repetition();
-    std::vector<Eigen::Triplet<double>> triplets;
-    triplets.reserve(entries_.size() * (symmetric_ ? 2 : 1));
-    for (const Entry& entry : entries_) {
-      if (entry.value == 0.0) continue;
-      triplets.emplace_back(entry.row, entry.column, entry.value);
-      if (symmetric_ && entry.row != entry.column) {
-        triplets.emplace_back(entry.column, entry.row, entry.value);
+    SparseMatrix given(size_, size_);
+    given.reserve(std::ssize(entries_));
+    auto entry = entries_.begin();
+    for (int column = 0; column < size_; ++column) {
+      given.startVec(column);
+      for (; entry != entries_.end() && entry->column == column; ++entry) {
+        if (entry->value != 0.0) given.insertBackByOuterInner(column, entry->row) = entry->value;
       }
     }
-    SparseMatrix A(size_, size_);
-    A.setFromTriplets(triplets.begin(), triplets.end());
-    return A;
+    given.finalize();
+    if (!symmetric_) return given;
+    entries_ = {};
+    return given.selfadjointView<Eigen::Lower>();
   }
 
   std::string_view rest_;  // what has not been read

@@ -10,6 +10,8 @@ namespace signorini {
 
 /// Largest number of rows that is read.
 inline constexpr int kMostMatrixRows = 10'000'000;
+/// Largest number of entries of a matrix, both triangles of a symmetric one counted: a full one of 4472 rows.
+inline constexpr int kMostMatrixEntries = 20'000'000;
 
 /// Reads one square matrix from the text of its file: `%%MatrixMarket matrix coordinate|array real|integer
 /// general|symmetric` [boisvert1996], rows and columns counted from 1, symmetric ones by their lower

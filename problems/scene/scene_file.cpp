@@ -148,7 +148,7 @@ void read_scene(const SceneField& document, std::optional<FamilyLevel> family, R
   FromTables<Contact> contacts = read_contacts(document["contact"], system);
   problem.contacts = std::move(contacts.things);
   scene.contact_tables = std::move(contacts.tables);
-  problem.structure = std::make_shared<const Structure>(system.assemble(contact_coordinates(problem)));
+  problem.structure = system.assemble(contact_coordinates(problem));
   problem.law = read_law(document["law"], problem);
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <memory>
 
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/block.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 constexpr int kMostElements = 100000;
 constexpr int kMostBeams = 100;
-constexpr int kMostCoordinates = 1000000;  // of a block: some 2 GB of matrices
+constexpr int kMostCoordinates = 1000000;  // of a block: 2 GB of matrices
 
 double read_positive(const SceneField& field, std::string_view unit) {
   return field.number(fmt::format("must be a positive number {}", unit), kLeastPositive);
@@ -48,10 +49,13 @@ SystemDescription damped(Assembly undamped, DampingModel damping, int size) {
           .definiteness = Definiteness::by_construction,
           .assemble = [undamped = std::move(undamped),
                        damping = std::move(damping)](const std::vector<int>& contact_coordinates) {
-            Structure structure = undamped(contact_coordinates);
-            require_finite(structure.mass, "system.mass");
-            require_finite(structure.stiffness, "system.stiffness");
-            structure.damping += damping_matrix(damping, structure.mass, structure.stiffness);
+            // Made in its place, swapped and not moved: these matrices have no moves.
+            const std::shared_ptr<Structure> structure(new Structure(undamped(contact_coordinates)));
+            require_finite(structure->mass, "system.mass");
+            require_finite(structure->stiffness, "system.stiffness");
+            SparseMatrix of_material = damping_matrix(damping, structure->mass, structure->stiffness);
+            if (structure->damping.nonZeros() > 0) of_material += structure->damping;
+            structure->damping.swap(of_material);
             return structure;
           }};
 }

@@ -30,10 +30,15 @@ std::vector<double> read_elements(const SceneField& field, std::string_view unit
   return values;
 }
 
-SystemDescription independent_of_contacts(Structure structure) {
-  const int size = static_cast<int>(structure.mass.rows());
+SystemDescription independent_of_contacts(std::shared_ptr<const Structure> structure) {
+  const int size = static_cast<int>(structure->mass.rows());
   return {.size = size,
           .assemble = [structure = std::move(structure)](const std::vector<int>&) { return structure; }};
+}
+
+template <class Model>
+SystemDescription assembled(const Model& model) {
+  return independent_of_contacts(std::make_shared<const Structure>(assemble(model)));
 }
 
 Rotor read_disc(const SceneField& system) {
@@ -43,15 +48,12 @@ Rotor read_disc(const SceneField& system) {
           .stiffness = system["stiffness"].number("must be a number >= 0 [N/m]", 0.0)};
 }
 
-SystemDescription read_rotor(const SceneField& system) {
-  return independent_of_contacts(assemble(read_disc(system)));
-}
+SystemDescription read_rotor(const SceneField& system) { return assembled(read_disc(system)); }
 
 // One coordinate of a rotor by itself.
 SystemDescription read_sdof(const SceneField& system) {
   const auto [mass, damping, stiffness] = read_disc(system);
-  return independent_of_contacts(
-      assemble(Chain{.masses = {mass}, .dampers = {damping}, .springs = {stiffness}}));
+  return assembled(Chain{.masses = {mass}, .dampers = {damping}, .springs = {stiffness}});
 }
 
 // Absent: empty.
@@ -85,7 +87,7 @@ SystemDescription read_chain(const SceneField& system) {
   chain.ground_dampers = read_ground(system["ground_dampers"], "[N s/m]", size);
   chain.ground_springs = read_ground(system["ground_springs"], "[N/m]", size);
   chain.links = read_links(system["links"], static_cast<int>(size));
-  return independent_of_contacts(assemble(chain));
+  return assembled(chain);
 }
 
 std::filesystem::path matrix_file(const SceneField& field, const std::string& name) {
@@ -150,9 +152,11 @@ SparseMatrix read_matrix_damping(const SceneField& system, const Structure& stru
 
 SystemDescription read_matrices(const SceneField& system) {
   system.allow_only({"kind", "mass", "damping", "rayleigh", "modal", "stiffness"}, "must be a table");
-  Structure structure{.mass = read_matrix(system["mass"]), .damping = {}, .stiffness = {}};
-  structure.stiffness = read_matrix(system["stiffness"], structure.mass.rows());
-  structure.damping = read_matrix_damping(system, structure);
+  // Swapped, not moved: these matrices have no moves, and copies of a dense one are large.
+  auto structure = std::make_shared<Structure>();
+  read_matrix(system["mass"]).swap(structure->mass);
+  read_matrix(system["stiffness"], structure->mass.rows()).swap(structure->stiffness);
+  read_matrix_damping(system, *structure).swap(structure->damping);
   SystemDescription description = independent_of_contacts(std::move(structure));
   for (const SceneField& matrix : {system["mass"], system["damping"], system["stiffness"]}) {
     if (matrix.given()) description.files.push_back(matrix_file(matrix, matrix.text("must be a file")));

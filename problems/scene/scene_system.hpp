@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,7 +27,7 @@ struct SystemDescription {
   std::vector<std::filesystem::path> files = {};            ///< Matrix Market files it was read from
   /// The matrices, given the coordinates that contacts touch.
   /// \throws InvalidProblem if contacts there and the system do not go together
-  std::function<Structure(const std::vector<int>& contact_coordinates)> assemble = {};
+  std::function<std::shared_ptr<const Structure>(const std::vector<int>& contact_coordinates)> assemble = {};
 };
 
 /// \throws SceneError for anything but a sound [system] table

@@ -49,6 +49,53 @@ TEST(IsSymmetric, ToRoundingOfTheLargestEntry) {
   EXPECT_FALSE(is_symmetric(A));
 }
 
+TEST(IsSymmetric, AgreesWithTheTransposeWhereverEntriesAreMissing) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> place(0, 7);
+  for (int trial = 0; trial < 300; ++trial) {
+    SparseMatrix A(8, 8);
+    for (int i = 0; i < 12; ++i) {
+      const int row = place(random);
+      const int column = place(random);
+      A.coeffRef(row, column) = A.coeffRef(column, row) = 1.0 + i;
+    }
+    EXPECT_TRUE(is_symmetric(A)) << trial;
+    A.coeffRef(place(random), place(random)) += trial % 3 == 0 ? 0.0 : 1.0;
+    if (trial % 2 == 0) A.makeCompressed();
+    EXPECT_EQ(is_symmetric(A), Eigen::MatrixXd(A) == Eigen::MatrixXd(A.transpose())) << trial;
+  }
+}
+
+TEST(Combination, IsTheSumWhereverEntriesAreMissing) {
+  std::mt19937 random(6);
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto with_gaps = [&] {
+      Eigen::MatrixXd A = random_matrix(6, 6, random);
+      return sparse((A.array() > 0.3).select(A, 0.0));
+    };
+    const SparseMatrix M = with_gaps();
+    const SparseMatrix K = with_gaps();
+    const SparseMatrix sum = combination({.alpha = 0.5, .beta = -3.0}, M, K);
+    EXPECT_EQ(Eigen::MatrixXd(sum), 0.5 * Eigen::MatrixXd(M) - 3.0 * Eigen::MatrixXd(K));
+    EXPECT_LE(sum.nonZeros(), M.nonZeros() + K.nonZeros());
+  }
+}
+
+// Full ones go to CHOLMOD, whatever their size.
+TEST(Definiteness, OfFullMatricesIsThatOfTheirSpectrum) {
+  constexpr int kSize = 600;
+  std::mt19937 random(3);
+  const Eigen::MatrixXd Q = random_matrix(kSize, kSize, random).householderQr().householderQ();
+  Eigen::VectorXd spectrum = Eigen::VectorXd::LinSpaced(kSize, 0.1, 10.0);
+  const auto full = [&] {
+    const Eigen::MatrixXd A = Q * spectrum.asDiagonal() * Q.transpose();
+    return sparse(0.5 * (A + A.transpose()));
+  };
+  EXPECT_TRUE(is_definite(full()));
+  spectrum[17] = -1e-3;
+  EXPECT_FALSE(is_semidefinite(full()));
+}
+
 // Factorised by Eigen and by CHOLMOD.
 TEST(Definiteness, OfSmallAndLargeMatricesIsJudgedByTheLowestEigenvalue) {
   for (const int size : {50, 3000}) {

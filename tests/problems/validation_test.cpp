@@ -237,6 +237,11 @@ TEST(Validate, RefusesRigidStopsThatLeaveNoRoom) {
             "");
   EXPECT_NE(complaint_with_stops({{.normal = {{0, 1.0}}, .gap = 0.0}, {.normal = {{0, -1.0}}, .gap = 0.0}}),
             "");
+  // Along different lines: u_0 <= -0.2, u_1 <= 0.1 and -u_0 - u_1 <= 0.05.
+  EXPECT_EQ(complaint_with_stops({{.normal = {{0, 1.0}}, .gap = -0.2},
+                                  {.normal = {{1, 1.0}}, .gap = 0.1},
+                                  {.normal = {{0, -1.0}, {1, -1.0}}, .gap = 0.05}}),
+            "contact[2].gap = 0.05 (must leave room: contacts 0, 1 and 2 exclude each other)");
   EXPECT_EQ(complaint_with_stops({{.normal = {{0, 1.0}}, .gap = 0.1}, {.normal = {{0, -1.0}}, .gap = -0.09}}),
             "");
   EXPECT_EQ(complaint_with_stops({{.normal = {{0, 1.0}}, .gap = 0.1}, {.normal = {{0, 1.0}}, .gap = 0.1}}),

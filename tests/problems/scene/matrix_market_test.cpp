@@ -98,7 +98,15 @@ TEST(ReadMatrixMarket, RefusesMalformedFilesInOneLine) {
       {general + "0 0 0\n", "2: size = \"0 0 0\" (must be square, of 1..10000000 rows)"},
       {general + "2 2 5\n", "2: size = \"2 2 5\" (must promise 0..4 entries)"},
       {general + "2 2 -1\n", "2: size = \"2 2 -1\" (must promise 0..4 entries)"},
-      {general + "9000000 9000000 80000000000000\n1 1 1\n", "3: file = 1 entries (must hold 80000000000000)"},
+      {general + "9000000 9000000 80000000000000\n1 1 1\n",
+       "2: size = \"9000000 9000000 80000000000000\" (must make at most 20000000 entries, both triangles of "
+       "a "
+       "symmetric matrix counted)"},
+      {"%%MatrixMarket matrix array real symmetric\n4473 4473\n",
+       "2: size = \"4473 4473\" (must make at most 20000000 entries, both triangles of a symmetric matrix "
+       "counted)"},
+      {"%%MatrixMarket matrix array real symmetric\n4472 4472\n1\n",
+       "3: file = 1 entries (must hold 10001628)"},
       {general + "2 2 2\n1 1 1.0\n", "3: file = 1 entries (must hold 2)"},
       {general + "2 2 1\n1 1 1.0\n2 2 1.0\n",
        "4: entry = \"2 2 1.0\" (must be absent: the file holds 1 entries)"},

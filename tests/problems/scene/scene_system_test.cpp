@@ -27,7 +27,7 @@ TEST(ReadSystem, AssemblesEveryKindOfAtLeastOneCoordinate) {
   EXPECT_EQ(sdof.kind, "sdof");
   EXPECT_EQ(sdof.size, 1);
   EXPECT_EQ(sdof.definiteness, Definiteness::to_be_checked);
-  const Structure one = sdof.assemble({});
+  const Structure one = *sdof.assemble({});
   EXPECT_EQ(one.mass.coeff(0, 0), 2.0);
   EXPECT_EQ(one.damping.coeff(0, 0), 0.1);
   EXPECT_EQ(one.stiffness.coeff(0, 0), 3.0);
@@ -40,8 +40,8 @@ TEST(ReadSystem, TrustsFiniteElementsAndSpreadsTheirMassByTheContacts) {
       "damping = { alpha = 0.1 }\ncontact_mass = \"massless\"");
   EXPECT_EQ(bar.size, 4);
   EXPECT_EQ(bar.definiteness, Definiteness::by_construction);
-  EXPECT_GT(bar.assemble({}).mass.coeff(3, 3), 0.0);
-  EXPECT_EQ(bar.assemble({3}).mass.coeff(3, 3), 0.0);
+  EXPECT_GT(bar.assemble({})->mass.coeff(3, 3), 0.0);
+  EXPECT_EQ(bar.assemble({3})->mass.coeff(3, 3), 0.0);
 }
 
 TEST(ReadSystem, RefusesUnknownKindsAndKeys) {

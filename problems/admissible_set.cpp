@@ -1,0 +1,275 @@
+#include "problems/admissible_set.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace signorini {
+
+namespace {
+
+constexpr double kRoundingOfSum = 1e-12;  // of the largest term of a sum
+constexpr double kNearer = 1e-6;  // of the largest gap: stops that meet are found by moving them together
+constexpr int kMostRows = 200;    // of a group that is decided by least squares
+constexpr std::size_t kMostStops = 3000;
+
+using Normal = std::vector<std::pair<int, double>>;
+using Stops = std::vector<int>;  // contacts, by their number
+
+// How far the stops along one line let the structure go, d^T u between `least` and `most`.
+struct Room {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  int least_by = 0, most_by = 0;  // contacts
+};
+
+Normal nonzero(const Contact& contact) {
+  Normal normal = contact.normal;
+  std::erase_if(normal, [](const auto& entry) { return entry.second == 0.0; });
+  std::ranges::sort(normal);
+  return normal;
+}
+
+// A normal w = a d with the first nonzero coefficient of d one: a, and d as text that is equal for parallel
+// normals, whatever their last digits.
+std::pair<double, std::string> line_of(const Contact& contact) {
+  const Normal normal = nonzero(contact);
+  const double first = normal.front().second;
+  std::string direction;
+  for (const auto& [dof, coefficient] : normal)
+    direction += fmt::format("{}:{:.12g} ", dof, coefficient / first);
+  return {first, direction};
+}
+
+using Rooms = std::map<std::string, Room>;
+
+// Adds the stops to the rooms of their lines, up to the first that leaves none.
+std::optional<StopConflict> conflict_along_a_line(const std::vector<Contact>& contacts, Rooms& rooms) {
+  for (int j = 0; j < std::ssize(contacts); ++j) {
+    const Contact& contact = contacts[static_cast<std::size_t>(j)];
+    const auto [factor, line] = line_of(contact);
+    const double bound = contact.gap / factor;
+    Room& room = rooms[line];
+    if (factor > 0.0 && bound < room.most) room.most = bound, room.most_by = j;
+    if (factor < 0.0 && bound > room.least) room.least = bound, room.least_by = j;
+    const double rounding = kRoundingOfSum * std::max(std::abs(room.least), std::abs(room.most));
+    if (!std::isfinite(rounding) || room.most - room.least > rounding) continue;
+    return StopConflict{.contact = j,
+                        .requirement = fmt::format(
+                            "must leave room: contact {} holds its coordinate at {:g} or less, contact "
+                            "{} at {:g} or more",
+                            room.most_by, room.most, room.least_by, room.least)};
+  }
+  return std::nullopt;
+}
+
+// The nearest stops of every line, at most one on each side.
+Stops nearest_stops(const Rooms& rooms) {
+  Stops nearest;
+  for (const auto& [line, room] : rooms) {
+    if (std::isfinite(room.most)) nearest.push_back(room.most_by);
+    if (std::isfinite(room.least)) nearest.push_back(room.least_by);
+  }
+  return nearest;
+}
+
+/// Stops and the coordinates that they hold.
+class StopGraph {
+ public:
+  StopGraph(const std::vector<Contact>& contacts, const Stops& stops) {
+    for (const int stop : stops) {
+      normals_[stop] = nonzero(contacts[static_cast<std::size_t>(stop)]);
+      for (const auto& [dof, coefficient] : normals_[stop]) {
+        coordinates_[dof].stops.push_back(stop);
+        ++coordinates_[dof].on_side(coefficient);
+      }
+    }
+  }
+
+  /// Sets aside the stops at a coordinate that is held on one side only, until there is none: far enough on
+  /// the other side it satisfies them, wherever the rest of the structure is.
+  void retreat() {
+    std::vector<int> open;
+    for (const auto& [dof, held] : coordinates_) open.push_back(dof);
+    while (!open.empty()) {
+      const Coordinate& held = coordinates_[open.back()];
+      open.pop_back();
+      if (held.above > 0 && held.below > 0) continue;
+      for (const int stop : held.stops) {
+        const auto found = normals_.find(stop);
+        if (found == normals_.end()) continue;
+        for (const auto& [dof, coefficient] : found->second) {
+          if (--coordinates_[dof].on_side(coefficient) == 0) open.push_back(dof);
+        }
+        normals_.erase(found);
+      }
+    }
+  }
+
+  /// What is left, in groups that share no coordinate; taken out of the graph.
+  [[nodiscard]] std::vector<Stops> take_groups() {
+    std::vector<Stops> groups;
+    while (!normals_.empty()) groups.push_back(take_group(normals_.begin()->first));
+    return groups;
+  }
+
+ private:
+  struct Coordinate {
+    Stops stops = {};          // all that ever held it
+    int above = 0, below = 0;  // how many still do, on each side
+    int& on_side(double coefficient) { return coefficient > 0.0 ? above : below; }
+  };
+
+  Stops take_group(int first) {
+    Stops group;
+    Stops open{first};
+    while (!open.empty()) {
+      const auto found = normals_.find(open.back());
+      open.pop_back();
+      if (found == normals_.end()) continue;
+      group.push_back(found->first);
+      for (const auto& [dof, coefficient] : found->second) {
+        const Stops neighbours = std::exchange(coordinates_[dof].stops, {});
+        open.insert(open.end(), neighbours.begin(), neighbours.end());
+      }
+      normals_.erase(found);
+    }
+    std::ranges::sort(group);
+    return group;
+  }
+
+  std::map<int, Normal> normals_;  // of the stops that are left
+  std::map<int, Coordinate> coordinates_;
+};
+
+// u >= 0 that minimises |E u - f|, the algorithm NNLS of [lawson1995], ch. 23. Columns of E and f are of size
+// one.
+Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& E, const Eigen::VectorXd& f) {
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(E.cols());
+  std::vector<Eigen::Index> passive;  // entries that may be positive
+  // Each round ends at a lower residual, so that no set of passive entries comes again; rounding may break
+  // that.
+  for (Eigen::Index round = 0; round < 3 * E.cols() + 10; ++round) {
+    Eigen::VectorXd slope = E.transpose() * (f - E * u);
+    for (const Eigen::Index j : passive) slope[j] = 0.0;
+    Eigen::Index steepest = 0;
+    if (slope.maxCoeff(&steepest) <= kRoundingOfSum) break;
+    passive.push_back(steepest);
+    while (true) {
+      const Eigen::VectorXd z = E(Eigen::all, passive).colPivHouseholderQr().solve(f);
+      const Eigen::VectorXd from = u(passive);
+      double step = 1.0;
+      Eigen::Index first = -1;  // entry to reach zero on the way from u to z
+      for (Eigen::Index p = 0; p < z.size(); ++p) {
+        if (z[p] >= 0.0 || from[p] / (from[p] - z[p]) >= step) continue;
+        step = from[p] / (from[p] - z[p]);
+        first = p;
+      }
+      u(passive) = (from + step * (z - from)).cwiseMax(0.0);
+      if (first < 0) break;
+      if (step == 0.0 && passive[static_cast<std::size_t>(first)] == steepest)
+        return u;  // a slope of rounding
+      u[passive[static_cast<std::size_t>(first)]] = 0.0;
+      passive.erase(passive.begin() + first);
+    }
+  }
+  return u;
+}
+
+/// The stops of a group in units of their normals' lengths, of the coordinates' largest coefficients and of
+/// the largest gap.
+struct GroupEquations {
+  Eigen::MatrixXd W;  // coordinates x stops
+  Eigen::VectorXd g;  // stops
+
+  GroupEquations(const std::vector<Contact>& contacts, const Stops& group, const std::map<int, int>& rows)
+      : W(Eigen::MatrixXd::Zero(std::ssize(rows), std::ssize(group))), g(std::ssize(group)) {
+    for (Eigen::Index j = 0; j < g.size(); ++j) {
+      const Contact& contact = contacts[static_cast<std::size_t>(group[static_cast<std::size_t>(j)])];
+      for (const auto& [dof, coefficient] : nonzero(contact)) W(rows.at(dof), j) = coefficient;
+      g[j] = contact.gap;
+    }
+    for (Eigen::Index i = 0; i < W.rows(); ++i) W.row(i) /= W.row(i).cwiseAbs().maxCoeff();
+    for (Eigen::Index j = 0; j < g.size(); ++j) {
+      g[j] /= W.col(j).norm();
+      W.col(j).normalize();
+    }
+    if (const double largest = g.cwiseAbs().maxCoeff(); largest > 0.0) g /= largest;
+  }
+
+  /// y with W y = 0 and g^T y <= 0 where stops that stand nearer by `margin` exclude each other and these do;
+  /// empty otherwise. u >= 0 that makes W u = 0 and g^T u = -1 is one, and where there is none the residual
+  /// of these equations is, up to its length, a displacement that satisfies all stops.
+  [[nodiscard]] Eigen::VectorXd certificate(double margin) const {
+    Eigen::MatrixXd E(W.rows() + 1, W.cols());
+    E << W, (g.array() - margin).matrix().transpose();
+    const Eigen::VectorXd y = nonnegative_least_squares(E, -Eigen::VectorXd::Unit(E.rows(), W.rows()));
+    const double forces = (W.cwiseAbs() * y).maxCoeff();
+    const bool balanced = forces > 0.0 && (W * y).cwiseAbs().maxCoeff() <= kRoundingOfSum * forces;
+    const bool crossed = g.dot(y) <= kRoundingOfSum * g.cwiseAbs().dot(y);
+    return balanced && crossed ? y : Eigen::VectorXd();
+  }
+};
+
+std::map<int, int> rows_of(const std::vector<Contact>& contacts, const Stops& group) {
+  std::map<int, int> rows;
+  for (const int stop : group) {
+    for (const auto& [dof, coefficient] : nonzero(contacts[static_cast<std::size_t>(stop)])) rows[dof] = 0;
+  }
+  int row = 0;
+  for (auto& [dof, number] : rows) number = row++;
+  return rows;
+}
+
+// The stops of a group that exclude each other; none where it leaves room or is too large.
+Stops contradiction(const std::vector<Contact>& contacts, const Stops& group) {
+  const auto open = [&](int stop) { return contacts[static_cast<std::size_t>(stop)].gap > 0.0; };
+  if (std::ranges::all_of(group, open) || group.size() > kMostStops) return {};
+  const std::map<int, int> rows = rows_of(contacts, group);
+  if (std::ssize(rows) > kMostRows) return {};
+  const GroupEquations equations(contacts, group, rows);
+  for (const double margin : {0.0, kNearer}) {
+    const Eigen::VectorXd y = equations.certificate(margin);
+    Stops found;
+    for (Eigen::Index j = 0; j < y.size(); ++j) {
+      if (y[j] > 0.0) found.push_back(group[static_cast<std::size_t>(j)]);
+    }
+    if (!found.empty()) return found;
+  }
+  return {};
+}
+
+// "0, 1 and 2".
+std::string listed(const Stops& stops) {
+  constexpr std::size_t kShown = 8;
+  if (stops.size() > kShown)
+    return fmt::format("{} and {} more", fmt::join(stops.begin(), stops.begin() + kShown, ", "),
+                       stops.size() - kShown);
+  return fmt::format("{} and {}", fmt::join(stops.begin(), stops.end() - 1, ", "), stops.back());
+}
+
+}  // namespace
+
+std::optional<StopConflict> stop_conflict(const std::vector<Contact>& contacts) {
+  if (std::ranges::all_of(contacts, [](const Contact& contact) { return contact.gap > 0.0; })) return {};
+  Rooms rooms;
+  if (auto conflict = conflict_along_a_line(contacts, rooms)) return conflict;
+  StopGraph graph(contacts, nearest_stops(rooms));
+  graph.retreat();
+  for (const Stops& group : graph.take_groups()) {
+    const Stops stops = contradiction(contacts, group);
+    if (stops.empty()) continue;
+    return StopConflict{
+        .contact = stops.back(),
+        .requirement = fmt::format("must leave room: contacts {} exclude each other", listed(stops))};
+  }
+  return std::nullopt;
+}
+
+}  // namespace signorini

@@ -1,0 +1,33 @@
+#pragma once
+// Whether rigid stops leave a structure room to move.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// Stops that exclude each other.
+struct StopConflict {
+  int contact = 0;               ///< one of them, by its number
+  std::string requirement = {};  ///< what is required of its gap, with the numbers of all of them
+};
+
+/// Looks for rigid stops that leave no room, where they must: the admissible set {u : w_j^T u <= g_j} has an
+/// interior. Stops that cross leave no admissible displacement, stops that meet no motion. By Farkas's lemma
+/// and Motzkin's theorem there is no room exactly where some y >= 0, y != 0, has sum_j y_j w_j = 0 and sum_j
+/// y_j g_j <= 0: the stops with y_j > 0 exclude each other.
+///
+/// Stops along one line are compared with each other. Of the others, those are set aside that a coordinate
+/// can always retreat from, because no stop holds it on the other side, and groups joined by coordinates
+/// whose gaps are all positive. What is left, up to 200 coordinates and 3000 stops in a group, is decided by
+/// least squares under y >= 0 [lawson1995, ch. 23]; larger groups are taken to leave room. Sums count as zero
+/// to 1e-12 of their largest term, normals in units of their length and gaps in units of the largest of a
+/// group.
+///
+/// \return nothing where they leave room
+std::optional<StopConflict> stop_conflict(const std::vector<Contact>& contacts);
+
+}  // namespace signorini
