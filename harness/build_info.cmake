@@ -39,7 +39,7 @@ string(REPLACE "," ";" folders "${METHODS}")
 set(other_methods ${folders})
 list(REMOVE_ITEM other_methods event_driven)
 list(JOIN other_methods "|" other_methods)
-string(JOIN "|" readers "commands/" "compare/" "conformance/" "doctor/" "records/(merge|resume|run_folder|shards|status)"
+string(JOIN "|" readers "commands/" "compare/" "conformance/" "doctor/" "records/(manifest_check|merge|resume|run_folder|shards|status)"
                         "extend/scaffold/" "cluster/" "sweep/" "report/" "table" "progress")
 hash_sources(common "^methods/(${other_methods}|plugin)/|^methods/catalogue\\.|^harness/(${readers})"
              ${ROOT}/problems/* ${ROOT}/methods/* ${ROOT}/harness/*)

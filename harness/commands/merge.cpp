@@ -9,6 +9,7 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
+#include "harness/records/manifest_check.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/records/status.hpp"
 #include "harness/report/report.hpp"
@@ -23,8 +24,7 @@ namespace fs = std::filesystem;
 void require_no_run(const fs::path& out) {
   const fs::path manifest = out / "manifest.json";
   if (!fs::exists(manifest)) return;
-  const auto json = nlohmann::ordered_json::parse(read_file(manifest), nullptr, false);
-  if (json.is_object() && json.contains("shards")) return;
+  if (read_manifest(manifest).contains("shards")) return;
   throw UsageError(
       fmt::format("out = {} (must be a new folder or an earlier merge, not a run)", out.string()));
 }

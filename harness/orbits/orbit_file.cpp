@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
+#include "harness/records/record_check.hpp"
 #include "harness/records/record_json.hpp"
 
 namespace signorini {
@@ -84,6 +85,7 @@ std::string print_orbit_file(const OrbitFile& file) {
 OrbitFile parse_orbit_file(const std::string& text, const std::string& name) {
   try {
     const Json json = Json::parse(text);
+    require_plain_texts(json);
     if (json.at("schema") != kOrbitSchema)
       throw BadRecord(fmt::format("schema = {} (must be {})", json.at("schema").dump(), kOrbitSchema));
     OrbitFile file;

@@ -16,6 +16,10 @@ inline constexpr std::size_t kLongestText = 4000;
 /// what is no UTF-8 escaped, at most some 1000 bytes.
 std::string as_message(const std::string& text);
 
+/// \throws BadRecord unless every text of a value, names of fields included, is at most kLongestText long and
+/// without control characters, and it nests at most 32 levels deep
+void require_plain_texts(const nlohmann::ordered_json& json);
+
 /// A record of a file that anybody may have written, as record_from_json reads it.
 /// \throws BadRecord also unless every text in it, names of options included, is at most kLongestText long
 /// and without control characters; scene and method are names as the program gives them, "sdof-stop",

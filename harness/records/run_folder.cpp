@@ -18,7 +18,10 @@
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/records/json_fields.hpp"
+#include "harness/records/manifest_check.hpp"
+#include "harness/records/record_check.hpp"
 #include "harness/records/record_store.hpp"
+#include "problems/scene/toml_tree.hpp"
 
 namespace signorini {
 
@@ -32,8 +35,9 @@ std::vector<PlannedCase> read_plan(const fs::path& file) {
   std::istringstream lines(read_file(file));
   for (std::string line; std::getline(lines, line);) {
     const std::size_t space = line.find(' ');
-    if (space == std::string::npos)
-      throw UsageError(fmt::format("{}: case = {} (must be a key and a name)", file.string(), line));
+    if (space == std::string::npos || line.size() > kLongestText || has_control_characters(line))
+      throw UsageError(fmt::format("{}: case = {} (must be a key and a name, at most {} bytes)",
+                                   file.string(), one_line(line), kLongestText));
     const std::string name = line.substr(space + 1);
     plan.push_back({.key = line.substr(0, space), .case_id = name, .method = parse_case_name(name).method});
   }
@@ -54,18 +58,6 @@ std::unordered_set<std::string> keys_that_count(const RunFolder& run) {
   for (const Record& record : run.records) last[record.case_id] = record.key;
   for (const auto& [case_id, key] : last) keys.insert(key);
   return keys;
-}
-
-/// Checks the types of the entries that commands compute with.
-void check_types(const Json& manifest, const fs::path& file) {
-  const auto check = [&](const char* field, bool (Json::*is_right)() const, const char* requirement) {
-    if (!manifest.contains(field) || (manifest[field].*is_right)()) return;
-    throw UsageError(
-        fmt::format("{}: {} = {} (must be {})", file.string(), field, manifest[field].dump(), requirement));
-  };
-  check("jobs", &Json::is_number, "a number");
-  check("times_comparable", &Json::is_boolean, "true or false");
-  check("machine", &Json::is_object, "an object");
 }
 
 std::string kernel_release() {
@@ -138,12 +130,7 @@ RunFolder read_run(const fs::path& folder) {
                     folder.string()));
   }
   RunFolder run{.path = folder};
-  run.manifest = Json::parse(read_file(folder / "manifest.json"), nullptr, false);
-  if (!run.manifest.is_object()) {
-    throw UsageError(fmt::format("{}: manifest = unreadable (must be one JSON object)",
-                                 (folder / "manifest.json").string()));
-  }
-  check_types(run.manifest, folder / "manifest.json");
+  run.manifest = read_manifest(folder / "manifest.json");
   read_plan_and_records(run);
   return run;
 }
@@ -164,8 +151,9 @@ Limits limits_of_run(const fs::path& folder) {
   const fs::path file = folder / "manifest.json";
   Limits limits;
   if (!fs::exists(file)) return limits;
+  const Json manifest = read_manifest(file);
   try {
-    read_fields(Json::parse(read_file(file)).at("limits"), limits);
+    read_fields(manifest.at("limits"), limits);
     return limits;
   } catch (const nlohmann::json::exception&) {
     throw UsageError(
@@ -179,10 +167,13 @@ std::string clock_governor(const fs::path& root) {
 
 Json make_manifest(const Suite& suite, const Limits& limits, const Schedule& schedule,
                    const std::vector<std::string>& command_line) {
+  // A folder may have any name; a manifest holds it as a reader will take it.
+  std::vector<std::string> words;
+  std::ranges::transform(command_line, std::back_inserter(words), as_message);
   return {{"schema", 1},
           {"suite", suite.name},
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
-          {"command_line", command_line},
+          {"command_line", words},
           {"order", "scene by scene, rounds in random order"},
           {"seed", schedule.seed},
           {"jobs", schedule.together()},

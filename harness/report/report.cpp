@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "harness/files.hpp"
+#include "harness/records/manifest_check.hpp"
 #include "harness/report/figures/figures.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 #include "harness/report/formats/formats.hpp"
@@ -45,9 +47,10 @@ std::string name_of(const fs::path& folder) {
   return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
-std::string manifest_text(const fs::path& folder) {
+/// Null where there is none.
+nlohmann::ordered_json manifest_in(const fs::path& folder) {
   const fs::path file = folder / "manifest.json";
-  return fs::exists(file) ? read_file(file) : std::string();
+  return fs::exists(file) ? read_manifest(file) : nlohmann::ordered_json();
 }
 
 }  // namespace
@@ -76,7 +79,7 @@ std::vector<fs::path> write_report(const fs::path& folder, const Evaluation& eva
   }
   if (wants("html")) {
     write(folder / "report.html",
-          html_page(name_of(folder), manifest_text(folder), evaluation, sections, scenes, svgs));
+          html_page(name_of(folder), manifest_in(folder), evaluation, sections, scenes, svgs));
   }
   return files;
 }

@@ -2,6 +2,7 @@
 // A report in each of its formats: Markdown, LaTeX, CSV, HTML.
 
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,12 +48,11 @@ struct SceneFigures {
 /// A run as one HTML page that needs nothing but itself: overview, sections, scenes with their figures, and
 /// the record behind every number.
 /// \param title     of the run
-/// \param manifest  text of its manifest.json, for the header; none if empty
+/// \param manifest  as read_manifest gives it, for the header; null if there is none
 /// \param svgs      each figure as drawn, by name
-/// \throws UsageError if the manifest is no JSON object
-std::string html_page(const std::string& title, const std::string& manifest, const Evaluation& evaluation,
-                      std::span<const Section> sections, std::span<const SceneFigures> scenes,
-                      const std::map<std::string, std::string>& svgs);
+std::string html_page(const std::string& title, const nlohmann::ordered_json& manifest,
+                      const Evaluation& evaluation, std::span<const Section> sections,
+                      std::span<const SceneFigures> scenes, const std::map<std::string, std::string>& svgs);
 
 // page.css and page.js of this folder.
 extern const std::string_view kPageStyle, kPageScript;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "harness/failure.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/report/document/cells.hpp"
@@ -127,17 +126,13 @@ std::string records_of(const Evaluation& evaluation) {
   return text + "</section>\n";
 }
 
-/// What a manifest says of the run, as entries of a definition list. \throws UsageError if it is no JSON
-/// object
-std::string facts_of(const std::string& manifest) {
-  if (manifest.empty()) return {};
-  const Json json = Json::parse(manifest, nullptr, false);
-  if (!json.is_object()) throw UsageError("manifest.json = unreadable (must be one JSON object)");
+/// What a manifest says of the run, as entries of a definition list.
+std::string facts_of(const Json& manifest) {
   std::string facts;
   const auto add = [&](const char* name, const char* pointer) {
     const Json::json_pointer place{pointer};
-    if (!json.contains(place)) return;
-    const Json& value = json[place];
+    if (!manifest.contains(place)) return;
+    const Json& value = manifest[place];
     facts += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", html_escaped(name),
                          html_escaped(value.is_string() ? value.get<std::string>() : value.dump()));
   };
@@ -152,7 +147,7 @@ std::string facts_of(const std::string& manifest) {
   return facts;
 }
 
-std::string header_of(const std::string& title, const std::string& manifest, const Evaluation& evaluation) {
+std::string header_of(const std::string& title, const Json& manifest, const Evaluation& evaluation) {
   std::string text = fmt::format("<header><h1>{}</h1>\n<p>{} runs: {} methods on {} scenes.</p>\n<dl>",
                                  html_escaped(title), evaluation.records().size(),
                                  evaluation.configurations().size(), evaluation.scenes().size());
@@ -161,7 +156,7 @@ std::string header_of(const std::string& title, const std::string& manifest, con
 
 }  // namespace
 
-std::string html_page(const std::string& title, const std::string& manifest, const Evaluation& evaluation,
+std::string html_page(const std::string& title, const Json& manifest, const Evaluation& evaluation,
                       std::span<const Section> sections, std::span<const SceneFigures> scenes,
                       const std::map<std::string, std::string>& svgs) {
   std::string text = fmt::format(

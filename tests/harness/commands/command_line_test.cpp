@@ -135,7 +135,7 @@ TEST(CommandLine, RefusesAManifestWhoseMembersHaveTheWrongType) {
   const std::string times = run_with_manifest("manifest-times", R"({"times_comparable": 3})").string();
   const std::string machine = run_with_manifest("manifest-machine", R"({"machine": "mine"})").string();
   for (const auto& [command, complaint] :
-       {std::pair{"status " + jobs, "manifest.json: jobs = \"many\" (must be a number)\n"},
+       {std::pair{"status " + jobs, "manifest.json: jobs = \"many\" (must be a whole number, 1..1e9)\n"},
         std::pair{fmt::format("compare {0} {0}", times),
                   "manifest.json: times_comparable = 3 (must be true or false)\n"},
         std::pair{fmt::format("merge {0} --out {0}/merged", machine),

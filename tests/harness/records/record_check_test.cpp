@@ -52,7 +52,7 @@ TEST(RecordCheck, RefusesWhatNestsWithoutEnd) {
   Json deep = "x";
   for (int i = 0; i < kLevels; ++i) deep = Json::array({std::move(deep)});
   EXPECT_EQ(complaint([&](Json& json) { json["unknown"] = std::move(deep); }),
-            "record = nested (must be at most 32 levels deep)");
+            "value = nested (must be at most 32 levels deep)");
 }
 
 TEST(RecordCheck, RefusesNumbersThatNoRunGives) {

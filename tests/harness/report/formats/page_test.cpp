@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "harness/failure.hpp"
+#include <nlohmann/json.hpp>
+
 #include "harness/report/formats/formats.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
@@ -11,7 +12,7 @@ namespace {
 TEST(HtmlPage, NeedsNothingButItself) {
   const Evaluation evaluation(test::records_of_a_run());
   const std::string page =
-      html_page("a & b", R"({"compiler": "GNU"})", evaluation, sections_of(evaluation), {}, {});
+      html_page("a & b", {{"compiler", "GNU"}}, evaluation, sections_of(evaluation), {}, {});
   EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0U);
   for (const char* outside : {"http://", "https://", "src=\"/", "@import", "url("})
     EXPECT_EQ(page.find(outside), std::string::npos) << outside;
@@ -32,15 +33,16 @@ TEST(HtmlPage, HoldsTheRecordBehindEveryLink) {
   EXPECT_NE(page.find("&quot;case&quot;: &quot;scene-b/method-b[n=1]&quot;"), std::string::npos);
 }
 
-TEST(HtmlPage, NamesWhatTheManifestHoldsAndRefusesWhatIsNoObject) {
+TEST(HtmlPage, NamesWhatTheManifestHolds) {
   const Evaluation evaluation(test::records_of_a_run());
-  const auto page = [&](const char* manifest) { return html_page("run", manifest, evaluation, {}, {}, {}); };
-  EXPECT_NE(page("").find("<dl></dl>"), std::string::npos);
+  const auto page = [&](const nlohmann::ordered_json& manifest) {
+    return html_page("run", manifest, evaluation, {}, {}, {});
+  };
+  EXPECT_NE(page({}).find("<dl></dl>"), std::string::npos);
   EXPECT_NE(
-      page(R"({"suite": "quick", "machine": {"processors": 2}})")
+      page({{"suite", "quick"}, {"machine", {{"processors", 2}}}})
           .find("<dl><div><dt>suite</dt><dd>quick</dd></div><div><dt>processors</dt><dd>2</dd></div></dl>"),
       std::string::npos);
-  EXPECT_THROW(page("[1"), UsageError);
 }
 
 TEST(HtmlPage, ShowsOverviewsThenScenesThenTheLongTables) {
