@@ -4,6 +4,7 @@
 #include <openssl/evp.h>
 
 #include <array>
+#include <cerrno>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
@@ -33,13 +34,16 @@ std::string first_line(const std::filesystem::path& path) {
 
 void write_whole(const std::filesystem::path& file, const std::string& text) {
   const std::filesystem::path draft = file.string() + ".new";
+  errno = 0;
   std::ofstream stream(draft, std::ios::binary);
   stream << text;
   stream.close();
   std::error_code failure;
   if (stream) std::filesystem::rename(draft, file, failure);
+  if (!stream) failure = std::error_code(errno, std::generic_category());  // streams keep that of the system
   if (!stream || failure) {
-    throw UsageError(fmt::format("out = {} (must be in a folder that can be written)", file.string()));
+    throw UsageError(fmt::format("out = {} (must be in a folder that can be written: {})", file.string(),
+                                 failure.message()));
   }
 }
 

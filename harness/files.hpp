@@ -19,7 +19,7 @@ std::string read_file(const std::filesystem::path& path, std::size_t most = kLar
 std::string first_line(const std::filesystem::path& path);
 
 /// Writes text to a file in one piece: a reader sees the old contents or the new.
-/// \throws UsageError if the folder cannot be written
+/// \throws UsageError, with the system's reason, if the folder cannot be written or is full
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
 /// SHA-256 of the bytes, 64 lower-case hexadecimal digits (FIPS 180-4).

@@ -1,6 +1,10 @@
 #include "harness/files.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <string>
 
 #include "harness/failure.hpp"
 #include "tests/harness/fake_method.hpp"
@@ -38,6 +42,31 @@ TEST(Files, ThatCannotBeReadOrWrittenAreRefused) {
   EXPECT_THROW(read_file(folder / "absent"), UsageError);
   EXPECT_THROW(read_file(folder), UsageError) << "a folder is no file";
   EXPECT_THROW(write_whole(folder / "absent" / "file", "text"), UsageError);
+}
+
+std::string complaint_of_writing(const std::filesystem::path& file, const std::string& text) {
+  try {
+    write_whole(file, text);
+    return "";
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+}
+
+TEST(Files, ThatFindNoFolderOrNoRoomAreRefusedWithTheReason) {
+  const std::filesystem::path folder = test::fresh_folder("files");
+  EXPECT_NE(complaint_of_writing(folder / "absent" / "file", "text").find("No such file"), std::string::npos);
+  write_whole(folder / "file", "before");
+  rlimit unlimited{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &unlimited), 0);
+  const rlimit limited{.rlim_cur = 1000, .rlim_max = unlimited.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limited), 0);
+  const std::string complaint = complaint_of_writing(folder / "file", std::string(100000, 'x'));
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &unlimited), 0);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_NE(complaint.find("File too large"), std::string::npos) << complaint;
+  EXPECT_EQ(read_file(folder / "file"), "before");
 }
 
 }  // namespace
