@@ -61,7 +61,7 @@ ContactResponse::ContactResponse(const Problem& problem, ForceSeries series) {
   lambda_ = std::move(series.lambda);
   load_ = ports.load;
   x_ = free_ = Eigen::MatrixXcd::Zero(lambda_.rows(), lambda_.cols());
-  q_ = Eigen::MatrixXcd::Zero(load_.rows(), load_.cols());
+  q_ = free_q_ = Eigen::MatrixXcd::Zero(load_.rows(), load_.cols());
   if (problem.size() <= kMostFactorised || !project(problem, ports)) factorise(problem, ports);
 }
 
@@ -77,6 +77,7 @@ void ContactResponse::factorise(const Problem& problem, const Ports& ports) {
     stiffness.factorise(exact_weights(w));
     columns = stiffness.solve(columns);
     free_.row(n) = (W.transpose() * columns.col(1)).transpose();
+    free_q_.row(n) = (F.transpose() * columns.col(1)).transpose();
     const Eigen::VectorXcd u = columns.rowwise().sum();
     x_.row(n) = (W.transpose() * u).transpose();
     q_.row(n) = (F.transpose() * u).transpose();
@@ -86,8 +87,10 @@ void ContactResponse::factorise(const Problem& problem, const Ports& ports) {
 }
 
 bool ContactResponse::project(const Problem& problem, const Ports& ports) {
-  Problem unloaded = problem;
-  unloaded.force.clear();
+  Problem unloaded;  // what the projection looks at
+  unloaded.structure = problem.structure;
+  unloaded.frequency = problem.frequency;
+  unloaded.subharmonic = problem.subharmonic;
   unloaded.contacts = ports.columns;
   const auto weights = [this](int n) { return exact_weights(n * base_frequency_); };
   const auto seen = reduced_receptance(unloaded, harmonics(), weights, kReducedTolerance);
@@ -98,6 +101,7 @@ bool ContactResponse::project(const Problem& problem, const Ports& ports) {
     const Eigen::VectorXcd loaded = C.rightCols(load_.cols()) * load_.row(n).transpose();
     const Eigen::VectorXcd all = C.leftCols(contacts) * lambda_.row(n).transpose() + loaded;
     free_.row(n) = loaded.head(contacts).transpose();
+    free_q_.row(n) = loaded.tail(load_.cols()).transpose();
     x_.row(n) = all.head(contacts).transpose();
     q_.row(n) = all.tail(load_.cols()).transpose();
   }
@@ -113,7 +117,10 @@ double ContactResponse::work_of_load() const { return work(load_, q_).sum(); }
 
 double ContactResponse::largest_work_of_load() const {
   const Eigen::VectorXd force = 2.0 * (load_.cwiseAbs().transpose() * turns(load_.rows()).matrix());
-  return force.dot(2.0 * q_.cwiseAbs().colwise().sum().transpose());
+  const auto reach = [](const Eigen::MatrixXcd& q) {
+    return q.cwiseAbs().colwise().sum().transpose().eval();
+  };
+  return force.dot(2.0 * reach(q_).cwiseMax(reach(free_q_)));
 }
 
 Eigen::VectorXd ContactResponse::contact_work() const { return work(lambda_, x_); }

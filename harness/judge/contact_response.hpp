@@ -29,7 +29,9 @@ class ContactResponse {
   [[nodiscard]] Eigen::MatrixXd free_displacement(int count) const;
   /// Work of the load per period, integral of f^T u' dt [J].
   [[nodiscard]] double work_of_load() const;
-  /// Upper bound of |work_of_load()|: that of loads and displacements of these magnitudes in any phase [J].
+  /// Upper bound of |work_of_load()|: that of loads on displacements of these magnitudes, or of those under
+  /// the load alone, in any phase [J]. Where contacts hold what is loaded, displacements are round-off, the
+  /// motion that they prevent is not.
   [[nodiscard]] double largest_work_of_load() const;
   /// Work of the contact force per period and contact, integral of lambda_j x_j' dt [J], Nc.
   [[nodiscard]] Eigen::VectorXd contact_work() const;
@@ -48,6 +50,7 @@ class ContactResponse {
   Eigen::MatrixXcd load_;    // phi, (H+1) x Nf
   Eigen::MatrixXcd x_, q_;   // (H+1) x Nc, (H+1) x Nf
   Eigen::MatrixXcd free_;    // x without contact force, (H+1) x Nc
+  Eigen::MatrixXcd free_q_;  // q without contact force, (H+1) x Nf
   double dissipation_ = 0.0;
 };
 

@@ -162,6 +162,20 @@ TEST(EnergyDefect, IsAbsentWithoutWorkOrLaw) {
   EXPECT_EQ(still.reason, "the load does no work");
 }
 
+// A contact that never opens holds the mass: what is left of its motion is round-off, and so is the work.
+TEST(EnergyDefect, IsAbsentWhereAContactHoldsWhatIsLoaded) {
+  Problem problem = test::one_mass(0.0);
+  problem.force.push_back({.dof = 0, .harmonic = 0, .cos = 5.0});
+  const double noise = 1e-15;
+  const FormulaMotion held(
+      kPeriod, [=](double t) { return noise * std::sin(2.0 * t); },
+      [=](double t) { return 2.0 * noise * std::cos(2.0 * t); },
+      [=](double t) { return -5.0 - std::cos(2.0 * t) + noise * std::cos(2.0 * t + 1.0); });
+  const EnergyDefect defect = energy_defect(problem, Restitution{0.5}, sample_motion(problem, held));
+  EXPECT_FALSE(defect.value.has_value()) << *defect.value;
+  EXPECT_EQ(defect.reason, "the load does no work");
+}
+
 Motion motion_of(const test::SingleImpactOrbit& orbit, const Problem& problem) {
   const FormulaMotion motion(
       orbit.period, [orbit](double t) { return orbit.x(t); }, [orbit](double t) { return orbit.velocity(t); },
