@@ -8,6 +8,7 @@
 #include <exception>
 #include <new>
 
+#include "harness/judge/orbit.hpp"
 #include "methods/discretisation/periodic_time.hpp"
 #include "methods/orbit/exact_orbit.hpp"
 #include "methods/orbit/return_check.hpp"
@@ -58,9 +59,7 @@ std::optional<bool> stability(const ExactOrbit& orbit) {
 bool same_events(const CertifiedOrbit& orbit, const Certificate& other, double period) {
   constexpr double kErrorBars = 100.0;
   const double allowed = kErrorBars * (orbit.error_bar + other.error_bar.value_or(0.0));
-  double largest = 0.0;
-  for (const OrbitEvent& event : orbit.events)
-    largest = std::max(largest, std::abs(event.value.value_or(0.0)));
+  const double largest = largest_impulse(orbit.events);
   const auto same = [&](const OrbitEvent& a, const OrbitEvent& b) {
     return a.contact == b.contact && a.kind == b.kind &&
            std::abs(std::remainder(a.time - b.time, period)) <= allowed * period &&

@@ -59,6 +59,12 @@ std::vector<OrbitEvent> orbit_events(const Motion& motion) {
   return events;
 }
 
+double largest_impulse(std::span<const OrbitEvent> events) {
+  double largest = 0.0;
+  for (const OrbitEvent& event : events) largest = std::max(largest, std::abs(event.value.value_or(0.0)));
+  return largest;
+}
+
 std::string fingerprint(const Motion& motion) {
   const int order = least_order(motion);
   const int copies = motion.order / order;

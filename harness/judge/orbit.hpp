@@ -1,6 +1,7 @@
 #pragma once
 // The identity of a periodic orbit: its events and its fingerprint.
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace signorini {
 /// Events of one period, ordered in time: each listed impulse as an impact with its value; where a force
 /// begins and ends, close and open, placed linearly between the grid's instants.
 std::vector<OrbitEvent> orbit_events(const Motion& motion);
+
+/// The largest |impulse| of the events [N s]; 0 where none has one.
+double largest_impulse(std::span<const OrbitEvent> events);
 
 /// Eight hexadecimal digits that hash invariants rounded to four digits: least order, impacts per period
 /// above a thousandth of the largest, impulse per forcing period and contact, root mean square of x about its

@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "harness/judge/orbit.hpp"
 #include "harness/orbits/orbit_file.hpp"
 #include "harness/records/record.hpp"
 #include "harness/records/record_json.hpp"
@@ -32,9 +33,7 @@ double allowed(const FoundOrbit& a, const FoundOrbit& b) {
 
 /// The events strong enough to be compared, shifted in time; in order.
 std::vector<OrbitEvent> strong_events(const FoundOrbit& orbit, double shift) {
-  double largest = 0.0;
-  for (const OrbitEvent& event : orbit.certified.events)
-    largest = std::max(largest, std::abs(event.value.value_or(0.0)));
+  const double largest = largest_impulse(orbit.certified.events);
   std::vector<OrbitEvent> events;
   for (OrbitEvent event : orbit.certified.events) {
     if (event.kind == ContactEvent::Kind::impact &&
@@ -64,8 +63,7 @@ Gap event_gap(const FoundOrbit& kept, const FoundOrbit& now, double shift) {
     return gap;
   }
   const double tolerance = allowed(kept, now);
-  double largest = 0.0;
-  for (const OrbitEvent& event : before) largest = std::max(largest, std::abs(event.value.value_or(0.0)));
+  const double largest = largest_impulse(before);
   for (std::size_t i = 0; i < before.size(); ++i) {
     const OrbitEvent& event = before[i];
     const auto nearest = std::min_element(after.begin(), after.end(), [&](const auto& a, const auto& b) {

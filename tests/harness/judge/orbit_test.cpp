@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "tests/harness/fake_method.hpp"
 
@@ -51,6 +52,16 @@ TEST(Fingerprint, DiffersForOtherOrbits) {
   EXPECT_NE(print, fingerprint(motion(2, 0.51, 0, {{0, 1.0, -0.5}})));
   EXPECT_NE(print, fingerprint(motion(2, 0.5, 0, {{0, 1.0, -0.25}, {0, 2.0, -0.25}})));
   EXPECT_NE(print, fingerprint(motion(1, 0.0)));
+}
+
+TEST(LargestImpulse, IsThatOfTheMagnitudesOfEvents) {
+  using Kind = ContactEvent::Kind;
+  EXPECT_EQ(largest_impulse({}), 0.0);
+  EXPECT_EQ(largest_impulse(std::vector<OrbitEvent>{{0.1, 0, Kind::close, {}}, {0.2, 0, Kind::open, {}}}),
+            0.0);
+  EXPECT_EQ(largest_impulse(std::vector<OrbitEvent>{
+                {0.1, 0, Kind::impact, -0.5}, {0.2, 1, Kind::close, {}}, {0.3, 1, Kind::impact, 0.25}}),
+            0.5);
 }
 
 TEST(OrbitEvents, ListImpactsAndPlaceClosingAndOpening) {

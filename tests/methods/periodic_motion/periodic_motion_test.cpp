@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <string>
+
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
@@ -37,6 +40,34 @@ TEST(FindPeriodicMotion, ShootsFromAGuessInFewerPeriodsThanItMarches) {
   EXPECT_LE(shot.work.iterations.value(), 5);
   const auto orbit = test::single_impact_orbits(kStop).front();
   EXPECT_LT(test::relative_error(*shot.trajectory, [&](double t) { return orbit.x(t); }), 1e-9);
+}
+
+/// Finite, and so large a force that the state behind it leaves the range of doubles.
+class OverwhelmingPush final : public Trajectory {
+ public:
+  explicit OverwhelmingPush(double period) : period_(period) {}
+  [[nodiscard]] int contact_count() const override { return 1; }
+  [[nodiscard]] double period() const override { return period_; }
+  [[nodiscard]] Samples sample(int count) const override {
+    const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(count, 1);
+    return {.x = zero, .velocity = zero, .force = Eigen::MatrixXd::Constant(count, 1, -1e308)};
+  }
+
+ private:
+  double period_;
+};
+
+TEST(FindPeriodicMotion, SaysSoWhereTheMotionLeavesTheRangeOfDoubles) {
+  const Problem problem = test::to_problem(kStop);
+  const auto guess = std::make_shared<OverwhelmingPush>(problem.period());
+  for (const bool shooting : {false, true}) {
+    const Solution failed =
+        find(problem, {.tolerance = 1e-9, .shooting = shooting, .max_iterations = 20}, {.guess = guess});
+    EXPECT_EQ(failed.verdict, Verdict::not_converged);
+    EXPECT_EQ(failed.message, "the motion is no longer finite");
+    EXPECT_FALSE(failed.trajectory);
+    EXPECT_TRUE(failed.work.rhs_evaluations.has_value());
+  }
 }
 
 TEST(FindPeriodicMotion, EndsAtItsLimitsWithAMessage) {
