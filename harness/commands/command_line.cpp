@@ -1,13 +1,18 @@
 #include "harness/commands/command_line.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
+#include <system_error>
 
 #include "harness/build_info.hpp"
 #include "harness/extend/plugins/plugins.hpp"
@@ -33,11 +38,31 @@ std::string version_text() {
   return text;
 }
 
-/// Prints a complaint as one line that does nothing to a terminal: it may quote arguments and files.
+/// Prints a complaint as one line that does nothing to a terminal: it may quote arguments and files. Unlike
+/// fmt::print it does not throw where stderr is full: the exit code is all that can be told then.
 int complain(const std::string& line, int code) {
   constexpr std::size_t kLongestLine = 1000;
-  fmt::print(stderr, "{}\n", one_line(line, kLongestLine));
+  std::fputs((one_line(line, kLongestLine) + "\n").c_str(), stderr);
   return code;
+}
+
+/// What a caller has closed of stdin, stdout and stderr becomes /dev/null: the next file that is opened, a
+/// run's records for instance, would bear its number and take what is printed.
+void open_standard_files() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(descriptor, F_GETFD) < 0) static_cast<void>(open("/dev/null", O_RDWR));
+  }
+}
+
+/// Reports a full disk, or a closed pipe, behind stdout or stderr.
+int complain_of_output(const std::string& reason) {
+  return complain(fmt::format("stdout = full (must take what is printed: {})", reason), kBadUsage);
+}
+
+/// The exit code of a command that is done, once all that it printed has arrived.
+int delivered(int code) {
+  if (std::fflush(stdout) != 0) return complain_of_output(std::strerror(errno));
+  return std::ferror(stdout) == 0 ? code : complain_of_output("a part is missing");
 }
 
 /// Reports a path of the wrong kind (a file for a folder) or without the permission that is needed.
@@ -55,7 +80,7 @@ std::string command_path(const CLI::App& app) {
 
 /// Reports in one line why the command line cannot be parsed.
 int complain_usage(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+  if (error.get_exit_code() == 0) return delivered(app.exit(error));  // --help, --version
   std::string line = error.what();
   line = line.substr(0, line.find('\n'));
   return complain(fmt::format("{} (see `{} --help`)", one_line(line, 500), command_path(app)), kBadUsage);
@@ -112,6 +137,7 @@ int run_command_line(int argc, char** argv) {
   CLI::App app{"Compares methods for periodic vibrations of structures with unilateral contact.",
                "signorini"};
   int exit_code = kDone;
+  open_standard_files();
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of the write, which names the file
   // Not argv[0]: local paths stay out of the manifest.
   std::vector<std::string> words{"signorini"};
@@ -131,7 +157,7 @@ int run_command_line(int argc, char** argv) {
   try {
     require_known_command(app, argc, argv);
     app.parse(argc, argv);
-    return exit_code;
+    return delivered(exit_code);
   } catch (const CLI::ParseError& error) {
     return complain_usage(app, error);
   } catch (const NothingMatched& error) {
@@ -146,6 +172,10 @@ int run_command_line(int argc, char** argv) {
     return complain(error.what(), kBadUsage);
   } catch (const std::filesystem::filesystem_error& error) {
     return complain_of_file(error);
+  } catch (const std::system_error& error) {  // of fmt::print among others
+    if (std::ferror(stdout) != 0 || std::ferror(stderr) != 0)
+      return complain_of_output(error.code().message());
+    return complain(std::string("internal error: ") + error.what(), kInternalError);
   } catch (...) {
     return complain("internal error: " + current_exception_text(), kInternalError);
   }

@@ -9,6 +9,7 @@
 #include <ostream>
 #include <string>
 
+#include "harness/files.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
 
@@ -106,6 +107,37 @@ TEST(CommandLine, HelpsWithEveryCommand) {
     EXPECT_NE(outcome.out.find("Usage: signorini"), std::string::npos) << command;
     EXPECT_EQ(outcome.err, "") << command;
   }
+}
+
+/// The program with redirections of its own; its exit code.
+int code_of(const std::string& arguments_and_redirections) {
+  return run(arguments_and_redirections + "; (exit $?)").code;
+}
+
+TEST(CommandLine, SaysThatWhatItPrintsFindsNoRoom) {
+  const std::string complaint = (test::fresh_folder("full-output") / "complaint").string();
+  for (const char* command : {"list", "show sdof-stop", "--help", "--version"}) {
+    SCOPED_TRACE(command);
+    EXPECT_EQ(code_of(std::string(command) + " >/dev/full 2>" + complaint), 2);
+    EXPECT_EQ(read_file(complaint), "stdout = full (must take what is printed: No space left on device)\n");
+  }
+}
+
+TEST(CommandLine, HasItsExitCodeWhereNothingCanBeSaid) {
+  EXPECT_EQ(code_of("show no-such-scene 2>/dev/full"), 2);
+  EXPECT_EQ(code_of("show no-such-scene >&- 2>&-"), 2);
+  EXPECT_EQ(code_of("list >&- 2>&-"), 0);
+}
+
+TEST(CommandLine, PrintsIntoNoFileOfARunWhereStdoutIsClosed) {
+  const std::filesystem::path folder = test::fresh_folder("closed-output");
+  EXPECT_EQ(
+      code_of("run quick --scenes sdof-far-stop --methods 'hat-lcp[samples=64]' --repetitions 1 --out " +
+              (folder / "run").string() + " <&- >&- 2>&-"),
+      0);
+  const std::string records = read_file(folder / "run" / "records.jsonl");
+  EXPECT_EQ(std::count(records.begin(), records.end(), '\n'), 1);
+  EXPECT_EQ(records.front(), '{');
 }
 
 TEST(CommandLine, TellsItsVersion) {
