@@ -70,6 +70,10 @@ struct SceneRounds {
   const RoundObserver& observer;
 
   std::vector<std::optional<Record>> run() {
+    // Begun cases that lack no round are done: no round would be due that says so.
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      if (records[i] && runner.rounds_missing(*records[i]) == 0) observer.case_done(i, *records[i]);
+    }
     for (int round = 0; round < runner.limits().repetitions; ++round) run_round(round);
     for (std::optional<Record>& record : records) {
       if (record && runner.rounds_missing(*record) > 0) record.reset();

@@ -120,6 +120,20 @@ TEST(RunPlan, ResumesExactlyWhatIsMissing) {
   EXPECT_EQ(read_records(store.file()).size(), 3U);
 }
 
+TEST(RunPlan, TakesACaseForDoneWhoseRoundsWereAllKept) {
+  const auto folder = test::fresh_folder("suite-run-kept");
+  const Plan plan = plan_of({"good", "lie"});
+  Runner runner = runner_of();
+  {
+    RecordStore store(folder, false);
+    run_plan(plan, runner, store);
+  }
+  std::filesystem::rename(folder / "records.jsonl", folder / "unfinished.jsonl");
+  RecordStore store(folder, true);
+  run_plan(plan, runner, store);
+  EXPECT_EQ(records_by_case(store).size(), 2U);
+}
+
 TEST(RunPlan, RunsAgainWhatAnotherVersionOfTheCodeDid) {
   const auto folder = test::fresh_folder("stale");
   Runner old = runner_of("old");
