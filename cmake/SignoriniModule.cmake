@@ -37,6 +37,17 @@ function(signorini_precompiled name)
   target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
 endfunction()
 
+# What reads the text of strangers, for a build with SIGNORINI_FUZZ: its branches tell the fuzzer that they were taken,
+# and sanitizers watch it. The numerics below it stay as they are, which makes that build four times as fast; they have
+# the sanitizers of the preset asan.
+function(signorini_fuzzed target)
+  if(SIGNORINI_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
+                                             -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+endfunction()
+
 # For libraries: a plugin may link them too. Hidden symbols keep the code as fast as without -fPIC, and the
 # libraries inside one plugin out of the others' way.
 function(signorini_position_independent target)

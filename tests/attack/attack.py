@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""Attacks the built program as a stranger, an accident or a full disk would; counts what it promised and did not keep.
+
+usage: attack.py PROGRAM [--share quick|hour] [--seed N] [--only GLOB] [--sanitized] [--table FILE] [--fuzzed FILE]
+                 [--findings FOLDER]
+
+Prints one line per campaign, and each violation with what brings it about; exit code 1 if there is one. The same seed
+makes the same inputs. With --table the lines become a page, results/attack.md; --fuzzed names the fuzz.json of fuzz.py,
+whose lines join it.
+"""
+
+import argparse
+import fnmatch
+import json
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import time
+
+import command_attacks
+import file_attacks
+import load
+import method_attacks
+import run_attacks
+import solve_attacks
+from attack_page import page_of
+from attacked_program import Program
+
+# How many tests of each campaign make some seconds, and how many an hour with sanitizers.
+CAMPAIGNS = {
+    "scenes": (file_attacks.scenes, 60, 6000),
+    "matrices": (file_attacks.matrices, 30, 3000),
+    "suites": (file_attacks.suites, 10, 400),
+    "descriptions": (file_attacks.descriptions, 20, 1500),
+    "records": (file_attacks.records, 20, 1500),
+    "special-files": (file_attacks.special_files, 40, 1000),
+    "command-lines": (file_attacks.command_lines, 40, 3000),
+    "random-scenes": (solve_attacks.random_scenes, 2, 400),
+    "hand-made": (solve_attacks.hand_made, 3, 100),
+    "kills": (run_attacks.kills, 2, 60),
+    "no-room": (run_attacks.no_room, 2, 40),
+    "folders": (run_attacks.folders, 6, 100),
+    "damaged-folders": (run_attacks.resumed_damage, 4, 200),
+    "commands": (method_attacks.ill_behaved_commands, 6, 100),
+    "plugins": (method_attacks.ill_behaved_plugins, 6, 100),
+    "searches": (command_attacks.searches, 3, 300),
+    "new": (command_attacks.new, 10, 300),
+    "references": (command_attacks.references, 2, 100),
+    "starts": (command_attacks.starts, 5, 300),
+    "load": (load.campaign_of, 40, 2000),
+}
+
+
+def parsed():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("program")
+    parser.add_argument("--share", choices=["quick", "hour"], default="quick")
+    parser.add_argument("--seed", type=int, default=20261123)
+    parser.add_argument("--only", default="*", help="campaigns by glob")
+    parser.add_argument("--sanitized", action="store_true", help="the program is built with sanitizers: slower, larger")
+    parser.add_argument("--table", type=pathlib.Path)
+    parser.add_argument("--fuzzed", type=pathlib.Path)
+    parser.add_argument("--findings", type=pathlib.Path, help="folder for the inputs of violations")
+    return parser.parse_args()
+
+
+def run_campaigns(arguments):
+    """The campaigns with their names, one after another; each has its own sequence of random numbers."""
+    program = Program(arguments.program, arguments.sanitized)
+    for name, (attack, quick, hour) in CAMPAIGNS.items():
+        if not fnmatch.fnmatch(name, arguments.only):
+            continue
+        with tempfile.TemporaryDirectory(prefix=f"attack-{name}-") as folder:
+            began = time.monotonic()
+            source = random.Random(f"{arguments.seed} {name}")
+            count = quick if arguments.share == "quick" else hour
+            for campaign in attack(program, source, count, pathlib.Path(folder), arguments.findings):
+                campaign.name, campaign.elapsed = name, time.monotonic() - began
+                yield campaign
+
+
+def tell(campaign):
+    """The campaign and its violations, one line each."""
+    codes = ", ".join(f"{number} x {code}" for code, number in sorted(campaign.codes.items()))
+    print(f"{campaign.name}: {campaign.what}: {campaign.tests} tests, {len(campaign.violations)} violations "
+          f"({campaign.elapsed:.0f} s; exit codes {codes}; longest {campaign.seconds:.1f} s, largest "
+          f"{campaign.peak_mb:.0f} MiB)")
+    for violation in campaign.violations:
+        print("  " + violation.encode("ascii", "backslashreplace").decode()[:600])
+    for title, rows in campaign.notes if not campaign.violations else []:
+        if not rows:
+            print("  " + title)
+    sys.stdout.flush()
+
+
+def main():
+    arguments = parsed()
+    print(f"seed {arguments.seed}, share {arguments.share}", flush=True)
+    campaigns = []
+    for campaign in run_campaigns(arguments):
+        tell(campaign)
+        campaigns.append(campaign)
+    if not campaigns:
+        sys.exit(f"only = {arguments.only} (must match one of {', '.join(CAMPAIGNS)})")
+    if arguments.table:
+        version = subprocess.check_output([arguments.program, "--version"], text=True).strip()
+        fuzzed = json.loads(arguments.fuzzed.read_text()) if arguments.fuzzed else []
+        arguments.table.write_text(page_of(campaigns, fuzzed, arguments, version))
+    return 1 if any(campaign.violations for campaign in campaigns) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,57 @@
+"""results/attack.md: what was attacked, how often, and what did not hold."""
+
+INTRODUCTION = """# The program under attack
+
+What a stranger, an accident or a full disk can do to the program, counted: `tests/attack/` makes the inputs from a seed,
+runs the built program on them and holds every call to what [SECURITY.md](../SECURITY.md) promises. A violation is a
+crash, a call that does not end in its time or its memory, an undocumented exit code, a number that is none in an output,
+a refusal of more than one line, a raw byte on the terminal, a lost or doubled record, or an answer called converged that
+is none.
+
+This page is made by one command, with a build of the preset `asan` (and `--fuzzed` for the fuzzers of the preset `fuzz`):
+
+    {command}
+
+Program: {version}; seed {seed}; share `{share}`{sanitized}.
+"""
+WHAT_FUZZERS_DO = """The readers of untrusted text under libFuzzer, with the sanitizers of addresses and undefined behaviour;
+an input may take 25 s and 4 GiB. Time is that of the processor.
+"""
+
+
+def table(rows):
+    """Rows as a Markdown table, the first of them its head."""
+    width = len(rows[0])
+    lines = [rows[0], ["---"] * width, *([*row, *[""] * (width - len(row))] for row in rows[1:])]
+    return "".join("| " + " | ".join(str(cell).replace("|", "\\|") for cell in line) + " |\n" for line in lines)
+
+
+def campaign_rows(campaigns):
+    yield ["what", "tests", "violations", "exit codes", "longest call [s]", "largest process [MiB]"]
+    for campaign in campaigns:
+        codes = ", ".join(f"{number} x {code}" for code, number in sorted(campaign.codes.items()))
+        yield [campaign.what, campaign.tests, len(campaign.violations), codes,
+               f"{campaign.seconds:.1f}" if campaign.seconds else "", f"{campaign.peak_mb:.0f}" if campaign.peak_mb else ""]
+
+
+def page_of(campaigns, fuzzed, arguments, version):
+    """The page as Markdown."""
+    sanitized = ", the program built with sanitizers" if arguments.sanitized else ""
+    command = f"python3 tests/attack/attack.py build/{'asan' if arguments.sanitized else 'release'}/harness/signorini"
+    command += f" --share {arguments.share}{' --sanitized' if arguments.sanitized else ''} --table results/attack.md"
+    page = INTRODUCTION.format(command=command, version=version, seed=arguments.seed, share=arguments.share,
+                               sanitized=sanitized)
+    tests, violations = sum(c.tests for c in campaigns), sum(len(c.violations) for c in campaigns)
+    page += f"\n## Tests and counts\n\n{tests} tests, {violations} violations.\n\n" + table(list(campaign_rows(campaigns)))
+    found = [text for campaign in campaigns for text in campaign.violations]
+    if found:
+        lines = (text.encode("ascii", "backslashreplace").decode()[:400] for text in found)
+        page += "\n## Violations\n\n" + "".join(f"- `{line}`\n" for line in lines)
+    if fuzzed:
+        rows = [["reader", "inputs", "time [s]", "crashes, hangs and broken promises", "largest process [MiB]"]]
+        rows += [[one["reader"], one["executions"], f"{one['seconds']:.0f}", len(one["findings"]), one["peak_mb"]]
+                 for one in fuzzed]
+        page += f"\n## Fuzzers\n\n{WHAT_FUZZERS_DO}\n" + table(rows)
+    for title, rows in (note for campaign in campaigns for note in campaign.notes):
+        page += f"\n## {title}\n\n" + table(rows) if rows else f"\n{title}.\n"
+    return page

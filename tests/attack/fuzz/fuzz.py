@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""Runs the fuzzers of a build with the preset fuzz, one after another, and says what they found.
+
+usage: fuzz.py FOLDER [--seconds N] [--only NAME] [--minimise]
+
+Each runs for so many seconds of processor time, an hour unless told. FOLDER holds the programs fuzz_scene, fuzz_matrix,
+fuzz_records and fuzz_answer (build/fuzz/tests/attack). Inputs that broke a promise are kept in FOLDER/findings, what
+reached new code in FOLDER/found. Each ends in one line, and all of them in FOLDER/fuzz.json, from which attack.py makes
+its table. With --minimise the smallest inputs that reach what was reached are added to tests/attack/corpus. Exit code 1
+if something was found.
+"""
+
+import argparse
+import json
+import pathlib
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+
+ATTACK = pathlib.Path(__file__).resolve().parents[1]
+TREE = ATTACK.parents[1]
+# What else a fuzzer begins with.
+SEEDS = {"scene": ["problems/families"], "matrix": ["problems/catalogue/matrices-cantilever"],
+         "records": [], "answer": []}
+LONGEST = 8192  # of an input [bytes]
+SECONDS, MEMORY_MB = 25, 4096  # of one input, with sanitizers
+MOST_FILES = 24  # of a corpus in the tree
+DICTIONARY = re.compile(rb"[A-Za-z][A-Za-z0-9_-]{2,30}")
+
+
+def write_dictionary(reader, file):
+    """The words of the corpus, which the fuzzer would otherwise have to guess letter by letter."""
+    texts = b" ".join(path.read_bytes() for path in (ATTACK / "corpus" / reader).iterdir())
+    words = sorted(set(DICTIONARY.findall(texts)))
+    file.write_bytes(b"".join(b'"' + word + b'"\n' for word in words))
+
+
+def figure(name, text):
+    found = re.findall(rf"stat::{name}:\s+(\d+)", text)
+    return int(found[-1]) if found else 0
+
+
+def command_of(folder, reader, seconds):
+    """The fuzzer for so many seconds by the clock, or until its first finding."""
+    return [folder / f"fuzz_{reader}", folder / "found" / reader, ATTACK / "corpus" / reader,
+            *(TREE / seed for seed in SEEDS[reader]), f"-max_total_time={max(1, int(seconds))}", f"-timeout={SECONDS}",
+            f"-rss_limit_mb={MEMORY_MB}", f"-max_len={LONGEST}", f"-dict={folder}/{reader}.dict", "-close_fd_mask=3",
+            "-print_final_stats=1", "-use_value_profile=1", f"-artifact_prefix={folder}/findings/{reader}-"]
+
+
+def processor_seconds():
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
+def fuzz(folder, reader, seconds):
+    """Runs one fuzzer for so long, anew after each finding and every ten minutes. The figures of the whole."""
+    for path in (folder / "found" / reader, folder / "findings"):
+        path.mkdir(parents=True, exist_ok=True)
+    write_dictionary(reader, folder / f"{reader}.dict")
+    result = {"reader": reader, "seconds": 0.0, "executions": 0, "peak_mb": 0, "findings": []}
+    before, began = set((folder / "findings").iterdir()), processor_seconds()
+    while result["seconds"] < seconds - 1:
+        command = command_of(folder, reader, min(600.0, seconds - result["seconds"]))
+        run = subprocess.run(command, cwd=folder, capture_output=True)
+        text = run.stderr.decode(errors="replace")
+        (folder / f"{reader}.log").write_text(text[-200000:])
+        result["seconds"] = processor_seconds() - began
+        result["executions"] += figure("number_of_executed_units", text)
+        result["peak_mb"] = max(result["peak_mb"], figure("peak_rss_mb", text))
+    result["findings"] = sorted(path.name for path in set((folder / "findings").iterdir()) - before)
+    result["corpus"] = len(list((folder / "found" / reader).iterdir()))
+    return result
+
+
+def minimise(folder, reader):
+    """Of what reaches all that was reached, the smallest inputs join the corpus of the tree, up to its limit."""
+    corpus = ATTACK / "corpus" / reader
+    with tempfile.TemporaryDirectory() as merged:
+        command = [folder / f"fuzz_{reader}", "-merge=1", "-close_fd_mask=3", merged, folder / "found" / reader]
+        subprocess.run(command, check=True, capture_output=True)
+        smallest = sorted(pathlib.Path(merged).iterdir(), key=lambda path: path.stat().st_size)
+        for path in smallest[len(smallest) // 2:][:MOST_FILES - len(list(corpus.iterdir()))]:
+            (corpus / f"found-{path.name[:8]}").write_bytes(path.read_bytes())
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--seconds", type=float, default=3600.0, help="of processor time, each")
+    parser.add_argument("--only", choices=list(SEEDS))
+    parser.add_argument("--minimise", action="store_true")
+    arguments = parser.parse_args()
+    folder = arguments.folder.resolve()
+    summary = folder / "fuzz.json"
+    results = {result["reader"]: result for result in json.loads(summary.read_text())} if summary.exists() else {}
+    for reader in [arguments.only] if arguments.only else SEEDS:
+        result = fuzz(folder, reader, arguments.seconds)
+        results[reader] = result
+        summary.write_text(json.dumps(list(results.values()), indent=2) + "\n")
+        print(f"{reader}: {result['executions']} inputs in {result['seconds']:.0f} s, {len(result['findings'])} findings, "
+              f"largest {result['peak_mb']} MiB", *result["findings"], sep="\n  ", flush=True)
+        if arguments.minimise:
+            minimise(folder, reader)
+    return 1 if any(result["findings"] for result in results.values()) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

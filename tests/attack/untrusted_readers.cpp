@@ -1,0 +1,232 @@
+#include "tests/attack/untrusted_readers.hpp"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "harness/extend/plugins/command_method.hpp"
+#include "harness/judge/measures.hpp"
+#include "harness/records/record_json.hpp"
+#include "harness/records/record_store.hpp"
+#include "harness/records/sampled_trajectory.hpp"
+#include "harness/report/formats/formats.hpp"
+#include "harness/report/sections/sections.hpp"
+#include "harness/run/trial.hpp"
+#include "problems/scene/matrix_market.hpp"
+#include "problems/scene/scene_family.hpp"
+#include "problems/scene/scene_file.hpp"
+#include "problems/scene/toml_tree.hpp"
+#include "problems/validation.hpp"
+
+namespace signorini::test {
+
+namespace {
+
+void require(bool kept, const std::string& promise) {
+  if (!kept) throw Violation(promise);
+}
+
+/// A refusal is one line for a terminal: no break, no other control character, of a length that is read.
+void require_one_line(const std::string& message) {
+  constexpr std::size_t kLongest = 2000;
+  require(!message.empty(), "a refusal has a text");
+  require(!has_control_characters(message), "a refusal is one line: " + one_line(message));
+  require(message.size() <= kLongest, "a refusal is short: " + one_line(message));
+  require(one_line(message, message.size() + 1) == message, "a refusal is UTF-8: " + one_line(message));
+}
+
+void require_finite(const SparseMatrix& matrix) {
+  const Eigen::Map<const Eigen::VectorXd> values(matrix.valuePtr(), matrix.nonZeros());
+  require(values.allFinite(), "entries are finite");
+}
+
+/// A number of a table, or the product of those in a list; 0 where there is none.
+double number_at(const TomlNode& table, std::string_view key) {
+  const TomlNode* node = table.find(key);
+  if (node == nullptr) return 0.0;
+  if (const auto* whole = std::get_if<std::int64_t>(&node->value)) return static_cast<double>(*whole);
+  const auto* list = std::get_if<TomlArray>(&node->value);
+  double product = list == nullptr ? 0.0 : 1.0;
+  for (const TomlNode& item : list == nullptr ? TomlArray{} : *list) {
+    if (const auto* whole = std::get_if<std::int64_t>(&item.value)) product *= static_cast<double>(*whole);
+  }
+  return product;
+}
+
+/// Whether what a scene asks for is assembled in a moment even with sanitizers. Large scenes are attacked in
+/// processes of limited time and memory.
+bool is_small(const TomlNode& document) {
+  constexpr double kMostElements = 200.0, kMostFacets = 100.0;
+  const TomlNode* system = document.find("system");
+  if (system != nullptr &&
+      number_at(*system, "elements") * std::max(1.0, number_at(*system, "count")) > kMostElements)
+    return false;
+  const TomlNode* contacts = document.find("contact");
+  const auto* tables = contacts == nullptr ? nullptr : std::get_if<TomlArray>(&contacts->value);
+  return tables == nullptr || std::ranges::all_of(*tables, [](const TomlNode& table) {
+           return number_at(table, "facets") <= kMostFacets;
+         });
+}
+
+bool attack_scene(std::string_view text) {
+  constexpr int kSmall = 300;  // coordinates of a matrix that is factorised at once
+  try {
+    TomlNode document = parse_toml(text, "attack.toml");
+    const std::vector<std::string> levels = family_labels(document, "attack.toml");
+    const std::string level = levels.empty() ? "" : levels.back();
+    static_cast<void>(choose_level(document, "attack.toml", level));
+    if (!is_small(document)) return false;
+    const Problem problem = parse_scene(text, "attack.toml", level);
+    // What finite elements are by construction is looked at here.
+    if (problem.size() <= kSmall) validate(problem);
+    for (const SparseMatrix* matrix : {&problem.mass(), &problem.damping(), &problem.stiffness()}) {
+      require(matrix->rows() == problem.size() && matrix->cols() == problem.size(), "matrices are square");
+      require_finite(*matrix);
+    }
+    require(std::isfinite(problem.period()) && problem.period() > 0.0, "the period is positive");
+    return true;
+  } catch (const SceneError& refusal) {
+    require_one_line(refusal.what());
+    return false;
+  }
+}
+
+/// The matrix as a file with every entry listed, of 17 digits: enough for each double to come back.
+std::string market_file(const SparseMatrix& matrix) {
+  std::string text = "%%MatrixMarket matrix coordinate real general\n" + std::to_string(matrix.rows()) + " " +
+                     std::to_string(matrix.cols()) + " " + std::to_string(matrix.nonZeros()) + "\n";
+  for (Eigen::Index column = 0; column < matrix.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
+      std::array<char, 64> line{};
+      std::snprintf(line.data(), line.size(), "%ld %ld %.17g\n", static_cast<long>(entry.row()) + 1,
+                    static_cast<long>(entry.col()) + 1, entry.value());
+      text += line.data();
+    }
+  }
+  return text;
+}
+
+bool attack_matrix(std::string_view text) {
+  constexpr Eigen::Index kMany = 100000;  // rows, of which a short file may promise millions
+  try {
+    const SparseMatrix matrix = read_matrix_market(text, "attack.mtx");
+    require(matrix.rows() == matrix.cols() && matrix.rows() >= 1, "the matrix is square");
+    require_finite(matrix);
+    if (matrix.rows() > kMany) return true;
+    const SparseMatrix again = read_matrix_market(market_file(matrix), "again.mtx");
+    require(again.rows() == matrix.rows() && again.nonZeros() == matrix.nonZeros() &&
+                SparseMatrix(again - matrix).norm() == 0.0,
+            "a matrix that is written reads the same");
+    return true;
+  } catch (const SceneError& refusal) {
+    require_one_line(refusal.what());
+    return false;
+  }
+}
+
+/// A regular file that lives in memory, with a path to open it by.
+class MemoryFile {
+ public:
+  explicit MemoryFile(std::string_view text) : descriptor_(memfd_create("attack", MFD_CLOEXEC)) {
+    if (write(descriptor_, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+      throw std::runtime_error("no room for a file in memory");
+  }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFile() { close(descriptor_); }
+  [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+ private:
+  int descriptor_;
+};
+
+std::string lines_of(const std::vector<Record>& records) {
+  std::string lines;
+  for (const Record& record : records) lines += json_line(to_json(record)) + "\n";
+  return lines;
+}
+
+/// A product of the report, for people or for programs, that must hold no bytes that act on a terminal.
+void require_harmless(const std::string& product) {
+  std::string text = product;
+  std::erase(text, '\n');
+  require(!has_control_characters(text), "a product holds no control characters");
+}
+
+bool attack_records(std::string_view text) {
+  const std::vector<Record> records = read_records(MemoryFile(text).path());
+  const std::string lines = lines_of(records);
+  require(lines_of(read_records(MemoryFile(lines).path())) == lines,
+          "records that are written read the same");
+  const Evaluation evaluation(records);
+  const std::vector<Section> sections = sections_of(evaluation);
+  require_harmless(markdown_report(sections));
+  require_harmless(csv_report(evaluation));
+  require_harmless(measures_csv(evaluation));
+  // Pages are long: of one input in eight, which a fuzzer can change by a byte.
+  if (text.size() % 8 != 0) return !records.empty();
+  for (const Section& section : sections) require_harmless(to_latex(section));
+  static_cast<void>(html_page("attack", nullptr, evaluation, sections, {}, {}));
+  return !records.empty();
+}
+
+/// One mass at one stop: what the answers of commands are taken for.
+const Problem& answered_problem() {
+  static const Problem problem = parse_scene(
+      "schema = 1\nname = \"attack\"\n[system]\nkind = \"sdof\"\nmass = 1\ndamping = 0.1\nstiffness = 1\n"
+      "[forcing]\nfrequency = 2.2\n[[forcing.term]]\ndof = 0\ncos = 1\n[[contact]]\ndof = 0\ngap = 0.2\n"
+      "[law]\nrestitution = 0.8\n",
+      "attack.toml");
+  return problem;
+}
+
+/// What the harness makes of a motion before it says anything about it.
+void judge(const Problem& problem, const Trajectory& trajectory) {
+  const SampledAnswer answer = sample_answer(problem, trajectory);
+  if (!answer.defect.empty()) return require_one_line(answer.defect);
+  const Samples& samples = answer.motion.samples;
+  require(samples.x.allFinite() && samples.velocity.allFinite() && samples.force.allFinite(),
+          "a motion that is judged is finite");
+  static_cast<void>(answer_digest(trajectory));
+  const Physics physics = measure_physics(problem, as_represented(problem.law), answer.motion);
+  for (const Measure& measure : {physics.penetration, physics.complementarity, physics.energy_defect})
+    require(!measure || *measure >= 0.0, "measures are no less than zero");
+}
+
+bool attack_answer(std::string_view text) {
+  const Problem& problem = answered_problem();
+  try {
+    const Solution solution = read_command_answer(std::string(text), problem.period());
+    require_one_line(solution.message);
+    if (solution.trajectory) judge(problem, *solution.trajectory);
+    return true;
+  } catch (const CommandFailure& refusal) {
+    require(refusal.status == Status::invalid_output, "an answer that is none is invalid output");
+    require_one_line(refusal.what());
+    return false;
+  }
+}
+
+constexpr std::array kReaders{UntrustedReader{.name = "scene", .attack = attack_scene},
+                              UntrustedReader{.name = "matrix", .attack = attack_matrix},
+                              UntrustedReader{.name = "records", .attack = attack_records},
+                              UntrustedReader{.name = "answer", .attack = attack_answer}};
+
+}  // namespace
+
+std::span<const UntrustedReader> untrusted_readers() { return kReaders; }
+
+const UntrustedReader& untrusted_reader(std::string_view name) {
+  const auto* found = std::ranges::find(kReaders, name, &UntrustedReader::name);
+  if (found == kReaders.end()) throw std::out_of_range("no such reader: " + std::string(name));
+  return *found;
+}
+
+}  // namespace signorini::test
