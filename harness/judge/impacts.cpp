@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "methods/discretisation/contact_phases.hpp"
 
@@ -59,24 +60,42 @@ ContactPhase listed_impact(const Motion& motion, const Impulse& impulse) {
   return phase;
 }
 
-ContactPhase force_phase(const Motion& motion, int contact, const SampledPhase& run) {
+/// A phase of force from `begin` to `end`, with the samples first..last inside it (none if last < first).
+ContactPhase force_phase(const Motion& motion, const ContactPhase& push, int first, int last) {
   const double step = motion.step();
-  const int count = motion.count();
-  ContactPhase phase;
-  phase.contact = contact;
-  phase.begin = run.first * step;
-  phase.end = phase.begin + run.length * step;
-  for (int i = run.first; i < run.first + run.length; ++i) {
-    phase.impulse += step * motion.samples.force(i % count, contact);
-  }
+  ContactPhase phase = push;
   phase.lasting =
-      !motion.impulses.empty() || run.length * step > kLastingResolutions * time_resolution(motion);
-  if (run.length < count) {
+      !motion.impulses.empty() || push.end - push.begin > kLastingResolutions * time_resolution(motion);
+  if (last - first + 1 < motion.count()) {
     const int window = std::max(1, static_cast<int>(std::lround(2.0 * time_resolution(motion) / step)));
-    phase.speed_before = mean_speed(motion, contact, run.first - 1, window, -1);
-    phase.speed_after = mean_speed(motion, contact, run.first + run.length, window, 1);
+    phase.speed_before = mean_speed(motion, push.contact, first - 1, window, -1);
+    phase.speed_after = mean_speed(motion, push.contact, last + 1, window, 1);
   }
   return phase;
+}
+
+/// The phase that samples of the force show.
+ContactPhase sampled_phase(const Motion& motion, int contact, const SampledPhase& run) {
+  const double step = motion.step();
+  ContactPhase push{.contact = contact, .begin = run.first * step, .end = (run.first + run.length) * step};
+  for (int i = run.first; i < run.first + run.length; ++i)
+    push.impulse += step * motion.samples.force(i % motion.count(), contact);
+  return force_phase(motion, push, run.first, run.first + run.length - 1);
+}
+
+/// The phases of a contact that lists its pushes: none is too short to be seen.
+std::vector<ContactPhase> pushed_phases(const Motion& motion, int contact) {
+  std::vector<ContactPhase> phases;
+  for (const ListedContact& listed : listed_contacts(*motion.events, motion.period())) {
+    if (listed.contact != contact) continue;
+    const ContactPhase push{.contact = contact,
+                            .begin = listed.begin,
+                            .end = listed.end,
+                            .impulse = motion.events->at(listed.opening).push.value_or(0.0)};
+    phases.push_back(force_phase(motion, push, static_cast<int>(std::ceil(listed.begin / motion.step())),
+                                 static_cast<int>(std::floor(listed.end / motion.step()))));
+  }
+  return phases;
 }
 
 double force_scale(const Motion& motion) {
@@ -96,10 +115,14 @@ std::vector<ContactPhase> contact_phases(const Motion& motion) {
   if (scale > 0.0) {
     const int bridge = std::max(1, static_cast<int>(std::ceil(time_resolution(motion) / motion.step())));
     for (int c = 0; c < static_cast<int>(motion.samples.force.cols()); ++c) {
-      for (const SampledPhase& run : contact_phases(motion.samples.force.col(c), kRipple * scale, bridge)) {
-        phases.push_back(force_phase(motion, c, run));
-      }
+      if (lists_pushes(motion, c)) continue;
+      for (const SampledPhase& run : contact_phases(motion.samples.force.col(c), kRipple * scale, bridge))
+        phases.push_back(sampled_phase(motion, c, run));
     }
+  }
+  for (int c = 0; c < static_cast<int>(motion.samples.force.cols()); ++c) {
+    if (!lists_pushes(motion, c)) continue;
+    std::ranges::move(pushed_phases(motion, c), std::back_inserter(phases));
   }
   std::stable_sort(phases.begin(), phases.end(),
                    [](const ContactPhase& a, const ContactPhase& b) { return a.begin < b.begin; });

@@ -141,8 +141,27 @@ ForceSeries force_series(const Problem& problem, const Motion& motion, int max_h
           .lambda = spectrum_of(motion, harmonics)};
 }
 
+bool lists_pushes(const Motion& motion, int contact) {
+  if (!motion.events) return false;
+  const auto opens = [&](const ContactEvent& event) {
+    return event.contact == contact && event.kind == ContactEvent::Kind::open;
+  };
+  return std::ranges::any_of(*motion.events, opens) &&
+         std::ranges::all_of(*motion.events,
+                             [&](const ContactEvent& event) { return !opens(event) || event.push; });
+}
+
 Eigen::VectorXd impulse_per_forcing_period(const Motion& motion) {
-  return motion.forcing_period * spectrum_of(motion, 0).row(0).real().transpose();
+  Eigen::VectorXd impulse = motion.forcing_period * spectrum_of(motion, 0).row(0).real().transpose();
+  for (int c = 0; c < static_cast<int>(impulse.size()); ++c) {
+    if (!lists_pushes(motion, c)) continue;
+    impulse[c] = 0.0;
+    for (const ContactEvent& event : *motion.events)
+      if (event.contact == c) impulse[c] += event.push.value_or(0.0) / motion.order;
+    for (const Impulse& one : motion.impulses)
+      if (one.contact == c) impulse[c] += one.value / motion.order;
+  }
+  return impulse;
 }
 
 Distance distance(const Motion& a, const Motion& b, int shift) {

@@ -54,7 +54,11 @@ Motion thinned(const Motion& motion, int step);
 /// `max_harmonics` otherwise, never more but for harmonics of the load.
 ForceSeries force_series(const Problem& problem, const Motion& motion, int max_harmonics);
 
-/// Impulse per forcing period and contact: force integrated, impulses added, Nc [N s].
+/// Whether all openings of a contact are listed with their push, one or more.
+bool lists_pushes(const Motion& motion, int contact);
+
+/// Impulse per forcing period and contact: force integrated, impulses added, Nc [N s]. The force from the
+/// pushes of a contact's openings where the motion lists them all.
 Eigen::VectorXd impulse_per_forcing_period(const Motion& motion);
 
 /// Distances of motion a from motion b over their common period, b shifted by `shift` forcing periods, in

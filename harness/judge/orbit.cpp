@@ -48,9 +48,10 @@ std::vector<OrbitEvent> orbit_events(const Motion& motion) {
     if (phase.listed) continue;
     const auto first = static_cast<int>(std::lround(phase.begin / step));
     const auto last = static_cast<int>(std::lround(phase.end / step)) - 1;
-    if (last - first + 1 >= motion.count()) continue;  // never opens
-    const double close = last > first ? crossing(motion, phase.contact, first, first - 1) : phase.begin;
-    const double open = last > first ? crossing(motion, phase.contact, last, last + 1) : phase.end;
+    if (last - first + 1 >= motion.count()) continue;                        // never opens
+    const bool seen = last > first && !lists_pushes(motion, phase.contact);  // else its ends are known
+    const double close = seen ? crossing(motion, phase.contact, first, first - 1) : phase.begin;
+    const double open = seen ? crossing(motion, phase.contact, last, last + 1) : phase.end;
     events.push_back({wrapped_time(close, motion.period()), phase.contact, ContactEvent::Kind::close, {}});
     events.push_back({wrapped_time(open, motion.period()), phase.contact, ContactEvent::Kind::open, {}});
   }

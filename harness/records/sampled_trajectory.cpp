@@ -65,6 +65,8 @@ std::string list_defect(const std::vector<Impulse>& impulses,
     defect = place_defect(what, event.contact, event.time, event.impulse, contacts, period);
     if (defect.empty() && event.impulse > event_pull)
       defect = fmt::format("{} at {} s pulls with {} N s", what, event.time, event.impulse);
+    if (event.push && !(*event.push <= 0.0 && std::isfinite(*event.push)))
+      defect = fmt::format("{} at {} s ends a push of {} N s", what, event.time, *event.push);
     if (!defect.empty()) return defect;
     if (event.time < last) return fmt::format("{} at {} s comes after one at {} s", what, event.time, last);
     last = event.time;

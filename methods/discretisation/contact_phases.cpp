@@ -1,5 +1,7 @@
 #include "methods/discretisation/contact_phases.hpp"
 
+#include "methods/discretisation/periodic_time.hpp"
+
 namespace signorini {
 
 std::vector<std::vector<ContactInterval>> contact_phases(const std::vector<ContactInterval>& pushing,
@@ -46,6 +48,26 @@ std::vector<SampledPhase> contact_phases(const Eigen::Ref<const Eigen::VectorXd>
   std::sort(phases.begin(), phases.end(),
             [](const SampledPhase& a, const SampledPhase& b) { return a.first < b.first; });
   return phases;
+}
+
+std::vector<ListedContact> listed_contacts(const std::vector<ContactEvent>& events, double period) {
+  using Kind = ContactEvent::Kind;
+  std::vector<ListedContact> contacts;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (events[i].kind != Kind::open) continue;
+    // Back in time, across the beginning of the period, to the event before it that is no impact.
+    for (std::size_t back = 1; back < events.size(); ++back) {
+      const ContactEvent& before = events[(i + events.size() - back) % events.size()];
+      if (before.contact != events[i].contact || before.kind == Kind::impact) continue;
+      if (before.kind == Kind::close)
+        contacts.push_back({.opening = i,
+                            .contact = before.contact,
+                            .begin = before.time,
+                            .end = before.time + wrapped_time(events[i].time - before.time, period)});
+      break;
+    }
+  }
+  return contacts;
 }
 
 }  // namespace signorini

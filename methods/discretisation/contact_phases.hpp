@@ -1,11 +1,15 @@
 #pragma once
-// Phases of contact, read off where a contact force acts, and stops that stand elsewhere during them.
+// Phases of contact, read off where a contact force acts or from listed events, and stops that stand
+// elsewhere during them.
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
+
+#include "methods/solution.hpp"
 
 namespace signorini {
 
@@ -74,5 +78,16 @@ struct SampledPhase {
 /// \param resolution  fewest samples without force that separate two phases, >= 1
 std::vector<SampledPhase> contact_phases(const Eigen::Ref<const Eigen::VectorXd>& force, double threshold,
                                          int resolution);
+
+/// A contact that is listed from its closing to its opening.
+struct ListedContact {
+  std::size_t opening = 0;  ///< index of its event
+  int contact = 0;
+  double begin = 0.0;  ///< [s], in [0, period)
+  double end = 0.0;    ///< [s], begin < end < begin + period
+};
+
+/// The contacts that events ordered in time list; openings without a closing before them are left out.
+std::vector<ListedContact> listed_contacts(const std::vector<ContactEvent>& events, double period);
 
 }  // namespace signorini

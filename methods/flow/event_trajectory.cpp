@@ -5,7 +5,9 @@
 #include <iterator>
 #include <utility>
 
+#include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/periodic_time.hpp"
+#include "methods/discretisation/two_point_integral.hpp"
 
 namespace signorini {
 
@@ -83,6 +85,29 @@ Samples EventTrajectory::sample(int count) const {
     }
   }
   return samples;
+}
+
+std::optional<std::vector<ContactEvent>> EventTrajectory::events() const {
+  std::vector<ContactEvent> events = events_;
+  const auto derivatives = [](const FlowNode& node, Eigen::Index contact) {
+    Derivatives values{};
+    for (std::size_t k = 0; k < values.size(); ++k)
+      values[k] = node.lambda(contact, static_cast<Eigen::Index>(k));
+    return values;
+  };
+  for (const ListedContact& closed : listed_contacts(events_, period_)) {
+    double push = 0.0;
+    for (std::size_t i = 1; i < nodes_.size(); ++i) {
+      const FlowNode &left = nodes_[i - 1], &right = nodes_[i];
+      // Events are nodes: an interval lies in the contact if its middle does.
+      const double since = wrapped_time(0.5 * (left.time + right.time) - closed.begin, period_);
+      if (since < closed.end - closed.begin)
+        push += two_point_integral(right.time - left.time, derivatives(left, closed.contact),
+                                   derivatives(right, closed.contact));
+    }
+    events[closed.opening].push = std::min(0.0, push);
+  }
+  return events;
 }
 
 std::vector<Impulse> impulses_of(const std::vector<ContactEvent>& events) {

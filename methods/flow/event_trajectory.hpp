@@ -29,7 +29,8 @@ class EventTrajectory final : public Trajectory {
   [[nodiscard]] double period() const override { return period_; }
   [[nodiscard]] Samples sample(int count) const override;
   [[nodiscard]] std::vector<Impulse> impulses() const override { return impulses_of(events_); }
-  [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override { return events_; }
+  /// Openings with their push.
+  [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override;
 
   /// State of the coordinates with mass at the time where the motion was cut open.
   [[nodiscard]] const FlowState& start() const { return start_; }

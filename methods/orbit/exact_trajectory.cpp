@@ -1,8 +1,11 @@
 #include "methods/orbit/exact_trajectory.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/periodic_time.hpp"
+#include "methods/discretisation/two_point_integral.hpp"
 
 namespace signorini {
 
@@ -42,6 +45,49 @@ const LinearArc& ExactTrajectory::arc_at(double& time) const {
   const auto after = std::upper_bound(orbit_.events.begin(), orbit_.events.end(), time,
                                       [](double t, const SequenceEvent& event) { return t < event.time; });
   return *arcs_[static_cast<std::size_t>(after - orbit_.events.begin())];
+}
+
+// From event to event, in pieces so short that every term of the motion that still matters turns by less than
+// a radian within one.
+double ExactTrajectory::push(int contact, double begin, double end) const {
+  constexpr double kTurn = 0.8, kUnseen = 1e-9;  // rad; share of a scale
+  constexpr int kMostPieces = 4096;
+  std::vector<double> ends{begin, end};
+  for (const ContactEvent& event : events_) {
+    for (const double time : {event.time, event.time + period()}) {
+      if (time > begin && time < end) ends.push_back(time);
+    }
+  }
+  std::sort(ends.begin(), ends.end());
+  double sum = 0.0;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const double length = ends[i] - ends[i - 1];
+    double middle = ends[i - 1] + 0.5 * length;  // within the arc, whatever rounding does to its ends
+    const LinearArc& arc = arc_at(middle);
+    const double start = middle - 0.5 * length;
+    const double rate = fastest_left(arc.fading_rates(kUnseen), start);
+    const int pieces = std::clamp(static_cast<int>(std::ceil(rate * length / kTurn)), 1, kMostPieces);
+    const auto derivatives = [&](int piece) {
+      Derivatives values{};
+      for (std::size_t k = 0; k < values.size(); ++k)
+        values[k] = arc.force(contact, start + length * piece / pieces, static_cast<int>(k));
+      return values;
+    };
+    Derivatives left = derivatives(0);
+    for (int piece = 1; piece <= pieces; ++piece) {
+      const Derivatives right = derivatives(piece);
+      sum += two_point_integral(length / pieces, left, right);
+      left = right;
+    }
+  }
+  return std::min(0.0, sum);
+}
+
+std::optional<std::vector<ContactEvent>> ExactTrajectory::events() const {
+  std::vector<ContactEvent> events = events_;
+  for (const ListedContact& closed : listed_contacts(events_, period()))
+    events[closed.opening].push = push(closed.contact, closed.begin, closed.end);
+  return events;
 }
 
 State ExactTrajectory::at(double time) const {

@@ -31,7 +31,8 @@ class ExactTrajectory final : public Trajectory {
   [[nodiscard]] double period() const override { return model_->period; }
   [[nodiscard]] Samples sample(int count) const override;
   [[nodiscard]] std::vector<Impulse> impulses() const override { return impulses_of(events_); }
-  [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override { return events_; }
+  /// Openings with their push.
+  [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override;
 
   /// State of the coordinates with mass at any time [s].
   [[nodiscard]] State at(double time) const;
@@ -43,6 +44,7 @@ class ExactTrajectory final : public Trajectory {
 
  private:
   [[nodiscard]] const LinearArc& arc_at(double& time) const;
+  [[nodiscard]] double push(int contact, double begin, double end) const;
 
   std::shared_ptr<OrbitModel> model_;
   OrbitGuess orbit_;

@@ -5,7 +5,12 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <string>
+#include <vector>
 
+#include "harness/judge/impacts.hpp"
+#include "methods/catalogue.hpp"
+#include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini {
@@ -148,6 +153,26 @@ TEST(ForceSeries, EndsAtTheBandwidthButNotBelowTheLoad) {
 TEST(ImpulsePerForcingPeriod, IsTheMeanOverTheOrder) {
   EXPECT_NEAR(impulse_per_forcing_period(pushing(1))[0], -2.0 * kPeriod - 3.0, 1e-12);
   EXPECT_NEAR(impulse_per_forcing_period(pushing(3))[0], -2.0 * kPeriod - 1.0, 1e-12);
+}
+
+/// The least stiff levels of the family are resolved by samples, the stiffest closes for a tenth of a step.
+TEST(ImpulsePerForcingPeriod, IsThatOfAContactShorterThanTheStep) {
+  for (const std::string level : {"1e4", "1e8", "1e10"}) {
+    const Problem problem = read_scene(find_scene("stiff-penalty@" + level)).problem;
+    for (const std::string method : {"exact-orbit", "event-driven"}) {
+      const Solution solution = find_method(method).make({})->prepare(problem)->solve({});
+      ASSERT_EQ(solution.verdict, Verdict::converged) << method << ", " << level;
+      const Motion orbit = sample_motion(problem, *solution.trajectory);
+      // The mean of M x'' + D x' + K x = f + lambda, f without a mean.
+      const double mean = problem.stiffness().coeff(0, 0) * orbit.samples.x.col(0).mean();
+      const double exact = mean * orbit.forcing_period;
+      EXPECT_NEAR(impulse_per_forcing_period(orbit)[0], exact, 1e-5 * std::abs(exact))
+          << method << ", " << level;
+      const std::vector<ContactPhase> phases = contact_phases(orbit);
+      ASSERT_EQ(phases.size(), 1U);
+      EXPECT_NEAR(phases[0].impulse, orbit.order * exact, 1e-5 * std::abs(orbit.order * exact));
+    }
+  }
 }
 
 TEST(Amplitude, IsThatOfTheContactThatMovesMost) {

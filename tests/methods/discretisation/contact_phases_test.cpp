@@ -124,5 +124,23 @@ TEST(IntervalPhases, JoinTheFirstPhaseToTheLastAcrossTheEndOfThePeriod) {
   EXPECT_TRUE(contact_phases(std::vector<ContactInterval>{}, 0.05).empty());
 }
 
+TEST(ListedContacts, RunFromAClosingToTheNextOpeningOfTheSameContact) {
+  using Kind = ContactEvent::Kind;
+  const std::vector<ContactEvent> events{{Kind::open, 0, 0.5},   {Kind::close, 1, 1.0},
+                                         {Kind::impact, 1, 1.5}, {Kind::impact, 0, 2.0},
+                                         {Kind::open, 1, 2.5},   {Kind::close, 0, 3.5}};
+  const std::vector<ListedContact> contacts = listed_contacts(events, 4.0);
+  ASSERT_EQ(contacts.size(), 2U);
+  EXPECT_EQ(contacts[0].opening, 0U);
+  EXPECT_EQ(contacts[0].contact, 0);
+  EXPECT_DOUBLE_EQ(contacts[0].begin, 3.5) << "across the end of the period";
+  EXPECT_DOUBLE_EQ(contacts[0].end, 4.5);
+  EXPECT_EQ(contacts[1].opening, 4U);
+  EXPECT_DOUBLE_EQ(contacts[1].begin, 1.0) << "an impact within a contact does not end it";
+  EXPECT_DOUBLE_EQ(contacts[1].end, 2.5);
+  EXPECT_TRUE(listed_contacts({{Kind::open, 0, 0.5}}, 4.0).empty());
+  EXPECT_TRUE(listed_contacts({}, 4.0).empty());
+}
+
 }  // namespace
 }  // namespace signorini

@@ -77,7 +77,7 @@ TEST(ReadCommandAnswer, HandsOnTheEventsThatACommandLists) {
   json["events"] = Json::array();
   EXPECT_TRUE(read_command_answer(json.dump(), kPeriod).trajectory->events().value().empty());
   json["events"] = {{{"kind", "close"}, {"contact", 0}, {"time", 0.5}, {"impulse", -0.25}},
-                    {{"kind", "open"}, {"contact", 0}, {"time", 1.5}}};
+                    {{"kind", "open"}, {"contact", 0}, {"time", 1.5}, {"push", -0.125}}};
   const auto events = read_command_answer(json.dump(), kPeriod).trajectory->events().value();
   ASSERT_EQ(events.size(), 2U);
   EXPECT_EQ(events[0].kind, ContactEvent::Kind::close);
@@ -85,6 +85,8 @@ TEST(ReadCommandAnswer, HandsOnTheEventsThatACommandLists) {
   EXPECT_EQ(events[0].impulse, -0.25);
   EXPECT_EQ(events[1].kind, ContactEvent::Kind::open);
   EXPECT_EQ(events[1].impulse, 0.0);
+  EXPECT_FALSE(events[0].push.has_value());
+  EXPECT_EQ(events[1].push, -0.125);
 }
 
 TEST(ReadCommandAnswer, RefusesEventsThatCannotBe) {
@@ -106,6 +108,9 @@ TEST(ReadCommandAnswer, RefusesEventsThatCannotBe) {
   other = open;
   other["time"] = 1.0;
   EXPECT_NE(refused(Json::array({open, other})).find("comes after"), std::string::npos);
+  other = open;
+  other["push"] = 0.125;
+  EXPECT_NE(refused(Json::array({other})).find("ends a push of 0.125 N s"), std::string::npos);
   EXPECT_NE(refused(Json::array({1})), "accepted");
 }
 
