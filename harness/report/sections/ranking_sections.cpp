@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "harness/report/document/cells.hpp"
@@ -21,13 +22,17 @@ constexpr std::array kFactors{1.0, 2.0, 10.0};
 
 std::string error_title(double error) { return fmt::format("{:.0e}", error); }
 
-/// "14 scenes whose law only event-driven and hat-lcp represent".
+/// "8 scenes whose law every method but hat-lcp[plain=true] represents": the shorter of who does and who not.
 std::string field_of(const Evaluation& evaluation, const RankingGroup& group) {
   const std::string scenes =
       fmt::format("{} scene{}", group.scenes.size(), group.scenes.size() == 1 ? "" : "s");
-  if (group.configurations == evaluation.configurations())
-    return scenes + " whose law every method represents";
-  return fmt::format("{} whose law {} represent", scenes, fmt::join(group.configurations, ", "));
+  std::vector<std::string> others;
+  std::ranges::set_difference(evaluation.configurations(), group.configurations, std::back_inserter(others));
+  if (others.empty()) return scenes + " whose law every method represents";
+  if (others.size() < group.configurations.size())
+    return fmt::format("{} whose law every method but {} represents", scenes, fmt::join(others, ", "));
+  return fmt::format("{} whose law {} {}", scenes, fmt::join(group.configurations, ", "),
+                     group.configurations.size() == 1 ? "represents" : "represent");
 }
 
 /// Whether any run of a group has a time: runs of a build that may not be timed have none, and cannot be

@@ -41,6 +41,27 @@ TEST(RankingSections, SaySuccessBeforeAnyTime) {
   EXPECT_EQ(means[9], "38 %");
 }
 
+TEST(RankingSections, NameTheFewWhoDoNotRepresentALaw) {
+  std::vector<Record> records;
+  for (const std::string method : {"a", "b", "c"}) {
+    records.push_back(test::good_record("s1", method, "n=1", 0.001, 1.0));
+    records.push_back(test::good_record("s2", method, "n=1", 0.001, 1.0));
+    records.push_back(test::good_record("s3", method, "n=1", 0.001, 1.0));
+  }
+  records[4].law_matches_scene = false;  // b on s2
+  records[5].law_matches_scene = false;  // b and c on s3
+  records[8].law_matches_scene = false;
+  std::vector<std::string> titles;
+  for (const Section& section : sections_of(Evaluation(records))) {
+    if (section.id.starts_with("time-to-error-")) titles.push_back(section.title);
+  }
+  std::ranges::sort(titles);
+  EXPECT_EQ(titles,
+            (std::vector<std::string>{"Time to error: 1 scene whose law a represents",
+                                      "Time to error: 1 scene whose law every method but b represents",
+                                      "Time to error: 1 scene whose law every method represents"}));
+}
+
 TEST(RankingSections, CallNobodySlowWhoWasNotTimed) {
   Record record = test::good_record("s", "m", "n=1", 0.005, 1.0);
   record.seconds.reset();
