@@ -15,6 +15,7 @@ import time
 NOT_A_NUMBER = re.compile(rb"(?<![\w.'-])-?(?:nan|inf|infinity)(?![\w.-])", re.I)
 CONTROL = re.compile(rb"[\x00-\x09\x0b-\x1f\x7f]")
 SANITIZER = re.compile(rb"(ERROR: AddressSanitizer[^\n]*|[^\n]*runtime error:[^\n]*|ERROR: LeakSanitizer[^\n]*)")
+BUSY = 6.0  # times as long by the clock a call may take on a machine that others use too
 LONGEST_LINE = 2000  # of a complaint [bytes]
 SANITIZED_SLOWER, SANITIZED_LARGER = 8.0, 6.0  # than the release build, at most
 
@@ -52,7 +53,8 @@ class Program:
         return process
 
     def finish(self, process, seconds, began=None):
-        """Waits for it, at most so long; then it and what it started are killed."""
+        """Waits for it: so many seconds of the processor, or BUSY times as long by the clock. Then it is killed, with what
+        it started."""
         began = began or time.monotonic()
         expired = threading.Event()
 
@@ -63,7 +65,7 @@ class Program:
             except ProcessLookupError:
                 pass
 
-        timer = threading.Timer(seconds * self.slower, stop)
+        timer = threading.Timer(BUSY * seconds * self.slower, stop)
         timer.start()
         _, status, usage = os.wait4(process.pid, 0)
         timer.cancel()
@@ -73,8 +75,9 @@ class Program:
             file.seek(0)
             texts.append(file.read())
             file.close()
-        return Outcome(process.returncode, *texts, time.monotonic() - began, usage.ru_utime + usage.ru_stime,
-                       usage.ru_maxrss / 1024.0, expired.is_set())
+        used = usage.ru_utime + usage.ru_stime
+        return Outcome(process.returncode, *texts, time.monotonic() - began, used, usage.ru_maxrss / 1024.0,
+                       expired.is_set() or used > seconds * self.slower)
 
     def run(self, arguments, folder, seconds=10.0, before=()):
         return self.finish(self.start(arguments, folder, before), seconds)
@@ -83,7 +86,7 @@ class Program:
         """What the program promises of every call and did not keep. `given` holds what it may repeat."""
         found = []
         if outcome.expired:
-            found.append(f"no end within {outcome.seconds:.0f} s")
+            found.append(f"no end within {outcome.seconds:.0f} s, {outcome.processor_seconds:.0f} s of the processor")
         elif outcome.code not in codes:
             found.append(f"exit code {outcome.code}: {outcome.err[-300:]!r}")
         if outcome.peak_mb > memory_mb * self.larger:

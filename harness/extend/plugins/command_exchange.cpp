@@ -133,8 +133,8 @@ Work read_work(const Json& json) {
 Solution read_solution(const Json& json, double period) {
   allow_only(json);
   Solution solution{.verdict = read_verdict(json)};
-  solution.message = json.contains("message") ? one_line(json["message"].get<std::string>(), 400)
-                                              : "the command gave no message";
+  if (json.contains("message")) solution.message = one_line(json["message"].get<std::string>(), 400);
+  if (solution.message.empty()) solution.message = "the command gave no message";
   if (json.contains("residual")) solution.residual = json["residual"].get<double>();
   if (json.contains("condition")) solution.condition = json["condition"].get<double>();
   if (json.contains("work")) solution.work = read_work(json["work"]);
