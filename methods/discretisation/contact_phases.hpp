@@ -82,9 +82,9 @@ std::vector<SampledPhase> contact_phases(const Eigen::Ref<const Eigen::VectorXd>
 /// A contact that is listed from its closing to its opening.
 struct ListedContact {
   std::size_t opening = 0;  ///< index of its event
-  int contact = 0;
-  double begin = 0.0;  ///< [s], in [0, period)
-  double end = 0.0;    ///< [s], begin < end < begin + period
+  int contact = 0;          ///< in [0, Nc)
+  double begin = 0.0;       ///< [s], in [0, period)
+  double end = 0.0;         ///< [s], begin < end < begin + period
 };
 
 /// The contacts that events ordered in time list; openings without a closing before them are left out.
