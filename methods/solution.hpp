@@ -38,9 +38,8 @@ struct ContactEvent {
   int contact = 0;           ///< in [0, Nc)
   double time = 0.0;         ///< in [0, period) [s]; t = 0 is the time origin of the forcing terms
   double impulse = 0.0;      ///< on the structure along the contact coordinate, <= 0 [N s]
-  /// Of an opening whose method knows it: the integral of the force over the contact that ends, impulses
-  /// aside,
-  /// <= 0 [N s]. Samples miss a contact that is shorter than their step.
+  /// Of an opening whose method knows it: the integral of the force over the contact that ends, without
+  /// impulses, <= 0 [N s]. Samples miss a contact that is shorter than their step.
   std::optional<double> push = {};
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "methods/discretisation/contact_phases.hpp"
 
@@ -83,19 +82,12 @@ ContactPhase sampled_phase(const Motion& motion, int contact, const SampledPhase
   return force_phase(motion, push, run.first, run.first + run.length - 1);
 }
 
-/// The phases of a contact that lists its pushes: none is too short to be seen.
-std::vector<ContactPhase> pushed_phases(const Motion& motion, int contact) {
-  std::vector<ContactPhase> phases;
-  for (const ListedContact& listed : listed_contacts(*motion.events, motion.period())) {
-    if (listed.contact != contact) continue;
-    const ContactPhase push{.contact = contact,
-                            .begin = listed.begin,
-                            .end = listed.end,
-                            .impulse = motion.events->at(listed.opening).push.value_or(0.0)};
-    phases.push_back(force_phase(motion, push, static_cast<int>(std::ceil(listed.begin / motion.step())),
-                                 static_cast<int>(std::floor(listed.end / motion.step()))));
-  }
-  return phases;
+/// The phase that a motion lists.
+ContactPhase listed_phase(const Motion& motion, int contact, const ListedPush& listed) {
+  return force_phase(
+      motion, {.contact = contact, .begin = listed.begin, .end = listed.end, .impulse = listed.impulse},
+      static_cast<int>(std::ceil(listed.begin / motion.step())),
+      static_cast<int>(std::floor(listed.end / motion.step())));
 }
 
 double force_scale(const Motion& motion) {
@@ -112,17 +104,13 @@ std::vector<ContactPhase> contact_phases(const Motion& motion) {
   std::vector<ContactPhase> phases;
   for (const Impulse& impulse : motion.impulses) phases.push_back(listed_impact(motion, impulse));
   const double scale = force_scale(motion);
-  if (scale > 0.0) {
-    const int bridge = std::max(1, static_cast<int>(std::ceil(time_resolution(motion) / motion.step())));
-    for (int c = 0; c < static_cast<int>(motion.samples.force.cols()); ++c) {
-      if (lists_pushes(motion, c)) continue;
-      for (const SampledPhase& run : contact_phases(motion.samples.force.col(c), kRipple * scale, bridge))
-        phases.push_back(sampled_phase(motion, c, run));
-    }
-  }
+  const int bridge = std::max(1, static_cast<int>(std::ceil(time_resolution(motion) / motion.step())));
   for (int c = 0; c < static_cast<int>(motion.samples.force.cols()); ++c) {
-    if (!lists_pushes(motion, c)) continue;
-    std::ranges::move(pushed_phases(motion, c), std::back_inserter(phases));
+    const std::vector<ListedPush> pushes = short_pushes(motion, c);
+    for (const ListedPush& push : pushes) phases.push_back(listed_phase(motion, c, push));
+    if (!pushes.empty() || scale == 0.0) continue;
+    for (const SampledPhase& run : contact_phases(motion.samples.force.col(c), kRipple * scale, bridge))
+      phases.push_back(sampled_phase(motion, c, run));
   }
   std::stable_sort(phases.begin(), phases.end(),
                    [](const ContactPhase& a, const ContactPhase& b) { return a.begin < b.begin; });

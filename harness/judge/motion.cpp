@@ -9,6 +9,7 @@
 
 #include "harness/judge/contact_response.hpp"
 #include "harness/records/sampled_trajectory.hpp"
+#include "methods/discretisation/contact_phases.hpp"
 #include "methods/solvers/constants.hpp"
 
 namespace signorini {
@@ -141,25 +142,40 @@ ForceSeries force_series(const Problem& problem, const Motion& motion, int max_h
           .lambda = spectrum_of(motion, harmonics)};
 }
 
-bool lists_pushes(const Motion& motion, int contact) {
-  if (!motion.events) return false;
-  const auto opens = [&](const ContactEvent& event) {
+std::vector<ListedPush> short_pushes(const Motion& motion, int contact) {
+  constexpr double kResolved = 256.0, kSeen = 16.0;  // steps
+  constexpr double kAgrees = 0.1;
+  if (!motion.events) return {};
+  const double step = motion.step();
+  std::vector<ListedPush> pushes;
+  bool all_resolved = true;
+  for (const ListedContact& listed : listed_contacts(*motion.events, motion.period())) {
+    if (listed.contact != contact) continue;
+    const std::optional<double>& push = (*motion.events)[listed.opening].push;
+    if (!push) return {};
+    const double steps = (listed.end - listed.begin) / step;
+    double sampled = 0.0;
+    for (auto i = static_cast<int>(std::ceil(listed.begin / step)); i * step < listed.end; ++i)
+      sampled += step * motion.samples.force(i % motion.count(), contact);
+    if (steps >= kSeen && std::abs(sampled - *push) > kAgrees * std::abs(*push)) return {};
+    all_resolved = all_resolved && steps >= kResolved;
+    pushes.push_back({listed.begin, listed.end, *push});
+  }
+  const auto openings = std::ranges::count_if(*motion.events, [&](const ContactEvent& event) {
     return event.contact == contact && event.kind == ContactEvent::Kind::open;
-  };
-  return std::ranges::any_of(*motion.events, opens) &&
-         std::ranges::all_of(*motion.events,
-                             [&](const ContactEvent& event) { return !opens(event) || event.push; });
+  });
+  return all_resolved || std::ssize(pushes) != openings ? std::vector<ListedPush>() : pushes;
 }
 
 Eigen::VectorXd impulse_per_forcing_period(const Motion& motion) {
   Eigen::VectorXd impulse = motion.forcing_period * spectrum_of(motion, 0).row(0).real().transpose();
   for (int c = 0; c < static_cast<int>(impulse.size()); ++c) {
-    if (!lists_pushes(motion, c)) continue;
+    const std::vector<ListedPush> pushes = short_pushes(motion, c);
+    if (pushes.empty()) continue;
     impulse[c] = 0.0;
-    for (const ContactEvent& event : *motion.events)
-      if (event.contact == c) impulse[c] += event.push.value_or(0.0) / motion.order;
+    for (const ListedPush& push : pushes) impulse[c] += push.impulse / motion.order;
     for (const Impulse& one : motion.impulses)
-      if (one.contact == c) impulse[c] += one.value / motion.order;
+      impulse[c] += one.contact == c ? one.value / motion.order : 0.0;
   }
   return impulse;
 }

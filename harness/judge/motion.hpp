@@ -54,11 +54,20 @@ Motion thinned(const Motion& motion, int step);
 /// `max_harmonics` otherwise, never more but for harmonics of the load.
 ForceSeries force_series(const Problem& problem, const Motion& motion, int max_harmonics);
 
-/// Whether all openings of a contact are listed with their push, one or more.
-bool lists_pushes(const Motion& motion, int contact);
+/// A contact that a motion lists from its closing to its opening.
+struct ListedPush {
+  double begin = 0.0;    ///< [s], in [0, period)
+  double end = 0.0;      ///< [s], >= begin; may reach past the period
+  double impulse = 0.0;  ///< integral of the force, impulses aside, <= 0 [N s]
+};
 
-/// Impulse per forcing period and contact: force integrated, impulses added, Nc [N s]. The force from the
-/// pushes of a contact's openings where the motion lists them all.
+/// The pushes of a contact where the motion lists them all and one is too short for samples of the force:
+/// less than 256 steps, beyond which samples have 1e-5 of it. Empty elsewhere, and where a push of 16 steps
+/// or more is not what the samples show to a tenth: an answer does not tell its force in two ways.
+std::vector<ListedPush> short_pushes(const Motion& motion, int contact);
+
+/// Impulse per forcing period and contact: force integrated, impulses added, Nc [N s]. Of a contact with
+/// `short_pushes` the force is theirs.
 Eigen::VectorXd impulse_per_forcing_period(const Motion& motion);
 
 /// Distances of motion a from motion b over their common period, b shifted by `shift` forcing periods, in

@@ -48,8 +48,9 @@ std::vector<OrbitEvent> orbit_events(const Motion& motion) {
     if (phase.listed) continue;
     const auto first = static_cast<int>(std::lround(phase.begin / step));
     const auto last = static_cast<int>(std::lround(phase.end / step)) - 1;
-    if (last - first + 1 >= motion.count()) continue;                        // never opens
-    const bool seen = last > first && !lists_pushes(motion, phase.contact);  // else its ends are known
+    if (last - first + 1 >= motion.count()) continue;  // never opens
+    // Of listed phases the ends are known.
+    const bool seen = last > first && short_pushes(motion, phase.contact).empty();
     const double close = seen ? crossing(motion, phase.contact, first, first - 1) : phase.begin;
     const double open = seen ? crossing(motion, phase.contact, last, last + 1) : phase.end;
     events.push_back({wrapped_time(close, motion.period()), phase.contact, ContactEvent::Kind::close, {}});
@@ -78,14 +79,12 @@ std::string fingerprint(const Motion& motion) {
       motion.samples.force.size() > 0 ? motion.samples.force.cwiseAbs().maxCoeff() : 0.0;
   std::string text = fmt::format("{} {}", order, impacts / copies);
   const double impulse_noise = 1e-9 * (motion.forcing_period * force_scale + largest);
+  const Eigen::VectorXd impulse = impulse_per_forcing_period(motion);
   for (int c = 0; c < static_cast<int>(motion.samples.x.cols()); ++c) {
     const auto x = motion.samples.x.col(c);
-    double impulse = motion.samples.force.col(c).sum() * motion.step();
-    for (const Impulse& one : motion.impulses) impulse += one.contact == c ? one.value : 0.0;
     // What is left of a motion at rest is the rounding of its coordinate, wherever the origin is.
     const double rest = 1e-13 * x.cwiseAbs().maxCoeff();
-    text +=
-        fmt::format(" {} {}", rounded(impulse / motion.order, impulse_noise), rounded(fluctuation(x), rest));
+    text += fmt::format(" {} {}", rounded(impulse[c], impulse_noise), rounded(fluctuation(x), rest));
   }
   return sha256(text).substr(0, 8);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -173,6 +174,26 @@ TEST(ImpulsePerForcingPeriod, IsThatOfAContactShorterThanTheStep) {
       EXPECT_NEAR(phases[0].impulse, orbit.order * exact, 1e-5 * std::abs(orbit.order * exact));
     }
   }
+}
+
+TEST(ShortPushes, DecideWhereSamplesAreSilentAndNowhereElse) {
+  using Kind = ContactEvent::Kind;
+  Motion answer = motion(1, 0.0);  // no sample of a force
+  const auto pushes = [&](double steps, std::optional<double> push) {
+    answer.events = {{.kind = Kind::close, .contact = 0, .time = 1.0},
+                     {.kind = Kind::open, .contact = 0, .time = 1.0 + steps * answer.step(), .push = push}};
+    return short_pushes(answer, 0);
+  };
+  ASSERT_EQ(pushes(4.0, -3.0).size(), 1U);
+  EXPECT_EQ(pushes(4.0, -3.0)[0].impulse, -3.0);
+  EXPECT_EQ(impulse_per_forcing_period(answer)[0], -3.0);
+  EXPECT_TRUE(pushes(4.0, {}).empty());
+  EXPECT_TRUE(pushes(20.0, -3.0).empty()) << "twenty samples show that nothing pushes";
+  EXPECT_NEAR(impulse_per_forcing_period(answer)[0], 0.0, 1e-15);
+  EXPECT_TRUE(pushes(2000.0, 0.0).empty()) << "samples resolve it";
+  pushes(4.0, -3.0);
+  answer.events->push_back({.kind = Kind::open, .contact = 0, .time = 2.0, .push = -1.0});
+  EXPECT_TRUE(short_pushes(answer, 0).empty()) << "an opening without a closing";
 }
 
 TEST(Amplitude, IsThatOfTheContactThatMovesMost) {
