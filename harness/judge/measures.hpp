@@ -46,7 +46,8 @@ Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const
 /// events that work is taken from its own motion (`contact_work`), exact where forces jump. Of any other it
 /// is that of the response to the force, harmonic by harmonic; the part of W_D beyond the harmonics that are
 /// summed is then added in closed form for impulses that are listed. Absent, with a reason, where W_f is
-/// zero, the law is undetermined, or the structure has no response or no Delassus matrix.
+/// zero, the law is undetermined, or the structure has no response or no Delassus matrix; and of an answer
+/// without events whose rigid contacts hold throughout.
 EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, const Motion& answer);
 
 /// Loss at impacts per period that a restitution e prescribes for the phases found [J].

@@ -176,6 +176,21 @@ TEST(EnergyDefect, IsAbsentWhereAContactHoldsWhatIsLoaded) {
   EXPECT_EQ(defect.reason, "the load does no work");
 }
 
+// On a grid the force that holds is coarse, and the response to it moves where the contact does not.
+TEST(EnergyDefect, IsAbsentWhereACoarseForceHoldsThroughout) {
+  Problem problem = test::one_mass(0.1);
+  problem.force.push_back({.dof = 0, .harmonic = 0, .cos = 5.0});
+  const FormulaMotion held(
+      kPeriod, [](double) { return 0.0; }, [](double) { return 0.0; },
+      [](double t) { return -5.0 - 0.999 * std::cos(2.0 * t); });
+  const Motion motion = sample_motion(problem, held);
+  const EnergyDefect defect = energy_defect(problem, Restitution{1.0}, motion);
+  EXPECT_FALSE(defect.value.has_value()) << *defect.value;
+  EXPECT_EQ(defect.reason, "the contacts hold throughout");
+  // A spring gives way: its force is judged.
+  EXPECT_TRUE(energy_defect(problem, Penalty{{1e6}}, motion).value.has_value());
+}
+
 Motion motion_of(const test::SingleImpactOrbit& orbit, const Problem& problem) {
   const FormulaMotion motion(
       orbit.period, [orbit](double t) { return orbit.x(t); }, [orbit](double t) { return orbit.velocity(t); },
