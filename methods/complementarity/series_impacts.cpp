@@ -202,6 +202,18 @@ Eigen::MatrixXd ImpactEquations::jacobian(const Impacts& p) const {
   return matrix;
 }
 
+double ImpactEquations::penetration(const Impacts& p, int contact, int instants) const {
+  double deepest = 0.0;
+  for (int i = 0; i < instants; ++i) {
+    const double turn = static_cast<double>(i) / instants;
+    double x = trigonometric_jet(lasting_motion_.col(contact), turn).value;
+    for (int l = 0; l < count(); ++l)
+      x -= p(1, l) * response_.at(contact, this->contact(l), turn - p(0, l)).value;
+    deepest = std::max(deepest, x - gap_[contact]);
+  }
+  return deepest;
+}
+
 std::optional<Impacts> ImpactEquations::solve(const Impacts& from, double tolerance, double rounding) const {
   ImpactSystem system(*this);
   const NewtonKrylovResult newton =

@@ -80,6 +80,10 @@ class ImpactEquations {
   /// Impacts that solve the equations to `tolerance` [m], or to `rounding` [m] where Newton's method does not
   /// get that far; nothing if it does not get there either. Forces stay positive.
   [[nodiscard]] std::optional<Impacts> solve(const Impacts& from, double tolerance, double rounding) const;
+  /// max(0, X - g) of one contact, the largest at `instants` equidistant times [m]. Impacts that solve the
+  /// equations are those of a motion only where it is 0: nothing above asks that X stays before the stop
+  /// between them.
+  [[nodiscard]] double penetration(const Impacts& impacts, int contact, int instants) const;
 
  private:
   [[nodiscard]] int count() const { return static_cast<int>(impacts_.size()); }

@@ -22,6 +22,9 @@ constexpr int kSlowRounds = 4;   // full steps that do not halve the defect, aft
 constexpr int kStepLengths = 6;  // lengths of a step towards the impacts wanted: 1, 1/2, ..., 1/32
 // A defect that no longer falls is rounding if it is this small already, relative to the motion.
 constexpr double kDefectRounding = 1e-7;
+// X may pass a stop by so much of the motion: ripple of the force of other contacts that last.
+constexpr double kPassed = 1e-3;
+constexpr int kInstantsPerHarmonic = 8;
 
 /// A solution of the projected equations to begin with, and the stops that belong to it.
 struct ShiftedSeries {
@@ -79,6 +82,20 @@ double largest_shift(const ContactEpisodes& episodes, const StopShifts& shifts) 
   return distance;
 }
 
+/// Whether X stays before every stop that no contact of some length touches. Impacts that solve their
+/// equations through a stop are no motion, and no orbit is near.
+bool stays_before_stops(const ImpactEquations& law, const Impacts& impacts, const ContactEpisodes& episodes,
+                        const ContactReceptance& receptance) {
+  for (int c = 0; c < receptance.contacts(); ++c) {
+    const auto touches = [&](const ContactEpisode& episode) { return episode.contact == c; };
+    if (std::ranges::any_of(episodes.lasting, touches)) continue;
+    if (law.penetration(impacts, c, kInstantsPerHarmonic * receptance.harmonics()) >
+        kPassed * episodes.motion)
+      return false;
+  }
+  return true;
+}
+
 /// Whether the defect of the law of impact is small enough, and whether it still falls.
 class DefectHistory {
  public:
@@ -122,6 +139,7 @@ CompensatedImpacts compensate_impacts(const PeriodicGreenFunction& response,
     result.impacts = static_cast<int>(episodes.impacts.size());
     const double defect = result.impacts > 0 ? law.residual(present).lpNorm<Eigen::Infinity>() : 0.0;
     if (history.is_small(defect, episodes.motion) && !episodes.lasting_is_shifted) {
+      if (result.impacts > 0 && !stays_before_stops(law, present, episodes, equations.receptance)) break;
       result.converged = series.converged;
       if (!result.shifts.empty()) result.largest = largest_shift(episodes, result.shifts);
       result.series = std::move(series);

@@ -46,8 +46,8 @@ struct CompensatedImpacts {
 /// Begins at a solution `lambda` of the exactly projected equations with the stops at `shifts`, or near
 /// one. Each round solves X(t_k) = g, X'(t_k) = 0 for instants and impulses (ImpactEquations), takes the
 /// series' contacts there with stops that let each keep its shape, and solves the projected equations anew
-/// (project_exactly). Not converged where an impact comes or goes on the way, or the projected equations
-/// have no solution near by.
+/// (project_exactly). Not converged where an impact comes or goes on the way, the projected equations have
+/// no solution near by, or X passes a stop between the impacts.
 ///
 /// \param settings  as of project_exactly; its tolerance is also that of the law of impact, relative to the
 ///        motion

@@ -124,6 +124,19 @@ TEST(ImpactEquations, HoldAtTheClosedFormOrbit) {
   }
 }
 
+// The motion of the closed form reaches its own stop and passes one that stands nearer by just the
+// difference.
+TEST(ImpactEquations, TellHowFarTheMotionPassesTheStop) {
+  test::ImpactOscillator oscillator{.damping = 0.1, .frequency = 2.2, .gap = 0.2};
+  const auto orbit = test::single_impact_orbits(oscillator).front();
+  const Impacts impact = some({orbit.impact_time / orbit.period}, {orbit.impulse / orbit.period});
+  const int instants = 4096;
+  const double between = orbit.approach * orbit.period / instants;
+  EXPECT_LE(OscillatorImpacts(oscillator, 1).equations().penetration(impact, 0, instants), 1e-6);
+  oscillator.gap -= 0.05;
+  EXPECT_NEAR(OscillatorImpacts(oscillator, 1).equations().penetration(impact, 0, instants), 0.05, between);
+}
+
 TEST(ImpactEquations, JacobianIsTheDifferenceQuotient) {
   const OscillatorImpacts impacts({.damping = 0.2, .frequency = 1.1, .gap = 0.2}, 2);
   const ImpactEquations equations = impacts.equations();

@@ -146,6 +146,13 @@ TEST(Compensated, TwoStopsAreShiftedEach) {
   expect_nearer(problem, 20, 4.0);
 }
 
+// Twenty harmonics have a motion here with two impacts that solve the equations of impacts, but pass the stop
+// by 4 % of the motion between them: no orbit is nearer than the whole motion.
+TEST(Compensated, ImpactsOfAMotionThroughTheStopAreNotClaimed) {
+  const Problem problem = test::to_problem({.damping = 0.0739778, .frequency = 0.5074165, .gap = 0.7264461});
+  EXPECT_NE(solve<FourierLipschitz>(problem, {{.harmonics = 20}}).verdict, Verdict::converged);
+}
+
 TEST(Compensated, ContactThatLastsIsLeftAlone) {
   const Problem closed = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = -1.5});
   Problem spring = test::to_problem(kStop);
