@@ -143,6 +143,32 @@ TEST_P(TextAttack, InARecordReachesNoInterpreter) {
   EXPECT_GT(products, 2);
 }
 
+TEST_P(TextAttack, InAManifestReachesNoInterpreter) {
+  const std::string& attack = attacks()[GetParam()];
+  const fs::path folder = attacked_run("harmless");
+  const fs::path file = folder / "run" / "manifest.json";
+  Json good = Json::parse(read_file(file));
+  good.update({{"command_line", {"signorini", "run"}},
+               {"order", "any"},
+               {"shard", "1/2"},
+               {"plugins", {{"mine", "1"}}},
+               {"shards", {{{"date", "today"}, {"shard", "2/2"}}}}});
+  std::vector<std::string> places;
+  find_texts(good, "", places);
+  EXPECT_GT(places.size(), 8U);
+  std::vector<Json> attacked(places.size() + 2, good);
+  for (std::size_t i = 0; i < places.size(); ++i) attacked[i][Json::json_pointer(places[i])] = attack;
+  attacked[places.size()][attack] = 1;
+  attacked[places.size() + 1]["plugins"][attack] = "1";
+  for (const Json& manifest : attacked) {
+    std::ofstream(file) << json_line(manifest);
+    for (const char* command : {"status run", "report run --format html", "merge run --out merged"}) {
+      SCOPED_TRACE(command);
+      expect_harmless(folder, test::run_program(command, folder.string()));
+    }
+  }
+}
+
 /// A text as TOML may spell it, whatever is in it.
 std::string quoted(const std::string& text) {
   std::string literal = "\"";

@@ -51,6 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadUse{"solve sdof-stop --method hat-lcp --set samples=few", 2, "samples = few"},
         BadUse{"solve sdof-stop --method hat-lcp --set samples", 2, "set = samples"},
         BadUse{"solve sdof-stop --method hat-lcp --samples 0", 2, "--samples"},
+        BadUse{"solve sdof-stop --method hat-lcp --samples 4194304", 2, "not in range 1 to 65536"},
         BadUse{"solve sdof-stop --method hat-lcp --start /no/such/file", 2, "/no/such/file"},
         BadUse{"run no-such-suite", 2, "suite = no-such-suite"},
         BadUse{"run quick --methods zzz* --dry-run", 3, "methods = zzz*"},

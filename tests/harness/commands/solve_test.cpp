@@ -45,5 +45,18 @@ TEST(CommandSolve, ReportsASolveInWords) {
   EXPECT_NE(outcome.out.find("error of x"), std::string::npos);
 }
 
+// Its motion from rest is not kept, and takes a minute to march to.
+TEST(CommandSolve, SearchesNoReferenceUnlessAsked) {
+  const auto folder = test::fresh_folder("solve-chaotic");
+  std::ofstream(folder / "scene.toml")
+      << "schema = 1\nname = \"wild\"\n[system]\nkind = \"sdof\"\nmass = 1.0\ndamping = 0.1187\nstiffness = "
+         "1.0\n"
+         "[forcing]\nfrequency = 2.841\n[[forcing.term]]\ndof = 0\ncos = 1.0\n[[contact]]\ndof = 0\n"
+         "gap = 0.1136\n[law]\nrestitution = 0.5\n";
+  const Outcome outcome = run("solve " + (folder / "scene.toml").string() + " --method hat-lcp");
+  EXPECT_NE(outcome.out.find("no reference: not searched for"), std::string::npos)
+      << outcome.out << outcome.err;
+}
+
 }  // namespace
 }  // namespace signorini

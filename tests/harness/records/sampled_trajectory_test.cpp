@@ -83,6 +83,9 @@ TEST(TrajectoryDefect, NamesWhatNoAnswerMayHave) {
   EXPECT_NE(defect(1, 3.0).find("no whole multiple"), std::string::npos) << "shorter than the forcing period";
   EXPECT_NE(defect(1, 1.9).find("no whole multiple"), std::string::npos);
   EXPECT_EQ(defect(1, 2.0 * (1.0 + 1e-7)), "") << "within a millionth";
+  EXPECT_EQ(defect(1, 2.0 / 256), "");
+  EXPECT_NE(defect(1, 2e-9).find("more than 256 forcing periods"), std::string::npos)
+      << "whoever samples it would need more memory than there is";
 }
 
 TEST(SamplesDefect, NamesWrongSizesAndNumbersThatAreNotFinite) {

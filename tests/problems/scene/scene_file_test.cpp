@@ -289,5 +289,18 @@ TEST(LoadScene, RefusesAFileThatCannotBeRead) {
             "/proc/self/mem: file = unreadable (must be a file that may be read)");
 }
 
+// Numbers each within their range, whose structure is not: modes of a bar of 1e300 m.
+TEST(ParseScene, RefusesAStructureThatCannotBeAssembled) {
+  const std::string bar =
+      "schema = 1\nname = \"long\"\n[system]\nkind = \"bar\"\nelements = 10\nlength = 1e300\narea = 1e-4\n"
+      "young = 2e11\ndensity = 7800.0\ndamping = { modal = 0.01 }\n[forcing]\nfrequency = 1.0\n";
+  try {
+    parse_scene(bar, "bar.toml");
+    FAIL() << "a bar of 1e300 m";
+  } catch (const SceneError& error) {
+    EXPECT_NE(std::string(error.what()).find("bar.toml:"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace signorini::test
