@@ -110,8 +110,9 @@ void add_verify_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_flag(
       "--update", arguments->update,
-      "search, and keep what is found, instead of comparing; --starts, --subharmonics and --seed "
-      "are for this, a comparison searches as the files say");
+      "search, and keep what is found and what is still certified, instead of comparing; --starts, "
+      "--subharmonics (if absent as far as before) and --seed are for this, a comparison searches as the "
+      "files say");
   add_search_options(*command, arguments->options, arguments->subharmonics);
   command->callback([arguments, &exit_code] { exit_code = verify(*arguments); });
 }

@@ -12,6 +12,7 @@
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/orbits/orbit_file.hpp"
+#include "harness/orbits/orbit_search.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/progress.hpp"
 #include "problems/scene/scene_file.hpp"
@@ -81,19 +82,6 @@ std::optional<OrbitFile> search(const Scene& scene, const OrbitSearchOptions& op
   return make_orbit_file(scene, options, orbits);
 }
 
-/// Writes the orbits of a scene. \return the number of differences: 1 if the search was not completed
-std::size_t update_scene(const VerifyArguments& arguments, const fs::path& file, const Scene& scene) {
-  OrbitSearchOptions options = arguments.options;
-  options.subharmonics = arguments.subharmonics.value_or(default_subharmonics(scene.problem));
-  const auto found = search(scene, options);
-  if (!found) return 1;
-  const std::string text = print_orbit_file(*found);
-  const bool same = fs::exists(file) && read_file(file) == text;
-  if (!same) write_whole(file, text);
-  fmt::print("{}: {} orbits {}\n", scene.problem.name, found->orbits.size(), same ? "unchanged" : "written");
-  return 0;
-}
-
 /// Certifies the kept orbits with impacts that the search missed, from their own events, and adds them to
 /// `now`: a search may miss an orbit that exists, for example at a time limit.
 void add_missed(const Scene& scene, const OrbitFile& kept, Deadline deadline, OrbitFile& now) {
@@ -108,6 +96,34 @@ void add_missed(const Scene& scene, const OrbitFile& kept, Deadline deadline, Or
                scene.problem.name, orbit.fingerprint, orbit.order);
     now.orbits.push_back(std::move(*again));
   }
+  sort_orbits(now.orbits);
+}
+
+/// The orbits that are kept of this very scene, if any.
+std::optional<OrbitFile> kept_orbits(const Scene& scene, const fs::path& file) {
+  if (!fs::exists(file)) return std::nullopt;
+  OrbitFile kept = parse_orbit_file(read_file(file), file.string());
+  if (kept.scene_sha256 != scene.sha256) return std::nullopt;
+  return kept;
+}
+
+/// Writes the orbits of a scene. Periods are searched as far as before where nobody says how far, and an
+/// orbit that was kept stays if it can be certified again. \return the number of differences: 1 if the search
+/// was not completed
+std::size_t update_scene(const VerifyArguments& arguments, const fs::path& file, const Scene& scene) {
+  const std::optional<OrbitFile> kept = kept_orbits(scene, file);
+  OrbitSearchOptions options = arguments.options;
+  const int before = kept ? kept->options.subharmonics : 1;
+  options.subharmonics =
+      arguments.subharmonics.value_or(std::max(before, default_subharmonics(scene.problem)));
+  auto found = search(scene, options);
+  if (!found) return 1;
+  if (kept) add_missed(scene, *kept, deadline_after(options.timeout), *found);
+  const std::string text = print_orbit_file(*found);
+  const bool same = fs::exists(file) && read_file(file) == text;
+  if (!same) write_whole(file, text);
+  fmt::print("{}: {} orbits {}\n", scene.problem.name, found->orbits.size(), same ? "unchanged" : "written");
+  return 0;
 }
 
 /// Prints how the orbits of a scene differ from the kept ones. \return the number of differences

@@ -164,6 +164,8 @@ void run_units(const std::vector<CandidateUnit>& units, Deadline deadline, Orbit
   }
 }
 
+}  // namespace
+
 void sort_orbits(std::vector<FoundOrbit>& orbits) {
   const auto rank = [](const FoundOrbit& orbit) {
     return std::tuple(orbit.order, !orbit.certified.stable.value_or(false), -orbit.amplitude);
@@ -171,8 +173,6 @@ void sort_orbits(std::vector<FoundOrbit>& orbits) {
   std::stable_sort(orbits.begin(), orbits.end(),
                    [&](const FoundOrbit& a, const FoundOrbit& b) { return rank(a) < rank(b); });
 }
-
-}  // namespace
 
 int default_subharmonics(const Problem& problem) {
   return std::max(OrbitSearchOptions{}.subharmonics, problem.subharmonic);

@@ -64,6 +64,9 @@ using SearchProgress = std::function<void(int order)>;
 SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& options,
                             const OrbitPolisher& polish = {}, const SearchProgress& progress = {});
 
+/// Orders orbits as a search returns them: by order, stable ones first, then by falling amplitude.
+void sort_orbits(std::vector<FoundOrbit>& orbits);
+
 /// Polishes and certifies an orbit anew from nothing but its events as they were kept. Empty if they lead to
 /// no certified orbit before the deadline, as where a contact is pressed for ever, which is no event. \param
 /// confirmed  orbits that CVODE need not follow again, see OrbitPolisher

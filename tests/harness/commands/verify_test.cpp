@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "harness/files.hpp"
 #include "tests/harness/fake_method.hpp"
@@ -41,6 +42,26 @@ TEST(Verify, PassesWhatIsUnchangedAndKeepsNothingOfTheMachine) {
   const Outcome outcome = verify(folder);
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
   EXPECT_NE(outcome.out.find("1 scenes, 0 differences"), std::string::npos) << outcome.out;
+}
+
+// A search of less than before misses orbits that are still there.
+TEST(Verify, UpdateForgetsNoOrbitThatIsStillCertified) {
+  const auto folder = kept_orbits("verify-less");
+  const auto file = folder / "sdof-subharmonic.json";
+  const auto names = [&] {
+    std::vector<std::string> found;
+    for (const Json& orbit : Json::parse(read_file(file))["orbits"]) found.push_back(orbit["orbit"]);
+    return found;
+  };
+  const std::vector<std::string> before = names();
+  ASSERT_GT(before.size(), 1U);
+  const std::string less = "verify --update --scenes sdof-subharmonic --starts 0 " + folder.string();
+  EXPECT_EQ(run(less).code, 0);
+  EXPECT_EQ(Json::parse(read_file(file))["search"]["subharmonics"], 3);
+  const Outcome least = run(less + " --subharmonics 1");
+  EXPECT_EQ(least.code, 0) << least.out;
+  EXPECT_NE(least.out.find("certified again from its events"), std::string::npos) << least.out;
+  EXPECT_EQ(names(), before);
 }
 
 TEST(Verify, FindsTamperedOrbits) {
