@@ -10,6 +10,7 @@
 #include "harness/interrupt.hpp"
 #include "harness/progress.hpp"
 #include "harness/records/json_fields.hpp"
+#include "harness/sweep/branch_response.hpp"
 #include "harness/sweep/frequency_response.hpp"
 
 namespace signorini {
@@ -17,10 +18,12 @@ namespace signorini {
 namespace {
 
 struct SweepArguments {
-  std::string scene, method;
+  std::string scene, method, methods;
   std::vector<std::string> settings;
   SweepRange range;
   SweepLimits limits;
+  BranchLimits branches;
+  bool natural = false;
   std::string format = "md";
 };
 
@@ -35,44 +38,121 @@ void print(const SweepArguments& arguments, const std::vector<SweepPoint>& point
   fmt::print("{}", arguments.format == "csv" ? to_csv(table) : to_markdown(table));
 }
 
-int sweep(const SweepArguments& arguments) {
-  const Scene scene = read_scene(find_scene(arguments.scene));
-  const MethodChoice method{&find_method(arguments.method), parse_settings(arguments.settings)};
-  const std::size_t ways = arguments.range.back ? 2 : 1;
+// Points of one method, each solved from the one before.
+std::vector<SweepPoint> steps(const SweepArguments& arguments, const Scene& scene,
+                              const MethodChoice& method) {
   (void)make_case(scene, 0, method);  // a bad option is told before anything else
   if (method.start()) throw UsageError("set = start (must be left out: each solve starts from the last)");
-  const std::size_t points = sweep_frequencies(arguments.range).size() * ways;
+  const std::size_t points = sweep_frequencies(arguments.range).size() * (arguments.range.back ? 2 : 1);
+  Progress progress(points);
+  progress.begin(scene.problem.name);
+  auto found =
+      frequency_response(scene, method, arguments.range, arguments.limits, [&](const SweepPoint& point) {
+        progress.advance();
+        progress.begin(fmt::format("{:.6g} rad/s", point.frequency));
+      });
+  if (interrupted()) fmt::print(stderr, "interrupted after {} of {} points\n", found.size(), points);
+  return found;
+}
+
+bool all_converged(const std::vector<SweepPoint>& points) {
+  return std::all_of(points.begin(), points.end(),
+                     [](const SweepPoint& point) { return point.status == Status::converged; });
+}
+
+int sweep_steps(const SweepArguments& arguments) {
+  const Scene scene = read_scene(find_scene(arguments.scene));
+  const MethodChoice method{&find_method(arguments.method), parse_settings(arguments.settings)};
   watch_interrupts();
-  std::vector<SweepPoint> found;
-  {
-    Progress progress(points);
-    progress.begin(scene.problem.name);
-    found =
-        frequency_response(scene, method, arguments.range, arguments.limits, [&](const SweepPoint& point) {
-          progress.advance();
-          progress.begin(fmt::format("{:.6g} rad/s", point.frequency));
-        });
-  }
+  const std::vector<SweepPoint> found = steps(arguments, scene, method);
   print(arguments, found);
-  if (interrupted()) {
-    fmt::print(stderr, "interrupted after {} of {} points\n", found.size(), points);
-    return kInterrupted;
+  if (interrupted()) return kInterrupted;
+  return all_converged(found) ? kDone : kUnexpectedFailure;
+}
+
+std::vector<std::string> split_names(const std::string& names) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end = names.find(':'); end != std::string::npos; end = names.find(':', begin)) {
+    parts.push_back(names.substr(begin, end - begin));
+    begin = end + 1;
   }
-  const bool all = std::all_of(found.begin(), found.end(),
-                               [](const SweepPoint& point) { return point.status == Status::converged; });
+  parts.push_back(names.substr(begin));
+  return parts;
+}
+
+// Branches of several methods, those of exact orbits by arc length.
+int sweep_branches(const SweepArguments& arguments) {
+  const Scene scene = read_scene(find_scene(arguments.scene));
+  std::vector<MethodChoice> methods;
+  for (const std::string& name : split_names(arguments.methods))
+    methods.push_back({&find_method(name), parse_settings(arguments.settings)});
+  watch_interrupts();
+  std::vector<MethodResponse> responses;
+  bool all = true;
+  for (const MethodChoice& method : methods) {
+    MethodResponse response{.method = method.label(), .order = scene.problem.subharmonic};
+    if (method.entry->name == kFollowedByArcLength && !arguments.natural) {
+      response.diagram = exact_branches(scene.problem, arguments.range, arguments.branches);
+      all = all && !response.diagram.branches.empty();
+    } else {
+      response.steps = steps(arguments, scene, method);
+      all = all && all_converged(response.steps);
+    }
+    responses.push_back(std::move(response));
+    if (interrupted()) break;
+  }
+  if (arguments.format == "json") {
+    fmt::print("{}\n", json_line(to_json(responses)));
+  } else {
+    const Table table = branch_table(responses);
+    fmt::print("{}", arguments.format == "csv" ? to_csv(table) : to_markdown(table));
+    for (const MethodResponse& response : responses) {
+      for (const std::string& note : response.diagram.notes) fmt::print(stderr, "{}\n", note);
+      if (!response.diagram.unfinished.empty()) fmt::print(stderr, "{}\n", response.diagram.unfinished);
+    }
+  }
+  if (interrupted()) return kInterrupted;
   return all ? kDone : kUnexpectedFailure;
+}
+
+int sweep(const SweepArguments& arguments) {
+  if (arguments.method.empty() == arguments.methods.empty())
+    throw UsageError("one of --method and --methods is required");
+  return arguments.methods.empty() ? sweep_steps(arguments) : sweep_branches(arguments);
 }
 
 }  // namespace
 
 void add_sweep_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("sweep",
-                                     "Frequency response: one method on one scene at one frequency after "
-                                     "another, each solve from the answer before. "
-                                     "Exit code 1 if one did not converge.");
+  auto* command =
+      app.add_subcommand("sweep",
+                         "Frequency response: one method on one scene at one frequency after "
+                         "another, each solve from the answer before; or the branches of several "
+                         "methods, those of exact-orbit by arc length through folds and grazings. "
+                         "Exit code 1 if a solve did not converge, or no branch was found.");
   const auto arguments = std::make_shared<SweepArguments>();
   command->add_option("scene", arguments->scene, "a scene of the catalogue, or a scene file")->required();
-  command->add_option("--method", arguments->method, "method name; see `signorini list methods`")->required();
+  command->add_option("--method", arguments->method, "method name; see `signorini list methods`");
+  command->add_option("--methods", arguments->methods,
+                      "A:B: branches of several methods, exact-orbit by arc length, others by steps");
+  command->add_flag("--natural", arguments->natural, "with --methods: steps for exact-orbit too");
+  command
+      ->add_option("--orders", arguments->branches.max_order,
+                   "by arc length: longest period [forcing periods]")
+      ->check(CLI::Range(1, 12))
+      ->capture_default_str();
+  command->add_option("--max-branches", arguments->branches.max_branches, "by arc length: branches in all")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command->add_option("--max-points", arguments->branches.max_points, "by arc length: points of a branch")
+      ->check(CLI::Range(2, 1000000))
+      ->capture_default_str();
+  command
+      ->add_option("--total-time", arguments->branches.timeout,
+                   "by arc length: wall time of all branches [s]")
+      ->check(positive_seconds)
+      ->capture_default_str();
   command->add_option("--set", arguments->settings, "key=value: an option of the method; may be repeated")
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE");

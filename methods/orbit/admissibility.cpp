@@ -4,87 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "methods/orbit/arc_scan.hpp"
 #include "methods/orbit/exact_orbit.hpp"
 
 namespace signorini {
 
 namespace {
 
-// A quantity that must not be positive along an arc.
-struct Limited {
-  const LinearArc& arc;
-  int contact;
-  bool of_force;
-  double offset, unit;
-
-  [[nodiscard]] double value(double t, int order) const {
-    const double raw = of_force ? arc.force(contact, t, order) : arc.displacement(contact, t, order);
-    return (raw - (order == 0 ? offset : 0.0)) / unit;
-  }
-};
-
-// A limited quantity at one instant.
-struct LimitedSample {
-  double time = 0.0, value = 0.0, rate = 0.0, curvature = 0.0;
-};
-
-LimitedSample sample(const Limited& f, double t) {
-  return {.time = t, .value = f.value(t, 0), .rate = f.value(t, 1), .curvature = f.value(t, 2)};
-}
-
-// Local maximum between two instants where the rate falls through zero.
-double polished_peak(const Limited& f, double low, double high) {
-  // Newton's method on the rate, in a bracket that shrinks with every iterate and is halved where a step
-  // leaves it.
-  double t = 0.5 * (low + high);
-  for (int k = 0; k < 30; ++k) {
-    const double rate = f.value(t, 1), curvature = f.value(t, 2);
-    (rate > 0.0 ? low : high) = t;
-    double next = t - rate / curvature;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (std::abs(next - t) <= 1e-14 * std::abs(t)) break;
-    t = next;
-  }
-  return t;
-}
-
-// Extremum of the rate between two samples on either side of it.
-LimitedSample steepest(const Limited& f, double low, double high) {
-  constexpr int kBisections = 40;
-  const bool falls = f.value(low, 2) < 0.0;
-  for (int k = 0; k < kBisections; ++k) {
-    const double middle = 0.5 * (low + high);
-    ((f.value(middle, 2) < 0.0) == falls ? low : high) = middle;
-  }
-  return sample(f, 0.5 * (low + high));
-}
-
 // The largest value from `begin` to `end`, and when.
-LimitedSample largest(const Limited& f, double begin, double end, const std::vector<FadingRate>& terms) {
-  constexpr double kAngle = kTwoPi / 16.0;  // a step, in terms of the fastest rate left
-  LimitedSample before = sample(f, begin), peak = before;
-  const auto rise = [&](const LimitedSample& a, const LimitedSample& b) {
-    if (!(a.rate > 0.0 && b.rate < 0.0)) return;
-    const double top = polished_peak(f, a.time, b.time);
-    if (const double there = f.value(top, 0); there > peak.value) peak = {.time = top, .value = there};
-  };
-  for (double t = begin; t < end;) {
-    const double next = t + std::min(kAngle / fastest_left(terms, t), 0.5 * (end - begin));
-    t = next > t ? std::min(end, next) : end;  // an arc as short as rounding has no middle
-    const LimitedSample here = sample(f, t);
-    if (here.value > peak.value) peak = here;
-    if (before.rate > 0.0 && here.rate < 0.0) {
-      rise(before, here);
-    } else if (before.curvature * here.curvature < 0.0) {
-      // The rate turns in between: a bump too short for its signs at the samples, as after an impact at e =
-      // 0.
-      const LimitedSample turn = steepest(f, before.time, t);
-      rise(before, turn);
-      rise(turn, here);
-    }
-    before = here;
-  }
-  return peak;
+LimitedSample largest(const LimitedOutput& f, double begin, double end,
+                      const std::vector<FadingRate>& terms) {
+  const std::vector<LimitedSample> samples = scan(f, begin, end, terms);
+  return *std::max_element(samples.begin(), samples.end(),
+                           [](const LimitedSample& a, const LimitedSample& b) { return a.value < b.value; });
 }
 
 // An orbit under examination.
@@ -105,11 +37,11 @@ struct Check {
     const std::vector<FadingRate> terms = arc.fading_rates(kUnseen * kAdmissible);
     for (int j = 0; j < dynamics.contact_count(); ++j) {
       const bool closed = arc.mode().closed(j);
-      const Limited f{.arc = arc,
-                      .contact = j,
-                      .of_force = closed,
-                      .offset = closed ? 0.0 : dynamics.structure().gaps[j],
-                      .unit = closed ? dynamics.force_scale(j) : dynamics.scales().displacement};
+      const LimitedOutput f{.arc = arc,
+                            .contact = j,
+                            .of_force = closed,
+                            .offset = closed ? 0.0 : dynamics.structure().gaps[j],
+                            .unit = closed ? dynamics.force_scale(j) : dynamics.scales().displacement};
       const LimitedSample peak = largest(f, begin, end, terms);
       result.violation = std::max(result.violation, peak.value);
       if (peak.value <= kAdmissible) continue;

@@ -1,0 +1,176 @@
+#include "harness/sweep/branch_response.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "harness/failure.hpp"
+#include "methods/orbit/exact_trajectory.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+// The answer of exact-orbit at a frequency, if there is one.
+std::optional<SequencedOrbit> found_orbit(const OrbitFamily& family, double frequency,
+                                          Clock::time_point deadline) {
+  const Problem problem = family.scene().at(frequency);
+  const auto method = find_method(kFollowedByArcLength).make({});
+  if (!method->supports(problem).ok) return std::nullopt;
+  const Solution solution = method->prepare(problem)->solve({.guess = {}, .deadline = deadline});
+  const auto orbit = std::dynamic_pointer_cast<const ExactTrajectory>(solution.trajectory);
+  if (solution.verdict != Verdict::converged || !orbit) return std::nullopt;
+  return sequenced(family, orbit->orbit(), orbit->period(), frequency, frequency);
+}
+
+Json to_json(const Eigen::VectorXcd& multipliers) {
+  Json list = Json::array();
+  for (const auto& mu : multipliers) list.push_back({mu.real(), mu.imag()});
+  return list;
+}
+
+Json to_json(const BranchPoint& point) {
+  const bool told = point.stability == OrbitStability::stable || point.stability == OrbitStability::unstable;
+  return {{"omega", point.parameter},
+          {"order", point.order},
+          {"amplitude", point.amplitude},
+          {"x_max", point.x_max},
+          {"impacts", point.impacts},
+          {"stable", told ? Json(point.stability == OrbitStability::stable) : Json()},
+          {"stability", describe(point.stability)},
+          {"multipliers", to_json(point.multipliers)}};
+}
+
+Json to_json(const SpecialPoint& special) {
+  Json json{{"kind", describe(special.kind)},
+            {"omega", special.point.parameter},
+            {"order", special.point.order},
+            {"after", special.after},
+            {"multipliers", to_json(special.point.multipliers)}};
+  if (!special.text.empty()) json["text"] = special.text;
+  return json;
+}
+
+Json to_json(const Branch& branch, const std::string& method) {
+  Json points = Json::array(), special = Json::array();
+  for (const BranchPoint& point : branch.points) points.push_back(to_json(point));
+  for (const SpecialPoint& at : branch.special) special.push_back(to_json(at));
+  return {{"method", method},   {"sequence", branch.sequence}, {"points", points},
+          {"special", special}, {"began", branch.began},       {"ended", branch.ended}};
+}
+
+Json steps_json(const MethodResponse& response) {
+  Json points = Json::array();
+  for (const SweepPoint& step : response.steps) {
+    points.push_back({{"omega", step.frequency},
+                      {"order", response.order},
+                      {"amplitude", step.amplitude},
+                      {"x_max", step.x_max},
+                      {"status", status_name(step.status)},
+                      {"stable", step.stable ? Json(*step.stable) : Json()}});
+  }
+  return {{"method", response.method},
+          {"points", points},
+          {"special", Json::array()},
+          {"began", "first frequency"},
+          {"ended", "last frequency"}};
+}
+
+Cell number_of(double value) { return {fmt::format("{:.10g}", value), value}; }
+
+Cell largest_cell(const std::vector<double>& values) {
+  if (values.empty()) return "-";
+  return number_of(*std::max_element(values.begin(), values.end()));
+}
+
+std::vector<Cell> row_of(const std::string& method, std::size_t branch, const BranchPoint& point,
+                         const std::string& mark) {
+  return {method,
+          number_of(static_cast<double>(branch)),
+          number_of(point.parameter),
+          number_of(point.order),
+          number_of(point.impacts),
+          largest_cell(point.x_max),
+          largest_cell(point.amplitude),
+          describe(point.stability),
+          mark};
+}
+
+void add_rows(Table& table, const std::string& method, std::size_t number_of_branch, const Branch& branch) {
+  auto special = branch.special.begin();
+  for (std::size_t i = 0; i <= branch.points.size(); ++i) {
+    for (; special != branch.special.end() && special->after == i; ++special)
+      table.rows.push_back(row_of(method, number_of_branch, special->point, describe(special->kind)));
+    if (i == branch.points.size()) break;
+    const bool first = i == 0, last = i + 1 == branch.points.size();
+    table.rows.push_back(row_of(method, number_of_branch, branch.points[i],
+                                first  ? "begins: " + branch.began
+                                : last ? "ends: " + branch.ended
+                                       : ""));
+  }
+}
+
+}  // namespace
+
+BranchDiagram exact_branches(const Problem& problem, const SweepRange& range, const BranchLimits& limits) {
+  (void)sweep_frequencies(range);  // refuses a range that is none
+  if (const std::string obstacle = continuation_obstacle(problem); !obstacle.empty())
+    throw UsageError(fmt::format("methods = {} (must be followed with --natural here: {})",
+                                 kFollowedByArcLength, obstacle));
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                           std::chrono::duration<double>(limits.timeout));
+  OrbitFamily family(over_frequency(problem, range.from, range.to));
+  std::vector<SequencedOrbit> seeds;
+  for (const double frequency : {range.from, range.to}) {
+    if (auto free = contact_free_orbit(family, frequency)) seeds.push_back(std::move(*free));
+  }
+  for (const double frequency : {range.from, range.to}) {
+    if (auto found = found_orbit(family, frequency, deadline)) seeds.push_back(std::move(*found));
+  }
+  return trace_diagram(
+      family, seeds,
+      {.curve = {.max_points = limits.max_points, .expired = [deadline] { return Clock::now() > deadline; }},
+       .max_order = limits.max_order,
+       .max_branches = limits.max_branches});
+}
+
+Json to_json(const std::vector<MethodResponse>& responses) {
+  Json branches = Json::array(), notes = Json::array();
+  std::string unfinished;
+  for (const MethodResponse& response : responses) {
+    for (const Branch& branch : response.diagram.branches)
+      branches.push_back(to_json(branch, response.method));
+    for (const std::string& note : response.diagram.notes) notes.push_back(note);
+    if (!response.steps.empty()) branches.push_back(steps_json(response));
+    if (unfinished.empty()) unfinished = response.diagram.unfinished;
+  }
+  return {{"branches", branches}, {"unfinished", unfinished}, {"notes", notes}};
+}
+
+Table branch_table(const std::vector<MethodResponse>& responses) {
+  Table table;
+  table.header = {"method",    "branch",        "omega [rad/s]", "order", "impacts",
+                  "x max [m]", "amplitude [m]", "stability",     "mark"};
+  for (const MethodResponse& response : responses) {
+    for (std::size_t i = 0; i < response.diagram.branches.size(); ++i)
+      add_rows(table, response.method, i, response.diagram.branches[i]);
+    for (const SweepPoint& step : response.steps) {
+      table.rows.push_back({response.method, number_of(0), number_of(step.frequency),
+                            number_of(response.order), "-", largest_cell(step.x_max),
+                            largest_cell(step.amplitude),
+                            !step.stable   ? "-"
+                            : *step.stable ? "stable"
+                                           : "unstable",
+                            std::string(status_name(step.status))});
+    }
+  }
+  return table;
+}
+
+}  // namespace signorini

@@ -1,0 +1,50 @@
+#pragma once
+// Branches of a frequency response: of exact orbits by arc length, of other methods by steps of the
+// frequency.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "harness/sweep/frequency_response.hpp"
+#include "harness/table.hpp"
+#include "methods/orbit/continuation/diagram.hpp"
+
+namespace signorini {
+
+/// The name of the method whose branches are followed by arc length.
+inline constexpr std::string_view kFollowedByArcLength = "exact-orbit";
+
+/// Limits of a diagram of exact orbits.
+struct BranchLimits {
+  int max_order = 2;      ///< forcing periods per period of an orbit
+  int max_branches = 60;  ///< in all
+  int max_points = 2000;  ///< of one branch
+  double timeout = 60.0;  ///< wall time of all [s]
+};
+
+/// Every branch of exact orbits that hangs together with the contact-free motions and the answers of
+/// exact-orbit at both ends of a range of frequencies (`trace_diagram`). \throws UsageError where
+/// continuation_obstacle names a reason
+BranchDiagram exact_branches(const Problem& problem, const SweepRange& range, const BranchLimits& limits);
+
+/// What one method makes of a response: its branches, or the points of its steps.
+struct MethodResponse {
+  std::string method;                  ///< label of the choice
+  BranchDiagram diagram = {};          ///< of exact-orbit by arc length
+  std::vector<SweepPoint> steps = {};  ///< of any other, or with natural steps
+  int order = 1;                       ///< of the motions that the steps look for
+};
+
+/// {"branches": [{"method", "sequence", "points": [{"omega", "order", "amplitude", "x_max", "impacts",
+/// "stable", "stability", "multipliers"}], "special": [{"kind", "omega", "order", "after", "multipliers",
+/// "text"}], "began", "ended"}], "unfinished", "notes"}. amplitude and x_max have an entry per contact;
+/// `stable` is null where the multipliers do not tell: on the circle, or undefined at a grazing; a multiplier
+/// is [re, im]; `after` counts the points of the branch before a special one. Points of natural steps have
+/// their status instead of impacts and multipliers.
+nlohmann::ordered_json to_json(const std::vector<MethodResponse>& responses);
+
+/// One row per point and special point, in the order of the branches.
+Table branch_table(const std::vector<MethodResponse>& responses);
+
+}  // namespace signorini

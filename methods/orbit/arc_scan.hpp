@@ -1,0 +1,40 @@
+#pragma once
+// A contact displacement or force along an arc: samples close enough to miss no local maximum, and the
+// maxima.
+
+#include <vector>
+
+#include "methods/linear_flow/linear_flow.hpp"
+
+namespace signorini {
+
+/// (x_j - offset) / unit, or (lambda_j - offset) / unit, along an arc; a negative unit turns minima into
+/// maxima.
+struct LimitedOutput {
+  const LinearArc& arc;  ///< kept by the caller
+  int contact;           ///< j
+  bool of_force;         ///< lambda_j, else x_j
+  double offset, unit;   ///< [m] or [N]
+
+  /// order-th time derivative.
+  [[nodiscard]] double value(double t, int order) const {
+    const double raw = of_force ? arc.force(contact, t, order) : arc.displacement(contact, t, order);
+    return (raw - (order == 0 ? offset : 0.0)) / unit;
+  }
+};
+
+/// A limited output at one instant.
+struct LimitedSample {
+  double time = 0.0, value = 0.0, rate = 0.0, curvature = 0.0;
+  bool maximum = false;  ///< a local maximum inside the arc; rate and curvature are left 0
+};
+
+/// Samples from `begin` to `end` at a sixteenth of the fastest period still alive, both ends included, each
+/// followed by the local maxima before it: polished by Newton's method where the rate changes sign, found by
+/// where the rate turns where it is positive only between two samples.
+///
+/// \param terms  LinearArc::fading_rates of the arc
+std::vector<LimitedSample> scan(const LimitedOutput& f, double begin, double end,
+                                const std::vector<FadingRate>& terms);
+
+}  // namespace signorini

@@ -1,0 +1,96 @@
+#include "methods/orbit/continuation/bifurcations.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace signorini {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+// det A over the product of the norms of its rows.
+double relative_determinant(const Eigen::MatrixXd& A) {
+  return (A.rowwise().norm().cwiseInverse().asDiagonal() * A).partialPivLu().determinant();
+}
+
+// Re prod (mu_i mu_j - 1), i < j, by sign and mean magnitude; the product is real.
+double pair_product(const Eigen::VectorXcd& mu) {
+  double logarithm = 0.0, angle = 0.0;
+  Eigen::Index pairs = 0;
+  for (Eigen::Index i = 0; i < mu.size(); ++i) {
+    for (Eigen::Index j = i + 1; j < mu.size(); ++j, ++pairs) {
+      const Complex factor = mu[i] * mu[j] - 1.0;
+      if (factor == 0.0) return 0.0;
+      logarithm += std::log(std::abs(factor));
+      angle += std::arg(factor);
+    }
+  }
+  return (std::cos(angle) < 0.0 ? -1.0 : 1.0) * std::exp(logarithm / static_cast<double>(pairs));
+}
+
+}  // namespace
+
+bool loses_nothing(const ExtendedEquations& equations) {
+  const FlowStructure& structure = equations.model().dynamics.structure();
+  if (structure.damping.nonZeros() > 0 && structure.damping.norm() > 0.0) return false;
+  return std::all_of(equations.orbit().events.begin(), equations.orbit().events.end(),
+                     [](const SequenceEvent& event) {
+                       return std::all_of(event.restitution.begin(), event.restitution.end(),
+                                          [](double e) { return e == 1.0; });
+                     });
+}
+
+BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::VectorXd& tangent) {
+  const Eigen::Index n = equations.size(), states = equations.orbit().states();
+  BifurcationTests tests;
+  const auto set = [&](SpecialKind kind, double value) {
+    tests.values[static_cast<std::size_t>(kind)] = value;
+  };
+  set(SpecialKind::fold, tangent[n]);
+  Eigen::MatrixXd bordered(n + 1, n + 1);
+  bordered.topRows(n) = equations.jacobian();
+  bordered.row(n) = tangent.transpose();
+  set(SpecialKind::branch_point, relative_determinant(bordered));
+  Eigen::MatrixXd doubled = equations.jacobian().leftCols(n);
+  doubled.topLeftCorner(states, states).diagonal().array() += 2.0;  // from y(2 pi n) - y_0 to y(2 pi n) + y_0
+  set(SpecialKind::period_doubling, relative_determinant(doubled));
+  const Eigen::MatrixXd M = equations.monodromy();
+  if (M.size() == 0 || !M.allFinite()) return tests;
+  tests.multipliers = M.eigenvalues();
+  if (states > 2 && !loses_nothing(equations))
+    set(SpecialKind::neimark_sacker, pair_product(tests.multipliers));
+  return tests;
+}
+
+bool confirmed(SpecialKind kind, const Eigen::VectorXcd& multipliers) {
+  constexpr double kDoubling = 1e-4;  // a double -1 of a motion without loss is known to the root of rounding
+  constexpr double kOnCircle = 1e-5, kComplex = 1e-6;
+  const auto any = [&](auto&& test) { return std::any_of(multipliers.begin(), multipliers.end(), test); };
+  if (kind == SpecialKind::period_doubling)
+    return any([](const Complex& mu) { return std::abs(mu + 1.0) < kDoubling; });
+  if (kind == SpecialKind::neimark_sacker) {
+    return any([](const Complex& mu) {
+      return std::abs(std::abs(mu) - 1.0) < kOnCircle && std::abs(mu.imag()) > kComplex;
+    });
+  }
+  return true;
+}
+
+OrbitStability stability_of(const ExtendedEquations& equations, const Eigen::VectorXcd& multipliers) {
+  constexpr double kDecided = 1e-9, kOnCircle = 1e-8, kGrazing = 1e-9;
+  for (const auto& crossing : equations.equations().crossings()) {
+    if (std::abs(crossing.approach) < kGrazing * equations.family().units().velocity &&
+        equations.model().dynamics.rigid())
+      return OrbitStability::undefined;
+  }
+  if (multipliers.size() == 0) return OrbitStability::undefined;
+  const double largest = multipliers.cwiseAbs().maxCoeff();
+  if (loses_nothing(equations))
+    return largest > 1.0 + kOnCircle ? OrbitStability::unstable : OrbitStability::elliptic;
+  return largest < 1.0 - kDecided ? OrbitStability::stable : OrbitStability::unstable;
+}
+
+}  // namespace signorini

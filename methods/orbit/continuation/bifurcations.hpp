@@ -1,0 +1,48 @@
+#pragma once
+// Test functions of the smooth bifurcations, and the stability of an orbit.
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+
+#include "methods/orbit/continuation/branch.hpp"
+#include "methods/orbit/continuation/extended_equations.hpp"
+
+namespace signorini {
+
+/// Each changes its sign at its bifurcation, none has a pole at a grazing:
+///
+/// - fold: the last component of the tangent;
+/// - branch point: det [R_x; tangent^T];
+/// - period doubling: det J_-1, J_mu the Jacobian with the closure y(2 pi n) - mu y_0, that is the product of
+/// the
+///   approach speeds times det(M - mu);
+/// - Neimark-Sacker: the product of mu_i mu_j - 1 over all pairs. Identically zero where no energy is lost,
+/// and
+///   absent there, as for a single coordinate, which has no such point.
+///
+/// Determinants are divided by the norms of their rows.
+struct BifurcationTests {
+  std::array<std::optional<double>, 4> values = {};  ///< in the order of SpecialKind
+  Eigen::VectorXcd multipliers = {};                 ///< 2 Nd; empty at a grazing
+
+  [[nodiscard]] const std::optional<double>& of(SpecialKind kind) const {
+    return values[static_cast<std::size_t>(kind)];
+  }
+};
+
+/// Those of the orbit at which the equations are evaluated, `tangent` that of its curve.
+BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::VectorXd& tangent);
+
+/// Whether the multipliers at a zero of a test function are those of its bifurcation: -1, or a pair on the
+/// circle. A product of real multipliers can be 1 without any.
+bool confirmed(SpecialKind kind, const Eigen::VectorXcd& multipliers);
+
+/// By the largest magnitude, to 1e-9; where neither dampers nor impacts take energy by 1e-8 on either side.
+OrbitStability stability_of(const ExtendedEquations& equations, const Eigen::VectorXcd& multipliers);
+
+/// det M = prod e_i^2 exp(-T tr M^-1 D) is 1: a motion that loses nothing has its multipliers in pairs mu, 1
+/// / mu.
+bool loses_nothing(const ExtendedEquations& equations);
+
+}  // namespace signorini

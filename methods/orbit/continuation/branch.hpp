@@ -1,0 +1,72 @@
+#pragma once
+// What continuation finds: branches of orbits with their special points.
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "methods/orbit/orbit_equations.hpp"
+
+namespace signorini {
+
+/// What the multipliers say of an orbit.
+enum class OrbitStability {
+  stable,     ///< all inside the circle
+  unstable,   ///< one outside
+  elliptic,   ///< of a motion without loss: all on the circle, to 1e-8
+  undefined,  ///< an impact grazes
+};
+
+/// "stable", "unstable", "elliptic", "undefined".
+inline std::string describe(OrbitStability stability) {
+  constexpr const char* kWords[] = {"stable", "unstable", "elliptic", "undefined"};
+  return kWords[static_cast<std::size_t>(stability)];
+}
+
+/// One orbit of a branch.
+struct BranchPoint {
+  double parameter = 0.0;              ///< p
+  int order = 1;                       ///< forcing periods per period [-]
+  OrbitGuess orbit;                    ///< state at a section, and the events
+  std::vector<double> x_max = {};      ///< largest x_j over the period, exact, Nc [m]
+  std::vector<double> amplitude = {};  ///< half of largest less least x_j, exact, Nc [m]
+  int impacts = 0;                     ///< in a period
+  OrbitStability stability = OrbitStability::undefined;
+  Eigen::VectorXcd multipliers = {};  ///< Floquet, 2 Nd; empty where undefined
+};
+
+/// A point at which a branch turns, changes its stability or its sequence of events, or meets another one.
+enum class SpecialKind { fold, period_doubling, neimark_sacker, branch_point, grazing, contact_change };
+
+/// "fold", "period-doubling", "neimark-sacker", "branch-point", "grazing", "contact-change".
+inline std::string describe(SpecialKind kind) {
+  constexpr const char* kWords[] = {"fold",         "period-doubling", "neimark-sacker",
+                                    "branch-point", "grazing",         "contact-change"};
+  return kWords[static_cast<std::size_t>(kind)];
+}
+
+/// One of them, located.
+struct SpecialPoint {
+  SpecialKind kind = SpecialKind::fold;
+  BranchPoint point;      ///< the orbit there
+  std::string text = {};  ///< of a change of the sequence: what happens; else empty
+  std::size_t after = 0;  ///< points of the branch before it
+};
+
+/// Orbits of one sequence of events, neighbours next to each other.
+struct Branch {
+  std::string sequence = {};               ///< "order 2, events I0"
+  std::string began = {}, ended = {};      ///< why there, one clause each
+  std::vector<BranchPoint> points = {};    ///< at least two
+  std::vector<SpecialPoint> special = {};  ///< in the order of the branch
+};
+
+/// Branches that belong together, and whether that is all.
+struct BranchDiagram {
+  std::vector<Branch> branches = {};
+  std::string unfinished = {};          ///< what a limit has left undone; empty where nothing
+  std::vector<std::string> notes = {};  ///< what was found and not followed, each with its reason
+};
+
+}  // namespace signorini

@@ -1,0 +1,224 @@
+#include "methods/orbit/continuation/curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "methods/orbit/continuation/orbit_section.hpp"
+#include "methods/orbit/continuation/station.hpp"
+
+namespace signorini {
+
+namespace {
+
+class Tracer {
+ public:
+  Tracer(OrbitFamily& family, const CurveStart& start, const CurveOptions& options)
+      : family_(family),
+        options_(options),
+        start_(start),
+        equations_(std::make_unique<ExtendedEquations>(family, start.orbit)),
+        step_(options.first_step) {}
+
+  TracedCurve run() {
+    result_.branch.sequence = describe_sequence(start_.orbit);
+    result_.branch.began = start_.origin;
+    if (!equations_->evaluate(start_.orbit.x)) {
+      result_.rejected = "the flow is not finite";
+      return std::move(result_);
+    }
+    here_ = station_at(*equations_, start_.tangent.normalized());
+    if (start_.leaves_repetition) here_.tests.values = {};  // the branch point at the start is known
+    half_way_ =
+        start_.leaves_repetition ? Eigen::VectorXd::Zero(start_.orbit.states()) : half_way(*equations_);
+    append();
+    while (!done_) advance();
+    result_.last = equations_->orbit();
+    if (result_.branch.points.size() < 2 && result_.rejected.empty()) result_.rejected = result_.branch.ended;
+    return std::move(result_);
+  }
+
+ private:
+  void append() { result_.branch.points.push_back(branch_point(*equations_, here_)); }
+  void add(SpecialPoint special) {
+    special.after = result_.branch.points.size();
+    result_.branch.special.push_back(std::move(special));
+  }
+  void finish(std::string reason) {
+    result_.branch.ended = std::move(reason);
+    done_ = true;
+  }
+
+  // One attempt at a step: taken, or shortened.
+  void advance() {
+    constexpr double kTurned = 0.35, kShort = 1e-4;  // rad; a step at which every turn is taken
+    if (options_.expired && options_.expired()) return finish("the time is up");
+    if (step_ < options_.smallest_step) return finish("the corrector fails");
+    const auto iterations = correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent);
+    if (!iterations) return shorten(0.4);
+    if (clearance_of_section(equations_->orbit()) <= 0.0) return shorten(0.5);
+    const bool beyond = !family_.scene().contains(equations_->parameter());
+    if (beyond && !return_to_bound()) return finish(std::string(kEndOfInterval));
+    const auto tangent = tangent_of(*equations_, here_.tangent);
+    if (!tangent || (tangent->dot(here_.tangent) < std::cos(kTurned) && step_ > kShort)) return shorten(0.5);
+    Station next = station_at(*equations_, *tangent);
+    if (result_.branch.points.size() == 1 && rejects(next)) return;
+    const auto halved = half_period_on_step();
+    if (halved && *halved == 0.0 && step_ > kShort) return shorten(0.5);  // to end nearer to it
+    const auto crossing =
+        violates(next) ? first_crossing(*equations_, here_, step_, next) : std::optional<GuardCrossing>();
+    if (violates(next) && !crossing) return shorten(0.5);  // its zero is not to be found on so long a step
+    constexpr double kBefore =
+        1.0 - 1e-6;  // of a step: next to orbits of half the period all determinants vanish
+    const double inside = std::min(crossing ? crossing->length : step_, halved ? kBefore * *halved : step_);
+    for (LocatedBifurcation& found : bifurcations(*equations_, here_, step_, next, inside)) {
+      add(std::move(found.special));
+      if (result_.branch.special.back().kind == SpecialKind::period_doubling)
+        result_.doublings.push_back(std::move(found.orbit));
+    }
+    if (halved && !(crossing && crossing->length < *halved)) return end_at_half_period(*halved);
+    if (crossing) return end_at(*crossing);
+    accept(std::move(next), *iterations);
+    if (beyond && !done_) finish(std::string(kEndOfInterval));
+  }
+
+  void shorten(double factor) { step_ *= factor; }
+
+  // Shortens the step to where the parameter meets its bound.
+  bool return_to_bound() {
+    const double p = equations_->parameter(), unit = family_.units().parameter;
+    const double bound = p < family_.scene().low() ? family_.scene().low() : family_.scene().high();
+    const double before = here_.x[here_.x.size() - 1] - bound / unit;
+    const auto distance = [&](ExtendedEquations& at) {
+      return std::optional((at.parameter() - bound) / unit);
+    };
+    const auto length = locate(*equations_, {.x = here_.x, .tangent = here_.tangent, .length = step_},
+                               distance, before, (p - bound) / unit);
+    if (length) step_ = *length;
+    return length.has_value();
+  }
+
+  // The start is no orbit of the scene on this side, or the curve is the one it was to leave.
+  bool rejects(const Station& next) {
+    constexpr double kArmed = 1e-9;  // a guard at the start that is positive
+    for (const OrbitGuard& guard : next.survey.guards) {
+      const OrbitGuard* before = here_.survey.find(guard.kind, guard.index);
+      if (guard.value >= kViolated || before == nullptr || before->value > kArmed) continue;
+      result_.rejected = "not admissible beside its start: " +
+                         describe(guard, equations_->orbit(), equations_->model().dynamics.rigid());
+    }
+    if (start_.leaves_repetition &&
+        of_least_period(equations_->orbit(), *equations_).order < equations_->orbit().order)
+      result_.rejected = "the corrector fell back on the branch that was to be left";
+    if (result_.rejected.empty()) return false;
+    finish(result_.rejected);
+    return true;
+  }
+
+  // Moves to a located point of the step.
+  bool move_to(double length) {
+    if (!correct(*equations_, here_.x + length * here_.tangent, here_.tangent,
+                 {.iterations = 14, .tolerance = 1e-14}))
+      return false;
+    here_ = station_at(*equations_, here_.tangent);
+    append();
+    return true;
+  }
+
+  // Where on the step that led to where the equations are evaluated a branch of doubled orbits meets those of
+  // half the period; 0 where it does, and the equations are too nearly singular there to be solved.
+  std::optional<double> half_period_on_step() {
+    const Eigen::VectorXd after = half_way(*equations_);
+    if (after.size() == 0 || !(half_way_.dot(after) < 0.0)) return std::nullopt;
+    const Eigen::VectorXd direction = half_way_.normalized();
+    const auto along = [&](ExtendedEquations& at) { return std::optional(direction.dot(half_way(at))); };
+    const auto length = locate(*equations_, {.x = here_.x, .tangent = here_.tangent, .length = step_}, along,
+                               half_way_.norm(), direction.dot(after));
+    constexpr double kSame = 1e-4;  // of y(T / 2) - y_0, in CurveUnits
+    return length && half_way(*equations_).norm() < kSame ? *length : 0.0;
+  }
+
+  // What follows are the same orbits once more.
+  void end_at_half_period(double length) {
+    if (length == 0.0 || !move_to(length)) equations_->evaluate(here_.x);
+    result_.meets_half_period = true;
+    finish(fmt::format("period doubling of orbits of order {}", equations_->orbit().order / 2));
+  }
+
+  void end_at(const GuardCrossing& crossing) {
+    if (!move_to(crossing.length)) return finish("the corrector fails");
+    const SequencedOrbit& orbit = equations_->orbit();
+    const bool rigid = equations_->model().dynamics.rigid();
+    const OrbitGuard* there = here_.survey.find(crossing.guard.kind, crossing.guard.index);
+    result_.guard = there != nullptr ? *there : crossing.guard;
+    finish(describe(*result_.guard, orbit, rigid));
+    add({.kind =
+             rigid && is_grazing(*result_.guard, orbit) ? SpecialKind::grazing : SpecialKind::contact_change,
+         .point = result_.branch.points.back(),
+         .text = result_.branch.ended});
+    result_.branch.special.back().after = result_.branch.points.size() - 1;
+  }
+
+  void accept(Station next, int iterations) {
+    constexpr double kTurning = 0.15;  // rad
+    // `locate` may have left the equations elsewhere on the step.
+    if (equations_->orbit().x != next.x && !equations_->evaluate(next.x))
+      return finish("the corrector fails");
+    const bool turning = next.tangent.dot(here_.tangent) < std::cos(kTurning);
+    here_ = std::move(next);
+    half_way_ = half_way(*equations_);
+    append();
+    double factor = iterations <= 2 ? 1.6 : iterations == 3 ? 1.25 : iterations == 4 ? 1.0 : 0.6;
+    if (turning) factor = std::min(factor, 0.75);
+    step_ = std::min(step_ * factor, options_.largest_step);
+    const SequencedOrbit& orbit = equations_->orbit();
+    if (here_.x.head(orbit.states()).lpNorm<Eigen::Infinity>() > options_.largest_state)
+      return finish("the motion grows without bound");
+    if (static_cast<int>(result_.branch.points.size()) >= options_.max_points)
+      return finish(fmt::format("limit of {} points", options_.max_points));
+    keep_section_clear();
+  }
+
+  // An event that slid over the section would make the arcs run backwards.
+  void keep_section_clear() {
+    constexpr double kNear = 0.2, kBetter = 1.2;  // rad; a share
+    const SequencedOrbit& orbit = equations_->orbit();
+    if (clearance_of_section(orbit) > kNear) return;
+    const double phase = quiet_phase(orbit);
+    const SequencedOrbit moved = with_section(orbit, *equations_, phase);
+    if (clearance_of_section(moved) < kBetter * clearance_of_section(orbit)) return;
+    auto equations = std::make_unique<ExtendedEquations>(family_, moved);
+    if (!equations->evaluate(moved.x)) return;
+    const Eigen::VectorXd tangent = moved_tangent(*equations, orbit, here_.tangent, phase);
+    equations_ = std::move(equations);
+    here_ = station_at(*equations_, tangent);
+    half_way_ = half_way(*equations_);
+  }
+
+  OrbitFamily& family_;
+  const CurveOptions& options_;
+  const CurveStart& start_;
+  std::unique_ptr<ExtendedEquations> equations_;
+  Station here_;
+  Eigen::VectorXd half_way_;  // at here_
+  double step_;
+  bool done_ = false;
+  TracedCurve result_;
+};
+
+}  // namespace
+
+bool is_grazing(const OrbitGuard& guard, const SequencedOrbit& orbit) {
+  if (guard.kind == GuardKind::clearance) return true;
+  return guard.kind == GuardKind::approach &&
+         orbit.events[static_cast<std::size_t>(guard.index)].kind == ContactEvent::Kind::impact;
+}
+
+TracedCurve trace_curve(OrbitFamily& family, const CurveStart& start, const CurveOptions& options) {
+  return Tracer(family, start, options).run();
+}
+
+}  // namespace signorini

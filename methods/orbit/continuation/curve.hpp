@@ -1,0 +1,64 @@
+#pragma once
+// Follows the orbits of one sequence of events until the sequence changes, the interval ends, or no further.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "methods/orbit/continuation/branch.hpp"
+#include "methods/orbit/continuation/survey.hpp"
+
+namespace signorini {
+
+/// Why most branches end.
+inline constexpr std::string_view kEndOfInterval = "end of the interval";
+
+/// How far and how finely a curve is followed. Lengths are in CurveUnits.
+struct CurveOptions {
+  double first_step = 0.01;     ///< length of the first step
+  double largest_step = 0.15;   ///< and of any
+  double smallest_step = 1e-7;  ///< below, the curve ends
+  double largest_state = 60.0;  ///< |y_0| beyond which a branch counts as unbounded
+  int max_points = 2000;        ///< per branch
+  int max_events = 24;          ///< per period, beyond which a branch counts as rattling
+  Expired expired = {};         ///< true ends it
+};
+
+/// Where a curve begins and where it goes.
+struct CurveStart {
+  SequencedOrbit orbit;     ///< on the curve
+  Eigen::VectorXd tangent;  ///< the first step is taken along it
+  std::string origin;       ///< why there, one clause
+  /// The start repeats an orbit of a smaller period, and the curve is to leave its branch.
+  bool leaves_repetition = false;
+};
+
+/// A branch, and where it may be left.
+struct TracedCurve {
+  Branch branch;
+  /// The start is not admissible beside itself, or the curve fell back on the branch it was to leave: one
+  /// clause; `branch` is then to be dropped.
+  std::string rejected = {};
+  std::vector<SequencedOrbit> doublings = {};  ///< orbits with a multiplier -1
+  std::optional<OrbitGuard> guard = {};        ///< that became zero at the end
+  bool meets_half_period = false;  ///< the end is next to the doubling of an orbit of half the period
+  SequencedOrbit last = {};        ///< the orbit at the end
+};
+
+/// Follows a curve by pseudo-arclength steps. A step is refused where the tangent turns by more than .35 rad,
+/// and sized by the number of Newton steps and by that angle. After each, all guards (`survey`) and test
+/// functions
+/// (`bifurcation_tests`) are compared: of the guards that have become negative the first zero ends the curve,
+/// located to round-off; test functions that have changed their sign before it are located likewise. A guard
+/// that is zero at the start is armed once it is positive; if it becomes negative first, the start is
+/// rejected. The section moves to the middle of the longest time between two events when an event comes
+/// within .2 rad of it.
+TracedCurve trace_curve(OrbitFamily& family, const CurveStart& start, const CurveOptions& options);
+
+/// Whether a guard's zero at a rigid stop is an impact's fading or a new contact: the motion on either side
+/// is a grazing one.
+bool is_grazing(const OrbitGuard& guard, const SequencedOrbit& orbit);
+
+}  // namespace signorini

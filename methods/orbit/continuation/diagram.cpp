@@ -1,0 +1,239 @@
+#include "methods/orbit/continuation/diagram.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <list>
+#include <optional>
+#include <utility>
+
+#include "methods/orbit/continuation/orbit_section.hpp"
+#include "methods/orbit/continuation/station.hpp"
+#include "methods/orbit/continuation/switching.hpp"
+
+namespace signorini {
+
+namespace {
+
+bool contains(const std::vector<OrbitMark>& marks, const OrbitMark& mark, bool loosely = false) {
+  return std::any_of(marks.begin(), marks.end(),
+                     [&](const OrbitMark& other) { return mark.same(other, loosely); });
+}
+
+// The two halves of a curve from the same orbit as one branch: the first backwards, then the second.
+Branch joined(const Branch& backward, const Branch& forward) {
+  Branch result{.sequence = forward.sequence, .began = backward.ended, .ended = forward.ended};
+  result.points.assign(backward.points.rbegin(), backward.points.rend());
+  result.points.insert(result.points.end(), forward.points.begin() + 1, forward.points.end());
+  const std::size_t half = backward.points.size();
+  for (auto special = backward.special.rbegin(); special != backward.special.rend(); ++special) {
+    result.special.push_back(*special);
+    result.special.back().after = half - special->after;
+  }
+  for (const SpecialPoint& special : forward.special) {
+    result.special.push_back(special);
+    result.special.back().after += half - 1;
+  }
+  return result;
+}
+
+// Closes after a finite number of impacts though its stop gives them back: the number would change all the
+// time.
+bool chatters(const ExtendedEquations& equations) {
+  const auto& events = equations.orbit().events;
+  const ContactDynamics& dynamics = equations.model().dynamics;
+  return dynamics.rigid() && dynamics.restitution() > 0.0 &&
+         std::any_of(events.begin(), events.end(),
+                     [](const SequenceEvent& event) { return event.kind == ContactEvent::Kind::close; });
+}
+
+class DiagramTracer {
+ public:
+  DiagramTracer(OrbitFamily& family, const DiagramOptions& options) : family_(family), options_(options) {}
+
+  BranchDiagram run(const std::vector<SequencedOrbit>& seeds) {
+    for (const SequencedOrbit& seed : seeds) {
+      add_seed(seed);
+      work();
+    }
+    if (!queue_.empty())
+      result_.unfinished = fmt::format("{} branches not followed: limit of {} reached, or the time is up",
+                                       queue_.size(), options_.max_branches);
+    if (too_long_ > 0)
+      result_.notes.push_back(
+          fmt::format("{} period doublings lead to orders above {}", too_long_, options_.max_order));
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool over() const {
+    return static_cast<int>(result_.branches.size()) >= options_.max_branches ||
+           (options_.curve.expired && options_.curve.expired());
+  }
+  void note(const std::string& text) { result_.notes.push_back(text); }
+
+  void work() {
+    while (!queue_.empty() && !over()) {
+      const auto next = std::min_element(queue_.begin(), queue_.end(), [](const auto& a, const auto& b) {
+        return a.orbit.order < b.orbit.order;
+      });
+      const CurveStart start = std::move(*next);
+      queue_.erase(next);
+      if (!is_an_end(start)) follow(start);
+    }
+  }
+
+  void add_seed(const SequencedOrbit& seed) {
+    ExtendedEquations given(family_, seed);
+    if (!correct_at_parameter(given, seed.x)) return note("a start of a branch is not on a curve");
+    if (chatters(given)) return note("a start of a branch chatters completely; not followed");
+    const SequencedOrbit orbit = of_least_period(given.orbit(), given);
+    ExtendedEquations equations(family_, orbit);
+    if (!equations.evaluate(orbit.x) || is_known(equations)) return;
+    const Eigen::VectorXd tangent = first_tangent(equations);
+    if (violates(station_at(equations, tangent))) return;  // no motion of the scene
+    const std::string origin = fmt::format("start at {:.10g}", equations.parameter());
+    const auto half = [&](double sign) {
+      return trace_curve(
+          family_, {.orbit = orbit, .tangent = sign * tangent, .origin = origin, .leaves_repetition = false},
+          options_.curve);
+    };
+    const TracedCurve forward = half(1.0), backward = half(-1.0);
+    if (!forward.rejected.empty() && !backward.rejected.empty())
+      return note(origin + ": " + forward.rejected);
+    const auto usable = [](const TracedCurve& curve) { return curve.rejected.empty(); };
+    result_.branches.push_back(!usable(backward)  ? forward.branch
+                               : !usable(forward) ? backward.branch
+                                                  : joined(backward.branch, forward.branch));
+    for (const TracedCurve* curve : {&forward, &backward}) {
+      if (usable(*curve)) leave(*curve);
+    }
+  }
+
+  // An orbit of a branch that has been traced.
+  bool is_known(const ExtendedEquations& equations) {
+    const OrbitMark mark = mark_of(equations);
+    const double p = equations.parameter(), rounding = 1e-12 * family_.units().parameter;
+    for (const Branch& branch : result_.branches) {
+      for (std::size_t i = 1; i < branch.points.size(); ++i) {
+        const BranchPoint &a = branch.points[i - 1], &b = branch.points[i];
+        if (a.order != mark.order || a.orbit.events.size() != mark.events.size()) break;
+        const auto [least, most] = std::minmax(a.parameter, b.parameter);
+        if (p < least - rounding || p > most + rounding) continue;
+        const auto omega = family_.model(a.parameter)->dynamics.structure().frequency;
+        SequencedOrbit near = sequenced(family_, a.orbit, kTwoPi * a.order / omega, omega, p);
+        ExtendedEquations there(family_, near);
+        if (correct_at_parameter(there, near.x) && mark_of(there).same(mark)) return true;
+      }
+    }
+    return false;
+  }
+
+  // A branch that has been traced ends here, or began.
+  bool is_an_end(const CurveStart& start) {
+    ExtendedEquations equations(family_, start.orbit);
+    // A doubled branch ends beside its doubling, not at it.
+    return equations.evaluate(start.orbit.x) && contains(ends_, mark_of(equations), start.leaves_repetition);
+  }
+  void end_here(const SequencedOrbit& orbit) {
+    ExtendedEquations equations(family_, orbit);
+    if (equations.evaluate(orbit.x)) ends_.push_back(mark_of(equations));
+  }
+
+  void follow(const CurveStart& start) {
+    const TracedCurve curve = trace_curve(family_, start, options_.curve);
+    if (!curve.rejected.empty()) {
+      if (curve.rejected != kEndOfInterval) note(start.origin + ": " + curve.rejected);
+      return;
+    }
+    result_.branches.push_back(curve.branch);
+    end_here(start.orbit);
+    leave(curve);
+  }
+
+  void double_period(const SequencedOrbit& orbit) {
+    ExtendedEquations equations(family_, orbit);
+    if (!equations.evaluate(orbit.x)) return;
+    const OrbitMark mark = mark_of(equations);
+    if (contains(doubled_, mark)) return;
+    doubled_.push_back(mark);
+    if (2 * orbit.order > options_.max_order) {
+      ++too_long_;
+      return;
+    }
+    if (auto start = start_doubled(family_, orbit)) queue_.push_back(std::move(*start));
+  }
+
+  // Queues what begins at the doublings and at the end of a branch.
+  void leave(const TracedCurve& curve) {
+    for (const SequencedOrbit& orbit : curve.doublings) double_period(orbit);
+    if (curve.meets_half_period) end_here(curve.last);
+    if (!curve.guard) return;
+    ExtendedEquations equations(family_, curve.last);
+    if (!equations.evaluate(curve.last.x)) return;
+    const OrbitMark end = mark_of(equations);
+    ends_.push_back(end);
+    const ContactDynamics& dynamics = equations.model().dynamics;
+    if (dynamics.rigid() && is_grazing(*curve.guard, curve.last)) return graze(curve, end);
+    if (dynamics.rigid() && curve.guard->kind == GuardKind::interval && curve.guard->index > 0)
+      return exchange(curve, end, dynamics);
+    note(curve.branch.ended + ": not followed");
+  }
+
+  void graze(const TracedCurve& curve, const OrbitMark& end) {
+    const auto grazing = grazing_orbit(family_, curve);
+    if (!grazing) return note("a grazing orbit cannot be evaluated");
+    if (contains(grazings_, grazing->mark)) return;
+    grazings_.push_back(grazing->mark);
+    const std::string where = fmt::format("grazing at {:.10g}", curve.branch.points.back().parameter);
+    const auto sticks = [](const std::vector<bool>& closed) {
+      return std::find(closed.begin(), closed.end(), true) != closed.end();
+    };
+    const SequencedOrbit& base = grazing->base;
+    if (sticks(base.closed) || std::any_of(base.events.begin(), base.events.end(),
+                                           [&](const SequenceEvent& event) { return sticks(event.closed); }))
+      return note(where + ": an orbit that sticks; not followed");
+    if (!end.same(grazing->mark)) {
+      if (auto start = start_clear(family_, *grazing)) queue_.push_back(std::move(*start));
+    }
+    if (grazing->others) return note(where + ": several impacts or contacts graze at once; not followed");
+    auto starts = start_impacting(family_, *grazing, options_.max_order);
+    if (!starts) return note(where + ": the first order does not tell what begins; not followed");
+    for (CurveStart& start : *starts) {
+      if (static_cast<int>(start.orbit.events.size()) > options_.curve.max_events) {
+        note(fmt::format("{}: more than {} events in a period; not followed", where,
+                         options_.curve.max_events));
+        continue;
+      }
+      queue_.push_back(std::move(start));
+    }
+  }
+
+  void exchange(const TracedCurve& curve, const OrbitMark& end, const ContactDynamics& dynamics) {
+    if (contains(exchanged_, end)) return;
+    exchanged_.push_back(end);
+    const auto later = static_cast<std::size_t>(curve.guard->index);
+    const SequenceEvent &a = curve.last.events[later - 1], &b = curve.last.events[later];
+    const bool impacts = a.kind == ContactEvent::Kind::impact && b.kind == ContactEvent::Kind::impact;
+    if (!impacts || dynamics.structure().delassus(a.contact, b.contact) != 0.0)
+      return note(curve.branch.ended + ": the motion after it depends on their order; an end");
+    if (auto start = start_exchanged(family_, curve.last, curve.guard->index))
+      queue_.push_back(std::move(*start));
+  }
+
+  OrbitFamily& family_;
+  const DiagramOptions& options_;
+  std::list<CurveStart> queue_;
+  std::vector<OrbitMark> ends_, grazings_, doubled_, exchanged_;
+  int too_long_ = 0;
+  BranchDiagram result_;
+};
+
+}  // namespace
+
+BranchDiagram trace_diagram(OrbitFamily& family, const std::vector<SequencedOrbit>& seeds,
+                            const DiagramOptions& options) {
+  return DiagramTracer(family, options).run(seeds);
+}
+
+}  // namespace signorini

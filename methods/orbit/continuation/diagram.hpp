@@ -1,0 +1,30 @@
+#pragma once
+// All branches that hang together with given orbits.
+
+#include <vector>
+
+#include "methods/orbit/continuation/curve.hpp"
+
+namespace signorini {
+
+/// Limits of a diagram. Cascades of doublings are infinite; without limits it would not end.
+struct DiagramOptions {
+  CurveOptions curve = {};  ///< of every branch
+  int max_order = 2;        ///< forcing periods per period of an orbit
+  int max_branches = 60;    ///< in all
+};
+
+/// Follows the curves through given orbits both ways, and all that leave them, until every end is an end of
+/// the interval or one where another branch ends or a reason stands:
+///
+/// - at a grazing of a rigid stop the orbit without the impact, and the families of `grazing_families`;
+/// - where impacts of uncoupled contacts coincide, the same orbit with their order exchanged;
+/// - at a period doubling the doubled orbit.
+///
+/// Given orbits that do not hold the contact conditions, or lie on a branch that has been traced, are left
+/// out. Orbits of smaller periods first. What a limit leaves undone is said in `unfinished`, what is met and
+/// not followed in `notes`: it is an end of its branch all the same.
+BranchDiagram trace_diagram(OrbitFamily& family, const std::vector<SequencedOrbit>& seeds,
+                            const DiagramOptions& options);
+
+}  // namespace signorini

@@ -1,0 +1,63 @@
+#pragma once
+// The equations of an orbit with the parameter among the unknowns.
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "methods/orbit/continuation/sequenced_orbit.hpp"
+
+namespace signorini {
+
+/// OrbitEquations of a sequence, 2 Nd + m of them, in the unknowns x of SequencedOrbit: R(x) = 0 is a curve
+/// where [dR/dy, dR/dtheta, dR/dp] has full rank. With phases of the events as unknowns it is smooth through
+/// the grazing of an impact, and says nothing of admissibility (`survey`).
+///
+/// dR/dp is a forward difference of R over 1e-7 P. Its error tilts the tangent by as much and delays Newton's
+/// method by as little; no point of the curve is moved by it.
+class ExtendedEquations {
+ public:
+  /// \param family  kept by the caller
+  ExtendedEquations(OrbitFamily& family, SequencedOrbit orbit);
+
+  [[nodiscard]] Eigen::Index size() const { return orbit_.x.size() - 1; }  ///< 2 Nd + m
+  /// Evaluates R and its derivative but for dR/dp at x; false where anything is not finite or a flow cannot
+  /// be formed.
+  bool evaluate(const Eigen::VectorXd& x);
+  [[nodiscard]] const Eigen::VectorXd& residual() const { return residual_; }  ///< R, 2 Nd + m [-]
+  /// [dR/dy, dR/dtheta, dR/dp], (2 Nd + m) x (2 Nd + m + 1) [-]. dR/dp is evaluated anew where x has moved by
+  /// more than 1e-6 since.
+  const Eigen::MatrixXd& jacobian();
+
+  [[nodiscard]] OrbitFamily& family() const { return family_; }
+  /// The sequence, and x of the last evaluation.
+  [[nodiscard]] const SequencedOrbit& orbit() const { return orbit_; }
+  [[nodiscard]] double parameter() const;                            ///< p of the last evaluation
+  [[nodiscard]] double frequency() const;                            ///< omega there [rad/s]
+  [[nodiscard]] const OrbitModel& model() const { return *model_; }  ///< there
+  [[nodiscard]] const std::shared_ptr<OrbitModel>& shared_model() const { return model_; }  ///< there
+  [[nodiscard]] const OrbitEquations& equations() const { return *equations_; }             ///< there
+  /// Phase after the section at a time of the arcs of `equations` [rad].
+  [[nodiscard]] double phase_of(double time) const { return time * frequency() - orbit_.section; }
+  /// Time of a phase after the section in the arcs [s].
+  [[nodiscard]] double time_of(double phase) const { return (orbit_.section + phase) / frequency(); }
+  /// The state (u / X, v / V) at a phase after the section, in [0, 2 pi n].
+  [[nodiscard]] Eigen::VectorXd state_at(double phase) const;
+  /// dy(2 pi n) / dy(0), 2 Nd x 2 Nd, in CurveUnits; empty at a grazing.
+  [[nodiscard]] Eigen::MatrixXd monodromy() const;
+
+ private:
+  // The equations of the sequence at a value of the parameter, evaluated at x.
+  std::unique_ptr<OrbitEquations> evaluated(OrbitModel& model, const Eigen::VectorXd& x) const;
+  // CurveUnits over those of the model, of the first 2 Nd unknowns.
+  [[nodiscard]] Eigen::VectorXd state_factors(const OrbitModel& model) const;
+  [[nodiscard]] Eigen::VectorXd residual_of(const OrbitEquations& equations, const OrbitModel& model) const;
+
+  OrbitFamily& family_;
+  SequencedOrbit orbit_;
+  std::shared_ptr<OrbitModel> model_;
+  std::unique_ptr<OrbitEquations> equations_;
+  Eigen::VectorXd residual_, column_at_;
+  Eigen::MatrixXd jacobian_;
+};
+
+}  // namespace signorini

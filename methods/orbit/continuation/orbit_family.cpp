@@ -1,0 +1,67 @@
+#include "methods/orbit/continuation/orbit_family.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace signorini {
+
+ParametrisedScene over_frequency(const Problem& problem, double from, double to) {
+  return {.parameter = "forcing.frequency", .from = from, .to = to, .at = [problem](double frequency) {
+            Problem changed = problem;
+            changed.frequency = frequency;
+            return changed;
+          }};
+}
+
+std::string continuation_obstacle(const Problem& problem) {
+  if (std::holds_alternative<Penalty>(problem.law))
+    return "births of contact at compliant stops are not followed";
+  if (std::holds_alternative<Massless>(problem.law)) return "births of massless contact are not followed";
+  if (problem.size() > kMostInDenseFlow)
+    return fmt::format("{} coordinates are more than {}", problem.size(), kMostInDenseFlow);
+  const bool driven = std::any_of(problem.force.begin(), problem.force.end(), [](const ForceTerm& term) {
+    return term.harmonic > 0 && (term.cos != 0.0 || term.sin != 0.0);
+  });
+  if (!driven) return "a scene without a periodic load has no phase to follow its orbits at";
+  return flow_obstacle(problem);
+}
+
+OrbitFamily::OrbitFamily(ParametrisedScene scene) : scene_(std::move(scene)) {
+  const double middle = 0.5 * (scene_.from + scene_.to);
+  units_.parameter = (scene_.high() - scene_.low()) / 3.0;
+  units_.displacement = typical_displacement();
+  units_.velocity = units_.displacement * model(middle)->dynamics.structure().frequency;
+}
+
+std::shared_ptr<OrbitModel> OrbitFamily::model(double parameter) {
+  constexpr std::size_t kKept = 4;  // a point, its neighbour for the derivative, and those before
+  const auto found = std::find_if(recent_.begin(), recent_.end(),
+                                  [&](const auto& entry) { return entry.first == parameter; });
+  if (found != recent_.end()) {
+    recent_.splice(recent_.begin(), recent_, found);
+  } else {
+    recent_.emplace_front(parameter, std::make_shared<OrbitModel>(scene_.at(parameter)));
+    ++made_;
+    if (recent_.size() > kKept) recent_.pop_back();
+  }
+  return recent_.front().second;
+}
+
+// Coarse units do no harm, phases and parameter still bound the steps; fine ones cost points.
+double OrbitFamily::typical_displacement() {
+  const auto middle = model(0.5 * (scene_.from + scene_.to));
+  const FlowStructure& structure = middle->dynamics.structure();
+  double X = structure.gaps.size() == 0 ? 0.0 : structure.gaps.cwiseAbs().maxCoeff();
+  const Eigen::SimplicialLDLT<SparseMatrix> factors(structure.stiffness);
+  if (factors.info() == Eigen::Success) {
+    const Eigen::MatrixXd deflections = factors.solve(Eigen::MatrixXd(structure.load.cwiseAbs()));
+    if (deflections.allFinite()) X = std::max(X, deflections.cwiseAbs().rowwise().sum().maxCoeff());
+  }
+  X = std::max(X, structure.scales.displacement);
+  return X > 0.0 && std::isfinite(X) ? X : 1.0;
+}
+
+}  // namespace signorini

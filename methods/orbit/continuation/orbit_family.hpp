@@ -1,0 +1,67 @@
+#pragma once
+// The orbits of a scene one of whose numbers is left free.
+
+#include <algorithm>
+#include <functional>
+#include <list>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "methods/orbit/orbit_equations.hpp"
+
+namespace signorini {
+
+/// A scene as a function of one of its numbers.
+struct ParametrisedScene {
+  std::string parameter;  ///< its name: "forcing.frequency", "law.restitution", ...
+  double from = 0.0;      ///< one end of the interval looked at, in the unit of the parameter
+  double to = 1.0;        ///< the other end, above or below
+  std::function<Problem(double)> at = {};  ///< the scene at a value
+
+  [[nodiscard]] double low() const { return std::min(from, to); }   ///< lower end
+  [[nodiscard]] double high() const { return std::max(from, to); }  ///< upper end
+  /// In the interval, both ends included.
+  [[nodiscard]] bool contains(double value) const { return value >= low() && value <= high(); }
+};
+
+/// The scene with the frequency of its load left free [rad/s].
+ParametrisedScene over_frequency(const Problem& problem, double from, double to);
+
+/// Why the orbits of a scene cannot be followed: compliant or massless contacts, whose phases of contact
+/// begin and end without an impact; no load, so that no phase is fixed; too many coordinates. Empty where
+/// they can.
+std::string continuation_obstacle(const Problem& problem);
+
+/// Units in which the length of a curve is measured. One set for all curves of a family: units that changed
+/// along a curve would bend its metric.
+struct CurveUnits {
+  double displacement = 1.0;  ///< X [m]
+  double velocity = 1.0;      ///< V = omega X, omega that of the middle of the interval [m/s]
+  double parameter = 1.0;     ///< a third of the interval
+};
+
+/// The models of a parametrised scene, each made when first asked for.
+class OrbitFamily {
+ public:
+  /// X is the largest deflection under the amplitudes of the load at rest, the largest gap or
+  /// MotionScales::displacement, whichever is largest, in the middle of the interval.
+  /// \throws std::runtime_error with flow_obstacle(problem) if there is one
+  explicit OrbitFamily(ParametrisedScene scene);
+
+  /// The scene at a value of the parameter. Its last few models are kept. \throws std::runtime_error
+  std::shared_ptr<OrbitModel> model(double parameter);
+  [[nodiscard]] const ParametrisedScene& scene() const { return scene_; }  ///< as given
+  [[nodiscard]] const CurveUnits& units() const { return units_; }         ///< of its curves
+  [[nodiscard]] long models_made() const { return made_; }                 ///< since construction
+
+ private:
+  [[nodiscard]] double typical_displacement();
+
+  ParametrisedScene scene_;
+  CurveUnits units_;
+  std::list<std::pair<double, std::shared_ptr<OrbitModel>>> recent_;  // latest first
+  long made_ = 0;
+};
+
+}  // namespace signorini

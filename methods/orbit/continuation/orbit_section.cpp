@@ -1,0 +1,64 @@
+#include "methods/orbit/continuation/orbit_section.hpp"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "methods/orbit/continuation/arc_length.hpp"
+
+namespace signorini {
+
+SequencedOrbit with_section(const SequencedOrbit& orbit, const ExtendedEquations& equations, double phase) {
+  std::vector<PlacedEvent> placed = placed_events(orbit);
+  SequencedOrbit moved = orbit;
+  moved.x.head(orbit.states()) = equations.state_at(phase);
+  for (auto& [at, event] : placed) {
+    if (at < phase) moved.closed = event.closed;
+    at += at < phase ? orbit.end() - phase : -phase;
+  }
+  moved.section = std::fmod(orbit.section + phase, orbit.end());
+  return with_events(moved, std::move(placed));
+}
+
+std::optional<SequencedOrbit> with_quiet_section(OrbitFamily& family, const SequencedOrbit& orbit) {
+  if (orbit.events.empty()) return orbit;
+  ExtendedEquations equations(family, orbit);
+  if (!equations.evaluate(orbit.x)) return std::nullopt;
+  return with_section(orbit, equations, quiet_phase(orbit));
+}
+
+SequencedOrbit of_least_period(const SequencedOrbit& orbit, const ExtendedEquations& equations) {
+  constexpr double kSame = 1e-7;
+  const Eigen::Index states = orbit.states();
+  for (int parts = orbit.order; parts > 1; --parts) {
+    if (orbit.order % parts != 0 || orbit.count() % parts != 0) continue;
+    const double end = orbit.end() / parts;
+    if ((equations.state_at(end) - orbit.x.head(states)).lpNorm<Eigen::Infinity>() > kSame) continue;
+    std::vector<PlacedEvent> placed = placed_events(orbit);
+    placed.resize(placed.size() / static_cast<std::size_t>(parts));
+    SequencedOrbit shorter = orbit;
+    shorter.order /= parts;
+    shorter.section = std::fmod(orbit.section, end);
+    return with_events(shorter, std::move(placed));
+  }
+  return orbit;
+}
+
+Eigen::VectorXd half_way(const ExtendedEquations& equations) {
+  const SequencedOrbit& orbit = equations.orbit();
+  if (orbit.order % 2 != 0 || orbit.count() % 2 != 0) return {};
+  return equations.state_at(0.5 * orbit.end()) - orbit.x.head(orbit.states());
+}
+
+Eigen::VectorXd moved_tangent(ExtendedEquations& moved, const SequencedOrbit& orbit,
+                              const Eigen::VectorXd& tangent, double phase) {
+  const Eigen::VectorXd result = first_tangent(moved);
+  const Eigen::Index m = orbit.count(), states = orbit.states();
+  Eigen::Index passed = 0;
+  while (passed < m && orbit.phase(passed) < phase) ++passed;
+  double shared = result[states + m] * tangent[states + m];
+  for (Eigen::Index i = 0; i < m; ++i) shared += result[states + i] * tangent[states + (i + passed) % m];
+  return shared < 0.0 ? Eigen::VectorXd(-result) : result;
+}
+
+}  // namespace signorini

@@ -1,0 +1,35 @@
+#pragma once
+// The same orbit seen from another phase of its period, and over its least period.
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "methods/orbit/continuation/extended_equations.hpp"
+
+namespace signorini {
+
+/// The same orbit with the section at `phase` after the old one, in [0, 2 pi n), no event's.
+/// \param equations  evaluated at the orbit
+SequencedOrbit with_section(const SequencedOrbit& orbit, const ExtendedEquations& equations, double phase);
+
+/// The orbit with the section in the middle of its longest time between two events.
+std::optional<SequencedOrbit> with_quiet_section(OrbitFamily& family, const SequencedOrbit& orbit);
+
+/// The orbit of the smallest period, to 1e-7 of the units, that `orbit` is a repetition of.
+/// \param equations  evaluated at the orbit
+SequencedOrbit of_least_period(const SequencedOrbit& orbit, const ExtendedEquations& equations);
+
+/// y(T / 2) - y_0 in CurveUnits where the equations are evaluated, 2 Nd: on both sides of a doubling it has
+/// opposite signs, for there the doubled orbit becomes itself, half a period later. Empty where half of the
+/// sequence is none.
+Eigen::VectorXd half_way(const ExtendedEquations& equations);
+
+/// The tangent of the curve at an orbit whose section was moved, on the side of the tangent before: told by
+/// the events and the parameter, which both sections share.
+///
+/// \param moved    evaluated at with_section(orbit, ..., phase)
+/// \param tangent  at `orbit`
+Eigen::VectorXd moved_tangent(ExtendedEquations& moved, const SequencedOrbit& orbit,
+                              const Eigen::VectorXd& tangent, double phase);
+
+}  // namespace signorini

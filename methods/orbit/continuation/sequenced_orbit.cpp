@@ -1,0 +1,153 @@
+#include "methods/orbit/continuation/sequenced_orbit.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace signorini {
+
+std::vector<PlacedEvent> placed_events(const SequencedOrbit& orbit) {
+  std::vector<PlacedEvent> placed;
+  for (Eigen::Index i = 0; i < orbit.count(); ++i)
+    placed.emplace_back(orbit.phase(i), orbit.events[static_cast<std::size_t>(i)]);
+  return placed;
+}
+
+SequencedOrbit with_events(const SequencedOrbit& orbit, std::vector<PlacedEvent> placed) {
+  std::stable_sort(placed.begin(), placed.end(),
+                   [](const PlacedEvent& a, const PlacedEvent& b) { return a.first < b.first; });
+  SequencedOrbit result = orbit;
+  const Eigen::Index states = orbit.states();
+  result.events.clear();
+  result.x.resize(states + static_cast<Eigen::Index>(placed.size()) + 1);
+  result.x.head(states) = orbit.x.head(states);
+  Eigen::Index i = states;
+  for (PlacedEvent& event : placed) {
+    result.x[i++] = event.first;
+    result.events.push_back(std::move(event.second));
+  }
+  result.x[i] = orbit.x[orbit.x.size() - 1];
+  return result;
+}
+
+std::optional<State> contact_free_motion(OrbitModel& model) {
+  const Eigen::Index n = model.dynamics.size();
+  const MotionScales& scales = model.dynamics.scales();
+  model.period = model.dynamics.structure().forcing_period;
+  const auto contacts = static_cast<std::size_t>(model.dynamics.contact_count());
+  OrbitEquations equations(model,
+                           {.start = {.time = 0.0,
+                                      .state = {.u = Eigen::VectorXd::Zero(n), .v = Eigen::VectorXd::Zero(n)},
+                                      .closed = std::vector<bool>(contacts, false)},
+                            .events = {},
+                            .origin = {}});
+  // Without events the equations are linear: one step of Newton's method solves them.
+  if (!equations.evaluate(Eigen::VectorXd::Zero(2 * n))) return std::nullopt;
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(equations.jacobian());
+  const Eigen::VectorXd y = -lu.solve(equations.residual());
+  // At an undamped resonance y returns by itself: a pivot of 1 - dy(T)/dy_0 vanishes, to a share of the
+  // frequency.
+  constexpr double kUnique = 1e-10;
+  if (!y.allFinite() || !(lu.matrixLU().diagonal().cwiseAbs().minCoeff() > kUnique)) return std::nullopt;
+  return State{.u = scales.displacement * y.head(n), .v = scales.velocity * y.tail(n)};
+}
+
+std::optional<SequencedOrbit> contact_free_orbit(OrbitFamily& family, double parameter) {
+  const auto model = family.model(parameter);
+  const auto motion = contact_free_motion(*model);
+  if (!motion) return std::nullopt;
+  const auto contacts = static_cast<std::size_t>(model->dynamics.contact_count());
+  return sequenced(family,
+                   {.start = {.time = 0.0, .state = *motion, .closed = std::vector<bool>(contacts, false)},
+                    .events = {},
+                    .origin = {}},
+                   model->period, model->dynamics.structure().frequency, parameter);
+}
+
+SequencedOrbit sequenced(const OrbitFamily& family, const OrbitGuess& orbit, double period, double frequency,
+                         double parameter) {
+  const CurveUnits& units = family.units();
+  const Eigen::Index n = orbit.start.state.u.size();
+  const auto count = static_cast<Eigen::Index>(orbit.events.size());
+  SequencedOrbit result{.order = std::max(1, static_cast<int>(std::lround(period * frequency / kTwoPi))),
+                        .closed = orbit.start.closed,
+                        .events = orbit.events,
+                        .x = Eigen::VectorXd(2 * n + count + 1)};
+  result.section =
+      std::fmod(std::fmod(orbit.start.time * frequency, result.end()) + result.end(), result.end());
+  result.x.head(n) = orbit.start.state.u / units.displacement;
+  result.x.segment(n, n) = orbit.start.state.v / units.velocity;
+  for (Eigen::Index i = 0; i < count; ++i)
+    result.x[2 * n + i] = (orbit.events[static_cast<std::size_t>(i)].time - orbit.start.time) * frequency;
+  result.x[2 * n + count] = parameter / units.parameter;
+  return result;
+}
+
+double quiet_phase(const SequencedOrbit& orbit) {
+  const Eigen::Index m = orbit.count();
+  if (m == 0) return 0.0;
+  // The section lies in the break from the last event to the first of the next period.
+  double longest = orbit.phase(0) + orbit.end() - orbit.phase(m - 1);
+  double middle = std::fmod(orbit.phase(m - 1) + 0.5 * longest, orbit.end());
+  for (Eigen::Index i = 1; i < m; ++i) {
+    const double length = orbit.phase(i) - orbit.phase(i - 1);
+    if (length <= longest) continue;
+    longest = length;
+    middle = orbit.phase(i - 1) + 0.5 * length;
+  }
+  return middle;
+}
+
+double clearance_of_section(const SequencedOrbit& orbit) {
+  const Eigen::Index m = orbit.count();
+  return m == 0 ? orbit.end() : std::min(orbit.phase(0), orbit.end() - orbit.phase(m - 1));
+}
+
+SequencedOrbit repeated(const SequencedOrbit& orbit, int times) {
+  std::vector<PlacedEvent> placed;
+  for (int k = 0; k < times; ++k) {
+    for (auto& [phase, event] : placed_events(orbit)) placed.emplace_back(phase + k * orbit.end(), event);
+  }
+  SequencedOrbit result = orbit;
+  result.order *= times;
+  return with_events(result, std::move(placed));
+}
+
+SequencedOrbit with_impacts(const SequencedOrbit& orbit, const SequenceEvent& impact,
+                            const std::vector<double>& phases) {
+  std::vector<PlacedEvent> placed = placed_events(orbit);
+  for (const double phase : phases) {
+    SequenceEvent event = impact;
+    event.closed = orbit.closed;
+    for (const auto& [before, other] : placed_events(orbit)) {
+      if (before < phase) event.closed = other.closed;
+    }
+    placed.emplace_back(phase, std::move(event));
+  }
+  return with_events(orbit, std::move(placed));
+}
+
+SequencedOrbit without_event(const SequencedOrbit& orbit, Eigen::Index i) {
+  std::vector<PlacedEvent> placed = placed_events(orbit);
+  placed.erase(placed.begin() + i);
+  return with_events(orbit, std::move(placed));
+}
+
+std::string describe_sequence(const SequencedOrbit& orbit) {
+  std::string text = fmt::format("order {}", orbit.order);
+  if (orbit.events.empty()) return text + ", no events";
+  text += ", events";
+  for (const SequenceEvent& event : orbit.events) {
+    const char* word = event.kind == ContactEvent::Kind::impact  ? " I"
+                       : event.kind == ContactEvent::Kind::close ? " C"
+                                                                 : " O";
+    text += fmt::format("{}{}", word, event.contact);
+  }
+  return text;
+}
+
+}  // namespace signorini

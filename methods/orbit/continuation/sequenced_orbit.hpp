@@ -1,0 +1,76 @@
+#pragma once
+// A point of a curve of orbits, and the same orbit with another section, period or sequence of events.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "methods/orbit/continuation/orbit_family.hpp"
+#include "methods/orbit/orbit_equations.hpp"
+
+namespace signorini {
+
+/// An orbit of `order` forcing periods through a sequence of events, at a value of the parameter:
+///
+///     x = (u_0 / X, v_0 / V, theta_1 .. theta_m, p / P),   theta_i = omega (t_i - t_0),
+///
+/// 2 Nd + m + 1, in CurveUnits. The section t_0 is a fixed phase of the load, theta_0 = omega t_0.
+struct SequencedOrbit {
+  int order = 1;                           ///< n >= 1, forcing periods [-]
+  double section = 0.0;                    ///< theta_0 in [0, 2 pi n) [rad]
+  std::vector<bool> closed = {};           ///< Nc, at the section
+  std::vector<SequenceEvent> events = {};  ///< m of them, in order; their times mean nothing
+  Eigen::VectorXd x = {};                  ///< 2 Nd + m + 1
+
+  /// m.
+  [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(events.size()); }
+  /// 2 Nd.
+  [[nodiscard]] Eigen::Index states() const { return x.size() - count() - 1; }
+  /// theta_i after the section [rad].
+  [[nodiscard]] double phase(Eigen::Index i) const { return x[states() + i]; }
+  /// 2 pi n [rad].
+  [[nodiscard]] double end() const { return kTwoPi * order; }
+};
+
+/// An event with its phase after the section [rad].
+using PlacedEvent = std::pair<double, SequenceEvent>;
+/// Those of an orbit.
+std::vector<PlacedEvent> placed_events(const SequencedOrbit& orbit);
+/// The orbit with these events instead of its own, in the order of their phases.
+SequencedOrbit with_events(const SequencedOrbit& orbit, std::vector<PlacedEvent> placed);
+
+/// The state at phase 0 of the structure's periodic response to its load, no contact acting; empty where it
+/// is not unique.
+std::optional<State> contact_free_motion(OrbitModel& model);
+
+/// The contact-free orbit at a value of the parameter; empty where it is not unique.
+std::optional<SequencedOrbit> contact_free_orbit(OrbitFamily& family, double parameter);
+
+/// A polished orbit of the model at `parameter` as a point of a curve.
+SequencedOrbit sequenced(const OrbitFamily& family, const OrbitGuess& orbit, double period, double frequency,
+                         double parameter);
+
+/// The middle of the longest time between two events, after the section [rad]; 0 without events.
+double quiet_phase(const SequencedOrbit& orbit);
+
+/// From the section to the nearest event on either side, negative where one has passed it; 2 pi n without
+/// events [rad].
+double clearance_of_section(const SequencedOrbit& orbit);
+
+/// The same orbit, passed `times` times.
+SequencedOrbit repeated(const SequencedOrbit& orbit, int times);
+
+/// The orbit with an impact of one contact more at each of `phases`, after the section. The contacts closed
+/// are those of the moment. \param impact  kind, contact, pushed and restitution of each
+SequencedOrbit with_impacts(const SequencedOrbit& orbit, const SequenceEvent& impact,
+                            const std::vector<double>& phases);
+
+/// The orbit without event i, which changes none of the closed contacts.
+SequencedOrbit without_event(const SequencedOrbit& orbit, Eigen::Index i);
+
+/// "order 2, events I0 C1 O1": impacts, closings and openings of contacts.
+std::string describe_sequence(const SequencedOrbit& orbit);
+
+}  // namespace signorini

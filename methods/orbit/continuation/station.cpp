@@ -1,0 +1,96 @@
+#include "methods/orbit/continuation/station.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace signorini {
+
+Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent) {
+  return {.x = equations.orbit().x,
+          .tangent = tangent,
+          .tests = bifurcation_tests(equations, tangent),
+          .survey = survey(equations)};
+}
+
+BranchPoint branch_point(const ExtendedEquations& equations, const Station& station) {
+  const SequencedOrbit& orbit = equations.orbit();
+  const CurveUnits& units = equations.family().units();
+  const Eigen::Index n = orbit.states() / 2;
+  BranchPoint point{.parameter = equations.parameter(),
+                    .order = orbit.order,
+                    .orbit = {.start = {.time = equations.time_of(0.0),
+                                        .state = {.u = units.displacement * orbit.x.head(n),
+                                                  .v = units.velocity * orbit.x.segment(n, n)},
+                                        .closed = orbit.closed},
+                              .events = orbit.events,
+                              .origin = "continuation"},
+                    .stability = stability_of(equations, station.tests.multipliers),
+                    .multipliers = station.tests.multipliers};
+  for (Eigen::Index i = 0; i < orbit.count(); ++i) {
+    SequenceEvent& event = point.orbit.events[static_cast<std::size_t>(i)];
+    event.time = equations.time_of(orbit.phase(i));
+    if (event.kind == ContactEvent::Kind::impact) ++point.impacts;
+  }
+  if (point.stability == OrbitStability::undefined) point.multipliers.resize(0);
+  for (Eigen::Index j = 0; j < station.survey.highest.size(); ++j) {
+    point.x_max.push_back(station.survey.highest[j]);
+    point.amplitude.push_back(0.5 * (station.survey.highest[j] - station.survey.lowest[j]));
+  }
+  return point;
+}
+
+bool violates(const Station& station) {
+  return std::any_of(station.survey.guards.begin(), station.survey.guards.end(),
+                     [](const OrbitGuard& guard) { return guard.value < kViolated; });
+}
+
+std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const Station& begin, double length,
+                                            const Station& end) {
+  constexpr double kSame = 1e-9;  // of the step: two zeros are one
+  std::optional<GuardCrossing> first;
+  for (const OrbitGuard& guard : end.survey.guards) {
+    if (guard.value >= kViolated) continue;
+    const OrbitGuard* before = begin.survey.find(guard.kind, guard.index);
+    const auto value = [&](ExtendedEquations& at) -> std::optional<double> {
+      const OrbitSurvey there = survey(at);
+      const OrbitGuard* same = there.find(guard.kind, guard.index);
+      return same == nullptr ? std::nullopt : std::optional(same->value);
+    };
+    // What had no maximum before, or is no larger than rounding, gets its sign inside the step.
+    const bool positive = before != nullptr && before->value > 0.0;
+    const auto zero = locate(equations, {.x = begin.x, .tangent = begin.tangent, .length = length}, value,
+                             positive ? std::optional(before->value) : std::nullopt, guard.value);
+    if (!zero) return std::nullopt;
+    // An impact that fades leaves a maximum of x at its instant: events, which are listed first, have
+    // priority.
+    if (!first || *zero < first->length - kSame * length) first = {.guard = guard, .length = *zero};
+  }
+  return first;
+}
+
+std::vector<LocatedBifurcation> bifurcations(ExtendedEquations& equations, const Station& begin,
+                                             double length, const Station& end, double inside) {
+  std::vector<LocatedBifurcation> found;
+  for (const SpecialKind kind : {SpecialKind::fold, SpecialKind::period_doubling, SpecialKind::neimark_sacker,
+                                 SpecialKind::branch_point}) {
+    const auto &before = begin.tests.of(kind), &after = end.tests.of(kind);
+    if (!before || !after || !(*before * *after < 0.0)) continue;
+    const auto value = [&](ExtendedEquations& at) -> std::optional<double> {
+      const auto tangent = tangent_of(at, begin.tangent);
+      return tangent ? bifurcation_tests(at, *tangent).of(kind) : std::nullopt;
+    };
+    const auto zero =
+        locate(equations, {.x = begin.x, .tangent = begin.tangent, .length = length}, value, before, *after);
+    if (!zero || *zero > inside) continue;
+    const Station there = station_at(equations, begin.tangent);
+    if (!confirmed(kind, there.tests.multipliers)) continue;
+    found.push_back({.length = *zero,
+                     .special = {.kind = kind, .point = branch_point(equations, there)},
+                     .orbit = equations.orbit()});
+  }
+  std::sort(found.begin(), found.end(),
+            [](const LocatedBifurcation& a, const LocatedBifurcation& b) { return a.length < b.length; });
+  return found;
+}
+
+}  // namespace signorini

@@ -1,0 +1,56 @@
+#pragma once
+// All that is known of one point of a curve, and what lies on the step between two of them.
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "methods/orbit/continuation/arc_length.hpp"
+#include "methods/orbit/continuation/bifurcations.hpp"
+#include "methods/orbit/continuation/survey.hpp"
+
+namespace signorini {
+
+/// Of a guard below which an orbit is not admissible: kAdmissible of the scales [-]
+inline constexpr double kViolated = -1e-11;
+
+/// A point with its test functions.
+struct Station {
+  Eigen::VectorXd x, tangent;   ///< in CurveUnits
+  BifurcationTests tests = {};  ///< there
+  OrbitSurvey survey = {};      ///< there
+};
+
+/// The orbit at which the equations are evaluated.
+Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent);
+
+/// The same as a point of a branch, in SI units.
+BranchPoint branch_point(const ExtendedEquations& equations, const Station& station);
+
+/// A guard's zero on a step.
+struct GuardCrossing {
+  OrbitGuard guard;     ///< as it was at the end of the step, where it is negative
+  double length = 0.0;  ///< of the step up to the zero
+};
+
+/// A bifurcation on a step.
+struct LocatedBifurcation {
+  double length = 0.0;  ///< of the step up to it
+  SpecialPoint special;
+  SequencedOrbit orbit;  ///< there
+};
+
+/// Whether a guard is negative at a station.
+bool violates(const Station& station);
+
+/// The first zero of those guards that are negative at the end of a step of given length, located to
+/// round-off; empty where one of them cannot be located. Precondition: there is one.
+std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const Station& begin, double length,
+                                            const Station& end);
+
+/// Bifurcations on a step, up to `inside`, in their order: signs of test functions that differ at its ends,
+/// the zero located and `confirmed`.
+std::vector<LocatedBifurcation> bifurcations(ExtendedEquations& equations, const Station& begin,
+                                             double length, const Station& end, double inside);
+
+}  // namespace signorini

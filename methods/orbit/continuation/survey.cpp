@@ -1,0 +1,158 @@
+#include "methods/orbit/continuation/survey.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "methods/orbit/arc_scan.hpp"
+
+namespace signorini {
+
+namespace {
+
+class Surveyor {
+ public:
+  explicit Surveyor(const ExtendedEquations& equations)
+      : equations_(equations),
+        dynamics_(equations.model().dynamics),
+        orbit_(equations.orbit()),
+        X_(equations.family().units().displacement),
+        V_(equations.family().units().velocity) {
+    result_.highest.setConstant(dynamics_.contact_count(), -std::numeric_limits<double>::infinity());
+    result_.lowest = -result_.highest;
+  }
+
+  OrbitSurvey run() {
+    const Eigen::Index m = orbit_.count();
+    for (Eigen::Index i = 0; i < m; ++i) event(i);
+    for (Eigen::Index i = 0; i <= m; ++i) {
+      const double begin = equations_.time_of(i == 0 ? 0.0 : orbit_.phase(i - 1));
+      const double end = equations_.time_of(i == m ? orbit_.end() : orbit_.phase(i));
+      arc(*equations_.equations().arcs()[static_cast<std::size_t>(i)], begin, end);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void add(GuardKind kind, int index, double value, double phase) {
+    result_.guards.push_back({.kind = kind, .index = index, .value = value, .phase = phase});
+  }
+  // Of several maxima of one contact the largest is the guard.
+  void lower(GuardKind kind, int index, double value, double phase) {
+    for (OrbitGuard& guard : result_.guards) {
+      if (guard.kind != kind || guard.index != index) continue;
+      if (value < guard.value) guard = {.kind = kind, .index = index, .value = value, .phase = phase};
+      return;
+    }
+    add(kind, index, value, phase);
+  }
+
+  void event(Eigen::Index i) {
+    const auto index = static_cast<std::size_t>(i);
+    const auto number = static_cast<int>(i);
+    const SequenceEvent& event = orbit_.events[index];
+    const double phase = orbit_.phase(i);
+    if (orbit_.count() > 1) {
+      const double before = i == 0 ? orbit_.phase(orbit_.count() - 1) - orbit_.end() : orbit_.phase(i - 1);
+      add(GuardKind::interval, number, phase - before, phase);
+    }
+    if (event.kind != ContactEvent::Kind::open)
+      add(GuardKind::approach, number, equations_.equations().crossings()[index].approach / V_, phase);
+    const LinearArc& before = *equations_.equations().arcs()[index];
+    const LinearArc& after = *equations_.equations().arcs()[index + 1];
+    const double time = equations_.time_of(phase);
+    if (event.kind == ContactEvent::Kind::close && dynamics_.rigid())
+      add(GuardKind::landing, number,
+          -after.force(event.contact, time) / dynamics_.force_scale(event.contact), phase);
+    if (event.kind != ContactEvent::Kind::impact) return;
+    if (std::find(event.restitution.begin(), event.restitution.end(), 0.0) != event.restitution.end() &&
+        event.pushed.size() == 1)
+      add(GuardKind::release, number,
+          -after.displacement(event.contact, time, 2) / (V_ * equations_.frequency()), phase);
+    corners(event, before, after, time, phase);
+  }
+
+  // Local maxima of other contacts that the jump of their velocity makes.
+  void corners(const SequenceEvent& event, const LinearArc& before, const LinearArc& after, double time,
+               double phase) {
+    for (int j = 0; j < dynamics_.contact_count(); ++j) {
+      if (j == event.contact || before.mode().closed(j) || after.mode().closed(j)) continue;
+      if (dynamics_.structure().delassus(j, event.contact) == 0.0) continue;
+      if (!(before.displacement(j, time, 1) > 0.0 && after.displacement(j, time, 1) <= 0.0)) continue;
+      lower(GuardKind::corner, j, (dynamics_.structure().gaps[j] - before.displacement(j, time)) / X_, phase);
+    }
+  }
+
+  void arc(const LinearArc& arc, double begin, double end) {
+    constexpr double kUnseen = 1e-13;  // share of X: modes below do not move an extreme
+    const std::vector<FadingRate> terms = arc.fading_rates(kUnseen);
+    for (int j = 0; j < dynamics_.contact_count(); ++j) {
+      const bool closed = arc.mode().closed(j);
+      const double gap = dynamics_.structure().gaps[j];
+      const LimitedOutput high{.arc = arc, .contact = j, .of_force = false, .offset = gap, .unit = X_};
+      for (const LimitedSample& at : scan(high, begin, end, terms)) {
+        result_.highest[j] = std::max(result_.highest[j], gap + X_ * at.value);
+        if (at.maximum && !closed) lower(GuardKind::clearance, j, -at.value, equations_.phase_of(at.time));
+      }
+      const LimitedOutput low{.arc = arc, .contact = j, .of_force = false, .offset = gap, .unit = -X_};
+      for (const LimitedSample& at : scan(low, begin, end, terms))
+        result_.lowest[j] = std::min(result_.lowest[j], gap - X_ * at.value);
+      if (!closed) continue;
+      const LimitedOutput force{
+          .arc = arc, .contact = j, .of_force = true, .offset = 0.0, .unit = dynamics_.force_scale(j)};
+      for (const LimitedSample& at : scan(force, begin, end, terms)) {
+        if (at.maximum) lower(GuardKind::pressure, j, -at.value, equations_.phase_of(at.time));
+      }
+    }
+  }
+
+  const ExtendedEquations& equations_;
+  const ContactDynamics& dynamics_;
+  const SequencedOrbit& orbit_;
+  double X_, V_;
+  OrbitSurvey result_;
+};
+
+}  // namespace
+
+const OrbitGuard* OrbitSurvey::find(GuardKind kind, int index) const {
+  const auto found = std::find_if(guards.begin(), guards.end(), [&](const OrbitGuard& guard) {
+    return guard.kind == kind && guard.index == index;
+  });
+  return found == guards.end() ? nullptr : &*found;
+}
+
+OrbitSurvey survey(const ExtendedEquations& equations) { return Surveyor(equations).run(); }
+
+std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, bool rigid) {
+  const auto event = [&]() -> const SequenceEvent& {
+    return orbit.events[static_cast<std::size_t>(guard.index)];
+  };
+  switch (guard.kind) {
+    case GuardKind::approach:
+      return fmt::format("{} of contact {} fades",
+                         event().kind == ContactEvent::Kind::impact ? "an impact" : "a closing",
+                         event().contact);
+    case GuardKind::interval: {
+      const std::size_t count = orbit.events.size();
+      const SequenceEvent& before = orbit.events[(static_cast<std::size_t>(guard.index) + count - 1) % count];
+      return fmt::format("events of contacts {} and {} coincide", before.contact, event().contact);
+    }
+    case GuardKind::clearance:
+      return rigid ? fmt::format("contact {} grazes its stop", guard.index)
+                   : fmt::format("contact {} begins to press on its stop", guard.index);
+    case GuardKind::corner:
+      return fmt::format("contact {} reaches its stop at the impact of another", guard.index);
+    case GuardKind::pressure:
+      return fmt::format("contact {} lets go while it is closed", guard.index);
+    case GuardKind::landing:
+      return fmt::format("contact {} closes without a force", event().contact);
+    case GuardKind::release:
+      return fmt::format("contact {} begins to stick", event().contact);
+  }
+  return {};
+}
+
+}  // namespace signorini

@@ -1,0 +1,51 @@
+#pragma once
+// What makes an orbit of a sequence a motion of the scene, as test functions along a curve, and its extremes.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "methods/orbit/continuation/extended_equations.hpp"
+
+namespace signorini {
+
+/// What a test function of admissibility measures.
+enum class GuardKind {
+  approach,   ///< of an event: x'_- of an impact or closing over V
+  interval,   ///< of an event: theta_i - theta_{i-1}, around the period for the first [rad]
+  clearance,  ///< of a contact: least g_j - x_j over X at the local maxima of x_j while it is open
+  corner,     ///< the same at an impact of another contact, where x_j turns back
+  pressure,   ///< of a contact: least -lambda_j, over its scale, at the local maxima while it is closed
+  landing,    ///< of a closing: -lambda_j just after it, over its scale
+  release,    ///< of an impact without restitution: -x''_j after it, over omega V
+};
+
+/// A test function: positive where the orbit is admissible, smooth along a curve, zero where the sequence of
+/// events changes.
+struct OrbitGuard {
+  GuardKind kind = GuardKind::approach;
+  int index = 0;       ///< the event or the contact
+  double value = 0.0;  ///< [-]
+  double phase = 0.0;  ///< where, after the section [rad]
+
+  [[nodiscard]] bool same(const OrbitGuard& other) const {
+    return kind == other.kind && index == other.index;
+  }
+};
+
+/// All test functions of an orbit, and its extremes.
+struct OrbitSurvey {
+  std::vector<OrbitGuard> guards;
+  Eigen::VectorXd highest, lowest;  ///< of x_j over the period, exact, Nc [m]
+
+  [[nodiscard]] const OrbitGuard* find(GuardKind kind, int index) const;
+};
+
+/// Of the orbit at which the equations are evaluated. Local maxima are those of `scan`, to round-off.
+OrbitSurvey survey(const ExtendedEquations& equations);
+
+/// What happens where a guard becomes zero, one clause: "contact 0 grazes its stop", ...
+std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, bool rigid);
+
+}  // namespace signorini

@@ -1,0 +1,61 @@
+#pragma once
+// Where a branch ends or doubles: the starts of those that leave it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "methods/orbit/continuation/curve.hpp"
+
+namespace signorini {
+
+/// What tells orbits of a parametrised scene apart.
+struct OrbitMark {
+  double parameter = 0.0;      ///< in units of the curve [-]
+  int order = 1;               ///< forcing periods [-]
+  std::vector<int> events;     ///< kind and contact of each, sorted
+  std::vector<double> speeds;  ///< approach speeds over V, sorted [-]
+  /// To 1e-6 in the parameter and 1e-4 in the speeds, or `loosely` to a hundred times that.
+  [[nodiscard]] bool same(const OrbitMark& other, bool loosely = false) const;
+};
+
+/// Of the orbit at which the equations are evaluated.
+OrbitMark mark_of(const ExtendedEquations& equations);
+
+/// A quantity of an orbit where the equations are evaluated.
+using OrbitQuantity = std::function<double(const ExtendedEquations&)>;
+
+/// A start at `orbit` along the curve on the side where a quantity that vanishes there grows; empty where the
+/// equations cannot be evaluated.
+std::optional<CurveStart> start_where_grows(OrbitFamily& family, const SequencedOrbit& orbit,
+                                            const OrbitQuantity& quantity, std::string origin);
+
+/// The doubled orbit at an orbit with a multiplier -1, and the way to it: with M phi = -phi and the instants
+/// following by dtheta = -(dh/dtheta)^-1 (dh/dy) phi, along (phi, dtheta, -dtheta, 0). The other way leads to
+/// the same orbits, one period later.
+std::optional<CurveStart> start_doubled(OrbitFamily& family, const SequencedOrbit& orbit);
+
+/// An orbit that grazes a rigid stop, without the impact.
+struct GrazingOrbit {
+  SequencedOrbit base;  ///< at its least period
+  int contact = 0;      ///< that grazes
+  double phase = 0.0;   ///< after its section [rad]
+  OrbitMark mark;       ///< of it
+  bool others = false;  ///< another contact grazes too, or another impact fades
+};
+
+/// The orbit behind the end of a curve by `approach` of an impact or by `clearance`.
+std::optional<GrazingOrbit> grazing_orbit(OrbitFamily& family, const TracedCurve& curve);
+
+/// The orbit without impact, on the side where it clears the stop.
+std::optional<CurveStart> start_clear(OrbitFamily& family, const GrazingOrbit& grazing);
+
+/// Families of impacting orbits that begin at a grazing, each on the side where its impacts grow; empty where
+/// the first order does not tell.
+std::optional<std::vector<CurveStart>> start_impacting(OrbitFamily& family, const GrazingOrbit& grazing,
+                                                       int max_order);
+
+/// The orbit with events i - 1 and i, which coincide, exchanged, on the side where they part.
+std::optional<CurveStart> start_exchanged(OrbitFamily& family, const SequencedOrbit& orbit, int i);
+
+}  // namespace signorini

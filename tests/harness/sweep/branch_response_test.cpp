@@ -1,0 +1,140 @@
+// The response by branches as users ask for it.
+#include "harness/sweep/branch_response.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "methods/orbit/exact_orbit.hpp"
+#include "tests/harness/program.hpp"
+#include "tests/support/exact_scenes.hpp"
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+
+namespace {
+
+// Distance from a value to the nearest special point of a kind in the answer of the program.
+double distance(const nlohmann::json& response, const std::string& kind, double omega) {
+  double nearest = 1e300;
+  for (const auto& branch : response["branches"]) {
+    for (const auto& special : branch["special"]) {
+      if (special["kind"] == kind)
+        nearest = std::min(nearest, std::abs(special["omega"].get<double>() - omega));
+    }
+  }
+  return nearest;
+}
+
+TEST(CommandSweep, HoldsTheSpecialPointsOfTheImpactOscillator) {
+  struct Truth {
+    const char* scene;
+    double doubling, fold, doubling_of_two;
+  };
+  for (const Truth& truth : {Truth{"sdof-stop", 2.2647019400, 3.8553753210, 2.9125835787},
+                             Truth{"sdof-stop-e08", 2.2652971760, 3.6934249832, 2.8875236601},
+                             Truth{"sdof-stop-e05", 2.2646455610, 3.4543608376, 2.8104370993}}) {
+    const test::Outcome outcome = test::run_program(
+        std::string("sweep ") + truth.scene + " --methods exact-orbit --from 1.5 --to 4.5 --format json");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto response = nlohmann::json::parse(outcome.out);
+    EXPECT_LT(distance(response, "grazing", 2.448265181813), 1e-9) << truth.scene;
+    EXPECT_LT(distance(response, "period-doubling", truth.doubling), 1e-9) << truth.scene;
+    EXPECT_LT(distance(response, "fold", truth.fold), 1e-9) << truth.scene;
+    EXPECT_LT(distance(response, "period-doubling", truth.doubling_of_two), 1e-9) << truth.scene;
+    EXPECT_EQ(response["unfinished"], "");
+    EXPECT_EQ(response["branches"].size(), 4U) << truth.scene;  // the orbit found at 1.5 lies on one of them
+    for (const auto& branch : response["branches"]) {
+      EXPECT_EQ(branch["method"], "exact-orbit");
+      EXPECT_FALSE(branch["ended"].get<std::string>().empty());
+      for (const auto& point : branch["points"]) {
+        EXPECT_EQ(point["multipliers"].empty(), point["stability"] == "undefined");
+        EXPECT_EQ(point["stable"].is_null(), point["stability"] == "undefined");
+        EXPECT_LE(point["x_max"][0].get<double>(), 0.2 + 1e-11);
+      }
+    }
+  }
+}
+
+TEST(CommandSweep, PutsStepsOfOtherMethodsBesideTheBranches) {
+  const std::string command =
+      "sweep sdof-stop --methods exact-orbit:hat-lcp --from 2.1 --to 2.3 --points 3 --format ";
+  const test::Outcome json = test::run_program(command + "json");
+  ASSERT_EQ(json.code, 0) << json.err;
+  const auto branches = nlohmann::json::parse(json.out)["branches"];
+  EXPECT_EQ(branches.back()["method"], "hat-lcp");
+  EXPECT_EQ(branches.back()["points"].size(), 3U);
+  const test::Outcome csv = test::run_program(command + "csv");
+  ASSERT_EQ(csv.code, 0) << csv.err;
+  EXPECT_NE(csv.out.find("period-doubling"), std::string::npos);
+  EXPECT_NE(csv.out.find("hat-lcp,0,2.2,"), std::string::npos);
+  const test::Outcome natural = test::run_program(command + "csv --natural");
+  EXPECT_EQ(std::count(natural.out.begin(), natural.out.end(), '\n'), 7) << natural.out;
+}
+
+TEST(CommandSweep, RefusesWhatItCannotFollowInOneLine) {
+  for (const char* arguments :
+       {"sweep sdof-penalty-soft --methods exact-orbit --from 1 --to 2", "sweep sdof-stop --from 1 --to 2",
+        "sweep sdof-stop --method hat-lcp --methods hat-lcp --from 1 --to 2",
+        "sweep sdof-stop --methods exact-orbit --from 2 --to 2",
+        "sweep sdof-stop --methods exact-orbit:none --from 1 --to 2"}) {
+    const test::Outcome outcome = test::run_program(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+// Of every two scenes one oscillator with one stop or two, of every four a chain of two to four masses.
+Problem random_scene(std::mt19937& random, int number) {
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  const double restitution = share(random) < 0.3 ? 1.0 : 0.3 + 0.7 * share(random);
+  if (number % 4 == 3) {
+    const int masses = 2 + static_cast<int>(3.0 * share(random));
+    Problem chain = test::stopped_chain(masses, restitution, 1 + static_cast<int>(2.0 * share(random)));
+    for (Contact& contact : chain.contacts) contact.gap = 0.1 + share(random);
+    return chain;
+  }
+  Problem oscillator = test::to_problem({.damping = 0.02 * std::pow(20.0, share(random)),
+                                         .gap = -0.3 + 1.3 * share(random),
+                                         .restitution = restitution});
+  if (number % 2 == 1) oscillator.contacts.push_back({.normal = {{0, -1.0}}, .gap = 0.3 + share(random)});
+  return oscillator;
+}
+
+// Every end has its reason, no motion passes a stop, and a polish, which finds its own way, agrees; but that
+// it refuses impacts that nearly graze.
+TEST(ExactBranches, OfRandomScenesAreTheirOrbits) {
+  std::mt19937 random(20261123);
+  int compared = 0;
+  for (int number = 0; number < 24; ++number) {
+    const Problem problem = random_scene(random, number);
+    const BranchDiagram diagram =
+        exact_branches(problem, {.from = 0.7, .to = 3.0}, {.max_branches = 10, .timeout = 60.0});
+    EXPECT_FALSE(diagram.branches.empty()) << number;
+    for (const Branch& branch : diagram.branches) {
+      EXPECT_FALSE(branch.began.empty() || branch.ended.empty());
+      EXPECT_NE(branch.ended, "the corrector fails") << number << " " << branch.sequence;
+      for (const BranchPoint& point : branch.points) {
+        for (std::size_t j = 0; j < problem.contacts.size(); ++j)
+          EXPECT_LE(point.x_max[j] - problem.contacts[j].gap, 1e-9)
+              << number << " " << branch.sequence << " at " << point.parameter << ", " << branch.ended;
+      }
+      for (std::size_t i = 1; i + 1 < branch.points.size(); i += 3, ++compared) {
+        Problem at = with_subharmonic(problem, branch.points[i].order);
+        at.frequency = branch.points[i].parameter;
+        const ExactOrbit orbit = polish_sequence(std::make_shared<OrbitModel>(at), branch.points[i].orbit);
+        EXPECT_TRUE(orbit.certified() || orbit.outcome == OrbitOutcome::grazing)
+            << number << " " << branch.sequence << " at " << at.frequency << ": " << orbit.reason;
+      }
+    }
+  }
+  EXPECT_GT(compared, 1000);
+}
+
+}  // namespace
+
+}  // namespace signorini

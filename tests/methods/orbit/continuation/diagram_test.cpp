@@ -1,0 +1,254 @@
+// Branches of impacting orbits against closed forms: their special points, every orbit on them, and their
+// ends.
+
+#include "methods/orbit/continuation/diagram.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "methods/orbit/exact_orbit.hpp"
+#include "tests/support/exact_scenes.hpp"
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+constexpr double kLocated = 1e-9;  // of a special point, as its closed form is known [rad/s]
+
+BranchDiagram diagram_of(const Problem& problem, double from, double to, const DiagramOptions& options = {}) {
+  OrbitFamily family(over_frequency(problem, from, to));
+  return trace_diagram(family, {contact_free_orbit(family, to).value()}, options);
+}
+
+// The branch of orbits of an order with so many impacts.
+const Branch* branch_of(const BranchDiagram& diagram, int order, int impacts) {
+  const auto found =
+      std::find_if(diagram.branches.begin(), diagram.branches.end(), [&](const Branch& branch) {
+        return branch.points.front().order == order && branch.points[1].impacts == impacts;
+      });
+  return found == diagram.branches.end() ? nullptr : &*found;
+}
+
+// Where a branch has a special point of a kind next to a value; what is missing is far away.
+double nearest(const Branch& branch, SpecialKind kind, double to) {
+  double best = 1e300;
+  for (const SpecialPoint& special : branch.special) {
+    if (special.kind == kind && std::abs(special.point.parameter - to) < std::abs(best - to))
+      best = special.point.parameter;
+  }
+  return best;
+}
+
+// The orbit of a point of a branch, polished on the scene at its parameter.
+ExactOrbit polished(const ParametrisedScene& scene, const BranchPoint& point) {
+  const auto model = std::make_shared<OrbitModel>(with_subharmonic(scene.at(point.parameter), point.order));
+  return polish_sequence(model, point.orbit);
+}
+
+// Bifurcations of the closed form of one impact in n periods, found there by a scan and bisection.
+struct OscillatorTruth {
+  double restitution = 1.0, doubling = 0.0, fold = 0.0, doubling_of_two = 0.0;
+};
+
+void PrintTo(const OscillatorTruth& truth, std::ostream* out) { *out << "e = " << truth.restitution; }
+
+class ResponseOfTheImpactOscillator : public testing::TestWithParam<OscillatorTruth> {
+ protected:
+  [[nodiscard]] test::ImpactOscillator oscillator() const {
+    return {.damping = 0.1, .gap = 0.2, .restitution = GetParam().restitution};
+  }
+};
+
+TEST_P(ResponseOfTheImpactOscillator, MeetsTheSpecialPointsOfItsClosedForm) {
+  const OscillatorTruth& truth = GetParam();
+  const BranchDiagram diagram = diagram_of(test::to_problem(oscillator()), 1.5, 4.5);
+  const Branch *free = branch_of(diagram, 1, 0), *one = branch_of(diagram, 1, 1),
+               *two = branch_of(diagram, 2, 1);
+  ASSERT_TRUE(free && one && two);
+  EXPECT_NEAR(nearest(*free, SpecialKind::grazing, 2.448), 2.448265181813, 1e-11);
+  EXPECT_NEAR(nearest(*one, SpecialKind::period_doubling, 2.26), truth.doubling, kLocated);
+  EXPECT_NEAR(nearest(*two, SpecialKind::fold, 3.6), truth.fold, kLocated);
+  EXPECT_NEAR(nearest(*two, SpecialKind::period_doubling, 2.9), truth.doubling_of_two, kLocated);
+  EXPECT_EQ(diagram.unfinished, "");
+  for (const Branch& branch : diagram.branches) EXPECT_FALSE(branch.began.empty() || branch.ended.empty());
+}
+
+// Orbits at the ends of branches graze, where a polish refuses them.
+TEST_P(ResponseOfTheImpactOscillator, HasPointsThatAreOrbitsOfTheScene) {
+  const ParametrisedScene scene = over_frequency(test::to_problem(oscillator()), 1.5, 4.5);
+  for (const Branch& branch : diagram_of(scene.at(2.0), scene.from, scene.to).branches) {
+    for (std::size_t i = 1; i + 1 < branch.points.size(); ++i) {
+      const BranchPoint& point = branch.points[i];
+      const ExactOrbit orbit = polished(scene, point);
+      ASSERT_EQ(orbit.outcome, OrbitOutcome::converged) << point.parameter << " " << orbit.reason;
+      EXPECT_LE(orbit.iterations, 2) << point.parameter;
+      EXPECT_EQ(point.stability == OrbitStability::stable, orbit.largest_multiplier() < 1.0)
+          << point.parameter;
+      if (point.impacts != 1) continue;
+      test::ImpactOscillator closed = oscillator();
+      closed.frequency = point.parameter;
+      closed.order = point.order;
+      double distance = 1.0;
+      for (const test::SingleImpactOrbit& exact : test::single_impact_orbits(closed))
+        distance = std::min(distance, std::abs(exact.impulse + orbit.trajectory->impulses().at(0).value));
+      EXPECT_LT(distance, 1e-9) << point.parameter;
+    }
+  }
+}
+
+TEST_P(ResponseOfTheImpactOscillator, NowhereJumps) {
+  const Problem problem = test::to_problem(oscillator());
+  OrbitFamily family(over_frequency(problem, 1.5, 4.5));
+  const double longest = CurveOptions{}.largest_step;
+  for (const Branch& branch : diagram_of(problem, 1.5, 4.5).branches) {
+    for (std::size_t i = 1; i < branch.points.size(); ++i) {
+      const BranchPoint &a = branch.points[i - 1], &b = branch.points[i];
+      EXPECT_LE(std::abs(b.parameter - a.parameter), 1.01 * longest * family.units().parameter);
+      EXPECT_LE(std::abs(b.amplitude.at(0) - a.amplitude.at(0)), 2.0 * longest * family.units().displacement);
+      EXPECT_GE(b.parameter, 1.5 - 1e-12);
+      EXPECT_LE(b.parameter, 4.5 + 1e-12);
+      EXPECT_LE(b.x_max.at(0), 0.2 + 1e-11);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(ClosedForms, ResponseOfTheImpactOscillator,
+                         testing::Values(OscillatorTruth{1.0, 2.2647019400, 3.8553753210, 2.9125835787},
+                                         OscillatorTruth{0.8, 2.2652971760, 3.6934249832, 2.8875236601},
+                                         OscillatorTruth{0.5, 2.2646455610, 3.4543608376, 2.8104370993}));
+
+// Whatever the steps: located points do not depend on them.
+TEST(TraceDiagram, LocatesTheSamePointsWithOtherSteps) {
+  const Problem problem = test::to_problem({.damping = 0.1, .gap = 0.2, .restitution = 0.8});
+  for (const double step : {0.03, 0.4}) {
+    const BranchDiagram diagram = diagram_of(problem, 1.5, 4.5, {.curve = {.largest_step = step}});
+    const Branch* two = branch_of(diagram, 2, 1);
+    ASSERT_TRUE(two);
+    EXPECT_NEAR(nearest(*two, SpecialKind::fold, 3.6), 3.6934249832, kLocated) << step;
+    EXPECT_NEAR(nearest(*two, SpecialKind::period_doubling, 2.9), 2.8875236601, kLocated) << step;
+    EXPECT_EQ(diagram.branches.size(), 4U) << step;
+  }
+}
+
+// The doubled orbits that leave (1, 1) end at the grazing at which those of (1, 2) take a second impact.
+TEST(TraceDiagram, FindsTheDoubledOrbitsOnceAndClosesTheGraph) {
+  const BranchDiagram diagram = diagram_of(test::to_problem({.damping = 0.1, .gap = 0.2}), 1.5, 4.5);
+  ASSERT_EQ(diagram.branches.size(), 4U);
+  const Branch *two = branch_of(diagram, 2, 1), *doubled = branch_of(diagram, 2, 2);
+  ASSERT_TRUE(two && doubled);
+  EXPECT_NEAR(nearest(*two, SpecialKind::grazing, 2.44), nearest(*doubled, SpecialKind::grazing, 2.44),
+              1e-11);
+}
+
+// Without loss multipliers stay on the circle: no orbit is stable, and the doubling is a double -1.
+TEST(TraceDiagram, TellsMotionsWithoutLossRightly) {
+  const BranchDiagram diagram = diagram_of(test::to_problem({.damping = 0.0, .gap = 0.2}), 1.9, 4.5);
+  const Branch* one = branch_of(diagram, 1, 1);
+  ASSERT_TRUE(one);
+  EXPECT_NEAR(nearest(*one, SpecialKind::period_doubling, 2.26), 2.2661984962, kLocated);
+  int elliptic = 0;
+  for (const BranchPoint& point : one->points) {
+    EXPECT_NE(point.stability, OrbitStability::stable) << point.parameter;
+    if (point.stability != OrbitStability::elliptic) continue;
+    ++elliptic;
+    EXPECT_NEAR(std::abs(point.multipliers[0]), 1.0, 1e-7);
+  }
+  EXPECT_GT(elliptic, 5);
+}
+
+// From an orbit in the middle of the interval both ways, as one branch.
+TEST(TraceDiagram, JoinsTheTwoHalvesOfABranch) {
+  OrbitFamily family(over_frequency(test::to_problem({.damping = 0.1, .gap = 0.2}), 2.0, 4.0));
+  const BranchDiagram diagram = trace_diagram(family, {contact_free_orbit(family, 3.0).value()}, {});
+  const Branch* free = branch_of(diagram, 1, 0);
+  ASSERT_TRUE(free);
+  const auto [least, most] = std::minmax_element(
+      free->points.begin(), free->points.end(),
+      [](const BranchPoint& a, const BranchPoint& b) { return a.parameter < b.parameter; });
+  EXPECT_NEAR(least->parameter, 2.448265181813, 1e-11);
+  EXPECT_NEAR(most->parameter, 4.0, 1e-12);
+  for (const SpecialPoint& special : free->special) EXPECT_LE(special.after, free->points.size());
+}
+
+// A motion between two stops at equal distance reaches both at once: what begins there is not a matter of one
+// contact, and no branch is made up.
+TEST(TraceDiagram, EndsWhereTwoContactsGrazeAtOnce) {
+  Problem problem = test::to_problem({.damping = 0.1, .gap = 0.2, .restitution = 0.8});
+  problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = 0.2});
+  const BranchDiagram diagram = diagram_of(problem, 2.0, 4.5);
+  EXPECT_EQ(diagram.branches.size(), 1U);
+  ASSERT_EQ(diagram.notes.size(), 1U);
+  EXPECT_NE(diagram.notes[0].find("graze at once"), std::string::npos) << diagram.notes[0];
+}
+
+TEST(TraceDiagram, StopsAtItsLimitsAndSaysSo) {
+  const Problem problem = test::to_problem({.damping = 0.1, .gap = 0.2});
+  const BranchDiagram few = diagram_of(problem, 1.5, 4.5, {.max_branches = 2});
+  EXPECT_EQ(few.branches.size(), 2U);
+  EXPECT_NE(few.unfinished.find("limit of 2"), std::string::npos) << few.unfinished;
+  const BranchDiagram brief = diagram_of(problem, 1.5, 4.5, {.curve = {.max_points = 5}});
+  EXPECT_EQ(brief.branches.at(0).ended, "limit of 5 points");
+  const BranchDiagram late = diagram_of(problem, 1.5, 4.5, {.curve = {.expired = [] { return true; }}});
+  EXPECT_TRUE(late.branches.empty());
+}
+
+// Several coordinates, one contact, one impact in a period T: with y = (I - e^{A T})^-1 (0, M^-1 b) the state
+// after periodic unit impulses, the approach speeds are those of a quadratic equation.
+std::vector<double> approach_speeds(const Problem& problem, double e) {
+  const Eigen::Index n = problem.size();
+  const double T = problem.period(), w = problem.frequency, g = problem.contacts[0].gap;
+  const Eigen::MatrixXd M(problem.mass()), K(problem.stiffness()), C(problem.damping());
+  const Eigen::VectorXd b = contact_directions(problem).col(0);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  A.topRightCorner(n, n).setIdentity();
+  A.bottomLeftCorner(n, n) = -M.inverse() * K;
+  A.bottomRightCorner(n, n) = -M.inverse() * C;
+  Eigen::VectorXd struck = Eigen::VectorXd::Zero(2 * n);
+  struck.tail(n) = M.inverse() * b;
+  const Eigen::VectorXd after =
+      (Eigen::MatrixXd::Identity(2 * n, 2 * n) - Eigen::MatrixXd(A * T).exp()).inverse() * struck;
+  const double g0 = b.dot(after.head(n)), gp = b.dot(after.tail(n)), gm = gp - b.dot(struck.tail(n));
+  const std::complex<double> i(0.0, 1.0);
+  const Eigen::MatrixXcd Z = K.cast<std::complex<double>>() - w * w * M + i * w * C;
+  const double a = std::abs(b.cast<std::complex<double>>().dot(Z.inverse() * load_harmonic(problem, 1)));
+  const double Gam = (gp + e * gm) / ((1.0 + e) * g0);
+  const double q = Gam * g / (a * std::hypot(w, Gam)), psi = std::atan2(Gam, w);
+  std::vector<double> speeds;
+  for (const double phi : {std::asin(q) - psi, std::numbers::pi - std::asin(q) - psi})
+    speeds.push_back(-a * w * std::sin(phi) - (a * std::cos(phi) - g) / g0 * gm);
+  return speeds;
+}
+
+TEST(TraceDiagram, FollowsOneImpactOfAChainAsItsClosedForm) {
+  constexpr double kRestitution = 0.8;
+  const Problem problem = test::stopped_chain(2, kRestitution);
+  const ParametrisedScene scene = over_frequency(problem, 0.5, 3.0);
+  const BranchDiagram diagram = diagram_of(problem, scene.from, scene.to, {.max_branches = 12});
+  int compared = 0;
+  for (const Branch& branch : diagram.branches) {
+    for (std::size_t i = 1; i + 1 < branch.points.size(); ++i) {
+      const BranchPoint& point = branch.points[i];
+      const ExactOrbit orbit = polished(scene, point);
+      ASSERT_EQ(orbit.outcome, OrbitOutcome::converged) << point.parameter << " " << orbit.reason;
+      if (point.impacts != 1) continue;
+      const double mass = 1.0 / delassus_matrix(problem)(0, 0);
+      const double v = -orbit.trajectory->impulses().at(0).value / ((1.0 + kRestitution) * mass);
+      double distance = 1.0;
+      for (const double speed :
+           approach_speeds(with_subharmonic(scene.at(point.parameter), point.order), kRestitution))
+        distance = std::min(distance, std::abs(speed - v));
+      EXPECT_LT(distance, 1e-10 * std::max(1.0, v)) << branch.sequence << " at " << point.parameter;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 50);
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,93 @@
+// The Jacobian with the parameter's column against differences of the residual, and the corrector on it.
+
+#include "methods/orbit/continuation/extended_equations.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <complex>
+
+#include "methods/orbit/continuation/arc_length.hpp"
+#include "tests/methods/orbit/cold_orbit.hpp"
+#include "tests/support/exact_scenes.hpp"
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+SequencedOrbit cold(OrbitFamily& family, double parameter) {
+  const Problem problem = family.scene().at(parameter);
+  const auto found = test::cold_orbit(problem);
+  EXPECT_TRUE(found.orbit) << found.solution.message;
+  return sequenced(family, found.orbit->orbit(), problem.period(), problem.frequency, parameter);
+}
+
+void expect_derivative(OrbitFamily& family, const SequencedOrbit& orbit) {
+  ExtendedEquations equations(family, orbit), beside(family, orbit);
+  Eigen::VectorXd at = orbit.x;
+  at.head(orbit.states()).array() += 1e-3;  // away from the solution
+  ASSERT_TRUE(equations.evaluate(at));
+  constexpr double kStep = 1e-5;
+  for (Eigen::Index k = 0; k < at.size(); ++k) {
+    const Eigen::VectorXd unit = kStep * Eigen::VectorXd::Unit(at.size(), k);
+    ASSERT_TRUE(beside.evaluate(at + unit));
+    const Eigen::VectorXd ahead = beside.residual();
+    ASSERT_TRUE(beside.evaluate(at - unit));
+    const Eigen::VectorXd difference = (ahead - beside.residual()) / (2.0 * kStep);
+    const double scale = std::max(1.0, difference.lpNorm<Eigen::Infinity>());
+    EXPECT_LT((equations.jacobian().col(k) - difference).lpNorm<Eigen::Infinity>(), 1e-5 * scale) << k;
+  }
+}
+
+TEST(ExtendedEquations, HaveTheirDerivativeInEveryParameter) {
+  const Problem chain = test::stopped_chain(2, 0.6);
+  OrbitFamily frequency(over_frequency(chain, 0.5, 0.9));
+  expect_derivative(frequency, cold(frequency, 0.7));
+  OrbitFamily restitution({.parameter = "law.restitution", .from = 0.4, .to = 0.8, .at = [chain](double e) {
+                             Problem changed = chain;
+                             changed.law = Restitution{e};
+                             return changed;
+                           }});
+  expect_derivative(restitution, cold(restitution, 0.6));
+  OrbitFamily gap({.parameter = "contact[0].gap", .from = 0.1, .to = 0.3, .at = [](double g) {
+                     return test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = g});
+                   }});
+  expect_derivative(gap, cold(gap, 0.2));
+}
+
+// The state at phase 0 of the contact-free motion is Re of the receptance: zero at the eigenfrequency.
+TEST(Locate, FindsAZeroOnACurve) {
+  OrbitFamily family(over_frequency(test::to_problem({.damping = 0.1, .gap = 20.0}), 0.5, 2.0));
+  const SequencedOrbit start = contact_free_orbit(family, 0.9).value();
+  ExtendedEquations equations(family, start);
+  ASSERT_TRUE(equations.evaluate(start.x));
+  const Eigen::VectorXd along = Eigen::VectorXd::Unit(start.x.size(), start.x.size() - 1);
+  const auto u = [](ExtendedEquations& at) { return std::optional(at.orbit().x[0]); };
+  const double length = 0.3 / family.units().parameter;
+  ASSERT_TRUE(correct_at_parameter(equations, start.x + length * along));
+  const double last = *u(equations);
+  const CurveStep step{.x = start.x, .tangent = along, .length = length};
+  const auto found = locate(equations, step, u, start.x[0], last);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(equations.parameter(), 1.0, 1e-13);
+  EXPECT_FALSE(locate(equations, step, u, last, last));  // no change of sign
+}
+
+TEST(TangentOf, IsTheDirectionOfTheCurve) {
+  OrbitFamily family(over_frequency(test::to_problem({.damping = 0.1, .gap = 20.0}), 0.5, 2.0));
+  const SequencedOrbit start = contact_free_orbit(family, 0.9).value();
+  ExtendedEquations equations(family, start);
+  ASSERT_TRUE(equations.evaluate(start.x));
+  const Eigen::VectorXd first = first_tangent(equations);
+  const auto second = tangent_of(equations, first);
+  ASSERT_TRUE(second);
+  EXPECT_LT((*second - first).norm(), 1e-12);
+  EXPECT_LT((equations.jacobian() * first).norm(), 1e-12);
+  const Eigen::VectorXd a = contact_free_orbit(family, 0.9 + 1e-6)->x,
+                        b = contact_free_orbit(family, 0.9 - 1e-6)->x;
+  EXPECT_NEAR(std::abs((a - b).normalized().dot(first)), 1.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,101 @@
+// Guards and extremes of closed-form orbits against dense samples of the closed form.
+
+#include "methods/orbit/continuation/survey.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "methods/orbit/continuation/bifurcations.hpp"
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+SequencedOrbit placed(OrbitFamily& family, const test::SingleImpactOrbit& orbit) {
+  const double section = orbit.impact_time - 0.4 * orbit.period;
+  return sequenced(family,
+                   {.start = {.time = section,
+                              .state = {.u = Eigen::VectorXd::Constant(1, orbit.x(section)),
+                                        .v = Eigen::VectorXd::Constant(1, orbit.velocity(section))},
+                              .closed = {false}},
+                    .events = {{.kind = ContactEvent::Kind::impact,
+                                .contact = 0,
+                                .time = orbit.impact_time,
+                                .pushed = {0},
+                                .restitution = {orbit.oscillator.restitution},
+                                .closed = {false}}},
+                    .origin = {}},
+                   orbit.period, orbit.oscillator.frequency, orbit.oscillator.frequency);
+}
+
+TEST(Survey, HasTheGuardsAndExtremesOfTheClosedForm) {
+  for (const double frequency : {1.2, 1.7, 2.2, 2.8}) {
+    for (const int order : {1, 2}) {
+      const test::ImpactOscillator oscillator{
+          .damping = 0.1, .frequency = frequency, .gap = 0.2, .restitution = 0.8, .order = order};
+      OrbitFamily family(over_frequency(test::to_problem(oscillator), 1.0, 3.0));
+      for (const test::SingleImpactOrbit& orbit : test::single_impact_orbits(oscillator)) {
+        const SequencedOrbit at = placed(family, orbit);
+        ExtendedEquations equations(family, at);
+        ASSERT_TRUE(equations.evaluate(at.x));
+        const OrbitSurvey found = survey(equations);
+        EXPECT_NEAR(found.find(GuardKind::approach, 0)->value * family.units().velocity, orbit.approach,
+                    1e-11);
+        EXPECT_NEAR(found.highest[0], 0.2, 1e-12);
+        double lowest = 1.0, peak = -1e300;
+        constexpr int kSamples = 20000;
+        double before = orbit.x(orbit.impact_time + 1e-9), rising = 0.0;
+        for (int i = 1; i < kSamples; ++i) {
+          const double x = orbit.x(orbit.impact_time + i * orbit.period / kSamples);
+          lowest = std::min(lowest, x);
+          if (rising > 0.0 && x < before) peak = std::max(peak, before);
+          rising = x - before;
+          before = x;
+        }
+        EXPECT_NEAR(found.lowest[0], lowest, 1e-6 * std::abs(lowest));
+        const OrbitGuard* clearance = found.find(GuardKind::clearance, 0);
+        ASSERT_EQ(clearance != nullptr, peak > -1e300) << frequency << " " << order;
+        if (clearance != nullptr) {
+          EXPECT_NEAR(clearance->value * family.units().displacement, 0.2 - peak, 1e-5);
+        }
+      }
+    }
+  }
+}
+
+TEST(BifurcationTests, HaveTheMultipliersOfTheClosedForm) {
+  const test::ImpactOscillator oscillator{.damping = 0.1, .frequency = 2.6, .gap = 0.2, .order = 2};
+  OrbitFamily family(over_frequency(test::to_problem(oscillator), 1.0, 3.0));
+  for (const test::SingleImpactOrbit& orbit : test::single_impact_orbits(oscillator)) {
+    const SequencedOrbit at = placed(family, orbit);
+    ExtendedEquations equations(family, at);
+    ASSERT_TRUE(equations.evaluate(at.x));
+    const BifurcationTests tests =
+        bifurcation_tests(equations, Eigen::VectorXd::Unit(at.x.size(), at.x.size() - 1));
+    EXPECT_NEAR(tests.multipliers.sum().real(), orbit.trace, 1e-10);
+    EXPECT_NEAR(tests.multipliers.prod().real(), orbit.determinant, 1e-10);
+    EXPECT_EQ(stability_of(equations, tests.multipliers) == OrbitStability::stable, orbit.stable());
+    EXPECT_FALSE(tests.of(SpecialKind::neimark_sacker));
+    EXPECT_FALSE(loses_nothing(equations));
+    // The sign of det(M + 1) v: a doubling changes it, a grazing does not.
+    const double doubled = (1.0 + orbit.trace + orbit.determinant) * orbit.approach;
+    EXPECT_EQ(*tests.of(SpecialKind::period_doubling) > 0.0, doubled > 0.0);
+  }
+}
+
+TEST(Confirmed, AsksForTheMultipliersOfTheBifurcation) {
+  Eigen::VectorXcd mu(2);
+  mu << -1.0, 0.3;
+  EXPECT_TRUE(confirmed(SpecialKind::period_doubling, mu));
+  EXPECT_FALSE(confirmed(SpecialKind::neimark_sacker, mu));
+  mu << std::polar(1.0, 0.7), std::polar(1.0, -0.7);
+  EXPECT_TRUE(confirmed(SpecialKind::neimark_sacker, mu));
+  EXPECT_FALSE(confirmed(SpecialKind::period_doubling, mu));
+  mu << 2.0, 0.5;  // a product of 1, no pair on the circle
+  EXPECT_FALSE(confirmed(SpecialKind::neimark_sacker, mu));
+}
+
+}  // namespace
+}  // namespace signorini
