@@ -14,7 +14,8 @@ struct LimitedOutput {
   const LinearArc& arc;  ///< kept by the caller
   int contact;           ///< j
   bool of_force;         ///< lambda_j, else x_j
-  double offset, unit;   ///< [m] or [N]
+  double offset;         ///< [m] or [N]
+  double unit;           ///< [m] or [N]
 
   /// order-th time derivative.
   [[nodiscard]] double value(double t, int order) const {
@@ -25,8 +26,11 @@ struct LimitedOutput {
 
 /// A limited output at one instant.
 struct LimitedSample {
-  double time = 0.0, value = 0.0, rate = 0.0, curvature = 0.0;
-  bool maximum = false;  ///< a local maximum inside the arc; rate and curvature are left 0
+  double time = 0.0;       ///< [s]
+  double value = 0.0;      ///< of LimitedOutput
+  double rate = 0.0;       ///< its first derivative
+  double curvature = 0.0;  ///< its second
+  bool maximum = false;    ///< a local maximum inside the arc; rate and curvature are left 0
 };
 
 /// Samples from `begin` to `end` at a sixteenth of the fastest period still alive, both ends included, each
