@@ -20,8 +20,20 @@ namespace {
 
 bool below_bars(const Record& record) { return *record.errors.x_l2 <= measurable_error(record); }
 
+/// Whether the method or the search for the orbit behind its answer ran out of time.
+bool ran_out_of_time(const Record& record) {
+  return record.status == Status::timeout || record.certificate.expired.value_or(false);
+}
+
 bool decided_by_time(const Record& kept, const Record& now) {
-  return kept.status != now.status && (kept.status == Status::timeout || now.status == Status::timeout);
+  const bool same = kept.status == now.status && kept.certificate.status == now.certificate.status;
+  return !same && (ran_out_of_time(kept) || ran_out_of_time(now));
+}
+
+/// What became of a case: its status, and its certificate where that tells more.
+std::string outcome_of(const Record& record) {
+  const std::string status(status_name(record.status));
+  return record.certificate.expired.value_or(false) ? status + ", uncertified for want of time" : status;
 }
 
 /// The case that a record came from.
@@ -36,7 +48,7 @@ void compare_case(const Record& kept, const Record& now, Rerun& result) {
   ++result.cases;
   if (decided_by_time(kept, now)) {
     result.remarks.push_back(
-        fmt::format("{}: {} became {}", kept.case_id, status_name(kept.status), status_name(now.status)));
+        fmt::format("{}: {} became {}", kept.case_id, outcome_of(kept), outcome_of(now)));
   }
   for (const std::string& line : compare_records(kept, now)) result.differences.push_back(line);
   if (kept.seconds && now.seconds && kept.seconds->median > 0.0)

@@ -71,8 +71,9 @@ class Attempts {
 
   /// Says why there is no certificate. An orbit near by, or a search without an end, speaks against calling
   /// the answer wrong.
-  void give_up() {
+  void give_up(Deadline deadline) {
     Certificate& certificate = result.certificate;
+    certificate.expired = std::chrono::steady_clock::now() > deadline;
     if (near_.empty() && nothing_found_.empty()) certificate.refutation = refutation_;
     for (const std::string& reason : {near_, refutation_, nothing_found_}) {
       if (certificate.reason.empty()) certificate.reason = reason;
@@ -133,7 +134,7 @@ CertifiedAnswer certify(const Problem& problem, std::shared_ptr<const Trajectory
     return attempts.take(find_orbit(same_order, tools.solver, shooting_options(),
                                     {.guess = answer, .deadline = deadline}, kLargestErrorBar));
   };
-  if (!polished() && (attempts.near() || !shot())) attempts.give_up();
+  if (!polished() && (attempts.near() || !shot())) attempts.give_up(deadline);
   return std::move(attempts.result);
 }
 

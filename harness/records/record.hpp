@@ -105,6 +105,7 @@ struct Certificate {
   std::optional<int> rule = {};           ///< by which an answer was judged: kCertificateRule of that time
   std::string reason = {};                ///< of uncertified or none; empty when certified
   std::string refutation = {};            ///< why the answer is wrong, where its orbit shows that
+  std::optional<bool> expired = {};       ///< of an answer that is not certified: the time to do so was up
   std::string source = {};                ///< how the orbit was found
   std::optional<std::string> orbit = {};  ///< fingerprint, equal for equal orbits
   std::optional<int> order = {};          ///< period of the orbit in forcing periods

@@ -91,6 +91,7 @@ void visit_fields(Either<Certificate> auto& certificate, auto&& field) {
   field(Field{"rule"}, certificate.rule);
   field(Field{"reason"}, certificate.reason);
   field(Field{"refutation"}, certificate.refutation);
+  field(Field{"expired"}, certificate.expired);
   field(Field{"source"}, certificate.source);
   field(Field{"orbit"}, certificate.orbit);
   field(Field{"order"}, certificate.order);

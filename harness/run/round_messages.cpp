@@ -78,7 +78,7 @@ Record received_first_round(const Record& blank, const ChildEnd& end) {
 }
 
 void send_later_round(const RepeatedSolve& repeat, const LineSender& send) {
-  if (!repeat.times) return send(json_line({{"message", repeat.message}}));
+  if (!repeat.times) return send(json_line({{"message", repeat.message}, {"expired", repeat.expired}}));
   send(
       json_line({{"setup", repeat.times->setup}, {"solve", repeat.times->solve}, {"answer", repeat.answer}}));
 }
@@ -94,7 +94,7 @@ void take_later_round(const ChildEnd& end, Record& record) {
     return;
   }
   if (json.contains("message")) {
-    record.status = Status::not_converged;
+    record.status = json.value("expired", false) ? Status::timeout : Status::not_converged;
     record.message = json.at("message");
   } else {
     take_failure(end, record);

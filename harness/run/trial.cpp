@@ -218,7 +218,7 @@ RepeatedSolve repeat_solve(const Scene& scene, const Case& planned_case, const L
   const Start begin{.guess = start, .deadline = deadline_after(limits.timeout)};
   const double solve = seconds_of([&] { solution = prepared->solve(begin); });
   const std::string answer = digest_of(solution);
-  if (answer.empty()) return {.times = {}, .message = as_message(solution.message)};
+  if (answer.empty()) return {.message = as_message(solution.message), .expired = begin.expired()};
   const FirstCall first{problem, *method, *prepared, start, setup, solve};
   return {.times = round_from(first, planned_case.id, limits).times, .answer = answer};
 }

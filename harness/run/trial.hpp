@@ -43,6 +43,7 @@ struct RepeatedSolve {
   std::optional<TimedRound> times = {};
   std::string answer = {};   ///< answer_digest of its first solve
   std::string message = {};  ///< of a method that does not converge this time
+  bool expired = false;      ///< it was not given time enough to
 };
 
 /// Sets up and solves anew from the same start, for the times and to see whether the answer is the same.

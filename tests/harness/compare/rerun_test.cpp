@@ -46,6 +46,12 @@ TEST(CompareRecords, ReportsAnotherStatusUnlessATimeLimitDecidedIt) {
             "scene/method[n=1]: converged became inaccurate: penetrates");
   now.status = Status::timeout;
   EXPECT_TRUE(compare_records(sample(), now).empty());
+  now = sample();
+  now.certificate.status = CertificateStatus::uncertified;
+  now.certificate.expired = false;
+  EXPECT_EQ(compare_records(sample(), now).size(), 1U);
+  now.certificate.expired = true;
+  EXPECT_TRUE(compare_records(sample(), now).empty());
 }
 
 TEST(CompareRecords, ReportsALostCertificateAndALostError) {

@@ -128,7 +128,9 @@ TEST(TakeLaterRound, CountsTheFailureOfALaterRoundAgainstTheCase) {
   EXPECT_FALSE(record.seconds.has_value());
 
   record = begun;
-  take_later_round({.lines = {R"({"message": "stalled"})"}}, record);
+  take_later_round({.lines = {R"({"message": "stalled", "expired": true})"}}, record);
+  EXPECT_EQ(record.status, Status::timeout);
+  take_later_round({.lines = {R"({"message": "stalled", "expired": false})"}}, record);
   EXPECT_EQ(record.status, Status::not_converged);
   EXPECT_EQ(record.message, "in a repeated solve: stalled");
 

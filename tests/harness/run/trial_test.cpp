@@ -77,6 +77,9 @@ TEST(RepeatSolve, GivesTheDigestOfTheFirstSolve) {
   const RepeatedSolve failed = repeat_solve(scene, test::fake_case(scene, "give_up"), limits, nullptr);
   EXPECT_FALSE(failed.times.has_value());
   EXPECT_NE(failed.message, "");
+  EXPECT_FALSE(failed.expired);
+  const Limits short_limits{.timeout = 0.05, .repetitions = 1};
+  EXPECT_TRUE(repeat_solve(scene, test::fake_case(scene, "obey_deadline"), short_limits, nullptr).expired);
 }
 
 Case case_starting(const Scene& scene, const std::string& start) {
