@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [1.78e-05:1.26e+01]
+set xrange [1.63e-05:1.12e+01]
 set yrange [3.10e-12:1.91e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

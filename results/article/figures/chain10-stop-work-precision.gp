@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [1.03e-04:3.58e-01]
+set xrange [9.90e-05:3.30e-01]
 set yrange [3.47e-12:2.21e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

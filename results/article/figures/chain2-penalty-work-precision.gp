@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [1.48e-05:1.02e+01]
+set xrange [1.38e-05:9.72e+00]
 set yrange [1.29e-12:1.68e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [3.65e-05:3.73e-01]
+set xrange [3.56e-05:3.22e-01]
 set yrange [1.50e-12:2.03e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

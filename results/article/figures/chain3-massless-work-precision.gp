@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [3.04e-05:2.72e+01]
+set xrange [2.89e-05:2.59e+01]
 set yrange [1.15e-11:2.67e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

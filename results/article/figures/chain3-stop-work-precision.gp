@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [5.00e-05:3.73e-01]
+set xrange [4.85e-05:3.36e-01]
 set yrange [1.84e-12:1.89e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -8,7 +8,7 @@ eval 'set terminal '.(format eq 'svg' ? svg : pdf)
 set output 'profile-3.'.format
 set multiplot layout 1,3 margins 0.06,0.99,0.36,0.90 spacing 0.03,0
 set logscale x
-set xrange [1:2.946976e+03]
+set xrange [1:2.754447e+03]
 set yrange [-0.02:1.02]
 set ytics 0,0.25,1
 set grid back lc rgb '#cccccc' lw 0.5

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x, own law [-]'
-set xrange [6.41e-04:5.89e+00]
+set xrange [6.77e-04:5.56e+00]
 set yrange [1.44e-12:1.07e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

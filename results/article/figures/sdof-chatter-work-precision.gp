@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [1.78e-04:3.15e+00]
+set xrange [1.76e-04:2.91e+00]
 set yrange [2.22e-12:4.77e-02]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

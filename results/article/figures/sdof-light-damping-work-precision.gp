@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [3.23e-05:1.35e-01]
+set xrange [2.07e-05:1.33e-01]
 set yrange [6.50e-12:1.33e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

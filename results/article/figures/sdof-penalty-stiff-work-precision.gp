@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [9.41e-05:2.91e+00]
+set xrange [6.40e-05:2.03e+00]
 set yrange [2.76e-12:2.68e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x, own law [-]'
-set xrange [6.24e-05:1.16e-01]
+set xrange [6.25e-05:1.19e-01]
 set yrange [9.69e-12:3.89e-02]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [1.20e-05:1.02e-01]
+set xrange [1.13e-05:8.79e-02]
 set yrange [1.46e-12:1.80e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

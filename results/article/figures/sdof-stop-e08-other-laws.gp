@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x, own law [-]'
-set xrange [4.32e-05:1.53e-01]
+set xrange [2.89e-05:1.20e-01]
 set yrange [9.69e-12:1.88e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [2.47e-05:3.41e-02]
+set xrange [1.60e-05:3.23e-02]
 set yrange [1.30e-12:1.06e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

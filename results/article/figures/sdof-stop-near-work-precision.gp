@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [2.38e-05:1.28e-01]
+set xrange [1.75e-05:1.21e-01]
 set yrange [3.76e-13:2.02e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x, own law [-]'
-set xrange [3.62e-05:3.26e-04]
+set xrange [2.83e-05:2.55e-04]
 set yrange [9.41e-12:5.82e-02]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [1.67e-05:3.02e-01]
+set xrange [1.58e-05:1.19e-01]
 set yrange [9.41e-12:1.16e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x, own law [-]'
-set xrange [7.06e-05:4.67e-01]
+set xrange [7.16e-05:4.76e-01]
 set yrange [2.67e-11:9.73e-02]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [1.71e-05:4.25e-02]
+set xrange [1.75e-05:3.77e-02]
 set yrange [2.40e-11:1.73e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

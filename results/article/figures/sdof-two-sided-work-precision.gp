@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [4.50e-05:2.84e+00]
+set xrange [4.39e-05:2.44e+00]
 set yrange [1.01e-12:2.23e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [2.59e-05:1.95e+00]
+set xrange [1.80e-05:1.32e+00]
 set yrange [2.17e-11:2.17e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
