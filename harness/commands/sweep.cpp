@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
@@ -81,7 +83,7 @@ std::vector<std::string> split_names(const std::string& names) {
   return parts;
 }
 
-// Branches of several methods, those of exact orbits by arc length.
+// Branches of several methods, by arc length where a method has a curve of its own.
 int sweep_branches(const SweepArguments& arguments) {
   const Scene scene = read_scene(find_scene(arguments.scene));
   std::vector<MethodChoice> methods;
@@ -92,8 +94,13 @@ int sweep_branches(const SweepArguments& arguments) {
   bool all = true;
   for (const MethodChoice& method : methods) {
     MethodResponse response{.method = method.label(), .order = scene.problem.subharmonic};
-    if (method.entry->name == kFollowedByArcLength && !arguments.natural) {
-      response.diagram = exact_branches(scene.problem, arguments.range, arguments.branches);
+    const bool exact = method.entry->name == kFollowedByArcLength;
+    std::optional<BranchDiagram> own;
+    if (!arguments.natural)
+      own = exact ? exact_branches(scene.problem, arguments.range, arguments.branches)
+                  : own_branches(scene.problem, method, arguments.range, arguments.branches);
+    if (own) {
+      response.diagram = *std::move(own);
       all = all && !response.diagram.branches.empty();
     } else {
       response.steps = steps(arguments, scene, method);
@@ -129,14 +136,15 @@ void add_sweep_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("sweep",
                          "Frequency response: one method on one scene at one frequency after "
                          "another, each solve from the answer before; or the branches of several "
-                         "methods, those of exact-orbit by arc length through folds and grazings. "
+                         "methods, by arc length through folds and grazings where a method has its own. "
                          "Exit code 1 if a solve did not converge, or no branch was found.");
   const auto arguments = std::make_shared<SweepArguments>();
   command->add_option("scene", arguments->scene, "a scene of the catalogue, or a scene file")->required();
   command->add_option("--method", arguments->method, "method name; see `signorini list methods`");
   command->add_option("--methods", arguments->methods,
-                      "A:B: branches of several methods, exact-orbit by arc length, others by steps");
-  command->add_flag("--natural", arguments->natural, "with --methods: steps for exact-orbit too");
+                      "A:B: branches of several methods, by arc length where a method has its own curve "
+                      "(exact-orbit, harmonic balance, hat functions), others by steps");
+  command->add_flag("--natural", arguments->natural, "with --methods: steps for all of them");
   command
       ->add_option("--orders", arguments->branches.max_order,
                    "by arc length: longest period [forcing periods]")

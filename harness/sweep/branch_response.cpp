@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
+#include "methods/curve_method.hpp"
 #include "methods/orbit/exact_trajectory.hpp"
 
 namespace signorini {
@@ -16,6 +17,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
+
+Clock::time_point deadline_of(const BranchLimits& limits) {
+  return Clock::now() +
+         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.timeout));
+}
 
 // The answer of exact-orbit at a frequency, if there is one.
 std::optional<SequencedOrbit> found_orbit(const OrbitFamily& family, double frequency,
@@ -123,8 +129,7 @@ BranchDiagram exact_branches(const Problem& problem, const SweepRange& range, co
   if (const std::string obstacle = continuation_obstacle(problem); !obstacle.empty())
     throw UsageError(fmt::format("methods = {} (must be followed with --natural here: {})",
                                  kFollowedByArcLength, obstacle));
-  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                           std::chrono::duration<double>(limits.timeout));
+  const Clock::time_point deadline = deadline_of(limits);
   OrbitFamily family(over_frequency(problem, range.from, range.to));
   std::vector<SequencedOrbit> seeds;
   for (const double frequency : {range.from, range.to}) {
@@ -138,6 +143,27 @@ BranchDiagram exact_branches(const Problem& problem, const SweepRange& range, co
       {.curve = {.max_points = limits.max_points, .expired = [deadline] { return Clock::now() > deadline; }},
        .max_order = limits.max_order,
        .max_branches = limits.max_branches});
+}
+
+std::optional<BranchDiagram> own_branches(const Problem& problem, const MethodChoice& method,
+                                          const SweepRange& range, const BranchLimits& limits) {
+  (void)sweep_frequencies(range);  // refuses a range that is none
+  const std::unique_ptr<Method> made = method.make();
+  const auto* curve = dynamic_cast<const CurveMethod*>(made.get());
+  if (curve == nullptr) return std::nullopt;
+  for (const double frequency : {range.from, range.to}) {
+    Problem at = problem;
+    at.frequency = frequency;
+    const Support support = made->supports(at);
+    if (!support.ok)
+      throw UsageError(
+          fmt::format("methods = {} (must apply to the scene: {})", method.label(), support.reason));
+  }
+  return curve->follow(problem, range.from, range.to,
+                       {.max_order = limits.max_order,
+                        .max_branches = limits.max_branches,
+                        .max_points = limits.max_points,
+                        .deadline = deadline_of(limits)});
 }
 
 Json to_json(const std::vector<MethodResponse>& responses) {

@@ -1,8 +1,9 @@
 #pragma once
-// Branches of a frequency response: of exact orbits by arc length, of other methods by steps of the
-// frequency.
+// Branches of a frequency response: by arc length of exact orbits and of methods that follow their own curve,
+// of others by steps of the frequency.
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,10 @@
 
 namespace signorini {
 
-/// The name of the method whose branches are followed by arc length.
+/// The name of the method whose branches are those of exact orbits.
 inline constexpr std::string_view kFollowedByArcLength = "exact-orbit";
 
-/// Limits of a diagram of exact orbits.
+/// Limits of a diagram.
 struct BranchLimits {
   int max_order = 2;      ///< forcing periods per period of an orbit
   int max_branches = 60;  ///< in all
@@ -28,10 +29,15 @@ struct BranchLimits {
 /// continuation_obstacle names a reason
 BranchDiagram exact_branches(const Problem& problem, const SweepRange& range, const BranchLimits& limits);
 
+/// The branches of a method on its own equations (CurveMethod); empty where it has no curve of its own.
+/// \throws UsageError where the method does not apply to the scene at an end of the range
+std::optional<BranchDiagram> own_branches(const Problem& problem, const MethodChoice& method,
+                                          const SweepRange& range, const BranchLimits& limits);
+
 /// What one method makes of a response: its branches, or the points of its steps.
 struct MethodResponse {
   std::string method;                  ///< label of the choice
-  BranchDiagram diagram = {};          ///< of exact-orbit by arc length
+  BranchDiagram diagram = {};          ///< by arc length
   std::vector<SweepPoint> steps = {};  ///< of any other, or with natural steps
   int order = 1;                       ///< of the motions that the steps look for
 };
@@ -39,9 +45,9 @@ struct MethodResponse {
 /// {"branches": [{"method", "sequence", "points": [{"omega", "order", "amplitude", "x_max", "impacts",
 /// "stable", "stability", "multipliers"}], "special": [{"kind", "omega", "order", "after", "multipliers",
 /// "text"}], "began", "ended"}], "unfinished", "notes"}. amplitude and x_max have an entry per contact;
-/// `stable` is null where the multipliers do not tell: on the circle, or undefined at a grazing; a multiplier
-/// is [re, im]; `after` counts the points of the branch before a special one. Points of natural steps have
-/// their status instead of impacts and multipliers.
+/// `stable` is null where the multipliers do not tell: on the circle, undefined at a grazing, unknown; a
+/// multiplier is [re, im]; `after` counts the points of the branch before a special one. Points of natural
+/// steps have their status instead of impacts and multipliers.
 nlohmann::ordered_json to_json(const std::vector<MethodResponse>& responses);
 
 /// One row per point and special point, in the order of the branches.

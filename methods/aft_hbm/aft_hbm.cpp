@@ -1,9 +1,8 @@
 #include "methods/aft_hbm/aft_hbm.hpp"
 
-#include <utility>
-
 #include "methods/aft_hbm/aft_grid_solver.hpp"
 #include "methods/complementarity/projected_law.hpp"
+#include "methods/harmonic_balance/continuation/series_diagram.hpp"
 #include "methods/harmonic_balance/strategy.hpp"
 
 namespace signorini {
@@ -27,22 +26,35 @@ RepresentedLaw AftHbm::law(const Problem& problem) const {
   return projected_method_law(problem, options_.penalty);
 }
 
-std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
+LawAt AftHbm::law_at(const Problem& problem) const {
   const HarmonicOptions& common = options_.common;
-  LawAt law_at = [&problem, law = options_.law, c = common.lipschitz_constant(options_.c),
-                  penalty = common.penalty(options_.penalty, problem)](const ContactReceptance& receptance) {
+  return [&problem, law = options_.law, c = common.lipschitz_constant(options_.c),
+          penalty = common.penalty(options_.penalty, problem)](const ContactReceptance& receptance) {
     return law == ContactLaw::penalty ? penalty_law(problem, penalty, receptance)
                                       : lipschitz_law(problem, c, receptance);
   };
+}
+
+std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
+  const HarmonicOptions& common = options_.common;
   const bool homotopy = options_.homotopy.value_or(!common.plain);
   return prepare_harmonic_balance(
       problem, common,
-      {.law_at = std::move(law_at),
+      {.law_at = law_at(problem),
        .grid_solver = aft_grid_solver(
            {.tolerance = common.tolerance, .max_iterations = common.max_iterations}, homotopy),
        .constant_is_chosen = options_.c.has_value() || options_.penalty.has_value() || common.plain,
        .solver_is_open = homotopy,
        .newton_from_guess = false});  // its own Newton method takes the guess, on the first grid
+}
+
+BranchDiagram AftHbm::follow(const Problem& problem, double from, double to,
+                             const CurveLimits& limits) const {
+  Options bare = options_;
+  bare.common.compensate = false;
+  const auto prepare_bare = [method = AftHbm(bare)](const Problem& scene) { return method.prepare(scene); };
+  return series_diagram(problem, from, to,
+                        {.options = bare.common, .law_at = law_at(problem), .prepare = prepare_bare}, limits);
 }
 
 }  // namespace signorini

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "methods/complementarity/projected_law.hpp"
+#include "methods/curve_method.hpp"
 #include "methods/harmonic_balance/harmonic_options.hpp"
 #include "methods/method.hpp"
 
@@ -24,7 +26,7 @@ namespace signorini {
 /// `plain`: alternating frequency/time on 32 H samples and Newton from the contact-free response, or by
 /// `continuation=frequency` from where nothing touches, with the constants of fourier-lipschitz and
 /// penalty-hbm, without homotopy or compensation. It sets what is left at `auto`.
-class AftHbm final : public Method {
+class AftHbm final : public Method, public CurveMethod {
  public:
   enum class ContactLaw { dlft, penalty };
 
@@ -69,8 +71,13 @@ class AftHbm final : public Method {
   [[nodiscard]] Support supports(const Problem& problem) const override;
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
+  /// Of the equations above, impacts not compensated (series_diagram).
+  [[nodiscard]] BranchDiagram follow(const Problem& problem, double from, double to,
+                                     const CurveLimits& limits) const override;
 
  private:
+  [[nodiscard]] LawAt law_at(const Problem& problem) const;
+
   Options options_;
 };
 

@@ -156,8 +156,11 @@ Eigen::VectorXcd shift_spectrum(const ContactInterval& interval, const std::vect
 }
 
 ContactIndicator::ContactIndicator(const std::vector<ContactInterval>& intervals, int harmonics)
+    : ContactIndicator(indicator_spectrum(intervals, 2 * harmonics)) {}
+
+ContactIndicator::ContactIndicator(Eigen::VectorXcd spectrum)
     // chi s reaches harmonic 3 H: on more than 4 H samples none of it folds onto |n| <= H.
-    : spectrum_(indicator_spectrum(intervals, 2 * harmonics)), values_(4 * harmonics + 2) {
+    : spectrum_(std::move(spectrum)), values_(2 * spectrum_.size()) {
   RealFft(static_cast<int>(values_.size())).inverse(spectrum_, values_);
 }
 

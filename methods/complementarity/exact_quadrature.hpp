@@ -35,6 +35,8 @@ class ContactIndicator {
  public:
   /// Takes the union of the intervals, for polynomials of degree H = `harmonics`.
   ContactIndicator(const std::vector<ContactInterval>& intervals, int harmonics);
+  /// From chi_n, n = 0..2 H, which may be those of a sampled function.
+  explicit ContactIndicator(Eigen::VectorXcd spectrum);
 
   /// chi_n, n = 0..2 H.
   [[nodiscard]] const Eigen::VectorXcd& spectrum() const { return spectrum_; }

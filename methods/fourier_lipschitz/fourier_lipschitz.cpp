@@ -1,8 +1,7 @@
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 
-#include <utility>
-
 #include "methods/complementarity/projected_law.hpp"
+#include "methods/harmonic_balance/continuation/series_diagram.hpp"
 #include "methods/harmonic_balance/grid_solver.hpp"
 #include "methods/harmonic_balance/strategy.hpp"
 
@@ -19,15 +18,30 @@ Support FourierLipschitz::supports(const Problem& problem) const {
 
 RepresentedLaw FourierLipschitz::law(const Problem& problem) const { return projected_method_law(problem); }
 
+LawAt FourierLipschitz::law_at(const Problem& problem) const {
+  return [&problem, c = options_.common.lipschitz_constant(options_.c)](const ContactReceptance& receptance) {
+    return lipschitz_law(problem, c, receptance);
+  };
+}
+
 std::unique_ptr<PreparedMethod> FourierLipschitz::prepare(const Problem& problem) const {
-  LawAt law_at = [&problem, c = options_.common.lipschitz_constant(options_.c)](
-                     const ContactReceptance& receptance) { return lipschitz_law(problem, c, receptance); };
   return prepare_harmonic_balance(
       problem, options_.common,
-      {.law_at = std::move(law_at),
+      {.law_at = law_at(problem),
        .grid_solver = lcp_grid_solver(lcp_settings(options_.common, options_.solver)),
        .constant_is_chosen = options_.c.has_value() || options_.common.plain,
        .solver_is_open = leaves_solver_open(options_.common, options_.solver)});
+}
+
+BranchDiagram FourierLipschitz::follow(const Problem& problem, double from, double to,
+                                       const CurveLimits& limits) const {
+  Options bare = options_;
+  bare.common.compensate = false;
+  const auto prepare_bare = [method = FourierLipschitz(bare)](const Problem& scene) {
+    return method.prepare(scene);
+  };
+  return series_diagram(problem, from, to,
+                        {.options = bare.common, .law_at = law_at(problem), .prepare = prepare_bare}, limits);
 }
 
 }  // namespace signorini

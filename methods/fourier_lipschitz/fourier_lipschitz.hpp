@@ -4,6 +4,8 @@
 #include <optional>
 #include <string_view>
 
+#include "methods/complementarity/projected_law.hpp"
+#include "methods/curve_method.hpp"
 #include "methods/harmonic_balance/harmonic_options.hpp"
 #include "methods/method.hpp"
 #include "methods/solvers/complementarity_solver.hpp"
@@ -22,7 +24,7 @@ namespace signorini {
 /// semi-smooth Newton iteration from the contact-free response, or by `continuation=frequency` from where
 /// nothing touches; c is the static stiffness of the contact. It sets what is left at `auto`: with
 /// `plain=true,solver=pivoting` the literature's equations are solved from a cold start too.
-class FourierLipschitz final : public Method {
+class FourierLipschitz final : public Method, public CurveMethod {
  public:
   static constexpr std::string_view kName = "fourier-lipschitz";
   static constexpr std::string_view kTitle =
@@ -56,8 +58,13 @@ class FourierLipschitz final : public Method {
   [[nodiscard]] Support supports(const Problem& problem) const override;
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
+  /// Of the equations above, impacts not compensated (series_diagram).
+  [[nodiscard]] BranchDiagram follow(const Problem& problem, double from, double to,
+                                     const CurveLimits& limits) const override;
 
  private:
+  [[nodiscard]] LawAt law_at(const Problem& problem) const;
+
   Options options_;
 };
 

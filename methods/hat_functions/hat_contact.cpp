@@ -148,14 +148,13 @@ bool cheap_on_the_next_grid(const Solution& solution) {
 /// A motion smaller than this part of the static deflection is rounding [-].
 constexpr double kAtRest = 1e-6;
 
-/// Deflection of the softest contact under the load at its largest, held still [m].
+}  // namespace
+
 double static_deflection(const Problem& problem) {
   double load = 0.0;
   for (const ForceTerm& term : problem.force) load += std::hypot(term.cos, term.sin);
   return load / contact_stiffness_scale(problem).minCoeff();
 }
-
-}  // namespace
 
 std::unique_ptr<PreparedMethod> hat_contact(const Problem& problem, const HatSettings& settings,
                                             std::optional<double> restitution) {

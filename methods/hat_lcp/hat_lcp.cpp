@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "methods/hat_functions/continuation/hat_diagram.hpp"
+
 namespace signorini {
 
 HatLcp::HatLcp(const Options& options) : options_(options) {
@@ -32,11 +34,14 @@ RepresentedLaw HatLcp::law(const Problem& problem) const {
   return std::get<Restitution>(problem.law);
 }
 
-std::unique_ptr<PreparedMethod> HatLcp::prepare(const Problem& problem) const {
-  std::optional<double> restitution;
+std::optional<double> HatLcp::imposed_restitution(const Problem& problem) const {
   const auto* law = std::get_if<Restitution>(&problem.law);
   const bool imposed = impact_law() == ImpactLaw::scene && options_.scheme != Scheme::backward;
-  if (law != nullptr && imposed) restitution = law->e;
+  return law != nullptr && imposed ? std::optional(law->e) : std::nullopt;
+}
+
+std::unique_ptr<PreparedMethod> HatLcp::prepare(const Problem& problem) const {
+  const std::optional<double> restitution = imposed_restitution(problem);
   const bool one_path = options_.plain && options_.solver == ComplementaritySolver::automatic;
   const HatSettings settings{.samples = first_samples(problem),
                              .scheme = options_.scheme,
@@ -47,6 +52,19 @@ std::unique_ptr<PreparedMethod> HatLcp::prepare(const Problem& problem) const {
                        options_.max_iterations == 0 && options_.solver == ComplementaritySolver::automatic;
   if (!refines) return hat_contact(problem, settings, restitution);
   return refined_hat_contact(problem, settings, restitution);
+}
+
+BranchDiagram HatLcp::follow(const Problem& problem, double from, double to,
+                             const CurveLimits& limits) const {
+  HatFamily family = hat_family(problem, from, to);
+  family.samples = first_samples(problem);
+  family.scheme = options_.scheme;
+  family.restitution = imposed_restitution(problem);
+  Options one_grid = options_;
+  one_grid.samples = family.samples;
+  const HatLcp method(one_grid);
+  return hat_diagram(
+      family, from, to, [&method](const Problem& scene) { return method.prepare(scene); }, limits);
 }
 
 }  // namespace signorini

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "methods/curve_method.hpp"
 #include "methods/hat_functions/hat_contact.hpp"
 #include "methods/method.hpp"
 
@@ -27,7 +28,7 @@ namespace signorini {
 ///
 /// `plain`: the source paper's problem, complementarity on the nodal gaps, by one path of pivots (Lemke's
 /// method) without restarts or marching. It sets what is left at `auto`.
-class HatLcp final : public Method {
+class HatLcp final : public Method, public CurveMethod {
  public:
   using Scheme = HatScheme;
   enum class ImpactLaw { scene, none };
@@ -69,10 +70,15 @@ class HatLcp final : public Method {
   [[nodiscard]] Support supports(const Problem& problem) const override;
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
+  /// Of one grid, the one asked for or the first (hat_diagram).
+  [[nodiscard]] BranchDiagram follow(const Problem& problem, double from, double to,
+                                     const CurveLimits& limits) const override;
 
  private:
   /// The impact law asked for.
   [[nodiscard]] ImpactLaw impact_law() const;
+  /// The restitution that the form imposes on a scene, if any.
+  [[nodiscard]] std::optional<double> imposed_restitution(const Problem& problem) const;
   /// Nodes of the first grid; left to the method, sixteen per oscillation of the load, from 256 to 4096.
   [[nodiscard]] int first_samples(const Problem& problem) const;
 

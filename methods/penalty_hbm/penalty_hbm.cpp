@@ -1,8 +1,7 @@
 #include "methods/penalty_hbm/penalty_hbm.hpp"
 
-#include <utility>
-
 #include "methods/complementarity/projected_law.hpp"
+#include "methods/harmonic_balance/continuation/series_diagram.hpp"
 #include "methods/harmonic_balance/grid_solver.hpp"
 #include "methods/harmonic_balance/strategy.hpp"
 
@@ -22,17 +21,29 @@ RepresentedLaw PenaltyHbm::law(const Problem& problem) const {
   return projected_method_law(problem, options_.penalty);
 }
 
+LawAt PenaltyHbm::law_at(const Problem& problem) const {
+  return [&problem, penalty = options_.common.penalty(options_.penalty, problem)](
+             const ContactReceptance& receptance) { return penalty_law(problem, penalty, receptance); };
+}
+
 std::unique_ptr<PreparedMethod> PenaltyHbm::prepare(const Problem& problem) const {
-  LawAt law_at = [&problem, penalty = options_.common.penalty(options_.penalty, problem)](
-                     const ContactReceptance& receptance) {
-    return penalty_law(problem, penalty, receptance);
-  };
   return prepare_harmonic_balance(
       problem, options_.common,
-      {.law_at = std::move(law_at),
+      {.law_at = law_at(problem),
        .grid_solver = lcp_grid_solver(lcp_settings(options_.common, options_.solver)),
        .constant_is_chosen = options_.penalty.has_value() || options_.common.plain,
        .solver_is_open = leaves_solver_open(options_.common, options_.solver)});
+}
+
+BranchDiagram PenaltyHbm::follow(const Problem& problem, double from, double to,
+                                 const CurveLimits& limits) const {
+  Options bare = options_;
+  bare.common.compensate = false;
+  const auto prepare_bare = [method = PenaltyHbm(bare)](const Problem& scene) {
+    return method.prepare(scene);
+  };
+  return series_diagram(problem, from, to,
+                        {.options = bare.common, .law_at = law_at(problem), .prepare = prepare_bare}, limits);
 }
 
 }  // namespace signorini

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string_view>
 
+#include "methods/complementarity/projected_law.hpp"
+#include "methods/curve_method.hpp"
 #include "methods/harmonic_balance/harmonic_options.hpp"
 #include "methods/method.hpp"
 #include "methods/solvers/complementarity_solver.hpp"
@@ -18,7 +20,7 @@ namespace signorini {
 /// `plain`: the equations alone, the contact integral on 32 H samples, solved by Newton's method from the
 /// contact-free response, or by `continuation=frequency` from where nothing touches; eps is a hundred times
 /// the static stiffness of the contact. It sets what is left at `auto`.
-class PenaltyHbm final : public Method {
+class PenaltyHbm final : public Method, public CurveMethod {
  public:
   static constexpr std::string_view kName = "penalty-hbm";
   static constexpr std::string_view kTitle = "Harmonic balance with a penalty spring for the stop";
@@ -51,8 +53,13 @@ class PenaltyHbm final : public Method {
   [[nodiscard]] Support supports(const Problem& problem) const override;
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
+  /// Of the equations above, impacts not compensated (series_diagram).
+  [[nodiscard]] BranchDiagram follow(const Problem& problem, double from, double to,
+                                     const CurveLimits& limits) const override;
 
  private:
+  [[nodiscard]] LawAt law_at(const Problem& problem) const;
+
   Options options_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What continuation finds: branches of orbits with their special points.
+// What continuation finds: branches of orbits, exact ones or those of a method, with their special points.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -16,11 +16,12 @@ enum class OrbitStability {
   unstable,   ///< one outside
   elliptic,   ///< of a motion without loss: all on the circle, to 1e-8
   undefined,  ///< an impact grazes
+  unknown,    ///< the equations of the method do not tell
 };
 
-/// "stable", "unstable", "elliptic", "undefined".
+/// "stable", "unstable", "elliptic", "undefined", "unknown".
 inline std::string describe(OrbitStability stability) {
-  constexpr const char* kWords[] = {"stable", "unstable", "elliptic", "undefined"};
+  constexpr const char* kWords[] = {"stable", "unstable", "elliptic", "undefined", "unknown"};
   return kWords[static_cast<std::size_t>(stability)];
 }
 
@@ -28,12 +29,12 @@ inline std::string describe(OrbitStability stability) {
 struct BranchPoint {
   double parameter = 0.0;              ///< p
   int order = 1;                       ///< forcing periods per period [-]
-  OrbitGuess orbit;                    ///< state at a section, and the events
+  OrbitGuess orbit = {};               ///< of an exact orbit: state at a section, and the events
   std::vector<double> x_max = {};      ///< largest x_j over the period, exact, Nc [m]
   std::vector<double> amplitude = {};  ///< half of largest less least x_j, exact, Nc [m]
-  int impacts = 0;                     ///< in a period
+  int impacts = 0;                     ///< in a period; of a method phases of contact
   OrbitStability stability = OrbitStability::undefined;
-  Eigen::VectorXcd multipliers = {};  ///< Floquet, 2 Nd; empty where undefined
+  Eigen::VectorXcd multipliers = {};  ///< Floquet, 2 Nd; empty where undefined or unknown
 };
 
 /// A point at which a branch turns, changes its stability or its sequence of events, or meets another one.
@@ -56,7 +57,7 @@ struct SpecialPoint {
 
 /// Orbits of one sequence of events, neighbours next to each other.
 struct Branch {
-  std::string sequence = {};               ///< "order 2, events I0"
+  std::string sequence = {};               ///< "order 2, events I0"; of a method "order 2, 40 harmonics"
   std::string began = {}, ended = {};      ///< why there, one clause each
   std::vector<BranchPoint> points = {};    ///< at least two
   std::vector<SpecialPoint> special = {};  ///< in the order of the branch

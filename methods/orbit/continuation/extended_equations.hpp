@@ -28,6 +28,9 @@ class ExtendedEquations {
   /// more than 1e-6 since.
   const Eigen::MatrixXd& jacobian();
 
+  /// What rounding makes of R: arcs cancel in it [-].
+  [[nodiscard]] double noise() const { return equations_->noise(); }
+
   [[nodiscard]] OrbitFamily& family() const { return family_; }
   /// The sequence, and x of the last evaluation.
   [[nodiscard]] const SequencedOrbit& orbit() const { return orbit_; }

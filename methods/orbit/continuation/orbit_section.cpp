@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "methods/orbit/continuation/arc_length.hpp"
+#include "methods/continuation/arc_length.hpp"
 
 namespace signorini {
 

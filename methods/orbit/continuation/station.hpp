@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "methods/orbit/continuation/arc_length.hpp"
+#include "methods/continuation/arc_length.hpp"
 #include "methods/orbit/continuation/bifurcations.hpp"
 #include "methods/orbit/continuation/survey.hpp"
 

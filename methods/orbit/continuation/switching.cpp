@@ -8,7 +8,7 @@
 #include <complex>
 #include <utility>
 
-#include "methods/orbit/continuation/arc_length.hpp"
+#include "methods/continuation/arc_length.hpp"
 #include "methods/orbit/continuation/grazing_families.hpp"
 #include "methods/orbit/continuation/orbit_section.hpp"
 

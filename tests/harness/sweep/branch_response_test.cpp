@@ -62,18 +62,48 @@ TEST(CommandSweep, HoldsTheSpecialPointsOfTheImpactOscillator) {
 
 TEST(CommandSweep, PutsStepsOfOtherMethodsBesideTheBranches) {
   const std::string command =
-      "sweep sdof-stop --methods exact-orbit:hat-lcp --from 2.1 --to 2.3 --points 3 --format ";
+      "sweep sdof-stop --methods exact-orbit:event-driven --from 2.1 --to 2.5 --points 2 --format ";
   const test::Outcome json = test::run_program(command + "json");
   ASSERT_EQ(json.code, 0) << json.err;
   const auto branches = nlohmann::json::parse(json.out)["branches"];
-  EXPECT_EQ(branches.back()["method"], "hat-lcp");
-  EXPECT_EQ(branches.back()["points"].size(), 3U);
+  EXPECT_EQ(branches.back()["method"], "event-driven");
+  EXPECT_EQ(branches.back()["points"].size(), 2U);
   const test::Outcome csv = test::run_program(command + "csv");
   ASSERT_EQ(csv.code, 0) << csv.err;
   EXPECT_NE(csv.out.find("period-doubling"), std::string::npos);
-  EXPECT_NE(csv.out.find("hat-lcp,0,2.2,"), std::string::npos);
+  EXPECT_NE(csv.out.find("event-driven,0,2.5,"), std::string::npos);
   const test::Outcome natural = test::run_program(command + "csv --natural");
-  EXPECT_EQ(std::count(natural.out.begin(), natural.out.end(), '\n'), 7) << natural.out;
+  EXPECT_EQ(std::count(natural.out.begin(), natural.out.end(), '\n'), 5) << natural.out;
+}
+
+// The truth is that of exact orbits; the methods miss it by their truncation, and find it by their own
+// equations.
+TEST(CommandSweep, FollowsTheCurveOfEachMethod) {
+  struct Method {
+    const char* option;
+    double error;  // of the fold
+  };
+  for (const Method& method :
+       {Method{"fourier-lipschitz --set harmonics=10", 0.08}, Method{"hat-lcp --set samples=64", 0.08}}) {
+    const test::Outcome outcome =
+        test::run_program(std::string("sweep sdof-stop --methods ") + method.option +
+                          " --from 2.0 --to 4.2 --total-time 600 --format json");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto response = nlohmann::json::parse(outcome.out);
+    const double fold = distance(response, "fold", 3.8553753210);
+    EXPECT_LT(fold, method.error) << method.option;
+    EXPECT_GT(fold, 1e-6) << "not the exact one";
+    EXPECT_LT(distance(response, "grazing", 2.448265181813), 0.01) << method.option;
+    EXPECT_EQ(response["unfinished"], "");
+    for (const auto& branch : response["branches"]) {
+      for (const auto& point : branch["points"]) {
+        for (const char* key : {"omega", "order", "amplitude", "x_max", "impacts", "stable", "multipliers"})
+          EXPECT_TRUE(point.contains(key)) << key;
+        const bool told = point["stability"] == "stable" || point["stability"] == "unstable";
+        EXPECT_NE(point["stable"].is_null(), told);
+      }
+    }
+  }
 }
 
 TEST(CommandSweep, RefusesWhatItCannotFollowInOneLine) {
@@ -81,6 +111,7 @@ TEST(CommandSweep, RefusesWhatItCannotFollowInOneLine) {
        {"sweep sdof-penalty-soft --methods exact-orbit --from 1 --to 2", "sweep sdof-stop --from 1 --to 2",
         "sweep sdof-stop --method hat-lcp --methods hat-lcp --from 1 --to 2",
         "sweep sdof-stop --methods exact-orbit --from 2 --to 2",
+        "sweep sdof-stop --methods fourier-lipschitz --set harmonics=0 --from 1 --to 2",
         "sweep sdof-stop --methods exact-orbit:none --from 1 --to 2"}) {
     const test::Outcome outcome = test::run_program(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;

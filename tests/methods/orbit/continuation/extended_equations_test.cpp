@@ -8,7 +8,7 @@
 #include <cmath>
 #include <complex>
 
-#include "methods/orbit/continuation/arc_length.hpp"
+#include "methods/continuation/arc_length.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"

@@ -1,0 +1,164 @@
+#include "methods/complementarity/projected_residual.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "methods/discretisation/fourier_series.hpp"
+#include "methods/discretisation/real_fft.hpp"
+#include "methods/solvers/condition_estimate.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr Eigen::Index kDense = 100;        // unknowns up to which factorising is the cheaper step
+constexpr double kLinearTolerance = 1e-12;  // of each GMRES solve, relative to its right-hand side
+
+/// The runs of positive samples, each sample half a step to either side.
+std::vector<ContactInterval> positive_runs(const Eigen::VectorXd& values) {
+  const auto count = static_cast<int>(values.size());
+  std::vector<ContactInterval> runs;
+  for (int i = 0; i < count; ++i) {
+    if (!(values[i] > 0.0) || values[(i + count - 1) % count] > 0.0) continue;
+    int length = 1;
+    while (values[(i + length) % count] > 0.0) ++length;
+    runs.push_back({(i - 0.5) / count, (i + length - 0.5) / count});
+  }
+  if (runs.empty() && values[0] > 0.0) runs.push_back({0.0, 1.0});
+  return runs;
+}
+
+/// Coefficients n = 0..count <= 2 N of the samples' indicator function, periodic in n.
+Eigen::VectorXcd sampled_spectrum(const Eigen::VectorXd& values, int count) {
+  const auto samples = static_cast<int>(values.size());
+  RealFft fft(samples);
+  Eigen::VectorXcd half(fft.coefficients());
+  fft.forward((values.array() > 0.0).cast<double>().matrix(), half);
+  Eigen::VectorXcd spectrum(count + 1);
+  for (int n = 0; n <= count; ++n) {
+    const int place = n % samples;
+    spectrum[n] = 2 * place <= samples ? half[place] : std::conj(half[samples - place]);
+  }
+  return spectrum;
+}
+
+}  // namespace
+
+ProjectedResidual::ProjectedResidual(const ProjectedEquations& equations, int samples, double tolerance,
+                                     const StopShifts& shifts, ContactIntegral integral)
+    : harmonics_(equations.receptance.harmonics()),
+      samples_(samples),
+      integral_(integral),
+      symbol_(equations.receptance, equations.law),
+      shifts_(shifts.empty() ? StopShifts(static_cast<std::size_t>(symbol_.contacts())) : shifts) {
+  free_ = equations.receptance.free_response;
+  free_.row(0) -= equations.gap.transpose();
+  free_ = free_ * root().asDiagonal();
+  rounding_ = 16.0 * std::numeric_limits<double>::epsilon() * pack_harmonics(free_).norm();
+  least_scale_ = rounding_ / tolerance;
+}
+
+double ProjectedResidual::error(const Eigen::VectorXd& lambda, const Eigen::VectorXd& r) const {
+  const double scale = std::max(lambda.norm(), least_scale_);
+  return scale > 0.0 ? r.norm() / scale : 0.0;
+}
+
+void ProjectedResidual::take_contacts(Eigen::Index contact, const Eigen::VectorXcd& y) {
+  if (integral_ == ContactIntegral::exact) {
+    const std::vector<StopShift>& shifts = shifts_[static_cast<std::size_t>(contact)];
+    contacts_.push_back(positive_intervals(y, samples_, shifts, root()[contact]));
+    indicators_.emplace_back(contacts_.back(), harmonics_);
+    return;
+  }
+  Eigen::VectorXd values(samples_);
+  RealFft(samples_).inverse(y, values);
+  contacts_.push_back(positive_runs(values));
+  indicators_.emplace_back(sampled_spectrum(values, 2 * harmonics_));
+}
+
+Eigen::VectorXd ProjectedResidual::residual(const Eigen::VectorXd& lambda) {
+  const Eigen::MatrixXcd y = free_ + symbol_.rate(lambda);
+  Eigen::MatrixXcd pressed(harmonics_ + 1, y.cols());
+  contacts_.clear();
+  indicators_.clear();
+  for (Eigen::Index c = 0; c < y.cols(); ++c) {
+    const std::vector<StopShift>& shifts = shifts_[static_cast<std::size_t>(c)];
+    take_contacts(c, y.col(c));
+    pressed.col(c) = indicators_.back().restrict(y.col(c));
+    if (shifts.empty()) continue;
+    for (const ContactInterval& interval : contacts_.back()) {
+      pressed.col(c) += root()[c] * shift_spectrum(interval, shifts, harmonics_);
+    }
+  }
+  return lambda + pack_harmonics(pressed);
+}
+
+KrylovSolve ProjectedResidual::solve_jacobian(const Eigen::VectorXd& r) const {
+  if (r.size() <= kDense) {
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(jacobian());
+    return {.x = lu.solve(r), .condition = condition_from(lu.rcond())};
+  }
+  Eigen::VectorXd duty(root().size());
+  for (Eigen::Index c = 0; c < duty.size(); ++c) duty[c] = indicators_[static_cast<std::size_t>(c)].duty();
+  const LastingContactInverse lasting(symbol_, duty);
+  return solve_by_gmres([this](const Eigen::VectorXd& v) { return product(v); },
+                        [&lasting](const Eigen::VectorXd& v) { return lasting * v; }, r, kLinearTolerance);
+}
+
+Eigen::MatrixXd ProjectedResidual::jacobian() const {
+  const Eigen::Index stride = 2 * harmonics_ + 1;
+  const Eigen::Index contacts = root().size();
+  Eigen::MatrixXd matrix(stride * contacts, stride * contacts);
+  for (Eigen::Index row = 0; row < contacts; ++row) {
+    for (Eigen::Index column = 0; column < contacts; ++column) {
+      fill_block(row, column, matrix.block(row * stride, column * stride, stride, stride));
+    }
+  }
+  matrix.diagonal().array() += 1.0;
+  return matrix;
+}
+
+Eigen::MatrixXcd ProjectedResidual::pressed(const Eigen::MatrixXcd& s) const {
+  Eigen::MatrixXcd signal(s.rows(), s.cols());
+  for (Eigen::Index c = 0; c < s.cols(); ++c)
+    signal.col(c) = indicators_[static_cast<std::size_t>(c)].restrict(s.col(c));
+  return signal;
+}
+
+Eigen::VectorXd ProjectedResidual::product(const Eigen::VectorXd& v) const {
+  return v + pack_harmonics(pressed(symbol_.rate(v)));
+}
+
+// What unit harmonics of one contact's lambda press at another one's samples in contact, in the packing
+// of fourier_series.hpp: a cosine of harmonic m drives s_m = B_m / sqrt 2, and (chi s)_n =
+// chi_{n-m} s_m + chi_{n+m} conj(s_m) is packed with a factor sqrt 2.
+void ProjectedResidual::fill_block(Eigen::Index row, Eigen::Index column,
+                                   Eigen::Ref<Eigen::MatrixXd> block) const {
+  const Eigen::VectorXcd& chi = indicators_[static_cast<std::size_t>(row)].spectrum();
+  for (Eigen::Index m = 0; m <= harmonics_; ++m) {
+    const Complex b = symbol_.block(m)(row, column);
+    for (int part = 0; part < (m == 0 ? 1 : 2); ++part) {
+      const Complex s = part == 0 ? b : Complex(0.0, 1.0) * b;
+      const Eigen::Index place = m == 0 ? 0 : 2 * m - 1 + part;
+      for (Eigen::Index n = 0; n <= harmonics_; ++n) {
+        const Complex below = n >= m ? chi[n - m] : std::conj(chi[m - n]);
+        Complex pressed = m == 0 ? below * b.real() : below * s + chi[n + m] * std::conj(s);
+        if (n == 0) {
+          block(0, place) = pressed.real() * (m == 0 ? 1.0 : std::numbers::sqrt2 / 2.0);
+          continue;
+        }
+        if (m == 0) pressed *= std::numbers::sqrt2;
+        block(2 * n - 1, place) = pressed.real();
+        block(2 * n, place) = pressed.imag();
+      }
+    }
+  }
+}
+
+}  // namespace signorini

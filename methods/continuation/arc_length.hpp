@@ -1,0 +1,171 @@
+#pragma once
+// One step of pseudo-arclength continuation: tangent, corrector, step control, and a zero along the step.
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <optional>
+
+namespace signorini {
+
+/// n equations R(x) = 0 in n + 1 unknowns, the parameter of the curve as the last one, in units in which
+/// lengths along the curve mean something: the norm is Euclidean.
+template <class Equations>
+concept CurveEquations = requires(Equations& equations, const Eigen::VectorXd& x) {
+  // n.
+  { equations.size() } -> std::convertible_to<Eigen::Index>;
+  // Takes x; false where R is not defined or not finite there.
+  { equations.evaluate(x) } -> std::convertible_to<bool>;
+  // R, n, where evaluated last.
+  { equations.residual() } -> std::convertible_to<Eigen::VectorXd>;
+  // [dR/dx], n x (n + 1), there.
+  { equations.jacobian() } -> std::convertible_to<Eigen::MatrixXd>;
+  // What rounding makes of R there.
+  { equations.noise() } -> std::convertible_to<double>;
+};
+
+/// When the corrector stops.
+struct CorrectorLimits {
+  int iterations = 7;        ///< Newton steps at most
+  double tolerance = 2e-13;  ///< of R, relative to the largest unknown [-]
+};
+
+/// A matrix [R_x; row], n + 1 square.
+template <CurveEquations Equations>
+Eigen::MatrixXd bordered_jacobian(Equations& equations, const Eigen::VectorXd& row) {
+  const Eigen::Index n = equations.size();
+  Eigen::MatrixXd B(n + 1, n + 1);
+  B.topRows(n) = equations.jacobian();
+  B.row(n) = row.transpose();
+  return B;
+}
+
+/// The point of the curve in the plane tangent . (x - predicted) = 0, by full Newton steps on [R; plane] with
+/// the Jacobian [R_x; tangent^T], LU with pivoting. Steps are not shortened: where Newton's method fails the
+/// caller shortens the step along the curve.
+///
+/// Converged: |R| <= tolerance max(1, |x|), or no longer falling and within a hundred times its noise.
+///
+/// \return the Newton steps taken; `equations` are left evaluated at the point. Empty where it fails.
+template <CurveEquations Equations>
+std::optional<int> correct(Equations& equations, const Eigen::VectorXd& predicted,
+                           const Eigen::VectorXd& tangent, const CorrectorLimits& limits = {}) {
+  constexpr double kLost = 1e3, kNoise = 100.0;  // of R; of the noise
+  const Eigen::Index n = equations.size();
+  Eigen::VectorXd x = predicted, right(n + 1);
+  double before = std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= limits.iterations; ++k) {
+    if (!equations.evaluate(x)) return std::nullopt;
+    const double residual = equations.residual().template lpNorm<Eigen::Infinity>();
+    if (!(residual < kLost)) return std::nullopt;
+    if (residual <= limits.tolerance * std::max(1.0, x.lpNorm<Eigen::Infinity>())) return k;
+    if (k >= 2 && residual < kNoise * equations.noise() && residual > 0.5 * before) return k;
+    before = residual;
+    right << -equations.residual(), -tangent.dot(x - predicted);
+    const Eigen::VectorXd step = bordered_jacobian(equations, tangent).partialPivLu().solve(right);
+    if (!step.allFinite()) return std::nullopt;
+    x += step;
+  }
+  return std::nullopt;
+}
+
+/// The point of the curve nearby where the parameter is what it is in `predicted`.
+template <CurveEquations Equations>
+std::optional<int> correct_at_parameter(Equations& equations, const Eigen::VectorXd& predicted) {
+  return correct(equations, predicted, Eigen::VectorXd::Unit(predicted.size(), predicted.size() - 1),
+                 {.iterations = 15});
+}
+
+/// The unit null vector of [R_x] where the equations are evaluated, on the side of `previous`; empty where
+/// the bordered matrix is singular.
+template <CurveEquations Equations>
+std::optional<Eigen::VectorXd> tangent_of(Equations& equations, const Eigen::VectorXd& previous) {
+  const Eigen::Index n = equations.size();
+  const Eigen::VectorXd t =
+      bordered_jacobian(equations, previous).partialPivLu().solve(Eigen::VectorXd::Unit(n + 1, n));
+  if (!t.allFinite() || t.isZero(0.0)) return std::nullopt;
+  return t.normalized();
+}
+
+/// The same without a predecessor: the right singular vector of the smallest singular value, of either sign.
+template <CurveEquations Equations>
+Eigen::VectorXd first_tangent(Equations& equations) {
+  if (equations.size() == 0) return Eigen::VectorXd::Ones(1);  // the parameter alone
+  const Eigen::MatrixXd jacobian = equations.jacobian();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullV);
+  return svd.matrixV().col(equations.size());
+}
+
+/// The length of the next step after one that took so many Newton steps and turned by so much.
+/// \param turn  angle between the tangents at both ends [rad]
+inline double next_step(double length, int iterations, double turn, double largest) {
+  constexpr double kTurning = 0.15;  // rad
+  double factor = iterations <= 2 ? 1.6 : iterations == 3 ? 1.25 : iterations == 4 ? 1.0 : 0.6;
+  if (turn > kTurning) factor = std::min(factor, 0.75);
+  return std::min(length * factor, largest);
+}
+
+/// A point of a curve with its tangent, and the step from there that leads to the next one.
+struct CurveStep {
+  Eigen::VectorXd x, tangent;
+  double length = 0.0;  ///< along the tangent
+};
+
+/// The zero of f between the beginning of a step, where it has the value `first`, and its end, where it is
+/// `last` of the other sign: Illinois' rule on the length of the step, each evaluation a corrector of its
+/// own. Where f does not exist at the beginning, the step is halved until f exists with the other sign; where
+/// it never does, the zero is where it begins to exist.
+///
+/// \param f  std::optional<double>(Equations&), where the equations are evaluated
+/// \return the length; `equations` are left evaluated there. Empty where it cannot be found.
+template <CurveEquations Equations, class Function>
+std::optional<double> locate(Equations& equations, const CurveStep& step, const Function& f,
+                             std::optional<double> first, double last) {
+  constexpr CorrectorLimits kTight{.iterations = 14, .tolerance = 1e-14};
+  constexpr int kHalvings = 50, kIterations = 200;
+  constexpr double kZero = 2e-15;                                           // of f
+  constexpr double kNarrow = 4.0 * std::numeric_limits<double>::epsilon();  // of the step
+  const auto value = [&](double length) -> std::optional<double> {
+    if (!correct(equations, step.x + length * step.tangent, step.tangent, kTight)) return std::nullopt;
+    return f(equations);
+  };
+  double a = 0.0, b = step.length, fb = last;
+  for (int k = 0; !first && k < kHalvings; ++k) {
+    const double middle = 0.5 * (a + b);
+    const auto there = value(middle);
+    if (there && *there * last > 0.0) {
+      b = middle;
+      fb = *there;
+    } else {
+      a = middle;
+      if (there) first = there;
+    }
+  }
+  if (!first) return value(b) ? std::optional(b) : std::nullopt;
+  if (!(*first * fb < 0.0)) return std::nullopt;
+  double fa = *first, width = std::abs(b - a);
+  for (int k = 0; k < kIterations && std::abs(b - a) > kNarrow * step.length; ++k) {
+    double s = b - fb * (b - a) / (fb - fa);
+    // Bisection where three steps have not halved the interval, as at a jump.
+    const bool slow = k % 4 == 3 && std::abs(b - a) > 0.5 * width;
+    if (k % 4 == 3) width = std::abs(b - a);
+    if (slow || !(s > std::min(a, b) && s < std::max(a, b))) s = 0.5 * (a + b);
+    const auto fs = value(s);
+    if (!fs) return std::nullopt;
+    if (std::abs(*fs) <= kZero || (!slow && std::abs(s - b) <= kNarrow * step.length)) return s;
+    // Illinois: an end that stays counts half.
+    if (*fs * fb < 0.0) {
+      a = b;
+      fa = fb;
+    } else {
+      fa *= 0.5;
+    }
+    b = s;
+    fb = *fs;
+  }
+  return value(b) ? std::optional(b) : std::nullopt;
+}
+
+}  // namespace signorini

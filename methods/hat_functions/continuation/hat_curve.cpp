@@ -1,0 +1,153 @@
+#include "methods/hat_functions/continuation/hat_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "methods/discretisation/real_fft.hpp"
+#include "methods/hat_functions/hat_contact.hpp"
+
+namespace signorini {
+
+namespace {
+
+double angle_of(int n, int samples) { return 2.0 * std::numbers::pi * n / samples; }
+
+ReceptanceRate scheme_receptance(const Problem& problem, HatScheme scheme, int samples) {
+  const double step = problem.period() / samples;
+  return receptance_with_rate(problem, samples / 2,
+                              [&](int n) { return scheme_weights(scheme, angle_of(n, samples), step); });
+}
+
+}  // namespace
+
+HatFamily hat_family(const Problem& problem, double from, double to) {
+  HatFamily family{.problem = problem, .low = std::min(from, to), .high = std::max(from, to)};
+  family.problem.frequency = 0.5 * (from + to);
+  family.frequency_unit = (family.high - family.low) / 3.0;
+  if (problem.contact_count() == 0) return family;
+  family.displacement_unit =
+      std::max(contact_gaps(problem).cwiseAbs().maxCoeff(), static_deflection(family.problem));
+  if (!(family.displacement_unit > 0.0)) family.displacement_unit = 1.0;
+  return family;
+}
+
+HatCurve::HatCurve(const HatFamily& family, int multiple)
+    : family_(family),
+      multiple_(multiple),
+      samples_(multiple * family.samples),
+      problem_(with_subharmonic(family.problem, multiple * family.problem.subharmonic)),
+      stops_(nodal_stops(family.problem, family.restitution)) {
+  problem_.frequency = 0.5 * (family.low + family.high);
+  receptance_ = scheme_receptance(problem_, family.scheme, samples_);
+  const BlockCirculant middle = operator_of(receptance_.value.receptance, stops_.compliance);
+  weight_.resize(problem_.contact_count());
+  for (int c = 0; c < problem_.contact_count(); ++c)
+    weight_[c] = std::abs(middle(c * samples_, c * samples_)) / family.displacement_unit;
+  const double largest = weight_.maxCoeff();
+  // A contact whose own lag vanishes by accident borrows the scale of the others.
+  weight_ = weight_.cwiseMax(largest > 0.0 ? 1e-3 * largest : 1.0);
+}
+
+BlockCirculant HatCurve::operator_of(const std::vector<Eigen::MatrixXcd>& receptance,
+                                     const Eigen::VectorXd& diagonal) const {
+  std::vector<Eigen::MatrixXcd> symbol;
+  symbol.reserve(receptance.size());
+  for (std::size_t n = 0; n < receptance.size(); ++n) {
+    symbol.emplace_back(restitution_shift(stops_.restitution, angle_of(static_cast<int>(n), samples_)) *
+                        receptance[n]);
+    symbol.back().diagonal() += diagonal;
+  }
+  return {samples_, symbol};
+}
+
+// -S y of a function with coefficients y_n, n = 0..N/2, N Nc: what q is made of.
+Eigen::VectorXd HatCurve::shifted_samples(const Eigen::MatrixXcd& spectrum) const {
+  Eigen::MatrixXcd shifted = spectrum;
+  for (Eigen::Index n = 0; n < shifted.rows(); ++n)
+    shifted.row(n) *= restitution_shift(stops_.restitution, angle_of(static_cast<int>(n), samples_));
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(spectrum.cols());
+  return -free_penetration(shifted, none, Eigen::VectorXd::Ones(spectrum.cols()), samples_);
+}
+
+bool HatCurve::evaluate(const Eigen::VectorXd& x) {
+  const double frequency = x[size()] * family_.frequency_unit;
+  if (!x.allFinite() || !(frequency > 0.0)) return false;
+  problem_.frequency = frequency;
+  try {
+    receptance_ = scheme_receptance(problem_, family_.scheme, samples_);
+  } catch (const SingularStiffness&) {
+    return false;
+  }
+  x_ = x;
+  pressure_ = Eigen::VectorXd::Zero(nodes());
+  for (Eigen::Index k = 0; k < size(); ++k) {
+    const int node = pressing_[static_cast<std::size_t>(k)];
+    pressure_[node] = x[k] / weight(node);
+  }
+  const double unit = family_.displacement_unit;
+  matrix_.emplace(operator_of(receptance_.value.receptance, stops_.compliance));
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(problem_.contact_count());
+  const BlockCirculant rate = operator_of(receptance_.receptance, none);
+  gaps_ = shifted_samples(receptance_.value.free_response) + *matrix_ * pressure_;
+  for (int c = 0; c < problem_.contact_count(); ++c)
+    gaps_.segment(c * samples_, samples_).array() += stops_.gap[c];
+  gaps_ /= unit;
+  rates_ = (family_.frequency_unit / unit) * (shifted_samples(receptance_.free_response) + rate * pressure_);
+  constexpr double kOperations = 64.0;  // of rounding in a transform
+  noise_ = kOperations * std::numeric_limits<double>::epsilon() *
+           (1.0 + (x.size() > 1 ? x.head(size()).lpNorm<Eigen::Infinity>() : 0.0));
+  return gaps_.allFinite() && rates_.allFinite();
+}
+
+Eigen::VectorXd HatCurve::residual() const { return gaps_(pressing_); }
+
+Eigen::MatrixXd HatCurve::jacobian() const {
+  Eigen::MatrixXd J(size(), size() + 1);
+  if (size() == 0) return J;
+  J.leftCols(size()) = matrix_->submatrix(pressing_, pressing_) / family_.displacement_unit;
+  for (Eigen::Index k = 0; k < size(); ++k) J.col(k) /= weight(pressing_[static_cast<std::size_t>(k)]);
+  J.col(size()) = rates_(pressing_);
+  return J;
+}
+
+double HatCurve::gap_rate(int node, const Eigen::VectorXd& tangent) const {
+  double rate = rates_[node] * tangent[size()];
+  for (Eigen::Index k = 0; k < size(); ++k) {
+    const int other = pressing_[static_cast<std::size_t>(k)];
+    rate += (*matrix_)(node, other) / (family_.displacement_unit * weight(other)) * tangent[k];
+  }
+  return rate;
+}
+
+Eigen::VectorXd HatCurve::on_all(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(nodes() + 1);
+  for (Eigen::Index k = 0; k < size(); ++k) all[pressing_[static_cast<std::size_t>(k)]] = x[k];
+  all[nodes()] = x[size()];
+  return all;
+}
+
+Eigen::VectorXd HatCurve::on_pressing(const Eigen::VectorXd& all) const {
+  Eigen::VectorXd x(size() + 1);
+  x << all(pressing_), all[nodes()];
+  return x;
+}
+
+Eigen::MatrixXd HatCurve::motion() const {
+  const int contacts = problem_.contact_count();
+  RealFft fft(samples_);
+  Eigen::MatrixXcd force(fft.coefficients(), contacts);
+  for (int c = 0; c < contacts; ++c) {
+    const Eigen::VectorXd pushed = -pressure_.segment(c * samples_, samples_);
+    fft.forward(pushed, force.col(c));
+  }
+  const Eigen::MatrixXcd spectrum = contact_motion(receptance_.value, force);
+  Eigen::MatrixXd x(samples_, contacts);
+  for (int c = 0; c < contacts; ++c) fft.inverse(spectrum.col(c), x.col(c));
+  return x;
+}
+
+}  // namespace signorini

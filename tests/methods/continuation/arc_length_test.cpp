@@ -1,0 +1,85 @@
+#include "methods/continuation/arc_length.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace signorini {
+namespace {
+
+/// x^2 + p^2 = 1: folds at p = 1 and p = -1.
+class Circle {
+ public:
+  [[nodiscard]] Eigen::Index size() const { return 1; }
+  bool evaluate(const Eigen::VectorXd& x) {
+    x_ = x;
+    return x.allFinite();
+  }
+  [[nodiscard]] Eigen::VectorXd residual() const {
+    return Eigen::VectorXd::Constant(1, x_.squaredNorm() - 1.0);
+  }
+  [[nodiscard]] Eigen::MatrixXd jacobian() const { return 2.0 * x_.transpose(); }
+  [[nodiscard]] double noise() const { return 1e-16; }
+  [[nodiscard]] const Eigen::VectorXd& x() const { return x_; }
+
+ private:
+  Eigen::VectorXd x_;
+};
+
+TEST(ArcLength, GoesOnceAroundACircle) {
+  Circle circle;
+  Eigen::VectorXd x = Eigen::Vector2d(1.0, 0.0), tangent = Eigen::Vector2d(0.0, 1.0);
+  double travelled = 0.0;
+  int folds = 0;
+  for (int k = 0; k < 40; ++k) {
+    // Steps of this length to either side are one fortieth of the circle.
+    ASSERT_TRUE(correct(circle, Eigen::VectorXd(x + std::sin(std::numbers::pi / 20.0) * tangent), tangent));
+    travelled += std::acos(x.dot(circle.x()));
+    const auto next = tangent_of(circle, tangent);
+    ASSERT_TRUE(next);
+    folds += (*next)[1] * tangent[1] < 0.0 ? 1 : 0;
+    x = circle.x();
+    tangent = *next;
+    EXPECT_NEAR(x.norm(), 1.0, 1e-13);
+    EXPECT_NEAR(tangent.dot(x), 0.0, 1e-13);
+  }
+  EXPECT_NEAR(travelled, 2.0 * std::numbers::pi, 1e-10);
+  EXPECT_EQ(folds, 2);
+}
+
+TEST(ArcLength, LocatesAFoldToRounding) {
+  Circle circle;
+  const Eigen::VectorXd x = Eigen::Vector2d(std::sin(0.3), std::cos(0.3));
+  const Eigen::VectorXd tangent = Eigen::Vector2d(-std::cos(0.3), std::sin(0.3));
+  const auto slope = [&](Circle& at) {
+    const auto there = tangent_of(at, tangent);
+    return there ? std::optional((*there)[1]) : std::nullopt;
+  };
+  ASSERT_TRUE(correct(circle, Eigen::VectorXd(x + 0.5 * tangent), tangent));
+  ASSERT_TRUE(locate(circle, {x, tangent, 0.5}, slope, tangent[1], *slope(circle)));
+  EXPECT_NEAR(circle.x()[0], 0.0, 1e-14);
+  EXPECT_NEAR(circle.x()[1], 1.0, 1e-14);
+}
+
+TEST(ArcLength, FailsWhereThereIsNoCurve) {
+  Circle circle;
+  const Eigen::VectorXd beyond = Eigen::Vector2d(0.0, 1.5);
+  EXPECT_FALSE(correct_at_parameter(circle, beyond));
+}
+
+TEST(ArcLength, FirstTangentIsTheNullVector) {
+  Circle circle;
+  ASSERT_TRUE(circle.evaluate(Eigen::Vector2d(0.6, 0.8)));
+  const Eigen::VectorXd tangent = first_tangent(circle);
+  EXPECT_NEAR(std::abs(tangent.dot(Eigen::Vector2d(0.8, -0.6))), 1.0, 1e-14);
+}
+
+TEST(ArcLength, StepsGrowWithEaseAndNeverBeyondTheLargest) {
+  EXPECT_GT(next_step(0.01, 2, 0.0, 1.0), 0.01);
+  EXPECT_LT(next_step(0.01, 6, 0.0, 1.0), 0.01);
+  EXPECT_LT(next_step(0.01, 2, 0.2, 1.0), 0.01);
+  EXPECT_EQ(next_step(0.09, 2, 0.0, 0.1), 0.1);
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,56 @@
+#include "methods/structure/receptance_rate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <complex>
+#include <numbers>
+
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+using Complex = std::complex<double>;
+
+TEST(ReceptanceWithRate, IsTheClosedFormOfOneMass) {
+  const Problem problem = with_subharmonic(test::to_problem({.damping = 0.3, .frequency = 1.7}), 2);
+  const ReceptanceRate found =
+      receptance_with_rate(problem, 5, [](int n) { return exact_weights(n * 1.7 / 2.0); });
+  for (int n = 0; n <= 5; ++n) {
+    const double share = n / 2.0, w = share * 1.7;  // of the harmonic
+    const Complex Z(1.0 - w * w, 0.3 * w), slope = share * Complex(-2.0 * w, 0.3);
+    const auto i = static_cast<std::size_t>(n);
+    EXPECT_LT(std::abs(found.value.receptance[i](0, 0) - 1.0 / Z), 1e-14);
+    EXPECT_LT(std::abs(found.receptance[i](0, 0) + slope / (Z * Z)), 1e-14);
+    const Complex load = n == 2 ? 0.5 : 0.0;  // cos(omega t), of both signs of n
+    EXPECT_LT(std::abs(found.value.free_response(n, 0) - load / Z), 1e-14);
+    EXPECT_LT(std::abs(found.free_response(n, 0) + load * slope / (Z * Z)), 1e-14);
+  }
+}
+
+TEST(ReceptanceWithRate, AgreesWithDifferencesOnAGridOfEveryScheme) {
+  constexpr int kSamples = 16;
+  for (const HatScheme scheme : {HatScheme::galerkin, HatScheme::nodal, HatScheme::backward}) {
+    const auto at = [&](double frequency) {
+      const Problem problem = test::to_problem({.damping = 0.2, .frequency = frequency});
+      return receptance_with_rate(problem, kSamples / 2, [&](int n) {
+        return scheme_weights(scheme, 2.0 * std::numbers::pi * n / kSamples, problem.period() / kSamples);
+      });
+    };
+    constexpr double kStep = 1e-5;
+    const ReceptanceRate below = at(1.3 - kStep), here = at(1.3), above = at(1.3 + kStep);
+    for (std::size_t n = 0; n < here.receptance.size(); ++n) {
+      const Complex slope =
+          (above.value.receptance[n](0, 0) - below.value.receptance[n](0, 0)) / (2.0 * kStep);
+      EXPECT_LT(std::abs(here.receptance[n](0, 0) - slope), 1e-8 * (1.0 + std::abs(slope))) << n;
+    }
+  }
+}
+
+TEST(ReceptanceWithRate, OfAnUndampedResonanceIsRefused) {
+  const Problem problem = test::to_problem({.damping = 0.0, .frequency = 1.0});
+  EXPECT_THROW(receptance_with_rate(problem, 3, [](int n) { return exact_weights(n); }), SingularStiffness);
+}
+
+}  // namespace
+}  // namespace signorini
