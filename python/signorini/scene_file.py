@@ -1,0 +1,130 @@
+"""Scene files of kind `matrices`: docs/scene-format.md."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from .problem import Contact, Load, Problem
+
+Matrix = np.ndarray | Sequence[Sequence[float]] | object  # or a matrix of scipy.sparse
+Damping = Mapping[str, float | Sequence[float]]
+Entries = tuple[np.ndarray, np.ndarray, np.ndarray]  # row, column, value
+
+FILES = {"mass": "M.mtx", "damping": "D.mtx", "stiffness": "K.mtx"}
+
+
+@dataclass(frozen=True)
+class SceneFile:
+    """What NAME.toml and its Matrix Market files hold."""
+
+    name: str
+    title: str
+    size: int
+    matrices: Mapping[str, Entries]  # "mass", "stiffness" and, unless it is proportional or modal, "damping"
+    frequency: float
+    subharmonic: int
+    loads: Sequence[Load]
+    contacts: Sequence[Contact]
+    law: Mapping[str, object]
+    damping: Damping = field(default_factory=dict)  # alpha and beta, or modal
+
+    @classmethod
+    def of(cls, M, D, K, *, load, contacts, law, **rest) -> SceneFile:
+        """Of the arguments of `Scene.from_matrices`. Raises ValueError."""
+        matrices = {"mass": M, "stiffness": K}
+        if not isinstance(D, Mapping):
+            matrices["damping"] = D
+        elif not D or set(D) - {"alpha", "beta"} and set(D) != {"modal"}:
+            raise ValueError(f"D = {dict(D)} (must be a matrix, or have the keys alpha and beta, or modal)")
+        shapes = {FILES[key][0]: shape_of(matrix) for key, matrix in matrices.items()}
+        rows, columns = shapes["M"]
+        if rows == 0 or rows != columns or len(set(shapes.values())) > 1:
+            told = ", ".join(f"{key} {rows} x {columns}" for key, (rows, columns) in shapes.items())
+            raise ValueError(f"matrices = {told} (must be square, of one size)")
+        if isinstance(load, Mapping):
+            load = [Load(dof, cos) for dof, cos in load.items()]
+        if isinstance(contacts, Mapping):
+            contacts = [Contact({dof: 1.0}, gap) for dof, gap in contacts.items()]
+        return cls(size=rows, matrices={key: entries_of(matrix) for key, matrix in matrices.items()}, loads=load,
+                   contacts=contacts, law=law or {}, damping=D if isinstance(D, Mapping) else {}, **rest)
+
+    @classmethod
+    def of_problem(cls, problem: Problem) -> SceneFile:
+        law = {key: value for key, value in problem.law.items() if key in ("restitution", "penalty")}
+        name = re.sub("[^a-z0-9]+", "-", problem.name)  # of a level of a family: grazing@0.1
+        return cls(name=name, title=f"{problem.name}, as matrices", size=problem.size, matrices=problem.entries,
+                   frequency=problem.frequency, subharmonic=problem.subharmonic, loads=problem.loads,
+                   contacts=problem.contacts, law=law)
+
+    def write(self, folder: str | Path) -> Path:
+        """The files, into a folder that is made if need be; returns the path of NAME.toml."""
+        folder = Path(folder)
+        folder.mkdir(parents=True, exist_ok=True)
+        for key, entries in self.matrices.items():
+            write_matrix_market(folder / FILES[key], self.size, entries)
+        file = folder / f"{self.name}.toml"
+        file.write_text(self.toml(), encoding="utf-8")
+        return file
+
+    def toml(self) -> str:
+        lines = ["schema = 1", f"name = {quoted(self.name)}", f"title = {quoted(self.title)}", "",
+                 "[system]", 'kind = "matrices"', *(f'{key} = "{FILES[key]}"' for key in self.matrices)]
+        if "modal" in self.damping:
+            lines.append(f"modal = {value_of(self.damping['modal'])}")
+        elif self.damping:
+            told = ", ".join(f"{key} = {value_of(value)}" for key, value in self.damping.items())
+            lines.append(f"rayleigh = {{ {told} }}")
+        lines += ["", "[forcing]", f"frequency = {value_of(self.frequency)}", f"subharmonic = {value_of(self.subharmonic)}"]
+        for term in self.loads:
+            lines += ["", "[[forcing.term]]", f"dof = {value_of(term.dof)}", f"harmonic = {value_of(term.harmonic)}",
+                      f"cos = {value_of(term.cos)}", f"sin = {value_of(term.sin)}"]
+        for contact in self.contacts:
+            normal = ", ".join(f"[{value_of(dof)}, {value_of(factor)}]" for dof, factor in contact.normal.items())
+            lines += ["", "[[contact]]", f"normal = [{normal}]", f"gap = {value_of(contact.gap)}"]
+        if self.law:
+            lines += ["", "[law]", *(f"{key} = {value_of(value)}" for key, value in self.law.items())]
+        return "\n".join(lines) + "\n"
+
+
+def quoted(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False)
+
+
+def value_of(value) -> str:
+    """A number, or a list of numbers, in TOML."""
+    if np.ndim(value) > 0:
+        return f"[{', '.join(map(value_of, value))}]"
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.integer, np.floating)):
+        raise ValueError(f"{value!r} (must be a number)")
+    return str(int(value)) if isinstance(value, (int, np.integer)) else repr(float(value))
+
+
+def shape_of(matrix) -> tuple[int, int]:
+    shape = matrix.shape if hasattr(matrix, "shape") else np.shape(matrix)
+    if len(shape) != 2:
+        raise ValueError(f"a matrix has {len(shape)} dimensions (must have 2)")
+    return tuple(shape)
+
+
+def entries_of(matrix) -> Entries:
+    """Those that are not zero, of an array or of a matrix of scipy.sparse, each place once."""
+    if hasattr(matrix, "tocoo"):
+        sparse = matrix.tocsr().tocoo()  # sums what stands at one place
+        return sparse.row, sparse.col, sparse.data.astype(float)
+    dense = np.asarray(matrix, dtype=float)
+    rows, columns = np.nonzero(dense)
+    return rows, columns, dense[rows, columns]
+
+
+def write_matrix_market(file: Path, size: int, entries: Entries) -> None:
+    """All entries in the format `coordinate real general`, with every digit."""
+    rows, columns, values = entries
+    lines = [f"{row + 1} {column + 1} {value!r}" for row, column, value in zip(rows.tolist(), columns.tolist(), values.tolist())]
+    head = ["%%MatrixMarket matrix coordinate real general", f"{size} {size} {len(lines)}"]
+    file.write_text("\n".join(head + lines) + "\n", encoding="ascii")
