@@ -43,6 +43,9 @@ def plot_solution(solution: Solution, contact: int, figure):
     portrait.axvline(gap, **STOP)
     portrait.axvspan(gap, right, **WALL)
     portrait.set(xlabel="x [m]", ylabel="x' [m/s]", xlim=(left, right), title="phase portrait")
+    for axes in (wave, portrait):
+        axes.ticklabel_format(style="sci", scilimits=(-2, 4))
+        axes.locator_params(axis="x", nbins=6)
     return figure
 
 
