@@ -13,6 +13,7 @@
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/discretisation/trajectories.hpp"
 #include "methods/hat_functions/period_marching.hpp"
+#include "methods/solvers/complementarity_solver.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
 
