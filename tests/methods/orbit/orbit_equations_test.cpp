@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "tests/methods/orbit/closed_form_guess.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
@@ -17,25 +18,10 @@ namespace {
 
 const test::ImpactOscillator kOscillator{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 0.8};
 
-OrbitGuess closed_form(const test::SingleImpactOrbit& orbit) {
-  const double section = orbit.impact_time - 0.5 * orbit.period;
-  return {.start = {.time = section,
-                    .state = {.u = Eigen::VectorXd::Constant(1, orbit.x(section)),
-                              .v = Eigen::VectorXd::Constant(1, orbit.velocity(section))},
-                    .closed = {false}},
-          .events = {{.kind = ContactEvent::Kind::impact,
-                      .contact = 0,
-                      .time = orbit.impact_time,
-                      .pushed = {0},
-                      .restitution = {orbit.oscillator.restitution},
-                      .closed = {false}}},
-          .origin = "the closed form"};
-}
-
 TEST(OrbitEquations, HoldAtTheClosedFormOrbit) {
   const auto orbit = test::single_impact_orbits(kOscillator).at(0);
   OrbitModel model(test::to_problem(kOscillator));
-  OrbitEquations equations(model, closed_form(orbit));
+  OrbitEquations equations(model, test::closed_form_guess(orbit, 0.5));
   ASSERT_TRUE(equations.evaluate(equations.guess()));
   EXPECT_LT(equations.residual().lpNorm<Eigen::Infinity>(), 1e-13);
   const OrbitEquations::EventCrossing& crossing = equations.crossings().at(0);
@@ -74,7 +60,7 @@ TEST(OrbitEquations, JacobianIsTheDerivativeOfTheResidual) {
 TEST(OrbitNewton, ConvergesQuadraticallyFromNearby) {
   const auto orbit = test::single_impact_orbits(kOscillator).at(0);
   OrbitModel model(test::to_problem(kOscillator));
-  OrbitGuess guess = closed_form(orbit);
+  OrbitGuess guess = test::closed_form_guess(orbit, 0.5);
   guess.start.state.u[0] += 0.02;
   guess.events[0].time += 0.05;
   OrbitEquations equations(model, guess);
@@ -91,12 +77,12 @@ TEST(OrbitNewton, SaysWhyItFails) {
   test::ImpactOscillator out_of_reach = kOscillator;
   out_of_reach.gap = 40.0;
   OrbitModel open(test::to_problem(out_of_reach));
-  OrbitEquations unsolvable(open, closed_form(orbit));
+  OrbitEquations unsolvable(open, test::closed_form_guess(orbit, 0.5));
   const OrbitNewtonResult result = solve(unsolvable, 1e-12, 40);
   EXPECT_FALSE(result.solved);
   EXPECT_FALSE(result.reason.empty());
 
-  OrbitGuess guess = closed_form(orbit);
+  OrbitGuess guess = test::closed_form_guess(orbit, 0.5);
   guess.events[0].time += 0.3;  // the equations are linear in the state, not in the instant
   OrbitModel model(test::to_problem(kOscillator));
   OrbitEquations far(model, guess);

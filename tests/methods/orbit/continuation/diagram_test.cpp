@@ -8,11 +8,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <numbers>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include "methods/orbit/exact_orbit.hpp"
+#include "tests/methods/orbit/impulsive_oracle.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
@@ -198,33 +196,6 @@ TEST(TraceDiagram, StopsAtItsLimitsAndSaysSo) {
   EXPECT_TRUE(late.branches.empty());
 }
 
-// Several coordinates, one contact, one impact in a period T: with y = (I - e^{A T})^-1 (0, M^-1 b) the state
-// after periodic unit impulses, the approach speeds are those of a quadratic equation.
-std::vector<double> approach_speeds(const Problem& problem, double e) {
-  const Eigen::Index n = problem.size();
-  const double T = problem.period(), w = problem.frequency, g = problem.contacts[0].gap;
-  const Eigen::MatrixXd M(problem.mass()), K(problem.stiffness()), C(problem.damping());
-  const Eigen::VectorXd b = contact_directions(problem).col(0);
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-  A.topRightCorner(n, n).setIdentity();
-  A.bottomLeftCorner(n, n) = -M.inverse() * K;
-  A.bottomRightCorner(n, n) = -M.inverse() * C;
-  Eigen::VectorXd struck = Eigen::VectorXd::Zero(2 * n);
-  struck.tail(n) = M.inverse() * b;
-  const Eigen::VectorXd after =
-      (Eigen::MatrixXd::Identity(2 * n, 2 * n) - Eigen::MatrixXd(A * T).exp()).inverse() * struck;
-  const double g0 = b.dot(after.head(n)), gp = b.dot(after.tail(n)), gm = gp - b.dot(struck.tail(n));
-  const std::complex<double> i(0.0, 1.0);
-  const Eigen::MatrixXcd Z = K.cast<std::complex<double>>() - w * w * M + i * w * C;
-  const double a = std::abs(b.cast<std::complex<double>>().dot(Z.inverse() * load_harmonic(problem, 1)));
-  const double Gam = (gp + e * gm) / ((1.0 + e) * g0);
-  const double q = Gam * g / (a * std::hypot(w, Gam)), psi = std::atan2(Gam, w);
-  std::vector<double> speeds;
-  for (const double phi : {std::asin(q) - psi, std::numbers::pi - std::asin(q) - psi})
-    speeds.push_back(-a * w * std::sin(phi) - (a * std::cos(phi) - g) / g0 * gm);
-  return speeds;
-}
-
 TEST(TraceDiagram, FollowsOneImpactOfAChainAsItsClosedForm) {
   constexpr double kRestitution = 0.8;
   const Problem problem = test::stopped_chain(2, kRestitution);
@@ -240,8 +211,8 @@ TEST(TraceDiagram, FollowsOneImpactOfAChainAsItsClosedForm) {
       const double mass = 1.0 / delassus_matrix(problem)(0, 0);
       const double v = -orbit.trajectory->impulses().at(0).value / ((1.0 + kRestitution) * mass);
       double distance = 1.0;
-      for (const double speed :
-           approach_speeds(with_subharmonic(scene.at(point.parameter), point.order), kRestitution))
+      const Problem at = with_subharmonic(scene.at(point.parameter), point.order);
+      for (const double speed : test::ImpulsiveOracle(at, kRestitution).speeds)
         distance = std::min(distance, std::abs(speed - v));
       EXPECT_LT(distance, 1e-10 * std::max(1.0, v)) << branch.sequence << " at " << point.parameter;
       ++compared;

@@ -7,6 +7,7 @@
 #include <complex>
 
 #include "methods/orbit/continuation/orbit_section.hpp"
+#include "tests/methods/orbit/closed_form_guess.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
 namespace signorini {
@@ -18,19 +19,8 @@ class DescriptionsOfAnOrbit : public testing::Test {
  protected:
   DescriptionsOfAnOrbit() : family_(over_frequency(test::to_problem(kOscillator), 2.0, 3.0)) {
     const auto orbit = test::single_impact_orbits(kOscillator).at(0);
-    const double section = orbit.impact_time - 0.3 * orbit.period;
-    const OrbitGuess guess{.start = {.time = section,
-                                     .state = {.u = Eigen::VectorXd::Constant(1, orbit.x(section)),
-                                               .v = Eigen::VectorXd::Constant(1, orbit.velocity(section))},
-                                     .closed = {false}},
-                           .events = {{.kind = ContactEvent::Kind::impact,
-                                       .contact = 0,
-                                       .time = orbit.impact_time,
-                                       .pushed = {0},
-                                       .restitution = {1.0},
-                                       .closed = {false}}},
-                           .origin = {}};
-    orbit_ = sequenced(family_, guess, orbit.period, kOscillator.frequency, kOscillator.frequency);
+    orbit_ = sequenced(family_, test::closed_form_guess(orbit, 0.3), orbit.period, kOscillator.frequency,
+                       kOscillator.frequency);
   }
   double residual(const SequencedOrbit& orbit) {
     ExtendedEquations equations(family_, orbit);

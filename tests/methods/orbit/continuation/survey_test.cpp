@@ -8,26 +8,15 @@
 #include <cmath>
 
 #include "methods/orbit/continuation/bifurcations.hpp"
+#include "tests/methods/orbit/closed_form_guess.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
 namespace signorini {
 namespace {
 
 SequencedOrbit placed(OrbitFamily& family, const test::SingleImpactOrbit& orbit) {
-  const double section = orbit.impact_time - 0.4 * orbit.period;
-  return sequenced(family,
-                   {.start = {.time = section,
-                              .state = {.u = Eigen::VectorXd::Constant(1, orbit.x(section)),
-                                        .v = Eigen::VectorXd::Constant(1, orbit.velocity(section))},
-                              .closed = {false}},
-                    .events = {{.kind = ContactEvent::Kind::impact,
-                                .contact = 0,
-                                .time = orbit.impact_time,
-                                .pushed = {0},
-                                .restitution = {orbit.oscillator.restitution},
-                                .closed = {false}}},
-                    .origin = {}},
-                   orbit.period, orbit.oscillator.frequency, orbit.oscillator.frequency);
+  return sequenced(family, test::closed_form_guess(orbit, 0.4), orbit.period, orbit.oscillator.frequency,
+                   orbit.oscillator.frequency);
 }
 
 TEST(Survey, HasTheGuardsAndExtremesOfTheClosedForm) {
