@@ -2,10 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <boost/algorithm/string/split.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
@@ -72,22 +75,13 @@ int sweep_steps(const SweepArguments& arguments) {
   return all_converged(found) ? kDone : kUnexpectedFailure;
 }
 
-std::vector<std::string> split_names(const std::string& names) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (std::size_t end = names.find(':'); end != std::string::npos; end = names.find(':', begin)) {
-    parts.push_back(names.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  parts.push_back(names.substr(begin));
-  return parts;
-}
-
 // Branches of several methods, by arc length where a method has a curve of its own.
 int sweep_branches(const SweepArguments& arguments) {
   const Scene scene = read_scene(find_scene(arguments.scene));
+  std::vector<std::string> names;
+  boost::algorithm::split(names, arguments.methods, [](char c) { return c == ':'; });
   std::vector<MethodChoice> methods;
-  for (const std::string& name : split_names(arguments.methods))
+  for (const std::string& name : names)
     methods.push_back({&find_method(name), parse_settings(arguments.settings)});
   watch_interrupts();
   std::vector<MethodResponse> responses;

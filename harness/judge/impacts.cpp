@@ -84,10 +84,14 @@ ContactPhase sampled_phase(const Motion& motion, int contact, const SampledPhase
 
 /// The phase that a motion lists.
 ContactPhase listed_phase(const Motion& motion, int contact, const ListedPush& listed) {
-  return force_phase(
-      motion, {.contact = contact, .begin = listed.begin, .end = listed.end, .impulse = listed.impulse},
-      static_cast<int>(std::ceil(listed.begin / motion.step())),
-      static_cast<int>(std::floor(listed.end / motion.step())));
+  return force_phase(motion,
+                     {.contact = contact,
+                      .begin = listed.begin,
+                      .end = listed.end,
+                      .impulse = listed.impulse,
+                      .timed = true},
+                     static_cast<int>(std::ceil(listed.begin / motion.step())),
+                     static_cast<int>(std::floor(listed.end / motion.step())));
 }
 
 double force_scale(const Motion& motion) {

@@ -15,6 +15,7 @@ struct ContactPhase {
   double end = 0.0;      ///< [s], >= begin; may reach past the period
   double impulse = 0.0;  ///< integral of the force, impulses included, <= 0 [N s]
   bool listed = false;   ///< an impulse that the method lists, of no duration
+  bool timed = false;    ///< a phase of force whose ends the method lists
   /// Longer than an impact can appear at the motion's resolution: contact that lasts.
   bool lasting = false;
   /// Just outside [m/s]; empty where another event is too near.

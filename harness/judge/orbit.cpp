@@ -49,8 +49,7 @@ std::vector<OrbitEvent> orbit_events(const Motion& motion) {
     const auto first = static_cast<int>(std::lround(phase.begin / step));
     const auto last = static_cast<int>(std::lround(phase.end / step)) - 1;
     if (last - first + 1 >= motion.count()) continue;  // never opens
-    // Of listed phases the ends are known.
-    const bool seen = last > first && short_pushes(motion, phase.contact).empty();
+    const bool seen = last > first && !phase.timed;
     const double close = seen ? crossing(motion, phase.contact, first, first - 1) : phase.begin;
     const double open = seen ? crossing(motion, phase.contact, last, last + 1) : phase.end;
     events.push_back({wrapped_time(close, motion.period()), phase.contact, ContactEvent::Kind::close, {}});

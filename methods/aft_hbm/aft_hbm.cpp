@@ -50,11 +50,7 @@ std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
 
 BranchDiagram AftHbm::follow(const Problem& problem, double from, double to,
                              const CurveLimits& limits) const {
-  Options bare = options_;
-  bare.common.compensate = false;
-  const auto prepare_bare = [method = AftHbm(bare)](const Problem& scene) { return method.prepare(scene); };
-  return series_diagram(problem, from, to,
-                        {.options = bare.common, .law_at = law_at(problem), .prepare = prepare_bare}, limits);
+  return uncompensated_diagram<AftHbm>(options_, law_at(problem), problem, from, to, limits);
 }
 
 }  // namespace signorini

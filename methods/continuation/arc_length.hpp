@@ -98,6 +98,13 @@ Eigen::VectorXd first_tangent(Equations& equations) {
   return svd.matrixV().col(equations.size());
 }
 
+/// The same of the sign that leads to larger parameters, or to smaller ones.
+template <CurveEquations Equations>
+Eigen::VectorXd first_tangent(Equations& equations, bool larger) {
+  const Eigen::VectorXd tangent = first_tangent(equations);
+  return tangent[equations.size()] * (larger ? 1.0 : -1.0) >= 0.0 ? tangent : -tangent;
+}
+
 /// The length of the next step after one that took so many Newton steps and turned by so much.
 /// \param turn  angle between the tangents at both ends [rad]
 inline double next_step(double length, int iterations, double turn, double largest) {

@@ -35,13 +35,7 @@ std::unique_ptr<PreparedMethod> FourierLipschitz::prepare(const Problem& problem
 
 BranchDiagram FourierLipschitz::follow(const Problem& problem, double from, double to,
                                        const CurveLimits& limits) const {
-  Options bare = options_;
-  bare.common.compensate = false;
-  const auto prepare_bare = [method = FourierLipschitz(bare)](const Problem& scene) {
-    return method.prepare(scene);
-  };
-  return series_diagram(problem, from, to,
-                        {.options = bare.common, .law_at = law_at(problem), .prepare = prepare_bare}, limits);
+  return uncompensated_diagram<FourierLipschitz>(options_, law_at(problem), problem, from, to, limits);
 }
 
 }  // namespace signorini

@@ -67,14 +67,12 @@ class SeriesDiagram {
           fmt::format("the answer of the method at {:.10g} rad/s is not on a curve", frequency));
   }
 
-  // Both ways from a point of an end of the interval.
+  // Into the interval from one of its ends.
   void add_start(SeriesCurve& curve, const std::string& origin) {
-    const Eigen::VectorXd tangent = first_tangent(curve);
-    const double inward = curve.frequency() < 0.5 * (family_.low + family_.high) ? 1.0 : -1.0;
-    const double sign = tangent[curve.size()] * inward >= 0.0 ? 1.0 : -1.0;
+    const bool upwards = curve.frequency() < 0.5 * (family_.low + family_.high);
     starts_.push_back({.multiple = curve.multiple(),
                        .x = curve.x(),
-                       .tangent = sign * tangent,
+                       .tangent = first_tangent(curve, upwards),
                        .origin = fmt::format("{} at {:.10g} rad/s", origin, curve.frequency())});
   }
 

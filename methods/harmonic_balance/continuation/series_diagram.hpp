@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "methods/curve_method.hpp"
 #include "methods/harmonic_balance/continuation/series_tracer.hpp"
@@ -19,8 +20,8 @@ struct SeriesMethod {
   std::function<std::unique_ptr<PreparedMethod>(const Problem&)> prepare;
 };
 
-/// Follows, from both ends of the interval, the contact-free motion where nothing touches and the method's
-/// own answer, both ways; then what leaves these branches: motions of twice the period at doublings, the
+/// Follows, from both ends into the interval, the contact-free motion where nothing touches and the method's
+/// own answer; then what leaves these branches: motions of twice the period at doublings, the
 /// crossing branch at branch points, and at the grazing of a contact-free motion those of more periods that
 /// press once (grazing_branch), up to the largest order. What lies on a branch already followed is left out.
 ///
@@ -28,5 +29,16 @@ struct SeriesMethod {
 /// folds and doublings are off by O(1/H). Motions of k periods have k times the harmonics.
 BranchDiagram series_diagram(const Problem& problem, double from, double to, const SeriesMethod& method,
                              const CurveLimits& limits);
+
+/// series_diagram of a method of harmonic balance with these options, impacts not compensated.
+/// \tparam Method  with HarmonicOptions as `Options::common`
+template <class Method>
+BranchDiagram uncompensated_diagram(typename Method::Options options, LawAt law_at, const Problem& problem,
+                                    double from, double to, const CurveLimits& limits) {
+  options.common.compensate = false;
+  const auto prepare = [method = Method(options)](const Problem& scene) { return method.prepare(scene); };
+  return series_diagram(problem, from, to,
+                        {.options = options.common, .law_at = std::move(law_at), .prepare = prepare}, limits);
+}
 
 }  // namespace signorini

@@ -70,13 +70,11 @@ class HatDiagram {
 
   // Into the interval from one of its ends.
   void add_start(HatCurve& curve, const std::string& origin) {
-    const Eigen::VectorXd tangent = first_tangent(curve);
-    const double inward = curve.frequency() < 0.5 * (family_.low + family_.high) ? 1.0 : -1.0;
-    const double sign = tangent[curve.size()] * inward >= 0.0 ? 1.0 : -1.0;
+    const bool upwards = curve.frequency() < 0.5 * (family_.low + family_.high);
     starts_.push_back({.multiple = 1,
                        .pressing = curve.pressing(),
                        .x = curve.x(),
-                       .tangent = sign * tangent,
+                       .tangent = first_tangent(curve, upwards),
                        .origin = fmt::format("{} at {:.10g} rad/s", origin, curve.frequency())});
   }
 
