@@ -26,45 +26,70 @@ concept CurveEquations = requires(Equations& equations, const Eigen::VectorXd& x
   { equations.noise() } -> std::convertible_to<double>;
 };
 
+/// Equations that leave more than one direction free, as of motions that may begin at any phase, and of which
+/// one follows from the others for each: they hold k conditions C (x - predicted) = 0 along a step besides.
+template <class Equations>
+concept HoldsConditions = requires(const Equations& equations) {
+  // C, k x (n + 1), k = 0 included.
+  { equations.conditions() } -> std::convertible_to<Eigen::MatrixXd>;
+};
+
 /// When the corrector stops.
 struct CorrectorLimits {
   int iterations = 7;        ///< Newton steps at most
   double tolerance = 2e-13;  ///< of R, relative to the largest unknown [-]
 };
 
-/// A matrix [R_x; row], n + 1 square.
+/// The matrix [R_x; row; C] of a step: n + 1 square, or higher where conditions are held.
 template <CurveEquations Equations>
 Eigen::MatrixXd bordered_jacobian(Equations& equations, const Eigen::VectorXd& row) {
   const Eigen::Index n = equations.size();
-  Eigen::MatrixXd B(n + 1, n + 1);
+  Eigen::MatrixXd C(0, n + 1);
+  if constexpr (HoldsConditions<Equations>) C = equations.conditions();
+  Eigen::MatrixXd B(n + 1 + C.rows(), n + 1);
   B.topRows(n) = equations.jacobian();
   B.row(n) = row.transpose();
+  B.bottomRows(C.rows()) = C;
   return B;
 }
 
+/// The x of B x = (right; last; 0) for a matrix of bordered_jacobian: LU with pivoting, or least squares
+/// where conditions are held, which solve all rows as these are consistent.
+inline Eigen::VectorXd solve_bordered(const Eigen::MatrixXd& B, const Eigen::VectorXd& right, double last) {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(B.rows());
+  all.head(right.size()) = right;
+  all[right.size()] = last;
+  if (B.rows() == B.cols()) return B.partialPivLu().solve(all);
+  return B.householderQr().solve(all);
+}
+
 /// The point of the curve in the plane tangent . (x - predicted) = 0, by full Newton steps on [R; plane] with
-/// the Jacobian [R_x; tangent^T], LU with pivoting. Steps are not shortened: where Newton's method fails the
-/// caller shortens the step along the curve.
+/// the Jacobian [R_x; tangent^T] and the conditions held, if any. Steps are not shortened: where Newton's
+/// method fails the caller shortens the step along the curve.
 ///
-/// Converged: |R| <= tolerance max(1, |x|), or no longer falling and within a hundred times its noise.
+/// Converged: |R| <= tolerance max(1, |x|), or no longer falling and either within a hundred times its noise
+/// or after a step of less than 1e-10 max(1, |x|).
 ///
 /// \return the Newton steps taken; `equations` are left evaluated at the point. Empty where it fails.
 template <CurveEquations Equations>
 std::optional<int> correct(Equations& equations, const Eigen::VectorXd& predicted,
                            const Eigen::VectorXd& tangent, const CorrectorLimits& limits = {}) {
   constexpr double kLost = 1e3, kNoise = 100.0;  // of R; of the noise
-  const Eigen::Index n = equations.size();
-  Eigen::VectorXd x = predicted, right(n + 1);
+  constexpr double kSettled = 1e-10;  // of x: a step from one rounding of stiff modes' forces to the next
+  Eigen::VectorXd x = predicted, step = Eigen::VectorXd::Ones(x.size());
   double before = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= limits.iterations; ++k) {
     if (!equations.evaluate(x)) return std::nullopt;
     const double residual = equations.residual().template lpNorm<Eigen::Infinity>();
     if (!(residual < kLost)) return std::nullopt;
-    if (residual <= limits.tolerance * std::max(1.0, x.lpNorm<Eigen::Infinity>())) return k;
-    if (k >= 2 && residual < kNoise * equations.noise() && residual > 0.5 * before) return k;
+    const double size = std::max(1.0, x.lpNorm<Eigen::Infinity>());
+    if (residual <= limits.tolerance * size) return k;
+    const bool rounding =
+        residual < kNoise * equations.noise() || step.lpNorm<Eigen::Infinity>() < kSettled * size;
+    if (k >= 2 && rounding && residual > 0.5 * before) return k;
     before = residual;
-    right << -equations.residual(), -tangent.dot(x - predicted);
-    const Eigen::VectorXd step = bordered_jacobian(equations, tangent).partialPivLu().solve(right);
+    step = solve_bordered(bordered_jacobian(equations, tangent), -equations.residual(),
+                          -tangent.dot(x - predicted));
     if (!step.allFinite()) return std::nullopt;
     x += step;
   }
@@ -82,9 +107,8 @@ std::optional<int> correct_at_parameter(Equations& equations, const Eigen::Vecto
 /// the bordered matrix is singular.
 template <CurveEquations Equations>
 std::optional<Eigen::VectorXd> tangent_of(Equations& equations, const Eigen::VectorXd& previous) {
-  const Eigen::Index n = equations.size();
   const Eigen::VectorXd t =
-      bordered_jacobian(equations, previous).partialPivLu().solve(Eigen::VectorXd::Unit(n + 1, n));
+      solve_bordered(bordered_jacobian(equations, previous), Eigen::VectorXd::Zero(equations.size()), 1.0);
   if (!t.allFinite() || t.isZero(0.0)) return std::nullopt;
   return t.normalized();
 }
@@ -93,7 +117,12 @@ std::optional<Eigen::VectorXd> tangent_of(Equations& equations, const Eigen::Vec
 template <CurveEquations Equations>
 Eigen::VectorXd first_tangent(Equations& equations) {
   if (equations.size() == 0) return Eigen::VectorXd::Ones(1);  // the parameter alone
-  const Eigen::MatrixXd jacobian = equations.jacobian();
+  Eigen::MatrixXd jacobian = equations.jacobian();
+  if constexpr (HoldsConditions<Equations>) {
+    const Eigen::MatrixXd C = equations.conditions();
+    jacobian.conservativeResize(jacobian.rows() + C.rows(), Eigen::NoChange);
+    jacobian.bottomRows(C.rows()) = C;
+  }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullV);
   return svd.matrixV().col(equations.size());
 }

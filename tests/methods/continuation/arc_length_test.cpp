@@ -74,6 +74,41 @@ TEST(ArcLength, FirstTangentIsTheNullVector) {
   EXPECT_NEAR(std::abs(tangent.dot(Eigen::Vector2d(0.8, -0.6))), 1.0, 1e-14);
 }
 
+/// x^2 + y^2 = p, said twice: any point of a circle is as good as another, so x and y move along its radius.
+class Paraboloid {
+ public:
+  [[nodiscard]] Eigen::Index size() const { return 2; }
+  bool evaluate(const Eigen::VectorXd& x) {
+    x_ = x;
+    return x.allFinite();
+  }
+  [[nodiscard]] Eigen::VectorXd residual() const {
+    return (x_.head(2).squaredNorm() - x_[2]) * Eigen::Vector2d(1.0, -3.0);
+  }
+  [[nodiscard]] Eigen::MatrixXd jacobian() const {
+    return Eigen::Vector2d(1.0, -3.0) * Eigen::RowVector3d(2.0 * x_[0], 2.0 * x_[1], -1.0);
+  }
+  [[nodiscard]] Eigen::MatrixXd conditions() const { return Eigen::RowVector3d(-x_[1], x_[0], 0.0); }
+  [[nodiscard]] double noise() const { return 1e-16; }
+  [[nodiscard]] const Eigen::VectorXd& x() const { return x_; }
+
+ private:
+  Eigen::VectorXd x_;
+};
+
+TEST(ArcLength, HoldsConditionsWhereEquationsAreDependent) {
+  static_assert(HoldsConditions<Paraboloid> && !HoldsConditions<Circle>);
+  Paraboloid paraboloid;
+  const Eigen::Vector3d begin(0.6, 0.8, 1.0), along = Eigen::Vector3d(0.6, 0.8, 2.0).normalized();
+  ASSERT_TRUE(paraboloid.evaluate(begin));
+  EXPECT_NEAR(std::abs(first_tangent(paraboloid).dot(along)), 1.0, 1e-14);
+  const auto tangent = tangent_of(paraboloid, Eigen::Vector3d(0.0, 0.0, 1.0));
+  ASSERT_TRUE(tangent);
+  EXPECT_NEAR(tangent->dot(along), 1.0, 1e-14);
+  ASSERT_TRUE(correct_at_parameter(paraboloid, Eigen::Vector3d(0.6, 0.8, 4.0)));
+  EXPECT_NEAR((paraboloid.x() - Eigen::Vector3d(1.2, 1.6, 4.0)).norm(), 0.0, 1e-12);
+}
+
 TEST(ArcLength, StepsGrowWithEaseAndNeverBeyondTheLargest) {
   EXPECT_GT(next_step(0.01, 2, 0.0, 1.0), 0.01);
   EXPECT_LT(next_step(0.01, 6, 0.0, 1.0), 0.01);
