@@ -8,6 +8,7 @@
 
 #include "problems/scene/input_file.hpp"
 #include "problems/scene/kebab_case.hpp"
+#include "problems/scene/scene_document.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/scene_system.hpp"
 #include "problems/scene/toml_tree.hpp"
@@ -152,7 +153,9 @@ void read_scene(const SceneField& document, std::optional<FamilyLevel> family, R
   problem.law = read_law(document["law"], problem);
 }
 
-std::string read_text(const std::filesystem::path& path) {
+}  // namespace
+
+std::string read_scene_text(const std::filesystem::path& path) {
   try {
     return read_input_file(path, kLargestScene);
   } catch (const UnreadableFile& error) {
@@ -160,32 +163,28 @@ std::string read_text(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace
-
 bool SceneHeader::carries(std::string_view tag) const {
   return std::find(tags.begin(), tags.end(), tag) != tags.end();
 }
 
 std::vector<std::string> load_levels(const std::filesystem::path& path) {
-  return family_labels(parse_toml(read_text(path), path.string()), path.string());
+  return family_labels(parse_toml(read_scene_text(path), path.string()), path.string());
 }
 
 SceneHeader load_header(const SceneSource& source) {
   const std::string name = source.file.string();
-  TomlNode document = parse_toml(read_text(source.file), name);
+  TomlNode document = parse_toml(read_scene_text(source.file), name);
   const std::optional<FamilyLevel> family = choose_level(document, name, source.level);
   return read_header(SceneField(document, name), family);
 }
 
-SceneWithSources parse_scene_with_sources(std::string_view text, const std::string& name,
-                                          std::string_view level) {
-  TomlNode document = parse_toml(text, name);
-  const std::optional<FamilyLevel> family = choose_level(document, name, level);
+SceneWithSources read_scene_document(const TomlNode& document, const std::string& name,
+                                     const std::optional<FamilyLevel>& family, SceneChecks checks) {
   const SceneField root(document, name);
   ReadScene scene;
   try {
     read_scene(root, family, scene);
-    validate(scene.problem, scene.definiteness);
+    if (checks == SceneChecks::all) validate(scene.problem, scene.definiteness);
     return scene;
   } catch (const InvalidProblem& error) {
     as_written(root, scene, error.field).refuse(error.found, error.requirement);
@@ -195,12 +194,19 @@ SceneWithSources parse_scene_with_sources(std::string_view text, const std::stri
   }
 }
 
+SceneWithSources parse_scene_with_sources(std::string_view text, const std::string& name,
+                                          std::string_view level) {
+  TomlNode document = parse_toml(text, name);
+  const std::optional<FamilyLevel> family = choose_level(document, name, level);
+  return read_scene_document(document, name, family);
+}
+
 Problem parse_scene(std::string_view text, const std::string& name, std::string_view level) {
   return parse_scene_with_sources(text, name, level).problem;
 }
 
 Problem load_scene(const SceneSource& source) {
-  return parse_scene(read_text(source.file), source.file.string(), source.level);
+  return parse_scene(read_scene_text(source.file), source.file.string(), source.level);
 }
 
 }  // namespace signorini
