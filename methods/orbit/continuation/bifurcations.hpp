@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "methods/orbit/continuation/branch.hpp"
-#include "methods/orbit/continuation/extended_equations.hpp"
+#include "methods/orbit/family/extended_equations.hpp"
 
 namespace signorini {
 

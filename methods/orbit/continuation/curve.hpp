@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "methods/orbit/continuation/branch.hpp"
-#include "methods/orbit/continuation/survey.hpp"
+#include "methods/orbit/family/survey.hpp"
 
 namespace signorini {
 

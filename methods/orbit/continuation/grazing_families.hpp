@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "methods/orbit/continuation/sequenced_orbit.hpp"
+#include "methods/orbit/family/sequenced_orbit.hpp"
 
 namespace signorini {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "methods/orbit/continuation/extended_equations.hpp"
+#include "methods/orbit/family/extended_equations.hpp"
 
 namespace signorini {
 

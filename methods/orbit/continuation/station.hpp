@@ -7,7 +7,7 @@
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/orbit/continuation/bifurcations.hpp"
-#include "methods/orbit/continuation/survey.hpp"
+#include "methods/orbit/family/survey.hpp"
 
 namespace signorini {
 

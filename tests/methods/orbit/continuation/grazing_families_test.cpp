@@ -10,8 +10,8 @@
 #include <numbers>
 #include <random>
 
-#include "methods/orbit/continuation/extended_equations.hpp"
-#include "methods/orbit/continuation/survey.hpp"
+#include "methods/orbit/family/extended_equations.hpp"
+#include "methods/orbit/family/survey.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
 namespace signorini {

@@ -1,4 +1,4 @@
-#include "methods/orbit/continuation/survey.hpp"
+#include "methods/orbit/family/survey.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "methods/orbit/continuation/sequenced_orbit.hpp"
+#include "methods/orbit/family/sequenced_orbit.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // One orbit in several descriptions: other sections, repetitions, events put in and taken out.
 
-#include "methods/orbit/continuation/sequenced_orbit.hpp"
+#include "methods/orbit/family/sequenced_orbit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "methods/orbit/continuation/sequenced_orbit.hpp"
+#include "methods/orbit/family/sequenced_orbit.hpp"
 
 namespace signorini {
 

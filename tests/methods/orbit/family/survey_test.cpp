@@ -1,6 +1,6 @@
 // Guards and extremes of closed-form orbits against dense samples of the closed form.
 
-#include "methods/orbit/continuation/survey.hpp"
+#include "methods/orbit/family/survey.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "methods/orbit/continuation/orbit_family.hpp"
+#include "methods/orbit/family/orbit_family.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "methods/orbit/continuation/orbit_family.hpp"
+#include "methods/orbit/family/orbit_family.hpp"
 #include "methods/orbit/orbit_equations.hpp"
 
 namespace signorini {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "methods/orbit/continuation/extended_equations.hpp"
+#include "methods/orbit/family/extended_equations.hpp"
 
 namespace signorini {
 

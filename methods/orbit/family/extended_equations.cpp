@@ -1,4 +1,4 @@
-#include "methods/orbit/continuation/extended_equations.hpp"
+#include "methods/orbit/family/extended_equations.hpp"
 
 #include <algorithm>
 #include <stdexcept>

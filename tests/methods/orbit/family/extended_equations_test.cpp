@@ -1,6 +1,6 @@
 // The Jacobian with the parameter's column against differences of the residual, and the corrector on it.
 
-#include "methods/orbit/continuation/extended_equations.hpp"
+#include "methods/orbit/family/extended_equations.hpp"
 
 #include <gtest/gtest.h>
 
