@@ -8,6 +8,8 @@
 #include <numeric>
 #include <utility>
 
+#include "methods/orbit/periodic_closure.hpp"
+
 namespace signorini {
 
 std::vector<PlacedEvent> placed_events(const SequencedOrbit& orbit) {
@@ -36,24 +38,20 @@ SequencedOrbit with_events(const SequencedOrbit& orbit, std::vector<PlacedEvent>
 
 std::optional<State> contact_free_motion(OrbitModel& model) {
   const Eigen::Index n = model.dynamics.size();
-  const MotionScales& scales = model.dynamics.scales();
   model.period = model.dynamics.structure().forcing_period;
-  const auto contacts = static_cast<std::size_t>(model.dynamics.contact_count());
-  OrbitEquations equations(model,
-                           {.start = {.time = 0.0,
-                                      .state = {.u = Eigen::VectorXd::Zero(n), .v = Eigen::VectorXd::Zero(n)},
-                                      .closed = std::vector<bool>(contacts, false)},
-                            .events = {},
-                            .origin = {}});
-  // Without events the equations are linear: one step of Newton's method solves them.
-  if (!equations.evaluate(Eigen::VectorXd::Zero(2 * n))) return std::nullopt;
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(equations.jacobian());
-  const Eigen::VectorXd y = -lu.solve(equations.residual());
-  // At an undamped resonance y returns by itself: a pivot of 1 - dy(T)/dy_0 vanishes, to a share of the
-  // frequency.
-  constexpr double kUnique = 1e-10;
-  if (!y.allFinite() || !(lu.matrixLU().diagonal().cwiseAbs().minCoeff() > kUnique)) return std::nullopt;
-  return State{.u = scales.displacement * y.head(n), .v = scales.velocity * y.tail(n)};
+  const LinearFlow& flow =
+      model.flows.of(std::vector<bool>(static_cast<std::size_t>(model.dynamics.contact_count()), false));
+  const PeriodicClosure closure(flow, model.dynamics.scales(), model.period);
+  if (!closure.unique()) return std::nullopt;
+  const auto arc = flow.arc();
+  State end;
+  arc->start(0.0, {.u = Eigen::VectorXd::Zero(n), .v = Eigen::VectorXd::Zero(n)});
+  arc->state(model.period, end);
+  Eigen::VectorXd change(2 * n);
+  change << end.u, end.v;
+  const Eigen::VectorXd y = closure.solve(change);
+  if (!y.allFinite()) return std::nullopt;
+  return State{.u = y.head(n), .v = y.tail(n)};
 }
 
 std::optional<SequencedOrbit> contact_free_orbit(OrbitFamily& family, double parameter) {
