@@ -126,8 +126,10 @@ std::pair<double, double> extremes_of(const Eigen::VectorXcd& y) {
 }
 
 BranchPoint branch_point(const SeriesCurve& curve) {
-  BranchPoint point{
-      .parameter = curve.frequency(), .order = curve.order(), .impacts = phases_of_contact(curve)};
+  BranchPoint point{.parameter = curve.frequency(),
+                    .frequency = curve.frequency(),
+                    .order = curve.order(),
+                    .impacts = phases_of_contact(curve)};
   for (Eigen::Index c = 0; c < curve.motion().cols(); ++c) {
     const auto [least, largest] = extremes_of(curve.motion().col(c));
     point.x_max.push_back(largest);

@@ -32,6 +32,7 @@ int phases_of(const HatCurve& curve) {
 
 BranchPoint point_of(const HatCurve& curve) {
   BranchPoint point{.parameter = curve.frequency(),
+                    .frequency = curve.frequency(),
                     .order = curve.order(),
                     .impacts = phases_of(curve),
                     .stability = OrbitStability::unknown};

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <vector>
+
+#include "methods/continuation/arc_length.hpp"
 
 namespace signorini {
 
@@ -31,7 +34,29 @@ double pair_product(const Eigen::VectorXcd& mu) {
   return (std::cos(angle) < 0.0 ? -1.0 : 1.0) * std::exp(logarithm / static_cast<double>(pairs));
 }
 
+// Sum of the products of all but two of mu_i - 1: the product of all but the two that are 0; 0 where it is
+// rounding.
+double product_of_the_others(const Eigen::VectorXcd& mu) {
+  Eigen::VectorXcd sums = Eigen::VectorXcd::Zero(mu.size() + 1);  // of the products of k of them
+  sums[0] = 1.0;
+  for (Eigen::Index i = 0; i < mu.size(); ++i) {
+    for (Eigen::Index k = i + 1; k > 0; --k) sums[k] += sums[k - 1] * (mu[i] - 1.0);
+  }
+  constexpr double kRounding = 1e-9;
+  const double product = sums[mu.size() - 2].real();
+  return std::abs(product) < kRounding ? 0.0 : product;
+}
+
 }  // namespace
+
+Eigen::VectorXcd decisive_multipliers(const ExtendedEquations& equations,
+                                      const Eigen::VectorXcd& multipliers) {
+  if (equations.family().driven() || multipliers.size() < 2) return multipliers;
+  std::vector<Complex> sorted(multipliers.begin(), multipliers.end());
+  std::sort(sorted.begin(), sorted.end(),
+            [](const Complex& a, const Complex& b) { return std::abs(a - 1.0) > std::abs(b - 1.0); });
+  return Eigen::VectorXcd::Map(sorted.data(), multipliers.size() - 2);
+}
 
 bool loses_nothing(const ExtendedEquations& equations) {
   const FlowStructure& structure = equations.model().dynamics.structure();
@@ -50,16 +75,15 @@ BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::Ve
     tests.values[static_cast<std::size_t>(kind)] = value;
   };
   set(SpecialKind::fold, tangent[n]);
-  Eigen::MatrixXd bordered(n + 1, n + 1);
-  bordered.topRows(n) = equations.jacobian();
-  bordered.row(n) = tangent.transpose();
-  set(SpecialKind::branch_point, relative_determinant(bordered));
+  if (equations.family().driven())
+    set(SpecialKind::branch_point, relative_determinant(bordered_jacobian(equations, tangent)));
   Eigen::MatrixXd doubled = equations.jacobian().leftCols(n);
   doubled.topLeftCorner(states, states).diagonal().array() += 2.0;  // from y(2 pi n) - y_0 to y(2 pi n) + y_0
   set(SpecialKind::period_doubling, relative_determinant(doubled));
   const Eigen::MatrixXd M = equations.monodromy();
   if (M.size() == 0 || !M.allFinite()) return tests;
   tests.multipliers = M.eigenvalues();
+  if (!equations.family().driven()) set(SpecialKind::fold, product_of_the_others(tests.multipliers));
   if (states > 2 && !loses_nothing(equations))
     set(SpecialKind::neimark_sacker, pair_product(tests.multipliers));
   return tests;
@@ -67,7 +91,7 @@ BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::Ve
 
 bool confirmed(SpecialKind kind, const Eigen::VectorXcd& multipliers) {
   constexpr double kDoubling = 1e-4;  // a double -1 of a motion without loss is known to the root of rounding
-  constexpr double kOnCircle = 1e-5, kComplex = 1e-6;
+  constexpr double kOnCircle = 1e-5, kComplex = 1e-6, kOne = 1e-5;
   const auto any = [&](auto&& test) { return std::any_of(multipliers.begin(), multipliers.end(), test); };
   if (kind == SpecialKind::period_doubling)
     return any([](const Complex& mu) { return std::abs(mu + 1.0) < kDoubling; });
@@ -76,18 +100,20 @@ bool confirmed(SpecialKind kind, const Eigen::VectorXcd& multipliers) {
       return std::abs(std::abs(mu) - 1.0) < kOnCircle && std::abs(mu.imag()) > kComplex;
     });
   }
-  return true;
+  return multipliers.size() == 0 || any([](const Complex& mu) { return std::abs(mu - 1.0) < kOne; });
 }
 
 OrbitStability stability_of(const ExtendedEquations& equations, const Eigen::VectorXcd& multipliers) {
   constexpr double kDecided = 1e-9, kOnCircle = 1e-8, kGrazing = 1e-9;
-  for (const auto& crossing : equations.equations().crossings()) {
-    if (std::abs(crossing.approach) < kGrazing * equations.family().units().velocity &&
-        equations.model().dynamics.rigid())
+  for (std::size_t i = 0; equations.model().dynamics.rigid() && i < equations.orbit().events.size(); ++i) {
+    if (equations.orbit().events[i].kind != ContactEvent::Kind::open &&
+        std::abs(equations.equations().crossings()[i].approach) <
+            kGrazing * equations.family().units().velocity)
       return OrbitStability::undefined;
   }
   if (multipliers.size() == 0) return OrbitStability::undefined;
-  const double largest = multipliers.cwiseAbs().maxCoeff();
+  const Eigen::VectorXcd decisive = decisive_multipliers(equations, multipliers);
+  const double largest = decisive.size() == 0 ? 1.0 : decisive.cwiseAbs().maxCoeff();
   if (loses_nothing(equations))
     return largest > 1.0 + kOnCircle ? OrbitStability::unstable : OrbitStability::elliptic;
   return largest < 1.0 - kDecided ? OrbitStability::stable : OrbitStability::unstable;

@@ -12,14 +12,16 @@ namespace signorini {
 
 /// Each changes its sign at its bifurcation, none has a pole at a grazing:
 ///
-/// - fold: the last component of the tangent;
+/// - fold: the last component of the tangent; of free motions, where it is the energy that turns, the product
+///   of mu_i - 1 over all multipliers but the two that are always 1;
 /// - branch point: det [R_x; tangent^T];
 /// - period doubling: det J_-1, J_mu the Jacobian with the closure y(2 pi n) - mu y_0, that is the product of
 /// the
 ///   approach speeds times det(M - mu);
 /// - Neimark-Sacker: the product of mu_i mu_j - 1 over all pairs. Identically zero where no energy is lost,
 /// and
-///   absent there, as for a single coordinate, which has no such point.
+///   absent there, as for a single coordinate, which has no such point. Branch points of free motions are
+///   not looked for.
 ///
 /// Determinants are divided by the norms of their rows.
 struct BifurcationTests {
@@ -34,11 +36,18 @@ struct BifurcationTests {
 /// Those of the orbit at which the equations are evaluated, `tangent` that of its curve.
 BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::VectorXd& tangent);
 
-/// Whether the multipliers at a zero of a test function are those of its bifurcation: -1, or a pair on the
-/// circle. A product of real multipliers can be 1 without any.
+/// Whether the multipliers at a zero of a test function are those of its bifurcation: 1, -1, or a pair on the
+/// circle. A product of real multipliers can be 1 without any, and a parameter turns without a fold where a
+/// phase of contact begins. Without multipliers folds and branch points are.
 bool confirmed(SpecialKind kind, const Eigen::VectorXcd& multipliers);
 
-/// By the largest magnitude, to 1e-9; where neither dampers nor impacts take energy by 1e-8 on either side.
+/// All but the two nearest to 1 of a free motion, which are 1: it may be shifted in time, and keeps its
+/// energy.
+Eigen::VectorXcd decisive_multipliers(const ExtendedEquations& equations,
+                                      const Eigen::VectorXcd& multipliers);
+
+/// By the largest magnitude of those, to 1e-9; where neither dampers nor impacts take energy by 1e-8 on
+/// either side.
 OrbitStability stability_of(const ExtendedEquations& equations, const Eigen::VectorXcd& multipliers);
 
 /// det M = prod e_i^2 exp(-T tr M^-1 D) is 1: a motion that loses nothing has its multipliers in pairs mu, 1

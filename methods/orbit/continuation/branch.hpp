@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,11 +29,13 @@ inline std::string describe(OrbitStability stability) {
 /// One orbit of a branch.
 struct BranchPoint {
   double parameter = 0.0;              ///< p
+  double frequency = 0.0;              ///< omega [rad/s]
   int order = 1;                       ///< forcing periods per period [-]
   OrbitGuess orbit = {};               ///< of an exact orbit: state at a section, and the events
   std::vector<double> x_max = {};      ///< largest x_j over the period, exact, Nc [m]
   std::vector<double> amplitude = {};  ///< half of largest less least x_j, exact, Nc [m]
-  int impacts = 0;                     ///< in a period; of a method phases of contact
+  int impacts = 0;  ///< in a period; of springs, massless contacts and methods their closings
+  std::optional<double> energy = {};  ///< of a free motion, kinetic and of all springs [J]
   OrbitStability stability = OrbitStability::undefined;
   Eigen::VectorXcd multipliers = {};  ///< Floquet, 2 Nd; empty where undefined or unknown
 };
@@ -51,7 +54,7 @@ inline std::string describe(SpecialKind kind) {
 struct SpecialPoint {
   SpecialKind kind = SpecialKind::fold;
   BranchPoint point;      ///< the orbit there
-  std::string text = {};  ///< of a change of the sequence: what happens; else empty
+  std::string text = {};  ///< of a change of the sequence what happens, of a fold what turns; else empty
   std::size_t after = 0;  ///< points of the branch before it
 };
 

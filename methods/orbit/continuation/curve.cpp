@@ -21,7 +21,7 @@ class Tracer {
         options_(options),
         start_(start),
         equations_(std::make_unique<ExtendedEquations>(family, start.orbit)),
-        step_(options.first_step) {}
+        step_(options.first_step * start.first_step_share) {}
 
   TracedCurve run() {
     result_.branch.sequence = describe_sequence(start_.orbit);
@@ -31,9 +31,9 @@ class Tracer {
       return std::move(result_);
     }
     here_ = station_at(*equations_, start_.tangent.normalized());
-    if (start_.leaves_repetition) here_.tests.values = {};  // the branch point at the start is known
-    half_way_ =
-        start_.leaves_repetition ? Eigen::VectorXd::Zero(start_.orbit.states()) : half_way(*equations_);
+    if (start_.leaves != LeftBranch::none) here_.tests.values = {};  // the branch point there is known
+    half_way_ = start_.leaves == LeftBranch::repetition ? Eigen::VectorXd::Zero(start_.orbit.states())
+                                                        : half_way(*equations_);
     append();
     while (!done_) advance();
     result_.last = equations_->orbit();
@@ -65,19 +65,32 @@ class Tracer {
     const auto tangent = tangent_of(*equations_, here_.tangent);
     if (!tangent || (tangent->dot(here_.tangent) < std::cos(kTurned) && step_ > kShort)) return shorten(0.5);
     Station next = station_at(*equations_, *tangent);
-    if (result_.branch.points.size() == 1 && rejects(next)) return;
-    const auto halved = half_period_on_step();
+    if (result_.branch.points.size() == 1 && rejects(next)) {
+      // At a stiff stop a phase of contact may be shorter than the first step.
+      constexpr double kShortest = 1e-5;
+      if (equations_->model().dynamics.rigid() || step_ < kShortest) return finish(result_.rejected);
+      result_.rejected.clear();
+      return shorten(0.2);
+    }
+    const auto halved = half_period_on_step(
+        *equations_, {.x = here_.x, .tangent = here_.tangent, .length = step_}, half_way_);
     if (halved && *halved == 0.0 && step_ > kShort) return shorten(0.5);  // to end nearer to it
     const auto crossing =
         violates(next) ? first_crossing(*equations_, here_, step_, next) : std::optional<GuardCrossing>();
     if (violates(next) && !crossing) return shorten(0.5);  // its zero is not to be found on so long a step
-    constexpr double kBefore =
-        1.0 - 1e-6;  // of a step: next to orbits of half the period all determinants vanish
-    const double inside = std::min(crossing ? crossing->length : step_, halved ? kBefore * *halved : step_);
+    // Of a step. Next to orbits of half the period all determinants vanish; where a phase of contact of no
+    // length begins the curve is that of lengths below 0 in a mirror, and the parameter turns.
+    constexpr double kBefore = 1.0 - 1e-6;
+    const double inside =
+        std::min({step_, crossing ? kBefore * crossing->length : step_, halved ? kBefore * *halved : step_});
     for (LocatedBifurcation& found : bifurcations(*equations_, here_, step_, next, inside)) {
       add(std::move(found.special));
-      if (result_.branch.special.back().kind == SpecialKind::period_doubling)
+      const SpecialKind kind = result_.branch.special.back().kind;
+      if (kind == SpecialKind::period_doubling)
         result_.doublings.push_back(std::move(found.orbit));
+      else if (kind == SpecialKind::branch_point)
+        result_.crossings.emplace_back(std::move(found.orbit),
+                                       here_.tangent + found.length / step_ * (next.tangent - here_.tangent));
     }
     if (halved && !(crossing && crossing->length < *halved)) return end_at_half_period(*halved);
     if (crossing) return end_at(*crossing);
@@ -110,12 +123,10 @@ class Tracer {
       result_.rejected = "not admissible beside its start: " +
                          describe(guard, equations_->orbit(), equations_->model().dynamics.rigid());
     }
-    if (start_.leaves_repetition &&
+    if (start_.leaves == LeftBranch::repetition &&
         of_least_period(equations_->orbit(), *equations_).order < equations_->orbit().order)
       result_.rejected = "the corrector fell back on the branch that was to be left";
-    if (result_.rejected.empty()) return false;
-    finish(result_.rejected);
-    return true;
+    return !result_.rejected.empty();
   }
 
   // Moves to a located point of the step.
@@ -126,19 +137,6 @@ class Tracer {
     here_ = station_at(*equations_, here_.tangent);
     append();
     return true;
-  }
-
-  // Where on the step that led to where the equations are evaluated a branch of doubled orbits meets those of
-  // half the period; 0 where it does, and the equations are too nearly singular there to be solved.
-  std::optional<double> half_period_on_step() {
-    const Eigen::VectorXd after = half_way(*equations_);
-    if (after.size() == 0 || !(half_way_.dot(after) < 0.0)) return std::nullopt;
-    const Eigen::VectorXd direction = half_way_.normalized();
-    const auto along = [&](ExtendedEquations& at) { return std::optional(direction.dot(half_way(at))); };
-    const auto length = locate(*equations_, {.x = here_.x, .tangent = here_.tangent, .length = step_}, along,
-                               half_way_.norm(), direction.dot(after));
-    constexpr double kSame = 1e-4;  // of y(T / 2) - y_0, in CurveUnits
-    return length && half_way(*equations_).norm() < kSame ? *length : 0.0;
   }
 
   // What follows are the same orbits once more.
@@ -163,17 +161,14 @@ class Tracer {
   }
 
   void accept(Station next, int iterations) {
-    constexpr double kTurning = 0.15;  // rad
     // `locate` may have left the equations elsewhere on the step.
     if (equations_->orbit().x != next.x && !equations_->evaluate(next.x))
       return finish("the corrector fails");
-    const bool turning = next.tangent.dot(here_.tangent) < std::cos(kTurning);
+    const double turn = std::acos(std::min(1.0, next.tangent.dot(here_.tangent)));
     here_ = std::move(next);
     half_way_ = half_way(*equations_);
     append();
-    double factor = iterations <= 2 ? 1.6 : iterations == 3 ? 1.25 : iterations == 4 ? 1.0 : 0.6;
-    if (turning) factor = std::min(factor, 0.75);
-    step_ = std::min(step_ * factor, options_.largest_step);
+    step_ = next_step(step_, iterations, turn, options_.largest_step);
     const SequencedOrbit& orbit = equations_->orbit();
     if (here_.x.head(orbit.states()).lpNorm<Eigen::Infinity>() > options_.largest_state)
       return finish("the motion grows without bound");

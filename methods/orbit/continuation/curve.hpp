@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "methods/orbit/continuation/branch.hpp"
@@ -26,13 +27,20 @@ struct CurveOptions {
   Expired expired = {};         ///< true ends it
 };
 
+/// What branch besides the one that is followed goes through its start.
+enum class LeftBranch {
+  none,
+  repetition,  ///< of orbits of half the period, passed twice
+  crossing,    ///< of orbits of the same sequence
+};
+
 /// Where a curve begins and where it goes.
 struct CurveStart {
-  SequencedOrbit orbit;     ///< on the curve
-  Eigen::VectorXd tangent;  ///< the first step is taken along it
-  std::string origin;       ///< why there, one clause
-  /// The start repeats an orbit of a smaller period, and the curve is to leave its branch.
-  bool leaves_repetition = false;
+  SequencedOrbit orbit;                  ///< on the curve
+  Eigen::VectorXd tangent;               ///< the first step is taken along it
+  std::string origin;                    ///< why there, one clause
+  LeftBranch leaves = LeftBranch::none;  ///< that also goes through the start
+  double first_step_share = 1.0;         ///< of CurveOptions::first_step [-]
 };
 
 /// A branch, and where it may be left.
@@ -42,9 +50,11 @@ struct TracedCurve {
   /// clause; `branch` is then to be dropped.
   std::string rejected = {};
   std::vector<SequencedOrbit> doublings = {};  ///< orbits with a multiplier -1
-  std::optional<OrbitGuard> guard = {};        ///< that became zero at the end
-  bool meets_half_period = false;  ///< the end is next to the doubling of an orbit of half the period
-  SequencedOrbit last = {};        ///< the orbit at the end
+  /// Branch points, with the tangent of this curve.
+  std::vector<std::pair<SequencedOrbit, Eigen::VectorXd>> crossings = {};
+  std::optional<OrbitGuard> guard = {};  ///< that became zero at the end
+  bool meets_half_period = false;        ///< the end is next to the doubling of an orbit of half the period
+  SequencedOrbit last = {};              ///< the orbit at the end
 };
 
 /// Follows a curve by pseudo-arclength steps. A step is refused where the tangent turns by more than .35 rad,

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "methods/orbit/continuation/branch_section.hpp"
+#include "methods/orbit/continuation/contact_changes.hpp"
 #include "methods/orbit/continuation/orbit_section.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/continuation/switching.hpp"
@@ -52,13 +54,19 @@ class DiagramTracer {
   DiagramTracer(OrbitFamily& family, const DiagramOptions& options) : family_(family), options_(options) {}
 
   BranchDiagram run(const std::vector<SequencedOrbit>& seeds) {
+    std::size_t left = 0;
     for (const SequencedOrbit& seed : seeds) {
+      if (over()) {
+        ++left;
+        continue;
+      }
       add_seed(seed);
       work();
     }
-    if (!queue_.empty())
-      result_.unfinished = fmt::format("{} branches not followed: limit of {} reached, or the time is up",
-                                       queue_.size(), options_.max_branches);
+    if (!queue_.empty() || left > 0)
+      result_.unfinished = fmt::format(
+          "{} branches and {} starts not followed: limit of {} branches reached, or the time is up",
+          queue_.size(), left, options_.max_branches);
     if (too_long_ > 0)
       result_.notes.push_back(
           fmt::format("{} period doublings lead to orders above {}", too_long_, options_.max_order));
@@ -79,7 +87,7 @@ class DiagramTracer {
       });
       const CurveStart start = std::move(*next);
       queue_.erase(next);
-      if (!is_an_end(start)) follow(start);
+      if (start.leaves == LeftBranch::crossing || !is_an_end(start)) follow(start);
     }
   }
 
@@ -95,7 +103,7 @@ class DiagramTracer {
     const std::string origin = fmt::format("start at {:.10g}", equations.parameter());
     const auto half = [&](double sign) {
       return trace_curve(
-          family_, {.orbit = orbit, .tangent = sign * tangent, .origin = origin, .leaves_repetition = false},
+          family_, {.orbit = orbit, .tangent = sign * tangent, .origin = origin, .leaves = LeftBranch::none},
           options_.curve);
     };
     const TracedCurve forward = half(1.0), backward = half(-1.0);
@@ -113,17 +121,12 @@ class DiagramTracer {
   // An orbit of a branch that has been traced.
   bool is_known(const ExtendedEquations& equations) {
     const OrbitMark mark = mark_of(equations);
-    const double p = equations.parameter(), rounding = 1e-12 * family_.units().parameter;
     for (const Branch& branch : result_.branches) {
-      for (std::size_t i = 1; i < branch.points.size(); ++i) {
-        const BranchPoint &a = branch.points[i - 1], &b = branch.points[i];
-        if (a.order != mark.order || a.orbit.events.size() != mark.events.size()) break;
-        const auto [least, most] = std::minmax(a.parameter, b.parameter);
-        if (p < least - rounding || p > most + rounding) continue;
-        const auto omega = family_.model(a.parameter)->dynamics.structure().frequency;
-        SequencedOrbit near = sequenced(family_, a.orbit, kTwoPi * a.order / omega, omega, p);
-        ExtendedEquations there(family_, near);
-        if (correct_at_parameter(there, near.x) && mark_of(there).same(mark)) return true;
+      const BranchPoint& any = branch.points.front();
+      if (any.order != mark.order || any.orbit.events.size() != mark.events.size()) continue;
+      for (const SequencedOrbit& orbit : orbits_at(family_, branch, equations.parameter())) {
+        ExtendedEquations there(family_, orbit);
+        if (there.evaluate(orbit.x) && mark_of(there).same(mark)) return true;
       }
     }
     return false;
@@ -133,7 +136,8 @@ class DiagramTracer {
   bool is_an_end(const CurveStart& start) {
     ExtendedEquations equations(family_, start.orbit);
     // A doubled branch ends beside its doubling, not at it.
-    return equations.evaluate(start.orbit.x) && contains(ends_, mark_of(equations), start.leaves_repetition);
+    return equations.evaluate(start.orbit.x) &&
+           contains(ends_, mark_of(equations), start.leaves == LeftBranch::repetition);
   }
   void end_here(const SequencedOrbit& orbit) {
     ExtendedEquations equations(family_, orbit);
@@ -167,17 +171,28 @@ class DiagramTracer {
   // Queues what begins at the doublings and at the end of a branch.
   void leave(const TracedCurve& curve) {
     for (const SequencedOrbit& orbit : curve.doublings) double_period(orbit);
+    for (const auto& [orbit, tangent] : curve.crossings) cross(orbit, tangent);
     if (curve.meets_half_period) end_here(curve.last);
     if (!curve.guard) return;
     ExtendedEquations equations(family_, curve.last);
     if (!equations.evaluate(curve.last.x)) return;
     const OrbitMark end = mark_of(equations);
     ends_.push_back(end);
-    const ContactDynamics& dynamics = equations.model().dynamics;
-    if (dynamics.rigid() && is_grazing(*curve.guard, curve.last)) return graze(curve, end);
-    if (dynamics.rigid() && curve.guard->kind == GuardKind::interval && curve.guard->index > 0)
-      return exchange(curve, end, dynamics);
-    note(curve.branch.ended + ": not followed");
+    if (equations.model().dynamics.rigid() && is_grazing(*curve.guard, curve.last)) return graze(curve, end);
+    if (contains(changed_, end)) return;
+    changed_.push_back(end);
+    ChangeOfSequence change = past_change(family_, curve);
+    if (!change.start) return note(fmt::format("{}: {}", curve.branch.ended, change.obstacle));
+    queue_.push_back(std::move(*change.start));
+  }
+
+  void cross(const SequencedOrbit& orbit, const Eigen::VectorXd& tangent) {
+    ExtendedEquations equations(family_, orbit);
+    if (!equations.evaluate(orbit.x)) return;
+    const OrbitMark mark = mark_of(equations);
+    if (contains(crossed_, mark, true)) return;
+    crossed_.push_back(mark);
+    for (CurveStart& start : start_crossing(family_, orbit, tangent)) queue_.push_back(std::move(start));
   }
 
   void graze(const TracedCurve& curve, const OrbitMark& end) {
@@ -196,7 +211,8 @@ class DiagramTracer {
     if (!end.same(grazing->mark)) {
       if (auto start = start_clear(family_, *grazing)) queue_.push_back(std::move(*start));
     }
-    if (grazing->others) return note(where + ": several impacts or contacts graze at once; not followed");
+    if (!grazing->obstacle.empty())
+      return note(fmt::format("{}: {}; not followed", where, grazing->obstacle));
     auto starts = start_impacting(family_, *grazing, options_.max_order);
     if (!starts) return note(where + ": the first order does not tell what begins; not followed");
     for (CurveStart& start : *starts) {
@@ -209,22 +225,10 @@ class DiagramTracer {
     }
   }
 
-  void exchange(const TracedCurve& curve, const OrbitMark& end, const ContactDynamics& dynamics) {
-    if (contains(exchanged_, end)) return;
-    exchanged_.push_back(end);
-    const auto later = static_cast<std::size_t>(curve.guard->index);
-    const SequenceEvent &a = curve.last.events[later - 1], &b = curve.last.events[later];
-    const bool impacts = a.kind == ContactEvent::Kind::impact && b.kind == ContactEvent::Kind::impact;
-    if (!impacts || dynamics.structure().delassus(a.contact, b.contact) != 0.0)
-      return note(curve.branch.ended + ": the motion after it depends on their order; an end");
-    if (auto start = start_exchanged(family_, curve.last, curve.guard->index))
-      queue_.push_back(std::move(*start));
-  }
-
   OrbitFamily& family_;
   const DiagramOptions& options_;
   std::list<CurveStart> queue_;
-  std::vector<OrbitMark> ends_, grazings_, doubled_, exchanged_;
+  std::vector<OrbitMark> ends_, grazings_, doubled_, crossed_, changed_;
   int too_long_ = 0;
   BranchDiagram result_;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Which families of impacting orbits begin where an orbit grazes a rigid stop.
+// Which families of impacting orbits begin where an orbit grazes rigid stops.
 
 #include <Eigen/Core>
 #include <optional>
@@ -9,38 +9,56 @@
 
 namespace signorini {
 
-/// A pattern of impacts in `periods` periods of the orbit that grazes.
+/// A contact that touches its stop without a speed, on an orbit without that impact.
+struct GrazingTouch {
+  int contact = 0;
+  double phase = 0.0;  ///< after the section [rad]
+  double rate =
+      1.0;  ///< of its penetration along the orbits without impact, over that of the first touch [-]
+};
+
+/// A pattern of impacts in `periods` periods of the orbit that grazes. With K touches in a period, passage
+/// number q is that of touch q % K in period q / K.
 struct GrazingFamily {
   int periods = 1;           ///< n
-  std::vector<int> hits;     ///< which of the n passages strike, ascending, 0 the first of them
-  bool beyond = true;        ///< on the side where the grazing orbit, continued, would penetrate
-  Eigen::VectorXd impulses;  ///< J of the hits per unit of penetration, > 0
+  std::vector<int> hits;     ///< which of the n K passages strike, ascending
+  bool beyond = true;        ///< on the side where the first touch, continued, would penetrate
+  Eigen::VectorXd impulses;  ///< J of the hits per unit of penetration of the first touch, > 0
 };
 
 /// All periodic patterns of up to given periods, to first order in the penetration delta of the orbit without
-/// impact. Its monodromy M over one period from the grazing, b = (0, M^-1 W_j) and h the displacement of the
-/// contact give G_n(k) = h^T M^k (I - M^n)^-1 b, the displacement k periods after periodic unit impulses;
-/// with C the circulant matrix of G_n, patterns solve
+/// impact. Its monodromy M_b over one period from touch b, (0, M^-1 W_b) =: w_b, and the displacement
+/// h_a^T of touch a after the state at touch b give
+///
+///     G_n(a, b, k) = h_a^T M_b^k (I - M_b^n)^-1 w_b,
+///
+/// the displacement of touch a, k periods after the passage that follows periodic unit impulses at b; with C
+/// the matrix of these between all passages, patterns solve
 ///
 ///     J >= 0,    C J - delta >= 0,    J . (C J - delta) = 0,
 ///
-/// for delta > 0 or delta < 0. Restitution does not enter. Found by enumerating supports, primitive ones, one
-/// of each class of rotations.
+/// for delta = +- the rates of the touches. Restitution does not enter. Found by enumerating supports, up to
+/// kMostPassages passages, primitive ones, one of each class of rotations.
 ///
-/// The indices of the solutions, sign det C_SS, with 1 for the orbit without impact where delta < 0, have
-/// equal sums on both sides where n is 1: the fixed points of the return map cannot vanish one by one.
+/// The indices of the solutions, sign det C_SS, with 1 for the orbit without impact where it clears all
+/// stops, have equal sums on both sides: the fixed points of the return map cannot vanish one by one.
 ///
-/// \param base   the orbit without the grazing impact, at its smallest period, no contact closed
-/// \param phase  of the grazing after its section
-/// \return empty where G_n(0) vanishes for some n: to first order nothing can be said
+/// \param base     the orbit without the grazing impacts, at its least period, no contact closed
+/// \param touches  phases ascending
+/// \return empty where a response to the own impulse vanishes: to first order nothing can be said
 std::optional<std::vector<GrazingFamily>> grazing_families(OrbitFamily& family, const SequencedOrbit& base,
-                                                           int contact, double phase, int most_periods);
+                                                           const std::vector<GrazingTouch>& touches,
+                                                           int most_periods);
 
-/// G_n(k), k = 0 .. n-1, for the same arguments; empty where I - M^n is singular or G_n(0) vanishes.
-Eigen::VectorXd grazing_response(OrbitFamily& family, const SequencedOrbit& base, int contact, double phase,
-                                 int periods);
+/// More passages are not combined [-]
+inline constexpr int kMostPassages = 14;
 
-/// The patterns of a given response G_n.
-std::vector<GrazingFamily> impact_patterns(const Eigen::VectorXd& response);
+/// C over n K passages for the same arguments; empty where I - M^n is singular or a response to the own
+/// impulse vanishes.
+Eigen::MatrixXd grazing_response(OrbitFamily& family, const SequencedOrbit& base,
+                                 const std::vector<GrazingTouch>& touches, int periods);
+
+/// The patterns of a given C. \param rates  of the K touches
+std::vector<GrazingFamily> impact_patterns(const Eigen::MatrixXd& response, const Eigen::VectorXd& rates);
 
 }  // namespace signorini

@@ -4,8 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "methods/continuation/arc_length.hpp"
-
 namespace signorini {
 
 SequencedOrbit with_section(const SequencedOrbit& orbit, const ExtendedEquations& equations, double phase) {
@@ -48,6 +46,17 @@ Eigen::VectorXd half_way(const ExtendedEquations& equations) {
   const SequencedOrbit& orbit = equations.orbit();
   if (orbit.order % 2 != 0 || orbit.count() % 2 != 0) return {};
   return equations.state_at(0.5 * orbit.end()) - orbit.x.head(orbit.states());
+}
+
+std::optional<double> half_period_on_step(ExtendedEquations& equations, const CurveStep& step,
+                                          const Eigen::VectorXd& begin) {
+  constexpr double kSame = 1e-4;  // of y(T / 2) - y_0, in CurveUnits
+  const Eigen::VectorXd after = half_way(equations);
+  if (after.size() == 0 || !(begin.dot(after) < 0.0)) return std::nullopt;
+  const Eigen::VectorXd direction = begin.normalized();
+  const auto along = [&](ExtendedEquations& at) { return std::optional(direction.dot(half_way(at))); };
+  const auto length = locate(equations, step, along, begin.norm(), direction.dot(after));
+  return length && half_way(equations).norm() < kSame ? *length : 0.0;
 }
 
 Eigen::VectorXd moved_tangent(ExtendedEquations& moved, const SequencedOrbit& orbit,

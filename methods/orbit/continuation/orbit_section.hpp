@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "methods/continuation/arc_length.hpp"
 #include "methods/orbit/family/extended_equations.hpp"
 
 namespace signorini {
@@ -23,6 +24,14 @@ SequencedOrbit of_least_period(const SequencedOrbit& orbit, const ExtendedEquati
 /// opposite signs, for there the doubled orbit becomes itself, half a period later. Empty where half of the
 /// sequence is none.
 Eigen::VectorXd half_way(const ExtendedEquations& equations);
+
+/// Where on a step, at whose end the equations are evaluated, a branch of doubled orbits meets those of half
+/// the period: its length, 0 where it does and the equations are too nearly singular there to be solved,
+/// empty where it does not.
+///
+/// \param begin  half_way at the beginning of the step
+std::optional<double> half_period_on_step(ExtendedEquations& equations, const CurveStep& step,
+                                          const Eigen::VectorXd& begin);
 
 /// The tangent of the curve at an orbit whose section was moved, on the side of the tangent before: told by
 /// the events and the parameter, which both sections share.

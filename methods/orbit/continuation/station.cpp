@@ -12,11 +12,27 @@ Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent)
           .survey = survey(equations)};
 }
 
+namespace {
+
+// 1/2 v^T M v + 1/2 u^T K u - f_0^T u, and of the springs of closed contacts 1/2 lambda^T C lambda.
+double energy_of(const OrbitModel& model, const FlowState& at) {
+  const FlowStructure& s = model.dynamics.structure();
+  const State& y = at.state;
+  double energy = 0.5 * (y.v.dot(s.mass * y.v) + y.u.dot(s.stiffness * y.u)) - y.u.dot(s.load_at(at.time));
+  if (model.dynamics.rigid()) return energy;
+  const ContactMode mode = model.dynamics.mode(at.closed);
+  const Eigen::VectorXd over = s.unloaded(at.time, y.u, 0)(mode.active) - s.gaps(mode.active);
+  return energy + 0.5 * over.dot(mode.response * over);
+}
+
+}  // namespace
+
 BranchPoint branch_point(const ExtendedEquations& equations, const Station& station) {
   const SequencedOrbit& orbit = equations.orbit();
   const CurveUnits& units = equations.family().units();
   const Eigen::Index n = orbit.states() / 2;
   BranchPoint point{.parameter = equations.parameter(),
+                    .frequency = equations.frequency(),
                     .order = orbit.order,
                     .orbit = {.start = {.time = equations.time_of(0.0),
                                         .state = {.u = units.displacement * orbit.x.head(n),
@@ -29,15 +45,31 @@ BranchPoint branch_point(const ExtendedEquations& equations, const Station& stat
   for (Eigen::Index i = 0; i < orbit.count(); ++i) {
     SequenceEvent& event = point.orbit.events[static_cast<std::size_t>(i)];
     event.time = equations.time_of(orbit.phase(i));
-    if (event.kind == ContactEvent::Kind::impact) ++point.impacts;
+    const bool closes = event.kind == ContactEvent::Kind::close && !equations.model().dynamics.rigid();
+    if (event.kind == ContactEvent::Kind::impact || closes) ++point.impacts;
   }
   if (point.stability == OrbitStability::undefined) point.multipliers.resize(0);
+  if (!equations.family().driven()) point.energy = energy_of(equations.model(), point.orbit.start);
   for (Eigen::Index j = 0; j < station.survey.highest.size(); ++j) {
     point.x_max.push_back(station.survey.highest[j]);
     point.amplitude.push_back(0.5 * (station.survey.highest[j] - station.survey.lowest[j]));
   }
   return point;
 }
+
+namespace {
+
+// A contact that is pressed into its stop after an impact passes it: what is wrong is the impact.
+bool follows_from_release(const OrbitGuard& guard, const Station& station, const SequencedOrbit& orbit) {
+  return guard.kind == GuardKind::clearance &&
+         std::any_of(station.survey.guards.begin(), station.survey.guards.end(),
+                     [&](const OrbitGuard& other) {
+                       return other.kind == GuardKind::release && other.value < kViolated &&
+                              orbit.events[static_cast<std::size_t>(other.index)].contact == guard.index;
+                     });
+}
+
+}  // namespace
 
 bool violates(const Station& station) {
   return std::any_of(station.survey.guards.begin(), station.survey.guards.end(),
@@ -49,7 +81,7 @@ std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const 
   constexpr double kSame = 1e-9;  // of the step: two zeros are one
   std::optional<GuardCrossing> first;
   for (const OrbitGuard& guard : end.survey.guards) {
-    if (guard.value >= kViolated) continue;
+    if (guard.value >= kViolated || follows_from_release(guard, end, equations.orbit())) continue;
     const OrbitGuard* before = begin.survey.find(guard.kind, guard.index);
     const auto value = [&](ExtendedEquations& at) -> std::optional<double> {
       const OrbitSurvey there = survey(at);
@@ -83,9 +115,12 @@ std::vector<LocatedBifurcation> bifurcations(ExtendedEquations& equations, const
         locate(equations, {.x = begin.x, .tangent = begin.tangent, .length = length}, value, before, *after);
     if (!zero || *zero > inside) continue;
     const Station there = station_at(equations, begin.tangent);
-    if (!confirmed(kind, there.tests.multipliers)) continue;
+    const bool energy_turns = kind == SpecialKind::fold && !equations.family().driven();
+    if (!energy_turns && !confirmed(kind, there.tests.multipliers)) continue;
     found.push_back({.length = *zero,
-                     .special = {.kind = kind, .point = branch_point(equations, there)},
+                     .special = {.kind = kind,
+                                 .point = branch_point(equations, there),
+                                 .text = energy_turns ? "the energy turns" : ""},
                      .orbit = equations.orbit()});
   }
   std::sort(found.begin(), found.end(),

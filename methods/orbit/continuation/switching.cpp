@@ -17,25 +17,22 @@ namespace signorini {
 bool OrbitMark::same(const OrbitMark& other, bool loosely) const {
   const double factor = loosely ? 100.0 : 1.0;
   const double tolerance = 1e-6 * factor, speed_tolerance = 1e-4 * factor;
-  if (order != other.order || events != other.events || speeds.size() != other.speeds.size() ||
-      std::abs(parameter - other.parameter) > tolerance)
-    return false;
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
-    if (std::abs(speeds[i] - other.speeds[i]) > speed_tolerance) return false;
-  }
-  return true;
+  return order == other.order && std::abs(parameter - other.parameter) <= tolerance &&
+         std::equal(events.begin(), events.end(), other.events.begin(), other.events.end(),
+                    [&](const auto& a, const auto& b) {
+                      return a.first == b.first && std::abs(a.second - b.second) <= speed_tolerance;
+                    });
 }
 
 OrbitMark mark_of(const ExtendedEquations& equations) {
   const SequencedOrbit& orbit = equations.orbit();
-  OrbitMark mark{.parameter = orbit.x[orbit.x.size() - 1], .order = orbit.order, .events = {}, .speeds = {}};
+  OrbitMark mark{.parameter = orbit.x[orbit.x.size() - 1], .order = orbit.order};
   for (std::size_t i = 0; i < orbit.events.size(); ++i) {
-    mark.events.push_back(3 * orbit.events[i].contact + static_cast<int>(orbit.events[i].kind));
-    mark.speeds.push_back(equations.equations().crossings()[i].approach /
-                          equations.family().units().velocity);
+    mark.events.emplace_back(
+        3 * orbit.events[i].contact + static_cast<int>(orbit.events[i].kind),
+        equations.equations().crossings()[i].approach / equations.family().units().velocity);
   }
   std::sort(mark.events.begin(), mark.events.end());
-  std::sort(mark.speeds.begin(), mark.speeds.end());
   return mark;
 }
 
@@ -79,30 +76,100 @@ std::optional<CurveStart> start_doubled(OrbitFamily& family, const SequencedOrbi
   return CurveStart{.orbit = repeated(*quiet, 2),
                     .tangent = way.normalized(),
                     .origin = fmt::format("period doubling at {:.10g}", equations.parameter()),
-                    .leaves_repetition = true};
+                    .leaves = LeftBranch::repetition};
 }
 
-std::optional<GrazingOrbit> grazing_orbit(OrbitFamily& family, const TracedCurve& curve) {
-  const OrbitGuard& guard = *curve.guard;
-  GrazingOrbit grazing{
-      .base = curve.last, .contact = guard.index, .phase = guard.phase, .mark = {}, .others = false};
-  if (guard.kind == GuardKind::approach) {
-    grazing.contact = curve.last.events[static_cast<std::size_t>(guard.index)].contact;
-    grazing.base = without_event(curve.last, guard.index);
+std::vector<CurveStart> start_crossing(OrbitFamily& family, const SequencedOrbit& orbit,
+                                       const Eigen::VectorXd& tangent) {
+  ExtendedEquations equations(family, orbit);
+  if (!equations.evaluate(orbit.x)) return {};
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(equations.jacobian(), Eigen::ComputeFullV);
+  const Eigen::MatrixXd null = svd.matrixV().rightCols(2);
+  const Eigen::Vector2d along = null.transpose() * tangent;
+  const Eigen::VectorXd across = (null * Eigen::Vector2d(-along[1], along[0])).normalized();
+  std::vector<CurveStart> starts;
+  for (const double sign : {1.0, -1.0})
+    starts.push_back({.orbit = orbit,
+                      .tangent = sign * across,
+                      .origin = fmt::format("branch point at {:.10g}", equations.parameter()),
+                      .leaves = LeftBranch::crossing});
+  return starts;
+}
+
+namespace {
+
+constexpr double kGrazes = 1e-8;  // of X and V
+
+// The orbit without the impacts that fade, or why they cannot be left out.
+std::string leave_out_impacts(SequencedOrbit& orbit, const ExtendedEquations& equations) {
+  for (Eigen::Index i = orbit.count() - 1; i >= 0; --i) {
+    const auto index = static_cast<std::size_t>(i);
+    const double speed =
+        equations.equations().crossings()[index].approach / equations.family().units().velocity;
+    const SequenceEvent& event = orbit.events[index];
+    if (event.kind == ContactEvent::Kind::open || speed >= kGrazes) continue;
+    if (event.kind != ContactEvent::Kind::impact) return "a closing fades with it";
+    orbit = without_event(orbit, i);
   }
+  return {};
+}
+
+// How fast each touch penetrates along the orbits without impact, over the first; empty where that cannot be
+// told.
+Eigen::VectorXd rates_of(OrbitFamily& family, const GrazingOrbit& grazing) {
+  constexpr double kBeside = 1e-6, kNone = 1e-6;
+  const auto count = static_cast<Eigen::Index>(grazing.touches.size());
+  if (count == 1) return Eigen::VectorXd::Ones(1);
+  ExtendedEquations equations(family, grazing.base);
+  if (!equations.evaluate(grazing.base.x)) return {};
+  const Eigen::VectorXd tangent = first_tangent(equations);
+  Eigen::VectorXd rates = Eigen::VectorXd::Zero(count);
+  for (const double side : {1.0, -1.0}) {
+    if (!equations.evaluate(grazing.base.x + side * kBeside * tangent)) return {};
+    const OrbitSurvey found = survey(equations);
+    for (Eigen::Index a = 0; a < count; ++a) {
+      const OrbitGuard* guard =
+          found.find(GuardKind::clearance, grazing.touches[static_cast<std::size_t>(a)].contact);
+      if (guard == nullptr) return {};
+      rates[a] -= side * guard->value / (2.0 * kBeside);
+    }
+  }
+  if (!(std::abs(rates[0]) > kNone)) return {};
+  return rates / rates[0];
+}
+
+}  // namespace
+
+std::optional<GrazingOrbit> grazing_orbit(OrbitFamily& family, const TracedCurve& curve) {
+  constexpr double kApart = 1e-6;  // rad
+  GrazingOrbit grazing{.base = curve.last};
+  ExtendedEquations last(family, curve.last);
+  if (!last.evaluate(curve.last.x)) return std::nullopt;
+  grazing.obstacle = leave_out_impacts(grazing.base, last);
   ExtendedEquations equations(family, grazing.base);
   if (!equations.evaluate(grazing.base.x)) return std::nullopt;
   grazing.base = of_least_period(grazing.base, equations);
-  grazing.phase = std::fmod(grazing.phase, grazing.base.end());
   ExtendedEquations shortest(family, grazing.base);
   if (!shortest.evaluate(grazing.base.x)) return std::nullopt;
   grazing.mark = mark_of(shortest);
-  constexpr double kGrazes = 1e-8;  // of X
-  for (const OrbitGuard& other : survey(shortest).guards) {
-    const bool fades = other.kind == GuardKind::approach && other.value < kGrazes;
-    const bool touches =
-        other.kind == GuardKind::clearance && other.index != grazing.contact && other.value < kGrazes;
-    grazing.others = grazing.others || fades || touches;
+  for (const OrbitGuard& guard : survey(shortest).guards) {
+    if (guard.kind == GuardKind::clearance && guard.value < kGrazes)
+      grazing.touches.push_back(
+          {.contact = guard.index, .phase = std::fmod(guard.phase, grazing.base.end())});
+  }
+  if (grazing.touches.empty()) return std::nullopt;
+  std::sort(grazing.touches.begin(), grazing.touches.end(),
+            [](const GrazingTouch& a, const GrazingTouch& b) { return a.phase < b.phase; });
+  for (std::size_t a = 1; a < grazing.touches.size(); ++a) {
+    if (grazing.touches[a].phase - grazing.touches[a - 1].phase < kApart)
+      grazing.obstacle = "two contacts graze at one instant";
+  }
+  const Eigen::VectorXd rates = rates_of(family, grazing);
+  if (rates.size() == 0) {
+    grazing.obstacle = "how fast its contacts approach their stops cannot be told";
+  } else {
+    for (std::size_t a = 0; a < grazing.touches.size(); ++a)
+      grazing.touches[a].rate = rates[static_cast<Eigen::Index>(a)];
   }
   return grazing;
 }
@@ -110,25 +177,25 @@ std::optional<GrazingOrbit> grazing_orbit(OrbitFamily& family, const TracedCurve
 std::optional<CurveStart> start_clear(OrbitFamily& family, const GrazingOrbit& grazing) {
   const auto clearance = [&](const ExtendedEquations& equations) {
     const OrbitSurvey found = survey(equations);
-    const OrbitGuard* guard = found.find(GuardKind::clearance, grazing.contact);
+    const OrbitGuard* guard = found.find(GuardKind::clearance, grazing.touches.front().contact);
     return guard == nullptr ? std::nan("") : guard->value;
   };
   const auto quiet = with_quiet_section(family, grazing.base);
   if (!quiet) return std::nullopt;
   return start_where_grows(family, *quiet, clearance,
-                           fmt::format("contact {} clears its stop", grazing.contact));
+                           fmt::format("contact {} clears its stop", grazing.touches.front().contact));
 }
 
 std::optional<std::vector<CurveStart>> start_impacting(OrbitFamily& family, const GrazingOrbit& grazing,
                                                        int max_order) {
-  const int most = std::max(1, max_order / grazing.base.order);
-  const auto families = grazing_families(family, grazing.base, grazing.contact, grazing.phase, most);
-  if (!families) return std::nullopt;
   const double p = grazing.base.x[grazing.base.x.size() - 1] * family.units().parameter;
-  const SequenceEvent impact{.kind = ContactEvent::Kind::impact,
-                             .contact = grazing.contact,
-                             .pushed = {grazing.contact},
-                             .restitution = {family.model(p)->dynamics.restitution()}};
+  const int most = std::max(1, max_order / grazing.base.order);
+  auto families = grazing_families(family, grazing.base, grazing.touches, most);
+  // An orbit that keeps no memory of the impact, as after a stop without restitution: v^2 is as the
+  // penetration, and one impact in each period is all there can be.
+  if (!families && grazing.touches.size() == 1 && family.model(p)->dynamics.restitution() == 0.0)
+    families = std::vector<GrazingFamily>{{.periods = 1, .hits = {0}, .beyond = true, .impulses = {}}};
+  if (!families) return std::nullopt;
   const auto speed_of_new = [](const std::vector<bool>& fresh, const ExtendedEquations& equations) {
     double sum = 0.0;
     for (std::size_t i = 0; i < fresh.size(); ++i) {
@@ -138,10 +205,18 @@ std::optional<std::vector<CurveStart>> start_impacting(OrbitFamily& family, cons
   };
   std::vector<CurveStart> starts;
   for (const GrazingFamily& found : *families) {
-    std::vector<double> phases;
-    for (const int hit : found.hits) phases.push_back(grazing.phase + hit * grazing.base.end());
+    std::vector<PlacedEvent> impacts;
+    for (const int hit : found.hits) {
+      const auto count = static_cast<int>(grazing.touches.size());
+      const GrazingTouch& touch = grazing.touches[static_cast<std::size_t>(hit % count)];
+      impacts.emplace_back(touch.phase + (hit / count) * grazing.base.end(),
+                           SequenceEvent{.kind = ContactEvent::Kind::impact,
+                                         .contact = touch.contact,
+                                         .pushed = {touch.contact},
+                                         .restitution = {family.model(p)->dynamics.restitution()}});
+    }
     const auto orbit =
-        with_quiet_section(family, with_impacts(repeated(grazing.base, found.periods), impact, phases));
+        with_quiet_section(family, with_impacts(repeated(grazing.base, found.periods), impacts));
     if (!orbit) continue;
     ExtendedEquations equations(family, *orbit);
     if (!equations.evaluate(orbit->x)) continue;
@@ -150,21 +225,10 @@ std::optional<std::vector<CurveStart>> start_impacting(OrbitFamily& family, cons
       fresh.push_back(std::abs(crossing.approach) < 1e-7 * family.units().velocity);
     auto start = start_where_grows(
         family, *orbit, [&](const ExtendedEquations& at) { return speed_of_new(fresh, at); },
-        fmt::format("grazing of contact {} at {:.10g}", grazing.contact, p));
+        fmt::format("grazing of contact {} at {:.10g}", grazing.touches.front().contact, p));
     if (start) starts.push_back(std::move(*start));
   }
   return starts;
-}
-
-std::optional<CurveStart> start_exchanged(OrbitFamily& family, const SequencedOrbit& orbit, int i) {
-  SequencedOrbit exchanged = orbit;
-  const auto later = static_cast<std::size_t>(i);
-  std::swap(exchanged.events[later - 1], exchanged.events[later]);
-  std::swap(exchanged.events[later - 1].closed, exchanged.events[later].closed);  // impacts only: the same
-  return start_where_grows(
-      family, exchanged,
-      [i](const ExtendedEquations& at) { return at.orbit().phase(i) - at.orbit().phase(i - 1); },
-      "impacts of two contacts exchanged");
 }
 
 }  // namespace signorini

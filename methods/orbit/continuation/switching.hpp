@@ -3,18 +3,20 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "methods/orbit/continuation/curve.hpp"
+#include "methods/orbit/continuation/grazing_families.hpp"
 
 namespace signorini {
 
 /// What tells orbits of a parametrised scene apart.
 struct OrbitMark {
-  double parameter = 0.0;      ///< in units of the curve [-]
-  int order = 1;               ///< forcing periods [-]
-  std::vector<int> events;     ///< kind and contact of each, sorted
-  std::vector<double> speeds;  ///< approach speeds over V, sorted [-]
+  double parameter = 0.0;  ///< in units of the curve [-]
+  int order = 1;           ///< forcing periods [-]
+  /// Kind and contact of each event, and its approach speed over V [-], sorted.
+  std::vector<std::pair<int, double>> events = {};
   /// To 1e-6 in the parameter and 1e-4 in the speeds, or `loosely` to a hundred times that.
   [[nodiscard]] bool same(const OrbitMark& other, bool loosely = false) const;
 };
@@ -35,27 +37,32 @@ std::optional<CurveStart> start_where_grows(OrbitFamily& family, const Sequenced
 /// the same orbits, one period later.
 std::optional<CurveStart> start_doubled(OrbitFamily& family, const SequencedOrbit& orbit);
 
-/// An orbit that grazes a rigid stop, without the impact.
+/// At a branch point, where the null space of [R_x] has two dimensions: both ways along the direction in it
+/// that is orthogonal to the tangent of the branch. At a pitchfork, as symmetry makes it, that is the tangent
+/// of the other branch.
+///
+/// \param tangent  of the branch at the orbit
+std::vector<CurveStart> start_crossing(OrbitFamily& family, const SequencedOrbit& orbit,
+                                       const Eigen::VectorXd& tangent);
+
+/// An orbit that grazes rigid stops, without the impacts.
 struct GrazingOrbit {
-  SequencedOrbit base;  ///< at its least period
-  int contact = 0;      ///< that grazes
-  double phase = 0.0;   ///< after its section [rad]
-  OrbitMark mark;       ///< of it
-  bool others = false;  ///< another contact grazes too, or another impact fades
+  SequencedOrbit base = {};                ///< at its least period
+  std::vector<GrazingTouch> touches = {};  ///< phases ascending
+  OrbitMark mark = {};                     ///< of it
+  std::string obstacle = {};  ///< why nothing is known of what begins there, one clause; else empty
 };
 
-/// The orbit behind the end of a curve by `approach` of an impact or by `clearance`.
+/// The orbit behind the end of a curve by `approach` of an impact or by `clearance`, without all the impacts
+/// that fade there.
 std::optional<GrazingOrbit> grazing_orbit(OrbitFamily& family, const TracedCurve& curve);
 
-/// The orbit without impact, on the side where it clears the stop.
+/// The orbit without impact, on the side where it clears the stop that it touches first.
 std::optional<CurveStart> start_clear(OrbitFamily& family, const GrazingOrbit& grazing);
 
 /// Families of impacting orbits that begin at a grazing, each on the side where its impacts grow; empty where
 /// the first order does not tell.
 std::optional<std::vector<CurveStart>> start_impacting(OrbitFamily& family, const GrazingOrbit& grazing,
                                                        int max_order);
-
-/// The orbit with events i - 1 and i, which coincide, exchanged, on the side where they part.
-std::optional<CurveStart> start_exchanged(OrbitFamily& family, const SequencedOrbit& orbit, int i);
 
 }  // namespace signorini

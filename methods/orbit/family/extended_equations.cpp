@@ -1,10 +1,30 @@
 #include "methods/orbit/family/extended_equations.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace signorini {
+
+namespace {
+
+// The law of impact may be what changes along the curve. Contacts that rest pass an impulse on.
+std::vector<SequenceEvent> events_of(const SequencedOrbit& orbit, const ContactDynamics& dynamics) {
+  std::vector<SequenceEvent> events = orbit.events;
+  for (SequenceEvent& event : events) {
+    if (event.kind != ContactEvent::Kind::impact) continue;
+    for (std::size_t k = 0; k < event.restitution.size(); ++k) {
+      if (!event.closed[static_cast<std::size_t>(event.pushed[k])])
+        event.restitution[k] = dynamics.restitution();
+    }
+  }
+  return events;
+}
+
+}  // namespace
 
 ExtendedEquations::ExtendedEquations(OrbitFamily& family, SequencedOrbit orbit)
     : family_(family), orbit_(std::move(orbit)) {
@@ -34,7 +54,7 @@ std::unique_ptr<OrbitEquations> ExtendedEquations::evaluated(OrbitModel& model,
   const OrbitGuess sequence{.start = {.time = orbit_.section / structure.frequency,
                                       .state = {.u = Eigen::VectorXd::Zero(n), .v = Eigen::VectorXd::Zero(n)},
                                       .closed = orbit_.closed},
-                            .events = orbit_.events,
+                            .events = events_of(orbit_, model.dynamics),
                             .origin = {}};
   auto equations = std::make_unique<OrbitEquations>(model, sequence);
   Eigen::VectorXd unknowns = x.head(size());
@@ -45,12 +65,99 @@ std::unique_ptr<OrbitEquations> ExtendedEquations::evaluated(OrbitModel& model,
 
 // Rows of the closure in CurveUnits, so that they are those of y(2 pi n) - y_0 in the unknowns; the units of
 // the events' equations do not matter.
-Eigen::VectorXd ExtendedEquations::residual_of(const OrbitEquations& equations,
-                                               const OrbitModel& model) const {
+Eigen::VectorXd ExtendedEquations::residual_of(const OrbitEquations& equations, const OrbitModel& model,
+                                               const Eigen::VectorXd& x) const {
   Eigen::VectorXd residual = equations.residual();
   const Eigen::VectorXd factors = state_factors(model);
   residual.head(factors.size()).array() /= factors.array();
+  for (Eigen::Index i = 1; i < orbit_.count(); ++i) {
+    if (divided(i)) residual[orbit_.states() + i] = divided_difference(equations, model, x, i);
+  }
   return residual;
+}
+
+bool ExtendedEquations::divided(Eigen::Index i) const {
+  if (i == 0 || model_->dynamics.rigid()) return false;
+  const auto later = static_cast<std::size_t>(i);
+  return orbit_.events[later].contact == orbit_.events[later - 1].contact;
+}
+
+// By Taylor's series where its eighth term is rounding, else as it stands: the difference then loses no more
+// than two digits.
+double ExtendedEquations::divided_difference(const OrbitEquations& equations, const OrbitModel& model,
+                                             const Eigen::VectorXd& x, Eigen::Index i) const {
+  constexpr int kTerms = 8;
+  const ContactDynamics& dynamics = model.dynamics;
+  const auto index = static_cast<std::size_t>(i);
+  const LinearArc& arc = *equations.arcs()[index];
+  const int j = orbit_.events[index].contact;
+  const bool of_force = orbit_.events[index].kind == ContactEvent::Kind::open;
+  const double unit = of_force ? dynamics.force_scale(j) : dynamics.scales().displacement;
+  const double omega = dynamics.structure().frequency;
+  const auto z = [&](double phase, int order) {
+    const double t = (orbit_.section + phase) / omega;
+    return of_force ? arc.force(j, t, order) : arc.displacement(j, t, order);
+  };
+  const double begin = x[orbit_.states() + i - 1], length = x[orbit_.states() + i] - begin;
+  double sum = 0.0, largest = 0.0, term = 0.0, power = 1.0 / omega;
+  for (int k = 1; k <= kTerms; ++k, power *= length / omega) {
+    power /= k;
+    term = power * z(begin, k);
+    largest = std::max(largest, std::abs(term));
+    sum += term;
+  }
+  if (std::abs(term) <= kEpsilon * largest) return sum / unit;
+  return (z(begin + length, 0) - z(begin, 0)) / (length * unit);
+}
+
+// Both are the same function of the state, up to a factor: the one that vanishes at the event.
+double ExtendedEquations::ratio_of_rows(Eigen::Index i) const {
+  const ContactDynamics& dynamics = model_->dynamics;
+  const auto index = static_cast<std::size_t>(i);
+  const SequenceEvent &before = orbit_.events[index - 1], &after = orbit_.events[index];
+  const std::vector<bool>& mode = index > 1 ? orbit_.events[index - 2].closed : orbit_.closed;
+  const auto of_force = [](const SequenceEvent& event) { return event.kind == ContactEvent::Kind::open; };
+  const auto unit = [&](const SequenceEvent& event) {
+    return of_force(event) ? dynamics.force_scale(event.contact) : dynamics.scales().displacement;
+  };
+  const Eigen::RowVectorXd of_before =
+      model_->flows.of(mode).gradient(before.contact, of_force(before)) / unit(before);
+  const Eigen::RowVectorXd of_after =
+      model_->flows.of(before.closed).gradient(after.contact, of_force(after)) / unit(after);
+  return of_after.dot(of_before) / of_before.squaredNorm();
+}
+
+// Where a length is below 1e-6 the row is taken at that length: as with dR/dp, the error delays Newton's
+// method and moves no point.
+bool ExtendedEquations::divide_rows(const Eigen::VectorXd& x) {
+  constexpr double kLeast = 1e-6;
+  std::vector<Eigen::Index> rows;
+  Eigen::VectorXd apart = x;
+  for (Eigen::Index i = 1; i < orbit_.count(); ++i) {
+    if (!divided(i)) continue;
+    const Eigen::Index row = orbit_.states() + i;
+    rows.push_back(row);
+    const double length = x[row] - x[row - 1];
+    if (std::abs(length) < kLeast) apart[row] = x[row - 1] + std::copysign(kLeast, length);
+  }
+  if (rows.empty()) return true;
+  std::unique_ptr<OrbitEquations> beside;
+  if (apart != x) {
+    beside = evaluated(*model_, apart);
+    if (!beside) return false;
+  }
+  const OrbitEquations& there = beside ? *beside : *equations_;
+  const Eigen::VectorXd factors = state_factors(*model_);
+  Eigen::MatrixXd J = there.jacobian();
+  J.leftCols(factors.size()) *= factors.asDiagonal();
+  for (const Eigen::Index row : rows) {
+    const double length = apart[row] - apart[row - 1], ratio = ratio_of_rows(row - orbit_.states());
+    const double slope = divided_difference(there, *model_, apart, row - orbit_.states()) / length;
+    jacobian_.row(row).head(size()) = (J.row(row) - ratio * J.row(row - 1)) / length;
+    jacobian_(row, row) -= slope;
+    jacobian_(row, row - 1) += slope;
+  }
+  return true;
 }
 
 bool ExtendedEquations::evaluate(const Eigen::VectorXd& x) {
@@ -65,14 +172,15 @@ bool ExtendedEquations::evaluate(const Eigen::VectorXd& x) {
     return false;
   }
   orbit_.x = x;
-  residual_ = residual_of(*equations_, *model_);
+  orbit_.events = events_of(orbit_, model_->dynamics);
+  residual_ = residual_of(*equations_, *model_, x);
   const Eigen::VectorXd factors = state_factors(*model_);
   const Eigen::Index states = factors.size();
   auto square = jacobian_.leftCols(size());
   square = equations_->jacobian();
   square.leftCols(states) *= factors.asDiagonal();
   square.topRows(states).array().colwise() /= factors.array();
-  return true;
+  return divide_rows(x) && residual_.allFinite();
 }
 
 const Eigen::MatrixXd& ExtendedEquations::jacobian() {
@@ -84,12 +192,17 @@ const Eigen::MatrixXd& ExtendedEquations::jacobian() {
   const auto model = family_.model(beside[size()] * family_.units().parameter);
   const auto equations = evaluated(*model, beside);
   if (equations) {
-    jacobian_.col(size()) = (residual_of(*equations, *model) - residual_) / kStep;
+    jacobian_.col(size()) = (residual_of(*equations, *model, beside) - residual_) / kStep;
     column_at_ = orbit_.x;
   } else {
     jacobian_.col(size()).setConstant(std::numeric_limits<double>::quiet_NaN());
   }
   return jacobian_;
+}
+
+Eigen::MatrixXd ExtendedEquations::conditions() const {
+  if (family_.driven() || orbit_.count() == 0) return Eigen::MatrixXd(0, size() + 1);
+  return Eigen::RowVectorXd::Unit(size() + 1, orbit_.states());
 }
 
 Eigen::VectorXd ExtendedEquations::state_at(double phase) const {
@@ -103,8 +216,16 @@ Eigen::VectorXd ExtendedEquations::state_at(double phase) const {
 }
 
 Eigen::MatrixXd ExtendedEquations::monodromy() const {
-  Eigen::MatrixXd M = equations_->monodromy();
-  if (M.size() == 0) return M;
+  Eigen::MatrixXd M;
+  if (model_->dynamics.rigid()) {
+    M = equations_->monodromy();
+    if (M.size() == 0) return M;
+  } else {
+    // The vector field is continuous: to first order the instants of events do not enter.
+    const Eigen::Index states = orbit_.states();
+    M = equations_->jacobian().topLeftCorner(states, states);
+    M.diagonal().array() += 1.0;
+  }
   const Eigen::VectorXd factors = state_factors(*model_);
   return factors.cwiseInverse().asDiagonal() * M * factors.asDiagonal();
 }

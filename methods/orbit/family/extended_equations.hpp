@@ -12,6 +12,15 @@ namespace signorini {
 /// where [dR/dy, dR/dtheta, dR/dp] has full rank. With phases of the events as unknowns it is smooth through
 /// the grazing of an impact, and says nothing of admissibility (`survey`).
 ///
+/// At compliant stops and massless contacts the equation of an event i that follows another one of the same
+/// contact, without a third between them, is replaced by the divided difference
+///
+///     (z(theta_i) - z(theta_{i-1})) / (theta_i - theta_{i-1}) = 0,
+///
+/// z = lambda_j of an opening, x_j - g_j of a closing, on the arc between the two: the same solutions, for
+/// z(theta_{i-1}) = 0 is the equation before, and regular where the phase of contact begins, with the length
+/// 0.
+///
 /// dR/dp is a forward difference of R over 1e-7 P. Its error tilts the tangent by as much and delays Newton's
 /// method by as little; no point of the curve is moved by it.
 class ExtendedEquations {
@@ -27,6 +36,10 @@ class ExtendedEquations {
   /// [dR/dy, dR/dtheta, dR/dp], (2 Nd + m) x (2 Nd + m + 1) [-]. dR/dp is evaluated anew where x has moved by
   /// more than 1e-6 since.
   const Eigen::MatrixXd& jacobian();
+
+  /// Free motions (OrbitFamily::driven) have a phase too many and, as energy is kept, an equation too many:
+  /// along a step their first event stays at its phase. One row of 2 Nd + m + 1; none of driven motions.
+  [[nodiscard]] Eigen::MatrixXd conditions() const;
 
   /// What rounding makes of R: arcs cancel in it [-].
   [[nodiscard]] double noise() const { return equations_->noise(); }
@@ -45,7 +58,7 @@ class ExtendedEquations {
   [[nodiscard]] double time_of(double phase) const { return (orbit_.section + phase) / frequency(); }
   /// The state (u / X, v / V) at a phase after the section, in [0, 2 pi n].
   [[nodiscard]] Eigen::VectorXd state_at(double phase) const;
-  /// dy(2 pi n) / dy(0), 2 Nd x 2 Nd, in CurveUnits; empty at a grazing.
+  /// dy(2 pi n) / dy(0), 2 Nd x 2 Nd, in CurveUnits; empty at the grazing of a rigid stop.
   [[nodiscard]] Eigen::MatrixXd monodromy() const;
 
  private:
@@ -53,7 +66,17 @@ class ExtendedEquations {
   std::unique_ptr<OrbitEquations> evaluated(OrbitModel& model, const Eigen::VectorXd& x) const;
   // CurveUnits over those of the model, of the first 2 Nd unknowns.
   [[nodiscard]] Eigen::VectorXd state_factors(const OrbitModel& model) const;
-  [[nodiscard]] Eigen::VectorXd residual_of(const OrbitEquations& equations, const OrbitModel& model) const;
+  [[nodiscard]] Eigen::VectorXd residual_of(const OrbitEquations& equations, const OrbitModel& model,
+                                            const Eigen::VectorXd& x) const;
+  // Whether the equation of event i is a divided difference.
+  [[nodiscard]] bool divided(Eigen::Index i) const;
+  // Left side of it, where `equations` are evaluated at x.
+  [[nodiscard]] double divided_difference(const OrbitEquations& equations, const OrbitModel& model,
+                                          const Eigen::VectorXd& x, Eigen::Index i) const;
+  // z(theta_{i-1}) over the left side of equation i - 1.
+  [[nodiscard]] double ratio_of_rows(Eigen::Index i) const;
+  // Puts the rows of divided differences into the Jacobian; false where it cannot be evaluated.
+  bool divide_rows(const Eigen::VectorXd& x);
 
   OrbitFamily& family_;
   SequencedOrbit orbit_;

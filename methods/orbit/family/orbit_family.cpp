@@ -8,6 +8,16 @@
 
 namespace signorini {
 
+namespace {
+
+bool is_driven(const Problem& problem) {
+  return std::any_of(problem.force.begin(), problem.force.end(), [](const ForceTerm& term) {
+    return term.harmonic > 0 && (term.cos != 0.0 || term.sin != 0.0);
+  });
+}
+
+}  // namespace
+
 ParametrisedScene over_frequency(const Problem& problem, double from, double to) {
   return {.parameter = "forcing.frequency", .from = from, .to = to, .at = [problem](double frequency) {
             Problem changed = problem;
@@ -17,20 +27,17 @@ ParametrisedScene over_frequency(const Problem& problem, double from, double to)
 }
 
 std::string continuation_obstacle(const Problem& problem) {
-  if (std::holds_alternative<Penalty>(problem.law))
-    return "births of contact at compliant stops are not followed";
-  if (std::holds_alternative<Massless>(problem.law)) return "births of massless contact are not followed";
   if (problem.size() > kMostInDenseFlow)
     return fmt::format("{} coordinates are more than {}", problem.size(), kMostInDenseFlow);
-  const bool driven = std::any_of(problem.force.begin(), problem.force.end(), [](const ForceTerm& term) {
-    return term.harmonic > 0 && (term.cos != 0.0 || term.sin != 0.0);
-  });
-  if (!driven) return "a scene without a periodic load has no phase to follow its orbits at";
+  const auto* law = std::get_if<Restitution>(&problem.law);
+  const bool loses = problem.damping().norm() > 0.0 || (law != nullptr && law->e < 1.0);
+  if (!is_driven(problem) && loses) return "without a periodic load it comes to rest";
   return flow_obstacle(problem);
 }
 
 OrbitFamily::OrbitFamily(ParametrisedScene scene) : scene_(std::move(scene)) {
   const double middle = 0.5 * (scene_.from + scene_.to);
+  driven_ = is_driven(scene_.at(middle));
   units_.parameter = (scene_.high() - scene_.low()) / 3.0;
   units_.displacement = typical_displacement();
   units_.velocity = units_.displacement * model(middle)->dynamics.structure().frequency;

@@ -28,9 +28,8 @@ struct ParametrisedScene {
 /// The scene with the frequency of its load left free [rad/s].
 ParametrisedScene over_frequency(const Problem& problem, double from, double to);
 
-/// Why the orbits of a scene cannot be followed: compliant or massless contacts, whose phases of contact
-/// begin and end without an impact; no load, so that no phase is fixed; too many coordinates. Empty where
-/// they can.
+/// Why the orbits of a scene cannot be followed: too many coordinates; no periodic load, but dampers or
+/// impacts that take energy, so that nothing but rest returns. Empty where they can.
 std::string continuation_obstacle(const Problem& problem);
 
 /// Units in which the length of a curve is measured. One set for all curves of a family: units that changed
@@ -53,13 +52,17 @@ class OrbitFamily {
   std::shared_ptr<OrbitModel> model(double parameter);
   [[nodiscard]] const ParametrisedScene& scene() const { return scene_; }  ///< as given
   [[nodiscard]] const CurveUnits& units() const { return units_; }         ///< of its curves
-  [[nodiscard]] long models_made() const { return made_; }                 ///< since construction
+  /// False of free motions, which a periodic load drives not: any phase of theirs is as good as another, and
+  /// their energy does not change.
+  [[nodiscard]] bool driven() const { return driven_; }
+  [[nodiscard]] long models_made() const { return made_; }  ///< since construction
 
  private:
   [[nodiscard]] double typical_displacement();
 
   ParametrisedScene scene_;
   CurveUnits units_;
+  bool driven_ = true;
   std::list<std::pair<double, std::shared_ptr<OrbitModel>>> recent_;  // latest first
   long made_ = 0;
 };

@@ -115,18 +115,32 @@ SequencedOrbit repeated(const SequencedOrbit& orbit, int times) {
   return with_events(result, std::move(placed));
 }
 
-SequencedOrbit with_impacts(const SequencedOrbit& orbit, const SequenceEvent& impact,
-                            const std::vector<double>& phases) {
+SequencedOrbit with_impacts(const SequencedOrbit& orbit, const std::vector<PlacedEvent>& impacts) {
   std::vector<PlacedEvent> placed = placed_events(orbit);
-  for (const double phase : phases) {
-    SequenceEvent event = impact;
-    event.closed = orbit.closed;
-    for (const auto& [before, other] : placed_events(orbit)) {
-      if (before < phase) event.closed = other.closed;
-    }
-    placed.emplace_back(phase, std::move(event));
+  for (const auto& [phase, impact] : impacts) placed.emplace_back(phase, impact);
+  return with_modes(with_events(orbit, std::move(placed)));
+}
+
+SequencedOrbit with_contact_phase(const SequencedOrbit& orbit, int contact, double phase) {
+  bool closed = orbit.closed[static_cast<std::size_t>(contact)];
+  for (Eigen::Index i = 0; i < orbit.count() && orbit.phase(i) < phase; ++i)
+    closed = orbit.events[static_cast<std::size_t>(i)].closed[static_cast<std::size_t>(contact)];
+  std::vector<PlacedEvent> placed = placed_events(orbit);
+  for (const bool opens : {closed, !closed})
+    placed.emplace_back(phase,
+                        SequenceEvent{.kind = opens ? ContactEvent::Kind::open : ContactEvent::Kind::close,
+                                      .contact = contact});
+  return with_modes(with_events(orbit, std::move(placed)));
+}
+
+SequencedOrbit with_modes(SequencedOrbit orbit) {
+  std::vector<bool> closed = orbit.closed;
+  for (SequenceEvent& event : orbit.events) {
+    if (event.kind != ContactEvent::Kind::impact)
+      closed[static_cast<std::size_t>(event.contact)] = event.kind == ContactEvent::Kind::close;
+    event.closed = closed;
   }
-  return with_events(orbit, std::move(placed));
+  return orbit;
 }
 
 SequencedOrbit without_event(const SequencedOrbit& orbit, Eigen::Index i) {

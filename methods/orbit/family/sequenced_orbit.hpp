@@ -62,10 +62,15 @@ double clearance_of_section(const SequencedOrbit& orbit);
 /// The same orbit, passed `times` times.
 SequencedOrbit repeated(const SequencedOrbit& orbit, int times);
 
-/// The orbit with an impact of one contact more at each of `phases`, after the section. The contacts closed
-/// are those of the moment. \param impact  kind, contact, pushed and restitution of each
-SequencedOrbit with_impacts(const SequencedOrbit& orbit, const SequenceEvent& impact,
-                            const std::vector<double>& phases);
+/// The orbit with more impacts. The contacts closed are those of the moment.
+SequencedOrbit with_impacts(const SequencedOrbit& orbit, const std::vector<PlacedEvent>& impacts);
+
+/// The orbit with a closing and an opening, or the other way round where it is closed there, of a contact at
+/// one phase after the section: a phase of contact, or a break of one, of length 0.
+SequencedOrbit with_contact_phase(const SequencedOrbit& orbit, int contact, double phase);
+
+/// The orbit with the contacts closed after each event as closings and openings say.
+SequencedOrbit with_modes(SequencedOrbit orbit);
 
 /// The orbit without event i, which changes none of the closed contacts.
 SequencedOrbit without_event(const SequencedOrbit& orbit, Eigen::Index i);

@@ -138,6 +138,8 @@ std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, bool 
     case GuardKind::interval: {
       const std::size_t count = orbit.events.size();
       const SequenceEvent& before = orbit.events[(static_cast<std::size_t>(guard.index) + count - 1) % count];
+      if (before.contact == event().contact)
+        return fmt::format("two events of contact {} meet", event().contact);
       return fmt::format("events of contacts {} and {} coincide", before.contact, event().contact);
     }
     case GuardKind::clearance:

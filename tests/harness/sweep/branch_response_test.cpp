@@ -108,7 +108,7 @@ TEST(CommandSweep, FollowsTheCurveOfEachMethod) {
 
 TEST(CommandSweep, RefusesWhatItCannotFollowInOneLine) {
   for (const char* arguments :
-       {"sweep sdof-penalty-soft --methods exact-orbit --from 1 --to 2", "sweep sdof-stop --from 1 --to 2",
+       {"sweep sdof-stop --from 1 --to 2",
         "sweep sdof-stop --method hat-lcp --methods hat-lcp --from 1 --to 2",
         "sweep sdof-stop --methods exact-orbit --from 2 --to 2",
         "sweep sdof-stop --methods fourier-lipschitz --set harmonics=0 --from 1 --to 2",

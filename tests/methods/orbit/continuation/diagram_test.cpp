@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "methods/orbit/exact_orbit.hpp"
+#include "tests/methods/orbit/continuation/diagrams.hpp"
 #include "tests/methods/orbit/impulsive_oracle.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
@@ -17,37 +17,11 @@
 namespace signorini {
 namespace {
 
-constexpr double kLocated = 1e-9;  // of a special point, as its closed form is known [rad/s]
-
-BranchDiagram diagram_of(const Problem& problem, double from, double to, const DiagramOptions& options = {}) {
-  OrbitFamily family(over_frequency(problem, from, to));
-  return trace_diagram(family, {contact_free_orbit(family, to).value()}, options);
-}
-
-// The branch of orbits of an order with so many impacts.
-const Branch* branch_of(const BranchDiagram& diagram, int order, int impacts) {
-  const auto found =
-      std::find_if(diagram.branches.begin(), diagram.branches.end(), [&](const Branch& branch) {
-        return branch.points.front().order == order && branch.points[1].impacts == impacts;
-      });
-  return found == diagram.branches.end() ? nullptr : &*found;
-}
-
-// Where a branch has a special point of a kind next to a value; what is missing is far away.
-double nearest(const Branch& branch, SpecialKind kind, double to) {
-  double best = 1e300;
-  for (const SpecialPoint& special : branch.special) {
-    if (special.kind == kind && std::abs(special.point.parameter - to) < std::abs(best - to))
-      best = special.point.parameter;
-  }
-  return best;
-}
-
-// The orbit of a point of a branch, polished on the scene at its parameter.
-ExactOrbit polished(const ParametrisedScene& scene, const BranchPoint& point) {
-  const auto model = std::make_shared<OrbitModel>(with_subharmonic(scene.at(point.parameter), point.order));
-  return polish_sequence(model, point.orbit);
-}
+using test::branch_of;
+using test::diagram_of;
+using test::kLocated;
+using test::nearest;
+using test::polished;
 
 // Bifurcations of the closed form of one impact in n periods, found there by a scan and bisection.
 struct OscillatorTruth {
@@ -174,15 +148,23 @@ TEST(TraceDiagram, JoinsTheTwoHalvesOfABranch) {
   for (const SpecialPoint& special : free->special) EXPECT_LE(special.after, free->points.size());
 }
 
-// A motion between two stops at equal distance reaches both at once: what begins there is not a matter of one
-// contact, and no branch is made up.
-TEST(TraceDiagram, EndsWhereTwoContactsGrazeAtOnce) {
+// A motion between two stops at equal distance reaches both at once, and strikes both beyond.
+TEST(TraceDiagram, FollowsImpactsOnBothStopsFromASymmetricGrazing) {
   Problem problem = test::to_problem({.damping = 0.1, .gap = 0.2, .restitution = 0.8});
   problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = 0.2});
-  const BranchDiagram diagram = diagram_of(problem, 2.0, 4.5);
-  EXPECT_EQ(diagram.branches.size(), 1U);
-  ASSERT_EQ(diagram.notes.size(), 1U);
-  EXPECT_NE(diagram.notes[0].find("graze at once"), std::string::npos) << diagram.notes[0];
+  const ParametrisedScene scene = over_frequency(problem, 1.5, 4.5);
+  const BranchDiagram diagram = diagram_of(problem, 1.5, 4.5);
+  const Branch* both = branch_of(diagram, 1, 2);
+  ASSERT_TRUE(both);
+  EXPECT_GT(both->points.size(), 10U);
+  for (std::size_t i = 1; i + 1 < both->points.size(); ++i) {
+    const ExactOrbit orbit = polished(scene, both->points[i]);
+    ASSERT_EQ(orbit.outcome, OrbitOutcome::converged) << both->points[i].parameter << " " << orbit.reason;
+    const auto& impulses = orbit.trajectory->impulses();
+    ASSERT_EQ(impulses.size(), 2U);
+    EXPECT_NEAR(impulses[0].value, impulses[1].value, 1e-9);
+    EXPECT_NEAR(std::abs(impulses[1].time - impulses[0].time), 0.5 * orbit.trajectory->period(), 1e-9);
+  }
 }
 
 TEST(TraceDiagram, StopsAtItsLimitsAndSaysSo) {

@@ -9,6 +9,7 @@
 #include <complex>
 
 #include "methods/continuation/arc_length.hpp"
+#include "methods/orbit/family/survey.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
@@ -49,11 +50,45 @@ TEST(ExtendedEquations, HaveTheirDerivativeInEveryParameter) {
                              changed.law = Restitution{e};
                              return changed;
                            }});
-  expect_derivative(restitution, cold(restitution, 0.6));
+  const SequencedOrbit struck = cold(restitution, 0.6);
+  expect_derivative(restitution, struck);
+  ExtendedEquations equations(restitution, struck);
+  ASSERT_TRUE(equations.evaluate(struck.x));
+  EXPECT_GT(equations.jacobian().col(equations.size()).norm(), 1e-3);  // the law of its impacts follows
   OrbitFamily gap({.parameter = "contact[0].gap", .from = 0.1, .to = 0.3, .at = [](double g) {
                      return test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = g});
                    }});
   expect_derivative(gap, cold(gap, 0.2));
+}
+
+// The rows of phases of contact, divided by their length: of the length that an orbit has, and next to none.
+TEST(ExtendedEquations, HaveTheirDerivativeAtPhasesOfContact) {
+  OrbitFamily family(over_frequency(test::penalty_oscillator(100.0, 2.2), 2.0, 2.6));
+  const SequencedOrbit orbit = cold(family, 2.2);
+  ASSERT_EQ(orbit.count(), 2);
+  expect_derivative(family, orbit);
+  SequencedOrbit lasting = with_contact_phase(contact_free_orbit(family, 2.3).value(), 0, 3.0);
+  lasting.x[lasting.states() + 1] += 2e-3;
+  expect_derivative(family, lasting);
+}
+
+// At a phase of contact of length 0 the undivided equations are one equation twice.
+TEST(ExtendedEquations, AreRegularWhereAPhaseOfContactBegins) {
+  constexpr double kBirth = 2.4482651818133;
+  OrbitFamily family(over_frequency(test::penalty_oscillator(100.0, 2.2), 2.0, 2.6));
+  const SequencedOrbit free = contact_free_orbit(family, kBirth).value();
+  ExtendedEquations touching(family, free);
+  ASSERT_TRUE(touching.evaluate(free.x));
+  const double phase = survey(touching).find(GuardKind::clearance, 0)->phase;
+  const SequencedOrbit begun = with_contact_phase(free, 0, phase);
+  ExtendedEquations equations(family, begun);
+  ASSERT_TRUE(equations.evaluate(begun.x));
+  EXPECT_LT(equations.residual().lpNorm<Eigen::Infinity>(), 1e-11);
+  const Eigen::VectorXd values = equations.jacobian().jacobiSvd().singularValues();
+  EXPECT_GT(values[values.size() - 1], 1e-3);
+  const Eigen::VectorXd tangent = first_tangent(equations);  // the phase grows both ways, nothing else moves
+  EXPECT_NEAR(std::abs(tangent[2] - tangent[3]), std::sqrt(2.0), 1e-3);
+  EXPECT_NEAR(tangent[4], 0.0, 1e-3);
 }
 
 // The state at phase 0 of the contact-free motion is Re of the receptance: zero at the eigenfrequency.

@@ -65,13 +65,26 @@ TEST_F(DescriptionsOfAnOrbit, HaveOneLeastPeriod) {
 }
 
 TEST_F(DescriptionsOfAnOrbit, TakeEventsInOrderAndGiveThemBack) {
-  const SequencedOrbit more = with_impacts(orbit_, orbit_.events[0], {11.0, 0.5});
+  const SequencedOrbit more = with_impacts(orbit_, {{11.0, orbit_.events[0]}, {0.5, orbit_.events[0]}});
   ASSERT_EQ(more.count(), 3);
   EXPECT_EQ(more.phase(0), 0.5);
   EXPECT_EQ(more.phase(1), orbit_.phase(0));
   EXPECT_EQ(more.phase(2), 11.0);
   EXPECT_EQ(without_event(without_event(more, 2), 0).x, orbit_.x);
   EXPECT_EQ(describe_sequence(more), "order 2, events I0 I0 I0");
+}
+
+TEST_F(DescriptionsOfAnOrbit, TakePhasesOfContactAndBreaksOfThem) {
+  const SequencedOrbit pressed = with_contact_phase(orbit_, 0, 2.0);
+  EXPECT_EQ(describe_sequence(pressed), "order 2, events C0 O0 I0");
+  EXPECT_TRUE(pressed.events[0].closed[0]);
+  EXPECT_FALSE(pressed.events[1].closed[0]);
+  SequencedOrbit longer = pressed;
+  longer.x[longer.states() + 1] = 3.0;
+  const SequencedOrbit broken = with_contact_phase(longer, 0, 2.5);
+  EXPECT_EQ(describe_sequence(broken), "order 2, events C0 O0 C0 O0 I0");
+  EXPECT_TRUE(broken.events[2].closed[0]);
+  EXPECT_FALSE(broken.events[3].closed[0]);
 }
 
 TEST_F(DescriptionsOfAnOrbit, HaveTheirQuietPhaseFarFromEvents) {

@@ -1,0 +1,28 @@
+#include "methods/orbit/continuation/branch_section.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "methods/continuation/arc_length.hpp"
+#include "methods/orbit/family/extended_equations.hpp"
+
+namespace signorini {
+
+std::vector<SequencedOrbit> orbits_at(OrbitFamily& family, const Branch& branch, double parameter) {
+  const double rounding = 1e-12 * family.units().parameter;
+  std::vector<SequencedOrbit> orbits;
+  for (std::size_t i = 1; i < branch.points.size(); ++i) {
+    const BranchPoint &a = branch.points[i - 1], &b = branch.points[i];
+    const auto [least, most] = std::minmax(a.parameter, b.parameter);
+    if (parameter < least - rounding || parameter > most + rounding) continue;
+    const bool nearer = std::abs(a.parameter - parameter) <= std::abs(b.parameter - parameter);
+    const BranchPoint& start = nearer ? a : b;
+    SequencedOrbit orbit =
+        sequenced(family, start.orbit, kTwoPi * start.order / start.frequency, start.frequency, parameter);
+    ExtendedEquations equations(family, orbit);
+    if (correct_at_parameter(equations, orbit.x)) orbits.push_back(equations.orbit());
+  }
+  return orbits;
+}
+
+}  // namespace signorini

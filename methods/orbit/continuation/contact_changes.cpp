@@ -1,0 +1,163 @@
+#include "methods/orbit/continuation/contact_changes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "methods/orbit/continuation/orbit_section.hpp"
+
+namespace signorini {
+
+namespace {
+
+const SequenceEvent& event_of(const SequencedOrbit& orbit, Eigen::Index i) {
+  return orbit.events[static_cast<std::size_t>(i)];
+}
+
+// The start with its section moved away from all events, or an obstacle.
+ChangeOfSequence begin_at(OrbitFamily& family, const SequencedOrbit& orbit, const OrbitQuantity& quantity,
+                          const std::string& origin) {
+  const auto quiet = with_quiet_section(family, orbit);
+  auto start = quiet ? start_where_grows(family, *quiet, quantity, origin) : std::nullopt;
+  if (!start) return {.obstacle = "the orbit cannot be evaluated"};
+  return {.start = std::move(start)};
+}
+
+// The shortest time between two events of one contact that follow each other.
+double shortest_phase(const ExtendedEquations& equations, int contact) {
+  const SequencedOrbit& orbit = equations.orbit();
+  double shortest = orbit.end();
+  for (Eigen::Index i = 1; i < orbit.count(); ++i) {
+    if (event_of(orbit, i).contact == contact && event_of(orbit, i - 1).contact == contact)
+      shortest = std::min(shortest, orbit.phase(i) - orbit.phase(i - 1));
+  }
+  return shortest;
+}
+
+ChangeOfSequence begin_phase(OrbitFamily& family, const SequencedOrbit& orbit, const OrbitGuard& guard) {
+  constexpr double kBrief = 1e-3;  // a fold or a doubling can lie next to the beginning
+  const int contact = guard.index;
+  ChangeOfSequence change = begin_at(
+      family, with_contact_phase(orbit, contact, guard.phase),
+      [contact](const ExtendedEquations& at) { return shortest_phase(at, contact); },
+      fmt::format("a phase of contact {} begins or is interrupted", contact));
+  if (change.start) change.start->first_step_share = kBrief;
+  return change;
+}
+
+// Events i - 1 and i of one contact have met.
+ChangeOfSequence end_phase(OrbitFamily& family, const SequencedOrbit& orbit, Eigen::Index i) {
+  const int contact = event_of(orbit, i).contact;
+  const GuardKind kind =
+      event_of(orbit, i).kind == ContactEvent::Kind::open ? GuardKind::clearance : GuardKind::pressure;
+  const SequencedOrbit without = without_event(without_event(orbit, i), i - 1);
+  ExtendedEquations equations(family, without);
+  if (!equations.evaluate(without.x)) return {.obstacle = "the orbit cannot be evaluated"};
+  return begin_at(
+      family, of_least_period(without, equations),
+      [contact, kind](const ExtendedEquations& at) {
+        const OrbitSurvey found = survey(at);
+        const OrbitGuard* guard = found.find(kind, contact);
+        return guard == nullptr ? std::nan("") : guard->value;
+      },
+      fmt::format("a phase of contact {} or its interruption has ended", contact));
+}
+
+ChangeOfSequence exchange(OrbitFamily& family, const SequencedOrbit& orbit, Eigen::Index i) {
+  SequencedOrbit exchanged = orbit;
+  const auto later = static_cast<std::size_t>(i);
+  std::swap(exchanged.events[later - 1], exchanged.events[later]);
+  auto start = start_where_grows(
+      family, with_modes(std::move(exchanged)),
+      [i](const ExtendedEquations& at) { return at.orbit().phase(i) - at.orbit().phase(i - 1); },
+      "events of two contacts exchanged");
+  if (!start) return {.obstacle = "the orbit cannot be evaluated"};
+  return {.start = std::move(start)};
+}
+
+// An impact without restitution after which the contact stays where it is: a phase of length 0 of the same
+// motion, the acceleration after the impact being 0.
+ChangeOfSequence begin_to_stick(OrbitFamily& family, const SequencedOrbit& orbit, Eigen::Index i) {
+  SequencedOrbit sticking = orbit;
+  SequenceEvent& impact = sticking.events[static_cast<std::size_t>(i)];
+  impact.kind = ContactEvent::Kind::close;
+  const int contact = impact.contact;
+  std::vector<PlacedEvent> placed = placed_events(sticking);
+  placed.insert(placed.begin() + i + 1,
+                {orbit.phase(i), SequenceEvent{.kind = ContactEvent::Kind::open, .contact = contact}});
+  return begin_at(
+      family, with_modes(with_events(sticking, std::move(placed))),
+      [contact](const ExtendedEquations& at) { return shortest_phase(at, contact); },
+      fmt::format("contact {} begins to stick", contact));
+}
+
+ChangeOfSequence cease_to_stick(OrbitFamily& family, const SequencedOrbit& orbit, Eigen::Index i) {
+  SequencedOrbit without = without_event(orbit, i);
+  without.events[static_cast<std::size_t>(i - 1)].kind = ContactEvent::Kind::impact;
+  const int contact = event_of(orbit, i).contact;
+  return begin_at(
+      family, with_modes(std::move(without)),
+      [contact](const ExtendedEquations& at) {
+        const OrbitSurvey found = survey(at);
+        for (const OrbitGuard& guard : found.guards) {
+          if (guard.kind == GuardKind::release && event_of(at.orbit(), guard.index).contact == contact)
+            return guard.value;
+        }
+        return std::nan("");
+      },
+      fmt::format("contact {} sticks no more", contact));
+}
+
+// Events i - 1 and i coincide.
+ChangeOfSequence past_coincidence(OrbitFamily& family, const SequencedOrbit& orbit, Eigen::Index i,
+                                  const ContactDynamics& dynamics) {
+  const SequenceEvent &a = event_of(orbit, i - 1), &b = event_of(orbit, i);
+  const bool one = a.contact == b.contact;
+  if (!dynamics.rigid()) return one ? end_phase(family, orbit, i) : exchange(family, orbit, i);
+  if (one && a.kind == ContactEvent::Kind::close && b.kind == ContactEvent::Kind::open &&
+      a.pushed.size() == 1)
+    return cease_to_stick(family, orbit, i);
+  const bool impacts = a.kind == ContactEvent::Kind::impact && b.kind == ContactEvent::Kind::impact;
+  if (!one && impacts && dynamics.structure().delassus(a.contact, b.contact) == 0.0)
+    return exchange(family, orbit, i);
+  return {.obstacle = one ? "not followed" : "the motion after it depends on their order; an end"};
+}
+
+}  // namespace
+
+ChangeOfSequence past_change(OrbitFamily& family, const TracedCurve& curve) {
+  const OrbitGuard& guard = *curve.guard;
+  const SequencedOrbit& orbit = curve.last;
+  ExtendedEquations equations(family, orbit);
+  if (!equations.evaluate(orbit.x)) return {.obstacle = "the orbit cannot be evaluated"};
+  const ContactDynamics& dynamics = equations.model().dynamics;
+  const bool rigid = dynamics.rigid();
+  switch (guard.kind) {
+    case GuardKind::clearance:
+    case GuardKind::pressure:
+      if (!rigid) return begin_phase(family, orbit, guard);
+      break;
+    case GuardKind::interval:
+      if (guard.index > 0) return past_coincidence(family, orbit, guard.index, dynamics);
+      break;
+    case GuardKind::approach: {
+      // A closing without a speed: its phase of contact has no length.
+      const Eigen::Index next = guard.index + 1;
+      if (!rigid && next < orbit.count() &&
+          event_of(orbit, next).contact == event_of(orbit, guard.index).contact)
+        return end_phase(family, orbit, next);
+      break;
+    }
+    case GuardKind::release:
+      if (event_of(orbit, guard.index).pushed.size() == 1) return begin_to_stick(family, orbit, guard.index);
+      break;
+    case GuardKind::corner:
+    case GuardKind::landing:
+      break;
+  }
+  return {.obstacle = "not followed"};
+}
+
+}  // namespace signorini

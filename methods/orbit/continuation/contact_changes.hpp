@@ -1,0 +1,29 @@
+#pragma once
+// Where a sequence of events changes other than by a grazing of rigid stops: the orbits beyond.
+
+#include <optional>
+#include <string>
+
+#include "methods/orbit/continuation/switching.hpp"
+
+namespace signorini {
+
+/// What lies beyond the end of a curve: where it goes on, or why it does not.
+struct ChangeOfSequence {
+  std::optional<CurveStart> start = {};
+  std::string obstacle = {};  ///< one clause; empty where there is a start
+};
+
+/// The orbits on the other side of the end of a curve whose guard is no grazing of a rigid stop:
+///
+/// - events of two contacts exchanged: impacts that do not feel each other (G_ij = 0), or any events of
+///   compliant or massless contacts, whose vector field is continuous;
+/// - at a compliant stop or a massless contact a phase of contact, or a break of one, that begins with length
+/// 0
+///   or has ended with it;
+/// - at a rigid stop without restitution an impact after which the contact sticks, or does so no more.
+///
+/// Precondition: curve.guard.
+ChangeOfSequence past_change(OrbitFamily& family, const TracedCurve& curve);
+
+}  // namespace signorini

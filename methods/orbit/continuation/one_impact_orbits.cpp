@@ -1,0 +1,114 @@
+#include "methods/orbit/continuation/one_impact_orbits.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "methods/orbit/periodic_closure.hpp"
+
+namespace signorini {
+
+namespace {
+
+// The contact-free motion and the response to impulses every n periods.
+class ImpactBalance {
+ public:
+  ImpactBalance(OrbitModel& model, int contact, int order)
+      : structure_(model.dynamics.structure()),
+        contact_(contact),
+        period_(order * structure_.forcing_period),
+        e_(model.dynamics.restitution()) {
+    const auto free = contact_free_motion(model);
+    const std::vector<bool> open(static_cast<std::size_t>(structure_.contact_count()), false);
+    flow_ = &model.flows.of(open);
+    const Eigen::Index n = structure_.size();
+    struck_ = Eigen::VectorXd::Zero(2 * n);
+    struck_.tail(n) = structure_.velocity_per_impulse.col(contact);
+    const PeriodicClosure closure(*flow_, structure_.scales, period_);
+    if (!free || !closure.unique()) return;
+    after_ = closure.solve(struck_);
+    const Eigen::VectorXd w = structure_.directions.col(contact);
+    g0_ = w.dot(after_.head(n));
+    g_after_ = w.dot(after_.tail(n));
+    g_before_ = g_after_ - w.dot(struck_.tail(n));
+    arc_ = flow_->arc();
+    arc_->start(0.0, *free);
+  }
+
+  // Whether there is one impulse to each phase.
+  [[nodiscard]] bool defined() const { return arc_ != nullptr && g0_ != 0.0 && std::isfinite(g0_); }
+  [[nodiscard]] double impulse(double time) const {
+    return (structure_.gaps[contact_] - arc_->displacement(contact_, time)) / g0_;
+  }
+  // Of the law of impact [m/s].
+  [[nodiscard]] double defect(double time) const {
+    return (1.0 + e_) * arc_->displacement(contact_, time, 1) + impulse(time) * (g_after_ + e_ * g_before_);
+  }
+  // The orbit with its impact at a time, from half a period before.
+  [[nodiscard]] OrbitGuess orbit(double time) const {
+    const Eigen::Index n = structure_.size();
+    OrbitGuess guess{.start = {.time = time - 0.5 * period_, .state = {}, .closed = {}},
+                     .events = {},
+                     .origin = "one impact"};
+    arc_->state(guess.start.time, guess.start.state);
+    const Eigen::VectorXd y = impulse(time) * (flow_->transition(0.5 * period_) * after_);
+    guess.start.state.u += y.head(n);
+    guess.start.state.v += y.tail(n);
+    guess.start.closed.assign(static_cast<std::size_t>(structure_.contact_count()), false);
+    guess.events.push_back({.kind = ContactEvent::Kind::impact,
+                            .contact = contact_,
+                            .time = time,
+                            .pushed = {contact_},
+                            .restitution = {e_},
+                            .closed = guess.start.closed});
+    return guess;
+  }
+
+ private:
+  const FlowStructure& structure_;
+  const int contact_;
+  const double period_, e_;
+  const LinearFlow* flow_ = nullptr;
+  Eigen::VectorXd struck_, after_;  // a unit impulse, the state right after periodic ones, 2 Nd
+  double g0_ = 0.0, g_after_ = 0.0, g_before_ = 0.0;
+  std::unique_ptr<LinearArc> arc_;  // the contact-free motion
+};
+
+}  // namespace
+
+std::vector<SequencedOrbit> one_impact_orbits(OrbitFamily& family, double parameter, int contact, int order) {
+  constexpr int kSamples = 256, kBisections = 50;
+  const auto model = family.model(parameter);
+  if (!model->dynamics.rigid()) return {};
+  const ImpactBalance balance(*model, contact, order);
+  if (!balance.defined()) return {};
+  const FlowStructure& structure = model->dynamics.structure();
+  const double T = structure.forcing_period;
+  std::vector<double> times;
+  if (!family.driven()) {
+    times.push_back(0.5 * T);
+  } else {
+    double before = balance.defect(0.0);
+    for (int i = 1; i <= kSamples; ++i) {
+      double low = (i - 1) * T / kSamples, high = i * T / kSamples;
+      const double after = balance.defect(high);
+      if (before * after < 0.0) {
+        for (int k = 0; k < kBisections; ++k) {
+          const double middle = 0.5 * (low + high);
+          (balance.defect(middle) * after < 0.0 ? low : high) = middle;
+        }
+        times.push_back(0.5 * (low + high));
+      }
+      before = after;
+    }
+  }
+  std::vector<SequencedOrbit> orbits;
+  for (const double time : times) {
+    if (balance.impulse(time) < 0.0)
+      orbits.push_back(sequenced(family, balance.orbit(time), order * T, structure.frequency, parameter));
+  }
+  return orbits;
+}
+
+}  // namespace signorini

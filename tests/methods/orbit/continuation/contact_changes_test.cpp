@@ -1,0 +1,114 @@
+// Spring stops and sticking: phases of contact that begin and end, against curves located before.
+
+#include "methods/orbit/continuation/contact_changes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tests/methods/orbit/continuation/diagrams.hpp"
+#include "tests/support/exact_scenes.hpp"
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+using test::branch_of;
+using test::diagram_of;
+using test::kLocated;
+using test::nearest;
+using test::polished;
+
+// The spring stops of curves whose folds and doublings were located before, by another program.
+struct SpringTruth {
+  double stiffness = 1.0, doubling = 0.0, fold = 0.0;
+};
+
+TEST(PastChange, MeetsTheSpecialPointsOfSpringStops) {
+  for (const SpringTruth& truth :
+       {SpringTruth{1e2, 2.2062846538, 3.5167116923}, SpringTruth{1e3, 2.2446234624, 3.7417813298},
+        SpringTruth{1e4, 2.2581813092, 3.8188010302}}) {
+    const ParametrisedScene scene = over_frequency(test::penalty_oscillator(truth.stiffness), 1.5, 4.5);
+    const BranchDiagram diagram = diagram_of(scene.at(2.0), 1.5, 4.5);
+    const Branch *one = branch_of(diagram, 1, 1), *two = branch_of(diagram, 2, 1);
+    ASSERT_TRUE(one && two) << truth.stiffness;
+    EXPECT_NEAR(nearest(*one, SpecialKind::period_doubling, truth.doubling), truth.doubling, kLocated);
+    EXPECT_NEAR(nearest(*two, SpecialKind::fold, truth.fold), truth.fold, kLocated);
+    EXPECT_EQ(one->special.front().kind, SpecialKind::period_doubling);  // no fold where contact begins
+    for (const BranchPoint& point : one->points) {
+      const ExactOrbit orbit = polished(scene, point);
+      // A phase of contact of next to no length is refused by the polish.
+      if (&point == &one->points.front() || orbit.outcome != OrbitOutcome::converged) continue;
+      EXPECT_EQ(point.stability == OrbitStability::stable, orbit.largest_multiplier() < 1.0)
+          << point.parameter;
+    }
+  }
+}
+
+// Example 03 of NLvib: contact-free, in contact over a fold 6e-9 beside where it begins, contact-free again.
+TEST(PastChange, PassesTheTwoMassesOfNlvib) {
+  Problem chain = test::stopped_chain(2, 1.0);
+  const auto tridiagonal = [](double diagonal, double off, double last) {
+    SparseMatrix A(2, 2);
+    A.insert(0, 0) = diagonal;
+    A.insert(0, 1) = A.insert(1, 0) = off;
+    A.insert(1, 1) = last;
+    A.makeCompressed();
+    return A;
+  };
+  chain.edit_structure([&](Structure& structure) {
+    structure.mass = tridiagonal(1.0, 0.0, 1.0);
+    structure.damping = tridiagonal(0.06, -0.03, 0.03);
+    structure.stiffness = tridiagonal(2.0, -1.0, 1.0);
+  });
+  chain.force = {{.dof = 0, .harmonic = 1, .cos = 0.1}};
+  chain.contacts = {{.normal = {{1, 1.0}}, .gap = 1.0}};
+  chain.law = Penalty{{100.0}};
+  constexpr double kPrinted = 2e-12;
+  for (const auto& [from, to] : {std::pair(0.5, 2.5), std::pair(2.5, 0.5)}) {  // from either end
+    const BranchDiagram diagram = diagram_of(chain, from, to, {.max_order = 1});
+    EXPECT_NEAR(nearest(diagram, SpecialKind::fold, 0.7556), 0.7556273526, 1e-10);
+    EXPECT_NEAR(nearest(diagram, SpecialKind::period_doubling, 0.7387), 0.7387830254, 1e-10);
+    EXPECT_NEAR(nearest(diagram, SpecialKind::period_doubling, 0.7556), 0.7555861594, 1e-10);
+    EXPECT_NEAR(nearest(diagram, SpecialKind::neimark_sacker, 0.6186), 0.6186068742670, kPrinted);
+    EXPECT_NEAR(nearest(diagram, SpecialKind::neimark_sacker, 0.5819), 0.5819006504, 1e-10);
+    EXPECT_NEAR(nearest(diagram, SpecialKind::contact_change, 0.5819), 0.581899639039, kPrinted);
+    EXPECT_NEAR(nearest(diagram, SpecialKind::contact_change, 0.6534), 0.653440140416, kPrinted);
+    const Branch* one = branch_of(diagram, 1, 1);
+    ASSERT_TRUE(one);
+    const auto folds = std::count_if(one->special.begin(), one->special.end(),
+                                     [](const auto& special) { return special.kind == SpecialKind::fold; });
+    EXPECT_EQ(folds, 2) << from;
+    EXPECT_EQ(diagram.branches.size(), 3U) << from;
+  }
+}
+
+// Without restitution the impact turns into a phase of sticking, which ends as the closed form says.
+TEST(PastChange, GoesOnWhereAContactBeginsToStick) {
+  const Problem problem = test::to_problem({.damping = 0.02, .gap = 0.2, .restitution = 0.0});
+  const BranchDiagram diagram = diagram_of(problem, 1.3, 3.0, {.max_order = 1});
+  const Branch* one = branch_of(diagram, 1, 1);
+  ASSERT_TRUE(one);
+  EXPECT_NEAR(nearest(*one, SpecialKind::period_doubling, 2.246), 2.246134137, 1e-9);
+  EXPECT_NEAR(nearest(*one, SpecialKind::contact_change, 1.659), 1.659239862581, 1e-11);
+  const auto stick = std::find_if(diagram.branches.begin(), diagram.branches.end(), [](const Branch& branch) {
+    return branch.sequence == "order 1, events C0 O0";
+  });
+  ASSERT_NE(stick, diagram.branches.end());
+  EXPECT_NEAR(stick->points.front().parameter, 1.659239862581, 1e-11);
+  EXPECT_NEAR(stick->points.back().parameter, 1.3, 1e-12);
+  // While it sticks the load pushes: it lets go where F cos(w t) = k g, and the motion forgets all before.
+  for (std::size_t i = 1; i < stick->points.size(); ++i) {
+    const BranchPoint& point = stick->points[i];
+    const SequenceEvent& open = point.orbit.events.back();
+    ASSERT_EQ(open.kind, ContactEvent::Kind::open);
+    EXPECT_NEAR(std::cos(point.parameter * open.time), 0.2, 1e-10);
+    EXPECT_EQ(point.stability, OrbitStability::stable);
+    EXPECT_LT(point.multipliers.cwiseAbs().maxCoeff(), 1e-10);
+  }
+}
+
+}  // namespace
+}  // namespace signorini
