@@ -28,6 +28,7 @@ struct SweepArguments {
   SweepRange range;
   SweepLimits limits;
   BranchLimits branches;
+  std::string parameter{kFrequency};
   bool natural = false;
   std::string format = "md";
 };
@@ -75,6 +76,19 @@ int sweep_steps(const SweepArguments& arguments) {
   return all_converged(found) ? kDone : kUnexpectedFailure;
 }
 
+// The scene with the number asked for left free. \throws UsageError
+ParametrisedScene parametrised(const SweepArguments& arguments, const Scene& scene) {
+  const SweepRange& range = arguments.range;
+  if (arguments.parameter == kFrequency) {
+    (void)sweep_frequencies(range);  // refuses a range that is none
+    return over_frequency(scene.problem, range.from, range.to);
+  }
+  if (arguments.natural || arguments.methods != kFollowedByArcLength)
+    throw UsageError(fmt::format("parameter = {} (must be {}: only {} by arc length follows others)",
+                                 arguments.parameter, kFrequency, kFollowedByArcLength));
+  return over_place(find_scene(arguments.scene), arguments.parameter, range.from, range.to);
+}
+
 // Branches of several methods, by arc length where a method has a curve of its own.
 int sweep_branches(const SweepArguments& arguments) {
   const Scene scene = read_scene(find_scene(arguments.scene));
@@ -83,16 +97,18 @@ int sweep_branches(const SweepArguments& arguments) {
   std::vector<MethodChoice> methods;
   for (const std::string& name : names)
     methods.push_back({&find_method(name), parse_settings(arguments.settings)});
+  const ParametrisedScene varied = parametrised(arguments, scene);
   watch_interrupts();
   std::vector<MethodResponse> responses;
   bool all = true;
   for (const MethodChoice& method : methods) {
-    MethodResponse response{.method = method.label(), .order = scene.problem.subharmonic};
+    MethodResponse response{
+        .method = method.label(), .order = scene.problem.subharmonic, .parameter = arguments.parameter};
     const bool exact = method.entry->name == kFollowedByArcLength;
     std::optional<BranchDiagram> own;
     if (!arguments.natural)
-      own = exact ? exact_branches(scene.problem, arguments.range, arguments.branches)
-                  : own_branches(scene.problem, method, arguments.range, arguments.branches);
+      own = exact ? exact_branches(varied, arguments.branches)
+                  : own_branches(varied, method, arguments.branches);
     if (own) {
       response.diagram = *std::move(own);
       all = all && !response.diagram.branches.empty();
@@ -120,6 +136,9 @@ int sweep_branches(const SweepArguments& arguments) {
 int sweep(const SweepArguments& arguments) {
   if (arguments.method.empty() == arguments.methods.empty())
     throw UsageError("one of --method and --methods is required");
+  if (!arguments.method.empty() && arguments.parameter != kFrequency)
+    throw UsageError(
+        fmt::format("parameter = {} (must be {} with --method)", arguments.parameter, kFrequency));
   return arguments.methods.empty() ? sweep_steps(arguments) : sweep_branches(arguments);
 }
 
@@ -140,6 +159,11 @@ void add_sweep_command(CLI::App& app, int& exit_code) {
                       "(exact-orbit, harmonic balance, hat functions), others by steps");
   command->add_flag("--natural", arguments->natural, "with --methods: steps for all of them");
   command
+      ->add_option(
+          "--parameter", arguments->parameter,
+          "by arc length: the number to follow, by its place in the scene file, such as contact[0].gap")
+      ->capture_default_str();
+  command
       ->add_option("--orders", arguments->branches.max_order,
                    "by arc length: longest period [forcing periods]")
       ->check(CLI::Range(1, 12))
@@ -158,8 +182,11 @@ void add_sweep_command(CLI::App& app, int& exit_code) {
   command->add_option("--set", arguments->settings, "key=value: an option of the method; may be repeated")
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE");
-  command->add_option("--from", arguments->range.from, "first frequency of the load [rad/s]")->required();
-  command->add_option("--to", arguments->range.to, "last one, above or below [rad/s]")->required();
+  command
+      ->add_option("--from", arguments->range.from,
+                   "first frequency of the load [rad/s], or value of --parameter")
+      ->required();
+  command->add_option("--to", arguments->range.to, "last one, above or below")->required();
   command->add_option("--points", arguments->range.points, "frequencies, both ends included")
       ->check(CLI::Range(2, 1000000))
       ->capture_default_str();

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
 #include "methods/curve_method.hpp"
+#include "methods/orbit/continuation/one_impact_orbits.hpp"
 #include "methods/orbit/exact_trajectory.hpp"
+#include "problems/scene/varied_scene.hpp"
 
 namespace signorini {
 
@@ -23,16 +26,45 @@ Clock::time_point deadline_of(const BranchLimits& limits) {
          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.timeout));
 }
 
-// The answer of exact-orbit at a frequency, if there is one.
-std::optional<SequencedOrbit> found_orbit(const OrbitFamily& family, double frequency,
+// The answer of exact-orbit at a value of the parameter, if there is one.
+std::optional<SequencedOrbit> found_orbit(const OrbitFamily& family, double parameter,
                                           Clock::time_point deadline) {
-  const Problem problem = family.scene().at(frequency);
+  const Problem problem = family.scene().at(parameter);
   const auto method = find_method(kFollowedByArcLength).make({});
   if (!method->supports(problem).ok) return std::nullopt;
   const Solution solution = method->prepare(problem)->solve({.guess = {}, .deadline = deadline});
   const auto orbit = std::dynamic_pointer_cast<const ExactTrajectory>(solution.trajectory);
   if (solution.verdict != Verdict::converged || !orbit) return std::nullopt;
-  return sequenced(family, orbit->orbit(), orbit->period(), frequency, frequency);
+  return sequenced(family, orbit->orbit(), orbit->period(), problem.frequency, parameter);
+}
+
+// Orbits on the branches: contact-free motions, answers of exact-orbit, and orbits of one impact, which find
+// isolated branches too.
+std::vector<SequencedOrbit> seeds_of(OrbitFamily& family, const BranchLimits& limits,
+                                     Clock::time_point deadline) {
+  constexpr int kValues = 11;
+  const ParametrisedScene& scene = family.scene();
+  std::vector<SequencedOrbit> seeds;
+  for (const double end : {scene.from, scene.to}) {
+    if (!family.driven()) break;  // at rest
+    if (auto free = contact_free_orbit(family, end)) seeds.push_back(std::move(*free));
+  }
+  for (const double end : {scene.from, scene.to}) {
+    if (!family.driven()) break;
+    if (auto found = found_orbit(family, end, deadline)) seeds.push_back(std::move(*found));
+  }
+  const int contacts = scene.at(scene.from).contact_count();
+  for (int i = 0; i < kValues && Clock::now() < deadline; ++i) {
+    // No fraction that the ends or a resonance would make a special one.
+    const double value = scene.from + (i + 0.47) / kValues * (scene.to - scene.from);
+    for (int order = 1; order <= (family.driven() ? limits.max_order : 1); ++order) {
+      for (int contact = 0; contact < contacts; ++contact) {
+        for (SequencedOrbit& orbit : one_impact_orbits(family, value, contact, order))
+          seeds.push_back(std::move(orbit));
+      }
+    }
+  }
+  return seeds;
 }
 
 Json to_json(const Eigen::VectorXcd& multipliers) {
@@ -41,24 +73,33 @@ Json to_json(const Eigen::VectorXcd& multipliers) {
   return list;
 }
 
+// Value of a parameter that is not the frequency, and the energy, where they are.
+void add_values(Json& json, const BranchPoint& point) {
+  if (point.parameter != point.frequency) json["value"] = point.parameter;
+  if (point.energy) json["energy"] = *point.energy;
+}
+
 Json to_json(const BranchPoint& point) {
   const bool told = point.stability == OrbitStability::stable || point.stability == OrbitStability::unstable;
-  return {{"omega", point.parameter},
-          {"order", point.order},
-          {"amplitude", point.amplitude},
-          {"x_max", point.x_max},
-          {"impacts", point.impacts},
-          {"stable", told ? Json(point.stability == OrbitStability::stable) : Json()},
-          {"stability", describe(point.stability)},
-          {"multipliers", to_json(point.multipliers)}};
+  Json json{{"omega", point.frequency},
+            {"order", point.order},
+            {"amplitude", point.amplitude},
+            {"x_max", point.x_max},
+            {"impacts", point.impacts},
+            {"stable", told ? Json(point.stability == OrbitStability::stable) : Json()},
+            {"stability", describe(point.stability)},
+            {"multipliers", to_json(point.multipliers)}};
+  add_values(json, point);
+  return json;
 }
 
 Json to_json(const SpecialPoint& special) {
   Json json{{"kind", describe(special.kind)},
-            {"omega", special.point.parameter},
+            {"omega", special.point.frequency},
             {"order", special.point.order},
             {"after", special.after},
             {"multipliers", to_json(special.point.multipliers)}};
+  add_values(json, special.point);
   if (!special.text.empty()) json["text"] = special.text;
   return json;
 }
@@ -124,42 +165,44 @@ void add_rows(Table& table, const std::string& method, std::size_t number_of_bra
 
 }  // namespace
 
-BranchDiagram exact_branches(const Problem& problem, const SweepRange& range, const BranchLimits& limits) {
-  (void)sweep_frequencies(range);  // refuses a range that is none
-  if (const std::string obstacle = continuation_obstacle(problem); !obstacle.empty())
+ParametrisedScene over_place(const SceneSource& source, const std::string& place, double from, double to) {
+  for (const auto& [name, value] : {std::pair("from", from), std::pair("to", to)}) {
+    if (!std::isfinite(value)) throw UsageError(fmt::format("{} = {} (must be finite)", name, value));
+  }
+  if (from == to) throw UsageError(fmt::format("to = {} (must differ from `from`)", to));
+  const auto scene = std::make_shared<const VariedScene>(source, place);
+  for (const double end : {from, to}) (void)scene->at(end);  // refuses what is no scene
+  return {.parameter = place, .from = from, .to = to, .at = [scene](double value) {
+            return scene->unchecked(value);
+          }};
+}
+
+BranchDiagram exact_branches(const ParametrisedScene& scene, const BranchLimits& limits) {
+  const Problem middle = scene.at(0.5 * (scene.from + scene.to));
+  if (const std::string obstacle = continuation_obstacle(middle); !obstacle.empty())
     throw UsageError(fmt::format("methods = {} (must be followed with --natural here: {})",
                                  kFollowedByArcLength, obstacle));
   const Clock::time_point deadline = deadline_of(limits);
-  OrbitFamily family(over_frequency(problem, range.from, range.to));
-  std::vector<SequencedOrbit> seeds;
-  for (const double frequency : {range.from, range.to}) {
-    if (auto free = contact_free_orbit(family, frequency)) seeds.push_back(std::move(*free));
-  }
-  for (const double frequency : {range.from, range.to}) {
-    if (auto found = found_orbit(family, frequency, deadline)) seeds.push_back(std::move(*found));
-  }
+  OrbitFamily family(scene);
   return trace_diagram(
-      family, seeds,
+      family, seeds_of(family, limits, deadline),
       {.curve = {.max_points = limits.max_points, .expired = [deadline] { return Clock::now() > deadline; }},
        .max_order = limits.max_order,
        .max_branches = limits.max_branches});
 }
 
-std::optional<BranchDiagram> own_branches(const Problem& problem, const MethodChoice& method,
-                                          const SweepRange& range, const BranchLimits& limits) {
-  (void)sweep_frequencies(range);  // refuses a range that is none
+std::optional<BranchDiagram> own_branches(const ParametrisedScene& scene, const MethodChoice& method,
+                                          const BranchLimits& limits) {
   const std::unique_ptr<Method> made = method.make();
   const auto* curve = dynamic_cast<const CurveMethod*>(made.get());
   if (curve == nullptr) return std::nullopt;
-  for (const double frequency : {range.from, range.to}) {
-    Problem at = problem;
-    at.frequency = frequency;
-    const Support support = made->supports(at);
+  for (const double end : {scene.from, scene.to}) {
+    const Support support = made->supports(scene.at(end));
     if (!support.ok)
       throw UsageError(
           fmt::format("methods = {} (must apply to the scene: {})", method.label(), support.reason));
   }
-  return curve->follow(problem, range.from, range.to,
+  return curve->follow(scene.at(scene.from), scene.from, scene.to,
                        {.max_order = limits.max_order,
                         .max_branches = limits.max_branches,
                         .max_points = limits.max_points,
@@ -168,21 +211,24 @@ std::optional<BranchDiagram> own_branches(const Problem& problem, const MethodCh
 
 Json to_json(const std::vector<MethodResponse>& responses) {
   Json branches = Json::array(), notes = Json::array();
-  std::string unfinished;
+  std::string unfinished, parameter(kFrequency);
   for (const MethodResponse& response : responses) {
     for (const Branch& branch : response.diagram.branches)
       branches.push_back(to_json(branch, response.method));
     for (const std::string& note : response.diagram.notes) notes.push_back(note);
     if (!response.steps.empty()) branches.push_back(steps_json(response));
     if (unfinished.empty()) unfinished = response.diagram.unfinished;
+    parameter = response.parameter;
   }
-  return {{"branches", branches}, {"unfinished", unfinished}, {"notes", notes}};
+  return {{"parameter", parameter}, {"branches", branches}, {"unfinished", unfinished}, {"notes", notes}};
 }
 
 Table branch_table(const std::vector<MethodResponse>& responses) {
   Table table;
-  table.header = {"method",    "branch",        "omega [rad/s]", "order", "impacts",
-                  "x max [m]", "amplitude [m]", "stability",     "mark"};
+  const std::string parameter = responses.empty() ? std::string(kFrequency) : responses.front().parameter;
+  table.header = {"method",        "branch",    parameter == kFrequency ? "omega [rad/s]" : parameter,
+                  "order",         "impacts",   "x max [m]",
+                  "amplitude [m]", "stability", "mark"};
   for (const MethodResponse& response : responses) {
     for (std::size_t i = 0; i < response.diagram.branches.size(); ++i)
       add_rows(table, response.method, i, response.diagram.branches[i]);

@@ -10,11 +10,15 @@
 #include "harness/sweep/frequency_response.hpp"
 #include "harness/table.hpp"
 #include "methods/orbit/continuation/diagram.hpp"
+#include "problems/scene/scene_file.hpp"
 
 namespace signorini {
 
 /// The name of the method whose branches are those of exact orbits.
 inline constexpr std::string_view kFollowedByArcLength = "exact-orbit";
+
+/// The place of the parameter that is followed by default.
+inline constexpr std::string_view kFrequency = "forcing.frequency";
 
 /// Limits of a diagram.
 struct BranchLimits {
@@ -24,30 +28,38 @@ struct BranchLimits {
   double timeout = 60.0;  ///< wall time of all [s]
 };
 
-/// Every branch of exact orbits that hangs together with the contact-free motions and the answers of
-/// exact-orbit at both ends of a range of frequencies (`trace_diagram`). \throws UsageError where
-/// continuation_obstacle names a reason
-BranchDiagram exact_branches(const Problem& problem, const SweepRange& range, const BranchLimits& limits);
+/// Every branch of exact orbits that hangs together with the contact-free motions or the answers of
+/// exact-orbit at both ends of an interval of a parameter, or at a rigid stop with an orbit of one impact at
+/// one of eleven values in it (`trace_diagram`). \throws UsageError where continuation_obstacle names a
+/// reason
+BranchDiagram exact_branches(const ParametrisedScene& scene, const BranchLimits& limits);
 
-/// The branches of a method on its own equations (CurveMethod); empty where it has no curve of its own.
-/// \throws UsageError where the method does not apply to the scene at an end of the range
-std::optional<BranchDiagram> own_branches(const Problem& problem, const MethodChoice& method,
-                                          const SweepRange& range, const BranchLimits& limits);
+/// A scene with the number at a place of its file left free between two values. \throws UsageError unless
+/// these are finite and different, SceneError where they make no scene
+ParametrisedScene over_place(const SceneSource& source, const std::string& place, double from, double to);
+
+/// The branches of a method on its own equations over the frequency (CurveMethod); empty where it has no
+/// curve of its own. \throws UsageError where the method does not apply to the scene at an end of the
+/// interval
+std::optional<BranchDiagram> own_branches(const ParametrisedScene& scene, const MethodChoice& method,
+                                          const BranchLimits& limits);
 
 /// What one method makes of a response: its branches, or the points of its steps.
 struct MethodResponse {
-  std::string method;                  ///< label of the choice
-  BranchDiagram diagram = {};          ///< by arc length
-  std::vector<SweepPoint> steps = {};  ///< of any other, or with natural steps
-  int order = 1;                       ///< of the motions that the steps look for
+  std::string method;                               ///< label of the choice
+  BranchDiagram diagram = {};                       ///< by arc length
+  std::vector<SweepPoint> steps = {};               ///< of any other, or with natural steps
+  int order = 1;                                    ///< of the motions that the steps look for
+  std::string parameter = std::string(kFrequency);  ///< of the branches
 };
 
-/// {"branches": [{"method", "sequence", "points": [{"omega", "order", "amplitude", "x_max", "impacts",
-/// "stable", "stability", "multipliers"}], "special": [{"kind", "omega", "order", "after", "multipliers",
-/// "text"}], "began", "ended"}], "unfinished", "notes"}. amplitude and x_max have an entry per contact;
-/// `stable` is null where the multipliers do not tell: on the circle, undefined at a grazing, unknown; a
-/// multiplier is [re, im]; `after` counts the points of the branch before a special one. Points of natural
-/// steps have their status instead of impacts and multipliers.
+/// {"parameter", "branches": [{"method", "sequence", "points": [{"omega", "order", "amplitude", "x_max",
+/// "impacts", "stable", "stability", "multipliers"}], "special": [{"kind", "omega", "order", "after",
+/// "multipliers", "text"}], "began", "ended"}], "unfinished", "notes"}. amplitude and x_max have an entry per
+/// contact; `stable` is null where the multipliers do not tell: on the circle, undefined at a grazing,
+/// unknown; a multiplier is [re, im]; `after` counts the points of the branch before a special one. Points
+/// and special points have "value" too where the parameter is not the frequency, and "energy" where no load
+/// drives the motion. Points of natural steps have their status instead of impacts and multipliers.
 nlohmann::ordered_json to_json(const std::vector<MethodResponse>& responses);
 
 /// One row per point and special point, in the order of the branches.

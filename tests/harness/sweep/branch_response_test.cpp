@@ -1,18 +1,17 @@
 // The response by branches as users ask for it.
 #include "harness/sweep/branch_response.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "methods/orbit/exact_orbit.hpp"
 #include "tests/harness/program.hpp"
-#include "tests/support/exact_scenes.hpp"
-#include "tests/support/impact_oscillator.hpp"
+#include "tests/harness/sweep/random_scenes.hpp"
+#include "tests/harness/sweep/sound_branches.hpp"
 
 namespace signorini {
 
@@ -112,56 +111,49 @@ TEST(CommandSweep, RefusesWhatItCannotFollowInOneLine) {
         "sweep sdof-stop --method hat-lcp --methods hat-lcp --from 1 --to 2",
         "sweep sdof-stop --methods exact-orbit --from 2 --to 2",
         "sweep sdof-stop --methods fourier-lipschitz --set harmonics=0 --from 1 --to 2",
-        "sweep sdof-stop --methods exact-orbit:none --from 1 --to 2"}) {
+        "sweep sdof-stop --methods exact-orbit:none --from 1 --to 2",
+        "sweep sdof-stop --methods exact-orbit --parameter system.none --from 1 --to 2",
+        "sweep sdof-stop --methods exact-orbit --parameter name --from 1 --to 2",
+        "sweep sdof-stop --methods exact-orbit --parameter law.restitution --from 0.5 --to 2",
+        "sweep sdof-stop --methods exact-orbit --parameter law.restitution --from 0.5 --to 0.5",
+        "sweep sdof-stop --methods exact-orbit:hat-lcp --parameter law.restitution --from 0.5 --to 1",
+        "sweep sdof-stop --method hat-lcp --parameter law.restitution --from 0.5 --to 1"}) {
     const test::Outcome outcome = test::run_program(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }
 }
 
-// Of every two scenes one oscillator with one stop or two, of every four a chain of two to four masses.
-Problem random_scene(std::mt19937& random, int number) {
-  std::uniform_real_distribution<double> share(0.0, 1.0);
-  const double restitution = share(random) < 0.3 ? 1.0 : 0.3 + 0.7 * share(random);
-  if (number % 4 == 3) {
-    const int masses = 2 + static_cast<int>(3.0 * share(random));
-    Problem chain = test::stopped_chain(masses, restitution, 1 + static_cast<int>(2.0 * share(random)));
-    for (Contact& contact : chain.contacts) contact.gap = 0.1 + share(random);
-    return chain;
+// The contact-free motion grazes where the gap is its amplitude; the load then has its own value besides.
+TEST(CommandSweep, FollowsAnyNumberOfTheSceneFile) {
+  const double reach = 1.0 / std::hypot(1.0 - 2.2 * 2.2, 0.1 * 2.2);
+  const std::string command = "sweep sdof-stop --methods exact-orbit --format ";
+  const test::Outcome gap =
+      test::run_program(command + "json --parameter contact[0].gap --from 0.05 --to 0.5");
+  ASSERT_EQ(gap.code, 0) << gap.err;
+  const auto response = nlohmann::json::parse(gap.out);
+  EXPECT_EQ(response["parameter"], "contact[0].gap");
+  double grazing = 0.0;
+  for (const auto& special : response["branches"][0]["special"]) {
+    if (special["kind"] == "grazing") grazing = special["value"];
+    EXPECT_DOUBLE_EQ(special["omega"].get<double>(), 2.2);
   }
-  Problem oscillator = test::to_problem({.damping = 0.02 * std::pow(20.0, share(random)),
-                                         .gap = -0.3 + 1.3 * share(random),
-                                         .restitution = restitution});
-  if (number % 2 == 1) oscillator.contacts.push_back({.normal = {{0, -1.0}}, .gap = 0.3 + share(random)});
-  return oscillator;
+  EXPECT_NEAR(grazing, reach, 1e-11);
+  const test::Outcome load =
+      test::run_program(command + "csv --parameter forcing.term[0].cos --from 0.5 --to 1");
+  ASSERT_EQ(load.code, 0) << load.err;
+  EXPECT_EQ(load.out.find("method,branch,forcing.term[0].cos,"), 0U) << load.out.substr(0, 80);
+  EXPECT_NE(load.out.find(fmt::format("{:.10g}", 0.2 / reach)), std::string::npos);
 }
 
-// Every end has its reason, no motion passes a stop, and a polish, which finds its own way, agrees; but that
-// it refuses impacts that nearly graze.
 TEST(ExactBranches, OfRandomScenesAreTheirOrbits) {
   std::mt19937 random(20261123);
   int compared = 0;
   for (int number = 0; number < 24; ++number) {
-    const Problem problem = random_scene(random, number);
-    const BranchDiagram diagram =
-        exact_branches(problem, {.from = 0.7, .to = 3.0}, {.max_branches = 10, .timeout = 60.0});
-    EXPECT_FALSE(diagram.branches.empty()) << number;
-    for (const Branch& branch : diagram.branches) {
-      EXPECT_FALSE(branch.began.empty() || branch.ended.empty());
-      EXPECT_NE(branch.ended, "the corrector fails") << number << " " << branch.sequence;
-      for (const BranchPoint& point : branch.points) {
-        for (std::size_t j = 0; j < problem.contacts.size(); ++j)
-          EXPECT_LE(point.x_max[j] - problem.contacts[j].gap, 1e-9)
-              << number << " " << branch.sequence << " at " << point.parameter << ", " << branch.ended;
-      }
-      for (std::size_t i = 1; i + 1 < branch.points.size(); i += 3, ++compared) {
-        Problem at = with_subharmonic(problem, branch.points[i].order);
-        at.frequency = branch.points[i].parameter;
-        const ExactOrbit orbit = polish_sequence(std::make_shared<OrbitModel>(at), branch.points[i].orbit);
-        EXPECT_TRUE(orbit.certified() || orbit.outcome == OrbitOutcome::grazing)
-            << number << " " << branch.sequence << " at " << at.frequency << ": " << orbit.reason;
-      }
-    }
+    SCOPED_TRACE(number);
+    const Problem problem = test::random_scene(random, number);
+    compared += test::expect_orbits_of(
+        problem, exact_branches(over_frequency(problem, 0.7, 3.0), {.max_branches = 10, .timeout = 60.0}));
   }
   EXPECT_GT(compared, 1000);
 }
