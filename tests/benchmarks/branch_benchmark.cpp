@@ -59,7 +59,7 @@ void measure(const Response& response) {
 int main() {
   for (const signorini::Response& response :
        {signorini::Response{"sdof-stop", 1.5, 4.5, 60}, signorini::Response{"sdof-stop-e05", 1.5, 4.5, 60},
-        signorini::Response{"sdof-penalty-stiff", 1.5, 4.5, 60},
+        signorini::Response{"sdof-penalty-stiff", 0.6, 2.0, 60},
         signorini::Response{"chain3-massless", 0.7, 2.0, 20},
         signorini::Response{"chain10-stop", 0.2, 0.4, 6},
         signorini::Response{"beam20-three-stops", 3.5, 5.5, 6}})
