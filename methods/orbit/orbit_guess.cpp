@@ -9,7 +9,6 @@
 #include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/periodic_time.hpp"
 #include "methods/flow/flow.hpp"
-#include "methods/orbit/periodic_closure.hpp"
 
 namespace signorini {
 
@@ -121,8 +120,7 @@ std::optional<State> periodic_state(OrbitModel& model, double time, std::vector<
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(Eigen::MatrixXd::Identity(2 * n, 2 * n) -
                                                 flow.transition(model.period));
   const Eigen::VectorXd y = lu.solve(sum);
-  const bool unique = PeriodicClosure(flow, dynamics.scales(), model.period).unique();
-  if (!y.allFinite() || !unique || !(lu.rcond() > 1e-13)) return std::nullopt;
+  if (!y.allFinite() || !(lu.rcond() > 1e-13)) return std::nullopt;
   return State{.u = y.head(n), .v = y.tail(n)};
 }
 
