@@ -14,6 +14,13 @@ namespace signorini {
 
 namespace {
 
+// Evaluates the equations at the start, corrected where the curve is regular: an impact put in at a grazing
+// is there to the accuracy of its instant, half the digits of the motion. False where they are not finite.
+bool begin(ExtendedEquations& equations, const CurveStart& start) {
+  const bool regular = start.leaves == LeftBranch::none;
+  return (regular && correct(equations, start.orbit.x, start.tangent)) || equations.evaluate(start.orbit.x);
+}
+
 class Tracer {
  public:
   Tracer(OrbitFamily& family, const CurveStart& start, const CurveOptions& options)
@@ -26,7 +33,7 @@ class Tracer {
   TracedCurve run() {
     result_.branch.sequence = describe_sequence(start_.orbit);
     result_.branch.began = start_.origin;
-    if (!equations_->evaluate(start_.orbit.x)) {
+    if (!begin(*equations_, start_)) {
       result_.rejected = "the flow is not finite";
       return std::move(result_);
     }
@@ -94,6 +101,10 @@ class Tracer {
     }
     if (halved && !(crossing && crossing->length < *halved)) return end_at_half_period(*halved);
     if (crossing) return end_at(*crossing);
+    constexpr std::size_t kAway = 4;  // points
+    if (start_.leaves == LeftBranch::none && result_.branch.points.size() >= kAway &&
+        passes(*equations_, here_.x, next.x, start_.orbit))
+      return close();
     accept(std::move(next), *iterations);
     if (beyond && !done_) finish(std::string(kEndOfInterval));
   }
@@ -144,6 +155,13 @@ class Tracer {
     if (length == 0.0 || !move_to(length)) equations_->evaluate(here_.x);
     result_.meets_half_period = true;
     finish(fmt::format("period doubling of orbits of order {}", equations_->orbit().order / 2));
+  }
+
+  void close() {
+    here_ = station_at(*equations_, here_.tangent);
+    append();
+    result_.closes = true;
+    finish("the branch closes");
   }
 
   void end_at(const GuardCrossing& crossing) {

@@ -54,6 +54,7 @@ struct TracedCurve {
   std::vector<std::pair<SequencedOrbit, Eigen::VectorXd>> crossings = {};
   std::optional<OrbitGuard> guard = {};  ///< that became zero at the end
   bool meets_half_period = false;        ///< the end is next to the doubling of an orbit of half the period
+  bool closes = false;                   ///< the end is the start
   SequencedOrbit last = {};              ///< the orbit at the end
 };
 

@@ -106,7 +106,12 @@ class DiagramTracer {
           family_, {.orbit = orbit, .tangent = sign * tangent, .origin = origin, .leaves = LeftBranch::none},
           options_.curve);
     };
-    const TracedCurve forward = half(1.0), backward = half(-1.0);
+    const TracedCurve forward = half(1.0);
+    if (forward.closes) {
+      result_.branches.push_back(forward.branch);
+      return leave(forward);
+    }
+    const TracedCurve backward = half(-1.0);
     if (!forward.rejected.empty() && !backward.rejected.empty())
       return note(origin + ": " + forward.rejected);
     const auto usable = [](const TracedCurve& curve) { return curve.rejected.empty(); };

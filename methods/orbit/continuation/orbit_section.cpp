@@ -42,6 +42,24 @@ SequencedOrbit of_least_period(const SequencedOrbit& orbit, const ExtendedEquati
   return orbit;
 }
 
+bool passes(ExtendedEquations& equations, const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+            const SequencedOrbit& orbit) {
+  constexpr double kSame = 1e-6;
+  const Eigen::Index last = orbit.x.size() - 1;
+  const double before = from[last] - orbit.x[last], after = to[last] - orbit.x[last];
+  if (before * after > 0.0) return false;
+  Eigen::VectorXd guess = from + before / (before - after) * (to - from);
+  guess[last] = orbit.x[last];
+  if (!correct_at_parameter(equations, guess)) return false;
+  const SequencedOrbit& here = equations.orbit();
+  for (int k = 0; k < here.order; ++k) {
+    const double phase = std::fmod(orbit.section - here.section + here.end() + kTwoPi * k, here.end());
+    if ((equations.state_at(phase) - orbit.x.head(orbit.states())).lpNorm<Eigen::Infinity>() < kSame)
+      return true;
+  }
+  return false;
+}
+
 Eigen::VectorXd half_way(const ExtendedEquations& equations) {
   const SequencedOrbit& orbit = equations.orbit();
   if (orbit.order % 2 != 0 || orbit.count() % 2 != 0) return {};

@@ -20,6 +20,12 @@ std::optional<SequencedOrbit> with_quiet_section(OrbitFamily& family, const Sequ
 /// \param equations  evaluated at the orbit
 SequencedOrbit of_least_period(const SequencedOrbit& orbit, const ExtendedEquations& equations);
 
+/// Whether a curve passes an orbit of its own sequence between two of its points: where it has the parameter
+/// of the orbit it has its state, at the same phase of any of its n forcing periods, to 1e-6 in CurveUnits.
+/// The equations are left there.
+bool passes(ExtendedEquations& equations, const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+            const SequencedOrbit& orbit);
+
 /// y(T / 2) - y_0 in CurveUnits where the equations are evaluated, 2 Nd: on both sides of a doubling it has
 /// opposite signs, for there the doubled orbit becomes itself, half a period later. Empty where half of the
 /// sequence is none.

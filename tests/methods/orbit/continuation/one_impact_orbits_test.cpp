@@ -88,6 +88,28 @@ TEST(OneImpactOrbits, LeadToIsolatedBranches) {
   EXPECT_TRUE(branch_of(diagram, 3, 2));  // closes it
 }
 
+// An isolated branch without ends, once around: the closed form has two orbits between its folds, none
+// beyond.
+TEST(OneImpactOrbits, LeadOnceAroundAClosedBranch) {
+  test::ImpactOscillator oscillator{.damping = 0.1, .gap = 0.6, .restitution = 0.5, .order = 2};
+  OrbitFamily family(over_frequency(test::to_problem(oscillator), 0.7, 3.0));
+  const BranchDiagram diagram = trace_diagram(family, one_impact_orbits(family, 2.2, 0, 2), {});
+  ASSERT_EQ(diagram.branches.size(), 1U);
+  const Branch& loop = diagram.branches[0];
+  EXPECT_EQ(loop.ended, "the branch closes");
+  EXPECT_EQ(loop.points.front().parameter, loop.points.back().parameter);
+  EXPECT_EQ(std::count_if(loop.special.begin(), loop.special.end(),
+                          [](const SpecialPoint& at) { return at.kind == SpecialKind::fold; }),
+            2);
+  for (const double outwards : {1.0, -1.0}) {
+    const double fold = nearest(loop, SpecialKind::fold, outwards > 0.0 ? 2.8 : 2.1);
+    oscillator.frequency = fold + 1e-6 * outwards;
+    EXPECT_TRUE(test::single_impact_orbits(oscillator).empty()) << fold;
+    oscillator.frequency = fold - 1e-6 * outwards;
+    EXPECT_EQ(test::single_impact_orbits(oscillator).size(), 2U) << fold;
+  }
+}
+
 // Free motions of two masses against a stop: with one impact in each period T their impulse is -g / S(T),
 // S = sum_r phi_r^2 cot(w_r T / 2) / (2 w_r), and their energy J^2 / 8 sum_r phi_r^2 / sin^2(w_r T / 2).
 TEST(OneImpactOrbits, LeadToNonsmoothModes) {
