@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "methods/catalogue.hpp"
@@ -71,6 +73,24 @@ TEST(ExactOrbitMethod, SolvesAreRepeatable) {
   ASSERT_EQ(first.verdict, Verdict::converged) << first.message;
   EXPECT_EQ(first.message, second.message);
   EXPECT_EQ((first.trajectory->sample(100).x - second.trajectory->sample(100).x).norm(), 0.0);
+}
+
+// Driven at its undamped resonance the oscillator would gain pi F / (m omega) of speed in a period; one
+// impulse of pi F / omega at the phase 0 takes it back. That orbit is found, or nothing is claimed.
+TEST(ExactOrbitMethod, ClaimsNothingButTheClosedFormAtAnUndampedResonance) {
+  for (const double e : {1.0, 0.8}) {
+    const Problem problem =
+        test::to_problem({.damping = 0.0, .frequency = 1.0, .gap = 0.2, .restitution = e});
+    const Solution solution = test::solve<ExactOrbitMethod>(problem, {});
+    if (solution.verdict != Verdict::converged) {
+      EXPECT_EQ(e, 1.0);  // no impact loses energy either, and the equations are singular nearby
+      EXPECT_NE(solution.message.find("no exact orbit: "), std::string::npos) << solution.message;
+      continue;
+    }
+    ASSERT_EQ(solution.trajectory->impulses().size(), 1U);
+    EXPECT_NEAR(solution.trajectory->impulses()[0].value, -std::numbers::pi, 1e-10);
+    EXPECT_NEAR(std::sin(0.5 * solution.trajectory->impulses()[0].time), 0.0, 1e-10);
+  }
 }
 
 TEST(ExactOrbitMethod, SaysWhatStoppedEachAttempt) {
