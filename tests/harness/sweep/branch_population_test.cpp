@@ -1,0 +1,99 @@
+// Whether the branches of a scene hold the stable orbits that a search finds at random frequencies: two
+// programs that share no way to their orbits; and whether the branches are sound.
+//
+// By default a few scenes; SIGNORINI_BRANCHES=SCENES:FREQUENCIES:SEED for more, as 70:20:1.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+
+#include "harness/orbits/orbit_search.hpp"
+#include "harness/sweep/branch_response.hpp"
+#include "methods/orbit/continuation/branch_section.hpp"
+#include "methods/orbit/family/survey.hpp"
+#include "tests/harness/sweep/random_scenes.hpp"
+#include "tests/harness/sweep/sound_branches.hpp"
+
+namespace signorini {
+namespace {
+
+constexpr double kFrom = 0.7, kTo = 3.0;
+constexpr int kOrders = 2;
+
+struct Extent {
+  int scenes = 8, frequencies = 2;
+  unsigned seed = 20261124;
+};
+
+Extent extent() {
+  Extent result;
+  if (const char* asked = std::getenv("SIGNORINI_BRANCHES"))
+    std::sscanf(asked, "%d:%d:%u", &result.scenes, &result.frequencies, &result.seed);
+  return result;
+}
+
+// Whether some branch has an orbit of this order, number of impacts, largest multiplier and amplitude, which
+// the search samples, at a frequency.
+bool holds(OrbitFamily& family, const BranchDiagram& diagram, double frequency, const FoundOrbit& sought) {
+  constexpr double kSameAmplitude = 1e-3, kSameMultiplier = 1e-5;
+  for (const Branch& branch : diagram.branches) {
+    if (branch.points.front().order != sought.order) continue;
+    for (const SequencedOrbit& orbit : orbits_at(family, branch, frequency)) {
+      ExtendedEquations equations(family, orbit);
+      if (!equations.evaluate(orbit.x)) continue;
+      const auto impacts = std::count_if(orbit.events.begin(), orbit.events.end(), [](const auto& event) {
+        return event.kind == ContactEvent::Kind::impact;
+      });
+      const OrbitSurvey found = survey(equations);
+      const double amplitude = 0.5 * (found.highest - found.lowest).maxCoeff();
+      const double largest = equations.monodromy().eigenvalues().cwiseAbs().maxCoeff();
+      if (impacts == sought.impacts() &&
+          std::abs(amplitude - sought.amplitude) < kSameAmplitude * sought.amplitude &&
+          std::abs(largest - *sought.largest_multiplier()) < kSameMultiplier)
+        return true;
+    }
+  }
+  return false;
+}
+
+TEST(BranchPopulation, HoldsTheStableOrbitsThatASearchFinds) {
+  const Extent asked = extent();
+  std::mt19937 random(asked.seed);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  int stable = 0, held = 0;
+  for (int number = 0; number < asked.scenes; ++number) {
+    const Problem problem = test::random_scene(random, number);
+    const ParametrisedScene scene = over_frequency(problem, kFrom, kTo);
+    const BranchDiagram diagram = exact_branches(scene, {.max_order = kOrders, .timeout = 120.0});
+    SCOPED_TRACE(number);
+    (void)test::expect_orbits_of(problem, diagram);
+    OrbitFamily family(scene);
+    for (int k = 0; k < asked.frequencies; ++k) {
+      const double frequency = kFrom + (kTo - kFrom) * share(random);
+      for (const FoundOrbit& orbit :
+           find_all_orbits(scene.at(frequency), {.starts = 12, .subharmonics = kOrders}).orbits) {
+        if (!(orbit.largest_multiplier().value_or(2.0) < 1.0)) continue;
+        ++stable;
+        if (holds(family, diagram, frequency, orbit)) {
+          ++held;
+          continue;
+        }
+        fmt::print(
+            "missed: scene {} at {:.6f}, order {}, {} impacts, {} phases of contact, amplitude {:.6f}\n",
+            number, frequency, orbit.order, orbit.impacts(), orbit.contact_phases(), orbit.amplitude);
+      }
+    }
+    fmt::print("scene {}: {} branches; {} of {} stable orbits so far\n", number, diagram.branches.size(),
+               held, stable);
+  }
+  EXPECT_GE(stable, asked.scenes);
+  EXPECT_GE(held, 0.85 * stable);
+}
+
+}  // namespace
+}  // namespace signorini
