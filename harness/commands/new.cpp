@@ -19,6 +19,7 @@ struct NewArguments {
   std::string name;
   std::optional<std::string> tree;
   bool out_of_tree = false;
+  bool python = false;
 };
 
 /// The source tree that is named, or the one around the current folder; empty for a method outside a tree.
@@ -31,6 +32,7 @@ std::optional<fs::path> tree_of(const NewArguments& arguments) {
 }
 
 Scaffold new_method(const NewArguments& arguments) {
+  if (arguments.python) return method_in_python(arguments.name, "");
   if (arguments.out_of_tree) return method_out_of_tree(arguments.name, "");
   if (const std::optional<fs::path> tree = tree_of(arguments)) return method_in_tree(arguments.name, *tree);
   throw UsageError(
@@ -58,16 +60,22 @@ void write_and_tell(const Scaffold& scaffold) {
   for (const std::string& line : scaffold.next) fmt::print("  {}\n", line);
 }
 
-void add_kind(CLI::App& command, int& exit_code, const char* kind, const char* description,
+void add_kind(CLI::App& command, int& exit_code, const std::string& kind, const char* description,
               Scaffold (*make)(const NewArguments&)) {
   auto* sub = command.add_subcommand(kind, description);
   const auto arguments = std::make_shared<NewArguments>();
-  sub->add_option("name", arguments->name, "lower-kebab-case, such as my-" + std::string(kind))->required();
+  sub->add_option("name", arguments->name, "lower-kebab-case, such as my-" + kind)->required();
   auto* tree = sub->add_option("--tree", arguments->tree,
                                "source tree; if absent the current folder or the nearest above that is one");
   sub->add_flag("--out-of-tree", arguments->out_of_tree,
                 "in the current folder, to be used without a source tree")
       ->excludes(tree);
+  if (kind == "method") {
+    sub->add_flag(
+           "--python", arguments->python,
+           "in the current folder, as a function in Python; needs the package signorini (docs/python.md)")
+        ->excludes(tree);
+  }
   sub->callback([arguments, make, &exit_code] {
     write_and_tell(make(*arguments));
     exit_code = kDone;
@@ -83,7 +91,7 @@ void add_new_command(CLI::App& app, int& exit_code) {
   add_kind(*command, exit_code, "method",
            "methods/NAME with header, source, test and page, and two lines in methods/catalogue.cpp; out of "
            "tree a "
-           "folder NAME that builds a plugin.",
+           "folder NAME that builds a plugin, or with --python one that holds a function in Python.",
            new_method);
   add_kind(
       *command, exit_code, "scene",

@@ -63,6 +63,7 @@ struct Seconds {
   double solve = 0.0;                   ///< median of the solve's part
   std::optional<bool> unstable = {};    ///< mad above kUnstable of the median; empty for a single round
   std::vector<TimedRound> rounds = {};  ///< in the order taken
+  std::optional<double> exchange = {};  ///< beside a solve that tells its own time, the least [s]
   std::optional<int> jobs = {};         ///< cases run at the same time, if several: not comparable then
 };
 

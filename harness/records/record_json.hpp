@@ -69,6 +69,7 @@ void visit_fields(Either<Seconds> auto& seconds, auto&& field) {
   field(required("solve", "s"), seconds.solve);
   field(Field{"unstable"}, seconds.unstable);
   field(Field{"rounds", "s"}, seconds.rounds);
+  field(Field{"exchange", "s"}, seconds.exchange);
   field(Field{"jobs"}, seconds.jobs);
 }
 

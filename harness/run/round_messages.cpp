@@ -14,8 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kRepeated = "in a repeated solve: ";
-
 /// What a child was doing when it died after the answer had arrived, for the message of its record.
 const char* work_after(TrialStage last) {
   switch (last) {
@@ -78,7 +76,11 @@ Record received_first_round(const Record& blank, const ChildEnd& end) {
 }
 
 void send_later_round(const RepeatedSolve& repeat, const LineSender& send) {
-  if (!repeat.times) return send(json_line({{"message", repeat.message}, {"expired", repeat.expired}}));
+  if (!repeat.times) {
+    Json failure{{"message", repeat.message}, {"status", status_name(repeat.status)}};
+    if (repeat.signal) failure["signal"] = *repeat.signal;
+    return send(json_line(failure));
+  }
   send(
       json_line({{"setup", repeat.times->setup}, {"solve", repeat.times->solve}, {"answer", repeat.answer}}));
 }
@@ -89,13 +91,16 @@ void take_later_round(const ChildEnd& end, Record& record) {
   if (json.contains("setup")) {
     std::vector<TimedRound> rounds = record.seconds->rounds;
     rounds.push_back({.setup = json.at("setup"), .solve = json.at("solve")});
+    const std::optional<double> exchange = record.seconds->exchange;
     record.seconds = summarise(rounds);
+    record.seconds->exchange = exchange;
     count_repeat(json.at("answer"), record);
     return;
   }
   if (json.contains("message")) {
-    record.status = json.value("expired", false) ? Status::timeout : Status::not_converged;
+    record.status = enum_from_name<Status>("status", json.at("status").get<std::string>());
     record.message = json.at("message");
+    if (json.contains("signal")) record.signal = json.at("signal").get<int>();
   } else {
     take_failure(end, record);
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -38,6 +39,16 @@ std::optional<long> status_bytes(const std::string& key) {
   return std::nullopt;
 }
 
+/// One solve and its time, the method's own where it tells one [s].
+double timed_solve(PreparedMethod& prepared, const Start& start, Solution& solution) {
+  const double passed = seconds_of([&] { solution = prepared.solve(start); });
+  const auto* clock = dynamic_cast<const OwnClock*>(&prepared);
+  if (clock == nullptr || !clock->last_seconds()) return passed;
+  // A round lasts until these times add up to it: one that is told too short must not make it endless.
+  constexpr double kLeastShare = 0.01;
+  return std::max(*clock->last_seconds(), kLeastShare * passed);
+}
+
 std::optional<long> restart_peak_memory() {
   // 5 resets the peak VmHWM to the present size (proc(5)): the peak read later is that of this solve.
   std::ofstream("/proc/self/clear_refs") << "5";
@@ -70,6 +81,12 @@ std::optional<Motion> take_solution(const Trial& trial, const Solution& solution
   return std::move(answer.motion);
 }
 
+void take_failure(const SolveFailure& failure, Record& record) {
+  record.status = failure.status;
+  record.message = as_message(failure.what());
+  record.signal = failure.signal;
+}
+
 /// The problem as a method is given it: one from outside the tree gets matrices of its own, so that the
 /// harness judges by those of the scene whatever the method writes.
 Problem problem_for(const Case& planned_case, const Problem& problem) {
@@ -88,19 +105,22 @@ struct FirstCall {
   double setup = 0.0, solve = 0.0;  // [s]
 };
 
-/// The times of a round, and the digest of the last answer it gave after the first call's: empty of one that
-/// did not converge, nothing where the first call was the only one.
+/// The times of a round, and the digest of the last answer it gave after the first call's; nothing where the
+/// first call was the only one.
 struct Round {
   TimedRound times;
   std::optional<std::string> latest;
 };
 
-/// Digest of an answer; empty where there is none.
-std::string digest_of(const Solution& solution) {
-  const bool answered = solution.verdict == Verdict::converged && solution.trajectory;
-  return answered ? answer_digest(*solution.trajectory) : std::string();
+bool has_answer(const Solution& solution) {
+  return solution.verdict == Verdict::converged && solution.trajectory;
 }
 
+SolveFailure no_answer(const Solution& solution, const Start& start) {
+  return {start.expired() ? Status::timeout : Status::not_converged, as_message(solution.message)};
+}
+
+/// \throws SolveFailure where a solve has no answer
 Round round_from(const FirstCall& first, const std::string& name, const Limits& limits) {
   Round round;
   std::optional<Solution> latest;
@@ -111,13 +131,14 @@ Round round_from(const FirstCall& first, const std::string& name, const Limits& 
   const auto solve = [&] {
     const Start start{.guess = first.start, .deadline = deadline_after(limits.timeout)};
     Solution solution;
-    const double seconds = seconds_of([&] { solution = first.prepared.solve(start); });
+    const double seconds = timed_solve(first.prepared, start, solution);
+    if (!has_answer(solution)) throw no_answer(solution, start);
     latest = std::move(solution);
     return seconds;
   };
   round.times = {.setup = time_round(name + "/setup", set_up, first.setup, {}),
                  .solve = time_round(name + "/solve", solve, first.solve, {})};
-  if (latest) round.latest = digest_of(*latest);
+  if (latest) round.latest = answer_digest(*latest->trajectory);
   return round;
 }
 
@@ -132,6 +153,8 @@ void take_times(const Trial& trial, const FirstCall& first, Record& record) {
   } else {
     const Round round = round_from(first, record.case_id, trial.limits);
     record.seconds = summarise({round.times});
+    if (const auto* clock = dynamic_cast<const OwnClock*>(&first.prepared))
+      record.seconds->exchange = clock->least_exchange();
     if (round.latest) count_repeat(*round.latest, record);
   }
 }
@@ -180,11 +203,9 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   }
   double solve = 0.0;
   try {
-    solve = seconds_of([&] { solution = prepared->solve(start); });
-  } catch (const CommandFailure& failure) {
-    record.status = failure.status;
-    record.message = as_message(failure.what());
-    record.signal = failure.signal;
+    solve = timed_solve(*prepared, start, solution);
+  } catch (const SolveFailure& failure) {
+    take_failure(failure, record);
     stage_done(record);
     return;
   }
@@ -195,7 +216,14 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   if (!changed.empty()) record.message += fmt::format("; it changed {}, which was restored", changed);
   stage_done(record);
   if (!motion) return;
-  take_times(trial, {problem, *method, *prepared, trial.start, setup, solve}, record);
+  try {
+    take_times(trial, {problem, *method, *prepared, trial.start, setup, solve}, record);
+  } catch (const SolveFailure& failure) {
+    take_failure(failure, record);
+    record.message = kRepeated + record.message;
+    stage_done(record);
+    return;
+  }
   static_cast<void>(usual.restore());  // said above
   stage_done(record);
   record.physics = measure_physics(trial.scene.problem, trial.law, *motion);
@@ -209,18 +237,20 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
 }
 
 RepeatedSolve repeat_solve(const Scene& scene, const Case& planned_case, const Limits& limits,
-                           const std::shared_ptr<const Trajectory>& start) {
+                           const std::shared_ptr<const Trajectory>& start) try {
   const std::unique_ptr<Method> method = planned_case.choice.make();
   std::unique_ptr<PreparedMethod> prepared;
   Solution solution;
   const Problem problem = problem_for(planned_case, scene.problem);
   const double setup = seconds_of([&] { prepared = method->prepare(problem); });
   const Start begin{.guess = start, .deadline = deadline_after(limits.timeout)};
-  const double solve = seconds_of([&] { solution = prepared->solve(begin); });
-  const std::string answer = digest_of(solution);
-  if (answer.empty()) return {.message = as_message(solution.message), .expired = begin.expired()};
+  const double solve = timed_solve(*prepared, begin, solution);
+  if (!has_answer(solution)) throw no_answer(solution, begin);
+  const std::string answer = answer_digest(*solution.trajectory);
   const FirstCall first{problem, *method, *prepared, start, setup, solve};
   return {.times = round_from(first, planned_case.id, limits).times, .answer = answer};
+} catch (const SolveFailure& failure) {
+  return {.message = as_message(failure.what()), .status = failure.status, .signal = failure.signal};
 }
 
 StartPoint start_point(const Case& planned_case, const Problem& problem, const Reference& reference) {

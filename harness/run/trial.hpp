@@ -34,30 +34,45 @@ struct Trial {
 enum class TrialStage { solved, timed, measured, certified };
 
 /// Runs a trial into `record`, which already names scene, method and law, and calls `stage_done` with it
-/// after each stage. Stops after the stage `solved` where there is no answer. Does not catch what the method
-/// throws.
+/// after each stage. Stops after the stage `solved` where there is no answer, and after `timed` where a
+/// command fails when asked again. Catches of what the method throws only SolveFailure.
 void run_trial(const Trial& trial, Record record, const std::function<void(const Record&)>& stage_done);
 
 /// One more round of timing: its times, or why there are none.
 struct RepeatedSolve {
   std::optional<TimedRound> times = {};
-  std::string answer = {};   ///< answer_digest of its first solve
-  std::string message = {};  ///< of a method that does not converge this time
-  bool expired = false;      ///< it was not given time enough to
+  std::string answer = {};                ///< answer_digest of its first solve
+  std::string message = {};               ///< of a method without an answer this time
+  Status status = Status::not_converged;  ///< then
+  std::optional<int> signal = {};         ///< that ended its command
 };
 
+/// Begins the message of a method that fails in another solve than its first.
+inline constexpr const char* kRepeated = "in a repeated solve: ";
+
 /// Sets up and solves anew from the same start, for the times and to see whether the answer is the same.
-/// Does not catch what the method throws.
+/// Catches of what the method throws only SolveFailure.
 RepeatedSolve repeat_solve(const Scene& scene, const Case& planned_case, const Limits& limits,
                            const std::shared_ptr<const Trajectory>& start);
 
-/// Thrown by the solve of a method that runs a command which crashed or printed no answer.
-class CommandFailure : public std::runtime_error {
+/// Thrown by the solve of a method that runs a command which crashed or printed no answer; and where a solve
+/// that is repeated has none.
+class SolveFailure : public std::runtime_error {
  public:
-  CommandFailure(Status record_status, const std::string& message, std::optional<int> ending_signal = {})
+  SolveFailure(Status record_status, const std::string& message, std::optional<int> ending_signal = {})
       : std::runtime_error(message), status(record_status), signal(ending_signal) {}
   Status status;
   std::optional<int> signal;  ///< that ended the crashed process
+};
+
+/// Of a prepared method whose solves tell their own time, apart from what it costs to reach it.
+class OwnClock {
+ public:
+  virtual ~OwnClock() = default;
+  /// Of the last solve [s]; empty where it told none.
+  [[nodiscard]] virtual std::optional<double> last_seconds() const = 0;
+  /// Least time that passed in a solve beside its own [s]; empty where none told its own.
+  [[nodiscard]] virtual std::optional<double> least_exchange() const = 0;
 };
 
 struct StartPoint {

@@ -62,6 +62,7 @@ class PythonMethod:
         lines = ["# Written by signorini.method; keys: docs/plugins.md", "schema = 1", f"name = {text(self.name)}",
                  f"title = {text(self.title)}", f"ladder = {text(self.ladder)}",
                  f"command = {text([python, '-m', 'signorini.serve', place[0], self.function.__name__])}"]
+        lines.append("persistent = true")
         if len(place) > 1:
             lines.append(f"files = {text(place[1:])}")
         lines += ["", "[represents]", *(f"{law} = {text(value)}" for law, value in self.represents.items())]

@@ -203,11 +203,11 @@ void judge(const Problem& problem, const Trajectory& trajectory) {
 bool attack_answer(std::string_view text) {
   const Problem& problem = answered_problem();
   try {
-    const Solution solution = read_command_answer(std::string(text), problem.period());
+    const Solution solution = read_command_answer(std::string(text), problem.period()).solution;
     require_one_line(solution.message);
     if (solution.trajectory) judge(problem, *solution.trajectory);
     return true;
-  } catch (const CommandFailure& refusal) {
+  } catch (const SolveFailure& refusal) {
     require(refusal.status == Status::invalid_output, "an answer that is none is invalid output");
     require_one_line(refusal.what());
     return false;

@@ -154,6 +154,83 @@ TEST(CommandMethods, ThatNeverAnswerAreEndedAtTheTimeLimitWithAllTheyStarted) {
   EXPECT_EQ(processes_with("98765.25"), 0);
 }
 
+/// A command that stays, answers at rest, and says that it took so long [s].
+void describe_persistent(const TemporaryFolder& folder, const std::string& seconds) {
+  const std::string rest = answer("[[0, 0]]");
+  const std::string told = rest.substr(0, rest.size() - 1) + ", \"seconds\": " + seconds + "}";
+  describe(folder, "while read -r line; do sleep 0.01; echo \"$line\" >request.json; cat <<'END'\n" + told +
+                       "\nEND\ndone\n");
+  const std::string text = read_file(folder.path() / "method.toml");
+  static_cast<void>(folder.write("method.toml", "persistent = true\n" + text));
+}
+
+TEST(CommandMethods, ThatStayAreTimedByTheirOwnClock) {
+  const TemporaryFolder folder;
+  describe_persistent(folder, "0.004");
+  const Json record = solve(folder);
+  EXPECT_EQ(record.at("seconds").at("solve"), 0.004) << record.dump();
+  EXPECT_GT(record.at("seconds").at("exchange").get<double>(), 0.005);
+  EXPECT_EQ(Json::parse(read_file(folder.path() / "request.json")).at("persistent"), true);
+}
+
+TEST(CommandMethods, CannotTellMoreTimeThanPassedNorNearlyNone) {
+  const TemporaryFolder folder;
+  describe_persistent(folder, "1e6");
+  EXPECT_EQ(solve(folder).at("status"), "invalid-output");
+  describe_persistent(folder, "0.0");
+  EXPECT_GE(solve(folder).at("seconds").at("solve").get<double>(), 1e-4);
+}
+
+/// A command that stays and, for every line read, runs `then`; $n counts the lines.
+void describe_reader(const TemporaryFolder& folder, const std::string& then) {
+  const std::string rest = answer("[[0, 0]]");
+  describe(folder, "n=0\nanswer() { echo '" + rest.substr(0, rest.size() - 1) +
+                       ", \"seconds\": 1e-4}'; }\nwhile read -r line; do n=$((n + 1)); " + then + "\ndone\n");
+  static_cast<void>(
+      folder.write("method.toml", "persistent = true\n" + read_file(folder.path() / "method.toml")));
+}
+
+class LaterAnswers : public testing::TestWithParam<BadAnswer> {};
+
+TEST_P(LaterAnswers, HaveTheStatusOfWhatHappened) {
+  const TemporaryFolder folder;
+  describe_reader(folder, GetParam().script);
+  const Json record = solve(folder);
+  EXPECT_EQ(record.at("status"), GetParam().status) << record.dump();
+  EXPECT_NE(record.at("message").get<std::string>().find(GetParam().message), std::string::npos)
+      << record.dump();
+  EXPECT_FALSE(record.contains("seconds")) << record.dump();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, LaterAnswers,
+    testing::Values(
+        BadAnswer{"ends after its answer", "answer; exit 0", "crashed",
+                  "in a repeated solve: the command ended before its answer"},
+        BadAnswer{"fails after its answer", "answer; echo no licence >&2; exit 3", "crashed",
+                  "in a repeated solve: the command ended with exit code 3: no licence"},
+        BadAnswer{"aborts when asked again", "[ $n = 1 ] || kill -ABRT $$; answer", "crashed", "signal 6"},
+        BadAnswer{"talks nonsense when asked again", "[ $n = 1 ] && answer || echo hello", "invalid-output",
+                  "parse error"},
+        BadAnswer{"answers twice at once", "both=$(answer; answer); echo \"$both\"", "invalid-output",
+                  "more than one line"},
+        BadAnswer{"answers twice", "answer; sleep 0.005; answer", "invalid-output", "more than one line"}));
+
+TEST(CommandMethods, ThatHangWhenAskedAgainAreEndedAndDisturbNoOtherCase) {
+  const TemporaryFolder folder;
+  describe_reader(folder, "[ $n = 1 ] || sleep 98765.75; answer");
+  const Outcome run =
+      run_installed(folder,
+                    "run quick --scenes sdof-stop --methods 'shell[level=1]:hat-lcp[samples=64]' --timeout 1 "
+                    "--out run --plugin method.toml");
+  EXPECT_EQ(run.code, 1) << run.err;
+  const std::map<std::string, Record> records = records_in(folder.path() / "run");
+  const Record& hangs = records.at("sdof-stop/shell[level=1]");
+  EXPECT_NE(hangs.status, Status::converged);
+  EXPECT_EQ(records.at("sdof-stop/hat-lcp[samples=64]").status, Status::converged);
+  EXPECT_EQ(processes_with("98765.75"), 0);
+}
+
 // Sent and received at once: neither side may wait for the other with a full pipe.
 TEST(CommandMethods, MayTalkBeforeTheyHaveReadAndLeaveWithoutReading) {
   const TemporaryFolder folder;
@@ -240,6 +317,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadDescription{"restitution = \"scene\"", "penalty = 1.0", "penalty = 1"},
         BadDescription{"default = 1", "default = 7", "level = 7 (must be at most 3)"},
         BadDescription{"default = 1", "default = nan", "default = nan"},
+        BadDescription{"schema = 1", "schema = 1\npersistent = 1", "persistent = 1 (must be true or false)"},
         BadDescription{"unit = \"[-]\"", "unit = \"metres\"", "unit in brackets"},
         BadDescription{"meaning = \"1..3\"", "meaning = \"1..3\"\nchoices = [\"a\"]", "choices"}));
 

@@ -1,6 +1,7 @@
 """Methods written in Python, run by the program and served line by line."""
 
 import json
+import os
 import subprocess
 import sys
 import textwrap
@@ -118,7 +119,7 @@ class PythonMethods(support.TemporaryFolder):
         shown = program.run(["show", "my-linear", "--plugin", str(description)])
         self.assertRegex(shown, r"my-linear: The linear response, where no stop is touched\n")
         self.assertRegex(shown, r"harmonics +4 +\[-\] +highest harmonic kept")
-        self.assertRegex(description.read_text(), r'"linear_methods.py", "my_linear"\]\nfiles = \["neighbour.py"\]')
+        self.assertRegex(description.read_text(), r'"linear_methods.py", "my_linear"\]\npersistent = true\nfiles = \["neighbour.py"\]')
 
     def test_must_stand_at_the_top_level_of_a_file(self):
         @method(ladder="", represents={"restitution": 1.0})
@@ -171,6 +172,54 @@ class PythonMethods(support.TemporaryFolder):
         self.assertIn("nothing (must be a function marked", self.serve("linear_methods.py", "nothing", "").stderr)
         self.assertIn("FileNotFoundError", self.serve("none.py", "nothing", "").stderr)
         self.assertIn("must be a Python file", self.serve("none.txt", "nothing", "").stderr)
+
+
+PATIENT = textwrap.dedent('''
+    """Takes 20 ms, and writes down who takes them."""
+    import os
+    import pathlib
+    import time
+    import numpy as np
+    from signorini import Motion, method
+
+
+    @method(ladder="", represents={"no_contact": "scene", "restitution": "scene"})
+    def patient(problem, level=1):
+        time.sleep(0.02)
+        with open(pathlib.Path(__file__).with_name("processes"), "a") as file:
+            print(os.getpid(), file=file)
+        return Motion(np.zeros((1, 8)), np.zeros((1, 8)), np.zeros((1, 8)))
+''')
+
+
+class Processes(support.TemporaryFolder):
+    def test_answer_all_solves_of_a_round_and_tell_their_own_time(self):
+        self.write("patient.py", PATIENT)
+        with mock.patch.object(sys, "path", [str(self.folder), *sys.path]):
+            sys.modules.pop("patient", None)
+            import patient
+        scene = Scene.from_matrices([[1.0]], [[0.1]], [[1.0]], frequency=2.0, contacts={0: 1.0}, law={"restitution": 1.0})
+        solution = scene.solve(patient.patient)
+        seconds = solution.record["seconds"]
+        processes = (self.folder / "processes").read_text().split()
+        self.assertGreater(len(processes), 1)
+        self.assertEqual(len(set(processes)), 1)
+        self.assertTrue(0.02 <= seconds["solve"] < 1.0, seconds)
+        self.assertGreater(seconds["exchange"], 0.0)
+
+
+class Begun(support.TemporaryFolder):
+    def test_methods_are_described_as_the_package_would_and_pass_the_check(self):
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+        program.run(["new", "method", "my-method", "--python"])
+        folder = self.folder / "my-method"
+        written = (folder / "my-method.toml").read_text()
+        code = "import my_method; my_method.solve.describe()"
+        subprocess.run([sys.executable, "-B", "-c", code], cwd=folder, env=program.environment(), check=True)
+        described = (folder / "my-method.toml").read_text()
+        self.assertEqual(described.replace(sys.executable, "python3"), written)
+        program.run(["check", "my-method", "--plugin", str(folder / "my-method.toml"), "--scenes", "sdof-far-stop"])
 
 
 class Motions(unittest.TestCase):

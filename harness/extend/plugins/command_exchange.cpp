@@ -55,12 +55,12 @@ Json write_problem(const Problem& problem) {
 }
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw CommandFailure(Status::invalid_output, "the command's answer: " + what);
+  throw SolveFailure(Status::invalid_output, "the command's answer: " + what);
 }
 
 void allow_only(const Json& json) {
-  constexpr std::array<std::string_view, 8> kKeys{"verdict",   "message", "period",     "residual",
-                                                  "condition", "work",    "trajectory", "events"};
+  constexpr std::array<std::string_view, 9> kKeys{"verdict", "message",    "period", "residual", "condition",
+                                                  "work",    "trajectory", "events", "seconds"};
   for (const auto& [key, value] : json.items()) {
     if (std::ranges::find(kKeys, key) == kKeys.end())
       refuse(fmt::format("{} = unknown (must be one of {})", one_line(key), fmt::join(kKeys, ", ")));
@@ -144,6 +144,13 @@ Solution read_solution(const Json& json, double period) {
   return solution;
 }
 
+std::optional<double> read_seconds(const Json& json) {
+  if (!json.contains("seconds")) return std::nullopt;
+  const double seconds = json["seconds"];
+  if (!(seconds >= 0.0)) refuse(fmt::format("seconds = {} (must be 0 or more)", seconds));
+  return seconds;
+}
+
 }  // namespace
 
 Json command_request(const Problem& problem, const std::vector<OptionEcho>& options) {
@@ -166,11 +173,11 @@ std::string command_input(Json request, const Start& start) {
   return request.dump() + "\n";
 }
 
-Solution read_command_answer(const std::string& output, double period) {
+CommandAnswer read_command_answer(const std::string& output, double period) {
   try {
     const Json json = Json::parse(output);
     if (!json.is_object()) refuse("no JSON object");
-    return read_solution(json, period);
+    return {.solution = read_solution(json, period), .seconds = read_seconds(json)};
   } catch (const nlohmann::json::exception& error) {
     const std::string what = error.what();  // "[json.exception...] key 'verdict' not found"
     refuse(one_line(what.substr(what.find("] ") + 2), 200));

@@ -152,6 +152,14 @@ RepresentedLaws read_represented(const SceneField& field) {
   return laws;
 }
 
+/// False for what is left out.
+bool read_flag(const SceneField& field) {
+  if (!field.given()) return false;
+  const bool* const flag = std::get_if<bool>(&field.node().value);
+  if (flag == nullptr) field.refuse("must be true or false");
+  return *flag;
+}
+
 std::optional<int> read_limit(const SceneField& field) {
   if (!field.given()) return std::nullopt;
   return field.whole("must be a whole number, 1 or more", 1, kMost);
@@ -181,7 +189,7 @@ CommandDescription read_command_file(const fs::path& file) {
   const TomlNode document = parse_toml(text, name);
   const SceneField root(document, name);
   static_cast<void>(root["schema"].whole("must be 1", 1, 1));  // first: another schema may have other keys
-  root.allow_only({"schema", "name", "title", "ladder", "command", "files", "most_coordinates",
+  root.allow_only({"schema", "name", "title", "ladder", "command", "files", "persistent", "most_coordinates",
                    "most_contacts", "represents", "option"},
                   "must be a table");
   CommandDescription description;
@@ -199,6 +207,7 @@ CommandDescription read_command_file(const fs::path& file) {
       description.options.push_back(std::move(option));
     }
   }
+  description.persistent = read_flag(root["persistent"]);
   description.most_coordinates = read_limit(root["most_coordinates"]);
   description.most_contacts = read_limit(root["most_contacts"]);
   description.sha256 = sha256(hashed);

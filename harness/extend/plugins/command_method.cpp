@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -39,30 +41,62 @@ OptionValue parse_value(const CommandOption& option, const std::string& text) {
 }
 
 /// One scene, its request written.
-class PreparedCommand final : public PreparedMethod {
+class PreparedCommand final : public PreparedMethod, public OwnClock {
  public:
-  PreparedCommand(const std::vector<std::string>& words, const Problem& problem,
+  PreparedCommand(const CommandDescription& description, const Problem& problem,
                   const std::vector<OptionEcho>& options)
-      : words_(words), period_(problem.period()), request_(command_request(problem, options)) {}
+      : words_(description.words), period_(problem.period()), request_(command_request(problem, options)) {
+    if (!description.persistent) return;
+    request_["persistent"] = true;
+    session_ = std::make_unique<CommandSession>(words_);
+  }
 
   Solution solve(const Start& start) override {
-    const CommandEnd end = run_command(words_, command_input(request_, start), start.deadline);
-    if (end.expired) return {.message = "the command was stopped at the time limit"};
+    const auto begin = std::chrono::steady_clock::now();
+    CommandAnswer answer = ask(start);
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+    last_seconds_ = answer.seconds;
+    if (!last_seconds_) return std::move(answer.solution);
+    if (*last_seconds_ > passed.count()) {
+      throw SolveFailure(
+          Status::invalid_output,
+          fmt::format("the command's answer: seconds = {} (must be at most the {:.6g} s that passed)",
+                      *last_seconds_, passed.count()));
+    }
+    least_exchange_ = std::min(least_exchange_.value_or(passed.count()), passed.count() - *last_seconds_);
+    return std::move(answer.solution);
+  }
+
+  [[nodiscard]] std::optional<double> last_seconds() const override { return last_seconds_; }
+  [[nodiscard]] std::optional<double> least_exchange() const override { return least_exchange_; }
+
+ private:
+  CommandAnswer ask(const Start& start) {
+    const std::string input = command_input(request_, start);
+    const CommandEnd end =
+        session_ ? session_->ask(input, start.deadline) : run_command(words_, input, start.deadline);
+    if (end.expired) return {.solution = {.message = "the command was stopped at the time limit"}};
+    if (end.unasked) {
+      throw SolveFailure(Status::invalid_output,
+                         "the command's answer: more than one line (must be one for each request)");
+    }
     if (!end.failure.empty()) {
       const std::string words = end.last_words.empty() ? "" : ": " + one_line(end.last_words, 400);
-      throw CommandFailure(Status::crashed, end.failure + words, end.signal);
+      throw SolveFailure(Status::crashed, end.failure + words, end.signal);
     }
     return read_command_answer(end.output, period_);
   }
 
- private:
   std::vector<std::string> words_;
   double period_;
   nlohmann::ordered_json request_;
+  std::unique_ptr<CommandSession> session_;  ///< null: started for each solve
+  std::optional<double> last_seconds_, least_exchange_;
 };
 
-/// Runs the command once for each solve, in a process group of its own that is killed at the deadline. What
-/// the process costs to start is part of its time. docs/plugins.md states what it reads and prints.
+/// Runs the command once for each solve, or once for all of a prepared scene, in a process group of its own
+/// that is killed at the deadline. Its time is the one it tells, else all that passes, its start included.
+/// docs/plugins.md states what it reads and prints.
 class CommandMethod final : public Method {
  public:
   /// \throws InvalidOption
@@ -102,9 +136,9 @@ class CommandMethod final : public Method {
     return description_.represents.on(problem.law).value_or(Undetermined{});
   }
 
-  /// `solve` throws CommandFailure where the command crashes or prints no answer.
+  /// `solve` throws SolveFailure where the command crashes or prints no answer.
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override {
-    return std::make_unique<PreparedCommand>(description_.words, problem, options());
+    return std::make_unique<PreparedCommand>(description_, problem, options());
   }
 
  private:

@@ -3,6 +3,7 @@
 // as JSON. docs/plugins.md has every key.
 
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -50,6 +51,7 @@ struct CommandDescription {
   std::vector<CommandOption> options = {};
   RepresentedLaws represents = {};
   std::optional<int> most_coordinates = {}, most_contacts = {};
+  bool persistent = false;  ///< one process for all solves of a prepared scene, a line each
   std::string sha256 = {};  ///< of the description and the files that its command names
 };
 
@@ -62,17 +64,23 @@ nlohmann::ordered_json command_request(const Problem& problem, const std::vector
 /// The text for stdin: the request, with the motion to start from and the seconds until the deadline.
 std::string command_input(nlohmann::ordered_json request, const Start& start);
 
+struct CommandAnswer {
+  Solution solution = {};
+  std::optional<double> seconds = {};  ///< that the command says it took
+};
+
 /// The answer printed. \param period  of the motion looked for, where the answer names none [s]
-/// \throws CommandFailure (Status::invalid_output) for what is no answer; whether sizes and period fit the
+/// \throws SolveFailure (Status::invalid_output) for what is no answer; whether sizes and period fit the
 /// scene
 ///         is judged later, as for every method
-Solution read_command_answer(const std::string& output, double period);
+CommandAnswer read_command_answer(const std::string& output, double period);
 
 /// How a command ended.
 struct CommandEnd {
-  std::string output = {};         ///< what it printed on stdout
-  bool expired = false;            ///< it was killed at the deadline
-  std::string failure = {};        ///< "the command ended with exit code 3"; empty for exit code 0
+  std::string output = {};   ///< what it printed on stdout
+  bool expired = false;      ///< it was killed at the deadline
+  bool unasked = false;      ///< it stays, and printed more than the line it was asked for; it was killed
+  std::string failure = {};  ///< "the command ended with exit code 3"; empty for exit code 0
   std::optional<int> signal = {};  ///< that ended it
   std::string last_words = {};     ///< last line on its stderr
 };
@@ -82,6 +90,26 @@ struct CommandEnd {
 /// told to use one thread, as all methods do. The command dies with the calling process. \throws
 /// std::system_error if no process can be made
 CommandEnd run_command(const std::vector<std::string>& words, std::string_view input, Deadline deadline);
+
+/// A command that stays: it is started when it is first asked, and answers each line with a line. Its process
+/// ends, as that of `run_command` does, with this object.
+class CommandSession {
+ public:
+  explicit CommandSession(std::vector<std::string> words);
+  ~CommandSession();
+  CommandSession(const CommandSession&) = delete;
+  CommandSession& operator=(const CommandSession&) = delete;
+
+  /// Hands over `line`, which ends with a line break. What the command prints until its next line break is
+  /// the output; empty lines are passed over. Where it ends before, is killed at the deadline, or has printed
+  /// more than that, now or since its last answer, the result says so, and the next call starts it anew. That
+  /// it has ended after an answer is a failure of the next call.
+  CommandEnd ask(std::string_view line, Deadline deadline);
+
+ private:
+  std::vector<std::string> words_;
+  std::unique_ptr<class RunningCommand> running_;
+};
 
 /// The catalogue entry of a description. \throws SceneError, UsageError
 MethodEntry load_command_method(const std::filesystem::path& file);

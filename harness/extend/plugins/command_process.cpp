@@ -20,7 +20,9 @@ namespace signorini {
 namespace {
 
 constexpr std::size_t kMostOutput = std::size_t{1} << 30U;  // bytes
-constexpr std::size_t kLastWords = 400;                     // bytes
+constexpr std::size_t kSlice = std::size_t{1} << 20U;       // bytes read at once, at least what a pipe holds
+constexpr const char* kBlanks = " \t\r\n";
+constexpr std::size_t kLastWords = 400;  // bytes
 
 /// While it lives, writing to a command that has stopped reading is an error and no signal.
 class BrokenPipesIgnored {
@@ -34,13 +36,18 @@ class BrokenPipesIgnored {
   void (*before_)(int);
 };
 
+void lift_limit(__rlimit_resource resource) {
+  rlimit limit{};
+  if (getrlimit(resource, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  setrlimit(resource, &limit);
+}
+
 /// Replaces this process by the command.
-[[noreturn]] void execute(const std::vector<std::string>& words) {
-  rlimit files{};  // the process of a run may write little, its command what it wants
-  if (getrlimit(RLIMIT_FSIZE, &files) == 0) {
-    files.rlim_cur = files.rlim_max;
-    setrlimit(RLIMIT_FSIZE, &files);
-  }
+[[noreturn]] void execute(const std::vector<std::string>& words, bool stays) {
+  lift_limit(RLIMIT_FSIZE);  // the process of a run may write little, its command what it wants
+  // That limit is meant for one solve. A command that stays has the deadline of each.
+  if (stays) lift_limit(RLIMIT_CPU);
   for (const char* variable : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"})
     setenv(variable, "1", 1);
   std::vector<char*> arguments;
@@ -53,33 +60,42 @@ class BrokenPipesIgnored {
   _exit(kNotExecuted);
 }
 
+}  // namespace
+
 /// A started command with its three pipes.
 class RunningCommand {
  public:
-  RunningCommand(const std::vector<std::string>& words, std::string_view input)
-      : input_(input),
+  /// \param stays  it is asked more than once, and answers with a line
+  RunningCommand(const std::vector<std::string>& words, bool stays)
+      : stays_(stays),
         process_({.in = in_.read.number(), .out = out_.write.number(), .err = err_.write.number()}, -1,
-                 [&words] { execute(words); }) {
+                 [&words, stays] { execute(words, stays); }) {
     in_.read.reset();
     out_.write.reset();
     err_.write.reset();
     for (const Descriptor* end : {&in_.write, &out_.read, &err_.read}) set_non_blocking(*end);
   }
 
-  CommandEnd run(Deadline deadline) {
-    while (!process_.has_ended() && end_.output.size() <= kMostOutput) {
-      if (std::chrono::steady_clock::now() >= deadline) {
-        end_.expired = true;
-        break;
-      }
-      wait(deadline);
-      write_input();
-      read_output();
+  [[nodiscard]] bool has_ended() const { return ended_; }
+
+  /// Hands over the input. Returns when the command has printed a line, if it stays; else, and without one,
+  /// when it has ended.
+  CommandEnd run(std::string_view input, Deadline deadline) {
+    input_ = input;
+    end_ = {};
+    line_end_ = std::string::npos;
+    if (stays_) read_output();
+    end_.unasked = !end_.output.empty();
+    if (!end_.unasked) {
+      exchange(deadline);
+      end_.unasked = has_answered() && end_.output.find_first_not_of(kBlanks, line_end_) != std::string::npos;
     }
+    if (has_answered() && !end_.unasked) return std::move(end_);
+    ended_ = true;
     const bool too_much = end_.output.size() > kMostOutput;
     const int status = process_.reap();
-    read_output();  // what was printed since the last look
-    if (!end_.expired) take_status(status);
+    if (!end_.unasked) read_output();  // what was printed since the last look
+    if (!end_.expired && !end_.unasked) take_status(status);
     if (too_much) end_.failure = fmt::format("the command printed more than {} bytes", kMostOutput);
     end_.last_words =
         last_line(errors_.size() > kLastWords ? errors_.substr(errors_.size() - kLastWords) : errors_);
@@ -87,11 +103,30 @@ class RunningCommand {
   }
 
  private:
+  [[nodiscard]] bool has_answered() const { return stays_ && line_end_ != std::string::npos; }
+
+  /// Writes and reads until the command has answered or ended, the deadline has passed, or it prints too
+  /// much.
+  void exchange(Deadline deadline) {
+    while (!has_answered() && end_.output.size() <= kMostOutput) {
+      const bool gone = process_.has_ended();  // then all that it printed is there to be read
+      if (!gone && std::chrono::steady_clock::now() >= deadline) {
+        end_.expired = true;
+        return;
+      }
+      if (!gone) wait(deadline);
+      write_input();
+      read_output();
+      if (gone) return;
+    }
+  }
+
   /// Until something can be read or written, the command has ended, or the deadline has passed.
   void wait(Deadline deadline) {
     // Without a descriptor for its end, only looking often tells that the command has ended.
     const auto look = std::chrono::milliseconds(process_.end_descriptor() >= 0 ? 1000 : 5);
-    std::array<pollfd, 4> places{{{.fd = in_.write.number(), .events = POLLOUT, .revents = 0},
+    const int in = stays_ && input_.empty() ? -1 : in_.write.number();
+    std::array<pollfd, 4> places{{{.fd = in, .events = POLLOUT, .revents = 0},
                                   {.fd = out_.read.number(), .events = POLLIN, .revents = 0},
                                   {.fd = err_.read.number(), .events = POLLIN, .revents = 0},
                                   {.fd = process_.end_descriptor(), .events = POLLIN, .revents = 0}}};
@@ -102,6 +137,7 @@ class RunningCommand {
 
   void write_input() {
     while (in_.write.is_open()) {
+      if (input_.empty() && stays_) return;
       if (input_.empty()) return in_.write.reset();
       const ssize_t written = ::write(in_.write.number(), input_.data(), input_.size());
       if (written < 0 && (errno == EAGAIN || errno == EINTR)) return;
@@ -111,8 +147,11 @@ class RunningCommand {
   }
 
   void read_output() {
-    read_available(out_.read, end_.output, kMostOutput);
-    read_available(err_.read, errors_, kMostOutput);
+    const std::size_t before = end_.output.size();
+    read_available(out_.read, end_.output, before + kSlice);
+    if (stays_ && before == 0) end_.output.erase(0, end_.output.find_first_not_of(kBlanks));  // empty lines
+    if (line_end_ == std::string::npos) line_end_ = end_.output.find('\n', before);
+    read_available(err_.read, errors_, errors_.size() + kSlice);
     if (errors_.size() > 2 * kLastWords) errors_.erase(0, errors_.size() - kLastWords);
   }
 
@@ -123,9 +162,14 @@ class RunningCommand {
           fmt::format("the command was ended by signal {} ({})", *end_.signal, strsignal(*end_.signal));
     } else if (WEXITSTATUS(status) != EXIT_SUCCESS) {
       end_.failure = fmt::format("the command ended with exit code {}", WEXITSTATUS(status));
+    } else if (stays_) {
+      end_.failure = "the command ended before its answer";
     }
   }
 
+  bool stays_;
+  bool ended_ = false;
+  std::size_t line_end_ = std::string::npos;  ///< of the first line since the last request
   std::string_view input_;
   Pipe in_ = make_pipe(), out_ = make_pipe(), err_ = make_pipe();
   ChildProcess process_;
@@ -133,11 +177,21 @@ class RunningCommand {
   CommandEnd end_;
 };
 
-}  // namespace
-
 CommandEnd run_command(const std::vector<std::string>& words, std::string_view input, Deadline deadline) {
   const BrokenPipesIgnored ignored;
-  return RunningCommand(words, input).run(deadline);
+  return RunningCommand(words, false).run(input, deadline);
+}
+
+CommandSession::CommandSession(std::vector<std::string> words) : words_(std::move(words)) {}
+
+CommandSession::~CommandSession() = default;
+
+CommandEnd CommandSession::ask(std::string_view line, Deadline deadline) {
+  const BrokenPipesIgnored ignored;
+  if (!running_) running_ = std::make_unique<RunningCommand>(words_, true);
+  CommandEnd end = running_->run(line, deadline);
+  if (running_->has_ended()) running_.reset();
+  return end;
 }
 
 }  // namespace signorini

@@ -97,6 +97,21 @@ Scaffold method_out_of_tree(std::string_view name, const fs::path& parent) {
   return scaffold;
 }
 
+Scaffold method_in_python(std::string_view name, const fs::path& parent) {
+  const Spellings spellings = spellings_of(name);
+  require_no_such_method(name);
+  const fs::path folder = parent / spellings.name;
+  require_nothing_at(name, folder);
+  const Places places{{"name", spellings.name}, {"folder", spellings.folder}};
+  Scaffold scaffold;
+  for (const auto& [file, text] : {std::pair{spellings.folder + ".py", kPythonMethodTemplate},
+                                   std::pair{spellings.name + ".toml", kPythonDescriptionTemplate},
+                                   std::pair{std::string("README.md"), kPythonPageTemplate}})
+    scaffold.fresh.push_back({.path = folder / file, .text = filled(text, places)});
+  scaffold.next = {fmt::format("see {}", (folder / "README.md").string())};
+  return scaffold;
+}
+
 Scaffold scene_in_tree(std::string_view name, const fs::path& tree) {
   const fs::path problems = tree / "problems";
   Scaffold scaffold = scene_out_of_tree(name, problems / "catalogue");

@@ -32,6 +32,10 @@ Scaffold method_in_tree(std::string_view name, const std::filesystem::path& tree
 /// \throws UsageError for a bad name, or if something is there already
 Scaffold method_out_of_tree(std::string_view name, const std::filesystem::path& parent);
 
+/// A method in the folder `parent`/NAME that is a Python function, with its description. \throws UsageError
+/// for a bad name, or if something is there already
+Scaffold method_in_python(std::string_view name, const std::filesystem::path& parent);
+
 /// A scene in the catalogue of a tree. \throws UsageError for a bad name, or one that is taken
 Scaffold scene_in_tree(std::string_view name, const std::filesystem::path& tree);
 
@@ -51,6 +55,9 @@ extern const std::string_view kMethodBuildTemplate;
 extern const std::string_view kMethodPageTemplate;
 extern const std::string_view kPluginBuildTemplate;
 extern const std::string_view kPluginPageTemplate;
+extern const std::string_view kPythonMethodTemplate;
+extern const std::string_view kPythonDescriptionTemplate;
+extern const std::string_view kPythonPageTemplate;
 extern const std::string_view kSceneTemplate;
 
 /// The text for each `{{place}}`.

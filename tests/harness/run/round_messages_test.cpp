@@ -128,9 +128,9 @@ TEST(TakeLaterRound, CountsTheFailureOfALaterRoundAgainstTheCase) {
   EXPECT_FALSE(record.seconds.has_value());
 
   record = begun;
-  take_later_round({.lines = {R"({"message": "stalled", "expired": true})"}}, record);
+  take_later_round({.lines = {R"({"message": "stalled", "status": "timeout"})"}}, record);
   EXPECT_EQ(record.status, Status::timeout);
-  take_later_round({.lines = {R"({"message": "stalled", "expired": false})"}}, record);
+  take_later_round({.lines = {R"({"message": "stalled", "status": "not-converged"})"}}, record);
   EXPECT_EQ(record.status, Status::not_converged);
   EXPECT_EQ(record.message, "in a repeated solve: stalled");
 

@@ -77,9 +77,10 @@ TEST(RepeatSolve, GivesTheDigestOfTheFirstSolve) {
   const RepeatedSolve failed = repeat_solve(scene, test::fake_case(scene, "give_up"), limits, nullptr);
   EXPECT_FALSE(failed.times.has_value());
   EXPECT_NE(failed.message, "");
-  EXPECT_FALSE(failed.expired);
+  EXPECT_EQ(failed.status, Status::not_converged);
   const Limits short_limits{.timeout = 0.05, .repetitions = 1};
-  EXPECT_TRUE(repeat_solve(scene, test::fake_case(scene, "obey_deadline"), short_limits, nullptr).expired);
+  EXPECT_EQ(repeat_solve(scene, test::fake_case(scene, "obey_deadline"), short_limits, nullptr).status,
+            Status::timeout);
 }
 
 Case case_starting(const Scene& scene, const std::string& start) {

@@ -25,7 +25,7 @@ Json answer() {
 std::string refusal(const Json& json) {
   try {
     static_cast<void>(read_command_answer(json.dump(), kPeriod));
-  } catch (const CommandFailure& failure) {
+  } catch (const SolveFailure& failure) {
     EXPECT_EQ(failure.status, Status::invalid_output);
     return failure.what();
   }
@@ -53,7 +53,7 @@ TEST(CommandInput, NamesTheTimeLeftOnlyWhereThereIsADeadline) {
 }
 
 TEST(ReadCommandAnswer, ReadsWhatTheCommandFound) {
-  const Solution solution = read_command_answer(answer().dump(), kPeriod);
+  const Solution solution = read_command_answer(answer().dump(), kPeriod).solution;
   EXPECT_EQ(solution.verdict, Verdict::converged);
   EXPECT_EQ(solution.residual, 1e-12);
   EXPECT_EQ(solution.work.iterations, 7);
@@ -68,17 +68,17 @@ TEST(ReadCommandAnswer, MayBeOfAnotherPeriod) {
   Json json = answer();
   json["period"] = 4.0;
   json["trajectory"]["t"] = {0.0, 2.0};
-  EXPECT_EQ(read_command_answer(json.dump(), kPeriod).trajectory->period(), 4.0);
+  EXPECT_EQ(read_command_answer(json.dump(), kPeriod).solution.trajectory->period(), 4.0);
 }
 
 TEST(ReadCommandAnswer, HandsOnTheEventsThatACommandLists) {
-  EXPECT_FALSE(read_command_answer(answer().dump(), kPeriod).trajectory->events().has_value());
+  EXPECT_FALSE(read_command_answer(answer().dump(), kPeriod).solution.trajectory->events().has_value());
   Json json = answer();
   json["events"] = Json::array();
-  EXPECT_TRUE(read_command_answer(json.dump(), kPeriod).trajectory->events().value().empty());
+  EXPECT_TRUE(read_command_answer(json.dump(), kPeriod).solution.trajectory->events().value().empty());
   json["events"] = {{{"kind", "close"}, {"contact", 0}, {"time", 0.5}, {"impulse", -0.25}},
                     {{"kind", "open"}, {"contact", 0}, {"time", 1.5}, {"push", -0.125}}};
-  const auto events = read_command_answer(json.dump(), kPeriod).trajectory->events().value();
+  const auto events = read_command_answer(json.dump(), kPeriod).solution.trajectory->events().value();
   ASSERT_EQ(events.size(), 2U);
   EXPECT_EQ(events[0].kind, ContactEvent::Kind::close);
   EXPECT_EQ(events[0].time, 0.5);
@@ -142,6 +142,15 @@ TEST(ReadCommandAnswer, RefusesWhatIsNoAnswer) {
   json["trajectory"]["x"] = {{0.1}};
   EXPECT_NE(refusal(json).find("uneven"), std::string::npos) << refusal(json);
   EXPECT_NE(refusal(Json::array({1, 2})).find("no JSON object"), std::string::npos);
+}
+
+TEST(ReadCommandAnswer, TakesTheTimeThatTheCommandTells) {
+  Json json = answer();
+  EXPECT_FALSE(read_command_answer(json.dump(), kPeriod).seconds.has_value());
+  json["seconds"] = 0.25;
+  EXPECT_EQ(read_command_answer(json.dump(), kPeriod).seconds, 0.25);
+  json["seconds"] = -0.25;
+  EXPECT_EQ(refusal(json), "the command's answer: seconds = -0.25 (must be 0 or more)");
 }
 
 }  // namespace

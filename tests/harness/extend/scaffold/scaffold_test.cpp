@@ -108,6 +108,19 @@ TEST(NewMethod, TakesBackWhatItWroteIfTheListCannotBeChanged) {
   EXPECT_FALSE(fs::exists(tree / "tests"));
 }
 
+TEST(NewMethod, InPythonIsAFunctionWithItsDescription) {
+  const fs::path folder = test::fresh_folder("new-python-method");
+  write_scaffold(method_in_python("my-method", folder));
+  const std::string description = read_file(folder / "my-method" / "my-method.toml");
+  EXPECT_NE(description.find("\"my_method.py\", \"solve\"]"), std::string::npos) << description;
+  EXPECT_NE(read_file(folder / "my-method" / "my_method.py").find("name=\"my-method\""), std::string::npos);
+  EXPECT_EQ(files_below(folder), 3U);
+  EXPECT_NE(refusal([&] { (void)method_in_python("my-method", folder); }).find("is there already"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] { (void)method_in_python("hat-lcp", folder); }).find("a method has this name"),
+            std::string::npos);
+}
+
 TEST(NewMethod, OutOfTreeIsAPluginThatFindsAnInstalledSignorini) {
   const fs::path folder = test::fresh_folder("plugin");
   write_scaffold(method_out_of_tree("my-method", folder));
