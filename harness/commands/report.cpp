@@ -1,25 +1,38 @@
 #include "harness/report/report.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "harness/commands/command_line.hpp"
+#include "harness/commands/terminal.hpp"
 #include "harness/failure.hpp"
 #include "harness/records/run_folder.hpp"
+#include "harness/report/formats/screen.hpp"
 
 namespace signorini {
 
 namespace {
+
+/// The format that is printed and leaves no file.
+const std::string kScreen = "screen";
 
 struct ReportArguments {
   std::string folder;
   std::vector<std::string> formats{"md", "csv"};
   std::optional<std::string> document;
 };
+
+std::vector<std::string> formats_known() {
+  std::vector<std::string> formats = kReportFormats;
+  formats.push_back(kScreen);
+  return formats;
+}
 
 void report(const ReportArguments& arguments) {
   const std::filesystem::path folder = arguments.folder;
@@ -32,6 +45,11 @@ void report(const ReportArguments& arguments) {
     write_tables_into(*arguments.document, folder, evaluation);
     fmt::print("{}\n", *arguments.document);
     return;
+  }
+  if (std::ranges::count(arguments.formats, kScreen) > 0) {
+    fmt::print("{}", screen_report(evaluation, {.folder = arguments.folder,
+                                                .program = typed_program(),
+                                                .colour = takes_colour(STDOUT_FILENO)}));
   }
   for (const std::filesystem::path& file : write_report(folder, evaluation, arguments.formats))
     fmt::print("{}\n", file.string());
@@ -47,10 +65,11 @@ void add_report_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--format", arguments->formats,
-          "md (table.md), csv (table.csv, measures.csv), tex (tables/*.tex), html (report.html), separated "
-          "by commas; tex and html also draw figures/*.svg and *.pdf, which needs gnuplot")
+          "md (table.md), csv (table.csv, measures.csv), tex (tables/*.tex), html (report.html), screen "
+          "(printed as at the end of run, no file), separated by commas; tex and html also draw "
+          "figures/*.svg and *.pdf, which needs gnuplot")
       ->delimiter(',')
-      ->check(CLI::IsMember(kReportFormats))
+      ->check(CLI::IsMember(formats_known()))
       ->capture_default_str();
   command->add_option(
       "--into", arguments->document,

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -9,6 +10,8 @@
 
 #include "harness/build_info.hpp"
 #include "harness/commands/command_line.hpp"
+#include "harness/commands/run_output.hpp"
+#include "harness/commands/terminal.hpp"
 #include "harness/files.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/plan/suite.hpp"
@@ -16,8 +19,8 @@
 #include "harness/records/run_folder.hpp"
 #include "harness/records/shards.hpp"
 #include "harness/report/formats/formats.hpp"
+#include "harness/report/formats/screen.hpp"
 #include "harness/report/report.hpp"
-#include "harness/report/sections/sections.hpp"
 #include "harness/run/suite_run.hpp"
 #include "problems/scene/scene_file.hpp"
 
@@ -32,6 +35,7 @@ struct RunArguments {
   bool resume = false;
   bool dry_run = false;
   bool waveforms = false;
+  bool verbose = false;
   std::optional<double> timeout;
   std::optional<int> memory_mb;
   std::optional<int> repetitions;
@@ -96,26 +100,13 @@ void describe_run(RunFolder run, bool resume) {
   write_plan(run.path, run.plan);
 }
 
-/// The rows of a scene as soon as they are known: a suite takes minutes.
-void print_scene(const std::vector<Record>& records) {
-  std::vector<Section> sections = case_sections(Evaluation(records));
-  sections.front().title = records.front().scene;  // a scene is done with the case that was its last
-  sections.front().note.clear();                   // the whole report has it
-  fmt::print("{}\n", markdown_report(sections));
-  std::fflush(stdout);
-}
-
-/// All sections; of the rows, if they were all printed scene by scene, only how to read them.
-std::vector<Section> closing_sections(const Evaluation& evaluation, bool rows_printed) {
-  std::vector<Section> sections = sections_of(evaluation);
-  if (!rows_printed) return sections;
-  for (Section& section : sections) {
-    if (section.kind != SectionKind::cases) continue;
-    section.title = "How to read the cases";
-    section.text = std::exchange(section.note, {});
-    section.table = {};
-  }
-  return sections;
+/// Runs what is missing; prints scene by scene what became of it.
+SuiteRunResult run_missing(const RunArguments& arguments, const Plan& plan, Runner& runner,
+                           RecordStore& store) {
+  if (arguments.verbose) return run_plan(plan, runner, store, arguments.schedule, print_scene);
+  SceneLines lines(plan.scenes.size());
+  return run_plan(plan, runner, store, arguments.schedule,
+                  [&](const std::vector<Record>& records) { lines.add(records); });
 }
 
 int run_suite(const RunArguments& arguments) {
@@ -135,7 +126,7 @@ int run_suite(const RunArguments& arguments) {
                arguments.resume);
   if (!build_may_be_timed()) fmt::print(stderr, "this is not a Release build: no times are recorded\n");
   watch_interrupts();
-  const SuiteRunResult result = run_plan(plan, runner, store, arguments.schedule, print_scene);
+  const SuiteRunResult result = run_missing(arguments, plan, runner, store);
   if (result.interrupted) {
     fmt::print(stderr,
                "interrupted after {} of {} cases; the same command with --resume --out {} does the rest\n",
@@ -145,13 +136,17 @@ int run_suite(const RunArguments& arguments) {
   // Read as `report` reads them: a run that resumes another reports the records of both.
   const Evaluation evaluation(read_current_records(folder), runner.limits());
   write_report(folder, evaluation, {"md", "csv"});
-  fmt::print("{}", markdown_report(closing_sections(evaluation, result.present == 0)));
-  fmt::print(
-      "\n{} cases run, {} already there; records, manifest and tables (table.md, table.csv) are in {}\n",
-      result.ran, result.present, folder.string());
+  if (arguments.verbose)
+    fmt::print("{}\n", markdown_report(closing_sections(evaluation, result.present == 0)));
   const std::vector<std::string> failures = unexpected_failures(evaluation.records(), suite);
-  if (!failures.empty())
-    fmt::print(stderr, "{} cases did not converge that were expected to\n", failures.size());
+  fmt::print("{}",
+             screen_report(evaluation, {.heading = fmt::format("{} cases run, {} already there; records and "
+                                                               "manifest are in {}",
+                                                               result.ran, result.present, folder.string()),
+                                        .folder = folder.string(),
+                                        .program = typed_program(),
+                                        .unexpected = failures,
+                                        .colour = takes_colour(STDOUT_FILENO)}));
   return failures.empty() ? kDone : kUnexpectedFailure;
 }
 
@@ -175,6 +170,9 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
       ->check(CLI::Range(64, 1 << 24));
   command->add_option("--repetitions", arguments->repetitions, "rounds of timing")
       ->check(CLI::Range(1, 1000));
+  command->add_flag(
+      "--verbose", arguments->verbose,
+      "print every table of table.md, each scene's as soon as it is done, before the closing screen");
   command->add_flag("--waveforms", arguments->waveforms,
                     "keep the motions in the records, for the figures of report; doubles their size");
   command

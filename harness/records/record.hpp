@@ -180,6 +180,7 @@ struct Record {
   std::optional<int> signal = {};  ///< that ended a crashed run
   std::optional<RepresentedLaw> law = {}, scene_law = {};
   std::optional<bool> law_matches_scene = {};
+  std::optional<int> coordinates = {}, contacts = {};  ///< of the scene
   std::string problem = {};  ///< digest of the problem as the method represents it (problem_digest)
   Measure period = {}, residual = {}, condition = {};
   WorkDone work = {};

@@ -173,6 +173,8 @@ void visit_fields(Either<Record> auto& record, auto&& field) {
   field(Field{"law"}, record.law);
   field(Field{"scene_law"}, record.scene_law);
   field(Field{"law_matches_scene"}, record.law_matches_scene);
+  field(Field{"coordinates"}, record.coordinates);
+  field(Field{"contacts"}, record.contacts);
   field(Field{"problem"}, record.problem);
   field(Field{"period", "s"}, record.period);
   field(Field{"residual"}, record.residual);

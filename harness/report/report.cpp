@@ -9,6 +9,7 @@
 #include "harness/report/figures/figures.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 #include "harness/report/formats/formats.hpp"
+#include "harness/report/formats/screen.hpp"
 #include "harness/report/sections/sections.hpp"
 
 namespace signorini {
@@ -84,8 +85,17 @@ std::vector<fs::path> write_report(const fs::path& folder, const Evaluation& eva
   return files;
 }
 
+std::vector<Section> document_sections(const std::string& run, const Evaluation& evaluation) {
+  std::vector<Section> sections = sections_of(evaluation);
+  sections.push_back(
+      {.id = "screen",
+       .text = screen_report(evaluation, {.folder = "results/" + run, .program = "signorini"})});
+  return sections;
+}
+
 void write_tables_into(const fs::path& document, const fs::path& folder, const Evaluation& evaluation) {
-  write_whole(document, with_tables(read_file(document), name_of(folder), sections_of(evaluation)));
+  write_whole(document, with_tables(read_file(document), name_of(folder),
+                                    document_sections(name_of(folder), evaluation)));
 }
 
 }  // namespace signorini

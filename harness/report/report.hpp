@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "harness/plan/suite.hpp"
+#include "harness/report/document/section.hpp"
 #include "harness/report/evaluation/evaluation.hpp"
 
 namespace signorini {
@@ -27,6 +28,10 @@ inline const std::vector<std::string> kReportFormats{"md", "csv", "tex", "html"}
 std::vector<std::filesystem::path> write_report(const std::filesystem::path& folder,
                                                 const Evaluation& evaluation,
                                                 const std::vector<std::string>& formats);
+
+/// What a document may show of a run: its sections, and as `screen` its screen (screen.hpp), that of a run in
+/// the folder results.
+std::vector<Section> document_sections(const std::string& run, const Evaluation& evaluation);
 
 /// Brings the tables of a run that a document shows up to date; see `with_tables`. The run goes by the name
 /// of its folder. \throws UsageError

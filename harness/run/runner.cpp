@@ -75,6 +75,8 @@ Record Runner::blank(const Scene& scene, const Job& job) const {
     record.options.emplace_back(option.name, option.value);
   record.same_equations_as = same_equations_as(entry, planned_case.options);
   record.scene_law = as_represented(scene.problem.law);
+  record.coordinates = scene.problem.size();
+  record.contacts = scene.problem.contact_count();
   record.law = job.method.law;
   if (record.law) {
     record.law_matches_scene = law_matches(*record.law, scene.problem.law);

@@ -9,7 +9,7 @@
 #include "harness/records/record_store.hpp"
 #include "harness/records/run_folder.hpp"
 #include "harness/report/formats/formats.hpp"
-#include "harness/report/sections/sections.hpp"
+#include "harness/report/report.hpp"
 #include "tests/support/data_folder.hpp"
 
 namespace signorini {
@@ -22,7 +22,7 @@ TEST(Readme, ShowsTheTablesOfTheCommittedRecords) {
     const std::filesystem::path folder = root / "results" / run;
     ASSERT_NE(readme.find("<!-- table " + run + "/"), std::string::npos);
     const Evaluation evaluation(read_records(folder / "records.jsonl"), limits_of_run(folder));
-    EXPECT_EQ(with_tables(readme, run, sections_of(evaluation)), readme)
+    EXPECT_EQ(with_tables(readme, run, document_sections(run, evaluation)), readme)
         << "signorini report results/" << run << " --into README.md brings it up to date";
   }
 }

@@ -22,6 +22,9 @@ Record full_record() {
   record.seconds->unstable = false;
   record.seconds->rounds = {{0.1, 0.4}, {0.125, 0.375}};
   record.seconds->jobs = 2;
+  record.seconds->exchange = 0.25;
+  record.coordinates = 3;
+  record.contacts = 1;
   record.certificate.rule = kCertificateRule;
   record.certificate.reason = "because";
   record.certificate.reference_reason = "none";

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "harness/statistics.hpp"
+
 namespace signorini {
 
 const CostAxis& time_axis() {
@@ -47,5 +49,13 @@ CurvePoint cost_to_error(const ResolutionStudy& study, const CostAxis& axis, dou
   }
   return {kNeverReached, nullptr};
 }
+
+void Reach::add(const ResolutionStudy& study, double error) {
+  scenes +=
+      std::ranges::any_of(study.runs, [&](const ScoredRun& run) { return run.error && *run.error <= error; });
+  seconds.push_back(cost_to_error(study, time_axis(), error).cost);
+}
+
+double Reach::median_seconds() const { return seconds.empty() ? kNeverReached : median(seconds); }
 
 }  // namespace signorini

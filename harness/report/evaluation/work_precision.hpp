@@ -45,4 +45,15 @@ std::vector<CurvePoint> pareto_curve(const ResolutionStudy& study, const CostAxi
 /// run reached it. Nothing is inter- or extrapolated.
 CurvePoint cost_to_error(const ResolutionStudy& study, const CostAxis& axis, double error);
 
+/// On how many scenes an error is reached, and how fast.
+struct Reach {
+  int scenes = 0;
+  std::vector<double> seconds = {};  ///< of each scene; infinite where it is not reached or was not timed
+
+  /// Counts the scene of a study.
+  void add(const ResolutionStudy& study, double error);
+  /// Infinite where half of the scenes or more are not reached, or there is none [s].
+  [[nodiscard]] double median_seconds() const;
+};
+
 }  // namespace signorini

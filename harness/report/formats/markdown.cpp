@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "harness/failure.hpp"
+#include "harness/report/document/lines.hpp"
 #include "harness/report/formats/formats.hpp"
 
 namespace signorini {
@@ -12,21 +13,11 @@ namespace {
 
 constexpr std::size_t kLineLength = 110;
 
-/// Broken into lines at blanks.
 std::string wrapped(const std::string& text) {
-  std::istringstream words(text);
-  std::string lines, line;
-  for (std::string word; words >> word;) {
-    if (!line.empty() && line.size() + 1 + word.size() > kLineLength) {
-      lines += line + "\n";
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
-  }
-  return lines + line + "\n";
+  return fmt::format("{}\n", fmt::join(wrapped_lines(text, kLineLength), "\n"));
 }
 
-/// The table that a marker's words ask for.
+/// The table that a marker's words ask for; of a section without one the text, line by line as it is.
 std::string table_for(const std::string& words, std::span<const Section> sections) {
   std::istringstream stream(words);
   std::string id, first_cell;
@@ -38,6 +29,7 @@ std::string table_for(const std::string& words, std::span<const Section> section
     for (const Section& section : sections) known.push_back(section.id);
     throw UsageError(fmt::format("table = {} (must be one of {})", id, fmt::join(known, ", ")));
   }
+  if (found->table.header.empty()) return "```\n" + found->text + "```\n";
   Table table = found->table;
   if (!first_cell.empty()) {
     std::erase_if(table.rows, [&](const auto& row) { return row.front().text != first_cell; });

@@ -19,12 +19,6 @@ namespace {
 /// Errors at which the summary gives a time [-].
 constexpr std::array kSummaryErrors{1e-1, 1e-2, 1e-3};
 
-/// On how many scenes an error is reached, and the time of each, infinite where it is not or was not taken.
-struct Reach {
-  int scenes = 0;
-  std::vector<double> seconds = {};
-};
-
 /// What a configuration, or one of its resolutions, makes of the scenes.
 struct Account {
   int own = 0, solved = 0;          ///< scenes of its law
@@ -82,19 +76,15 @@ const Record* best_of(const ResolutionStudy& study) {
 void add_study(const ResolutionStudy& study, Account& account) {
   const bool another_law = study.eligibility == Eligibility::another_law;
   add_scene(another_law, best_of(study), account);
-  for (std::size_t i = 0; !another_law && i < kSummaryErrors.size(); ++i) {
-    Reach& reach = account.to_error[i];
-    reach.scenes += std::ranges::any_of(
-        study.runs, [&](const ScoredRun& run) { return run.error && *run.error <= kSummaryErrors[i]; });
-    reach.seconds.push_back(cost_to_error(study, time_axis(), kSummaryErrors[i]).cost);
-  }
+  for (std::size_t i = 0; !another_law && i < kSummaryErrors.size(); ++i)
+    account.to_error[i].add(study, kSummaryErrors[i]);
 }
 
 /// "22 of 22, 410 us": success first; no time where half or more do not get there, or were not timed.
 Cell reach_cell(const Reach& reach) {
   if (reach.seconds.empty()) return {"-", kNeverReached};
   const std::string count = fmt::format("{} of {}", reach.scenes, reach.seconds.size());
-  const double middle = median(reach.seconds);
+  const double middle = reach.median_seconds();
   return {std::isfinite(middle) ? count + ", " + time_text(middle) : count, middle};
 }
 

@@ -13,11 +13,13 @@
 #include <string>
 #include <thread>
 
+#include "harness/commands/run_output.hpp"
 #include "harness/files.hpp"
 #include "harness/records/record_store.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
+#include "tests/harness/sample_records.hpp"
 
 namespace signorini {
 namespace {
@@ -71,8 +73,12 @@ TEST(CommandRun, RunsASuiteReportsAndResumesIt) {
       folder.string();
   const Outcome first = run(command);
   ASSERT_EQ(first.code, 0) << first.err << first.out;
-  EXPECT_NE(first.out.find("| scene"), std::string::npos);
+  EXPECT_NE(first.out.find("sdof-stop: 2 cases, "), std::string::npos) << first.out;
+  EXPECT_NE(first.out.find("\nRigid stop (e = 1), 1 scene: "), std::string::npos) << first.out;
   EXPECT_NE(first.out.find(folder.string()), std::string::npos);
+  EXPECT_EQ(first.out.find("| scene"), std::string::npos) << first.out;
+  EXPECT_EQ(first.out.find('\033'), std::string::npos) << first.out;
+  EXPECT_LE(std::count(first.out.begin(), first.out.end(), '\n'), 41);
   EXPECT_EQ(read_records(folder / "records.jsonl").size(), 2U);
   const std::string records = read_file(folder / "records.jsonl");
   const std::string table = read_file(folder / "table.md");
@@ -98,6 +104,37 @@ TEST(CommandRun, RunsASuiteReportsAndResumesIt) {
   EXPECT_EQ(run("report " + folder.string()).code, 0);
   EXPECT_EQ(read_file(folder / "table.md"), table);
   EXPECT_EQ(read_file(folder / "table.csv"), csv);
+  const Outcome screen = run("report --format screen " + folder.string());
+  EXPECT_EQ(screen.code, 0);
+  const std::size_t groups = first.out.find("\nWhich method?");
+  EXPECT_EQ(screen.out.substr(screen.out.find("\nWhich method?"), 600), first.out.substr(groups, 600));
+}
+
+TEST(CommandRun, PrintsEveryTableOnRequest) {
+  const auto folder = test::fresh_folder("verbose");
+  const Outcome outcome =
+      run("run smoke --verbose --repetitions 1 --scenes sdof-stop --methods 'hat-lcp[samples=64]' --out " +
+          folder.string());
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::size_t rows = outcome.out.find("| scene"), summary = outcome.out.find("## What is solved"),
+                    screen = outcome.out.find("\nWhich method?");
+  EXPECT_LT(rows, summary) << outcome.out;
+  EXPECT_LT(summary, screen) << outcome.out;
+  EXPECT_NE(screen, std::string::npos) << outcome.out;
+}
+
+TEST(SceneLines, AreFewWhereManyScenesGoIntoAPipe) {
+  testing::internal::CaptureStdout();
+  const std::size_t scenes = 3 * SceneLines::kMost - 1;
+  {
+    SceneLines lines(scenes);
+    for (std::size_t i = 0; i < scenes; ++i)
+      lines.add({test::good_record("s" + std::to_string(i), "m", "n=1", 1e-3, 1.0)});
+  }
+  const std::string out = testing::internal::GetCapturedStdout();
+  EXPECT_EQ(static_cast<std::size_t>(std::count(out.begin(), out.end(), '\n')), SceneLines::kMost);
+  EXPECT_TRUE(out.starts_with("s0 to s2: 3 cases, 3 certified\ns3 to s5: ")) << out;
+  EXPECT_TRUE(out.ends_with("s207 to s208: 2 cases, 2 certified\n")) << out;
 }
 
 TEST(CommandRun, ExitsWithOneWhereSomethingFailedThatWasNotExpectedTo) {

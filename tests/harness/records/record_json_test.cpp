@@ -34,6 +34,7 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
                               "status",       "message",
                               "signal",       "law",
                               "scene_law",    "law_matches_scene",
+                              "coordinates",  "contacts",
                               "problem",      "period",
                               "residual",     "condition",
                               "work",         "seconds",
@@ -44,8 +45,8 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
                               "waveforms"}));
   EXPECT_EQ(keys(json["work"]), (Keys{"unknowns", "iterations", "pivots", "rhs_evaluations", "factorisations",
                                       "peak_memory_bytes"}));
-  EXPECT_EQ(keys(json["seconds"]),
-            (Keys{"median", "min", "mad", "repetitions", "setup", "solve", "unstable", "rounds", "jobs"}));
+  EXPECT_EQ(keys(json["seconds"]), (Keys{"median", "min", "mad", "repetitions", "setup", "solve", "unstable",
+                                         "rounds", "jobs", "exchange"}));
   EXPECT_EQ(keys(json["certificate"]),
             (Keys{"status", "rule", "reason", "source", "orbit", "order", "error_bar", "residual", "distance",
                   "reference", "reference_reason", "same_orbit", "events", "floquet", "stable"}));

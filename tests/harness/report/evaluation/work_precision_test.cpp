@@ -22,6 +22,17 @@ struct Runs {
   ResolutionStudy study;
 };
 
+TEST(Reach, CountsScenesAndTakesThoseNotReachedForInfinite) {
+  EXPECT_EQ(Reach{}.median_seconds(), kNeverReached);
+  Reach reach;
+  for (const double error : {1e-3, 1e-4, 0.5}) reach.add(Runs({{error, 2.0}, {0.5, 1.0}}).study, 1e-2);
+  EXPECT_EQ(reach.scenes, 2);
+  EXPECT_EQ(reach.median_seconds(), 2.0);
+  reach.add(Runs({{0.5, 1.0}}).study, 1e-2);
+  EXPECT_EQ(reach.scenes, 2);
+  EXPECT_EQ(reach.median_seconds(), kNeverReached);
+}
+
 TEST(ParetoCurve, LeavesOutWhatAnotherRunBeatsInBoth) {
   const Runs runs({{0.1, 1.0}, {0.2, 2.0}, {0.01, 4.0}, {0.05, 3.0}, {0.01, 5.0}});
   const std::vector<CurvePoint> curve = pareto_curve(runs.study, time_axis());

@@ -1,0 +1,56 @@
+#pragma once
+// Which method for which scene: scenes by what they ask of a method, and the order of methods on each kind.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/report/evaluation/evaluation.hpp"
+
+namespace signorini {
+
+/// What a scene asks of a method, in the order of reports. A large structure is one whatever its contacts;
+/// many contacts are that whatever their law.
+enum class SceneKind { rigid_stop, restitution, spring, massless, many_contacts, large_structure };
+
+/// "Rigid stop (e = 1)" and so on.
+std::string_view kind_title(SceneKind kind);
+
+/// Contacts from which on they are many, and coordinates from which on a structure is large.
+inline constexpr int kManyContacts = 5, kLargeStructure = 100;
+
+/// The kind of a record's scene; nothing where it has no contact or the record does not know its law. Records
+/// of earlier versions do not know how many contacts and coordinates there are, and go by the law alone.
+std::optional<SceneKind> kind_of(const Record& record);
+
+/// Errors of x that scene groups tell the times to [-].
+inline constexpr std::array kGroupErrors{1e-1, 1e-2, 1e-3, 1e-6};
+/// By which of them methods are ordered.
+inline constexpr std::size_t kRankingError = 1;
+/// Median times within this factor of the least are equal: less is noise of the machine and of the scenes.
+inline constexpr double kEqualTimes = 1.1;
+
+/// What a configuration does on the scenes of a kind.
+struct Standing {
+  std::string configuration = {}, method = {};
+  /// At each of kGroupErrors. A scene of which it represents another law is not reached.
+  std::array<Reach, kGroupErrors.size()> reach = {};
+  bool recommended = false;
+};
+
+/// The scenes of a kind, and the configurations that represent the law of one of them at least.
+struct SceneGroup {
+  SceneKind kind = SceneKind::rigid_stop;
+  std::vector<std::string> scenes = {};
+  /// Best first: by the number of scenes with an error of x of at most kGroupErrors[kRankingError], then by
+  /// the median time to it, then by name. Recommended are the first and those that reach it on as many scenes
+  /// within kEqualTimes of its time; nobody where nobody reaches it.
+  std::vector<Standing> standings = {};
+};
+
+/// Groups with scenes, by kind.
+std::vector<SceneGroup> scene_groups(const Evaluation& evaluation);
+
+}  // namespace signorini

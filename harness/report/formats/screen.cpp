@@ -1,0 +1,134 @@
+#include "harness/report/formats/screen.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "harness/cluster/scripts.hpp"
+#include "harness/report/document/lines.hpp"
+#include "harness/report/formats/screen_groups.hpp"
+
+namespace signorini {
+
+namespace {
+
+std::string counts_text(const OutcomeCounts& counts) {
+  std::string text = plural(counts.cases, "case");
+  for (const auto& [count, word] :
+       {std::pair{counts.certified, "certified"}, std::pair{counts.unproven, "unproven"},
+        std::pair{counts.refuted, "refuted"}, std::pair{counts.failed, "failed"},
+        std::pair{counts.not_applicable, "not applicable"}}) {
+    if (count > 0) text += fmt::format(", {} {}", count, word);
+  }
+  return text;
+}
+
+/// Failed and refuted cases of each configuration, those with the most first.
+ScreenLines failure_lines(const Evaluation& evaluation) {
+  std::vector<std::pair<std::string, OutcomeCounts>> counts;
+  for (const std::string& configuration : evaluation.configurations())
+    counts.emplace_back(configuration, OutcomeCounts{});
+  for (const Record& record : evaluation.records())
+    counts[evaluation.place_of(configuration_of(record))].second.add(record);
+  const auto wrong = [](const auto& entry) { return entry.second.failed + entry.second.refuted; };
+  std::erase_if(counts, [&](const auto& entry) { return wrong(entry) == 0; });
+  if (counts.empty()) return {};
+  std::ranges::stable_sort(counts, [&](const auto& a, const auto& b) { return wrong(a) > wrong(b); });
+  constexpr std::size_t kMostLines = 3, kLongestName = 60;
+  std::string text = "Failed or refuted:";
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const std::string item = fmt::format(" {} {} of {}", clipped(counts[i].first, kLongestName),
+                                         wrong(counts[i]), counts[i].second.cases);
+    const std::string rest = i + 1 == counts.size() ? "" : fmt::format(" and {} more", counts.size() - i - 1);
+    if (i > 0 && wrapped_lines(text + "," + item + rest, kScreenWidth).size() > kMostLines) {
+      text += fmt::format(" and {} more", counts.size() - i);
+      break;
+    }
+    text += (i == 0 ? "" : ",") + item;
+  }
+  return wrapped_text(text);
+}
+
+ScreenLines unexpected_lines(const Evaluation& evaluation, const std::vector<std::string>& cases) {
+  if (cases.empty()) return {};
+  constexpr std::size_t kMostCases = 4;
+  ScreenLines lines{{fmt::format("{} did not converge that {} expected to:",
+                                 plural(static_cast<std::ptrdiff_t>(cases.size()), "case"),
+                                 cases.size() == 1 ? "was" : "were"),
+                     Emphasis::bad}};
+  const std::size_t shown = cases.size() <= kMostCases ? cases.size() : kMostCases - 1;
+  for (std::size_t i = 0; i < shown; ++i) {
+    const auto record = std::ranges::find(evaluation.records(), cases[i], &Record::case_id);
+    const std::string status =
+        record == evaluation.records().end() ? "" : ": " + std::string(status_name(record->status));
+    lines.push_back({clipped("  " + cases[i], kScreenWidth - status.size()) + status});
+  }
+  if (shown < cases.size()) lines.push_back({fmt::format("  and {} more", cases.size() - shown)});
+  return lines;
+}
+
+/// `command` after `words`, in further lines where there is no room.
+ScreenLines command_lines(const std::string& words, const std::string& command) {
+  if (words.size() + 1 + command.size() <= kScreenWidth) return {{words + " " + command}};
+  ScreenLines lines{{words}};
+  std::vector<std::string> parts = wrapped_lines(command, kScreenWidth - 4);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    lines.push_back({"  " + parts[i] + (i + 1 < parts.size() ? " \\" : "")});
+  return lines;
+}
+
+/// What happened, in one or two sentences.
+ScreenLines opening_lines(const Evaluation& evaluation, const ScreenContext& context) {
+  OutcomeCounts counts;
+  bool together = false;
+  for (const Record& record : evaluation.records()) {
+    counts.add(record);
+    together = together || (record.seconds && record.seconds->jobs);
+  }
+  ScreenLines lines;
+  if (!context.heading.empty()) append(lines, wrapped_text(context.heading));
+  const auto scenes = static_cast<std::ptrdiff_t>(evaluation.scenes().size());
+  append(lines, wrapped_text(plural(scenes, "scene") + ", " + counts_text(counts)));
+  if (together)
+    append(lines, wrapped_text("Cases ran at the same time: their times are not comparable.", Emphasis::bad));
+  return lines;
+}
+
+ScreenLines closing_lines(const Evaluation& evaluation, const ScreenContext& context) {
+  ScreenLines lines{{}};
+  append(lines, failure_lines(evaluation));
+  append(lines, unexpected_lines(evaluation, context.unexpected));
+  append(lines, command_lines("All tables, and why cases failed:", context.folder + "/table.md"));
+  append(lines, command_lines("A page with figures:",
+                              fmt::format("{} report {} --format html", shell_word(context.program),
+                                          shell_word(context.folder))));
+  return lines;
+}
+
+std::string painted(const ScreenLine& line, bool colour) {
+  if (!colour || line.emphasis == Emphasis::none) return line.text + "\n";
+  const char* const code = line.emphasis == Emphasis::title  ? "1"
+                           : line.emphasis == Emphasis::good ? "32"
+                                                             : "31";
+  return fmt::format("\033[{}m{}\033[0m\n", code, line.text);
+}
+
+}  // namespace
+
+std::string screen_report(const Evaluation& evaluation, const ScreenContext& context) {
+  ScreenLines lines = opening_lines(evaluation, context);
+  ScreenLines closing = closing_lines(evaluation, context);
+  const std::size_t taken = lines.size() + closing.size();
+  append(lines, group_lines(evaluation, kScreenLines - std::min(kScreenLines, taken)));
+  append(lines, std::move(closing));
+  std::string text;
+  for (const ScreenLine& line : lines) text += painted(line, context.colour);
+  return text;
+}
+
+std::string scene_line(const std::string& scenes, const OutcomeCounts& counts) {
+  return clipped(scenes + ": " + counts_text(counts), kScreenWidth);
+}
+
+}  // namespace signorini

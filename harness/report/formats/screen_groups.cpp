@@ -1,0 +1,151 @@
+#include "harness/report/formats/screen_groups.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <span>
+#include <utility>
+
+#include "harness/report/document/cells.hpp"
+#include "harness/report/document/lines.hpp"
+#include "harness/report/evaluation/scene_groups.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr const char* kColumnTitles[] = {"10 %", "1 %", "0.1 %", "1e-6"};
+static_assert(std::size(kColumnTitles) == kGroupErrors.size());
+constexpr int kTimeWidth = 8;  // "1.23e+03 s" of a very slow method pushes its line, which is clipped
+
+constexpr const char* kRule =
+    "Which method? * has an error of at most 1 % on most scenes of its group and, of several, the least "
+    "median time to it, or one within 10 % of that. Time to an error of x, and on how many scenes; - where "
+    "half or more fail:";
+
+/// Lines of the columns of one group: names, then a time and a number of scenes for each error.
+class Columns {
+ public:
+  explicit Columns(std::span<const SceneGroup> groups) {
+    std::size_t scenes = 1;
+    for (const SceneGroup& group : groups) scenes = std::max(scenes, group.scenes.size());
+    count_width_ = static_cast<int>(std::max<std::size_t>(2, std::to_string(scenes).size()));
+    const auto cell = static_cast<std::size_t>(1 + kTimeWidth + 1 + count_width_);
+    name_width_ = kScreenWidth - kGroupErrors.size() * cell;
+  }
+
+  [[nodiscard]] ScreenLine titles() const {
+    std::string text(name_width_, ' ');
+    for (const char* title : kColumnTitles)
+      text += fmt::format(" {:>{}} {:{}}", title, kTimeWidth, "", count_width_);
+    text.erase(text.find_last_not_of(' ') + 1);
+    return {std::move(text)};
+  }
+
+  /// A name that is too long stands in a line of its own.
+  [[nodiscard]] ScreenLines row(const Standing& standing) const {
+    std::string figures;
+    for (const Reach& reach : standing.reach) {
+      const double seconds = reach.median_seconds();
+      figures += fmt::format(" {:>{}} {:>{}}", std::isfinite(seconds) ? time_text(seconds) : "-", kTimeWidth,
+                             reach.scenes, count_width_);
+    }
+    const Emphasis emphasis = standing.recommended ? Emphasis::good : Emphasis::none;
+    const std::string name = (standing.recommended ? "* " : "  ") + standing.configuration;
+    if (name.size() <= name_width_)
+      return {{clipped(fmt::format("{:{}}{}", name, name_width_, figures), kScreenWidth), emphasis}};
+    return {{clipped(name, kScreenWidth), emphasis},
+            {clipped(std::string(name_width_, ' ') + figures, kScreenWidth), emphasis}};
+  }
+
+ private:
+  int count_width_ = 0;
+  std::size_t name_width_ = 0;
+};
+
+/// "Spring, 3 scenes: exact-orbit or hat-lcp".
+ScreenLine group_title(const SceneGroup& group) {
+  std::string names;
+  for (const Standing& standing : group.standings) {
+    if (standing.recommended) names += (names.empty() ? "" : " or ") + standing.configuration;
+  }
+  const auto scenes = static_cast<std::ptrdiff_t>(group.scenes.size());
+  return {clipped(fmt::format("{}, {}: {}", kind_title(group.kind), plural(scenes, "scene"),
+                              names.empty() ? "no method gets to 1 %" : names),
+                  kScreenWidth),
+          Emphasis::title};
+}
+
+/// Places of the standings in the order in which they get room: of each method the best first.
+std::vector<std::size_t> order_of_room(const SceneGroup& group) {
+  std::vector<std::size_t> first, second;
+  std::vector<std::string> methods;
+  for (std::size_t i = 0; i < group.standings.size(); ++i) {
+    const std::string& method = group.standings[i].method;
+    const bool seen = std::ranges::find(methods, method) != methods.end();
+    if (!seen) methods.push_back(method);
+    (seen ? second : first).push_back(i);
+  }
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+/// For each group the places of the standings for which there is room, shared out in turns, in their order.
+std::vector<std::vector<std::size_t>> share_out(std::span<const SceneGroup> groups, const Columns& columns,
+                                                std::size_t room) {
+  std::vector<std::vector<std::size_t>> orders, shown(groups.size());
+  std::size_t longest = 0;
+  for (const SceneGroup& group : groups) {
+    orders.push_back(order_of_room(group));
+    longest = std::max(longest, orders.back().size());
+  }
+  for (std::size_t turn = 0; turn < longest; ++turn) {
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if (turn >= orders[g].size()) continue;
+      const std::size_t place = orders[g][turn];
+      const std::size_t lines = columns.row(groups[g].standings[place]).size();
+      if (lines > room) room = 0;  // nor for any that comes after
+      if (room == 0) continue;
+      room -= lines;
+      shown[g].push_back(place);
+    }
+  }
+  for (std::vector<std::size_t>& places : shown) std::ranges::sort(places);
+  return shown;
+}
+
+}  // namespace
+
+void append(ScreenLines& lines, ScreenLines more) {
+  lines.insert(lines.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+ScreenLines wrapped_text(const std::string& text, Emphasis emphasis) {
+  ScreenLines lines;
+  for (std::string& line : wrapped_lines(text, kScreenWidth)) lines.push_back({std::move(line), emphasis});
+  return lines;
+}
+
+std::string plural(std::ptrdiff_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+ScreenLines group_lines(const Evaluation& evaluation, std::size_t most) {
+  const std::vector<SceneGroup> groups = scene_groups(evaluation);
+  if (groups.empty()) return {};
+  const Columns columns(groups);
+  ScreenLines lines{{}};
+  append(lines, wrapped_text(kRule));
+  lines.push_back(columns.titles());
+  const std::vector<std::vector<std::size_t>> shown =
+      share_out(groups, columns, most - std::min(most, lines.size() + groups.size()));
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    lines.push_back(group_title(groups[g]));
+    for (const std::size_t place : shown[g]) append(lines, columns.row(groups[g].standings[place]));
+  }
+  return lines;
+}
+
+}  // namespace signorini
