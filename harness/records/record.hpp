@@ -163,6 +163,13 @@ struct Repeats {
   int identical = 0;
 };
 
+/// Processor time of the first round's process in each stage of a case, absent where it was not reached [s].
+/// What a command method spends in its own processes is not among them.
+struct StageSeconds {
+  Measure solve = {};  ///< set-up and first solve
+  Measure timing = {}, measures = {}, certificate = {};
+};
+
 /// Complete options of a method: name and value.
 using RecordedOptions = std::vector<std::pair<std::string, OptionValue>>;
 
@@ -189,6 +196,7 @@ struct Record {
   std::string answer = {};     ///< digest of the first answer (answer_digest)
   std::optional<Repeats> repeats = {};
   Measure elapsed = {};  ///< wall time of all processes of the case [s]
+  StageSeconds processor = {};
   Certificate certificate = {};
   Errors errors = {};
   Physics physics = {};

@@ -78,6 +78,13 @@ void visit_fields(Either<Repeats> auto& repeats, auto&& field) {
   field(required("identical"), repeats.identical);
 }
 
+void visit_fields(Either<StageSeconds> auto& stages, auto&& field) {
+  field(Field{"solve", "s"}, stages.solve);
+  field(Field{"timing", "s"}, stages.timing);
+  field(Field{"measures", "s"}, stages.measures);
+  field(Field{"certificate", "s"}, stages.certificate);
+}
+
 void visit_fields(Either<OrbitEvent> auto& event, auto&& field) {
   field(required("time", "s"), event.time);
   field(required("contact"), event.contact);
@@ -185,6 +192,7 @@ void visit_fields(Either<Record> auto& record, auto&& field) {
   field(Field{"answer"}, record.answer);
   field(Field{"repeats"}, record.repeats);
   field(Field{"elapsed", "s"}, record.elapsed);
+  field(Field{"processor"}, record.processor);
   field(Field{"certificate", "", Presence::always}, record.certificate);
   field(Field{"errors"}, record.errors);
   field(Field{"physics"}, record.physics);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 
 #include "harness/build_info.hpp"
@@ -28,6 +29,20 @@ double seconds_of(const Work& work) {
   work();
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
+
+/// Processor time of this process between one reading and the next.
+class ProcessorClock {
+ public:
+  double lap() {
+    const std::clock_t now = std::clock();
+    const auto ticks = static_cast<double>(now - last_);
+    last_ = now;
+    return ticks / CLOCKS_PER_SEC;
+  }
+
+ private:
+  std::clock_t last_ = std::clock();
+};
 
 /// A figure of /proc/self/status in bytes; empty where there is none.
 std::optional<long> status_bytes(const std::string& key) {
@@ -190,6 +205,7 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   Solution solution;
   const Problem problem = problem_for(trial.planned_case, trial.scene.problem);
   const ProcessState usual;
+  ProcessorClock processor;
   const std::optional<long> before = restart_peak_memory();
   const Start start{.guess = trial.start, .deadline = deadline_after(trial.limits.timeout)};
   double setup = 0.0;
@@ -214,6 +230,7 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   const std::string changed = usual.restore();
   const std::optional<Motion> motion = take_solution(trial, solution, start.expired(), record);
   if (!changed.empty()) record.message += fmt::format("; it changed {}, which was restored", changed);
+  record.processor.solve = processor.lap();
   stage_done(record);
   if (!motion) return;
   try {
@@ -225,11 +242,14 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
     return;
   }
   static_cast<void>(usual.restore());  // said above
+  record.processor.timing = processor.lap();
   stage_done(record);
   record.physics = measure_physics(trial.scene.problem, trial.law, *motion);
+  record.processor.measures = processor.lap();
   stage_done(record);
   if (trial.certified) {
     take_certificate(trial, solution.trajectory, *motion, record);
+    record.processor.certificate = processor.lap();
   } else {
     record.certificate.reason = "not asked for";
   }

@@ -19,6 +19,7 @@ Record full_record() {
       .unknowns = 1, .iterations = 2, .pivots = 3, .rhs_evaluations = 4, .factorisations = 5};
   record.work.peak_memory_bytes = 6;
   record.elapsed = 1.5;
+  record.processor = {.solve = 0.125, .timing = 0.25, .measures = 0.0625, .certificate = 0.5};
   record.seconds->unstable = false;
   record.seconds->rounds = {{0.1, 0.4}, {0.125, 0.375}};
   record.seconds->jobs = 2;

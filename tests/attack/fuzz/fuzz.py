@@ -3,7 +3,8 @@
 
 usage: fuzz.py FOLDER [--seconds N] [--only NAME] [--minimise]
 
-Each runs for so many seconds of processor time, an hour unless told. FOLDER holds the programs fuzz_scene, fuzz_matrix,
+Each runs for so many seconds of processor time in all, an hour unless told; a run that was stopped is continued as long as
+the program is the same. FOLDER holds the programs fuzz_scene, fuzz_matrix,
 fuzz_records and fuzz_answer (build/fuzz/tests/attack). Inputs that broke a promise are kept in FOLDER/findings, what
 reached new code in FOLDER/found. Each ends in one line, and all of them in FOLDER/fuzz.json, from which attack.py makes
 its table. With --minimise the smallest inputs that reach what was reached are added to tests/attack/corpus. Exit code 1
@@ -11,6 +12,7 @@ if something was found.
 """
 
 import argparse
+import hashlib
 import json
 import pathlib
 import re
@@ -55,24 +57,36 @@ def processor_seconds():
     return usage.ru_utime + usage.ru_stime
 
 
-def fuzz(folder, reader, seconds):
-    """Runs one fuzzer for so long, anew after each finding and every ten minutes. The figures of the whole."""
+def begun(folder, reader, results):
+    """What the program has done so far, if it is the one that did it."""
+    program = hashlib.sha256((folder / f"fuzz_{reader}").read_bytes()).hexdigest()[:16]
+    known = results.get(reader, {})
+    if known.get("program") == program:
+        return known
+    return {"reader": reader, "program": program, "seconds": 0.0, "executions": 0, "peak_mb": 0, "findings": []}
+
+
+def fuzz(folder, reader, seconds, results):
+    """Runs one fuzzer until it has run for so long, anew after each finding and every ten minutes. Yields the figures of
+    the whole each time."""
     for path in (folder / "found" / reader, folder / "findings"):
         path.mkdir(parents=True, exist_ok=True)
     write_dictionary(reader, folder / f"{reader}.dict")
-    result = {"reader": reader, "seconds": 0.0, "executions": 0, "peak_mb": 0, "findings": []}
-    before, began = set((folder / "findings").iterdir()), processor_seconds()
+    result = begun(folder, reader, results)
+    before = set((folder / "findings").iterdir())
+    earlier, findings = result["seconds"] - processor_seconds(), set(result["findings"])
     while result["seconds"] < seconds - 1:
         command = command_of(folder, reader, min(600.0, seconds - result["seconds"]))
         run = subprocess.run(command, cwd=folder, capture_output=True)
         text = run.stderr.decode(errors="replace")
         (folder / f"{reader}.log").write_text(text[-200000:])
-        result["seconds"] = processor_seconds() - began
+        result["seconds"] = earlier + processor_seconds()
         result["executions"] += figure("number_of_executed_units", text)
         result["peak_mb"] = max(result["peak_mb"], figure("peak_rss_mb", text))
-    result["findings"] = sorted(path.name for path in set((folder / "findings").iterdir()) - before)
-    result["corpus"] = len(list((folder / "found" / reader).iterdir()))
-    return result
+        findings |= {path.name for path in set((folder / "findings").iterdir()) - before}
+        result["findings"] = sorted(findings)
+        result["corpus"] = len(list((folder / "found" / reader).iterdir()))
+        yield result
 
 
 def minimise(folder, reader):
@@ -97,9 +111,10 @@ def main():
     summary = folder / "fuzz.json"
     results = {result["reader"]: result for result in json.loads(summary.read_text())} if summary.exists() else {}
     for reader in [arguments.only] if arguments.only else SEEDS:
-        result = fuzz(folder, reader, arguments.seconds)
-        results[reader] = result
-        summary.write_text(json.dumps(list(results.values()), indent=2) + "\n")
+        result = begun(folder, reader, results)
+        for result in fuzz(folder, reader, arguments.seconds, results):
+            results[reader] = result
+            summary.write_text(json.dumps(list(results.values()), indent=2) + "\n")
         print(f"{reader}: {result['executions']} inputs in {result['seconds']:.0f} s, {len(result['findings'])} findings, "
               f"largest {result['peak_mb']} MiB", *result["findings"], sep="\n  ", flush=True)
         if arguments.minimise:

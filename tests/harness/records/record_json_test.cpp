@@ -40,9 +40,9 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
                               "work",         "seconds",
                               "not_timed",    "answer",
                               "repeats",      "elapsed",
-                              "certificate",  "errors",
-                              "physics",      "trajectory",
-                              "waveforms"}));
+                              "processor",    "certificate",
+                              "errors",       "physics",
+                              "trajectory",   "waveforms"}));
   EXPECT_EQ(keys(json["work"]), (Keys{"unknowns", "iterations", "pivots", "rhs_evaluations", "factorisations",
                                       "peak_memory_bytes"}));
   EXPECT_EQ(keys(json["seconds"]), (Keys{"median", "min", "mad", "repetitions", "setup", "solve", "unstable",
@@ -50,6 +50,7 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
   EXPECT_EQ(keys(json["certificate"]),
             (Keys{"status", "rule", "reason", "source", "orbit", "order", "error_bar", "residual", "distance",
                   "reference", "reference_reason", "same_orbit", "events", "floquet", "stable"}));
+  EXPECT_EQ(keys(json["processor"]), (Keys{"solve", "timing", "measures", "certificate"}));
   EXPECT_EQ(keys(json["certificate"]["events"][0]), (Keys{"time", "contact", "kind", "value"}));
   EXPECT_EQ(keys(json["errors"]),
             (Keys{"x_l2", "x_max", "u_l2", "velocity_l2", "impulse", "force_l2", "x_l2_scene"}));

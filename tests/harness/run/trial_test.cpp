@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini {
@@ -44,6 +46,19 @@ TEST(RunTrial, AddsToTheRecordStageByStage) {
   EXPECT_EQ(stage(TrialStage::measured).physics.penetration, 0.0);
   EXPECT_EQ(stage(TrialStage::measured).certificate.status, CertificateStatus::none);
   EXPECT_EQ(stage(TrialStage::certified).certificate.status, CertificateStatus::certified);
+}
+
+TEST(RunTrial, CountsTheProcessorTimeOfEachStageThatWasReached) {
+  const std::clock_t before = std::clock();
+  const std::vector<Record> stages = stages_of("good");
+  const double all = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+  EXPECT_FALSE(stages[0].processor.timing.has_value());
+  EXPECT_FALSE(stages[2].processor.certificate.has_value());
+  const StageSeconds& last = stages.back().processor;
+  EXPECT_GT(last.certificate.value(), 0.0);
+  EXPECT_GE(last.solve.value() + last.timing.value() + last.measures.value(), 0.0);
+  EXPECT_LE(*last.solve + *last.timing + *last.measures + *last.certificate, all);
+  EXPECT_FALSE(stages_of("good", false, 16).back().processor.certificate.has_value());
 }
 
 TEST(RunTrial, StopsAfterTheSolveWhereThereIsNoAnswer) {
