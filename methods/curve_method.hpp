@@ -13,6 +13,7 @@ struct CurveLimits {
   int max_order = 2;      ///< forcing periods per period; the scene's order where that is larger
   int max_branches = 60;  ///< in all
   int max_points = 2000;  ///< of one branch
+  int phases = 0;         ///< of a forcing period at which the points keep their motion; 0: it is not kept
   /// The end of the time budget.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 };

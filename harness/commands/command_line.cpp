@@ -17,6 +17,7 @@
 #include "harness/build_info.hpp"
 #include "harness/extend/plugins/plugins.hpp"
 #include "harness/failure.hpp"
+#include "harness/plots/plot_file.hpp"
 #include "methods/options.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "problems/scene/toml_tree.hpp"
@@ -116,6 +117,12 @@ std::string positive_seconds(const std::string& text) {
   double value = 0.0;
   const bool ok = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0.0;
   return ok ? std::string{} : fmt::format("timeout = {} (must be a positive number of seconds)", text);
+}
+
+void add_plot_option(CLI::App& command, std::string& file, const std::string& what) {
+  command.add_option("--plot", file, what + ", as a picture in FILE.svg, .pdf or .png; needs gnuplot")
+      ->check(plot_obstacle)
+      ->type_name("FILE");
 }
 
 void add_plugin_options(CLI::App& app, const std::shared_ptr<std::vector<std::string>>& plugins) {

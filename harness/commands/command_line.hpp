@@ -55,6 +55,10 @@ void add_plugin_options(CLI::App& app, const std::shared_ptr<std::vector<std::st
 /// --starts, --subharmonics, --seed, --timeout: of the commands that search for orbits.
 void add_search_options(CLI::App& command, OrbitSearchOptions& options, std::optional<int>& subharmonics);
 
+/// --plot FILE, refused at once where no picture can be written there.
+/// \param what  is drawn, for --help
+void add_plot_option(CLI::App& command, std::string& file, const std::string& what);
+
 /// `key=value` as --set takes it, any number. \throws UsageError
 std::vector<std::pair<std::string, std::string>> parse_settings(const std::vector<std::string>& texts);
 

@@ -10,6 +10,8 @@
 #include "harness/interrupt.hpp"
 #include "harness/orbits/orbit_file.hpp"
 #include "harness/plan/case_name.hpp"
+#include "harness/plots/orbit_plot.hpp"
+#include "harness/plots/plot_file.hpp"
 #include "harness/table.hpp"
 
 namespace signorini {
@@ -21,6 +23,7 @@ struct OrbitsArguments {
   OrbitSearchOptions options;
   std::optional<int> subharmonics;
   bool json = false;
+  std::string plot;
 };
 
 /// "fourier-lipschitz, hat-lcp": the methods, whatever their options.
@@ -79,6 +82,8 @@ int list_orbits(const OrbitsArguments& arguments) {
     fmt::print("{}", to_markdown(orbit_table(found.orbits)));
   }
   print_remarks(found, options);
+  if (!arguments.plot.empty() && !found.orbits.empty())
+    write_plot(arguments.plot, orbit_plot(scene.problem, found.orbits));
   if (found.interrupted) return kInterrupted;
   if (!found.orbits.empty()) return kDone;
   fmt::print(stderr, "no certified orbit\n");
@@ -109,6 +114,7 @@ void add_orbits_command(CLI::App& app, int& exit_code) {
   command->add_option("scene", arguments->scene, "a scene of the catalogue, or a scene file")->required();
   add_search_options(*command, arguments->options, arguments->subharmonics);
   command->add_flag("--json", arguments->json, "print the orbits as a JSON array, events included");
+  add_plot_option(*command, arguments->plot, "the portrait of each orbit, the first 12");
   command->callback([arguments, &exit_code] { exit_code = list_orbits(*arguments); });
 }
 

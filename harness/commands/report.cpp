@@ -14,6 +14,7 @@
 #include "harness/failure.hpp"
 #include "harness/records/run_folder.hpp"
 #include "harness/report/formats/screen.hpp"
+#include "harness/responses/response_report.hpp"
 
 namespace signorini {
 
@@ -34,11 +35,27 @@ std::vector<std::string> formats_known() {
   return formats;
 }
 
+/// table.md of a folder of responses, and its figures where a format asks for them.
+void report_responses(const ReportArguments& arguments, const std::filesystem::path& folder) {
+  const std::vector<ResponseRecord> records = read_responses(folder);
+  if (arguments.document) {
+    write_response_tables_into(*arguments.document, folder, records);
+    fmt::print("{}\n", *arguments.document);
+    return;
+  }
+  const bool figures = std::ranges::any_of(
+      arguments.formats, [](const std::string& format) { return format == "html" || format == "tex"; });
+  for (const std::filesystem::path& file : write_response_report(folder, records, figures))
+    fmt::print("{}\n", file.string());
+}
+
 void report(const ReportArguments& arguments) {
   const std::filesystem::path folder = arguments.folder;
+  if (std::filesystem::exists(folder / kResponsesFile)) return report_responses(arguments, folder);
   if (!std::filesystem::exists(folder / "records.jsonl")) {
     throw UsageError(
-        fmt::format("dir = {} (must be a folder with records.jsonl, as run writes it)", folder.string()));
+        fmt::format("dir = {} (must be a folder with records.jsonl or responses.jsonl, as run writes it)",
+                    folder.string()));
   }
   const Evaluation evaluation(read_current_records(folder), limits_of_run(folder));
   if (arguments.document) {

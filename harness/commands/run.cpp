@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "harness/build_info.hpp"
@@ -21,6 +22,8 @@
 #include "harness/report/formats/formats.hpp"
 #include "harness/report/formats/screen.hpp"
 #include "harness/report/report.hpp"
+#include "harness/responses/response_report.hpp"
+#include "harness/responses/response_run.hpp"
 #include "harness/run/suite_run.hpp"
 #include "problems/scene/scene_file.hpp"
 
@@ -109,8 +112,44 @@ SuiteRunResult run_missing(const RunArguments& arguments, const Plan& plan, Runn
                   [&](const std::vector<Record>& records) { lines.add(records); });
 }
 
+/// A suite of responses has curves in place of cases.
+int run_response_suite(const RunArguments& arguments, const Suite& suite) {
+  if (arguments.shard || arguments.waveforms || arguments.repetitions || arguments.schedule.together() > 1)
+    throw UsageError(
+        fmt::format("suite = {} (must be run without --shard, --waveforms, --repetitions, --jobs and "
+                    "--beside: it is one of "
+                    "responses)",
+                    suite.name));
+  const std::vector<ResponseCase> cases = response_cases(suite, arguments.narrowing, method_catalogue());
+  if (arguments.dry_run) {
+    for (const ResponseCase& one : cases) fmt::print("{}\n", one.id);
+    fmt::print(stderr, "{} responses\n", cases.size());
+    return kDone;
+  }
+  const std::filesystem::path folder = arguments.out.value_or("results/local-" + suite.name);
+  const Limits limits = limits_of(arguments, suite);
+  std::filesystem::create_directories(folder);
+  write_whole(folder / "manifest.json",
+              make_manifest(suite, limits, arguments.schedule, arguments.words).dump(2) + "\n");
+  watch_interrupts();
+  const ResponseRunResult result = run_responses(suite, cases, limits, folder, arguments.resume);
+  const std::vector<ResponseRecord> records = read_responses(folder);
+  write_response_report(folder, records, false);
+  const std::vector<Section> sections = response_sections(records);
+  fmt::print("{}", markdown_report(std::span(sections).first(arguments.verbose ? sections.size() : 1)));
+  fmt::print("\n{} responses run, {} already there; {} and table.md, with each response, are in {}\n",
+             result.ran, result.present, kResponsesFile, folder.string());
+  if (result.interrupted) {
+    fmt::print(stderr, "interrupted; the same command with --resume --out {} does the rest\n",
+               folder.string());
+    return kInterrupted;
+  }
+  return kDone;
+}
+
 int run_suite(const RunArguments& arguments) {
   const Suite suite = load_suite(arguments.suite);
+  if (!suite.responses.empty()) return run_response_suite(arguments, suite);
   const Plan plan = plan_of(arguments, suite);
   if (arguments.dry_run) {
     print_plan(plan);

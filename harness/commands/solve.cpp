@@ -3,10 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
+#include "harness/plots/motion_plot.hpp"
+#include "harness/plots/plot_file.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/records/sampled_trajectory.hpp"
@@ -26,6 +29,7 @@ struct SolveArguments {
   double certificate = 1.0;              // [s]
   std::optional<double> reference = {};  // [s]
   bool json = false;
+  std::string plot;
 };
 
 void print_measure(const char* name, const Measure& value) {
@@ -87,16 +91,19 @@ int solve(const SolveArguments& arguments) {
   Runner runner({.repetitions = 1,
                  .certificate_timeout = arguments.certificate,
                  .reference_timeout = arguments.reference.value_or(0.0)});
+  if (!arguments.plot.empty()) runner.keep_waveforms();
   const std::vector<Job> jobs = runner.make_jobs(scene, cases);
   if (interrupted()) return kInterrupted;
   runner.compute_references(scene, jobs);
-  const std::optional<Record> record = runner.run(scene, jobs.front(), extras);
+  std::optional<Record> record = runner.run(scene, jobs.front(), extras);
   if (!record) return kInterrupted;
+  const std::optional<Waveforms> waveforms = std::exchange(record->waveforms, std::nullopt);
   if (arguments.json) {
     fmt::print("{}\n", json_line(to_json(*record)));
   } else {
     print_report(*record);
   }
+  if (waveforms) write_plot(arguments.plot, motion_plot(scene, *record, *waveforms));
   return record->status == Status::converged ? kDone : kUnexpectedFailure;
 }
 
@@ -132,6 +139,7 @@ void add_solve_command(CLI::App& app, int& exit_code) {
       ->default_str("60")
       ->run_callback_for_default(false);
   command->add_flag("--json", arguments->json, "print the record as JSON");
+  add_plot_option(*command, arguments->plot, "displacement, velocity, impulse and portrait of the answer");
   command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });
 }
 

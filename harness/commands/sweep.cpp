@@ -13,6 +13,8 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
+#include "harness/plots/plot_file.hpp"
+#include "harness/plots/response_plot.hpp"
 #include "harness/progress.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/sweep/branch_response.hpp"
@@ -31,6 +33,7 @@ struct SweepArguments {
   std::string parameter{kFrequency};
   bool natural = false;
   std::string format = "md";
+  std::string plot;
 };
 
 void print(const SweepArguments& arguments, const std::vector<SweepPoint>& points) {
@@ -72,6 +75,9 @@ int sweep_steps(const SweepArguments& arguments) {
   watch_interrupts();
   const std::vector<SweepPoint> found = steps(arguments, scene, method);
   print(arguments, found);
+  if (!arguments.plot.empty())
+    write_plot(arguments.plot,
+               response_plot(scene.problem.name, {{.method = method.label(), .steps = found}}));
   if (interrupted()) return kInterrupted;
   return all_converged(found) ? kDone : kUnexpectedFailure;
 }
@@ -104,11 +110,8 @@ int sweep_branches(const SweepArguments& arguments) {
   for (const MethodChoice& method : methods) {
     MethodResponse response{
         .method = method.label(), .order = scene.problem.subharmonic, .parameter = arguments.parameter};
-    const bool exact = method.entry->name == kFollowedByArcLength;
     std::optional<BranchDiagram> own;
-    if (!arguments.natural)
-      own = exact ? exact_branches(varied, arguments.branches)
-                  : own_branches(varied, method, arguments.branches);
+    if (!arguments.natural) own = branches_of(varied, method, arguments.branches);
     if (own) {
       response.diagram = *std::move(own);
       all = all && !response.diagram.branches.empty();
@@ -129,6 +132,7 @@ int sweep_branches(const SweepArguments& arguments) {
       if (!response.diagram.unfinished.empty()) fmt::print(stderr, "{}\n", response.diagram.unfinished);
     }
   }
+  if (!arguments.plot.empty()) write_plot(arguments.plot, response_plot(scene.problem.name, responses));
   if (interrupted()) return kInterrupted;
   return all ? kDone : kUnexpectedFailure;
 }
@@ -201,6 +205,7 @@ void add_sweep_command(CLI::App& app, int& exit_code) {
   command->add_option("--format", arguments->format, "md, csv or json")
       ->check(CLI::IsMember({"md", "csv", "json"}))
       ->capture_default_str();
+  add_plot_option(*command, arguments->plot, "amplitude over frequency");
   command->callback([arguments, &exit_code] { exit_code = sweep(*arguments); });
 }
 

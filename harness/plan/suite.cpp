@@ -56,15 +56,32 @@ std::vector<ExpectedFailure> read_expected(const SceneField& field) {
   return expected;
 }
 
+std::vector<SuiteResponse> read_responses(const SceneField& field) {
+  std::vector<SuiteResponse> responses;
+  if (!field.given()) return responses;
+  for (const SceneField& item : field.items("must be tables with scene, from and to")) {
+    item.allow_only({"scene", "from", "to", "orders"}, "must be a table with scene, from, to and orders");
+    SuiteResponse response{.scene = item["scene"].text("must be a scene"),
+                           .from = item["from"].number("must be a positive frequency", 0.0),
+                           .to = item["to"].number("must be a positive frequency", 0.0),
+                           .orders = item["orders"].whole_or(2, "must be a whole number in 1..12", 1, 12)};
+    if (response.from == 0.0) item["from"].refuse("must be a positive frequency");
+    if (response.to == 0.0 || response.to == response.from)
+      item["to"].refuse("must be a positive frequency other than from");
+    responses.push_back(std::move(response));
+  }
+  return responses;
+}
+
 }  // namespace
 
 Suite parse_suite(std::string_view text, const std::string& file) {
   const TomlNode document = parse_toml(text, file);
   const SceneField root(document, file);
   static_cast<void>(root["schema"].whole("must be 1", 1, 1));  // first: another schema may have other keys
-  root.allow_only(
-      {"schema", "name", "title", "scenes", "tags", "without_tags", "methods", "limits", "expected_failure"},
-      "must be a table");
+  root.allow_only({"schema", "name", "title", "scenes", "tags", "without_tags", "methods", "limits",
+                   "expected_failure", "response", "by_steps"},
+                  "must be a table");
   Suite suite;
   suite.name = root["name"].text("must be a name in lower-kebab-case");
   if (!is_lower_kebab_case(suite.name)) root["name"].refuse("must be a name in lower-kebab-case");
@@ -72,7 +89,9 @@ Suite parse_suite(std::string_view text, const std::string& file) {
   suite.scenes = texts(root["scenes"], "must be a list of globs on scene names");
   suite.tags = texts(root["tags"], "must be a list of tags");
   suite.without_tags = texts(root["without_tags"], "must be a list of tags");
-  if (suite.scenes.empty() && suite.tags.empty()) {
+  suite.responses = read_responses(root["response"]);
+  suite.by_steps = texts(root["by_steps"], "must be a list of name[key=value|value]");
+  if (suite.responses.empty() && suite.scenes.empty() && suite.tags.empty()) {
     root["scenes"].refuse("must be a list of globs on scene names, unless tags are given");
   }
   suite.methods = texts(root["methods"], "must be a list of name[key=value|value]");

@@ -22,6 +22,13 @@ struct ExpectedFailure {
   std::string reason = {};
 };
 
+/// A frequency response to follow, in place of a scene to solve.
+struct SuiteResponse {
+  std::string scene = {};       ///< of the catalogue, or a scene file
+  double from = 1.0, to = 2.0;  ///< ends of the interval of frequencies of the load [rad/s]
+  int orders = 2;               ///< longest period of a motion [forcing periods]
+};
+
 /// Every method of the catalogue joins every suite with its own ladder, unless `methods` says otherwise.
 struct Suite {
   std::string name = {};
@@ -30,6 +37,9 @@ struct Suite {
   std::vector<std::string> tags = {};          ///< a scene that carries one of these belongs too
   std::vector<std::string> without_tags = {};  ///< a scene that carries one of these does not, whatever else
   std::vector<std::string> methods = {};  ///< `name[key=value|value]`: replaces the ladder of what it names
+  std::vector<SuiteResponse> responses = {};  ///< where there are any, the suite is one of responses
+  /// Of a suite of responses: methods whose answers are taken at one frequency after the other, up and down.
+  std::vector<std::string> by_steps = {};
   std::vector<ExpectedFailure> expected_failures = {};
   Limits limits = {};
 };

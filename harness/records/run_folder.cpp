@@ -161,6 +161,11 @@ Limits limits_of_run(const fs::path& folder) {
   }
 }
 
+std::string run_name(const fs::path& folder) {
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
 std::string clock_governor(const fs::path& root) {
   return first_line(root / "sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
 }

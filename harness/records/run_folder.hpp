@@ -48,6 +48,9 @@ nlohmann::ordered_json make_manifest(const Suite& suite, const Limits& limits, c
 /// \throws UsageError if it is unreadable
 Limits limits_of_run(const std::filesystem::path& folder);
 
+/// The run's name: that of its folder.
+std::string run_name(const std::filesystem::path& folder);
+
 /// Governor of the first processor's clock, as the system's files below `root` say; empty where they do not.
 std::string clock_governor(const std::filesystem::path& root = "/");
 

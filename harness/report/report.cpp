@@ -6,6 +6,7 @@
 
 #include "harness/files.hpp"
 #include "harness/records/manifest_check.hpp"
+#include "harness/records/run_folder.hpp"
 #include "harness/report/figures/figures.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 #include "harness/report/formats/formats.hpp"
@@ -42,12 +43,6 @@ std::map<std::string, std::string> draw_all(const fs::path& folder, const std::v
   return svgs;
 }
 
-/// The run's name: that of its folder.
-std::string name_of(const fs::path& folder) {
-  const fs::path whole = fs::absolute(folder).lexically_normal();
-  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
-}
-
 /// Null where there is none.
 nlohmann::ordered_json manifest_in(const fs::path& folder) {
   const fs::path file = folder / "manifest.json";
@@ -80,7 +75,7 @@ std::vector<fs::path> write_report(const fs::path& folder, const Evaluation& eva
   }
   if (wants("html")) {
     write(folder / "report.html",
-          html_page(name_of(folder), manifest_in(folder), evaluation, sections, scenes, svgs));
+          html_page(run_name(folder), manifest_in(folder), evaluation, sections, scenes, svgs));
   }
   return files;
 }
@@ -94,8 +89,8 @@ std::vector<Section> document_sections(const std::string& run, const Evaluation&
 }
 
 void write_tables_into(const fs::path& document, const fs::path& folder, const Evaluation& evaluation) {
-  write_whole(document, with_tables(read_file(document), name_of(folder),
-                                    document_sections(name_of(folder), evaluation)));
+  write_whole(document, with_tables(read_file(document), run_name(folder),
+                                    document_sections(run_name(folder), evaluation)));
 }
 
 }  // namespace signorini

@@ -184,11 +184,13 @@ BranchDiagram exact_branches(const ParametrisedScene& scene, const BranchLimits&
                                  kFollowedByArcLength, obstacle));
   const Clock::time_point deadline = deadline_of(limits);
   OrbitFamily family(scene);
-  return trace_diagram(
-      family, seeds_of(family, limits, deadline),
-      {.curve = {.max_points = limits.max_points, .expired = [deadline] { return Clock::now() > deadline; }},
-       .max_order = limits.max_order,
-       .max_branches = limits.max_branches});
+  return trace_diagram(family, seeds_of(family, limits, deadline),
+                       {.curve = {.largest_step = limits.largest_step,
+                                  .max_points = limits.max_points,
+                                  .phases = limits.phases,
+                                  .expired = [deadline] { return Clock::now() > deadline; }},
+                        .max_order = limits.max_order,
+                        .max_branches = limits.max_branches});
 }
 
 std::optional<BranchDiagram> own_branches(const ParametrisedScene& scene, const MethodChoice& method,
@@ -206,7 +208,14 @@ std::optional<BranchDiagram> own_branches(const ParametrisedScene& scene, const 
                        {.max_order = limits.max_order,
                         .max_branches = limits.max_branches,
                         .max_points = limits.max_points,
+                        .phases = limits.phases,
                         .deadline = deadline_of(limits)});
+}
+
+std::optional<BranchDiagram> branches_of(const ParametrisedScene& scene, const MethodChoice& method,
+                                         const BranchLimits& limits) {
+  if (method.entry->name == kFollowedByArcLength) return exact_branches(scene, limits);
+  return own_branches(scene, method, limits);
 }
 
 Json to_json(const std::vector<MethodResponse>& responses) {

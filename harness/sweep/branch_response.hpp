@@ -26,6 +26,8 @@ struct BranchLimits {
   int max_branches = 60;  ///< in all
   int max_points = 2000;  ///< of one branch
   double timeout = 60.0;  ///< wall time of all [s]
+  int phases = 0;         ///< of a forcing period at which points keep their motion; 0: they do not
+  double largest_step = CurveOptions{}.largest_step;  ///< of exact orbits, in CurveUnits
 };
 
 /// Every branch of exact orbits that hangs together with the contact-free motions or the answers of
@@ -43,6 +45,10 @@ ParametrisedScene over_place(const SceneSource& source, const std::string& place
 /// interval
 std::optional<BranchDiagram> own_branches(const ParametrisedScene& scene, const MethodChoice& method,
                                           const BranchLimits& limits);
+
+/// The branches of a method by arc length: exact_branches of exact-orbit, own_branches of any other.
+std::optional<BranchDiagram> branches_of(const ParametrisedScene& scene, const MethodChoice& method,
+                                         const BranchLimits& limits);
 
 /// What one method makes of a response: its branches, or the points of its steps.
 struct MethodResponse {

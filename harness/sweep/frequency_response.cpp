@@ -36,7 +36,9 @@ SweepPoint point_of(const Record& record, double frequency, bool back) {
   SweepPoint point{.frequency = frequency, .back = back, .status = record.status, .message = record.message};
   point.contact_ratio = record.physics.contact_ratio;
   point.stable = record.certificate.stable;
+  point.seconds = record.processor.solve;
   if (!record.trajectory) return point;
+  if (record.period) point.motion = SweptMotion{.period = *record.period, .x = record.trajectory->x};
   for (const std::vector<double>& x : record.trajectory->x) {
     const auto [least, largest] = std::minmax_element(x.begin(), x.end());
     point.x_max.push_back(*largest);
@@ -95,6 +97,7 @@ std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoic
   double last_frequency = 1.0;  // of the load behind it
   std::vector<SweepPoint> points;
   for (const double frequency : way) {
+    if (std::chrono::steady_clock::now() > limits.deadline) break;
     shaken.problem.frequency = frequency;
     if (last) extras.start = stretched(*last, last_frequency / frequency);
     const std::vector cases{make_case(shaken, 0, method)};

@@ -1,6 +1,7 @@
 #pragma once
 // A frequency response: one solve after another, each from the answer before it.
 
+#include <chrono>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -25,28 +26,39 @@ struct SweepRange {
 /// different
 std::vector<double> sweep_frequencies(const SweepRange& range);
 
+/// A motion over its own period: x_j at equidistant instants from t = 0, per contact [m].
+struct SweptMotion {
+  double period = 0.0;  ///< [s]
+  std::vector<std::vector<double>> x = {};
+};
+
 /// One point of a response; a quantity that does not exist there is absent.
 struct SweepPoint {
   double frequency = 0.0;  ///< [rad/s]
   bool back = false;       ///< on the way back
   Status status = Status::not_converged;
   std::string message = {};
-  std::vector<double> x_max = {};      ///< largest x of each contact over the period [m]
-  std::vector<double> amplitude = {};  ///< half of largest less least x of each contact [m]
-  Measure contact_ratio = {};          ///< share of the period with contact [-]
-  std::optional<bool> stable = {};     ///< of the certified orbit, if it was certified
+  std::vector<double> x_max = {};          ///< largest x of each contact over the period [m]
+  std::vector<double> amplitude = {};      ///< half of largest less least x of each contact [m]
+  Measure contact_ratio = {};              ///< share of the period with contact [-]
+  std::optional<bool> stable = {};         ///< of the certified orbit, if it was certified
+  Measure seconds = {};                    ///< processor time of set-up and solve [s]
+  std::optional<SweptMotion> motion = {};  ///< of a point that was solved
 };
 
 struct SweepLimits {
   double timeout = 10.0;   ///< of one solve [s]
   bool certified = false;  ///< look for the orbit behind each answer: its stability, and whether it is one
+  /// After which no solve begins.
+  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 };
 
 /// Called with each point as soon as it is solved.
 using TakePoint = std::function<void(const SweepPoint& point)>;
 
 /// Solves scene after scene in processes of their own. A solve starts from the last answer that was found,
-/// its time stretched to the new period; where none was found, cold. Ends early after an interrupt.
+/// its time stretched to the new period; where none was found, cold. Ends early after an interrupt, and at
+/// the deadline.
 std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoice& method,
                                            const SweepRange& range, const SweepLimits& limits,
                                            const TakePoint& take = {});

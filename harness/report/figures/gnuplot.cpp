@@ -10,6 +10,7 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
+#include <cstdlib>
 #include <string_view>
 
 #include "harness/failure.hpp"
@@ -40,12 +41,34 @@ int run_gnuplot(const fs::path& folder, const std::vector<std::string>& scripts)
   const int failure = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failure != 0)
-    throw UsageError("format = tex, html (needs gnuplot for the figures: install the package gnuplot-nox)");
+    throw UsageError("figures need gnuplot, which is not there (install the package gnuplot-nox)");
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
+
+/// A folder that is gone when it is no longer needed.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "signorini-figure-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw UsageError(fmt::format("{} (must be a folder for temporary files that can be written)",
+                                   fs::temp_directory_path().string()));
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
 
 /// Names stand in scripts and become files of the folder.
 void require_plain_name(const std::string& name) {
@@ -127,6 +150,32 @@ std::string without_date(std::string pdf) {
   for (std::size_t at = pdf.find(kKey); at != std::string::npos; at = pdf.find(kKey, at + 1))
     pdf.replace(at + kKey.size(), kEpoch.size(), kEpoch);
   return pdf;
+}
+
+std::string drawn(const Figure& figure, std::string_view format) {
+  constexpr double kPixels = 2.0;  // of a bitmap, per pixel of a screen
+  require_plain_name(figure.name);
+  const TemporaryFolder folder;
+  const double width = figure.width * kPixelsPerCentimetre, height = figure.height * kPixelsPerCentimetre;
+  std::string terminal;
+  if (format == "svg")
+    terminal = fmt::format("svg size {:.0f},{:.0f} font 'sans-serif,11' background '#ffffff'", width, height);
+  else if (format == "pdf")
+    terminal = fmt::format("pdfcairo size {:.1f}cm,{:.1f}cm font 'sans,9'", figure.width, figure.height);
+  else
+    terminal = fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,11' fontscale {:g} linewidth {:g}",
+                           kPixels * width, kPixels * height, kPixels, kPixels);
+  write_whole(folder.path() / "figure.dat", figure.data);
+  write_whole(
+      folder.path() / "figure.gp",
+      fmt::format("data = 'figure.dat'\nset terminal {} dashlength 0.7 rounded\nset output 'figure.out'\n"
+                  "{}unset output\n",
+                  terminal, figure.script));
+  if (const int code = run_gnuplot(folder.path(), {"figure.gp"}); code != 0)
+    throw UsageError(fmt::format("figure = {} (gnuplot ended with exit code {}: {})", figure.name, code,
+                                 first_line(folder.path() / kLog)));
+  const std::string bytes = read_file(folder.path() / "figure.out");
+  return format == "pdf" ? without_date(bytes) : bytes;
 }
 
 void draw_figures(const fs::path& folder, std::span<const Figure> figures) {

@@ -42,6 +42,10 @@ std::string key_panel(const std::vector<KeyEntry>& entries, double height, int c
 /// name of a figure is more than letters, digits and "@._-"
 void draw_figures(const std::filesystem::path& folder, std::span<const Figure> figures);
 
+/// The bytes of one figure as "svg", "pdf" or "png", the last at twice the pixels of a screen; no file is
+/// left. \throws UsageError if gnuplot is not installed or refuses the script
+std::string drawn(const Figure& figure, std::string_view format);
+
 /// The whole of NAME.gp.
 std::string whole_script(const Figure& figure);
 

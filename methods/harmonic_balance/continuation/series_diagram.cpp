@@ -92,6 +92,7 @@ class SeriesDiagram {
         trace_series(family_, start,
                      {.max_points = limits_.max_points,
                       .doublings = allowed(2 * start.multiple),
+                      .phases = limits_.phases,
                       .known = [&](const Eigen::VectorXd& x) { return known(start.multiple, x); },
                       .deadline = limits_.deadline});
     if (std::chrono::steady_clock::now() > limits_.deadline) diagram_.unfinished = "the time is up";

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "methods/continuation/arc_length.hpp"
+#include "methods/discretisation/fourier_series.hpp"
 #include "methods/harmonic_balance/continuation/series_events.hpp"
 #include "methods/harmonic_balance/continuation/series_point.hpp"
 
@@ -51,7 +52,9 @@ class SeriesTracer {
   }
 
   void append() {
-    result_.branch.points.push_back(branch_point(curve_));
+    BranchPoint point = branch_point(curve_);
+    if (options_.phases > 0) point.motion = sample_series(curve_.motion(), options_.phases * curve_.order());
+    result_.branch.points.push_back(std::move(point));
     result_.points.x.push_back(here_.x);
     result_.points.tangents.push_back(here_.tangent);
   }

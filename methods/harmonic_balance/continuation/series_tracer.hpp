@@ -21,6 +21,7 @@ struct SeriesCurveOptions {
   double largest_motion = 60;   ///< |x| beyond which a branch counts as unbounded
   int max_points = 2000;        ///< per branch
   bool doublings = true;        ///< look for motions of twice the period
+  int phases = 0;               ///< of a forcing period at which the points keep their motion
   /// Whether unknowns lie on a branch followed before, which ends the curve.
   std::function<bool(const Eigen::VectorXd& x)> known = {};
   /// The end of the time budget.

@@ -91,6 +91,7 @@ class HatDiagram {
     TracedHat traced =
         trace_hat(family_, start,
                   {.max_points = limits_.max_points,
+                   .phases = limits_.phases,
                    .known = [&](const Eigen::VectorXd& all) { return known(start.multiple, all); },
                    .deadline = limits_.deadline});
     if (std::chrono::steady_clock::now() > limits_.deadline) diagram_.unfinished = "the time is up";

@@ -44,6 +44,18 @@ BranchPoint point_of(const HatCurve& curve) {
   return point;
 }
 
+/// Hat functions with these values at the nodes, at `count` equidistant instants, count x Nc.
+Eigen::MatrixXd resampled(const Eigen::MatrixXd& x, Eigen::Index count) {
+  Eigen::MatrixXd values(count, x.cols());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double node = static_cast<double>(i * x.rows()) / static_cast<double>(count);
+    const auto before = static_cast<Eigen::Index>(node);
+    const double share = node - static_cast<double>(before);
+    values.row(i) = (1.0 - share) * x.row(before) + share * x.row((before + 1) % x.rows());
+  }
+  return values;
+}
+
 /// A node whose gap or pressure becomes zero on a step.
 struct NodeChange {
   int node = 0;
@@ -135,7 +147,10 @@ class HatTracer {
  private:
   void append() {
     motion_ = curve_.motion();
-    result_.branch.points.push_back(point_of(curve_));
+    BranchPoint point = point_of(curve_);
+    if (options_.phases > 0)
+      point.motion = resampled(motion_, Eigen::Index{options_.phases} * curve_.order());
+    result_.branch.points.push_back(std::move(point));
     result_.points.x.push_back(curve_.on_all(x_));
     result_.points.tangents.push_back(curve_.on_all(tangent_));
   }

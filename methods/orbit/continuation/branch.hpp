@@ -34,6 +34,9 @@ struct BranchPoint {
   OrbitGuess orbit = {};               ///< of an exact orbit: state at a section, and the events
   std::vector<double> x_max = {};      ///< largest x_j over the period, exact, Nc [m]
   std::vector<double> amplitude = {};  ///< half of largest less least x_j, exact, Nc [m]
+  /// x_j at `phases` equidistant instants of each forcing period, the first at t = 0, order phases x Nc [m];
+  /// empty unless phases were asked for.
+  Eigen::MatrixXd motion = {};
   int impacts = 0;  ///< in a period; of springs, massless contacts and methods their closings
   std::optional<double> energy = {};  ///< of a free motion, kinetic and of all springs [J]
   OrbitStability stability = OrbitStability::undefined;

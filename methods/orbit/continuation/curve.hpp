@@ -24,6 +24,7 @@ struct CurveOptions {
   double largest_state = 60.0;  ///< |y_0| beyond which a branch counts as unbounded
   int max_points = 2000;        ///< per branch
   int max_events = 24;          ///< per period, beyond which a branch counts as rattling
+  int phases = 0;               ///< of a forcing period at which the points keep their motion
   Expired expired = {};         ///< true ends it
 };
 

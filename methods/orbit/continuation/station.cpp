@@ -1,6 +1,7 @@
 #include "methods/orbit/continuation/station.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace signorini {
@@ -55,6 +56,23 @@ BranchPoint branch_point(const ExtendedEquations& equations, const Station& stat
     point.amplitude.push_back(0.5 * (station.survey.highest[j] - station.survey.lowest[j]));
   }
   return point;
+}
+
+Eigen::MatrixXd sampled_motion(const ExtendedEquations& equations, int phases) {
+  const SequencedOrbit& orbit = equations.orbit();
+  const int contacts = equations.model().dynamics.contact_count();
+  const Eigen::Index count = Eigen::Index{phases} * orbit.order;
+  Eigen::MatrixXd x(count, contacts);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    double phase = std::fmod(orbit.end() * static_cast<double>(i) / static_cast<double>(count) - orbit.section,
+                             orbit.end());
+    if (phase < 0.0) phase += orbit.end();
+    std::size_t arc = 0;
+    while (arc < orbit.events.size() && orbit.phase(static_cast<Eigen::Index>(arc)) < phase) ++arc;
+    for (int j = 0; j < contacts; ++j)
+      x(i, j) = equations.equations().arcs()[arc]->displacement(j, equations.time_of(phase));
+  }
+  return x;
 }
 
 namespace {

@@ -27,6 +27,9 @@ Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent)
 /// The same as a point of a branch, in SI units.
 BranchPoint branch_point(const ExtendedEquations& equations, const Station& station);
 
+/// x_j of the orbit at which the equations are evaluated, as BranchPoint::motion. \param phases > 0
+Eigen::MatrixXd sampled_motion(const ExtendedEquations& equations, int phases);
+
 /// A guard's zero on a step.
 struct GuardCrossing {
   OrbitGuard guard;     ///< as it was at the end of the step, where it is negative

@@ -37,6 +37,14 @@ INSTANTIATE_TEST_SUITE_P(
         BadSuite{"schema = 1\nname=\"s\"\nscenes=[\"*\"]", "x.toml:1: title = missing"},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"", "x.toml:1: scenes = missing"},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=\"*\"", "x.toml:4: scenes = \"*\""},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\n[[response]]\nscene=\"a\"\nfrom=0\nto=1",
+                 "x.toml:6: response[0].from = 0"},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\n[[response]]\nscene=\"a\"\nfrom=1\nto=1.0",
+                 "x.toml:7: response[0].to = 1"},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\n[[response]]\nscene=\"a\"\nfrom=1",
+                 "x.toml:4: response[0].to = missing"},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\n[[response]]\nscene=\"a\"\nfrom=1\nto=2\nstep=1",
+                 "x.toml:8: response[0].step = 1"},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]\nwithout_tags=\"x\"",
                  "x.toml:5: without_tags = \"x\""},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[1]", "x.toml:4: scenes[0] = 1"},
@@ -60,6 +68,20 @@ TEST(ParseSuite, ReadsLimitsAndExpectedFailures) {
   EXPECT_EQ(suite.limits.memory_mb, Limits{}.memory_mb);
   ASSERT_EQ(suite.expected_failures.size(), 1U);
   EXPECT_EQ(suite.expected_failures[0].reason, "hard");
+}
+
+TEST(ParseSuite, ReadsResponses) {
+  const Suite suite = parse_suite(
+      "schema = 1\nname=\"s\"\ntitle=\"t\"\nby_steps=[\"event-driven\"]\n[[response]]\nscene=\"sdof-stop\"\n"
+      "from=2.0\nto=1.0\norders=3\n[[response]]\nscene=\"own.toml\"\nfrom=1\nto=2\n",
+      "x.toml");
+  ASSERT_EQ(suite.responses.size(), 2U);
+  EXPECT_EQ(suite.responses[0].scene, "sdof-stop");
+  EXPECT_EQ(suite.responses[0].from, 2.0);
+  EXPECT_EQ(suite.responses[0].to, 1.0);
+  EXPECT_EQ(suite.responses[0].orders, 3);
+  EXPECT_EQ(suite.responses[1].orders, 2);
+  EXPECT_EQ(suite.by_steps, (std::vector<std::string>{"event-driven"}));
 }
 
 TEST(CatalogueSuites, CanAllBeReadUnderTheirFileNames) {

@@ -1,0 +1,14 @@
+#pragma once
+// All orbits of a scene as `orbits --plot` draws them.
+
+#include "harness/orbits/orbit_search.hpp"
+#include "harness/report/document/section.hpp"
+
+namespace signorini {
+
+/// A portrait of each orbit, velocity over displacement of the contact that moves most, with its stop as a
+/// wall: order and stability in the title. At most 12, in the order of the search.
+/// \throws UsageError where there is none
+Figure orbit_plot(const Problem& problem, const std::vector<FoundOrbit>& orbits);
+
+}  // namespace signorini

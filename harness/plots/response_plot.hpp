@@ -1,0 +1,17 @@
+#pragma once
+// Frequency responses as `sweep --plot` draws them.
+
+#include <string>
+#include <vector>
+
+#include "harness/report/document/section.hpp"
+#include "harness/sweep/branch_response.hpp"
+
+namespace signorini {
+
+/// Amplitude over the parameter of the branches, of the contact that moves most: a colour per method; stable
+/// parts solid, unstable ones dashed, those of unknown stability thin, steps of the frequency as marks;
+/// special points marked by their kind.
+Figure response_plot(const std::string& scene, const std::vector<MethodResponse>& responses);
+
+}  // namespace signorini

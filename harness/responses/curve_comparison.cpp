@@ -1,0 +1,127 @@
+#include "harness/responses/curve_comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace signorini {
+
+namespace {
+
+/// Elements in the order of their frequencies, so that those near one are found by bisection.
+std::vector<CurveElement> ordered(std::vector<CurveElement> elements) {
+  std::ranges::stable_sort(elements, {}, [](const CurveElement& e) { return e.middle.frequency; });
+  return elements;
+}
+
+/// Distance from a point to the nearest of the elements; infinite beyond kWideTolerance.
+double nearest(const ResponsePoint& point, const std::vector<CurveElement>& elements,
+               const ResponseMetric& metric, double reach) {
+  const auto frequency = [](const CurveElement& e) { return e.middle.frequency; };
+  const auto first = std::ranges::lower_bound(elements, point.frequency - reach, {}, frequency);
+  const auto last = std::ranges::upper_bound(elements, point.frequency + reach, {}, frequency);
+  double least = std::numeric_limits<double>::infinity();
+  for (auto element = first; element != last && least > 0.0; ++element)
+    least = std::min(least, metric(point, element->middle));
+  return least;
+}
+
+double total(const std::vector<CurveElement>& elements) {
+  double length = 0.0;
+  for (const CurveElement& element : elements) length += element.length;
+  return length;
+}
+
+/// Length of the elements within a tolerance of the others, and of the stable ones among them.
+struct Covered {
+  double length = 0.0, stable = 0.0, all_stable = 0.0;
+};
+
+Covered covered(const std::vector<CurveElement>& elements, const std::vector<double>& distances,
+                double tolerance) {
+  Covered sum;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const bool stable = elements[i].middle.stable.value_or(false);
+    if (stable) sum.all_stable += elements[i].length;
+    if (!(distances[i] <= tolerance)) continue;
+    sum.length += elements[i].length;
+    if (stable) sum.stable += elements[i].length;
+  }
+  return sum;
+}
+
+std::vector<double> distances(const std::vector<CurveElement>& from, const std::vector<CurveElement>& to,
+                              const ResponseMetric& metric, double window) {
+  std::vector<double> result;
+  for (const CurveElement& element : from)
+    result.push_back(nearest(element.middle, to, metric, kWideTolerance * window));
+  return result;
+}
+
+SpecialKind kind_of(const LocatedPoint& point) {
+  return point.kind == SpecialKind::contact_change ? SpecialKind::grazing : point.kind;
+}
+
+/// Each point once: two branches that meet have both located it.
+std::vector<LocatedPoint> distinct(std::vector<LocatedPoint> points, double window) {
+  constexpr double kSame = 1e-6;  // of the window
+  const auto key = [](const LocatedPoint& p) { return std::tuple(kind_of(p), p.order, p.frequency); };
+  std::ranges::sort(points, {}, key);
+  const auto same = [&](const LocatedPoint& a, const LocatedPoint& b) {
+    return kind_of(a) == kind_of(b) && a.order == b.order &&
+           std::abs(a.frequency - b.frequency) <= kSame * window;
+  };
+  points.erase(std::unique(points.begin(), points.end(), same), points.end());
+  return points;
+}
+
+void match_points(std::vector<LocatedPoint> exact, std::vector<LocatedPoint> located, double window,
+                  CurveComparison& result) {
+  constexpr double kReach = 0.05;  // of the window
+  std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    for (std::size_t j = 0; j < located.size(); ++j) {
+      const double apart = std::abs(exact[i].frequency - located[j].frequency);
+      if (kind_of(exact[i]) == kind_of(located[j]) && exact[i].order == located[j].order &&
+          apart <= kReach * window)
+        pairs.emplace_back(apart, i, j);
+    }
+  }
+  std::ranges::sort(pairs);
+  std::vector<bool> taken(located.size(), false);
+  for (const LocatedPoint& point : exact) result.points.push_back({.exact = point});
+  for (const auto& [apart, i, j] : pairs) {
+    if (result.points[i].frequency || taken[j]) continue;
+    result.points[i].frequency = located[j].frequency;
+    taken[j] = true;
+  }
+  for (std::size_t j = 0; j < located.size(); ++j)
+    if (!taken[j]) result.invented.push_back(located[j]);
+  std::ranges::stable_sort(result.points, {}, [](const PointMatch& m) { return m.exact.frequency; });
+}
+
+}  // namespace
+
+CurveComparison compare_curves(const ResponseCurve& exact, const ResponseCurve& curve,
+                               const ResponseMetric& metric, double window) {
+  const std::vector<CurveElement> truth = ordered(elements_of(exact, metric));
+  const std::vector<CurveElement> claimed = ordered(elements_of(curve, metric));
+  const std::vector<double> to_curve = distances(truth, claimed, metric, window);
+  const std::vector<double> to_exact = distances(claimed, truth, metric, window);
+  CurveComparison result{.exact_length = total(truth), .length = total(claimed)};
+  for (const auto& [tolerance, shares] :
+       {std::pair{kCloseTolerance, &result.close}, std::pair{kWideTolerance, &result.wide}}) {
+    const Covered of_truth = covered(truth, to_curve, tolerance);
+    const Covered of_claimed = covered(claimed, to_exact, tolerance);
+    if (result.exact_length > 0.0) shares->covered = of_truth.length / result.exact_length;
+    if (of_truth.all_stable > 0.0) shares->covered_stable = of_truth.stable / of_truth.all_stable;
+    if (result.length > 0.0) shares->false_share = 1.0 - of_claimed.length / result.length;
+    result.right_length = of_claimed.length;  // that of the wider tolerance, which comes last
+  }
+  match_points(distinct(exact.located, window), distinct(curve.located, window), window, result);
+  return result;
+}
+
+}  // namespace signorini

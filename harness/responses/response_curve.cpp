@@ -1,0 +1,137 @@
+#include "harness/responses/response_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace signorini {
+
+namespace {
+
+std::optional<bool> stable(OrbitStability stability) {
+  if (stability == OrbitStability::stable) return true;
+  if (stability == OrbitStability::unstable) return false;
+  return std::nullopt;
+}
+
+/// The motion at kComparedPhases instants of each forcing period, interpolated.
+Eigen::MatrixXd at_phases(const std::vector<std::vector<double>>& x, int order) {
+  const Eigen::Index count = Eigen::Index{kComparedPhases} * order;
+  Eigen::MatrixXd motion(count, static_cast<Eigen::Index>(x.size()));
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    const std::vector<double>& values = x[j];
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const double place =
+          static_cast<double>(i) * static_cast<double>(values.size()) / static_cast<double>(count);
+      const auto before = static_cast<std::size_t>(place);
+      const double share = place - static_cast<double>(before);
+      motion(i, static_cast<Eigen::Index>(j)) =
+          (1.0 - share) * values[before] + share * values[(before + 1) % values.size()];
+    }
+  }
+  return motion;
+}
+
+/// Forcing periods per period of an answer; 0 where it is no whole number of them.
+int order_of(const SweepPoint& step) {
+  constexpr double kWhole = 1e-6;
+  if (!step.motion) return 0;
+  const double ratio = step.motion->period * step.frequency / (2.0 * std::numbers::pi);
+  const double whole = std::round(ratio);
+  return whole >= 1.0 && std::abs(ratio - whole) < kWhole * ratio ? static_cast<int>(whole) : 0;
+}
+
+class Cutter {
+ public:
+  explicit Cutter(const ResponseMetric& metric) : metric_(metric) {}
+
+  void cut(const ResponseBranch& branch) {
+    bool joined = false;  // the point before, to the one before it
+    for (std::size_t i = 0; i < branch.points.size(); ++i) {
+      const bool last = i + 1 == branch.points.size();
+      const bool goes_on = !last && chord(branch.points[i], branch.points[i + 1], branch.by_arc_length);
+      if (!joined && !goes_on) elements_.push_back({metric_.primitive(branch.points[i]), kElementLength});
+      joined = goes_on;
+    }
+  }
+  [[nodiscard]] std::vector<CurveElement> take() { return std::move(elements_); }
+
+ private:
+  /// False where nothing may be drawn between two points.
+  bool chord(const ResponsePoint& from, const ResponsePoint& to, bool by_arc_length) {
+    const auto [a, b] = metric_.aligned(from, to);
+    const double length = metric_(a, b);
+    if (!by_arc_length && length > kLongestChord) return false;
+    const int pieces = std::max(1, static_cast<int>(std::ceil(length / kElementLength)));
+    for (int k = 0; k < pieces; ++k) {
+      const double share = (k + 0.5) / pieces;
+      ResponsePoint middle = share < 0.5 ? a : b;
+      middle.frequency = (1.0 - share) * a.frequency + share * b.frequency;
+      middle.motion = (1.0 - share) * a.motion + share * b.motion;
+      elements_.push_back({metric_.primitive(std::move(middle)), length / pieces});
+    }
+    return true;
+  }
+
+  const ResponseMetric& metric_;
+  std::vector<CurveElement> elements_;
+};
+
+}  // namespace
+
+ResponseCurve curve_of(const BranchDiagram& diagram) {
+  ResponseCurve curve;
+  for (const Branch& branch : diagram.branches) {
+    ResponseBranch points;
+    for (const BranchPoint& point : branch.points)
+      points.points.push_back({.frequency = point.frequency,
+                               .order = point.order,
+                               .motion = point.motion,
+                               .stable = stable(point.stability)});
+    curve.branches.push_back(std::move(points));
+    for (const SpecialPoint& special : branch.special)
+      curve.located.push_back(
+          {.kind = special.kind, .frequency = special.point.frequency, .order = special.point.order});
+  }
+  if (!diagram.unfinished.empty()) curve.open_ends.push_back(diagram.unfinished);
+  curve.open_ends.insert(curve.open_ends.end(), diagram.notes.begin(), diagram.notes.end());
+  return curve;
+}
+
+ResponseCurve curve_of(const std::vector<SweepPoint>& steps) {
+  ResponseCurve curve;
+  bool open = false;  // a branch is being added to
+  for (const SweepPoint& step : steps) {
+    const int order = order_of(step);
+    const bool found = step.status == Status::converged && order > 0;
+    if (found && !open) curve.branches.push_back({.by_arc_length = false});
+    if (found)
+      curve.branches.back().points.push_back({.frequency = step.frequency,
+                                              .order = order,
+                                              .motion = at_phases(step.motion->x, order),
+                                              .stable = step.stable});
+    open = found;
+  }
+  return curve;
+}
+
+double half_range(const Eigen::MatrixXd& motion) {
+  if (motion.size() == 0) return 0.0;
+  return 0.5 * (motion.colwise().maxCoeff() - motion.colwise().minCoeff()).maxCoeff();
+}
+
+double amplitude_of(const ResponseCurve& curve) {
+  double largest = 0.0;
+  for (const ResponseBranch& branch : curve.branches)
+    for (const ResponsePoint& point : branch.points) largest = std::max(largest, half_range(point.motion));
+  return largest;
+}
+
+std::vector<CurveElement> elements_of(const ResponseCurve& curve, const ResponseMetric& metric) {
+  Cutter cutter(metric);
+  for (const ResponseBranch& branch : curve.branches) cutter.cut(branch);
+  return cutter.take();
+}
+
+}  // namespace signorini
