@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -36,7 +37,8 @@ void print_measure(const char* name, const Measure& value) {
   if (value) fmt::print("{:<22}{:.3e}\n", name, *value);
 }
 
-void print_report(const Record& record) {
+/// What the method says.
+void print_answer(const Record& record) {
   fmt::print("{}: {}{}{}\n", record.case_id, status_name(record.status), record.message.empty() ? "" : ": ",
              record.message);
   if (record.law) {
@@ -44,6 +46,11 @@ void print_report(const Record& record) {
                record.law_matches_scene == false ? " (the scene: " + law_text(*record.scene_law) + ")" : "");
   }
   print_measure("period [s]", record.period);
+  std::fflush(stdout);
+}
+
+/// What the harness says of it.
+void print_judgement(const Record& record) {
   fmt::print("{:<22}{}\n", "orbit", orbit_text(record));
   fmt::print("{:<22}{}\n", "error of x", error_text(record));
   const Errors& errors = record.errors;
@@ -79,6 +86,13 @@ int solve(const SolveArguments& arguments) {
   const std::vector cases{
       make_case(scene, 0, {&find_method(arguments.method), parse_settings(arguments.settings)})};
   SolveExtras extras{.samples = arguments.samples};
+  std::optional<Record> answer;
+  if (!arguments.json) {
+    extras.on_answer = [&answer](const Record& record) {
+      answer = record;
+      print_answer(record);
+    };
+  }
   if (!arguments.start.empty()) extras.start = start_from_file(arguments.start);
   if (extras.start && cases.front().choice.start())
     throw UsageError("set = start (must be left out: --start names the motion to start from)");
@@ -101,7 +115,10 @@ int solve(const SolveArguments& arguments) {
   if (arguments.json) {
     fmt::print("{}\n", json_line(to_json(*record)));
   } else {
-    print_report(*record);
+    if (!answer) print_answer(*record);
+    if (answer && answer->status != record->status)
+      fmt::print("{:<22}{}: {}\n", "verdict", status_name(record->status), record->message);
+    print_judgement(*record);
   }
   if (waveforms) write_plot(arguments.plot, motion_plot(scene, *record, *waveforms));
   return record->status == Status::converged ? kDone : kUnexpectedFailure;

@@ -137,6 +137,8 @@ class IsolatedChild {
     if (!stopped_) stop(ChildEnd::Kind::interrupted);
   }
 
+  /// Those that have arrived so far.
+  [[nodiscard]] const std::vector<std::string>& lines() const { return end_.lines; }
   /// Valid once `advance` has returned true.
   [[nodiscard]] ChildEnd take_end() { return std::move(end_); }
 
@@ -231,6 +233,11 @@ class IsolatedChild {
 struct RunningChild {
   std::size_t index;
   std::unique_ptr<IsolatedChild> child;
+  std::size_t told = 0;  ///< lines that OnLine was called with
+
+  void tell(const OnLine& on_line) {
+    for (; on_line && told < child->lines().size(); ++told) on_line(index, child->lines()[told]);
+  }
 };
 
 /// Returns when a child has sent something or has ended, or when the limits have to be looked at.
@@ -293,8 +300,8 @@ std::string describe(const ChildEnd& end) {
 }
 
 std::vector<ChildEnd> run_isolated_together(const std::vector<IsolatedWork>& work,
-                                            const IsolationLimits& limits, int parallel,
-                                            const OnEnd& on_end) {
+                                            const IsolationLimits& limits, int parallel, const OnEnd& on_end,
+                                            const OnLine& on_line) {
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   std::vector<ChildEnd> ends(work.size());
   std::vector<RunningChild> running;
@@ -312,7 +319,9 @@ std::vector<ChildEnd> run_isolated_together(const std::vector<IsolatedWork>& wor
     wait_for_any(running);
     std::vector<std::size_t> ended;
     std::erase_if(running, [&](RunningChild& one) {
-      if (!one.child->advance()) return false;
+      const bool has_ended = one.child->advance();
+      one.tell(on_line);
+      if (!has_ended) return false;
       ends[one.index] = one.child->take_end();
       ended.push_back(one.index);
       return true;

@@ -63,9 +63,12 @@ ChildEnd run_isolated(const IsolatedWork& work, const IsolationLimits& limits);
 /// Called with each end as soon as it is known.
 using OnEnd = std::function<void(std::size_t index, const ChildEnd& end)>;
 
+/// Called with each line as soon as it has arrived.
+using OnLine = std::function<void(std::size_t index, const std::string& line)>;
+
 /// Several at the same time, at most `parallel`; results in the order of the work.
 std::vector<ChildEnd> run_isolated_together(const std::vector<IsolatedWork>& work,
                                             const IsolationLimits& limits, int parallel,
-                                            const OnEnd& on_end = {});
+                                            const OnEnd& on_end = {}, const OnLine& on_line = {});
 
 }  // namespace signorini

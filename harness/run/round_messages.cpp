@@ -60,6 +60,12 @@ void FirstRoundSender::operator()(const Record& so_far) {
   send_(json_line(changes));
 }
 
+Record record_of_answer(const Record& blank, const std::string& line) {
+  Json json = to_json(blank);
+  json.update(Json::parse(line));
+  return record_from_json(json);
+}
+
 Record received_first_round(const Record& blank, const ChildEnd& end) {
   Record record = blank;
   if (end.lines.empty()) {

@@ -22,6 +22,9 @@ class FirstRoundSender {
   nlohmann::ordered_json known_;
 };
 
+/// In the parent: `blank` with what the first stage sent, the answer of the method before it is judged.
+Record record_of_answer(const Record& blank, const std::string& line);
+
 /// In the parent: `blank` with all that the stages sent, its verdict, and the failure of a child that ended
 /// early.
 Record received_first_round(const Record& blank, const ChildEnd& end);

@@ -138,12 +138,19 @@ void Runner::run_first(const Scene& scene, std::span<const Job> jobs, int parall
       run_trial(trial_of(scene, job, start, extras), record, FirstRoundSender(send, record));
     });
   }
-  run_isolated_together(work, first_round_limits(limits_), parallel, [&](std::size_t k, const ChildEnd& end) {
+  const auto take_end = [&](std::size_t k, const ChildEnd& end) {
     if (end.kind == ChildEnd::Kind::interrupted) return;
     Record record = received_first_round(blank(scene, jobs[indices[k]]), end);
     references_.keep_confirmed(scene.problem, record);
     take(indices[k], std::move(record));
-  });
+  };
+  std::vector<bool> answered(work.size(), false);
+  const OnLine take_answer = [&](std::size_t k, const std::string& line) {
+    if (!answered[k]) extras.on_answer(record_of_answer(blank(scene, jobs[indices[k]]), line));
+    answered[k] = true;
+  };
+  run_isolated_together(work, first_round_limits(limits_), parallel, take_end,
+                        extras.on_answer ? take_answer : OnLine());
 }
 
 void Runner::run_later(const Scene& scene, std::span<const Job> jobs, std::span<const Record> records,

@@ -24,6 +24,8 @@ struct SolveExtras {
   int samples = 0;                               ///< instants of the trajectory kept in the record; 0: none
   bool timed = true;
   bool certified = true;  ///< look for the orbit behind the answer
+  /// Called with what the method answers as soon as it has, before the harness judges it.
+  std::function<void(const Record& answer)> on_answer = {};
 };
 
 /// A case whose method has been asked whether it applies. The case must outlive it.

@@ -45,6 +45,24 @@ TEST(CommandSolve, ReportsASolveInWords) {
   EXPECT_NE(outcome.out.find("error of x"), std::string::npos);
 }
 
+// The judgement may take its time, and may find otherwise.
+TEST(CommandSolve, PrintsTheAnswerBeforeItIsJudgedAndThenTheVerdict) {
+  const Outcome outcome = run("solve sdof-stop-e0 --method hat-lcp --set samples=512 --set plain=true");
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_EQ(outcome.out.rfind("sdof-stop-e0/hat-lcp[samples=512,plain=true]: converged", 0), 0U)
+      << outcome.out;
+  const std::size_t verdict = outcome.out.find("\nverdict               inaccurate: ");
+  ASSERT_NE(verdict, std::string::npos) << outcome.out;
+  EXPECT_LT(verdict, outcome.out.find("error of x"));
+}
+
+TEST(CommandSolve, SaysOnceThatThereIsNoAnswer) {
+  const Outcome failed = run("solve sdof-penalty-stiff --method hat-lcp --set samples=64");
+  EXPECT_EQ(failed.code, 1);
+  EXPECT_EQ(failed.out.find("verdict"), std::string::npos) << failed.out;
+  EXPECT_EQ(failed.out.find("not-converged"), failed.out.rfind("not-converged")) << failed.out;
+}
+
 // Its motion from rest is not kept, and takes a minute to march to.
 TEST(CommandSolve, SearchesNoReferenceUnlessAsked) {
   const auto folder = test::fresh_folder("solve-chaotic");

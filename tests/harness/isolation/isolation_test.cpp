@@ -11,6 +11,7 @@
 #include <chrono>
 #include <csignal>
 #include <set>
+#include <string>
 #include <thread>
 
 namespace signorini {
@@ -212,6 +213,28 @@ TEST(RunIsolatedTogether, KeepsTheOrderOfTheWork) {
 }
 
 using Kind = ChildEnd::Kind;
+
+TEST(RunIsolatedTogether, HandsOverEachLineWhenItArrives) {
+  std::vector<std::string> told;
+  bool ended = false;
+  const auto work = [](const LineSender& send) {
+    send("first");
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    send("second");
+  };
+  run_isolated_together(
+      {work}, {}, 1,
+      [&](std::size_t, const ChildEnd& end) {
+        ended = true;
+        EXPECT_EQ(end.lines, told);
+      },
+      [&](std::size_t index, const std::string& line) {
+        EXPECT_FALSE(ended);
+        EXPECT_EQ(index, 0U);
+        told.push_back(line);
+      });
+  EXPECT_EQ(told, (std::vector<std::string>{"first", "second"}));
+}
 
 TEST(DescribeChildEnd, QuotesTheLastWordsWhereTheProcessDied) {
   EXPECT_EQ(describe({.kind = Kind::signalled, .code = 11, .last_words = "x > 0 failed"}),
