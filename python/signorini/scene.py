@@ -141,7 +141,7 @@ class Scene:
         """Branches of exact orbits between two frequencies [rad/s], by arc length: through folds, with their unstable parts.
 
         orders: longest period, in periods of the load.  most: branches in all.  timeout: wall time of all of them [s].
-        What is followed, and what is not: docs/responses.md. Raises BadInput for scenes of other laws than restitution.
+        What is followed, and what is not: docs/responses.md. Raises BadInput for scenes of more than 300 coordinates.
         """
         words = ["sweep", self._source, "--methods", "exact-orbit", "--from", repr(float(start)), "--to", repr(float(stop)),
                  "--orders", str(orders), "--max-branches", str(most), "--total-time", str(timeout), "--format", "json"]

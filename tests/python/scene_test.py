@@ -252,9 +252,13 @@ class Branches(unittest.TestCase):
                       for x in [parts.motion(time, t)] if x.max() < 0.2 + 1e-9]
             self.assertLess(min(abs(2 * hitting.amplitude[i, 0] - r) for r in ranges), 1e-6)
 
-    def test_are_refused_under_other_laws(self):
-        with self.assertRaisesRegex(BadInput, "must be followed with --natural here"):
-            Scene.load("sdof-penalty-soft").branches(1.0, 2.0)
+    def test_are_those_of_springs_too(self):
+        response = Scene.load("sdof-penalty-soft").branches(0.9, 1.1)
+        self.assertTrue(any((branch.x_max > 1.0).any() for branch in response.branches))  # the gap
+
+    def test_are_refused_beyond_some_hundred_coordinates(self):
+        with self.assertRaisesRegex(BadInput, "must be followed with --natural here: 2160 coordinates"):
+            Scene.load("block-nine-contacts").branches(0.1, 0.12)
 
 
 class Versions(unittest.TestCase):
