@@ -21,9 +21,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
+Clock::duration seconds_of(double time) {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time));
+}
+
 Clock::time_point deadline_of(const BranchLimits& limits) {
-  return Clock::now() +
-         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.timeout));
+  return Clock::now() + seconds_of(limits.timeout);
 }
 
 // The answer of exact-orbit at a value of the parameter, if there is one.
@@ -38,8 +41,8 @@ std::optional<SequencedOrbit> found_orbit(const OrbitFamily& family, double para
   return sequenced(family, orbit->orbit(), orbit->period(), problem.frequency, parameter);
 }
 
-// Orbits on the branches: contact-free motions, answers of exact-orbit, and orbits of one impact, which find
-// isolated branches too.
+// Orbits on the branches: contact-free motions, answers of exact-orbit, as many as a tenth of the time
+// allows, and orbits of one impact. The latter two find isolated branches too.
 std::vector<SequencedOrbit> seeds_of(OrbitFamily& family, const BranchLimits& limits,
                                      Clock::time_point deadline) {
   constexpr int kValues = 11;
@@ -49,14 +52,17 @@ std::vector<SequencedOrbit> seeds_of(OrbitFamily& family, const BranchLimits& li
     if (!family.driven()) break;  // at rest
     if (auto free = contact_free_orbit(family, end)) seeds.push_back(std::move(*free));
   }
-  for (const double end : {scene.from, scene.to}) {
-    if (!family.driven()) break;
-    if (auto found = found_orbit(family, end, deadline)) seeds.push_back(std::move(*found));
+  // No fraction that the ends or a resonance would make a special one.
+  const auto value_of = [&](int i) { return scene.from + (i + 0.47) / kValues * (scene.to - scene.from); };
+  const Clock::time_point enough = deadline - seconds_of(0.9 * limits.timeout);
+  for (int i = -2; i < kValues && family.driven(); ++i) {
+    if (i >= 0 && Clock::now() > enough) break;
+    const double value = i == -2 ? scene.from : i == -1 ? scene.to : value_of(i);
+    if (auto found = found_orbit(family, value, deadline)) seeds.push_back(std::move(*found));
   }
   const int contacts = scene.at(scene.from).contact_count();
   for (int i = 0; i < kValues && Clock::now() < deadline; ++i) {
-    // No fraction that the ends or a resonance would make a special one.
-    const double value = scene.from + (i + 0.47) / kValues * (scene.to - scene.from);
+    const double value = value_of(i);
     for (int order = 1; order <= (family.driven() ? limits.max_order : 1); ++order) {
       for (int contact = 0; contact < contacts; ++contact) {
         for (SequencedOrbit& orbit : one_impact_orbits(family, value, contact, order))

@@ -31,9 +31,9 @@ struct BranchLimits {
 };
 
 /// Every branch of exact orbits that hangs together with the contact-free motions or the answers of
-/// exact-orbit at both ends of an interval of a parameter, or at a rigid stop with an orbit of one impact at
-/// one of eleven values in it (`trace_diagram`). \throws UsageError where continuation_obstacle names a
-/// reason
+/// exact-orbit at both ends of an interval of a parameter, with its answers at up to eleven values inside, a
+/// tenth of the time at most, or at a rigid stop with an orbit of one impact at one of these
+/// (`trace_diagram`). \throws UsageError where continuation_obstacle names a reason
 BranchDiagram exact_branches(const ParametrisedScene& scene, const BranchLimits& limits);
 
 /// A scene with the number at a place of its file left free between two values. \throws UsageError unless

@@ -77,7 +77,7 @@ TEST(BranchPopulation, HoldsTheStableOrbitsThatASearchFinds) {
       const double frequency = kFrom + (kTo - kFrom) * share(random);
       for (const FoundOrbit& orbit :
            find_all_orbits(scene.at(frequency), {.starts = 12, .subharmonics = kOrders}).orbits) {
-        if (!(orbit.largest_multiplier().value_or(2.0) < 1.0)) continue;
+        if (orbit.order > kOrders || !(orbit.largest_multiplier().value_or(2.0) < 1.0)) continue;
         ++stable;
         if (holds(family, diagram, frequency, orbit)) {
           ++held;
