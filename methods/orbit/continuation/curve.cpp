@@ -49,11 +49,7 @@ class Tracer {
   }
 
  private:
-  void append() {
-    result_.branch.points.push_back(branch_point(*equations_, here_));
-    if (options_.phases > 0)
-      result_.branch.points.back().motion = sampled_motion(*equations_, options_.phases);
-  }
+  void append() { result_.branch.points.push_back(branch_point(*equations_, here_, options_.phases)); }
   void add(SpecialPoint special) {
     special.after = result_.branch.points.size();
     result_.branch.special.push_back(std::move(special));

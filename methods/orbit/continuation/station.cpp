@@ -26,9 +26,27 @@ double energy_of(const OrbitModel& model, const FlowState& at) {
   return energy + 0.5 * over.dot(mode.response * over);
 }
 
+// BranchPoint::motion.
+Eigen::MatrixXd sampled_motion(const ExtendedEquations& equations, int phases) {
+  const SequencedOrbit& orbit = equations.orbit();
+  const int contacts = equations.model().dynamics.contact_count();
+  const Eigen::Index count = Eigen::Index{phases} * orbit.order;
+  Eigen::MatrixXd x(count, contacts);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    double phase = std::fmod(
+        orbit.end() * static_cast<double>(i) / static_cast<double>(count) - orbit.section, orbit.end());
+    if (phase < 0.0) phase += orbit.end();
+    std::size_t arc = 0;
+    while (arc < orbit.events.size() && orbit.phase(static_cast<Eigen::Index>(arc)) < phase) ++arc;
+    for (int j = 0; j < contacts; ++j)
+      x(i, j) = equations.equations().arcs()[arc]->displacement(j, equations.time_of(phase));
+  }
+  return x;
+}
+
 }  // namespace
 
-BranchPoint branch_point(const ExtendedEquations& equations, const Station& station) {
+BranchPoint branch_point(const ExtendedEquations& equations, const Station& station, int phases) {
   const SequencedOrbit& orbit = equations.orbit();
   const CurveUnits& units = equations.family().units();
   const Eigen::Index n = orbit.states() / 2;
@@ -55,24 +73,8 @@ BranchPoint branch_point(const ExtendedEquations& equations, const Station& stat
     point.x_max.push_back(station.survey.highest[j]);
     point.amplitude.push_back(0.5 * (station.survey.highest[j] - station.survey.lowest[j]));
   }
+  if (phases > 0) point.motion = sampled_motion(equations, phases);
   return point;
-}
-
-Eigen::MatrixXd sampled_motion(const ExtendedEquations& equations, int phases) {
-  const SequencedOrbit& orbit = equations.orbit();
-  const int contacts = equations.model().dynamics.contact_count();
-  const Eigen::Index count = Eigen::Index{phases} * orbit.order;
-  Eigen::MatrixXd x(count, contacts);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    double phase = std::fmod(orbit.end() * static_cast<double>(i) / static_cast<double>(count) - orbit.section,
-                             orbit.end());
-    if (phase < 0.0) phase += orbit.end();
-    std::size_t arc = 0;
-    while (arc < orbit.events.size() && orbit.phase(static_cast<Eigen::Index>(arc)) < phase) ++arc;
-    for (int j = 0; j < contacts; ++j)
-      x(i, j) = equations.equations().arcs()[arc]->displacement(j, equations.time_of(phase));
-  }
-  return x;
 }
 
 namespace {

@@ -24,11 +24,9 @@ struct Station {
 /// The orbit at which the equations are evaluated.
 Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent);
 
-/// The same as a point of a branch, in SI units.
-BranchPoint branch_point(const ExtendedEquations& equations, const Station& station);
-
-/// x_j of the orbit at which the equations are evaluated, as BranchPoint::motion. \param phases > 0
-Eigen::MatrixXd sampled_motion(const ExtendedEquations& equations, int phases);
+/// The same as a point of a branch, in SI units. \param phases  of a forcing period at which it keeps its
+/// motion
+BranchPoint branch_point(const ExtendedEquations& equations, const Station& station, int phases = 0);
 
 /// A guard's zero on a step.
 struct GuardCrossing {

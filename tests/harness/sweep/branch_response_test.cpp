@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <random>
 
+#include "harness/plan/plan.hpp"
 #include "tests/harness/program.hpp"
 #include "tests/harness/sweep/random_scenes.hpp"
 #include "tests/harness/sweep/sound_branches.hpp"
@@ -27,6 +30,31 @@ double distance(const nlohmann::json& response, const std::string& kind, double 
     }
   }
   return nearest;
+}
+
+// x(t) = Re(e^{i w t} / (1 - w^2 + i c w)) where nothing touches; at twice the period both halves.
+TEST(ExactBranches, KeepTheMotionAtEquidistantPhasesOfTheLoad) {
+  const Problem problem = read_scene(find_scene("sdof-stop")).problem;
+  BranchLimits limits;
+  limits.phases = 16;
+  const BranchDiagram diagram = exact_branches(over_frequency(problem, 3.0, 4.4), limits);
+  bool free = false;
+  for (const Branch& branch : diagram.branches) {
+    for (const BranchPoint& point : branch.points) {
+      ASSERT_EQ(point.motion.rows(), 16 * point.order);
+      EXPECT_LE(point.motion.maxCoeff(), point.x_max[0] + 1e-12);
+      EXPECT_GT(point.motion.maxCoeff() - point.motion.minCoeff(), 1.8 * point.amplitude[0]);
+      if (point.impacts > 0) continue;
+      free = true;
+      const double w = point.frequency;
+      const std::complex<double> response = 1.0 / std::complex<double>(1.0 - w * w, 0.1 * w);
+      for (Eigen::Index i = 0; i < point.motion.rows(); ++i) {
+        const double phase = 2.0 * std::numbers::pi * static_cast<double>(i) / 16.0;
+        EXPECT_NEAR(point.motion(i, 0), (response * std::polar(1.0, phase)).real(), 1e-11);
+      }
+    }
+  }
+  EXPECT_TRUE(free);
 }
 
 TEST(CommandSweep, HoldsTheSpecialPointsOfTheImpactOscillator) {
