@@ -209,7 +209,8 @@ std::optional<std::vector<CurveStart>> start_impacting(OrbitFamily& family, cons
     for (const int hit : found.hits) {
       const auto count = static_cast<int>(grazing.touches.size());
       const GrazingTouch& touch = grazing.touches[static_cast<std::size_t>(hit % count)];
-      impacts.emplace_back(touch.phase + (hit / count) * grazing.base.end(),
+      const int period = hit / count;
+      impacts.emplace_back(touch.phase + period * grazing.base.end(),
                            SequenceEvent{.kind = ContactEvent::Kind::impact,
                                          .contact = touch.contact,
                                          .pushed = {touch.contact},

@@ -173,7 +173,8 @@ TEST(GrazingResponse, OfTwoTouchesIsThatOfAMarch) {
   const double phases[] = {1.0, 4.5}, sign[] = {1.0, -1.0};
   for (int a = 0; a < 4; ++a) {
     for (int b = 0; b < 4; ++b) {
-      double ago = phases[a % 2] - phases[b % 2] + 2.0 * std::numbers::pi * (a / 2 - b / 2);
+      const int periods = a / 2 - b / 2;
+      double ago = phases[a % 2] - phases[b % 2] + 2.0 * std::numbers::pi * periods;
       if (ago < 0.0) ago += 4.0 * std::numbers::pi;
       EXPECT_NEAR(C(a, b), sign[a % 2] * sign[b % 2] * after(ago / kFrequency), 1e-9) << a << " " << b;
     }
