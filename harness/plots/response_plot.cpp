@@ -91,8 +91,7 @@ set ylabel 'amplitude [m]'
 }  // namespace
 
 Figure response_plot(const std::string& scene, const std::vector<MethodResponse>& responses) {
-  // Colours of Okabe and Ito; gnuplot's hollow marks.
-  constexpr std::array kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
+  // gnuplot's hollow marks.
   constexpr std::array kMarks{
       std::pair{SpecialKind::fold, 10},           std::pair{SpecialKind::period_doubling, 4},
       std::pair{SpecialKind::neimark_sacker, 12}, std::pair{SpecialKind::branch_point, 6},
@@ -102,7 +101,7 @@ Figure response_plot(const std::string& scene, const std::vector<MethodResponse>
   Plot plot;
   for (std::size_t i = 0; i < responses.size(); ++i) {
     const MethodResponse& response = responses[i];
-    const std::string colour = fmt::format("lc rgb '{}'", kColours[i % kColours.size()]);
+    const std::string colour = line_colour(i);
     const std::string title = gnuplot_string(response.method);
     bool titled = false;
     for (const auto& [part, style] :

@@ -21,6 +21,8 @@ struct LineStyle {
   std::string hollow = {};  ///< the same mark, hollow
 };
 LineStyle line_style(std::size_t configuration);
+/// Its colour alone: "lc rgb '#0072B2'".
+std::string line_colour(std::size_t configuration);
 
 /// A text as gnuplot's string literal in single quotes, which knows no escapes and no commands; line breaks
 /// become blanks.
