@@ -129,6 +129,7 @@ int run_response_suite(const RunArguments& arguments, const Suite& suite) {
   const std::filesystem::path folder = arguments.out.value_or("results/local-" + suite.name);
   const Limits limits = limits_of(arguments, suite);
   std::filesystem::create_directories(folder);
+  const Descriptor lock = lock_folder(folder);
   write_whole(folder / "manifest.json",
               make_manifest(suite, limits, arguments.schedule, arguments.words).dump(2) + "\n");
   watch_interrupts();

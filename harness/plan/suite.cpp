@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "harness/failure.hpp"
@@ -68,6 +69,8 @@ std::vector<SuiteResponse> read_responses(const SceneField& field) {
     if (response.from == 0.0) item["from"].refuse("must be a positive frequency");
     if (response.to == 0.0 || response.to == response.from)
       item["to"].refuse("must be a positive frequency other than from");
+    if (std::ranges::any_of(responses, [&](const auto& other) { return other.scene == response.scene; }))
+      item["scene"].refuse("must be listed once");
     responses.push_back(std::move(response));
   }
   return responses;

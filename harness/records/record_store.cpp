@@ -101,15 +101,14 @@ bool take_lock(int descriptor) {
   return false;
 }
 
-/// Keeps other runs out of the folder as long as it is open.
+}  // namespace
+
 Descriptor lock_folder(const fs::path& folder) {
   Descriptor descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (descriptor.is_open() && !take_lock(descriptor.number()))
     throw UsageError(fmt::format("out = {} (must not be in use: another run writes there)", folder.string()));
   return descriptor;
 }
-
-}  // namespace
 
 std::vector<Record> read_records(const fs::path& file) {
   std::vector<Record> records;

@@ -18,6 +18,8 @@ namespace signorini {
 /// the file cannot be read
 std::vector<Record> read_records(const std::filesystem::path& file);
 
+/// Keeps other runs out of a folder as long as it is open. \throws UsageError if another run writes there
+Descriptor lock_folder(const std::filesystem::path& folder);
 /// True while a run writes there.
 bool folder_in_use(const std::filesystem::path& folder);
 

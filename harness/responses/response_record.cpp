@@ -6,6 +6,8 @@
 
 #include "harness/files.hpp"
 #include "harness/records/json_fields.hpp"
+#include "harness/records/record_check.hpp"
+#include "problems/scene/kebab_case.hpp"
 
 namespace signorini {
 
@@ -85,8 +87,12 @@ std::string response_line(const ResponseRecord& record) { return json_line(write
 
 ResponseRecord response_from_line(const std::string& line) {
   try {
+    const auto json = nlohmann::ordered_json::parse(line);
+    require_plain_texts(json);
     ResponseRecord record;
-    read_fields(nlohmann::ordered_json::parse(line), record);
+    read_fields(json, record);
+    if (!is_scene_name(record.scene))
+      throw BadRecord(fmt::format("scene = {} (must be the name of a scene)", record.scene));
     return record;
   } catch (const nlohmann::json::exception& error) {
     throw BadRecord(fmt::format("response = unreadable (must be one as run writes it: {})", error.what()));
@@ -97,7 +103,16 @@ std::vector<ResponseRecord> read_responses(const std::filesystem::path& folder) 
   std::vector<ResponseRecord> records;
   if (!std::filesystem::exists(folder / kResponsesFile)) return records;
   std::istringstream lines(read_file(folder / kResponsesFile));
-  for (std::string line; std::getline(lines, line);) records.push_back(response_from_line(line));
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    try {
+      records.push_back(response_from_line(line));
+    } catch (const BadRecord& error) {
+      fmt::print(stderr, "{}:{}: {}; this line is left out, and `run --resume` runs its case again\n",
+                 as_message((folder / kResponsesFile).string()), number, as_message(error.what()));
+    }
+  }
   return records;
 }
 

@@ -41,14 +41,15 @@ std::vector<DrawnBranch> drawn(const ResponseCurve& curve);
 
 /// One line of JSON.
 std::string response_line(const ResponseRecord& record);
-/// \throws BadRecord
+/// Of a file that anybody may have written. \throws BadRecord also for control characters in any text of it,
+/// and unless the scene is the name of one
 ResponseRecord response_from_line(const std::string& line);
 
 /// The name of the file in a results folder.
 inline constexpr const char* kResponsesFile = "responses.jsonl";
 
-/// All responses of a folder, in order; none where there is no such file. \throws UsageError if it is
-/// unreadable, BadRecord if a line is none
+/// All responses of a folder, in order; none where there is no such file. A line that is none is left out
+/// with a warning. \throws UsageError if the file is unreadable
 std::vector<ResponseRecord> read_responses(const std::filesystem::path& folder);
 /// Writes them in one piece. \throws UsageError if the folder cannot be written
 void write_responses(const std::filesystem::path& folder, const std::vector<ResponseRecord>& records);

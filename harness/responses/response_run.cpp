@@ -15,7 +15,7 @@
 #include "harness/isolation/isolation.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/progress.hpp"
-#include "harness/records/json_fields.hpp"
+#include "harness/records/record_check.hpp"
 #include "harness/run/round_messages.hpp"
 #include "harness/sweep/branch_response.hpp"
 #include "methods/curve_method.hpp"
@@ -85,15 +85,31 @@ struct ResponseScene {
       exact_record.status = exact.branches.empty() ? Status::not_converged : Status::converged;
     } catch (const std::runtime_error& error) {
       exact_record.status = Status::not_applicable;
-      exact_record.message = error.what();
+      exact_record.message = as_message(error.what());
     }
     for (const ResponseBranch& branch : exact.branches)
       exact_record.points += static_cast<int>(branch.points.size());
     exact_record.branches = drawn(exact);
     exact_record.located = exact.located;
-    exact_record.open_ends = exact.open_ends;
+    for (const std::string& end : exact.open_ends) exact_record.open_ends.push_back(as_message(end));
   }
 };
+
+/// The response with what it is worth against the exact one.
+ResponseRecord judged_response(const ResponseCurve& exact, const ResponseCurve& curve,
+                               const SweepRange& range, ResponseRecord record) {
+  for (const ResponseBranch& branch : curve.branches) record.points += static_cast<int>(branch.points.size());
+  record.status = record.points > 0 ? Status::converged : Status::not_converged;
+  for (const std::string& end : curve.open_ends) record.open_ends.push_back(as_message(end));
+  record.located = curve.located;
+  record.branches = drawn(curve);
+  const double window = std::abs(range.to - range.from), amplitude = amplitude_of(exact);
+  if (amplitude > 0.0)
+    record.comparison = compare_curves(exact, curve, ResponseMetric(window, amplitude), window);
+  else
+    record.message = "nothing to compare with: the exact response has no branch, or the scene no contact";
+  return record;
+}
 
 /// Follows a curve for its time, then once more for its motions.
 ResponseRecord follow(const ResponseScene& at, const MethodChoice& method, ResponseRecord record) {
@@ -121,7 +137,7 @@ ResponseRecord follow_isolated(const ResponseScene& at, const MethodChoice& meth
           send(response_line(follow(at, method, record)));
         } catch (const UsageError& error) {  // the method does not apply
           record.status = Status::not_applicable;
-          record.message = error.what();
+          record.message = as_message(error.what());
           send(response_line(record));
         }
       },
@@ -178,8 +194,10 @@ ResponseScene scene_of(const SuiteResponse& response, const Limits& limits) {
 class ResponseStore {
  public:
   ResponseStore(std::filesystem::path folder, bool resume) : folder_(std::move(folder)) {
-    std::filesystem::create_directories(folder_);
     if (resume) records_ = read_responses(folder_);
+    const std::filesystem::path file = folder_ / kResponsesFile;
+    if (!resume && std::filesystem::exists(file))
+      std::filesystem::rename(file, folder_ / "responses.previous.jsonl");
   }
   [[nodiscard]] bool contains(const std::string& key) const {
     return std::ranges::any_of(records_, [&](const ResponseRecord& record) { return record.key == key; });
@@ -221,21 +239,6 @@ std::vector<ResponseCase> response_cases(const Suite& suite, const Narrowing& na
     throw NothingMatched(fmt::format("scenes = {} (matches no response of suite {})",
                                      narrowing.scenes.value_or("*"), suite.name));
   return cases;
-}
-
-ResponseRecord judged_response(const ResponseCurve& exact, const ResponseCurve& curve,
-                               const SweepRange& range, ResponseRecord record) {
-  for (const ResponseBranch& branch : curve.branches) record.points += static_cast<int>(branch.points.size());
-  record.status = record.points > 0 ? Status::converged : Status::not_converged;
-  record.open_ends = curve.open_ends;
-  record.located = curve.located;
-  record.branches = drawn(curve);
-  const double window = std::abs(range.to - range.from), amplitude = amplitude_of(exact);
-  if (amplitude > 0.0)
-    record.comparison = compare_curves(exact, curve, ResponseMetric(window, amplitude), window);
-  else
-    record.message = "nothing to compare with: the exact response has no branch, or the scene no contact";
-  return record;
 }
 
 ResponseRunResult run_responses(const Suite& suite, std::span<const ResponseCase> cases, const Limits& limits,

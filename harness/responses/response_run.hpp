@@ -40,8 +40,4 @@ struct ResponseRunResult {
 ResponseRunResult run_responses(const Suite& suite, std::span<const ResponseCase> cases, const Limits& limits,
                                 const std::filesystem::path& folder, bool resume);
 
-/// Compares one method's response with the exact one, in this process: what run_responses does of each case.
-ResponseRecord judged_response(const ResponseCurve& exact, const ResponseCurve& curve,
-                               const SweepRange& range, ResponseRecord record);
-
 }  // namespace signorini

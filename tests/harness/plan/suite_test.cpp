@@ -37,6 +37,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadSuite{"schema = 1\nname=\"s\"\nscenes=[\"*\"]", "x.toml:1: title = missing"},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"", "x.toml:1: scenes = missing"},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=\"*\"", "x.toml:4: scenes = \"*\""},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\n[[response]]\nscene=\"a\"\nfrom=1\nto=2\n"
+                 "[[response]]\nscene=\"a\"\nfrom=2\nto=3",
+                 "x.toml:9: response[1].scene = \"a\" (must be listed once)"},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\n[[response]]\nscene=\"a\"\nfrom=0\nto=1",
                  "x.toml:6: response[0].from = 0"},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\n[[response]]\nscene=\"a\"\nfrom=1\nto=1.0",

@@ -58,6 +58,21 @@ TEST(ReadResponses, ReadsWhatWasWrittenAndNothingWhereThereIsNone) {
   EXPECT_EQ(read_responses(folder.path()).size(), 2U);
 }
 
+TEST(ResponseRecord, HoldsNoControlCharactersAndNoOtherNames) {
+  ResponseRecord record = whole_record();
+  record.message = "x\x1b[2Jy";
+  EXPECT_THROW(response_from_line(response_line(record)), BadRecord);
+  record = whole_record();
+  record.scene = "../s";
+  EXPECT_THROW(response_from_line(response_line(record)), BadRecord);
+}
+
+TEST(ReadResponses, LeaveOutALineThatIsNone) {
+  const test::TemporaryFolder folder;
+  static_cast<void>(folder.write(kResponsesFile, "{\n" + response_line(whole_record()) + "\nnonsense\n"));
+  EXPECT_EQ(read_responses(folder.path()).size(), 1U);
+}
+
 TEST(Drawn, HoldsFrequencyAmplitudeAndStabilityOfEachPoint) {
   ResponseCurve curve{.branches = {test::level_branch(1.0, 2.0, 3, 1.5)}};
   curve.branches[0].points[0].stable = true;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "harness/failure.hpp"
 #include "harness/responses/response_report.hpp"
@@ -99,6 +100,9 @@ TEST(CommandRun, MeasuresResponsesAgainstTheExactOneAndResumes) {
             "nothing to compare with: the exact response has no branch, or the scene no contact");
   const test::Outcome second = test::run_program(command + " --resume");
   EXPECT_NE(second.out.find("0 responses run, 6 already there"), std::string::npos) << second.out;
+  const test::Outcome third = test::run_program(command);  // without --resume
+  EXPECT_EQ(third.code, 0) << third.err;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/responses.previous.jsonl"));
   const test::Outcome report = test::run_program("report " + out);
   EXPECT_EQ(report.code, 0) << report.err;
 }
