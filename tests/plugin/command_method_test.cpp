@@ -52,15 +52,17 @@ struct BadAnswer {
 
 void PrintTo(const BadAnswer& bad, std::ostream* stream) { *stream << bad.name; }
 
+void expect_outcome(const Json& record, const BadAnswer& bad) {
+  EXPECT_EQ(record.at("status"), bad.status) << record.dump();
+  EXPECT_NE(record.at("message").get<std::string>().find(bad.message), std::string::npos) << record.dump();
+}
+
 class BadAnswers : public testing::TestWithParam<BadAnswer> {};
 
 TEST_P(BadAnswers, HaveTheStatusOfWhatHappened) {
   const TemporaryFolder folder;
   describe(folder, GetParam().script);
-  const Json record = solve(folder);
-  EXPECT_EQ(record.at("status"), GetParam().status) << record.dump();
-  EXPECT_NE(record.at("message").get<std::string>().find(GetParam().message), std::string::npos)
-      << record.dump();
+  expect_outcome(solve(folder), GetParam());
 }
 
 std::string print(const std::string& text) { return "cat <<'END'\n" + text + "\nEND\n"; }
@@ -196,9 +198,7 @@ TEST_P(LaterAnswers, HaveTheStatusOfWhatHappened) {
   const TemporaryFolder folder;
   describe_reader(folder, GetParam().script);
   const Json record = solve(folder);
-  EXPECT_EQ(record.at("status"), GetParam().status) << record.dump();
-  EXPECT_NE(record.at("message").get<std::string>().find(GetParam().message), std::string::npos)
-      << record.dump();
+  expect_outcome(record, GetParam());
   EXPECT_FALSE(record.contains("seconds")) << record.dump();
 }
 

@@ -50,18 +50,10 @@ TEST(PastChange, MeetsTheSpecialPointsOfSpringStops) {
 // Example 03 of NLvib: contact-free, in contact over a fold 6e-9 beside where it begins, contact-free again.
 TEST(PastChange, PassesTheTwoMassesOfNlvib) {
   Problem chain = test::stopped_chain(2, 1.0);
-  const auto tridiagonal = [](double diagonal, double off, double last) {
-    SparseMatrix A(2, 2);
-    A.insert(0, 0) = diagonal;
-    A.insert(0, 1) = A.insert(1, 0) = off;
-    A.insert(1, 1) = last;
-    A.makeCompressed();
-    return A;
-  };
-  chain.edit_structure([&](Structure& structure) {
-    structure.mass = tridiagonal(1.0, 0.0, 1.0);
-    structure.damping = tridiagonal(0.06, -0.03, 0.03);
-    structure.stiffness = tridiagonal(2.0, -1.0, 1.0);
+  chain.edit_structure([](Structure& structure) {
+    structure.mass = test::symmetric(1.0, 0.0, 1.0);
+    structure.damping = test::symmetric(0.06, -0.03, 0.03);
+    structure.stiffness = test::symmetric(2.0, -1.0, 1.0);
   });
   chain.force = {{.dof = 0, .harmonic = 1, .cos = 0.1}};
   chain.contacts = {{.normal = {{1, 1.0}}, .gap = 1.0}};

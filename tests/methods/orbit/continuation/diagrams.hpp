@@ -18,6 +18,16 @@ inline BranchDiagram diagram_of(const Problem& problem, double from, double to,
   return trace_diagram(family, {contact_free_orbit(family, to).value()}, options);
 }
 
+// [a b; b c].
+inline SparseMatrix symmetric(double a, double b, double c) {
+  SparseMatrix A(2, 2);
+  A.insert(0, 0) = a;
+  A.insert(0, 1) = A.insert(1, 0) = b;
+  A.insert(1, 1) = c;
+  A.makeCompressed();
+  return A;
+}
+
 // The branch of orbits of an order with so many impacts.
 inline const Branch* branch_of(const BranchDiagram& diagram, int order, int impacts) {
   const auto found =

@@ -114,18 +114,10 @@ TEST(OneImpactOrbits, LeadOnceAroundAClosedBranch) {
 // S = sum_r phi_r^2 cot(w_r T / 2) / (2 w_r), and their energy J^2 / 8 sum_r phi_r^2 / sin^2(w_r T / 2).
 TEST(OneImpactOrbits, LeadToNonsmoothModes) {
   Problem chain = test::stopped_chain(2, 1.0);
-  const auto matrix = [](double a, double b, double c) {
-    SparseMatrix A(2, 2);
-    A.insert(0, 0) = a;
-    A.insert(0, 1) = A.insert(1, 0) = b;
-    A.insert(1, 1) = c;
-    A.makeCompressed();
-    return A;
-  };
-  chain.edit_structure([&](Structure& structure) {
-    structure.mass = matrix(1.0, 0.0, 1.0);
+  chain.edit_structure([](Structure& structure) {
+    structure.mass = test::symmetric(1.0, 0.0, 1.0);
     structure.damping = SparseMatrix(2, 2);
-    structure.stiffness = matrix(2.0, -1.0, 1.0);
+    structure.stiffness = test::symmetric(2.0, -1.0, 1.0);
   });
   chain.force.clear();
   chain.contacts = {{.normal = {{1, 1.0}}, .gap = 1.0}};
