@@ -2,6 +2,7 @@
 // What a method offers beside single solves: its own curve over the frequency of the load.
 
 #include <chrono>
+#include <vector>
 
 #include "methods/orbit/continuation/branch.hpp"
 #include "problems/problem.hpp"
@@ -14,6 +15,8 @@ struct CurveLimits {
   int max_branches = 60;  ///< in all
   int max_points = 2000;  ///< of one branch
   int phases = 0;         ///< of a forcing period at which the points keep their motion; 0: it is not kept
+  std::vector<double> at = {};  ///< frequencies at which every branch has points [rad/s]
+  TakeBranch take = {};         ///< called with each branch as soon as it is known
   /// The end of the time budget.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 };

@@ -10,6 +10,7 @@
 #include "harness/files.hpp"
 #include "harness/records/run_folder.hpp"
 #include "harness/report/document/cells.hpp"
+#include "harness/report/figures/canvas.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 #include "harness/report/formats/formats.hpp"
 
@@ -200,19 +201,6 @@ Section open_section(std::span<const ResponseRecord> records) {
   return section;
 }
 
-/// Blocks of data of a figure.
-struct ResponseCanvas {
-  std::string data = {};
-  int blocks = 0;
-
-  /// The index of a block; empty where it holds nothing.
-  std::optional<int> add(const std::string& lines) {
-    if (lines.empty()) return std::nullopt;
-    data += lines + "\n\n";
-    return blocks++;
-  }
-};
-
 /// The parts of branches that are stable, or are not, as lines with gaps between them.
 std::string lines_of(const std::vector<DrawnBranch>& branches, bool stable) {
   std::string lines;
@@ -265,21 +253,16 @@ unset key
 
 /// The method's own branches, or the points of its steps, over the exact ones.
 std::string panel(const ResponseRecord& record, std::optional<int> stable, std::optional<int> unstable,
-                  ResponseCanvas& canvas) {
-  std::vector<std::string> plots;
-  const auto plot = [&](std::optional<int> index, std::string_view how) {
-    if (index) plots.push_back(fmt::format("data index {} with {}", *index, how));
-  };
-  plot(stable, "lines lc rgb '#bbbbbb' lw 4");
-  plot(unstable, "lines lc rgb '#bbbbbb' lw 2 dt (8,6)");
-  plot(canvas.add(lines_of(record.branches)),
-       record.by_steps ? "points lc rgb '#D55E00' pt 6 ps 0.3" : "lines lc rgb '#0072B2' lw 1");
-  return fmt::format("set title {} noenhanced\nplot {}\n", gnuplot_string(label_of(record)),
-                     fmt::join(plots, ", \\\n  "));
+                  Canvas& canvas) {
+  canvas.plot(stable, "with lines lc rgb '#bbbbbb' lw 4");
+  canvas.plot(unstable, "with lines lc rgb '#bbbbbb' lw 2 dt (8,6)");
+  canvas.draw(lines_of(record.branches), record.by_steps ? "with points lc rgb '#D55E00' pt 6 ps 0.3"
+                                                         : "with lines lc rgb '#0072B2' lw 1");
+  return fmt::format("set title {} noenhanced\n{}", gnuplot_string(label_of(record)), canvas.panel());
 }
 
 Figure response_figure(const ResponseRecord& exact, std::span<const ResponseRecord> records) {
-  ResponseCanvas canvas;
+  Canvas canvas;
   const auto stable = canvas.add(lines_of(exact.branches, true));
   const auto unstable = canvas.add(lines_of(exact.branches, false));
   std::string panels;
@@ -300,7 +283,7 @@ Figure response_figure(const ResponseRecord& exact, std::span<const ResponseReco
           .script = fmt::format(kResponsePanels, rows, kPanelColumns, bottom, top, between, caption,
                                 std::min(exact.from, exact.to), std::max(exact.from, exact.to)) +
                     panels + "unset multiplot\n",
-          .data = canvas.data,
+          .data = canvas.data(),
           .width = kPanelColumns * kPanelWidth,
           .height = height};
 }

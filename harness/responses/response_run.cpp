@@ -224,10 +224,14 @@ std::vector<ResponseCase> response_cases(const Suite& suite, const Narrowing& na
     std::erase_if(by_steps, [&](const MethodChoice& choice) {
       return !filter_matches(*narrowing.methods, choice.entry->name);
     });
+  const SceneFilter filter(narrowing.scenes);
+  if (!filter.files().empty())
+    throw UsageError(fmt::format("scenes = {} (must be names: suite {} says between which frequencies)",
+                                 filter.files().front().file.string(), suite.name));
   std::vector<ResponseCase> cases;
   for (std::size_t i = 0; i < suite.responses.size(); ++i) {
     const std::string& scene = suite.responses[i].scene;
-    if (narrowing.scenes && !scene_filter_matches(*narrowing.scenes, scene)) continue;
+    if (!filter.takes(scene)) continue;
     for (const MethodChoice& choice : by_arc_length) {
       const bool steps = !has_curve(choice);
       cases.push_back({i, choice, steps, scene + "/" + choice.label() + (steps ? " by steps" : "")});
@@ -236,8 +240,9 @@ std::vector<ResponseCase> response_cases(const Suite& suite, const Narrowing& na
       cases.push_back({i, choice, true, scene + "/" + choice.label() + " by steps"});
   }
   if (cases.empty())
-    throw NothingMatched(fmt::format("scenes = {} (matches no response of suite {})",
-                                     narrowing.scenes.value_or("*"), suite.name));
+    throw NothingMatched(fmt::format(
+        "scenes = {} (matches no response of suite {})",
+        narrowing.scenes.empty() ? "*" : fmt::format("{}", fmt::join(narrowing.scenes, " ")), suite.name));
   return cases;
 }
 

@@ -110,14 +110,6 @@ Json to_json(const SpecialPoint& special) {
   return json;
 }
 
-Json to_json(const Branch& branch, const std::string& method) {
-  Json points = Json::array(), special = Json::array();
-  for (const BranchPoint& point : branch.points) points.push_back(to_json(point));
-  for (const SpecialPoint& at : branch.special) special.push_back(to_json(at));
-  return {{"method", method},   {"sequence", branch.sequence}, {"points", points},
-          {"special", special}, {"began", branch.began},       {"ended", branch.ended}};
-}
-
 Json steps_json(const MethodResponse& response) {
   Json points = Json::array();
   for (const SweepPoint& step : response.steps) {
@@ -153,6 +145,12 @@ std::vector<Cell> row_of(const std::string& method, std::size_t branch, const Br
           largest_cell(point.amplitude),
           describe(point.stability),
           mark};
+}
+
+// The points of a branch at values asked for.
+void add_points(Table& table, const std::string& method, std::size_t number_of_branch, const Branch& branch) {
+  for (const BranchPoint& point : branch.points)
+    table.rows.push_back(row_of(method, number_of_branch, point, ""));
 }
 
 void add_rows(Table& table, const std::string& method, std::size_t number_of_branch, const Branch& branch) {
@@ -194,9 +192,11 @@ BranchDiagram exact_branches(const ParametrisedScene& scene, const BranchLimits&
                        {.curve = {.largest_step = limits.largest_step,
                                   .max_points = limits.max_points,
                                   .phases = limits.phases,
+                                  .at = limits.at,
                                   .expired = [deadline] { return Clock::now() > deadline; }},
                         .max_order = limits.max_order,
-                        .max_branches = limits.max_branches});
+                        .max_branches = limits.max_branches,
+                        .take = limits.take});
 }
 
 std::optional<BranchDiagram> own_branches(const ParametrisedScene& scene, const MethodChoice& method,
@@ -215,6 +215,8 @@ std::optional<BranchDiagram> own_branches(const ParametrisedScene& scene, const 
                         .max_branches = limits.max_branches,
                         .max_points = limits.max_points,
                         .phases = limits.phases,
+                        .at = limits.at,
+                        .take = limits.take,
                         .deadline = deadline_of(limits)});
 }
 
@@ -222,6 +224,14 @@ std::optional<BranchDiagram> branches_of(const ParametrisedScene& scene, const M
                                          const BranchLimits& limits) {
   if (method.entry->name == kFollowedByArcLength) return exact_branches(scene, limits);
   return own_branches(scene, method, limits);
+}
+
+Json to_json(const Branch& branch, const std::string& method) {
+  Json points = Json::array(), special = Json::array();
+  for (const BranchPoint& point : branch.points) points.push_back(to_json(point));
+  for (const SpecialPoint& at : branch.special) special.push_back(to_json(at));
+  return {{"method", method},   {"sequence", branch.sequence}, {"points", points},
+          {"special", special}, {"began", branch.began},       {"ended", branch.ended}};
 }
 
 Json to_json(const std::vector<MethodResponse>& responses) {
@@ -238,15 +248,33 @@ Json to_json(const std::vector<MethodResponse>& responses) {
   return {{"parameter", parameter}, {"branches", branches}, {"unfinished", unfinished}, {"notes", notes}};
 }
 
-Table branch_table(const std::vector<MethodResponse>& responses) {
+Branch points_at(const Branch& branch, const std::vector<double>& values) {
+  const auto asked_for = [&](const BranchPoint& point) {
+    constexpr double kSame = 1e-10;  // of the value
+    return std::any_of(values.begin(), values.end(), [&](double value) {
+      return std::abs(point.parameter - value) <= kSame * std::abs(value);
+    });
+  };
+  Branch result = branch;
+  std::erase_if(result.points, [&](const BranchPoint& point) { return !asked_for(point); });
+  for (SpecialPoint& special : result.special) {
+    const auto before = static_cast<std::ptrdiff_t>(special.after);
+    special.after = static_cast<std::size_t>(
+        std::count_if(branch.points.begin(), branch.points.begin() + before, asked_for));
+  }
+  return result;
+}
+
+Table branch_table(const std::vector<MethodResponse>& responses, std::size_t first) {
   Table table;
   const std::string parameter = responses.empty() ? std::string(kFrequency) : responses.front().parameter;
   table.header = {"method",        "branch",    parameter == kFrequency ? "omega [rad/s]" : parameter,
                   "order",         "impacts",   "x max [m]",
                   "amplitude [m]", "stability", "mark"};
   for (const MethodResponse& response : responses) {
+    const auto& add = response.at_values ? add_points : add_rows;
     for (std::size_t i = 0; i < response.diagram.branches.size(); ++i)
-      add_rows(table, response.method, i, response.diagram.branches[i]);
+      add(table, response.method, first + i, response.diagram.branches[i]);
     for (const SweepPoint& step : response.steps) {
       table.rows.push_back({response.method, number_of(0), number_of(step.frequency),
                             number_of(response.order), "-", largest_cell(step.x_max),

@@ -22,11 +22,13 @@ inline constexpr std::string_view kFrequency = "forcing.frequency";
 
 /// Limits of a diagram.
 struct BranchLimits {
-  int max_order = 2;      ///< forcing periods per period of an orbit
-  int max_branches = 60;  ///< in all
-  int max_points = 2000;  ///< of one branch
-  double timeout = 60.0;  ///< wall time of all [s]
-  int phases = 0;         ///< of a forcing period at which points keep their motion; 0: they do not
+  int max_order = 2;            ///< forcing periods per period of an orbit
+  int max_branches = 60;        ///< in all
+  int max_points = 2000;        ///< of one branch
+  double timeout = 60.0;        ///< wall time of all [s]
+  int phases = 0;               ///< of a forcing period at which points keep their motion; 0: they do not
+  std::vector<double> at = {};  ///< values of the parameter at which every branch has points
+  TakeBranch take = {};
   double largest_step = CurveOptions{}.largest_step;  ///< of exact orbits, in CurveUnits
 };
 
@@ -50,6 +52,9 @@ std::optional<BranchDiagram> own_branches(const ParametrisedScene& scene, const 
 std::optional<BranchDiagram> branches_of(const ParametrisedScene& scene, const MethodChoice& method,
                                          const BranchLimits& limits);
 
+/// The points of a branch where the parameter has one of several values; special points and ends stay.
+Branch points_at(const Branch& branch, const std::vector<double>& values);
+
 /// What one method makes of a response: its branches, or the points of its steps.
 struct MethodResponse {
   std::string method;                               ///< label of the choice
@@ -57,7 +62,11 @@ struct MethodResponse {
   std::vector<SweepPoint> steps = {};               ///< of any other, or with natural steps
   int order = 1;                                    ///< of the motions that the steps look for
   std::string parameter = std::string(kFrequency);  ///< of the branches
+  bool at_values = false;                           ///< the branches hold points_at values only
 };
+
+/// {"method", "sequence", "points", "special", "began", "ended"}.
+nlohmann::ordered_json to_json(const Branch& branch, const std::string& method);
 
 /// {"parameter", "branches": [{"method", "sequence", "points": [{"omega", "order", "amplitude", "x_max",
 /// "impacts", "stable", "stability", "multipliers"}], "special": [{"kind", "omega", "order", "after",
@@ -68,7 +77,8 @@ struct MethodResponse {
 /// drives the motion. Points of natural steps have their status instead of impacts and multipliers.
 nlohmann::ordered_json to_json(const std::vector<MethodResponse>& responses);
 
-/// One row per point and special point, in the order of the branches.
-Table branch_table(const std::vector<MethodResponse>& responses);
+/// One row per point and, unless points at values were asked for, special point, in the order of the
+/// branches. \param first  number of the first branch
+Table branch_table(const std::vector<MethodResponse>& responses, std::size_t first = 0);
 
 }  // namespace signorini

@@ -15,7 +15,7 @@ namespace signorini {
 
 namespace {
 
-/// Instants of an answer from which the next solve starts, and at which its extremes are read.
+/// Instants of an answer from which the next solve starts.
 constexpr int kSweepInstants = 4096;
 
 void require_end(const char* name, double value) {
@@ -32,17 +32,17 @@ std::shared_ptr<const SampledTrajectory> stretched(const Record& record, double 
   return std::make_shared<SampledTrajectory>(std::move(data));
 }
 
-SweepPoint point_of(const Record& record, double frequency, bool back) {
-  SweepPoint point{.frequency = frequency, .back = back, .status = record.status, .message = record.message};
+SweepPoint point_of(const Record& record, double frequency, bool down) {
+  SweepPoint point{.frequency = frequency, .down = down, .status = record.status, .message = record.message};
   point.contact_ratio = record.physics.contact_ratio;
   point.stable = record.certificate.stable;
   point.seconds = record.processor.solve;
   if (!record.trajectory) return point;
   if (record.period) point.motion = SweptMotion{.period = *record.period, .x = record.trajectory->x};
-  for (const std::vector<double>& x : record.trajectory->x) {
-    const auto [least, largest] = std::minmax_element(x.begin(), x.end());
-    point.x_max.push_back(*largest);
-    point.amplitude.push_back(0.5 * (*largest - *least));
+  if (!record.motion) return point;
+  for (const DisplacementSummary& x : record.motion->x) {
+    point.x_max.push_back(x.max);
+    point.amplitude.push_back(x.amplitude);
   }
   return point;
 }
@@ -60,7 +60,7 @@ Measure largest(const std::vector<double>& values) {
   return values.empty() ? Measure{} : *std::ranges::max_element(values);
 }
 
-std::string_view way_name(const SweepPoint& point) { return point.back ? "back" : "there"; }
+std::string_view way_name(const SweepPoint& point) { return point.down ? "down" : "up"; }
 
 std::string stability_text(const SweepPoint& point) {
   if (!point.stable) return "-";
@@ -72,6 +72,10 @@ std::string stability_text(const SweepPoint& point) {
 std::vector<double> sweep_frequencies(const SweepRange& range) {
   require_end("from", range.from);
   require_end("to", range.to);
+  if (!range.at.empty()) {
+    for (const double value : range.at) require_end("at", value);
+    return range.at;
+  }
   if (range.from == range.to) throw UsageError(fmt::format("to = {} (must differ from --from)", range.to));
   if (range.points < 2) throw UsageError(fmt::format("points = {} (must be 2 or more)", range.points));
   std::vector<double> frequencies;
@@ -87,12 +91,15 @@ std::vector<double> sweep_frequencies(const SweepRange& range) {
 std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoice& method,
                                            const SweepRange& range, const SweepLimits& limits,
                                            const TakePoint& take) {
-  const std::vector<double> there = sweep_frequencies(range);
-  std::vector<double> way = there;
-  if (range.back) way.insert(way.end(), there.rbegin(), there.rend());
+  const std::vector<double> first = sweep_frequencies(range);
+  std::vector<double> way = first;
+  if (range.back) way.insert(way.end(), first.rbegin(), first.rend());
   Scene shaken = scene;
   Runner runner(Limits{.timeout = limits.timeout, .repetitions = 1});
-  SolveExtras extras{.samples = kSweepInstants, .timed = false, .certified = limits.certified};
+  SolveExtras extras{.samples = kSweepInstants,
+                     .timed = false,
+                     .certified = limits.certified,
+                     .summary = SummaryRequest{.harmonics = 0}};
   std::optional<Record> last;
   double last_frequency = 1.0;  // of the load behind it
   std::vector<SweepPoint> points;
@@ -104,7 +111,8 @@ std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoic
     const std::vector<Job> jobs = runner.make_jobs(shaken, cases);
     const auto record = jobs.empty() ? std::nullopt : runner.run(shaken, jobs.front(), extras);
     if (!record) break;  // interrupted
-    points.push_back(point_of(*record, frequency, points.size() >= there.size()));
+    const bool back = points.size() >= first.size();
+    points.push_back(point_of(*record, frequency, back != (range.to < range.from)));
     if (take) take(points.back());
     if (!leads_on(*record)) continue;
     last = *record;

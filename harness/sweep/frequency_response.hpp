@@ -19,11 +19,12 @@ struct SweepRange {
   double to = 2.0;  ///< above or below `from`
   int points = 50;  ///< >= 2, both ends included
   bool logarithmic = false;
-  bool back = false;  ///< and the same points in reverse: where the two differ, motions coexist
+  bool back = false;            ///< and the same points in reverse: where the two differ, motions coexist
+  std::vector<double> at = {};  ///< these frequencies instead of `points` between both ends, if any
 };
 
 /// The frequencies in the order they are solved. \throws UsageError unless the ends are finite, positive and
-/// different
+/// different, and those of `at` positive and different too
 std::vector<double> sweep_frequencies(const SweepRange& range);
 
 /// A motion over its own period: x_j at equidistant instants from t = 0, per contact [m].
@@ -35,7 +36,7 @@ struct SweptMotion {
 /// One point of a response; a quantity that does not exist there is absent.
 struct SweepPoint {
   double frequency = 0.0;  ///< [rad/s]
-  bool back = false;       ///< on the way back
+  bool down = false;       ///< on a way of falling frequency
   Status status = Status::not_converged;
   std::string message = {};
   std::vector<double> x_max = {};          ///< largest x of each contact over the period [m]
@@ -67,8 +68,8 @@ std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoic
 /// "-".
 Table response_table(const std::vector<SweepPoint>& points, bool certified);
 
-/// Keys `frequency`, `way` ("there" or "back"), `status`, `message`, `x_max`, `amplitude`, `contact_ratio`,
-/// `stable`; absent where a notion is.
+/// Keys `frequency`, `way` ("up" or "down", as the frequency goes), `status`, `message`, `x_max`,
+/// `amplitude`, `contact_ratio`, `stable`; absent where a notion is.
 nlohmann::ordered_json to_json(const SweepPoint& point);
 
 }  // namespace signorini

@@ -7,6 +7,7 @@
 #include <concepts>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace signorini {
 
@@ -141,6 +142,18 @@ inline double next_step(double length, int iterations, double turn, double large
   double factor = iterations <= 2 ? 1.6 : iterations == 3 ? 1.25 : iterations == 4 ? 1.0 : 0.6;
   if (turn > kTurning) factor = std::min(factor, 0.75);
   return std::min(length * factor, largest);
+}
+
+/// Of several values of the parameter the one that a step passes first; empty where it passes none. One at
+/// which the step begins, to 1e-12, is not passed.
+inline std::optional<double> first_passed(const std::vector<double>& values, double begin, double end) {
+  constexpr double kAt = 1e-12;
+  std::optional<double> first;
+  for (const double value : values) {
+    const bool passed = (begin - value) * (end - value) < 0.0 && std::abs(begin - value) > kAt;
+    if (passed && (!first || std::abs(begin - value) < std::abs(begin - *first))) first = value;
+  }
+  return first;
 }
 
 /// A point of a curve with its tangent, and the step from there that leads to the next one.

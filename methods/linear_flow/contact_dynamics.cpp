@@ -25,15 +25,27 @@ ContactDynamics::ContactDynamics(const Problem& problem)
   const FlowStructure& s = *structure_;
   small_ = size() <= kSmall;
   if (!small_) return;
-  inverse_mass_stiffness_ = s.factors.solve(Eigen::MatrixXd(s.stiffness));
-  inverse_mass_damping_ = s.factors.solve(Eigen::MatrixXd(s.damping));
+  inverse_mass_stiffness_ = s.factors->solve(Eigen::MatrixXd(s.stiffness));
+  inverse_mass_damping_ = s.factors->solve(Eigen::MatrixXd(s.damping));
   for (std::size_t h = 0; h < s.rates.size(); ++h) {
     const Eigen::VectorXcd load = s.load.col(static_cast<Eigen::Index>(h));
     if (load.isZero(0.0)) continue;
     inverse_mass_load_.push_back({.rate = s.rates[h],
-                                  .cos = s.factors.solve(Eigen::VectorXd(load.real())),
-                                  .sin = s.factors.solve(Eigen::VectorXd(-load.imag()))});
+                                  .cos = s.factors->solve(Eigen::VectorXd(load.real())),
+                                  .sin = s.factors->solve(Eigen::VectorXd(-load.imag()))});
   }
+}
+
+ContactDynamics::ContactDynamics(const ContactDynamics& other, double frequency)
+    : structure_(std::make_shared<FlowStructure>(other.structure().at_frequency(frequency))),
+      stops_(Stops::on(*structure_, other.rigid())),
+      restitution_(other.restitution_),
+      small_(other.small_),
+      inverse_mass_stiffness_(other.inverse_mass_stiffness_),
+      inverse_mass_damping_(other.inverse_mass_damping_),
+      inverse_mass_load_(other.inverse_mass_load_) {
+  for (LoadRate& load : inverse_mass_load_)
+    load.rate = std::round(load.rate / other.structure().frequency) * frequency;
 }
 
 ContactMode ContactDynamics::mode(const std::vector<bool>& closed) const {
@@ -64,15 +76,15 @@ void ContactDynamics::acceleration(const ContactMode& mode, double time,
     Eigen::VectorXd force = structure_->load_at(time);
     force.noalias() -= structure_->stiffness * u;
     force.noalias() -= structure_->damping * v;
-    a = structure_->factors.solve(force);
+    a = structure_->factors->solve(force);
   }
   if (!mode.active.empty()) stops_->add_acceleration(mode, time, u, a);
 }
 
 Eigen::MatrixXd ContactDynamics::flow_matrix(const ContactMode& mode) const {
   const int n = size();
-  Eigen::MatrixXd from_u = -structure_->factors.solve(stops_->stiffness(mode));
-  Eigen::MatrixXd from_v = -structure_->factors.solve(Eigen::MatrixXd(structure_->damping));
+  Eigen::MatrixXd from_u = -structure_->factors->solve(stops_->stiffness(mode));
+  Eigen::MatrixXd from_v = -structure_->factors->solve(Eigen::MatrixXd(structure_->damping));
   if (!mode.active.empty()) stops_->constrain(mode, from_u, from_v);
   Eigen::MatrixXd B = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   B.topRightCorner(n, n).setIdentity();

@@ -17,6 +17,8 @@ class ContactDynamics {
  public:
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
   explicit ContactDynamics(const Problem& problem);
+  /// The same scene with another frequency of its load (FlowStructure::at_frequency).
+  ContactDynamics(const ContactDynamics& other, double frequency);
 
   [[nodiscard]] const FlowStructure& structure() const { return *structure_; }  ///< that moves
   [[nodiscard]] const Stops& stops() const { return *stops_; }                  ///< of its contacts

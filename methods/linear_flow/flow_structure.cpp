@@ -31,22 +31,30 @@ Eigen::VectorXd wave_derivative(const Eigen::MatrixXcd& amplitudes, const std::v
 FlowStructure::FlowStructure(const Problem& problem)
     : CondensedStructure(condense(problem)),
       gaps(contact_gaps(problem)),
-      frequency(problem.frequency),
-      forcing_period(problem.forcing_period()),
       highest_harmonic(std::max(1, highest_load_harmonic(problem))) {
   if (!obstacle.empty()) throw std::runtime_error(obstacle);
   directions = normals;
   compliance = massless_compliance;
-  factors.compute(mass);
-  if (factors.info() != Eigen::Success) throw std::runtime_error(flow_obstacle(problem));
+  factors = std::make_shared<const Eigen::SimplicialLLT<SparseMatrix>>(mass);
+  if (factors->info() != Eigen::Success) throw std::runtime_error(flow_obstacle(problem));
   if (const auto* law = std::get_if<Penalty>(&problem.law)) {
     const auto k = Eigen::VectorXd::Map(law->stiffness.data(), contact_count());
     compliance.diagonal() += k.cwiseInverse();
   }
-  velocity_per_impulse = factors.solve(directions);
+  velocity_per_impulse = factors->solve(directions);
   delassus = directions.transpose() * velocity_per_impulse;
   measure_rates();
+  set_frequency(problem.frequency);
   measure_scales(problem);
+}
+
+FlowStructure FlowStructure::at_frequency(double omega) const {
+  FlowStructure result = *this;
+  for (double& rate : result.rates) rate = std::round(rate / frequency) * omega;
+  result.set_frequency(omega);
+  result.scales.velocity = omega * scales.displacement;
+  result.scales.acceleration = result.fastest_rate * result.scales.velocity;
+  return result;
 }
 
 Eigen::VectorXd FlowStructure::load_at(double time) const { return wave_derivative(load, rates, time, 0); }
@@ -73,22 +81,28 @@ Eigen::MatrixXd FlowStructure::impulse_of_velocity(const std::vector<int>& pushe
 // Power iteration; the factor covers its slow last digits. An estimate is enough: it only sizes steps.
 void FlowStructure::measure_rates() {
   constexpr int kIterations = 40;
-  constexpr double kMargin = 1.1;
-  constexpr double kFast = 100.0;  // below, explicit steps follow the load anyway
   const auto largest = [&](const SparseMatrix& A) {
     Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(size(), 1.0, 2.0);
     for (int i = 1; i < size(); i += 2) x[i] = -x[i];  // the fastest modes alternate in sign
     double value = 0.0;
     for (int k = 0; k < kIterations && x.norm() > 0.0; ++k) {
       x.normalize();
-      x = factors.solve(A * x);
+      x = factors->solve(A * x);
       value = x.norm();
     }
     return value;
   };
-  const double oscillation = std::sqrt(largest(stiffness)), decay = largest(damping);
-  fastest_rate = std::max({kMargin * oscillation, kMargin * decay, highest_harmonic * frequency});
-  stiff = decay > 2.0 * oscillation && decay > kFast * highest_harmonic * frequency;
+  oscillation_ = std::sqrt(largest(stiffness));
+  decay_ = largest(damping);
+}
+
+void FlowStructure::set_frequency(double omega) {
+  constexpr double kMargin = 1.1;
+  constexpr double kFast = 100.0;  // below, explicit steps follow the load anyway
+  frequency = omega;
+  forcing_period = 2.0 * std::numbers::pi / omega;
+  fastest_rate = std::max({kMargin * oscillation_, kMargin * decay_, highest_harmonic * frequency});
+  stiff = decay_ > 2.0 * oscillation_ && decay_ > kFast * highest_harmonic * frequency;
 }
 
 namespace {

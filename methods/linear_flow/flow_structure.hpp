@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include "methods/structure/condensation.hpp"
@@ -34,6 +35,8 @@ class FlowStructure : public CondensedStructure {
  public:
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
   explicit FlowStructure(const Problem& problem);
+  /// The same structure under the same load at another frequency, X of its scales kept.
+  [[nodiscard]] FlowStructure at_frequency(double omega) const;
 
   [[nodiscard]] int size() const { return static_cast<int>(directions.rows()); }           ///< Nd
   [[nodiscard]] int contact_count() const { return static_cast<int>(directions.cols()); }  ///< Nc
@@ -52,10 +55,10 @@ class FlowStructure : public CondensedStructure {
   [[nodiscard]] Eigen::MatrixXd impulse_of_velocity(const std::vector<int>& pushed,
                                                     const std::vector<double>& restitution) const;
 
-  Eigen::SimplicialLLT<SparseMatrix> factors;  ///< of M
-  Eigen::MatrixXd directions;                  ///< W, the dense normals, Nd x Nc [-]
-  Eigen::MatrixXd velocity_per_impulse;        ///< M^-1 W, Nd x Nc [1/kg]
-  Eigen::MatrixXd delassus;                    ///< G = W^T M^-1 W, Nc x Nc [1/kg]
+  std::shared_ptr<const Eigen::SimplicialLLT<SparseMatrix>> factors;  ///< of M
+  Eigen::MatrixXd directions;                                         ///< W, the dense normals, Nd x Nc [-]
+  Eigen::MatrixXd velocity_per_impulse;                               ///< M^-1 W, Nd x Nc [1/kg]
+  Eigen::MatrixXd delassus;                                           ///< G = W^T M^-1 W, Nc x Nc [1/kg]
   Eigen::MatrixXd compliance;   ///< C = C_0 + diag(1 / k) of springs, C_0 the massless, Nc x Nc [m/N]
   Eigen::VectorXd gaps;         ///< g, Nc [m]
   double frequency = 1.0;       ///< omega [rad/s]
@@ -70,7 +73,10 @@ class FlowStructure : public CondensedStructure {
 
  private:
   void measure_rates();
+  void set_frequency(double omega);
   void measure_scales(const Problem& problem);
+
+  double oscillation_ = 0.0, decay_ = 0.0;  // fastest of the structure alone [rad/s]
 };
 
 }  // namespace signorini

@@ -3,6 +3,7 @@
 // exponential.
 
 #include <Eigen/Core>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -55,6 +56,15 @@ class LinearArc {
     const Eigen::Index row = equations_.force_row(contact);
     return row < 0 ? 0.0 : output(row, time, order);
   }
+  /// Bound of |x_j''| from a time on; infinite where none is known [m / s^2].
+  [[nodiscard]] double displacement_bound(int contact, double time) const {
+    return curvature_bound(contact, time);
+  }
+  /// Bound of |lambda_j''| likewise [N / s^2].
+  [[nodiscard]] double force_bound(int contact, double time) const {
+    const Eigen::Index row = equations_.force_row(contact);
+    return row < 0 ? 0.0 : curvature_bound(row, time);
+  }
   [[nodiscard]] const ContactMode& mode() const { return equations_.mode; }  ///< of the flow
 
  protected:
@@ -62,8 +72,19 @@ class LinearArc {
   explicit LinearArc(const ModeEquations& equations) : equations_(equations) {}
   /// order-th derivative of one output of the mode.
   [[nodiscard]] virtual double output(Eigen::Index row, double time, int order) const = 0;
+  /// Bound of its second derivative from a time on.
+  [[nodiscard]] virtual double curvature_bound(Eigen::Index, double) const {
+    return std::numeric_limits<double>::infinity();
+  }
 
   const ModeEquations& equations_;  ///< of the flow
+};
+
+/// A transition as writing * reading, 2 Nd x r and r x 2 Nd: what the motion keeps of a state, and what it
+/// makes of that.
+struct TransitionFactors {
+  Eigen::MatrixXd writing;  ///< 2 Nd x r
+  Eigen::MatrixXd reading;  ///< r x 2 Nd
 };
 
 /// The linear motions of one contact mode in closed form: ModalFlow or ExponentialFlow.
@@ -77,6 +98,10 @@ class LinearFlow {
   [[nodiscard]] virtual std::unique_ptr<LinearArc> arc() const = 0;
   /// d(u, v)(t0 + duration) / d(u, v)(t0), 2 Nd x 2 Nd; deviations normal to the constraint are dropped.
   [[nodiscard]] virtual Eigen::MatrixXd transition(double duration) const = 0;
+  /// The same without the modes that have faded to e^-50, r <= 2 Nd.
+  [[nodiscard]] virtual TransitionFactors transition_factors(double duration) const {
+    return {.writing = transition(duration), .reading = Eigen::MatrixXd::Identity(2 * size(), 2 * size())};
+  }
   /// What impulses at the contacts, each `time` before now, have made of a structure at rest without load.
   [[nodiscard]] virtual State response(const std::vector<Impulse>& impulses) const = 0;
   /// d lambda_j / d(u, v) at a closed contact, else d x_j / d(u, v), 1 x 2 Nd.
@@ -100,16 +125,21 @@ enum class FlowForm {
 /// Coordinates that a closed-form flow takes: its matrices are dense [-]
 inline constexpr int kMostInDenseFlow = 300;
 
+class SharedModes;
+
 /// The flow of a mode. \throws std::runtime_error if the structure has more coordinates than kMostInDenseFlow
+/// \param shared  where its complex modes may be known from another scene; empty: nowhere
 std::unique_ptr<const LinearFlow> linear_flow(const ContactDynamics& dynamics, ContactMode mode,
-                                              FlowForm form = FlowForm::automatic);
+                                              FlowForm form = FlowForm::automatic,
+                                              const std::shared_ptr<SharedModes>& shared = {});
 
 /// The flows of a scene's contact modes, each made when first asked for.
 class LinearFlows {
  public:
   /// \param dynamics  of the scene, kept by the caller
-  explicit LinearFlows(const ContactDynamics& dynamics, FlowForm form = FlowForm::automatic)
-      : dynamics_(dynamics), form_(form) {}
+  explicit LinearFlows(const ContactDynamics& dynamics, FlowForm form = FlowForm::automatic,
+                       std::shared_ptr<SharedModes> shared = {})
+      : dynamics_(dynamics), form_(form), shared_(std::move(shared)) {}
   /// The flow in which exactly the contacts with closed[j] are closed. \throws std::runtime_error
   const LinearFlow& of(const std::vector<bool>& closed);
   [[nodiscard]] const ContactDynamics& dynamics() const { return dynamics_; }  ///< of the scene
@@ -117,6 +147,7 @@ class LinearFlows {
  private:
   const ContactDynamics& dynamics_;
   FlowForm form_;
+  std::shared_ptr<SharedModes> shared_;
   std::map<std::vector<bool>, std::unique_ptr<const LinearFlow>> flows_;
 };
 
@@ -141,10 +172,23 @@ struct ComplexModes {
 /// between them) or M or K is not definite.
 std::optional<ComplexModes> complex_modes(const EnergyForm& form);
 
-/// The complex modes of a mode's structure; empty where they cannot carry its flow: they are ill-conditioned
-/// (critical damping, a rigid-body motion), or the load resonates with one of them, so that the periodic
-/// response and the free motion would cancel in their leading digits.
-std::optional<ComplexModes> modes_of_flow(const ModeEquations& equations, const EnergyForm& energy);
+/// The complex modes of a contact mode in all its coordinates: what no load enters.
+struct ModalBasis {
+  /// \param modes  complex_modes(equations.energy()); without entries where nothing moves
+  ModalBasis(const ModeEquations& equations, ComplexModes modes);
+
+  ComplexModes reduced;          ///< in the coordinates that are free
+  Eigen::MatrixXcd shapes;       ///< U, Nd x Nm
+  Eigen::MatrixXcd left;         ///< Nm x 2 Nd: a = left ((u, v) - forced)
+  Eigen::MatrixXcd row_of_mode;  ///< outputs x Nm, w_k included
+};
+
+/// That of a contact mode; empty where complex_modes has none.
+std::shared_ptr<const ModalBasis> modal_basis(const ModeEquations& equations);
+
+/// Whether the load resonates with one of the modes, so that the periodic response and the free motion would
+/// cancel in their leading digits: they cannot carry the flow then.
+bool resonates(const ModeEquations& equations, const ComplexModes& modes);
 
 /// With the complex modes (mu_k, U_k) of the structure, proportional damping or not,
 ///
@@ -154,22 +198,22 @@ std::optional<ComplexModes> modes_of_flow(const ModeEquations& equations, const 
 /// load. Evaluations allocate nothing.
 class ModalFlow final : public LinearFlow {
  public:
-  /// \param modes  modes_of_flow(equations, equations.energy())
-  ModalFlow(ModeEquations equations, const ComplexModes& modes);
+  /// \param basis  modal_basis(equations), or that of a scene with the same structure, not resonating
+  ModalFlow(ModeEquations equations, std::shared_ptr<const ModalBasis> basis);
 
   [[nodiscard]] std::unique_ptr<LinearArc> arc() const override;
   [[nodiscard]] Eigen::MatrixXd transition(double duration) const override;
+  [[nodiscard]] TransitionFactors transition_factors(double duration) const override;
   [[nodiscard]] State response(const std::vector<Impulse>& impulses) const override;
 
  private:
   class Arc;
 
-  Eigen::VectorXcd mu_;               // Nm
-  Eigen::VectorXd weight_;            // w_k
-  Eigen::MatrixXcd shapes_;           // U, Nd x Nm
-  Eigen::MatrixXcd left_;             // Nm x 2 Nd: a = left ((u, v) - forced)
+  [[nodiscard]] const Eigen::VectorXcd& mu() const { return basis_->reduced.mu; }         // Nm
+  [[nodiscard]] const Eigen::VectorXd& weight() const { return basis_->reduced.weight; }  // w_k
+
+  std::shared_ptr<const ModalBasis> basis_;
   Eigen::MatrixXcd forced_;           // P, Nd x Nh
-  Eigen::MatrixXcd row_of_mode_;      // outputs x Nm, w_k included
   Eigen::MatrixXcd row_of_harmonic_;  // outputs x Nh
 };
 

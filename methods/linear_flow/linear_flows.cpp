@@ -3,27 +3,29 @@
 #include <utility>
 
 #include "methods/linear_flow/linear_flow.hpp"
+#include "methods/linear_flow/shared_modes.hpp"
 
 namespace signorini {
 
 std::unique_ptr<const LinearFlow> linear_flow(const ContactDynamics& dynamics, ContactMode mode,
-                                              FlowForm form) {
+                                              FlowForm form, const std::shared_ptr<SharedModes>& shared) {
   if (dynamics.size() > kMostInDenseFlow) {
     throw std::runtime_error("the closed-form flow is dense: " + std::to_string(dynamics.size()) +
                              " coordinates are more than " + std::to_string(kMostInDenseFlow));
   }
   ModeEquations equations(dynamics, std::move(mode));
-  const EnergyForm energy = equations.energy();
   if (form == FlowForm::automatic) {
-    if (const auto modes = modes_of_flow(equations, energy))
-      return std::make_unique<ModalFlow>(std::move(equations), *modes);
+    auto basis = shared ? shared->of(equations) : modal_basis(equations);
+    if (basis && !resonates(equations, basis->reduced))
+      return std::make_unique<ModalFlow>(std::move(equations), std::move(basis));
   }
+  const EnergyForm energy = equations.energy();
   return std::make_unique<ExponentialFlow>(std::move(equations), energy);
 }
 
 const LinearFlow& LinearFlows::of(const std::vector<bool>& closed) {
   auto& flow = flows_[closed];
-  if (!flow) flow = linear_flow(dynamics_, dynamics_.mode(closed), form_);
+  if (!flow) flow = linear_flow(dynamics_, dynamics_.mode(closed), form_, shared_);
   return *flow;
 }
 

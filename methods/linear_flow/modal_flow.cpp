@@ -10,47 +10,58 @@ namespace signorini {
 
 using Complex = std::complex<double>;
 
-std::optional<ComplexModes> modes_of_flow(const ModeEquations& equations, const EnergyForm& energy) {
+bool resonates(const ModeEquations& equations, const ComplexModes& modes) {
   // The periodic response to a load near an eigenvalue is 1 / |i rate - mu| as large as the load, the free
   // motion cancels it: at a relative distance of 1e-4 four digits are lost.
   constexpr double kResonance = 1e-4;
-  if (equations.free() == 0) return ComplexModes{};  // nothing moves
-  std::optional<ComplexModes> modes = complex_modes(energy);
-  if (!modes) return std::nullopt;
+  if (equations.free() == 0) return false;  // nothing moves
   for (Eigen::Index h = 0; h < equations.harmonics(); ++h) {
     if (equations.reduced_load(h).isZero(0.0)) continue;
     const double rate = equations.rates()[static_cast<std::size_t>(h)];
-    if ((modes->mu.array() - Complex(0.0, rate)).abs().minCoeff() <
+    if ((modes.mu.array() - Complex(0.0, rate)).abs().minCoeff() <
         kResonance * std::max(rate, equations.structure().frequency))
-      return std::nullopt;
+      return true;
   }
-  return modes;
+  return false;
 }
 
-ModalFlow::ModalFlow(ModeEquations equations, const ComplexModes& modes)
-    : LinearFlow(std::move(equations)), mu_(modes.mu), weight_(modes.weight) {
-  const Eigen::MatrixXd& Q = equations_.form.basis;
-  const Eigen::Index n = equations_.free(), harmonics = equations_.harmonics();
-  shapes_ = Q * modes.shapes;
-  left_.resize(mu_.size(), 2 * size());
-  left_.leftCols(size()) = modes.left.leftCols(n) * Q.transpose();
-  left_.rightCols(size()) = modes.left.rightCols(n) * Q.transpose();
+ModalBasis::ModalBasis(const ModeEquations& equations, ComplexModes modes) : reduced(std::move(modes)) {
+  const Eigen::MatrixXd& Q = equations.form.basis;
+  const Eigen::Index n = equations.free(), size = equations.size();
+  shapes = Q * reduced.shapes;
+  left.resize(reduced.mu.size(), 2 * size);
+  left.leftCols(size) = reduced.left.leftCols(n) * Q.transpose();
+  left.rightCols(size) = reduced.left.rightCols(n) * Q.transpose();
+  Eigen::MatrixXcd states(2 * size, reduced.mu.size());
+  states.topRows(size) = shapes;
+  states.bottomRows(size) = shapes * reduced.mu.asDiagonal();
+  row_of_mode = equations.output_of_state * states * reduced.weight.asDiagonal();
+}
+
+std::shared_ptr<const ModalBasis> modal_basis(const ModeEquations& equations) {
+  std::optional<ComplexModes> modes =
+      equations.free() == 0 ? ComplexModes{} : complex_modes(equations.energy());
+  if (!modes) return nullptr;
+  return std::make_shared<const ModalBasis>(equations, *std::move(modes));
+}
+
+ModalFlow::ModalFlow(ModeEquations equations, std::shared_ptr<const ModalBasis> basis)
+    : LinearFlow(std::move(equations)), basis_(std::move(basis)) {
+  const Eigen::Index harmonics = equations_.harmonics();
   forced_ = Eigen::MatrixXcd::Zero(size(), harmonics);
-  Eigen::MatrixXcd states(2 * size(), mu_.size()), waves(2 * size(), harmonics);
+  Eigen::MatrixXcd waves(2 * size(), harmonics);
   // P_h = Q (of the modes' response), plus the offset of held contacts, which is constant.
   for (Eigen::Index h = 0; h < harmonics; ++h) {
     const Eigen::VectorXcd load = equations_.reduced_load(h);
     if (!load.isZero(0.0))
-      forced_.col(h) = Q * modes.forced(load, equations_.rates()[static_cast<std::size_t>(h)]);
+      forced_.col(h) = equations_.form.basis *
+                       basis_->reduced.forced(load, equations_.rates()[static_cast<std::size_t>(h)]);
   }
   forced_.col(0) += equations_.form.offset.cast<Complex>();
-  states.topRows(size()) = shapes_;
-  states.bottomRows(size()) = shapes_ * mu_.asDiagonal();
   waves.topRows(size()) = forced_;
   for (Eigen::Index h = 0; h < harmonics; ++h)
     waves.col(h).tail(size()) =
         Complex(0.0, equations_.rates()[static_cast<std::size_t>(h)]) * forced_.col(h);
-  row_of_mode_ = equations_.output_of_state * states * weight_.asDiagonal();
   row_of_harmonic_ = equations_.output_of_state * waves + equations_.output_of_load;
 }
 
@@ -58,33 +69,60 @@ Eigen::MatrixXd ModalFlow::transition(double duration) const {
   const int n = size();
   Eigen::MatrixXd result(2 * n, 2 * n);
   // Deviations obey the homogeneous equation: Re sum_k w_k (U_k, mu_k U_k) e^{mu_k s} left_k.
-  const Eigen::VectorXcd growth = weight_.array() * (mu_.array() * duration).exp();
-  const Eigen::MatrixXcd scaled = growth.asDiagonal() * left_;
-  result.topRows(n) = (shapes_ * scaled).real();
-  result.bottomRows(n) = (shapes_ * mu_.asDiagonal() * scaled).real();
+  const Eigen::VectorXcd growth = weight().array() * (mu().array() * duration).exp();
+  const Eigen::MatrixXcd scaled = growth.asDiagonal() * basis_->left;
+  result.topRows(n) = (basis_->shapes * scaled).real();
+  result.bottomRows(n) = (basis_->shapes * mu().asDiagonal() * scaled).real();
   return result;
+}
+
+// Re(s l) = Re s Re l - Im s Im l: two columns of a pair, one of a real mode.
+TransitionFactors ModalFlow::transition_factors(double duration) const {
+  constexpr double kFaded = -50.0;
+  const int n = size();
+  std::vector<Eigen::Index> alive;
+  Eigen::Index columns = 0;
+  for (Eigen::Index k = 0; k < mu().size(); ++k) {
+    if (mu()[k].real() * duration < kFaded) continue;
+    alive.push_back(k);
+    columns += mu()[k].imag() > 0.0 ? 2 : 1;
+  }
+  TransitionFactors factors{.writing = Eigen::MatrixXd(2 * n, columns),
+                            .reading = Eigen::MatrixXd(columns, 2 * n)};
+  Eigen::Index c = 0;
+  for (const Eigen::Index k : alive) {
+    const Complex growth = weight()[k] * std::exp(mu()[k] * duration);
+    const Eigen::VectorXcd position = growth * basis_->shapes.col(k), velocity = mu()[k] * position;
+    factors.writing.col(c) << position.real(), velocity.real();
+    factors.reading.row(c++) = basis_->left.row(k).real();
+    if (!(mu()[k].imag() > 0.0)) continue;
+    factors.writing.col(c) << -position.imag(), -velocity.imag();
+    factors.reading.row(c++) = basis_->left.row(k).imag();
+  }
+  return factors;
 }
 
 State ModalFlow::response(const std::vector<Impulse>& impulses) const {
   // All impulses excite the same modes: their amplitudes are summed before the shapes are taken.
-  const Eigen::MatrixXcd excited = left_.rightCols(size()) * equations_.structure().velocity_per_impulse;
-  Eigen::VectorXcd amplitude = Eigen::VectorXcd::Zero(mu_.size());
+  const Eigen::MatrixXcd excited =
+      basis_->left.rightCols(size()) * equations_.structure().velocity_per_impulse;
+  Eigen::VectorXcd amplitude = Eigen::VectorXcd::Zero(mu().size());
   for (const Impulse& impulse : impulses) {
     amplitude.array() +=
-        impulse.value * excited.col(impulse.contact).array() * (impulse.time * mu_.array()).exp();
+        impulse.value * excited.col(impulse.contact).array() * (impulse.time * mu().array()).exp();
   }
-  amplitude.array() *= weight_.array();
-  const Eigen::VectorXcd rates = mu_.cwiseProduct(amplitude);
-  return {.u = (shapes_ * amplitude).real(), .v = (shapes_ * rates).real()};
+  amplitude.array() *= weight().array();
+  const Eigen::VectorXcd rates = mu().cwiseProduct(amplitude);
+  return {.u = (basis_->shapes * amplitude).real(), .v = (basis_->shapes * rates).real()};
 }
 
 /// A motion as amplitudes of the modes.
 class ModalFlow::Arc final : public LinearArc {
  public:
   explicit Arc(const ModalFlow& flow) : LinearArc(flow.equations_), flow_(flow), rates_(equations_.rates()) {
-    growth_.resize(flow.mu_.size());
+    growth_.resize(flow.mu().size());
     wave_.resize(equations_.harmonics());
-    amplitude_.resize(flow.mu_.size());
+    amplitude_.resize(flow.mu().size());
   }
 
   void start(double time, const State& state) override;
@@ -97,6 +135,7 @@ class ModalFlow::Arc final : public LinearArc {
 
  private:
   [[nodiscard]] double output(Eigen::Index row, double time, int order) const override;
+  [[nodiscard]] double curvature_bound(Eigen::Index row, double time) const override;
   void differentiate(double time, int order, Eigen::VectorXd& derivative) const;
   [[nodiscard]] double rate(Eigen::Index h) const { return rates_[static_cast<std::size_t>(h)]; }
   void move_to(double time) const;
@@ -126,9 +165,9 @@ void ModalFlow::Arc::start(double time, const State& state) {
       u -= part.real();
       v += rate(h) * part.imag();
     }
-    amplitude_ += u * flow_.left_.col(i) + v * flow_.left_.col(n + i);
+    amplitude_ += u * flow_.basis_->left.col(i) + v * flow_.basis_->left.col(n + i);
   }
-  contribution_ = flow_.row_of_mode_ * amplitude_.asDiagonal();
+  contribution_ = flow_.basis_->row_of_mode * amplitude_.asDiagonal();
 }
 
 std::vector<FadingRate> ModalFlow::Arc::fading_rates(double floor, double step, int order) const {
@@ -142,7 +181,7 @@ std::vector<FadingRate> ModalFlow::Arc::fading_rates(double floor, double step, 
       share = std::max(share, force < 0 ? std::abs(contribution_(j, k)) / dynamics.scales().displacement
                                         : std::abs(contribution_(force, k)) / dynamics.force_scale(j));
     }
-    const Complex mu = flow_.mu_[k];
+    const Complex mu = flow_.mu()[k];
     share *= std::pow(std::max(1.0, std::abs(mu) * step), order);
     const bool fades = mu.real() < 0.0;
     if (fades && share <= floor) continue;
@@ -164,7 +203,7 @@ void ModalFlow::Arc::move_to(double time) const {
   now_ = time;
   const double s = time - begin_;
   for (Eigen::Index k = 0; k < growth_.size(); ++k) {
-    const Complex mu = flow_.mu_[k];
+    const Complex mu = flow_.mu()[k];
     growth_[k] = std::polar(std::exp(mu.real() * s), mu.imag() * s);
   }
   for (Eigen::Index h = 0; h < wave_.size(); ++h)
@@ -176,7 +215,7 @@ double ModalFlow::Arc::output(Eigen::Index row, double time, int order) const {
   double sum = 0.0;
   for (Eigen::Index k = 0; k < growth_.size(); ++k) {
     Complex term = contribution_(row, k) * growth_[k];
-    for (int i = 0; i < order; ++i) term *= flow_.mu_[k];
+    for (int i = 0; i < order; ++i) term *= flow_.mu()[k];
     sum += term.real();
   }
   for (Eigen::Index h = 0; h < wave_.size(); ++h) {
@@ -187,15 +226,30 @@ double ModalFlow::Arc::output(Eigen::Index row, double time, int order) const {
   return sum;
 }
 
+// The sum of the magnitudes of all terms, |z| <= |Re z| + |Im z|: modes fade, harmonics stay.
+double ModalFlow::Arc::curvature_bound(Eigen::Index row, double time) const {
+  const auto size = [](const Complex& z) { return std::abs(z.real()) + std::abs(z.imag()); };
+  move_to(time);
+  double sum = 0.0;
+  for (Eigen::Index k = 0; k < growth_.size(); ++k) {
+    const Complex mu = flow_.mu()[k];
+    if (mu.real() > 0.0) return LinearArc::curvature_bound(row, time);
+    sum += size(contribution_(row, k)) * std::norm(mu) * size(growth_[k]);
+  }
+  for (Eigen::Index h = 0; h < wave_.size(); ++h)
+    sum += size(flow_.row_of_harmonic_(row, h)) * rate(h) * rate(h);
+  return sum;
+}
+
 // order-th derivative (0..2) of u.
 void ModalFlow::Arc::differentiate(double time, int order, Eigen::VectorXd& derivative) const {
   move_to(time);
   const int n = flow_.size();
   derivative.setZero(n);
   for (Eigen::Index k = 0; k < growth_.size(); ++k) {
-    Complex a = flow_.weight_[k] * amplitude_[k] * growth_[k];
-    for (int i = 0; i < order; ++i) a *= flow_.mu_[k];
-    for (int i = 0; i < n; ++i) derivative[i] += (a * flow_.shapes_(i, k)).real();
+    Complex a = flow_.weight()[k] * amplitude_[k] * growth_[k];
+    for (int i = 0; i < order; ++i) a *= flow_.mu()[k];
+    for (int i = 0; i < n; ++i) derivative[i] += (a * flow_.basis_->shapes(i, k)).real();
   }
   for (Eigen::Index h = 0; h < wave_.size(); ++h) {
     const double r = rate(h);

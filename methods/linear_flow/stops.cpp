@@ -48,7 +48,7 @@ class RigidStops final : public Stops {
   void differentiate(const ContactMode& mode, double time, int k, Eigen::VectorXd load,
                      MotionDerivatives& motion) const override {
     motion.x.col(k) = structure_.unloaded(time, motion.u.col(k), k);
-    Eigen::VectorXd next = structure_.factors.solve(load);
+    Eigen::VectorXd next = structure_.factors->solve(load);
     if (!mode.active.empty()) {
       const Eigen::VectorXd lambda = multiplier(mode, next);
       next += structure_.velocity_per_impulse(Eigen::all, mode.active) * lambda;
@@ -118,7 +118,7 @@ class CompliantStops final : public Stops {
     motion.lambda.col(k) = force(mode, motion.x.col(k), k);
     motion.x.col(k) += structure_.massless_compliance * motion.lambda.col(k);
     load += structure_.directions * motion.lambda.col(k);
-    motion.u.col(k + 2) = structure_.factors.solve(load);
+    motion.u.col(k + 2) = structure_.factors->solve(load);
   }
 
   void forces(const ContactMode& mode, double, const State&, Eigen::VectorXd& x, Eigen::VectorXd& rate,
@@ -177,9 +177,13 @@ class CompliantStops final : public Stops {
 }  // namespace
 
 std::unique_ptr<const Stops> Stops::of(const Problem& problem, const FlowStructure& structure) {
-  if (std::holds_alternative<Penalty>(problem.law) || std::holds_alternative<Massless>(problem.law))
-    return std::make_unique<CompliantStops>(structure);
-  return std::make_unique<RigidStops>(structure);
+  return on(structure,
+            !std::holds_alternative<Penalty>(problem.law) && !std::holds_alternative<Massless>(problem.law));
+}
+
+std::unique_ptr<const Stops> Stops::on(const FlowStructure& structure, bool rigid) {
+  if (rigid) return std::make_unique<RigidStops>(structure);
+  return std::make_unique<CompliantStops>(structure);
 }
 
 }  // namespace signorini

@@ -53,6 +53,8 @@ class Stops {
  public:
   /// Those of a scene: compliant if its law is Penalty or Massless. `structure` must outlive them.
   static std::unique_ptr<const Stops> of(const Problem& problem, const FlowStructure& structure);
+  /// Those of the same kind on a structure, which must outlive them.
+  static std::unique_ptr<const Stops> on(const FlowStructure& structure, bool rigid);
   virtual ~Stops() = default;
 
   /// True where a contact takes impulses and its velocity may jump.

@@ -13,14 +13,14 @@ LimitedSample sample(const LimitedOutput& f, double t) {
   return {.time = t, .value = f.value(t, 0), .rate = f.value(t, 1), .curvature = f.value(t, 2)};
 }
 
-// Local maximum between two instants where the rate falls through zero.
-double polished_peak(const LimitedOutput& f, double low, double high) {
+// Local extreme between two instants where the rate falls through zero, or rises.
+double polished_peak(const LimitedOutput& f, double low, double high, bool falls = true) {
   // Newton's method on the rate, in a bracket that shrinks with every iterate and is halved where a step
   // leaves it.
   double t = 0.5 * (low + high);
   for (int k = 0; k < 30; ++k) {
     const double rate = f.value(t, 1), curvature = f.value(t, 2);
-    (rate > 0.0 ? low : high) = t;
+    ((rate > 0.0) == falls ? low : high) = t;
     double next = t - rate / curvature;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (std::abs(next - t) <= 1e-14 * std::abs(t)) break;
@@ -69,6 +69,42 @@ std::vector<LimitedSample> scan(const LimitedOutput& f, double begin, double end
     before = here;
   }
   return samples;
+}
+
+std::vector<LimitedSample> extremes(const LimitedOutput& f, double begin, double end,
+                                    const std::vector<FadingRate>& terms) {
+  constexpr double kAngle = kTwoPi / 16.0;  // a step, in terms of the fastest rate left
+  constexpr double kSafe = 0.99;
+  std::vector<LimitedSample> found{{.time = begin, .value = f.value(begin, 0)}};
+  const auto between = [&](const LimitedSample& a, const LimitedSample& b) {
+    if (!(a.rate * b.rate < 0.0)) return;
+    const bool falls = b.rate < 0.0;
+    const double there = polished_peak(f, a.time, b.time, falls);
+    found.push_back({.time = there, .value = f.value(there, 0), .maximum = falls, .minimum = !falls});
+  };
+  const auto at = [&](double t) { return LimitedSample{.time = t, .rate = f.value(t, 1)}; };
+  LimitedSample before = at(begin);
+  while (before.time < end) {
+    const double t = before.time;
+    const double fine = std::min(kAngle / fastest_left(terms, t), 0.5 * (end - begin));
+    const double quiet = kSafe * std::abs(before.rate) / f.curvature_bound(t);
+    const double next = t + std::max(fine, quiet);
+    LimitedSample here = at(next > t ? std::min(end, next) : end);
+    if (!(quiet > fine)) {
+      const double first = f.value(t, 2), last = f.value(here.time, 2);
+      const bool turns = first * last < 0.0 && before.rate * last > 0.0 && before.rate * here.rate > 0.0;
+      if (turns) {  // towards zero and back again
+        const LimitedSample turn = steepest(f, t, here.time);
+        between(before, turn);
+        between(turn, here);
+      } else {
+        between(before, here);
+      }
+    }
+    before = here;
+  }
+  found.push_back({.time = end, .value = f.value(end, 0)});
+  return found;
 }
 
 }  // namespace signorini

@@ -2,6 +2,7 @@
 // A contact displacement or force along an arc: samples close enough to miss no local maximum, and the
 // maxima.
 
+#include <cmath>
 #include <vector>
 
 #include "methods/linear_flow/linear_flow.hpp"
@@ -22,6 +23,10 @@ struct LimitedOutput {
     const double raw = of_force ? arc.force(contact, t, order) : arc.displacement(contact, t, order);
     return (raw - (order == 0 ? offset : 0.0)) / unit;
   }
+  /// Bound of the magnitude of its second derivative from a time on.
+  [[nodiscard]] double curvature_bound(double t) const {
+    return (of_force ? arc.force_bound(contact, t) : arc.displacement_bound(contact, t)) / std::abs(unit);
+  }
 };
 
 /// A limited output at one instant.
@@ -31,6 +36,7 @@ struct LimitedSample {
   double rate = 0.0;       ///< its first derivative
   double curvature = 0.0;  ///< its second
   bool maximum = false;    ///< a local maximum inside the arc; rate and curvature are left 0
+  bool minimum = false;    ///< a local minimum likewise
 };
 
 /// Samples from `begin` to `end` at a sixteenth of the fastest period still alive, both ends included, each
@@ -40,5 +46,10 @@ struct LimitedSample {
 /// \param terms  LinearArc::fading_rates of the arc
 std::vector<LimitedSample> scan(const LimitedOutput& f, double begin, double end,
                                 const std::vector<FadingRate>& terms);
+
+/// The values at both ends and the local extremes between them, in their order, with samples only where there
+/// can be one: as long as |rate| / (bound of the curvature) the rate keeps its sign.
+std::vector<LimitedSample> extremes(const LimitedOutput& f, double begin, double end,
+                                    const std::vector<FadingRate>& terms);
 
 }  // namespace signorini

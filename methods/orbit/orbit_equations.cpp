@@ -12,7 +12,7 @@ void require_time(const Expired& expired) {
   if (expired && expired()) throw std::runtime_error("the time is up");
 }
 
-OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired)
+OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired, Columns columns)
     : model_(model),
       sequence_(guess),
       expired_(std::move(expired)),
@@ -20,7 +20,8 @@ OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expir
       m_(static_cast<Eigen::Index>(guess.events.size())),
       x_unit_(model.dynamics.scales().displacement),
       v_unit_(model.dynamics.scales().velocity),
-      t_unit_(1.0 / model.dynamics.structure().frequency) {
+      t_unit_(1.0 / model.dynamics.structure().frequency),
+      kind_(columns) {
   // Unknowns and equations are divided by the scales of the motion, so that one tolerance fits lengths,
   // speeds, forces and instants, and |J^-1| says something about all of them.
   const ContactDynamics& dynamics = model_.dynamics;
@@ -49,51 +50,111 @@ OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expir
   sensitivity_.resize(2 * n_, size());
 }
 
-// Equation i, its row, and the state and its sensitivities on the right side of event i.
+// The sensitivities at the end of arc i.
+void OrbitEquations::carry(Eigen::Index i, double duration) {
+  const LinearFlow& flow = *flows_[static_cast<std::size_t>(i)];
+  const Eigen::Index known = of_state_ + i;
+  if (kind_ == Columns::all) {
+    sensitivity_.leftCols(known) = (flow.transition(duration) * sensitivity_.leftCols(known)).eval();
+    return;
+  }
+  const TransitionFactors factors = flow.transition_factors(duration);
+  if (i > 0) {
+    sensitivity_.leftCols(known) = factors.writing * (factors.reading * sensitivity_.leftCols(known)).eval();
+    return;
+  }
+  of_state_ = factors.writing.cols();
+  sensitivity_.leftCols(of_state_) = factors.writing;
+  reading_ = factors.reading;
+  reading_.leftCols(n_) *= x_unit_;
+  reading_.rightCols(n_) *= v_unit_;
+}
+
+// Equation i and the state before event i.
 void OrbitEquations::pass_event(Eigen::Index i) {
   const auto index = static_cast<std::size_t>(i);
   const SequenceEvent& event = sequence_.events[index];
-  const ContactDynamics& dynamics = model_.dynamics;
   const LinearArc& arc = *arcs_[index];
   const EventLaw& law = laws_[index];
-  const double time = event.time;
-  const auto known = 2 * n_ + i + 1;  // columns that can be nonzero so far
-  const Eigen::Index row = 2 * n_ + i;
-  arc.state(time, state_);
-  arc.acceleration(time, a_);
-  // A later event instant carries the state on along the motion, by F_- = (v, a) dt.
-  sensitivity_.col(row).head(n_) = t_unit_ * state_.v;
-  sensitivity_.col(row).tail(n_) = t_unit_ * a_;
+  arc.state(event.time, state_);
   EventCrossing& crossing = crossings_[index];
-  crossing.approach = arc.displacement(event.contact, time, 1);
-  const Eigen::RowVectorXd gradient = flows_[index]->gradient(event.contact, law.of_force);
-  jacobian_.row(row).head(known).noalias() = gradient * sensitivity_.leftCols(known) / law.unit;
+  crossing.approach = arc.displacement(event.contact, event.time, 1);
   if (law.of_force) {
-    residual_[row] = arc.force(event.contact, time) / law.unit;
-    jacobian_(row, row) = t_unit_ * arc.force(event.contact, time, 1) / law.unit;
+    residual_[2 * n_ + i] = arc.force(event.contact, event.time) / law.unit;
   } else {
-    residual_[row] =
-        (arc.displacement(event.contact, time) - dynamics.structure().gaps[event.contact]) / law.unit;
-    jacobian_(row, row) = t_unit_ * crossing.approach / law.unit;
+    residual_[2 * n_ + i] =
+        (arc.displacement(event.contact, event.time) - model_.dynamics.structure().gaps[event.contact]) /
+        law.unit;
   }
-  jacobian_.row(row).tail(size() - known).setZero();
+}
+
+// The row of event i, and the sensitivities before it with those by its own instant.
+void OrbitEquations::differentiate_event(Eigen::Index i) {
+  const auto index = static_cast<std::size_t>(i);
+  const SequenceEvent& event = sequence_.events[index];
+  const LinearArc& arc = *arcs_[index];
+  const EventLaw& law = laws_[index];
+  const auto known = of_state_ + i + 1;  // columns that can be nonzero so far
+  const Eigen::Index row = 2 * n_ + i;
+  arc.acceleration(event.time, a_);
+  // A later event instant carries the state on along the motion, by F_- = (v, a) dt.
+  sensitivity_.col(known - 1).head(n_) = t_unit_ * state_.v;
+  sensitivity_.col(known - 1).tail(n_) = t_unit_ * a_;
+  const Eigen::RowVectorXd gradient = flows_[index]->gradient(event.contact, law.of_force);
+  if (kind_ == Columns::all) {
+    jacobian_.row(row).head(known).noalias() = gradient * sensitivity_.leftCols(known) / law.unit;
+  } else {
+    const Eigen::RowVectorXd by_all = gradient * sensitivity_.leftCols(known) / law.unit;
+    jacobian_.row(row).head(2 * n_) = by_all.head(of_state_) * reading_;
+    jacobian_.row(row).segment(2 * n_, i + 1) = by_all.tail(i + 1);
+  }
+  jacobian_(row, row) =
+      t_unit_ * (law.of_force ? arc.force(event.contact, event.time, 1) : crossings_[index].approach) /
+      law.unit;
+  jacobian_.row(row).tail(m_ - i - 1).setZero();
+}
+
+// What the impulses of event i make of the state and its sensitivities.
+void OrbitEquations::push(Eigen::Index i, bool derivatives) {
+  const auto index = static_cast<std::size_t>(i);
+  const SequenceEvent& event = sequence_.events[index];
+  const ContactDynamics& dynamics = model_.dynamics;
+  const EventLaw& law = laws_[index];
   if (event.pushed.empty()) return;
+  EventCrossing& crossing = crossings_[index];
   crossing.speeds = dynamics.structure().directions(Eigen::all, event.pushed).transpose() * state_.v;
   crossing.impulses = law.impulse * state_.v;
   // The law of impact is linear in v_-: the sensitivities pass it by the same R = I + M^-1 W_S (dp/dv_-).
   // Together with -F_+ dt at the beginning of the next arc this is the saltation, R F_- - F_+.
   state_.v += law.response * crossing.impulses;
-  auto rates = sensitivity_.bottomLeftCorner(n_, known);
+  if (!derivatives) return;
+  auto rates = sensitivity_.bottomLeftCorner(n_, of_state_ + i + 1);
   rates += law.response * (law.impulse * rates).eval();
 }
 
-bool OrbitEquations::evaluate(const Eigen::VectorXd& unknowns) {
+void OrbitEquations::differentiate_closure() {
+  if (kind_ == Columns::all) {
+    jacobian_.topRows(n_) = sensitivity_.topRows(n_) / x_unit_;
+    jacobian_.middleRows(n_, n_) = sensitivity_.bottomRows(n_) / v_unit_;
+  } else {
+    jacobian_.topLeftCorner(2 * n_, 2 * n_).noalias() = sensitivity_.leftCols(of_state_) * reading_;
+    jacobian_.topRightCorner(2 * n_, m_) = sensitivity_.middleCols(of_state_, m_);
+    jacobian_.topRows(n_) /= x_unit_;
+    jacobian_.middleRows(n_, n_) /= v_unit_;
+  }
+  jacobian_.topLeftCorner(2 * n_, 2 * n_).diagonal().array() -= 1.0;  // of - y_0
+}
+
+void OrbitEquations::pass(const Eigen::VectorXd& unknowns, bool derivatives) {
   const double start = sequence_.start.time;
   state_.u = x_unit_ * unknowns.head(n_);
   state_.v = v_unit_ * unknowns.segment(n_, n_);
-  sensitivity_.setZero();
-  sensitivity_.topLeftCorner(n_, n_).diagonal().setConstant(x_unit_);
-  sensitivity_.block(n_, n_, n_, n_).diagonal().setConstant(v_unit_);
+  if (derivatives) {
+    of_state_ = 2 * n_;
+    sensitivity_.setZero();
+    sensitivity_.topLeftCorner(n_, n_).diagonal().setConstant(x_unit_);
+    sensitivity_.block(n_, n_, n_, n_).diagonal().setConstant(v_unit_);
+  }
   largest_state_ = 1.0;
   double begin = start;
   for (Eigen::Index i = 0; i <= m_; ++i) {
@@ -102,30 +163,38 @@ bool OrbitEquations::evaluate(const Eigen::VectorXd& unknowns) {
     LinearArc& arc = *arcs_[index];
     arc.start(begin, state_);
     const double end = i == m_ ? start + model_.period : start + t_unit_ * unknowns[2 * n_ + i];
-    const Eigen::Index known = 2 * n_ + i;
-    if (i > 0) {  // a later beginning leaves the arc less time: -F_+ dt
+    if (derivatives && i > 0) {  // a later beginning leaves the arc less time: -F_+ dt
+      const Eigen::Index last = of_state_ + i - 1;
       arc.acceleration(begin, a_);
-      sensitivity_.col(known - 1).head(n_) -= t_unit_ * state_.v;
-      sensitivity_.col(known - 1).tail(n_) -= t_unit_ * a_;
+      sensitivity_.col(last).head(n_) -= t_unit_ * state_.v;
+      sensitivity_.col(last).tail(n_) -= t_unit_ * a_;
     }
-    sensitivity_.leftCols(known) =
-        (flows_[index]->transition(end - begin) * sensitivity_.leftCols(known)).eval();
+    if (derivatives) carry(i, end - begin);
     if (i == m_) {
       arc.state(end, state_);
       break;
     }
     sequence_.events[index].time = end;
     pass_event(i);
+    if (derivatives) differentiate_event(i);
+    push(i, derivatives);
     largest_state_ = std::max({largest_state_, state_.u.lpNorm<Eigen::Infinity>() / x_unit_,
                                state_.v.lpNorm<Eigen::Infinity>() / v_unit_});
     begin = end;
   }
   residual_.head(n_) = state_.u / x_unit_ - unknowns.head(n_);
   residual_.segment(n_, n_) = state_.v / v_unit_ - unknowns.segment(n_, n_);
-  jacobian_.topRows(n_) = sensitivity_.topRows(n_) / x_unit_;
-  jacobian_.middleRows(n_, n_) = sensitivity_.bottomRows(n_) / v_unit_;
-  jacobian_.topLeftCorner(2 * n_, 2 * n_).diagonal().array() -= 1.0;  // of - y_0
+  if (derivatives) differentiate_closure();
+}
+
+bool OrbitEquations::evaluate(const Eigen::VectorXd& unknowns) {
+  pass(unknowns, true);
   return residual_.allFinite() && jacobian_.allFinite();
+}
+
+bool OrbitEquations::evaluate_residual(const Eigen::VectorXd& unknowns) {
+  pass(unknowns, false);
+  return residual_.allFinite();
 }
 
 Eigen::MatrixXd OrbitEquations::monodromy() const {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "methods/flow/flow_record.hpp"
@@ -17,8 +18,16 @@ namespace signorini {
 /// A scene ready for exact orbits: its dynamics and the flows of the modes met so far.
 struct OrbitModel {
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
-  explicit OrbitModel(const Problem& problem)
-      : dynamics(problem), flows(dynamics, FlowForm::automatic), period(problem.period()) {}
+  /// \param shared  modes known from other scenes, if any
+  explicit OrbitModel(const Problem& problem, std::shared_ptr<SharedModes> shared = {})
+      : dynamics(problem),
+        flows(dynamics, FlowForm::automatic, std::move(shared)),
+        period(problem.period()) {}
+  /// The same scene with another frequency of its load.
+  OrbitModel(const OrbitModel& other, double frequency, std::shared_ptr<SharedModes> shared)
+      : dynamics(other.dynamics, frequency),
+        flows(dynamics, FlowForm::automatic, std::move(shared)),
+        period(other.period * other.dynamics.structure().frequency / frequency) {}
   /// The same scene with flows of another form.
   OrbitModel(const OrbitModel& other, FlowForm form)
       : dynamics(other.dynamics), flows(dynamics, form), period(other.period) {}
@@ -61,9 +70,15 @@ void require_time(const Expired& expired);
 /// multiplied out, these are the saltation matrices.
 class OrbitEquations {
  public:
+  /// What sensitivities are carried along an orbit.
+  enum class Columns {
+    all,    ///< those of the whole state at the section
+    alive,  ///< those of the amplitudes of the modes alive at the first event: less, and the same to rounding
+  };
   /// \param expired  asked before each flow is formed and each event is passed
   /// \throws std::runtime_error if a flow cannot be formed, or the time is up
-  OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired = {});
+  OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired = {},
+                 Columns columns = Columns::all);
 
   [[nodiscard]] Eigen::Index size() const { return 2 * n_ + m_; }        ///< 2 Nd + m
   [[nodiscard]] Eigen::Index events() const { return m_; }               ///< m
@@ -73,6 +88,8 @@ class OrbitEquations {
   /// Evaluates residual and Jacobian; false if anything is not finite. \throws std::runtime_error if the time
   /// is up
   bool evaluate(const Eigen::VectorXd& unknowns);
+  /// The same without the Jacobian, which is left undefined.
+  bool evaluate_residual(const Eigen::VectorXd& unknowns);
 
   /// Left sides of the equations, in scales, of the last evaluation [-].
   [[nodiscard]] const Eigen::VectorXd& residual() const { return residual_; }
@@ -102,7 +119,12 @@ class OrbitEquations {
     Eigen::MatrixXd response;  // v_+ - v_- as a map of p: M^-1 W_S, Nd x |S|
     double unit = 1.0;         // of the equation
   };
+  void pass(const Eigen::VectorXd& unknowns, bool derivatives);
+  void carry(Eigen::Index i, double duration);
   void pass_event(Eigen::Index i);
+  void differentiate_event(Eigen::Index i);
+  void push(Eigen::Index i, bool derivatives);
+  void differentiate_closure();
 
   OrbitModel& model_;
   OrbitGuess sequence_;
@@ -110,7 +132,12 @@ class OrbitEquations {
   Eigen::Index n_ = 0, m_ = 0;
   double x_unit_ = 1.0, v_unit_ = 1.0, t_unit_ = 1.0, largest_state_ = 0.0;
   Eigen::VectorXd first_, residual_, a_;
-  Eigen::MatrixXd jacobian_, sensitivity_;
+  Eigen::MatrixXd jacobian_;
+  // Derivatives of the state, in SI units: by the state at the section, or by the amplitudes that `reading_`
+  // takes from it, then by the instants passed so far.
+  Eigen::MatrixXd sensitivity_, reading_;
+  Columns kind_;
+  Eigen::Index of_state_ = 0;  // columns of the former
   State state_;
   std::vector<const LinearFlow*> flows_;
   std::vector<EventLaw> laws_;

@@ -93,6 +93,7 @@ class SeriesDiagram {
                      {.max_points = limits_.max_points,
                       .doublings = allowed(2 * start.multiple),
                       .phases = limits_.phases,
+                      .at = limits_.at,
                       .known = [&](const Eigen::VectorXd& x) { return known(start.multiple, x); },
                       .deadline = limits_.deadline});
     if (std::chrono::steady_clock::now() > limits_.deadline) diagram_.unfinished = "the time is up";
@@ -104,6 +105,7 @@ class SeriesDiagram {
       if (allowed(other.multiple)) starts_.push_back(std::move(other));
     for (const Eigen::VectorXd& grazing : traced.grazings) add_grazing_branches(grazing);
     diagram_.branches.push_back(traced.branch);
+    if (limits_.take) limits_.take(traced.branch);
     traced_.push_back(std::move(traced));
   }
 

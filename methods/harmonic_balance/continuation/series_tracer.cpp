@@ -26,6 +26,13 @@ std::vector<int> prime_factors(int n) {
   return factors;
 }
 
+// The length of a step, at whose end the curve is evaluated, up to where the frequency takes a value.
+std::optional<double> length_to(SeriesCurve& curve, const CurveStep& step, double value) {
+  const double unit = curve.family().frequency_unit;
+  const auto distance = [&](SeriesCurve& at) { return std::optional((at.frequency() - value) / unit); };
+  return locate(curve, step, distance, step.x[step.x.size() - 1] - value / unit, *distance(curve));
+}
+
 class SeriesTracer {
  public:
   SeriesTracer(const SeriesFamily& family, const SeriesStart& start, const SeriesCurveOptions& options)
@@ -78,6 +85,7 @@ class SeriesTracer {
     if (!iterations || (curve_.x() - here_.x).norm() > kFar * step_) return shorten(0.4);
     const bool beyond = curve_.frequency() < curve_.family().low || curve_.frequency() > curve_.family().high;
     if (beyond && !return_to_bound()) return shorten(0.5);
+    if (!beyond && !stop_at_value()) return shorten(0.5);
     const auto tangent = tangent_of(curve_, here_.tangent);
     if (!tangent || tangent->dot(here_.tangent) < std::cos(kTurned) || moves_too_far()) return shorten(0.5);
     SeriesStation next = station(*tangent);
@@ -105,18 +113,28 @@ class SeriesTracer {
   bool return_to_bound() {
     const SeriesFamily& family = curve_.family();
     const double bound = curve_.frequency() < family.low ? family.low : family.high;
-    const auto distance = [&](SeriesCurve& at) {
-      return std::optional((at.frequency() - bound) / family.frequency_unit);
-    };
-    const double before = here_.x[curve_.size()] - bound / family.frequency_unit;
     constexpr double kAtBound = 1e-13;
-    if (std::abs(before) < kAtBound) {
+    if (std::abs(here_.x[curve_.size()] - bound / family.frequency_unit) < kAtBound) {
       finish("end of the interval");
       return false;
     }
-    const auto length = locate(curve_, whole_step(), distance, before, *distance(curve_));
+    return shorten_to(bound);
+  }
+
+  bool shorten_to(double value) {
+    const auto length = length_to(curve_, whole_step(), value);
     if (length) step_ = *length;
     return length.has_value();
+  }
+
+  // Ends the step at the first of the frequencies at which the curve is to have a point.
+  bool stop_at_value() {
+    const double before = here_.x[curve_.size()] * curve_.family().frequency_unit, planned = step_;
+    const auto value = first_passed(options_.at, before, curve_.frequency());
+    if (!value) return true;
+    if (!shorten_to(*value)) return false;
+    planned_ = planned;
+    return true;
   }
 
   // The prime by which the period divides at the end of the step, or on it; 0: none.
@@ -156,7 +174,8 @@ class SeriesTracer {
     const double turn = std::acos(std::clamp(next.tangent.dot(here_.tangent), -1.0, 1.0));
     here_ = std::move(next);
     append();
-    step_ = next_step(step_, iterations - 1, turn, options_.largest_step);
+    step_ = std::max(next_step(step_, iterations - 1, turn, options_.largest_step), planned_);
+    planned_ = 0.0;
     if (here_.x.head(curve_.size()).norm() > options_.largest_motion)
       return finish("the motion grows without bound");
     if (static_cast<int>(result_.points.x.size()) >= options_.max_points)
@@ -210,7 +229,7 @@ class SeriesTracer {
   const SeriesCurveOptions& options_;
   SeriesCurve curve_;
   SeriesStation here_;
-  double step_;
+  double step_, planned_ = 0.0;  // the latter of a step that ended at a frequency asked for
   bool done_ = false;
   TracedSeries result_;
 };

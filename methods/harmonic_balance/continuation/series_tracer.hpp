@@ -22,6 +22,7 @@ struct SeriesCurveOptions {
   int max_points = 2000;        ///< per branch
   bool doublings = true;        ///< look for motions of twice the period
   int phases = 0;               ///< of a forcing period at which the points keep their motion
+  std::vector<double> at = {};  ///< frequencies at which the curve has points [rad/s]
   /// Whether unknowns lie on a branch followed before, which ends the curve.
   std::function<bool(const Eigen::VectorXd& x)> known = {};
   /// The end of the time budget.

@@ -92,6 +92,7 @@ class HatDiagram {
         trace_hat(family_, start,
                   {.max_points = limits_.max_points,
                    .phases = limits_.phases,
+                   .at = limits_.at,
                    .known = [&](const Eigen::VectorXd& all) { return known(start.multiple, all); },
                    .deadline = limits_.deadline});
     if (std::chrono::steady_clock::now() > limits_.deadline) diagram_.unfinished = "the time is up";
@@ -101,6 +102,7 @@ class HatDiagram {
     }
     for (const HatStart& grazing : traced.grazings) add_grazing_branches(grazing);
     diagram_.branches.push_back(traced.branch);
+    if (limits_.take) limits_.take(traced.branch);
     traced_.push_back(std::move(traced));
   }
 

@@ -187,9 +187,13 @@ class HatTracer {
       beyond = *bound <= length;
       length = std::min(length, *bound);
     }
+    const auto stop = length_to_value();
+    const bool stops = stop && *stop < length;
+    if (stops) length = *stop;
     fold_before(length, *tangent);
     if (!correct(curve_, Eigen::VectorXd(x_ + length * tangent_), tangent_, kTight)) return shorten(0.5);
     take(*iterations, length);
+    if (stops) return;
     if (beyond) return finish("end of the interval");
     if (change) change_set(*change);
     if (!done_) meets();
@@ -212,12 +216,24 @@ class HatTracer {
     const HatFamily& family = curve_.family();
     if (!correct(curve_, Eigen::VectorXd(x_ + step_ * tangent_), tangent_)) return std::nullopt;
     const double bound = curve_.frequency() < family.low ? family.low : family.high;
-    const auto distance = [&](HatCurve& at) {
-      return std::optional((at.frequency() - bound) / family.frequency_unit);
-    };
-    const double before = x_[x_.size() - 1] - bound / family.frequency_unit;
-    if (std::abs(before) < kAtBound) return std::nullopt;
+    if (std::abs(x_[x_.size() - 1] - bound / family.frequency_unit) < kAtBound) return std::nullopt;
+    return length_to(bound);
+  }
+
+  // Of the step up to where the frequency takes a value, at whose other side the curve is evaluated.
+  std::optional<double> length_to(double value) {
+    const double unit = curve_.family().frequency_unit;
+    const auto distance = [&](HatCurve& at) { return std::optional((at.frequency() - value) / unit); };
+    const double before = x_[x_.size() - 1] - value / unit;
     return locate(curve_, whole_step(), distance, before, *distance(curve_));
+  }
+
+  // Up to the first of the frequencies at which the curve is to have a point.
+  std::optional<double> length_to_value() {
+    if (options_.at.empty() || !correct(curve_, Eigen::VectorXd(x_ + step_ * tangent_), tangent_))
+      return std::nullopt;
+    const auto value = first_passed(options_.at, curve_frequency(), curve_.frequency());
+    return value ? length_to(*value) : std::nullopt;
   }
 
   // A fold within the set.

@@ -21,6 +21,7 @@ struct HatCurveOptions {
   int max_points = 2000;        ///< per branch
   int max_changes = 20000;      ///< of the set of pressing nodes, per branch
   int phases = 0;               ///< of a forcing period at which the points keep their motion
+  std::vector<double> at = {};  ///< frequencies at which the curve has points [rad/s]
   /// Whether unknowns of all nodes lie on a branch followed before, which ends the curve.
   std::function<bool(const Eigen::VectorXd& all)> known = {};
   /// The end of the time budget.

@@ -68,24 +68,64 @@ bool loses_nothing(const ExtendedEquations& equations) {
                      });
 }
 
-BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::VectorXd& tangent) {
-  const Eigen::Index n = equations.size(), states = equations.orbit().states();
-  BifurcationTests tests;
-  const auto set = [&](SpecialKind kind, double value) {
-    tests.values[static_cast<std::size_t>(kind)] = value;
-  };
-  set(SpecialKind::fold, tangent[n]);
-  if (equations.family().driven())
-    set(SpecialKind::branch_point, relative_determinant(bordered_jacobian(equations, tangent)));
-  Eigen::MatrixXd doubled = equations.jacobian().leftCols(n);
+Eigen::VectorXcd multipliers_of(const Eigen::MatrixXd& monodromy) {
+  constexpr Eigen::Index kSmall = 16;
+  if (monodromy.rows() <= kSmall) return monodromy.eigenvalues();
+  // M P = Q R to rank r: M and R P^T Q, r x r, have the same eigenvalues but for zeros.
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(monodromy);
+  const double largest = std::abs(qr.matrixR()(0, 0));
+  Eigen::Index rank = 0;
+  while (rank < monodromy.rows() && std::abs(qr.matrixR()(rank, rank)) > kEpsilon * largest) ++rank;
+  Eigen::VectorXcd all = Eigen::VectorXcd::Zero(monodromy.rows());
+  if (rank == 0) return all;
+  const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(monodromy.rows(), rank);
+  all.head(rank) = Eigen::MatrixXd(Q.transpose() * monodromy * Q).eigenvalues();
+  return all;
+}
+
+namespace {
+
+double doubling_test(ExtendedEquations& equations) {
+  const Eigen::Index states = equations.orbit().states();
+  Eigen::MatrixXd doubled = equations.jacobian().leftCols(equations.size());
   doubled.topLeftCorner(states, states).diagonal().array() += 2.0;  // from y(2 pi n) - y_0 to y(2 pi n) + y_0
-  set(SpecialKind::period_doubling, relative_determinant(doubled));
+  return relative_determinant(doubled);
+}
+
+// Of the multipliers; empty at a grazing.
+Eigen::VectorXcd multipliers_at(const ExtendedEquations& equations) {
   const Eigen::MatrixXd M = equations.monodromy();
-  if (M.size() == 0 || !M.allFinite()) return tests;
-  tests.multipliers = M.eigenvalues();
-  if (!equations.family().driven()) set(SpecialKind::fold, product_of_the_others(tests.multipliers));
-  if (states > 2 && !loses_nothing(equations))
-    set(SpecialKind::neimark_sacker, pair_product(tests.multipliers));
+  return M.size() == 0 || !M.allFinite() ? Eigen::VectorXcd() : multipliers_of(M);
+}
+
+std::optional<double> test_of(ExtendedEquations& equations, const Eigen::VectorXd& tangent, SpecialKind kind,
+                              const Eigen::VectorXcd& multipliers) {
+  const bool driven = equations.family().driven(), known = multipliers.size() > 0;
+  if (kind == SpecialKind::fold && (driven || !known)) return tangent[equations.size()];
+  if (kind == SpecialKind::fold) return product_of_the_others(multipliers);
+  if (kind == SpecialKind::period_doubling) return doubling_test(equations);
+  if (kind == SpecialKind::branch_point && driven)
+    return relative_determinant(bordered_jacobian(equations, tangent));
+  if (kind == SpecialKind::neimark_sacker && known && equations.orbit().states() > 2 &&
+      !loses_nothing(equations))
+    return pair_product(multipliers);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> bifurcation_test(ExtendedEquations& equations, const Eigen::VectorXd& tangent,
+                                       SpecialKind kind) {
+  const bool needed =
+      kind == SpecialKind::neimark_sacker || (kind == SpecialKind::fold && !equations.family().driven());
+  return test_of(equations, tangent, kind, needed ? multipliers_at(equations) : Eigen::VectorXcd());
+}
+
+BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::VectorXd& tangent) {
+  BifurcationTests tests{.multipliers = multipliers_at(equations)};
+  for (const SpecialKind kind : {SpecialKind::fold, SpecialKind::period_doubling, SpecialKind::neimark_sacker,
+                                 SpecialKind::branch_point})
+    tests.values[static_cast<std::size_t>(kind)] = test_of(equations, tangent, kind, tests.multipliers);
   return tests;
 }
 

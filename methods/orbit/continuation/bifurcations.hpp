@@ -36,6 +36,14 @@ struct BifurcationTests {
 /// Those of the orbit at which the equations are evaluated, `tangent` that of its curve.
 BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::VectorXd& tangent);
 
+/// One of them alone.
+std::optional<double> bifurcation_test(ExtendedEquations& equations, const Eigen::VectorXd& tangent,
+                                       SpecialKind kind);
+
+/// The eigenvalues of a monodromy matrix. Of a large one whose rank is small to rounding, as where most modes
+/// fade within the period, those of the small matrix with the same eigenvalues, and zeros.
+Eigen::VectorXcd multipliers_of(const Eigen::MatrixXd& monodromy);
+
 /// Whether the multipliers at a zero of a test function are those of its bifurcation: 1, -1, or a pair on the
 /// circle. A product of real multipliers can be 1 without any, and a parameter turns without a fold where a
 /// phase of contact begins. Without multipliers folds and branch points are.

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,6 +69,9 @@ struct Branch {
   std::vector<BranchPoint> points = {};    ///< at least two
   std::vector<SpecialPoint> special = {};  ///< in the order of the branch
 };
+
+/// Called with each branch as soon as it is known.
+using TakeBranch = std::function<void(const Branch& branch)>;
 
 /// Branches that belong together, and whether that is all.
 struct BranchDiagram {

@@ -125,6 +125,22 @@ ChangeOfSequence past_coincidence(OrbitFamily& family, const SequencedOrbit& orb
   return {.obstacle = one ? "not followed" : "the motion after it depends on their order; an end"};
 }
 
+// Of changes at rigid stops.
+std::string why_not_followed(const OrbitGuard& guard) {
+  switch (guard.kind) {
+    case GuardKind::landing:
+      return "a short flight begins before it, to first order of no length; not followed";
+    case GuardKind::pressure:
+      return "sticking is interrupted by a flight, to first order of no length; not followed";
+    case GuardKind::release:
+      return "it would stick together with others; not followed";
+    case GuardKind::corner:
+      return "what comes after depends on the order of the impacts; an end";
+    default:
+      return "not followed";
+  }
+}
+
 }  // namespace
 
 ChangeOfSequence past_change(OrbitFamily& family, const TracedCurve& curve) {
@@ -157,7 +173,7 @@ ChangeOfSequence past_change(OrbitFamily& family, const TracedCurve& curve) {
     case GuardKind::landing:
       break;
   }
-  return {.obstacle = "not followed"};
+  return {.obstacle = why_not_followed(guard)};
 }
 
 }  // namespace signorini

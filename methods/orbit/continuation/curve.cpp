@@ -21,6 +21,31 @@ bool begin(ExtendedEquations& equations, const CurveStart& start) {
   return (regular && correct(equations, start.orbit.x, start.tangent)) || equations.evaluate(start.orbit.x);
 }
 
+// The length of a step, at whose end the equations are evaluated, up to where the parameter takes a value.
+std::optional<double> length_to(ExtendedEquations& equations, const CurveStep& step, double value) {
+  const double unit = equations.family().units().parameter;
+  const auto distance = [&](ExtendedEquations& at) { return std::optional((at.parameter() - value) / unit); };
+  return locate(equations, step, distance, step.x[step.x.size() - 1] - value / unit,
+                (equations.parameter() - value) / unit);
+}
+
+// Why the point after the start is no orbit of the scene, or on the curve that was to be left; else empty.
+std::string why_rejected(const ExtendedEquations& equations, const CurveStart& start, const Station& begin,
+                         const Station& next) {
+  constexpr double kArmed = 1e-9;  // a guard at the start that is positive
+  std::string why;
+  for (const OrbitGuard& guard : next.survey.guards) {
+    const OrbitGuard* before = begin.survey.find(guard.kind, guard.index);
+    if (guard.value >= kViolated || before == nullptr || before->value > kArmed) continue;
+    why = "not admissible beside its start: " +
+          describe(guard, equations.orbit(), equations.model().dynamics.rigid());
+  }
+  if (start.leaves == LeftBranch::repetition &&
+      of_least_period(equations.orbit(), equations).order < equations.orbit().order)
+    why = "the corrector fell back on the branch that was to be left";
+  return why;
+}
+
 class Tracer {
  public:
   Tracer(OrbitFamily& family, const CurveStart& start, const CurveOptions& options)
@@ -68,7 +93,10 @@ class Tracer {
     if (!iterations) return shorten(0.4);
     if (clearance_of_section(equations_->orbit()) <= 0.0) return shorten(0.5);
     const bool beyond = !family_.scene().contains(equations_->parameter());
-    if (beyond && !return_to_bound()) return finish(std::string(kEndOfInterval));
+    const ParametrisedScene& scene = family_.scene();
+    if (beyond && !shorten_to(std::clamp(equations_->parameter(), scene.low(), scene.high())))
+      return finish(std::string(kEndOfInterval));
+    if (!beyond && !stop_at_value()) return shorten(0.5);
     const auto tangent = tangent_of(*equations_, here_.tangent);
     if (!tangent || (tangent->dot(here_.tangent) < std::cos(kTurned) && step_ > kShort)) return shorten(0.5);
     Station next = station_at(*equations_, *tangent);
@@ -101,8 +129,8 @@ class Tracer {
     }
     if (halved && !(crossing && crossing->length < *halved)) return end_at_half_period(*halved);
     if (crossing) return end_at(*crossing);
-    constexpr std::size_t kAway = 4;  // points
-    if (start_.leaves == LeftBranch::none && result_.branch.points.size() >= kAway &&
+    constexpr double kAway = 1e-2;  // of length: next to the start all orbits are the same to rounding
+    if (start_.leaves == LeftBranch::none && travelled_ > kAway &&
         passes(*equations_, here_.x, next.x, start_.orbit))
       return close();
     accept(std::move(next), *iterations);
@@ -111,32 +139,26 @@ class Tracer {
 
   void shorten(double factor) { step_ *= factor; }
 
-  // Shortens the step to where the parameter meets its bound.
-  bool return_to_bound() {
-    const double p = equations_->parameter(), unit = family_.units().parameter;
-    const double bound = p < family_.scene().low() ? family_.scene().low() : family_.scene().high();
-    const double before = here_.x[here_.x.size() - 1] - bound / unit;
-    const auto distance = [&](ExtendedEquations& at) {
-      return std::optional((at.parameter() - bound) / unit);
-    };
-    const auto length = locate(*equations_, {.x = here_.x, .tangent = here_.tangent, .length = step_},
-                               distance, before, (p - bound) / unit);
+  // Shortens the step to where the parameter takes a value.
+  bool shorten_to(double value) {
+    const auto length =
+        length_to(*equations_, {.x = here_.x, .tangent = here_.tangent, .length = step_}, value);
     if (length) step_ = *length;
     return length.has_value();
   }
 
-  // The start is no orbit of the scene on this side, or the curve is the one it was to leave.
+  // Ends the step at the first of the values at which the curve is to have a point.
+  bool stop_at_value() {
+    const double before = here_.x[here_.x.size() - 1] * family_.units().parameter, planned = step_;
+    const auto value = first_passed(options_.at, before, equations_->parameter());
+    if (!value) return true;
+    if (!shorten_to(*value)) return false;
+    planned_ = planned;
+    return true;
+  }
+
   bool rejects(const Station& next) {
-    constexpr double kArmed = 1e-9;  // a guard at the start that is positive
-    for (const OrbitGuard& guard : next.survey.guards) {
-      const OrbitGuard* before = here_.survey.find(guard.kind, guard.index);
-      if (guard.value >= kViolated || before == nullptr || before->value > kArmed) continue;
-      result_.rejected = "not admissible beside its start: " +
-                         describe(guard, equations_->orbit(), equations_->model().dynamics.rigid());
-    }
-    if (start_.leaves == LeftBranch::repetition &&
-        of_least_period(equations_->orbit(), *equations_).order < equations_->orbit().order)
-      result_.rejected = "the corrector fell back on the branch that was to be left";
+    result_.rejected = why_rejected(*equations_, start_, here_, next);
     return !result_.rejected.empty();
   }
 
@@ -186,7 +208,9 @@ class Tracer {
     here_ = std::move(next);
     half_way_ = half_way(*equations_);
     append();
-    step_ = next_step(step_, iterations, turn, options_.largest_step);
+    travelled_ += step_;
+    step_ = std::max(next_step(step_, iterations, turn, options_.largest_step), planned_);
+    planned_ = 0.0;
     const SequencedOrbit& orbit = equations_->orbit();
     if (here_.x.head(orbit.states()).lpNorm<Eigen::Infinity>() > options_.largest_state)
       return finish("the motion grows without bound");
@@ -216,8 +240,9 @@ class Tracer {
   const CurveStart& start_;
   std::unique_ptr<ExtendedEquations> equations_;
   Station here_;
-  Eigen::VectorXd half_way_;  // at here_
-  double step_;
+  Eigen::VectorXd half_way_;     // at here_
+  double step_, planned_ = 0.0;  // the latter of a step that ended at a value asked for
+  double travelled_ = 0.0;       // along the curve
   bool done_ = false;
   TracedCurve result_;
 };

@@ -25,6 +25,7 @@ struct CurveOptions {
   int max_points = 2000;        ///< per branch
   int max_events = 24;          ///< per period, beyond which a branch counts as rattling
   int phases = 0;               ///< of a forcing period at which the points keep their motion
+  std::vector<double> at = {};  ///< values of the parameter at which the curve has points
   Expired expired = {};         ///< true ends it
 };
 

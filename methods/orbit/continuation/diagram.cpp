@@ -79,6 +79,10 @@ class DiagramTracer {
            (options_.curve.expired && options_.curve.expired());
   }
   void note(const std::string& text) { result_.notes.push_back(text); }
+  void keep(Branch branch) {
+    result_.branches.push_back(std::move(branch));
+    if (options_.take) options_.take(result_.branches.back());
+  }
 
   void work() {
     while (!queue_.empty() && !over()) {
@@ -108,16 +112,16 @@ class DiagramTracer {
     };
     const TracedCurve forward = half(1.0);
     if (forward.closes) {
-      result_.branches.push_back(forward.branch);
+      keep(forward.branch);
       return leave(forward);
     }
     const TracedCurve backward = half(-1.0);
     if (!forward.rejected.empty() && !backward.rejected.empty())
       return note(origin + ": " + forward.rejected);
     const auto usable = [](const TracedCurve& curve) { return curve.rejected.empty(); };
-    result_.branches.push_back(!usable(backward)  ? forward.branch
-                               : !usable(forward) ? backward.branch
-                                                  : joined(backward.branch, forward.branch));
+    keep(!usable(backward)  ? forward.branch
+         : !usable(forward) ? backward.branch
+                            : joined(backward.branch, forward.branch));
     for (const TracedCurve* curve : {&forward, &backward}) {
       if (usable(*curve)) leave(*curve);
     }
@@ -155,7 +159,7 @@ class DiagramTracer {
       if (curve.rejected != kEndOfInterval) note(start.origin + ": " + curve.rejected);
       return;
     }
-    result_.branches.push_back(curve.branch);
+    keep(curve.branch);
     end_here(start.orbit);
     leave(curve);
   }

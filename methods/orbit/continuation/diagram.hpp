@@ -12,6 +12,7 @@ struct DiagramOptions {
   CurveOptions curve = {};  ///< of every branch
   int max_order = 2;        ///< forcing periods per period of an orbit
   int max_branches = 60;    ///< in all
+  TakeBranch take = {};
 };
 
 /// Follows the curves through given orbits both ways, and all that leave them, until every end is an end of

@@ -104,9 +104,8 @@ std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const 
     if (guard.value >= kViolated || follows_from_release(guard, end, equations.orbit())) continue;
     const OrbitGuard* before = begin.survey.find(guard.kind, guard.index);
     const auto value = [&](ExtendedEquations& at) -> std::optional<double> {
-      const OrbitSurvey there = survey(at);
-      const OrbitGuard* same = there.find(guard.kind, guard.index);
-      return same == nullptr ? std::nullopt : std::optional(same->value);
+      const auto same = guard_of(at, guard.kind, guard.index);
+      return same ? std::optional(same->value) : std::nullopt;
     };
     // What had no maximum before, or is no larger than rounding, gets its sign inside the step.
     const bool positive = before != nullptr && before->value > 0.0;
@@ -120,8 +119,11 @@ std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const 
   return first;
 }
 
-std::vector<LocatedBifurcation> bifurcations(ExtendedEquations& equations, const Station& begin,
-                                             double length, const Station& end, double inside) {
+namespace {
+
+// Those whose test functions have different signs at both ends of the step.
+std::vector<LocatedBifurcation> changes_of_sign(ExtendedEquations& equations, const Station& begin,
+                                                double length, const Station& end, double inside) {
   std::vector<LocatedBifurcation> found;
   for (const SpecialKind kind : {SpecialKind::fold, SpecialKind::period_doubling, SpecialKind::neimark_sacker,
                                  SpecialKind::branch_point}) {
@@ -129,7 +131,7 @@ std::vector<LocatedBifurcation> bifurcations(ExtendedEquations& equations, const
     if (!before || !after || !(*before * *after < 0.0)) continue;
     const auto value = [&](ExtendedEquations& at) -> std::optional<double> {
       const auto tangent = tangent_of(at, begin.tangent);
-      return tangent ? bifurcation_tests(at, *tangent).of(kind) : std::nullopt;
+      return tangent ? bifurcation_test(at, *tangent, kind) : std::nullopt;
     };
     const auto zero =
         locate(equations, {.x = begin.x, .tangent = begin.tangent, .length = length}, value, before, *after);
@@ -142,6 +144,26 @@ std::vector<LocatedBifurcation> bifurcations(ExtendedEquations& equations, const
                                  .point = branch_point(equations, there),
                                  .text = energy_turns ? "the energy turns" : ""},
                      .orbit = equations.orbit()});
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<LocatedBifurcation> bifurcations(ExtendedEquations& equations, const Station& begin,
+                                             double length, const Station& end, double inside) {
+  std::vector<LocatedBifurcation> found = changes_of_sign(equations, begin, length, end, inside);
+  constexpr double kBefore = 0.999;  // of the part that counts
+  const double shorter = kBefore * inside;
+  const bool corrected =
+      inside < length && correct(equations, begin.x + shorter * begin.tangent, begin.tangent).has_value();
+  if (const auto tangent = corrected ? tangent_of(equations, begin.tangent) : std::nullopt) {
+    const Station before = station_at(equations, *tangent);
+    for (LocatedBifurcation& other : changes_of_sign(equations, begin, shorter, before, shorter)) {
+      const SpecialKind kind = other.special.kind;
+      if (std::none_of(found.begin(), found.end(), [kind](const auto& f) { return f.special.kind == kind; }))
+        found.push_back(std::move(other));
+    }
   }
   std::sort(found.begin(), found.end(),
             [](const LocatedBifurcation& a, const LocatedBifurcation& b) { return a.length < b.length; });

@@ -50,7 +50,8 @@ std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const 
                                             const Station& end);
 
 /// Bifurcations on a step, up to `inside`, in their order: signs of test functions that differ at its ends,
-/// the zero located and `confirmed`.
+/// the zero located and `confirmed`. Where the branch ends within the step, at its end the curve may be its
+/// own mirror, where a sign has changed twice: signs at `inside` count too.
 std::vector<LocatedBifurcation> bifurcations(ExtendedEquations& equations, const Station& begin,
                                              double length, const Station& end, double inside);
 

@@ -46,8 +46,8 @@ Eigen::VectorXd ExtendedEquations::state_factors(const OrbitModel& model) const 
   return factors;
 }
 
-std::unique_ptr<OrbitEquations> ExtendedEquations::evaluated(OrbitModel& model,
-                                                             const Eigen::VectorXd& x) const {
+std::unique_ptr<OrbitEquations> ExtendedEquations::evaluated(OrbitModel& model, const Eigen::VectorXd& x,
+                                                             bool derivatives) const {
   const FlowStructure& structure = model.dynamics.structure();
   const Eigen::Index n = model.dynamics.size();
   model.period = orbit_.order * structure.forcing_period;
@@ -56,11 +56,12 @@ std::unique_ptr<OrbitEquations> ExtendedEquations::evaluated(OrbitModel& model,
                                       .closed = orbit_.closed},
                             .events = events_of(orbit_, model.dynamics),
                             .origin = {}};
-  auto equations = std::make_unique<OrbitEquations>(model, sequence);
+  auto equations =
+      std::make_unique<OrbitEquations>(model, sequence, Expired{}, OrbitEquations::Columns::alive);
   Eigen::VectorXd unknowns = x.head(size());
   unknowns.head(2 * n).array() *= state_factors(model).array();
-  if (!equations->evaluate(unknowns)) return nullptr;
-  return equations;
+  const bool finite = derivatives ? equations->evaluate(unknowns) : equations->evaluate_residual(unknowns);
+  return finite ? std::move(equations) : nullptr;
 }
 
 // Rows of the closure in CurveUnits, so that they are those of y(2 pi n) - y_0 in the unknowns; the units of
@@ -190,7 +191,7 @@ const Eigen::MatrixXd& ExtendedEquations::jacobian() {
   Eigen::VectorXd beside = orbit_.x;
   beside[size()] += kStep;
   const auto model = family_.model(beside[size()] * family_.units().parameter);
-  const auto equations = evaluated(*model, beside);
+  const auto equations = evaluated(*model, beside, false);
   if (equations) {
     jacobian_.col(size()) = (residual_of(*equations, *model, beside) - residual_) / kStep;
     column_at_ = orbit_.x;

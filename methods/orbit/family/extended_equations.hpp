@@ -62,8 +62,10 @@ class ExtendedEquations {
   [[nodiscard]] Eigen::MatrixXd monodromy() const;
 
  private:
-  // The equations of the sequence at a value of the parameter, evaluated at x.
-  std::unique_ptr<OrbitEquations> evaluated(OrbitModel& model, const Eigen::VectorXd& x) const;
+  // The equations of the sequence at a value of the parameter, evaluated at x; empty where they are not
+  // finite.
+  std::unique_ptr<OrbitEquations> evaluated(OrbitModel& model, const Eigen::VectorXd& x,
+                                            bool derivatives = true) const;
   // CurveUnits over those of the model, of the first 2 Nd unknowns.
   [[nodiscard]] Eigen::VectorXd state_factors(const OrbitModel& model) const;
   [[nodiscard]] Eigen::VectorXd residual_of(const OrbitEquations& equations, const OrbitModel& model,

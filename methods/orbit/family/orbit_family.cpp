@@ -19,11 +19,16 @@ bool is_driven(const Problem& problem) {
 }  // namespace
 
 ParametrisedScene over_frequency(const Problem& problem, double from, double to) {
-  return {.parameter = "forcing.frequency", .from = from, .to = to, .at = [problem](double frequency) {
-            Problem changed = problem;
-            changed.frequency = frequency;
-            return changed;
-          }};
+  return {.parameter = "forcing.frequency",
+          .from = from,
+          .to = to,
+          .at =
+              [problem](double frequency) {
+                Problem changed = problem;
+                changed.frequency = frequency;
+                return changed;
+              },
+          .of_frequency = true};
 }
 
 std::string continuation_obstacle(const Problem& problem) {
@@ -35,9 +40,16 @@ std::string continuation_obstacle(const Problem& problem) {
   return flow_obstacle(problem);
 }
 
-OrbitFamily::OrbitFamily(ParametrisedScene scene) : scene_(std::move(scene)) {
+OrbitFamily::OrbitFamily(ParametrisedScene scene, const CurveUnits& units)
+    : scene_(std::move(scene)), units_(units) {
   const double middle = 0.5 * (scene_.from + scene_.to);
-  driven_ = is_driven(scene_.at(middle));
+  const Problem problem = scene_.at(middle);
+  driven_ = is_driven(problem);
+  if (scene_.of_frequency) middle_ = std::make_unique<OrbitModel>(problem, modes_);
+}
+
+OrbitFamily::OrbitFamily(ParametrisedScene scene) : OrbitFamily(std::move(scene), CurveUnits{}) {
+  const double middle = 0.5 * (scene_.from + scene_.to);
   units_.parameter = (scene_.high() - scene_.low()) / 3.0;
   units_.displacement = typical_displacement();
   units_.velocity = units_.displacement * model(middle)->dynamics.structure().frequency;
@@ -50,7 +62,8 @@ std::shared_ptr<OrbitModel> OrbitFamily::model(double parameter) {
   if (found != recent_.end()) {
     recent_.splice(recent_.begin(), recent_, found);
   } else {
-    recent_.emplace_front(parameter, std::make_shared<OrbitModel>(scene_.at(parameter)));
+    recent_.emplace_front(parameter, middle_ ? std::make_shared<OrbitModel>(*middle_, parameter, modes_)
+                                             : std::make_shared<OrbitModel>(scene_.at(parameter), modes_));
     ++made_;
     if (recent_.size() > kKept) recent_.pop_back();
   }

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "methods/linear_flow/shared_modes.hpp"
 #include "methods/orbit/orbit_equations.hpp"
 
 namespace signorini {
@@ -18,6 +19,7 @@ struct ParametrisedScene {
   double from = 0.0;      ///< one end of the interval looked at, in the unit of the parameter
   double to = 1.0;        ///< the other end, above or below
   std::function<Problem(double)> at = {};  ///< the scene at a value
+  bool of_frequency = false;               ///< the parameter is the frequency of the load, and nothing else
 
   [[nodiscard]] double low() const { return std::min(from, to); }   ///< lower end
   [[nodiscard]] double high() const { return std::max(from, to); }  ///< upper end
@@ -47,6 +49,8 @@ class OrbitFamily {
   /// MotionScales::displacement, whichever is largest, in the middle of the interval.
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
   explicit OrbitFamily(ParametrisedScene scene);
+  /// The same with units of another family.
+  OrbitFamily(ParametrisedScene scene, const CurveUnits& units);
 
   /// The scene at a value of the parameter. Its last few models are kept. \throws std::runtime_error
   std::shared_ptr<OrbitModel> model(double parameter);
@@ -63,6 +67,8 @@ class OrbitFamily {
   ParametrisedScene scene_;
   CurveUnits units_;
   bool driven_ = true;
+  std::shared_ptr<SharedModes> modes_ = std::make_shared<SharedModes>();
+  std::unique_ptr<OrbitModel> middle_;                                // where the frequency is the parameter
   std::list<std::pair<double, std::shared_ptr<OrbitModel>>> recent_;  // latest first
   long made_ = 0;
 };

@@ -25,14 +25,17 @@ class Surveyor {
   }
 
   OrbitSurvey run() {
-    const Eigen::Index m = orbit_.count();
-    for (Eigen::Index i = 0; i < m; ++i) event(i);
-    for (Eigen::Index i = 0; i <= m; ++i) {
-      const double begin = equations_.time_of(i == 0 ? 0.0 : orbit_.phase(i - 1));
-      const double end = equations_.time_of(i == m ? orbit_.end() : orbit_.phase(i));
-      arc(*equations_.equations().arcs()[static_cast<std::size_t>(i)], begin, end);
-    }
+    for (Eigen::Index i = 0; i < orbit_.count(); ++i) event(i);
+    for (int j = 0; j < dynamics_.contact_count(); ++j) arcs(j);
     return std::move(result_);
+  }
+
+  std::optional<OrbitGuard> guard(GuardKind kind, int index) {
+    const bool of_contact = kind == GuardKind::clearance || kind == GuardKind::pressure;
+    if (of_contact) arcs(index);
+    for (Eigen::Index i = 0; i < orbit_.count() && !of_contact; ++i) event(i);
+    const OrbitGuard* found = result_.find(kind, index);
+    return found == nullptr ? std::nullopt : std::optional(*found);
   }
 
  private:
@@ -85,26 +88,32 @@ class Surveyor {
     }
   }
 
-  void arc(const LinearArc& arc, double begin, double end) {
+  // Of one contact, over the whole period.
+  void arcs(int contact) {
+    const Eigen::Index m = orbit_.count();
+    for (Eigen::Index i = 0; i <= m; ++i) {
+      const double begin = equations_.time_of(i == 0 ? 0.0 : orbit_.phase(i - 1));
+      const double end = equations_.time_of(i == m ? orbit_.end() : orbit_.phase(i));
+      arc(*equations_.equations().arcs()[static_cast<std::size_t>(i)], contact, begin, end);
+    }
+  }
+
+  void arc(const LinearArc& arc, int j, double begin, double end) {
     constexpr double kUnseen = 1e-13;  // share of X: modes below do not move an extreme
     const std::vector<FadingRate> terms = arc.fading_rates(kUnseen);
-    for (int j = 0; j < dynamics_.contact_count(); ++j) {
-      const bool closed = arc.mode().closed(j);
-      const double gap = dynamics_.structure().gaps[j];
-      const LimitedOutput high{.arc = arc, .contact = j, .of_force = false, .offset = gap, .unit = X_};
-      for (const LimitedSample& at : scan(high, begin, end, terms)) {
-        result_.highest[j] = std::max(result_.highest[j], gap + X_ * at.value);
-        if (at.maximum && !closed) lower(GuardKind::clearance, j, -at.value, equations_.phase_of(at.time));
-      }
-      const LimitedOutput low{.arc = arc, .contact = j, .of_force = false, .offset = gap, .unit = -X_};
-      for (const LimitedSample& at : scan(low, begin, end, terms))
-        result_.lowest[j] = std::min(result_.lowest[j], gap - X_ * at.value);
-      if (!closed) continue;
-      const LimitedOutput force{
-          .arc = arc, .contact = j, .of_force = true, .offset = 0.0, .unit = dynamics_.force_scale(j)};
-      for (const LimitedSample& at : scan(force, begin, end, terms)) {
-        if (at.maximum) lower(GuardKind::pressure, j, -at.value, equations_.phase_of(at.time));
-      }
+    const bool closed = arc.mode().closed(j);
+    const double gap = dynamics_.structure().gaps[j];
+    const LimitedOutput x{.arc = arc, .contact = j, .of_force = false, .offset = gap, .unit = X_};
+    for (const LimitedSample& at : extremes(x, begin, end, terms)) {
+      result_.highest[j] = std::max(result_.highest[j], gap + X_ * at.value);
+      result_.lowest[j] = std::min(result_.lowest[j], gap + X_ * at.value);
+      if (at.maximum && !closed) lower(GuardKind::clearance, j, -at.value, equations_.phase_of(at.time));
+    }
+    if (!closed) return;
+    const LimitedOutput force{
+        .arc = arc, .contact = j, .of_force = true, .offset = 0.0, .unit = dynamics_.force_scale(j)};
+    for (const LimitedSample& at : extremes(force, begin, end, terms)) {
+      if (at.maximum) lower(GuardKind::pressure, j, -at.value, equations_.phase_of(at.time));
     }
   }
 
@@ -125,6 +134,10 @@ const OrbitGuard* OrbitSurvey::find(GuardKind kind, int index) const {
 }
 
 OrbitSurvey survey(const ExtendedEquations& equations) { return Surveyor(equations).run(); }
+
+std::optional<OrbitGuard> guard_of(const ExtendedEquations& equations, GuardKind kind, int index) {
+  return Surveyor(equations).guard(kind, index);
+}
 
 std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, bool rigid) {
   const auto event = [&]() -> const SequenceEvent& {

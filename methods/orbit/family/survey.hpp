@@ -42,8 +42,11 @@ struct OrbitSurvey {
   [[nodiscard]] const OrbitGuard* find(GuardKind kind, int index) const;
 };
 
-/// Of the orbit at which the equations are evaluated. Local maxima are those of `scan`, to round-off.
+/// Of the orbit at which the equations are evaluated. Local maxima are those of `extremes`, to round-off.
 OrbitSurvey survey(const ExtendedEquations& equations);
+
+/// One of these test functions alone; empty where it does not exist.
+std::optional<OrbitGuard> guard_of(const ExtendedEquations& equations, GuardKind kind, int index);
 
 /// What happens where a guard becomes zero, one clause: "contact 0 grazes its stop", ...
 std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, bool rigid);

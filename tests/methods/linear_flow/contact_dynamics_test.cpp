@@ -32,6 +32,22 @@ TEST(ContactDynamics, AccelerationSolvesTheEquationOfMotionForSmallAndLargeStruc
   }
 }
 
+// Small and large, rigid: another frequency of the load against a scene with that frequency.
+TEST(ContactDynamics, MayChangeTheFrequencyOfTheLoadAlone) {
+  for (const int size : {3, 40}) {
+    const ContactDynamics changed(ContactDynamics(free_chain(size, 1.3)), 1.7);
+    const ContactDynamics own(free_chain(size, 1.7));
+    EXPECT_EQ(changed.structure().rates, own.structure().rates);
+    EXPECT_EQ(changed.structure().forcing_period, own.structure().forcing_period);
+    EXPECT_EQ(changed.structure().fastest_rate, own.structure().fastest_rate);
+    const State state = some_state(size);
+    Eigen::VectorXd a(size), b(size);
+    changed.acceleration(changed.mode({}), 0.7, state.u, state.v, a);
+    own.acceleration(own.mode({}), 0.7, state.u, state.v, b);
+    EXPECT_LT((a - b).norm(), 1e-14 * b.norm());
+  }
+}
+
 TEST(ContactDynamics, StickingMultiplierOfOneMassIsTheBalanceOfItsForces) {
   const Problem problem = to_problem(test::ImpactOscillator{.frequency = 0.9, .gap = 0.2});
   const ContactDynamics dynamics(problem);

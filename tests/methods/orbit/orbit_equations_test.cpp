@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "problems/scene/scene_file.hpp"
 #include "tests/methods/orbit/closed_form_guess.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/exact_scenes.hpp"
@@ -54,6 +55,27 @@ TEST(OrbitEquations, JacobianIsTheDerivativeOfTheResidual) {
       const Eigen::VectorXd difference = (ahead - equations.residual()) / (2.0 * kStep);
       EXPECT_LT((difference - jacobian.col(column)).norm(), 1e-6 * (1.0 + difference.norm())) << column;
     }
+  }
+}
+
+// A beam on massless contacts, most of whose modes fade between two events, and a chain none of whose do.
+TEST(OrbitEquations, CarryTheModesAliveOrAllToTheSameDerivatives) {
+  for (const Problem& problem :
+       {load_scene(find_scene("beam10-tip-stop")), test::stopped_chain(3, 0.6, 1, 0.7)}) {
+    const auto found = test::cold_orbit(problem);
+    ASSERT_TRUE(found.orbit) << found.solution.message;
+    OrbitModel model(problem);
+    OrbitEquations all(model, found.orbit->orbit());
+    OrbitEquations alive(model, found.orbit->orbit(), {}, OrbitEquations::Columns::alive);
+    ASSERT_GT(all.events(), 0);
+    Eigen::VectorXd at = all.guess();
+    at.array() += 1e-4;
+    ASSERT_TRUE(all.evaluate(at) && alive.evaluate(at));
+    const Eigen::VectorXd rows = all.jacobian().rowwise().norm();
+    EXPECT_LT((rows.cwiseInverse().asDiagonal() * (all.jacobian() - alive.jacobian())).norm(), 1e-11);
+    EXPECT_EQ(all.residual(), alive.residual());
+    ASSERT_TRUE(alive.evaluate_residual(at));
+    EXPECT_EQ(all.residual(), alive.residual());
   }
 }
 

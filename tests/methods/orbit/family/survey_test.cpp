@@ -4,10 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <cstdlib>
 
+#include "methods/orbit/arc_scan.hpp"
 #include "methods/orbit/continuation/bifurcations.hpp"
+#include "problems/scene/scene_file.hpp"
 #include "tests/methods/orbit/closed_form_guess.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
@@ -51,6 +56,57 @@ TEST(Survey, HasTheGuardsAndExtremesOfTheClosedForm) {
         }
       }
     }
+  }
+}
+
+// Rank 5 to rounding, with multipliers that are known: M = S D S^-1.
+TEST(Multipliers, OfALargeMatrixOfSmallRankAreThoseOfItsRange) {
+  constexpr Eigen::Index kSize = 40;
+  std::srand(7);
+  const Eigen::MatrixXd S =
+      Eigen::MatrixXd::Random(kSize, kSize) + 3.0 * Eigen::MatrixXd::Identity(kSize, kSize);
+  Eigen::MatrixXd D = Eigen::MatrixXd::Zero(kSize, kSize);
+  D.topLeftCorner(2, 2) << 0.3, -0.9, 0.9, 0.3;
+  D(2, 2) = -1.7;
+  D(3, 3) = 0.5;
+  D(4, 4) = 1e-3;
+  const Eigen::VectorXcd found = multipliers_of(S * D * S.inverse());
+  ASSERT_EQ(found.size(), kSize);
+  for (const std::complex<double> mu :
+       {std::complex<double>(0.3, 0.9), std::complex<double>(0.3, -0.9), std::complex<double>(-1.7),
+        std::complex<double>(0.5), std::complex<double>(1e-3)})
+    EXPECT_LT((found.array() - mu).abs().minCoeff(), 1e-11) << mu;
+  EXPECT_EQ((found.array().abs() > 1e-11).count(), 5);
+}
+
+// Every sample of a motion lies within its extremes, and the extremes are samples of it.
+TEST(Extremes, BoundDenseSamplesOfABeamThatRings) {
+  const Problem problem = load_scene(find_scene("beam10-tip-stop"));
+  const ContactDynamics dynamics(problem);
+  LinearFlows flows(dynamics);
+  for (const bool closed : {false, true}) {
+    const auto arc = flows.of({closed}).arc();
+    const Eigen::Index n = dynamics.size();
+    arc->start(0.0, {.u = Eigen::VectorXd::Zero(n), .v = Eigen::VectorXd::LinSpaced(n, -1.0, 1.0)});
+    const double end = problem.forcing_period();
+    const LimitedOutput x{.arc = *arc, .contact = 0, .of_force = false, .offset = 0.0, .unit = 1.0};
+    double highest = -1e300, lowest = 1e300;
+    for (const LimitedSample& at : extremes(x, 0.0, end, arc->fading_rates(1e-13))) {
+      highest = std::max(highest, at.value);
+      lowest = std::min(lowest, at.value);
+      EXPECT_EQ(at.value, arc->displacement(0, at.time));
+    }
+    constexpr int kSamples = 200000;
+    double top = -1e300, bottom = 1e300;
+    for (int i = 0; i <= kSamples; ++i) {
+      const double sample = arc->displacement(0, end * i / kSamples);
+      top = std::max(top, sample);
+      bottom = std::min(bottom, sample);
+    }
+    EXPECT_LE(top, highest + 1e-15 * std::abs(highest));
+    EXPECT_GE(bottom, lowest - 1e-15 * std::abs(lowest));
+    EXPECT_NEAR(top, highest, 1e-4 * (highest - lowest));
+    EXPECT_NEAR(bottom, lowest, 1e-4 * (highest - lowest));
   }
 }
 

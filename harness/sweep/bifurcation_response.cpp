@@ -1,0 +1,126 @@
+#include "harness/sweep/bifurcation_response.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "harness/failure.hpp"
+#include "problems/scene/varied_scene.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr SpecialKind kFollowedKinds[] = {SpecialKind::fold, SpecialKind::period_doubling,
+                                          SpecialKind::neimark_sacker, SpecialKind::grazing,
+                                          SpecialKind::contact_change};
+
+SpecialKind followed_kind(const std::string& name) {
+  for (const SpecialKind kind : kFollowedKinds) {
+    if (describe(kind) == name) return kind;
+  }
+  throw UsageError(fmt::format("follow = {} (must be {})", name, fmt::join(followed_kinds(), ", ")));
+}
+
+ScenePlane plane_of(const SceneSource& source, double from, double to, const SecondParameter& second) {
+  if (second.place == kFrequency)
+    throw UsageError(fmt::format("second = {} (must be another number than the frequency)", second.place));
+  for (const auto& [name, value] :
+       {std::pair("second-from", second.from), std::pair("second-to", second.to)}) {
+    if (!std::isfinite(value)) throw UsageError(fmt::format("{} = {} (must be finite)", name, value));
+  }
+  if (second.from == second.to)
+    throw UsageError(fmt::format("second-to = {} (must differ from --second-from)", second.to));
+  const auto scene = std::make_shared<const VariedScene>(source, second.place);
+  for (const double end : {second.from, second.to}) (void)scene->at(end);  // refuses what is no scene
+  return {.at = [scene, from, to](double value) { return over_frequency(scene->unchecked(value), from, to); },
+          .second = second.place,
+          .from = second.from,
+          .to = second.to};
+}
+
+Cell value_cell(double value) { return {fmt::format("{:.10g}", value), value}; }
+
+Cell largest_in(const std::vector<double>& values) {
+  if (values.empty()) return "-";
+  return value_cell(*std::max_element(values.begin(), values.end()));
+}
+
+}  // namespace
+
+std::vector<std::string> followed_kinds() {
+  std::vector<std::string> names;
+  for (const SpecialKind kind : kFollowedKinds) names.push_back(describe(kind));
+  return names;
+}
+
+BifurcationResponse bifurcation_response(const SceneSource& source, double from, double to,
+                                         const SecondParameter& second, const std::string& kind,
+                                         const BranchLimits& limits) {
+  using Clock = std::chrono::steady_clock;
+  const SpecialKind followed = followed_kind(kind);
+  const ScenePlane plane = plane_of(source, from, to, second);
+  const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                        std::chrono::duration<double>(limits.timeout));
+  const BranchDiagram diagram = exact_branches(plane.at(second.from), limits);
+  BifurcationResponse response{.second = second, .unfinished = diagram.unfinished};
+  response.curves = bifurcation_curves(
+      plane, diagram, followed,
+      {.max_points = limits.max_points, .expired = [deadline] { return Clock::now() > deadline; }});
+  return response;
+}
+
+nlohmann::ordered_json to_json(const BifurcationResponse& response) {
+  using Json = nlohmann::ordered_json;
+  Json curves = Json::array();
+  for (const BifurcationCurve& curve : response.curves) {
+    Json points = Json::array();
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+      const BranchPoint& point = curve.points[i];
+      Json multipliers = Json::array();
+      for (const auto& mu : point.multipliers) multipliers.push_back({mu.real(), mu.imag()});
+      points.push_back({{"omega", point.frequency},
+                        {"second", curve.second[i]},
+                        {"order", point.order},
+                        {"amplitude", point.amplitude},
+                        {"x_max", point.x_max},
+                        {"impacts", point.impacts},
+                        {"multipliers", multipliers}});
+    }
+    curves.push_back({{"kind", describe(curve.kind)},
+                      {"sequence", curve.sequence},
+                      {"points", points},
+                      {"began", curve.began},
+                      {"ended", curve.ended}});
+  }
+  return {{"parameter", kFrequency},
+          {"second", response.second.place},
+          {"curves", curves},
+          {"unfinished", response.unfinished}};
+}
+
+Table bifurcation_table(const BifurcationResponse& response) {
+  Table table;
+  table.header = {"curve",     "kind",          "omega [rad/s]", response.second.place, "order", "impacts",
+                  "x max [m]", "amplitude [m]", "mark"};
+  for (std::size_t c = 0; c < response.curves.size(); ++c) {
+    const BifurcationCurve& curve = response.curves[c];
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+      const BranchPoint& point = curve.points[i];
+      const bool first = i == 0, last = i + 1 == curve.points.size();
+      table.rows.push_back({value_cell(static_cast<double>(c)), describe(curve.kind),
+                            value_cell(point.frequency), value_cell(curve.second[i]), value_cell(point.order),
+                            value_cell(point.impacts), largest_in(point.x_max), largest_in(point.amplitude),
+                            last    ? "ends: " + curve.ended
+                            : first ? "begins: " + curve.began
+                                    : std::string()});
+    }
+  }
+  return table;
+}
+
+}  // namespace signorini

@@ -1,0 +1,60 @@
+#include "harness/sweep/response_stream.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "harness/records/json_fields.hpp"
+
+namespace signorini {
+
+namespace {
+
+void print_line(const std::string& line) {
+  fmt::print("{}\n", line);
+  (void)std::fflush(stdout);
+}
+
+}  // namespace
+
+ResponseStream::ResponseStream(std::string format, MethodResponse shape)
+    : format_(std::move(format)), shape_(std::move(shape)) {}
+
+void ResponseStream::branch(const std::string& method, const Branch& branch) {
+  if (method != method_) branches_ = 0;
+  method_ = method;
+  if (format_ == "jsonl") {
+    print_line(json_line(to_json(branch, method)));
+  } else if (prints()) {
+    MethodResponse response = shape_;
+    response.method = method;
+    response.diagram.branches = {branch};
+    rows(response);
+  }
+  ++branches_;
+}
+
+void ResponseStream::step(const std::string& method, const SweepPoint& step) {
+  if (format_ == "jsonl") {
+    nlohmann::ordered_json line{{"method", method}};
+    line.update(to_json(step));
+    print_line(json_line(line));
+  } else if (prints()) {
+    MethodResponse response = shape_;
+    response.method = method;
+    response.steps = {step};
+    rows(response);
+  }
+}
+
+void ResponseStream::rows(const MethodResponse& response) {
+  std::string text = to_csv(branch_table({response}, branches_));
+  if (begun_) text.erase(0, text.find('\n') + 1);
+  begun_ = true;
+  fmt::print("{}", text);
+  (void)std::fflush(stdout);
+}
+
+}  // namespace signorini

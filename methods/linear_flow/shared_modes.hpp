@@ -1,0 +1,36 @@
+#pragma once
+// The complex modes of scenes that differ in their load, gaps or law of impact alone.
+
+#include <Eigen/Core>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "methods/linear_flow/linear_flow.hpp"
+
+namespace signorini {
+
+/// The modes of contact modes, found anew only where the matrices of the structure, with the springs and
+/// constraints of its closed contacts, are others than the last time. Along a curve over a frequency, a load,
+/// a gap or a restitution they are found once.
+class SharedModes {
+ public:
+  /// modal_basis(equations); the unit of time in which the energy is shifted may be that of a scene before,
+  /// which changes the modes by rounding.
+  std::shared_ptr<const ModalBasis> of(const ModeEquations& equations);
+  [[nodiscard]] long found() const { return found_; }  ///< how often modes were found anew
+
+ private:
+  struct Entry {
+    SparseMatrix mass, damping;
+    Eigen::MatrixXd stiffness, basis, output_of_state;  // with springs; Q
+    std::shared_ptr<const ModalBasis> modes;
+
+    [[nodiscard]] bool fits(const ModeEquations& equations) const;
+  };
+
+  std::map<std::vector<int>, Entry> entries_;  // by the closed contacts
+  long found_ = 0;
+};
+
+}  // namespace signorini

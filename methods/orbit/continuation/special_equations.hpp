@@ -1,0 +1,98 @@
+#pragma once
+// The equations of an orbit at which a test function vanishes, with two parameters among the unknowns.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <functional>
+#include <list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "methods/orbit/continuation/branch.hpp"
+#include "methods/orbit/family/survey.hpp"
+
+namespace signorini {
+
+/// A scene as a function of two of its numbers: a family over the first for each value of the second.
+struct ScenePlane {
+  std::function<ParametrisedScene(double)> at = {};  ///< the interval of the first is the same for all
+  std::string second;                                ///< the name of the second number
+  double from = 0.0;                                 ///< where curves begin, in its unit
+  double to = 1.0;                                   ///< where they end, above or below
+
+  /// In the interval, both ends included.
+  [[nodiscard]] bool contains(double value) const {
+    return value >= std::min(from, to) && value <= std::max(from, to);
+  }
+};
+
+/// The families at values of the second number, all in the units of the first of them.
+class OrbitPlane {
+ public:
+  /// \param plane  kept by the caller
+  explicit OrbitPlane(const ScenePlane& plane);
+
+  [[nodiscard]] const ScenePlane& scene() const { return plane_; }  ///< as given
+  [[nodiscard]] double unit() const { return unit_; }               ///< Q: a third of its interval
+  /// That at a value. Its last few are kept. \throws std::runtime_error
+  std::shared_ptr<OrbitFamily> family(double second);
+
+ private:
+  const ScenePlane& plane_;
+  double unit_;
+  CurveUnits units_;
+  std::list<std::pair<double, std::shared_ptr<OrbitFamily>>> recent_;  // latest first
+};
+
+/// In the unknowns (x, q / Q), x those of SequencedOrbit, q the second parameter, n + 2 of them:
+///
+///     R(x, q) = 0 (ExtendedEquations),    psi(x, q) / |psi'| = 0,
+///
+/// psi a test function (BifurcationTests) or a guard (OrbitSurvey). On the surface R = 0 psi changes in two
+/// directions, and these alone are differentiated, by central differences: what this leaves out of the last
+/// row delays Newton's method and moves no point.
+class SpecialEquations {
+ public:
+  /// \param plane      kept by the caller
+  /// \param guard      whose zero is kept; empty: the zero is that of the test function of `kind`
+  /// \param reference  tangent of the orbit's curve over the first parameter, by which a fold is told
+  SpecialEquations(OrbitPlane& plane, SequencedOrbit orbit, SpecialKind kind, std::optional<OrbitGuard> guard,
+                   Eigen::VectorXd reference);
+
+  [[nodiscard]] Eigen::Index size() const { return orbit_.x.size(); }  ///< n + 1
+  /// False where R is not defined, there is no scene, or psi does not exist.
+  bool evaluate(const Eigen::VectorXd& x);
+  [[nodiscard]] const Eigen::VectorXd& residual() const { return residual_; }  ///< n + 1
+  const Eigen::MatrixXd& jacobian();                                           ///< (n + 1) x (n + 2)
+  [[nodiscard]] double noise() const { return equations_->noise(); }           ///< of R
+
+  /// Takes |psi'| where it is evaluated; false where psi has no derivative.
+  bool rescale();
+  /// Takes the tangent where it is evaluated as the reference.
+  void take_reference();
+
+  [[nodiscard]] const Eigen::VectorXd& x() const { return x_; }                    ///< of the last evaluation
+  [[nodiscard]] ExtendedEquations& orbits() { return *equations_; }                ///< there
+  [[nodiscard]] double second() const { return x_[size()] * plane_.unit(); }       ///< q there
+  [[nodiscard]] const std::optional<OrbitGuard>& guard() const { return guard_; }  ///< as given
+  [[nodiscard]] const Eigen::VectorXd& reference() const { return reference_; }    ///< as taken
+
+ private:
+  std::optional<double> condition(ExtendedEquations& at) const;
+  void differentiate();
+
+  OrbitPlane& plane_;
+  SequencedOrbit orbit_;
+  SpecialKind kind_;
+  std::optional<OrbitGuard> guard_;
+  Eigen::VectorXd reference_;
+  double scale_ = 1.0;
+  std::shared_ptr<OrbitFamily> family_;
+  std::unique_ptr<ExtendedEquations> equations_;
+  Eigen::VectorXd x_, residual_;
+  Eigen::MatrixXd jacobian_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,149 @@
+// Points of branches at values asked for, branches line by line, special points over a second number.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "harness/failure.hpp"
+#include "harness/sweep/bifurcation_response.hpp"
+#include "tests/harness/program.hpp"
+
+namespace signorini {
+namespace {
+
+nlohmann::json branches_at(const std::string& methods, const std::string& values) {
+  const test::Outcome outcome = test::run_program("sweep sdof-stop --methods " + methods +
+                                                  " --from 1.5 --to 4.5 --format json --at " + values);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return nlohmann::json::parse(outcome.out)["branches"];
+}
+
+// At 3.0 one motion is free of contact and two hit once in two periods; their speeds are those of the closed
+// form, their amplitudes larger than nothing.
+TEST(CommandSweep, HasPointsExactlyAtTheValuesAskedFor) {
+  int free = 0, impacting = 0;
+  for (const auto& branch : branches_at("exact-orbit", "2.2,3.0")) {
+    for (const auto& point : branch["points"]) {
+      const double w = point["omega"];
+      EXPECT_LT(std::min(std::abs(w - 2.2), std::abs(w - 3.0)), 1e-12);
+      if (std::abs(w - 3.0) > 1e-9) continue;
+      if (point["impacts"] == 0) {
+        ++free;
+        EXPECT_NEAR(point["amplitude"][0], std::abs(1.0 / std::complex<double>(1.0 - 9.0, 0.3)), 1e-12);
+      }
+      if (point["order"] == 2 && point["impacts"] == 1) ++impacting;
+    }
+  }
+  EXPECT_EQ(free, 1);
+  EXPECT_EQ(impacting, 2);
+}
+
+TEST(CommandSweep, HasSuchPointsOfTheCurvesOfMethodsToo) {
+  for (const char* method : {"fourier-lipschitz", "hat-lcp", "aft-hbm"}) {
+    int points = 0;
+    for (const auto& branch : branches_at(method, "2.9,3.0,4.0")) {
+      for (const auto& point : branch["points"]) {
+        const double w = point["omega"];
+        EXPECT_LT(std::min({std::abs(w - 2.9), std::abs(w - 3.0), std::abs(w - 4.0)}), 1e-10) << method;
+        ++points;
+      }
+    }
+    EXPECT_GE(points, 3) << method;  // contact-free motions at least
+  }
+}
+
+// A line per branch; the branches are those of the JSON answer.
+TEST(CommandSweep, PrintsBranchesLineByLine) {
+  const std::string command =
+      "sweep sdof-stop --methods exact-orbit:hat-lcp --set samples=64 --from 2.3 --to 3 ";
+  const test::Outcome whole = test::run_program(command + "--format json");
+  const test::Outcome lines = test::run_program(command + "--format jsonl");
+  ASSERT_EQ(lines.code, whole.code) << lines.err;
+  auto branches = nlohmann::json::array();
+  std::istringstream in(lines.out);
+  for (std::string line; std::getline(in, line);) branches.push_back(nlohmann::json::parse(line));
+  EXPECT_EQ(branches, nlohmann::json::parse(whole.out)["branches"]);
+}
+
+TEST(CommandSweep, PrintsStepsLineByLineAtTheFrequenciesAskedFor) {
+  const test::Outcome outcome =
+      test::run_program("sweep sdof-stop --method exact-orbit --at 3.1,3,3.3 --format jsonl");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  std::istringstream in(outcome.out);
+  std::vector<double> frequencies;
+  for (std::string line; std::getline(in, line);) {
+    const auto step = nlohmann::json::parse(line);
+    EXPECT_EQ(step["method"], "exact-orbit");
+    frequencies.push_back(step["frequency"]);
+  }
+  EXPECT_EQ(frequencies, (std::vector<double>{3.1, 3.0, 3.3}));
+}
+
+TEST(CommandSweep, FollowsFoldsOverASecondNumber) {
+  const test::Outcome outcome = test::run_program(
+      "sweep sdof-stop --methods exact-orbit --from 1.5 --to 4.5 --follow fold --second law.restitution "
+      "--second-from 1 --second-to 0.5 --format json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto response = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(response["second"], "law.restitution");
+  double nearest = 1e300;
+  for (const auto& curve : response["curves"]) {
+    EXPECT_EQ(curve["kind"], "fold");
+    const auto& last = curve["points"].back();
+    if (std::abs(last["second"].get<double>() - 0.5) < 1e-12)
+      nearest = std::min(nearest, std::abs(last["omega"].get<double>() - 3.4543608376498));
+  }
+  EXPECT_LT(nearest, 1e-9);
+}
+
+TEST(CommandSweep, RefusesValuesAndSecondNumbersThatAreNoneInOneLine) {
+  const std::string branches = "sweep sdof-stop --methods exact-orbit ", range = "--from 1.5 --to 4.5 ";
+  for (const std::string& arguments :
+       {branches + "--from 2 --to 3 --at 4", branches + "--from 2", branches + "--at 2.2",
+        branches + "--at -1,2", branches + "--at x",
+        branches + range + "--follow cusp --second law.restitution", branches + range + "--follow fold",
+        branches + range + "--follow fold --second law.none --second-from 1 --second-to 0.5",
+        branches + range + "--follow fold --second law.restitution --second-from 1 --second-to 1",
+        branches + range + "--follow fold --second law.restitution --second-from 1 --second-to 2",
+        branches + range + "--follow fold --second forcing.frequency --second-from 1 --second-to 2",
+        std::string(
+            "sweep sdof-stop --methods hat-lcp --from 1 --to 2 --follow fold --second law.restitution "
+            "--second-from 1 --second-to 0.5")}) {
+    const test::Outcome outcome = test::run_program(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << arguments << outcome.err;
+  }
+}
+
+// Figure 17 of Vadcard, Batailly and Thouverez (2022) as others have computed it again: harmonic balance with
+// 20 harmonics.
+TEST(ExactBranches, FoldWhereThePublishedRodDoes) {
+  struct Published {
+    const char* scene;
+    double upper, lower, tolerance;  // [rad/s]
+  };
+  for (const Published& rod : {Published{"rod-penalty@0.4", 64892.9, 63848.3, 1.0},
+                               Published{"rod-penalty@4", 69450.2, 63876.8, 30.0}}) {
+    const Problem problem = read_scene(find_scene(rod.scene)).problem;
+    const BranchDiagram diagram = exact_branches(over_frequency(problem, 57000.0, 75000.0), {});
+    for (const double fold : {rod.upper, rod.lower}) {
+      double nearest = 1e300;
+      for (const Branch& branch : diagram.branches) {
+        for (const SpecialPoint& special : branch.special) {
+          if (special.kind == SpecialKind::fold)
+            nearest = std::min(nearest, std::abs(special.point.frequency - fold));
+        }
+      }
+      EXPECT_LT(nearest, rod.tolerance) << rod.scene;
+    }
+    EXPECT_EQ(diagram.unfinished, "");
+  }
+}
+
+}  // namespace
+}  // namespace signorini
