@@ -13,6 +13,9 @@ namespace signorini {
 
 struct SparseCholesky::Handle {
   Handle() {
+    // CHOLMOD asks for four threads whatever it is told. They would not outlive a fork, and a child that
+    // factorises again would wait for them for ever.
+    omp_set_max_active_levels(0);
     cholmod_start(&common);
     common.print = 0;
     common.quick_return_if_not_posdef = 1;
@@ -33,6 +36,14 @@ struct SparseCholesky::Handle {
       throw std::runtime_error("sparse Cholesky factorisation failed, status " +
                                std::to_string(common.status));
     }
+  }
+
+  // Order and symbolic factor of a lower triangle; returns the view of it that CHOLMOD reads.
+  cholmod_sparse analyse(const SparseMatrix& lower) {
+    cholmod_sparse view = Eigen::viewAsCholmod(lower.selfadjointView<Eigen::Lower>());
+    factor = cholmod_analyze(&view, &common);
+    check();
+    return view;
   }
 
   // Calls visit(column of A, L_jj) for every column.
@@ -64,14 +75,9 @@ struct SparseCholesky::Handle {
 };
 
 SparseCholesky::SparseCholesky(const SparseMatrix& A) : handle_(std::make_unique<Handle>()) {
-  // CHOLMOD asks for four threads whatever it is told. They would not outlive a fork, and a child that
-  // factorises again would wait for them for ever.
-  omp_set_max_active_levels(0);
   Handle& h = *handle_;
   const SparseMatrix lower = A.triangularView<Eigen::Lower>();
-  cholmod_sparse view = Eigen::viewAsCholmod(lower.selfadjointView<Eigen::Lower>());
-  h.factor = cholmod_analyze(&view, &h.common);
-  h.check();
+  cholmod_sparse view = h.analyse(lower);
   cholmod_factorize(&view, h.factor, &h.common);
   h.check();
   if (h.common.status == CHOLMOD_NOT_POSDEF || h.factor->minor < h.factor->n) return;
@@ -80,6 +86,13 @@ SparseCholesky::SparseCholesky(const SparseMatrix& A) : handle_(std::make_unique
   h.for_each_diagonal([&](int column, double pivot) {
     h.smallest_pivot = std::min(h.smallest_pivot, pivot * pivot / diagonal(column));
   });
+}
+
+double SparseCholesky::operations_for(const SparseMatrix& A) {
+  Handle handle;
+  const SparseMatrix lower = A.triangularView<Eigen::Lower>();
+  handle.analyse(lower);
+  return handle.common.fl;
 }
 
 SparseCholesky::~SparseCholesky() = default;

@@ -12,6 +12,11 @@ namespace signorini {
 /// one thread with a serial BLAS.
 class SparseCholesky {
  public:
+  /// Floating-point operations that the factorisation of A takes, from its pattern alone: its order and its
+  /// symbolic factor are made, no number is.
+  /// \throws std::bad_alloc where memory does not suffice, or the factor has too many entries to count
+  static double operations_for(const SparseMatrix& A);
+
   /// Factorises A, symmetric, Nd x Nd; only its lower triangle is looked at.
   /// \throws std::bad_alloc where memory does not suffice
   explicit SparseCholesky(const SparseMatrix& A);

@@ -9,6 +9,7 @@
 
 #include "problems/admissible_set.hpp"
 #include "problems/matrix_properties.hpp"
+#include "problems/sparse_cholesky.hpp"
 
 namespace signorini {
 
@@ -50,35 +51,50 @@ void check_matrix(const SparseMatrix& A, int size, const std::string& field) {
 
 void check_symmetric(const SparseMatrix& A, const std::string& field, Definiteness definiteness) {
   require(is_symmetric(A), field, "unsymmetric matrix", "must be symmetric to 1e-12 of its largest entry");
-  require(definiteness == Definiteness::by_construction || is_semidefinite(A), field, "indefinite matrix",
+  require(definiteness != Definiteness::to_be_checked || is_semidefinite(A), field, "indefinite matrix",
           "must be positive semi-definite");
+}
+
+SparseMatrix sum_of(const std::array<const SparseMatrix*, 3>& matrices) {
+  SparseMatrix sum(matrices.front()->rows(), matrices.front()->cols());
+  for (const SparseMatrix* A : matrices) {
+    const double scale = largest_entry(*A);
+    if (scale > 0.0) sum = combination({.alpha = 1.0, .beta = 1.0 / scale}, sum, *A);
+  }
+  return sum;
+}
+
+// A factorisation of the largest pattern among M, D and K takes so many operations at most if definiteness is
+// to be judged. A core does some 2e10 in a second; up to four are needed.
+constexpr double kMostOperations = 5e10;
+constexpr int kSparse = 2000;  // coordinates: below, a full matrix takes 3e9
+
+bool is_judged_in_seconds(const Problem& problem) {
+  if (problem.size() < kSparse) return true;
+  const SparseMatrix all = sum_of({&problem.mass(), &problem.damping(), &problem.stiffness()});
+  return SparseCholesky::operations_for(all) <= kMostOperations;
 }
 
 // Coordinates alone are looked at where combinations of them need not be: numbers too small to be told from 0
 // leave nothing of an element.
 bool every_motion_is_resisted(const std::array<const SparseMatrix*, 3>& matrices, Definiteness definiteness) {
   const Eigen::Index size = matrices.front()->rows();
-  if (definiteness == Definiteness::by_construction) {
+  if (definiteness != Definiteness::to_be_checked) {
     Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(size);
     for (const SparseMatrix* A : matrices) diagonal += A->diagonal();
     return (diagonal.array() > 0.0).all();
   }
-  SparseMatrix all(size, size);
-  for (const SparseMatrix* A : matrices) {
-    const double scale = largest_entry(*A);
-    if (scale > 0.0) all = combination({.alpha = 1.0, .beta = 1.0 / scale}, all, *A);
-  }
-  return is_definite(all);
+  return is_definite(sum_of(matrices));
 }
 
 // By construction D is alpha M + beta K with alpha, beta >= 0, a sum over modes, or these and dampers.
 bool dissipates(const Problem& problem, const SparseMatrix& dissipative, Definiteness definiteness) {
-  if (definiteness == Definiteness::by_construction) return (dissipative.diagonal().array() >= 0.0).all();
+  if (definiteness != Definiteness::to_be_checked) return (dissipative.diagonal().array() >= 0.0).all();
   const auto parts = proportional_damping(problem.mass(), problem.stiffness(), dissipative);
   return (parts && parts->alpha >= 0.0 && parts->beta >= 0.0) || is_semidefinite(dissipative);
 }
 
-void check_matrices(const Problem& problem, Definiteness definiteness) {
+void check_matrices(const Problem& problem, Definiteness known) {
   const int size = problem.size();
   require(size > 0, "system.mass", fmt::format("{} x {} matrix", size, problem.mass().cols()),
           "must have at least one coordinate");
@@ -86,6 +102,9 @@ void check_matrices(const Problem& problem, Definiteness definiteness) {
   check_matrix(problem.damping(), size, "system.damping");
   check_matrix(problem.stiffness(), size, "system.stiffness");
   require(largest_entry(problem.mass()) > 0.0, "system.mass", "0", "some coordinate must carry mass");
+  const Definiteness definiteness = known == Definiteness::to_be_checked && !is_judged_in_seconds(problem)
+                                        ? Definiteness::not_judged
+                                        : known;
   check_symmetric(problem.mass(), "system.mass", definiteness);
   check_symmetric(problem.stiffness(), "system.stiffness", definiteness);
   SparseMatrix symmetric_part;

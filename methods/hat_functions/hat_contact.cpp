@@ -28,20 +28,12 @@ constexpr int kLongPath = 100;
 // Marching either repeats its contacts soon, or follows a motion that is not periodic.
 constexpr int kMarchedPeriods = 300;
 
-/// C_n and free response under the scheme, n = 0..N/2.
-ContactReceptance scheme_receptance(const Problem& problem, const HatSettings& settings) {
-  const double step = problem.period() / settings.samples;
-  return contact_receptance(problem, settings.samples / 2, [&](int n) {
-    return scheme_weights(settings.scheme, 2.0 * std::numbers::pi * n / settings.samples, step);
-  });
-}
-
 class PreparedHat final : public PreparedMethod {
  public:
   PreparedHat(const Problem& problem, const HatSettings& options, std::optional<double> restitution)
       : problem_(problem),
         options_(options),
-        receptance_(scheme_receptance(problem, options)),
+        receptance_(grid_receptance(problem, options.scheme, options.samples)),
         stops_(nodal_stops(problem, restitution)) {}
 
   Solution solve(const Start& start) override {
@@ -102,15 +94,9 @@ class PreparedHat final : public PreparedMethod {
   /// Nodal motion behind the nodal pressures -lambda >= 0 [N].
   [[nodiscard]] Solution finish(const Eigen::VectorXd& pressure, const LcpResult& result) const {
     const int contacts = receptance_.contacts();
-    RealFft fft(samples());
-    Eigen::MatrixXcd spectrum(fft.coefficients(), contacts);
-    Eigen::MatrixXd force = -pressure.reshaped(samples(), contacts);
-    for (int c = 0; c < contacts; ++c) fft.forward(force.col(c), spectrum.col(c));
-    Eigen::MatrixXd x(samples(), contacts);
-    if (contacts > 0) spectrum = contact_motion(receptance_, spectrum);
-    for (int c = 0; c < contacts; ++c) fft.inverse(spectrum.col(c), x.col(c));
     Solution solution;
-    const bool finite = x.allFinite() && force.allFinite();
+    solution.trajectory = nodal_motion(receptance_, pressure, samples());
+    const bool finite = solution.trajectory != nullptr;
     solution.verdict =
         finite && result.status == LcpStatus::solved ? Verdict::converged : Verdict::not_converged;
     solution.message = contacts == 0 ? "no contact in the scene: linear response" : describe(result.status);
@@ -122,10 +108,6 @@ class PreparedHat final : public PreparedMethod {
       solution.work.factorisations = result.factorisations;
     } else {
       solution.work.pivots = result.pivots;
-    }
-    if (finite) {
-      solution.trajectory =
-          std::make_shared<NodalTrajectory>(receptance_.period, std::move(x), std::move(force));
     }
     return solution;
   }
@@ -155,6 +137,26 @@ double static_deflection(const Problem& problem) {
   double load = 0.0;
   for (const ForceTerm& term : problem.force) load += std::hypot(term.cos, term.sin);
   return load / contact_stiffness_scale(problem).minCoeff();
+}
+
+ContactReceptance grid_receptance(const Problem& problem, HatScheme scheme, int samples) {
+  return contact_receptance(problem, samples / 2, [&](int n) {
+    return scheme_weights(scheme, 2.0 * std::numbers::pi * n / samples, problem.period() / samples);
+  });
+}
+
+std::shared_ptr<const Trajectory> nodal_motion(const ContactReceptance& receptance,
+                                               const Eigen::VectorXd& pressure, int samples) {
+  const int contacts = receptance.contacts();
+  RealFft fft(samples);
+  Eigen::MatrixXcd spectrum(fft.coefficients(), contacts);
+  Eigen::MatrixXd force = -pressure.reshaped(samples, contacts);
+  for (int c = 0; c < contacts; ++c) fft.forward(force.col(c), spectrum.col(c));
+  if (contacts > 0) spectrum = contact_motion(receptance, spectrum);
+  Eigen::MatrixXd x(samples, contacts);
+  for (int c = 0; c < contacts; ++c) fft.inverse(spectrum.col(c), x.col(c));
+  if (!x.allFinite() || !force.allFinite()) return nullptr;
+  return std::make_shared<NodalTrajectory>(receptance.period, std::move(x), std::move(force));
 }
 
 std::unique_ptr<PreparedMethod> hat_contact(const Problem& problem, const HatSettings& settings,

@@ -9,6 +9,7 @@
 #include "methods/method.hpp"
 #include "methods/refinement.hpp"
 #include "methods/solvers/lcp.hpp"
+#include "methods/structure/receptance.hpp"
 
 namespace signorini {
 
@@ -41,6 +42,15 @@ struct HatSettings {
 /// \throws std::runtime_error if the structure cannot be factorised
 std::unique_ptr<PreparedMethod> hat_contact(const Problem& problem, const HatSettings& settings,
                                             std::optional<double> restitution);
+
+/// C_n and the free response under a scheme on N nodes, n = 0..N/2: what `hat_form` takes.
+/// \throws std::runtime_error if the structure cannot be factorised
+ContactReceptance grid_receptance(const Problem& problem, HatScheme scheme, int samples);
+
+/// The motion behind nodal pressures -lambda [N], N Nc one contact after another: x_n = x_free,n + C_n
+/// lambda_n. Null where it is not finite.
+std::shared_ptr<const Trajectory> nodal_motion(const ContactReceptance& receptance,
+                                               const Eigen::VectorXd& pressure, int samples);
 
 /// Whether a grid of so many nodes resolves the load.
 Support grid_support(const Problem& problem, int samples);

@@ -37,8 +37,9 @@ Eigen::MatrixXcd force_spectrum(const Trajectory& trajectory, int count) {
     result.topRows(common) = own.topRows(common);
     return result;
   }
-  return force_spectrum(trajectory.sample(samples_for_spectrum(count)).force, trajectory.impulses(),
-                        trajectory.period(), count);
+  // Between the nodes of a grid the force is a straight line: fewer instants than nodes would pass some by.
+  const int instants = std::max(samples_for_spectrum(count), trajectory.nodes().value_or(0));
+  return force_spectrum(trajectory.sample(instants).force, trajectory.impulses(), trajectory.period(), count);
 }
 
 int samples_for_spectrum(int count) {

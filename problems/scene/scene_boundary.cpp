@@ -22,7 +22,8 @@ int read_dof(const SceneField& field, int size) {
 
 // "x+", "y-" and so on.
 Face read_face(const SceneField& field, const SystemDescription& system) {
-  if (!system.mesh) field.refuse("must be absent: only a block has faces");
+  if (!std::holds_alternative<BlockMesh>(system.layout))
+    field.refuse("must be absent: only a block has faces");
   constexpr std::string_view kFace = "must be \"x+\", \"y-\", \"y+\", \"z-\" or \"z+\": x- is clamped";
   const std::string name = field.text(kFace);
   const std::size_t axis = name.size() == 2 ? kAxes.find(name[0]) : std::string_view::npos;
@@ -62,12 +63,13 @@ std::vector<Contact> read_face_contacts(const SceneField& contact, const SystemD
   }
   const Face face = read_face(contact["face"], system);
   const SceneField patch = contact["patch"];
-  std::vector<Contact> made = contacts_on_face(*system.mesh, face, read_patch(patch, face, *system.mesh),
-                                               contact["gap"].number(kGap));
+  const auto& mesh = std::get<BlockMesh>(system.layout);  // else there was no face
+  std::vector<Contact> made =
+      contacts_on_face(mesh, face, read_patch(patch, face, mesh), contact["gap"].number(kGap));
   if (made.empty()) {
     const auto [first, second] = face.axes();
     patch.refuse(fmt::format("must hold a node that can move: they are {:g} m by {:g} m apart",
-                             system.mesh->spacing(first), system.mesh->spacing(second)));
+                             mesh.spacing(first), mesh.spacing(second)));
   }
   return made;
 }
@@ -120,7 +122,7 @@ std::vector<std::pair<int, double>> read_point_of_attack(const SceneField& term,
   }
   if (term["dof"].given()) face.refuse("must be absent: dof is given");
   const Face loaded = read_face(face, system);
-  return load_on_face(*system.mesh, loaded, read_direction(direction));
+  return load_on_face(std::get<BlockMesh>(system.layout), loaded, read_direction(direction));
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <numeric>
 
+#include "problems/scene/close_names.hpp"
 #include "problems/scene/scene_file.hpp"
 
 namespace signorini {
@@ -14,43 +14,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostSuggestions = 3;
-
 bool is_file(const fs::path& path) {
   std::error_code ignored;
   return fs::exists(path, ignored) && !fs::is_directory(path, ignored);
 }
 
-// Levenshtein's distance: the fewest insertions, deletions and replacements.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
-    }
-  }
-  return row.back();
-}
-
-// Names that a slip of the fingers may have meant, nearest first.
-std::vector<std::string> close_names(const std::string& name) {
-  const std::size_t farthest = std::max<std::size_t>(2, name.size() / 4);
-  std::vector<std::pair<std::size_t, std::string>> close;
-  std::vector<fs::path> files = shipped_files("catalogue");
-  for (fs::path& family : shipped_files("families")) files.push_back(std::move(family));
-  for (const fs::path& path : files) {
-    const std::string known = path.stem().string();
-    const std::size_t distance = edit_distance(name, known);
-    if (distance <= farthest) close.emplace_back(distance, known);
-  }
-  std::sort(close.begin(), close.end());
+// Names of all files of scenes that ship.
+std::vector<std::string> shipped_names() {
   std::vector<std::string> names;
-  for (const auto& [distance, known] : close) {
-    if (names.size() < kMostSuggestions) names.push_back(known);
+  for (const char* folder : {"catalogue", "families"}) {
+    for (const fs::path& path : shipped_files(folder)) names.push_back(path.stem().string());
   }
   return names;
 }
@@ -111,8 +84,11 @@ SceneSource find_scene(const std::string& name_or_path) {
       if (!base.empty() && is_file(path)) return {std::move(path), level};
     }
   }
-  const std::vector<std::string> close = close_names(fs::path(base).stem().string());
-  const std::string hint = close.empty() ? "" : fmt::format("; did you mean {}?", fmt::join(close, ", "));
+  const std::string hint = suggestion(fs::path(base).stem().string(), shipped_names());
+  const bool is_path = base.find('/') != std::string::npos || base.ends_with(".toml");
+  std::error_code ignored;
+  if (is_path && !fs::exists(base, ignored))
+    throw SceneError(fmt::format("scene = {} (must exist: there is no such file{})", name_or_path, hint));
   throw SceneError(
       fmt::format("scene = {} (must be a catalogue scene or a TOML file{})", name_or_path, hint));
 }

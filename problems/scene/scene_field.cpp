@@ -7,6 +7,12 @@
 
 namespace signorini {
 
+namespace {
+
+constexpr std::size_t kLongestPath = 200;  // bytes in a message: keys are a stranger's text
+
+}  // namespace
+
 SceneField::SceneField(const TomlNode& document, const std::string& file)
     : SceneField(&document, "", document.line, &file) {}
 
@@ -48,9 +54,7 @@ void SceneField::allow_only(std::initializer_list<std::string_view> keys,
   if (table == nullptr) refuse(requirement);
   for (const TomlEntry& entry : *table) {
     if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
-    const std::string name = one_line(entry.key);
-    const SceneField unknown{&entry.value, path_.empty() ? name : path_ + "." + name, entry.line, file_};
-    unknown.refuse(fmt::format("unknown key; known: {}", fmt::join(keys, ", ")));
+    (*this)[entry.key].refuse(fmt::format("unknown key; known: {}", fmt::join(keys, ", ")));
   }
 }
 
@@ -99,7 +103,8 @@ void SceneField::refuse(std::string_view requirement) const {
 }
 
 void SceneField::refuse(std::string_view found, std::string_view requirement) const {
-  throw SceneError(fmt::format("{}:{}: {} = {} ({})", *file_, line_, path_, found, requirement));
+  throw SceneError(
+      fmt::format("{}:{}: {} = {} ({})", *file_, line_, one_line(path_, kLongestPath), found, requirement));
 }
 
 }  // namespace signorini

@@ -44,8 +44,9 @@ void require_finite(const SparseMatrix& A, const std::string& field) {
 using Assembly = std::function<Structure(const std::vector<int>& contact_coordinates)>;
 
 // A structure that gets its damping from its mass and stiffness, besides what its parts have.
-SystemDescription damped(Assembly undamped, DampingModel damping, int size) {
+SystemDescription damped(SystemLayout layout, Assembly undamped, DampingModel damping, int size) {
   return {.size = size,
+          .layout = std::move(layout),
           .definiteness = Definiteness::by_construction,
           .assemble = [undamped = std::move(undamped),
                        damping = std::move(damping)](const std::vector<int>& contact_coordinates) {
@@ -143,7 +144,7 @@ SystemDescription read_bar(const SceneField& system) {
                 .young = read_positive(system["young"], "[N/m^2]"),
                 .density = read_positive(system["density"], "[kg/m^3]"),
                 .contact_mass = read_contact_mass(system["contact_mass"])};
-  return damped(assembly_of(bar), read_damping(system["damping"], bar.elements), bar.elements);
+  return damped(bar, assembly_of(bar), read_damping(system["damping"], bar.elements), bar.elements);
 }
 
 SystemDescription read_beam(const SceneField& system) {
@@ -159,7 +160,7 @@ SystemDescription read_beam(const SceneField& system) {
   }
   beam.contact_mass = read_contact_mass(system["contact_mass"]);
   const int size = 2 * beam.elements * beam.count;
-  return damped(assembly_of(beam), read_damping(system["damping"], size), size);
+  return damped(beam, assembly_of(beam), read_damping(system["damping"], size), size);
 }
 
 SystemDescription read_block(const SceneField& system) {
@@ -174,9 +175,7 @@ SystemDescription read_block(const SceneField& system) {
     system["poisson"].refuse("must be a number between -1 and 0.5 [-]");
   }
   const int size = block.mesh.size();
-  SystemDescription description = damped(assembly_of(block), read_damping(system["damping"], size), size);
-  description.mesh = block.mesh;
-  return description;
+  return damped(block.mesh, assembly_of(block), read_damping(system["damping"], size), size);
 }
 
 SystemDescription read_shaft(const SceneField& system) {
@@ -191,8 +190,9 @@ SystemDescription read_shaft(const SceneField& system) {
   shaft.bearing_stiffness = read_positive(system["bearing_stiffness"], "[N/m]");
   shaft.bearing_damping = system["bearing_damping"].number("must be a number >= 0 [N s/m]", 0.0);
   const int size = 4 * (last + 1);
-  return damped([shaft](const std::vector<int>&) { return assemble(shaft); },
-                read_damping(system["damping"], size), size);
+  return damped(
+      shaft, [shaft](const std::vector<int>&) { return assemble(shaft); },
+      read_damping(system["damping"], size), size);
 }
 
 }  // namespace signorini

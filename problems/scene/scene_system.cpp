@@ -38,7 +38,9 @@ SystemDescription independent_of_contacts(std::shared_ptr<const Structure> struc
 
 template <class Model>
 SystemDescription assembled(const Model& model) {
-  return independent_of_contacts(std::make_shared<const Structure>(assemble(model)));
+  SystemDescription description = independent_of_contacts(std::make_shared<const Structure>(assemble(model)));
+  description.layout = model;
+  return description;
 }
 
 Rotor read_disc(const SceneField& system) {

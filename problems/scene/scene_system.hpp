@@ -5,13 +5,12 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "problems/assembly/block.hpp"
 #include "problems/assembly/damping.hpp"
 #include "problems/scene/scene_field.hpp"
+#include "problems/scene/system_layout.hpp"
 #include "problems/structure.hpp"
 #include "problems/validation.hpp"
 
@@ -20,9 +19,9 @@ namespace signorini {
 /// A [system] table that has been read and checked. Contacts name coordinates and the mass of a structure may
 /// depend on where its contacts are: the matrices come last.
 struct SystemDescription {
-  std::string kind = {};                                    ///< as the scene names it, "beam"
-  int size = 0;                                             ///< Nd
-  std::optional<BlockMesh> mesh = {};                       ///< whose faces contacts and loads may name
+  std::string kind = {};     ///< as the scene names it, "beam"
+  int size = 0;              ///< Nd
+  SystemLayout layout = {};  ///< the model; of a block, contacts and loads may name faces
   Definiteness definiteness = Definiteness::to_be_checked;  ///< whether M and K are known to be definite
   std::vector<std::filesystem::path> files = {};            ///< Matrix Market files it was read from
   /// The matrices, given the coordinates that contacts touch.

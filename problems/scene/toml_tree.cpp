@@ -61,8 +61,8 @@ std::size_t end_of_quoted(std::string_view text, std::size_t at) {
   const std::string_view closing = multiline ? std::string_view(three) : text.substr(at, 1);
   for (std::size_t i = at + closing.size(); i < text.size(); ++i) {
     if (text.substr(i).starts_with(closing)) return i + closing.size();
-    if (quote == '"' && text[i] == '\\') ++i;     // of an escaped quote
     if (!multiline && text[i] == '\n') return i;  // no TOML; the parser says so
+    if (quote == '"' && text[i] == '\\') ++i;     // whatever is escaped, if anything is left
   }
   return text.size();
 }

@@ -35,6 +35,7 @@ CAMPAIGNS = {
     "suites": (file_attacks.suites, 10, 400),
     "descriptions": (file_attacks.descriptions, 20, 1500),
     "records": (file_attacks.records, 20, 1500),
+    "responses": (file_attacks.responses, 20, 1000),
     "special-files": (file_attacks.special_files, 40, 1000),
     "command-lines": (file_attacks.command_lines, 40, 3000),
     "random-scenes": (solve_attacks.random_scenes, 2, 400),

@@ -48,9 +48,10 @@ def page_of(campaigns, fuzzed, arguments, version):
         lines = (text.encode("ascii", "backslashreplace").decode()[:400] for text in found)
         page += "\n## Violations\n\n" + "".join(f"- `{line}`\n" for line in lines)
     if fuzzed:
-        rows = [["reader", "inputs", "time [s]", "crashes, hangs and broken promises", "largest process [MiB]"]]
-        rows += [[one["reader"], one["executions"], f"{one['seconds']:.0f}", len(one["findings"]), one["peak_mb"]]
-                 for one in fuzzed]
+        rows = [["reader", "commit", "inputs", "time of the processor [s]", "crashes, hangs and broken promises",
+                 "largest process [MiB]"]]
+        rows += [[one["reader"], one["commit"], one["executions"], f"{one['seconds']:.0f}", len(one["findings"]),
+                  one["peak_mb"]] for one in fuzzed]
         page += f"\n## Fuzzers\n\n{WHAT_FUZZERS_DO}\n" + table(rows)
     for title, rows in (note for campaign in campaigns for note in campaign.notes):
         page += f"\n## {title}\n\n" + table(rows) if rows else f"\n{title}.\n"

@@ -146,6 +146,22 @@ def records(program, random, count, folder, findings):
     yield campaign
 
 
+def responses(program, random, count, folder, findings):
+    """Damaged frequency responses of a run, through report: their figures are drawn by gnuplot."""
+    campaign = Campaign("damaged frequency responses, `report`", findings)
+    whole = (CORPUS / "responses/two.jsonl").read_bytes()
+    run = folder / "run"
+    run.mkdir()
+    for number in range(count):
+        text = damaged(whole, [whole], random)
+        (run / "responses.jsonl").write_bytes(text)
+        drawn = ["--format", "html"] if number % 20 == 19 else []
+        campaign.attack(program, ["report", "run", *drawn], folder, [run / "responses.jsonl"], codes=(0, 1, 2, 3),
+                        seconds=60.0, given=text)
+        shutil.rmtree(run / "figures", ignore_errors=True)
+    yield campaign
+
+
 class SpecialFiles:
     """Paths that are no ordinary file, made in a folder."""
 
@@ -186,6 +202,7 @@ def special_files(program, random, count, folder, findings):
               "mass.mtx": [["show", "./scene.toml"]],
               "start.json": [["solve", "sdof-stop", "--method", "hat-lcp", "--start", "start.json"]],
               "run/records.jsonl": [["status", "run"], ["report", "run", "--format", "md"], ["compare", "whole", "run"]],
+              "run/responses.jsonl": [["report", "run"]],
               "run/manifest.json": [["report", "run", "--format", "csv"], ["merge", "run", "--out", "merged"]],
               "run/plan.txt": [["status", "run"]],
               "references/sdof-stop.json": [["verify", "references", "--scenes", "sdof-stop"]]}

@@ -17,6 +17,7 @@
 #include "harness/records/record_store.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 #include "harness/report/formats/formats.hpp"
+#include "harness/report/page/page.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "harness/run/trial.hpp"
 #include "problems/scene/matrix_market.hpp"
@@ -173,7 +174,7 @@ bool attack_records(std::string_view text) {
   // Pages are long: of one input in eight, which a fuzzer can change by a byte.
   if (text.size() % 8 != 0) return !records.empty();
   for (const Section& section : sections) require_harmless(to_latex(section));
-  static_cast<void>(html_page("attack", nullptr, evaluation, sections, {}, {}));
+  static_cast<void>(html_page("attack", nullptr, evaluation, sections));
   return !records.empty();
 }
 

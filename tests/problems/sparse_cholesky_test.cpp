@@ -40,6 +40,12 @@ TEST(SparseCholesky, SolvesAChainInClosedForm) {
   }
 }
 
+TEST(SparseCholesky, CountsItsOperationsBeforeItDoesThem) {
+  for (const int size : {7, 5000}) {
+    EXPECT_EQ(SparseCholesky::operations_for(springs(size)), SparseCholesky(springs(size)).operations());
+  }
+}
+
 TEST(SparseCholesky, LooksAtTheLowerTriangleOnly) {
   SparseMatrix K = springs(6);
   for (int i = 1; i < 6; ++i) K.coeffRef(i - 1, i) = 100.0;

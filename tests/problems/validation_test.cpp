@@ -5,7 +5,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <random>
+#include <vector>
 
+#include "problems/sparse_cholesky.hpp"
 #include "tests/problems/chain_problems.hpp"
 
 namespace signorini {
@@ -111,6 +114,39 @@ TEST(Validate, TakesForGrantedWhatHoldsByConstructionAndNoMore) {
                         Definiteness::by_construction),
                InvalidProblem)
       << "a coordinate that nothing holds";
+}
+
+// Springs of 1 N/m to the ground, and springs of -0.3 N/m between eight random pairs for each mass: some
+// motion releases energy. Random pairs leave nothing of the pattern sparse: of 12,000 masses the factor takes
+// minutes.
+Problem randomly_coupled(int size) {
+  std::mt19937_64 random(5);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < size; ++i) {
+    entries.emplace_back(i, i, 1.0);
+    for (int k = 0; k < 8; ++k) {
+      const int j = static_cast<int>(random() % static_cast<unsigned>(size));
+      if (i == j) continue;
+      entries.emplace_back(i, j, -0.3);
+      entries.emplace_back(j, i, -0.3);
+    }
+  }
+  Problem problem = three_masses();
+  problem.edit_structure([&](Structure& s) {
+    s.mass.resize(size, size);
+    s.mass.setIdentity();
+    s.damping.resize(size, size);
+    s.stiffness.resize(size, size);
+    s.stiffness.setFromTriplets(entries.begin(), entries.end());
+  });
+  return problem;
+}
+
+TEST(Validate, LeavesDefinitenessToTheSolveWhereAFactorWouldTakeMinutes) {
+  EXPECT_THROW(validate(randomly_coupled(400)), InvalidProblem);
+  const Problem large = randomly_coupled(12000);
+  EXPECT_GT(SparseCholesky::operations_for(large.stiffness()), 5e10);
+  EXPECT_NO_THROW(validate(large));
 }
 
 TEST(Validate, RefusesForcingOutOfRange) {

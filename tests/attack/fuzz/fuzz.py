@@ -57,13 +57,20 @@ def processor_seconds():
     return usage.ru_utime + usage.ru_stime
 
 
+def commit():
+    """Of the tree that the fuzzers are taken to be built from."""
+    named = subprocess.run(["git", "-C", TREE, "describe", "--always", "--abbrev=12", "--dirty=, changed"],
+                           capture_output=True, text=True)
+    return named.stdout.strip()
+
+
 def begun(folder, reader, results):
     """What the program has done so far, if it is the one that did it."""
     program = hashlib.sha256((folder / f"fuzz_{reader}").read_bytes()).hexdigest()[:16]
     known = results.get(reader, {})
     if known.get("program") == program:
         return known
-    return {"reader": reader, "program": program, "seconds": 0.0, "executions": 0, "peak_mb": 0, "findings": []}
+    return {"reader": reader, "program": program, "commit": commit(), "seconds": 0.0, "executions": 0, "peak_mb": 0, "findings": []}
 
 
 def fuzz(folder, reader, seconds, results):

@@ -17,7 +17,7 @@ SystemDescription points() { return {.kind = "chain", .size = 5}; }
 /// A block of 2 x 1 x 1 bricks.
 SystemDescription block() {
   const BlockMesh mesh{.elements = {2, 1, 1}, .lengths = {2.0, 1.0, 1.0}};
-  return {.kind = "block", .size = mesh.size(), .mesh = mesh};
+  return {.kind = "block", .size = mesh.size(), .layout = mesh};
 }
 
 FromTables<Contact> contacts(const std::string& text, const SystemDescription& system = points()) {

@@ -68,10 +68,10 @@ TEST(FindScene, SuggestsNamesThatASlipMayHaveMeant) {
             "scene = sdof-stop-e (must be a catalogue scene or a TOML file; did you mean sdof-stop-e0, "
             "sdof-stop?)");
   EXPECT_EQ(refusal("elsewhere/chain2.toml"),
-            "scene = elsewhere/chain2.toml (must be a catalogue scene or a TOML file; did you mean chain2?)");
+            "scene = elsewhere/chain2.toml (must exist: there is no such file; did you mean chain2?)");
   EXPECT_EQ(refusal("rotor"), "scene = rotor (must be a catalogue scene or a TOML file)");
   EXPECT_EQ(refusal(""), "scene =  (must be a catalogue scene or a TOML file)");
-  EXPECT_EQ(refusal("../catalogue"), "scene = ../catalogue (must be a catalogue scene or a TOML file)");
+  EXPECT_EQ(refusal("../catalogue"), "scene = ../catalogue (must exist: there is no such file)");
 }
 
 TEST(CatalogueScenes, AreTheTomlFilesInOrderOfName) {

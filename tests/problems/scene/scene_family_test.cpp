@@ -126,8 +126,9 @@ TEST(SceneFamily, HasNoLevelWhereThereIsNone) {
             "family.toml:1: family = missing (must be there for the scene to have a level 1)");
 }
 
-TEST(ShippedFamilies, DriveAtLeastFiveValidLevelsEach) {
-  std::map<std::string, std::set<double>> levels;
+// Families of the suite hard show where methods break, others what a published study varied.
+TEST(ShippedFamilies, DriveValidLevelsFiveAtLeastWhereTheyAreHard) {
+  std::map<std::string, std::set<double>> levels, hard;
   for (const SceneSource& source : shipped_scenes()) {
     if (source.level.empty()) continue;  // a scene by itself
     SCOPED_TRACE(source.file.string() + "@" + source.level);
@@ -137,13 +138,15 @@ TEST(ShippedFamilies, DriveAtLeastFiveValidLevelsEach) {
     EXPECT_EQ(header.name, scene.name);
     EXPECT_EQ(source.file.stem(), header.family->family);
     EXPECT_EQ(scene.name, header.family->family + "@" + source.level);
-    EXPECT_TRUE(header.carries("hard"));
+    EXPECT_TRUE(header.carries("hard") || !header.reference.empty());
     EXPECT_EQ(find_scene(scene.name), source);
     EXPECT_EQ(find_scene(source.file.string() + "@" + source.level), source);
     levels[header.family->family].insert(header.family->level);
+    if (header.carries("hard")) hard[header.family->family].insert(header.family->level);
   }
-  EXPECT_GE(levels.size(), 14U);
-  for (const auto& [family, values] : levels) EXPECT_GE(values.size(), 5U) << family;
+  EXPECT_GE(hard.size(), 14U);
+  for (const auto& [family, values] : hard) EXPECT_GE(values.size(), 5U) << family;
+  for (const auto& [family, values] : levels) EXPECT_GE(values.size(), 3U) << family;
 }
 
 // All dimensionless numbers of the oscillator are those of the first level.
