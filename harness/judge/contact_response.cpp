@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <complex>
+#include <stdexcept>
 
 #include "methods/solvers/constants.hpp"
 #include "methods/structure/receptance.hpp"
+#include "problems/matrix_properties.hpp"
+#include "problems/sparse_cholesky.hpp"
 
 namespace signorini {
 
@@ -126,6 +129,11 @@ double ContactResponse::largest_work_of_load() const {
 Eigen::VectorXd ContactResponse::contact_work() const { return work(lambda_, x_); }
 
 double ContactResponse::dissipation() const { return dissipation_; }
+
+Eigen::MatrixXd velocity_jumps(const Problem& problem) {
+  if (!is_definite(problem.mass())) throw std::invalid_argument("an impulse meets coordinates without mass");
+  return SparseCholesky(problem.mass()).solve(Eigen::MatrixXd(contact_directions(problem)));
+}
 
 std::optional<Eigen::MatrixXd> contact_free_motion(const Problem& problem, int count) {
   const Eigen::Index harmonics = load_bandwidth(problem) + 1;

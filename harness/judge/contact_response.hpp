@@ -23,6 +23,8 @@ class ContactResponse {
 
   /// H.
   [[nodiscard]] int harmonics() const { return static_cast<int>(x_.rows()) - 1; }
+  /// x_n, n = 0..H, (H+1) x Nc [m].
+  [[nodiscard]] const Eigen::MatrixXcd& coefficients() const { return x_; }
   /// x at count instants of the period, count x Nc [m].
   [[nodiscard]] Eigen::MatrixXd displacement(int count) const;
   /// x under the load alone, without contact force, count x Nc [m].
@@ -53,6 +55,10 @@ class ContactResponse {
   Eigen::MatrixXcd free_q_;  // q without contact force, (H+1) x Nf
   double dissipation_ = 0.0;
 };
+
+/// M^-1 W, Nd x Nc: the jump of velocity that a unit impulse at each contact makes [1/kg].
+/// \throws std::invalid_argument where M is singular
+Eigen::MatrixXd velocity_jumps(const Problem& problem);
 
 /// x under the load alone at count instants of the problem's period, count x Nc [m]; empty where the load
 /// drives an undamped eigenfrequency, or a free structure at rest: no such motion exists.

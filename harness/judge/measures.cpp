@@ -15,8 +15,6 @@
 #include "methods/structure/condensation.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
-#include "problems/matrix_properties.hpp"
-#include "problems/sparse_cholesky.hpp"
 
 namespace signorini {
 
@@ -114,12 +112,6 @@ double cosine_tail(double theta, int harmonics) {
       std::numbers::pi * std::numbers::pi / 6.0 - std::numbers::pi * theta / 2.0 + theta * theta / 4.0;
   for (int n = 1; n <= harmonics; ++n) tail -= std::cos(n * theta) / (static_cast<double>(n) * n);
   return tail;
-}
-
-/// M^-1 W, Nd x Nc. \throws std::invalid_argument where M is singular
-Eigen::MatrixXd velocity_jumps(const Problem& problem) {
-  if (!is_definite(problem.mass())) throw std::invalid_argument("an impulse meets coordinates without mass");
-  return SparseCholesky(problem.mass()).solve(Eigen::MatrixXd(contact_directions(problem)));
 }
 
 /// Dissipation beyond harmonic H of velocities that jump by M^-1 W p: with v_n = M^-1 W p_n / (i n w),

@@ -71,7 +71,8 @@ Eigen::MatrixXcd spectrum_of(const Motion& motion, int count) {
     result.topRows(common) = own.topRows(common);
     return result;
   }
-  const int step = std::max(1, motion.count() / samples_for_spectrum(count));
+  const int enough = std::max(samples_for_spectrum(count), motion.nodes.value_or(0));
+  const int step = std::max(1, motion.count() / enough);
   if (step == 1 || motion.count() % step != 0)
     return force_spectrum(motion.samples.force, motion.impulses, motion.period(), count);
   return force_spectrum(motion.samples.force(Eigen::seqN(0, motion.count() / step, step), Eigen::all),
@@ -92,15 +93,33 @@ double scene_length(const Problem& problem) {
   return std::min(std::sqrt(Size(*free).mean_square), room);
 }
 
+// `count` instants of a motion. Where it is a grid of more nodes than that, an instant has the impulse of the
+// nodes nearest to it: each pushes for period / nodes, and most of them are no instants.
+Samples samples_with_impulse(const Trajectory& trajectory, int count) {
+  Samples samples = trajectory.sample(count);
+  const int nodes = trajectory.nodes().value_or(0);
+  if (nodes <= count) return samples;
+  const Eigen::MatrixXd force = trajectory.sample(nodes).force;
+  if (force.rows() != nodes || samples.force.rows() != count || force.cols() != samples.force.cols())
+    return {};  // which samples_defect() names
+  samples.force.setZero();
+  for (int k = 0; k < nodes; ++k) {
+    const long nearest = std::lround(static_cast<double>(k) * count / nodes);
+    samples.force.row(nearest % count) += force.row(k) * (static_cast<double>(count) / nodes);
+  }
+  return samples;
+}
+
 }  // namespace
 
 Motion sample_motion(const Problem& problem, const Trajectory& trajectory, int per_period) {
   Motion motion;
   motion.forcing_period = problem.forcing_period();
   motion.order = std::max(1, static_cast<int>(std::lround(trajectory.period() / motion.forcing_period)));
-  motion.samples = trajectory.sample(per_period * motion.order);
+  motion.samples = samples_with_impulse(trajectory, per_period * motion.order);
   motion.impulses = trajectory.impulses();
   motion.events = trajectory.events();
+  motion.nodes = trajectory.nodes();
   motion.bandwidth = trajectory.bandwidth();
   motion.force_coefficients = trajectory.force_coefficients();
   return motion;

@@ -25,6 +25,7 @@ struct Motion {
   Samples samples = {};       ///< (order * per_period) x Nc
   std::vector<Impulse> impulses = {};
   std::optional<std::vector<ContactEvent>> events = {};  ///< as Trajectory::events
+  std::optional<int> nodes = {};                         ///< as Trajectory::nodes
   std::optional<int> bandwidth = {};                     ///< as Trajectory::bandwidth
   Eigen::MatrixXcd force_coefficients = {};              ///< as Trajectory::force_coefficients [N]
   /// Sizes of x below this are not told from rest. In an answer (`sample_answer`) a tenth of the size of the

@@ -68,16 +68,18 @@ std::vector<double> rounded_at(const Eigen::Ref<const Eigen::VectorXd>& values,
   return list;
 }
 
+/// Impulses are summed over all samples, so that a force between two instants that are drawn is counted once.
 Waveform draw(const Motion& motion, const std::vector<int>& contacts, int periods) {
+  const int every = std::max(1, rows_per_period(motion) / kDrawnGrid);
   const auto kept = static_cast<Eigen::Index>(contacts.size());
-  const Eigen::Index rows = static_cast<Eigen::Index>(periods) * rows_per_period(motion) + 1;
+  const Eigen::Index rows = static_cast<Eigen::Index>(periods) * rows_per_period(motion) / every + 1;
   Eigen::MatrixXd signals(rows, kept * kSignals);
   for (Eigen::Index c = 0; c < kept; ++c)
-    signals.middleCols(c * kSignals, kSignals) =
-        signals_of(motion, contacts[static_cast<std::size_t>(c)], periods);
+    signals.middleCols(c * kSignals, kSignals) = signals_of(motion, contacts[static_cast<std::size_t>(c)],
+                                                            periods)(Eigen::seqN(0, rows, every), Eigen::all);
   const std::vector<int> places = polyline(signals, kDrawnTolerance);
   Waveform waveform;
-  for (const int place : places) waveform.t.push_back(rounded(place * motion.step()));
+  for (const int place : places) waveform.t.push_back(rounded(place * every * motion.step()));
   for (Eigen::Index c = 0; c < kept; ++c) {
     const auto list = [&](Signal signal) { return rounded_at(signals.col(c * kSignals + signal), places); };
     waveform.x.push_back(list(kX));
@@ -139,16 +141,10 @@ std::vector<int> polyline(const Eigen::MatrixXd& signals, double tolerance) {
 }
 
 Waveforms draw_waveforms(const Motion& answer, const Motion* orbit) {
-  const Motion motion = thinned(answer, rows_per_period(answer) / kDrawnGrid);
-  Waveforms waveforms{.contacts = contacts_drawn(motion)};
-  if (orbit == nullptr) {
-    waveforms.answer = draw(motion, waveforms.contacts, motion.order);
-    return waveforms;
-  }
-  const Motion certified = thinned(*orbit, rows_per_period(*orbit) / kDrawnGrid);
-  const int periods = std::lcm(motion.order, certified.order);
-  waveforms.answer = draw(motion, waveforms.contacts, periods);
-  waveforms.orbit = draw(certified, waveforms.contacts, periods);
+  Waveforms waveforms{.contacts = contacts_drawn(answer)};
+  const int periods = orbit == nullptr ? answer.order : std::lcm(answer.order, orbit->order);
+  waveforms.answer = draw(answer, waveforms.contacts, periods);
+  if (orbit != nullptr) waveforms.orbit = draw(*orbit, waveforms.contacts, periods);
   return waveforms;
 }
 

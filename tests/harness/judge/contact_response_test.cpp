@@ -4,9 +4,11 @@
 
 #include <complex>
 #include <numbers>
+#include <stdexcept>
 
 #include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
+#include "tests/harness/fake_method.hpp"
 #include "tests/support/elastic_block.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
@@ -144,6 +146,15 @@ TEST(ContactResponse, BalancesItsEnergyOverAnImpact) {
   // The impact takes m (1 - e^2) v^2 / 2; truncation leaves 1/H of it out.
   const double loss = 0.5 * (1.0 - 0.64) * orbit.approach * orbit.approach;
   EXPECT_NEAR(-response.contact_work()[0], loss, 2e-3 * loss);
+}
+
+TEST(VelocityJumps, AreTheInverseMassSeenByTheContacts) {
+  Problem problem = test::one_mass();
+  problem.edit_structure([](Structure& s) { s.mass *= 4.0; });
+  problem.contacts[0].normal = {{0, -2.0}};
+  EXPECT_DOUBLE_EQ(velocity_jumps(problem)(0, 0), -0.5);
+  problem.edit_structure([](Structure& s) { s.mass *= 0.0; });
+  EXPECT_THROW((void)velocity_jumps(problem), std::invalid_argument);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "harness/judge/impacts.hpp"
 #include "methods/catalogue.hpp"
+#include "methods/discretisation/trajectories.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
 
@@ -173,6 +174,18 @@ TEST(ImpulsePerForcingPeriod, IsThatOfAContactShorterThanTheStep) {
       ASSERT_EQ(phases.size(), 1U);
       EXPECT_NEAR(phases[0].impulse, orbit.order * exact, 1e-5 * std::abs(orbit.order * exact));
     }
+  }
+}
+
+// Nodes that are no instants of the grid push as much as the others.
+TEST(ImpulsePerForcingPeriod, IsThatOfAGridWithMoreNodesThanInstants) {
+  const Problem problem = test::one_mass();
+  const double period = problem.forcing_period();
+  for (const int nodes : {kGrid, 2 * kGrid, 3 * kGrid + 7, 8 * kGrid}) {
+    Eigen::MatrixXd force = Eigen::MatrixXd::Zero(nodes, 1);
+    for (const int node : {1, nodes / 3 + 1, nodes - 1}) force(node) = -nodes / period;  // 1 N s each
+    const NodalTrajectory grid(period, Eigen::MatrixXd::Zero(nodes, 1), force);
+    EXPECT_NEAR(impulse_per_forcing_period(sample_motion(problem, grid))[0], -3.0, 1e-9) << nodes;
   }
 }
 

@@ -42,6 +42,16 @@ TEST(Polyline, KeepsCornersAndNothingElseOfStraightLines) {
   EXPECT_EQ(polyline(signals, 1e-6), (std::vector<int>{0, 30, 100}));
 }
 
+TEST(DrawWaveforms, CountsAForceBetweenInstantsThatAreDrawnOnce) {
+  // A peak of 1 N s at one sample, which is among those drawn or is not.
+  for (const int peak : {1000, 1001, 1002, 1003}) {
+    Motion motion = driven_at(1.0, sine(1));
+    motion.samples.force.setZero();
+    motion.samples.force(peak, 0) = -1.0 / motion.step();
+    EXPECT_NEAR(draw_waveforms(motion, nullptr).answer.impulse[0].back(), -1.0, 1e-3) << peak;
+  }
+}
+
 TEST(Polyline, StaysWithinItsToleranceOfEverySignal) {
   Eigen::MatrixXd signals(1001, 2);
   for (int i = 0; i <= 1000; ++i) {
