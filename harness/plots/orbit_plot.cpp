@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string_view>
 
 #include "harness/failure.hpp"
+#include "harness/report/figures/canvas.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 
 namespace signorini {
@@ -22,12 +25,12 @@ Eigen::Index liveliest(const Samples& motion) {
 }
 
 std::string portrait_block(const Samples& motion, Eigen::Index contact) {
-  std::string lines = "# x [m], velocity [m/s]\n";
+  std::string lines;
   for (Eigen::Index i = 0; i <= motion.x.rows(); ++i) {
     const Eigen::Index row = i % motion.x.rows();
     lines += fmt::format("{:.8g} {:.8g}\n", motion.x(row, contact), motion.velocity(row, contact));
   }
-  return lines + "\n\n";
+  return lines;
 }
 
 std::string title_of(const FoundOrbit& orbit) {
@@ -36,33 +39,88 @@ std::string title_of(const FoundOrbit& orbit) {
   return fmt::format("{}: order {}, {}", orbit.fingerprint, orbit.order, stability);
 }
 
+constexpr int kSummaryPanels = 2;  // multipliers, starts
+
+constexpr std::string_view kOrbitFrame = R"(set multiplot layout {},{}
+set grid back lc rgb '#dddddd' lw 0.5
+set border 3
+set tics nomirror font ',8'
+set title font ',8'
+unset key
+set xlabel 'x [m]' font ',8'
+set ylabel 'velocity [m/s]' font ',8'
+)";
+
+/// The Floquet multipliers of all orbits in the complex plane, each in the colour of its portrait: an orbit
+/// is unstable where one of them lies outside the circle.
+std::string multiplier_panel(const std::vector<FoundOrbit>& orbits, Canvas& canvas) {
+  double reach = 1.0;
+  canvas.plot("[0:1] cos(2*pi*t), sin(2*pi*t) with lines lc rgb '#888888' lw 1");
+  for (std::size_t i = 0; i < orbits.size(); ++i) {
+    std::string lines;
+    for (const auto& [real, imaginary] : orbits[i].certified.floquet.value_or(FloquetMultipliers())) {
+      lines += fmt::format("{:.8g} {:.8g}\n", real, imaginary);
+      reach = std::max(reach, std::hypot(real, imaginary));
+    }
+    canvas.draw(lines, fmt::format("using 1:2 with points {} pt 7 ps 0.6", line_colour(i)),
+                "multipliers, real and imaginary part");
+  }
+  return fmt::format(
+      "set title 'Floquet multipliers'\nset xlabel 'real part'\nset ylabel 'imaginary part'\nset "
+      "parametric\nset size ratio -1\nset "
+      "xrange [{0:.3g}:{1:.3g}]\nset yrange [{0:.3g}:{1:.3g}]\n{2}unset parametric\nset size noratio\nset "
+      "xrange "
+      "[*:*]\nset yrange [*:*]\n",
+      -1.1 * reach, 1.1 * reach, canvas.panel());
+}
+
+/// How many of the starts of the search ended at each orbit: an estimate of the sizes of their basins, for
+/// stable ones; unstable ones are found by Newton's method.
+std::string basin_panel(const std::vector<FoundOrbit>& orbits, Canvas& canvas) {
+  int all = 0;
+  for (const FoundOrbit& orbit : orbits) all += orbit.starts;
+  std::string names;
+  for (std::size_t i = 0; i < orbits.size(); ++i) {
+    const double share = all > 0 ? 100.0 * orbits[i].starts / all : 0.0;
+    const bool hollow = !orbits[i].certified.stable.value_or(false);
+    canvas.draw(fmt::format("{} {:.4g}\n", i, share),
+                fmt::format("using 1:2:(0.7) with boxes {} fs {}", line_colour(i),
+                            hollow ? "empty" : "solid 0.6 border"),
+                orbits[i].fingerprint);
+    names += fmt::format("{}{} {}", names.empty() ? "" : ", ", gnuplot_string(orbits[i].fingerprint), i);
+  }
+  return fmt::format(
+      "set title 'starts that end there, hollow: unstable'\nset xlabel 'orbit'\nset ylabel 'share of starts "
+      "[%]'\nset "
+      "xtics rotate by -35 ({}) font ',6'\nset xrange [-0.7:{}.7]\nset yrange [0:*]\n{}",
+      names, orbits.size() - 1, canvas.panel());
+}
+
 }  // namespace
 
 Figure orbit_plot(const Problem& problem, const std::vector<FoundOrbit>& orbits) {
   if (orbits.empty() || problem.contacts.empty())
     throw UsageError("plot = nothing to draw (there is no orbit)");
   const std::size_t count = std::min(orbits.size(), kMostPortraits);
-  const auto columns = static_cast<int>(std::min<std::size_t>(count, 3));
-  const int rows = (static_cast<int>(count) + columns - 1) / columns;
+  const auto panels = static_cast<int>(count) + kSummaryPanels;
+  const int columns = std::min(panels, 3), rows = (panels + columns - 1) / columns;
   Figure figure{.name = "orbits", .width = 6.5 * columns, .height = 5.5 * rows};
-  figure.script = fmt::format(
-      "set multiplot layout {},{}\nset grid back lc rgb '#dddddd' lw 0.5\nset border 3\nset tics nomirror "
-      "font "
-      "',8'\nset title font ',8'\nunset key\nset xlabel 'x [m]' font ',8'\nset ylabel 'velocity [m/s]' font "
-      "',8'\n",
-      rows, columns);
+  figure.script = fmt::format(kOrbitFrame, rows, columns);
+  Canvas canvas;
   for (std::size_t i = 0; i < count; ++i) {
     const Samples motion = orbits[i].certified.motion->sample(kInstants * orbits[i].order);
     const Eigen::Index contact = liveliest(motion);
-    figure.data += portrait_block(motion, contact);
+    canvas.draw(portrait_block(motion, contact), fmt::format("with lines {} lw 1.4", line_colour(i)),
+                "x [m], velocity [m/s]");
     figure.script += fmt::format(
-        "set title {} noenhanced\nset arrow 1 from {:.10g}, graph 0 to {:.10g}, graph 1 nohead lc rgb "
-        "'#D55E00' dt "
-        "(6,3)\nplot data index {} with lines lc rgb '#0072B2' lw 1.4\n",
+        "set title {0} noenhanced\nset arrow 1 from {1:.10g}, graph 0 to {1:.10g}, graph 1 nohead lc rgb "
+        "'#D55E00' dt (6,3)\n{2}",
         gnuplot_string(title_of(orbits[i])), problem.contacts[static_cast<std::size_t>(contact)].gap,
-        problem.contacts[static_cast<std::size_t>(contact)].gap, i);
+        canvas.panel());
   }
-  figure.script += "unset multiplot\n";
+  figure.script +=
+      "unset arrow\n" + multiplier_panel(orbits, canvas) + basin_panel(orbits, canvas) + "unset multiplot\n";
+  figure.data = canvas.data();
   return figure;
 }
 

@@ -7,7 +7,8 @@
 namespace signorini {
 
 /// A portrait of each orbit, velocity over displacement of the contact that moves most, with its stop as a
-/// wall: order and stability in the title. At most 12, in the order of the search.
+/// wall: order and stability in the title, at most 12, in the order of the search. Then the Floquet
+/// multipliers of all in the complex plane, and the share of the starts of the search that ended at each.
 /// \throws UsageError where there is none
 Figure orbit_plot(const Problem& problem, const std::vector<FoundOrbit>& orbits);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "harness/report/figures/canvas.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 
 namespace signorini {
@@ -19,35 +20,61 @@ std::string line_of(double frequency, const std::vector<double>& amplitude) {
   return fmt::format("{:.10g} {:.8g}\n", frequency, largest_of(amplitude));
 }
 
-enum class Part { stable, unstable, unknown };
+enum class Stability { stable, unstable, unknown };
 
-Part part_of(const BranchPoint& point) {
+Stability part_of(const BranchPoint& point) {
   switch (point.stability) {
     case OrbitStability::stable:
     case OrbitStability::elliptic:
-      return Part::stable;
+      return Stability::stable;
     case OrbitStability::unstable:
-      return Part::unstable;
+      return Stability::unstable;
     default:
-      return Part::unknown;
+      return Stability::unknown;
   }
 }
 
-/// The pieces of all branches between neighbours of which the first belongs to the part.
-std::string pieces(const BranchDiagram& diagram, Part part) {
+/// What is drawn of a point: its amplitude, or one displacement for each forcing period; of the contact that
+/// moves most.
+std::vector<double> ordinates(const BranchPoint& point, ResponseOrdinate ordinate) {
+  if (ordinate == ResponseOrdinate::amplitude) return {largest_of(point.amplitude)};
+  if (point.amplitude.empty() || point.motion.rows() < point.order) return {};
+  const auto contact = std::ranges::max_element(point.amplitude) - point.amplitude.begin();
+  const Eigen::Index phases = point.motion.rows() / point.order;
+  std::vector<double> found;
+  for (Eigen::Index period = 0; period < point.order; ++period)
+    found.push_back(point.motion(period * phases, contact));
+  return found;
+}
+
+/// The pieces of one curve of a branch, its `number`-th ordinate, between neighbours of which the first
+/// belongs to the part.
+std::string pieces_of(const Branch& branch, Stability part, ResponseOrdinate ordinate, std::size_t number) {
+  std::string lines;
+  bool drawing = false;
+  const auto add = [&](const BranchPoint& point) {
+    lines += fmt::format("{:.10g} {:.8g}\n", point.parameter, ordinates(point, ordinate)[number]);
+  };
+  for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
+    const BranchPoint &from = branch.points[i], &to = branch.points[i + 1];
+    // A grazing has no multipliers: the piece that begins there is what its end is.
+    const bool belongs = part_of(from.stability == OrbitStability::undefined ? to : from) == part &&
+                         std::min(ordinates(from, ordinate).size(), ordinates(to, ordinate).size()) > number;
+    if (belongs && !drawing) add(from);
+    if (belongs) add(to);
+    if (drawing && !belongs) lines += "\n";
+    drawing = belongs;
+  }
+  return drawing ? lines + "\n" : lines;
+}
+
+/// Those of all branches.
+std::string pieces(const BranchDiagram& diagram, Stability part, ResponseOrdinate ordinate) {
   std::string lines;
   for (const Branch& branch : diagram.branches) {
-    bool drawing = false;
-    for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
-      const BranchPoint &from = branch.points[i], &to = branch.points[i + 1];
-      // A grazing has no multipliers: the piece that begins there is what its end is.
-      const bool belongs = part_of(from.stability == OrbitStability::undefined ? to : from) == part;
-      if (belongs && !drawing) lines += line_of(from.parameter, from.amplitude);
-      if (belongs) lines += line_of(to.parameter, to.amplitude);
-      if (drawing && !belongs) lines += "\n";
-      drawing = belongs;
-    }
-    if (drawing) lines += "\n";
+    const auto order = static_cast<std::size_t>(branch.points.front().order);
+    for (std::size_t i = 0; i < (ordinate == ResponseOrdinate::amplitude ? 1 : order); ++i)
+      lines += pieces_of(branch, part, ordinate, i);
   }
   return lines;
 }
@@ -68,29 +95,17 @@ std::string marks(const std::vector<MethodResponse>& responses, SpecialKind kind
   return lines;
 }
 
-/// Data blocks and the plot command.
-struct Plot {
-  std::string data = {}, command = {};
-  int blocks = 0;
-
-  void add(const std::string& lines, const std::string& how) {
-    if (lines.empty()) return;
-    data += lines + "\n\n";
-    command += fmt::format("{}data index {} with {}", blocks == 0 ? "plot " : ", \\\n  ", blocks, how);
-    ++blocks;
-  }
-};
-
 constexpr std::string_view kResponseFrame = R"(set grid back lc rgb '#dddddd' lw 0.5
 set border 3
 set tics nomirror
-set key outside bottom center horizontal noenhanced Left reverse samplen 3
-set ylabel 'amplitude [m]'
+set key at screen 0.5,0.01 bottom center horizontal maxcols 3 noenhanced Left reverse samplen 2 font ',8'
 )";
 
 }  // namespace
 
-Figure response_plot(const std::string& scene, const std::vector<MethodResponse>& responses) {
+Figure response_plot(const std::string& scene, const std::vector<MethodResponse>& responses,
+                     ResponseOrdinate ordinate) {
+  const bool amplitudes = ordinate == ResponseOrdinate::amplitude;
   // gnuplot's hollow marks.
   constexpr std::array kMarks{
       std::pair{SpecialKind::fold, 10},           std::pair{SpecialKind::period_doubling, 4},
@@ -98,36 +113,47 @@ Figure response_plot(const std::string& scene, const std::vector<MethodResponse>
       std::pair{SpecialKind::grazing, 2},         std::pair{SpecialKind::contact_change, 1}};
   const bool over_frequency = responses.empty() || responses.front().parameter == kFrequency;
   const std::string abscissa = over_frequency ? "frequency of the load [rad/s]" : responses.front().parameter;
-  Plot plot;
+  Canvas canvas;
+  std::size_t entries = 0;  // of the key
+  const auto draw = [&](const std::string& lines, const std::string& how) {
+    entries += lines.empty() || how.ends_with("notitle") ? 0U : 1U;
+    canvas.draw(lines, how);
+  };
   for (std::size_t i = 0; i < responses.size(); ++i) {
     const MethodResponse& response = responses[i];
     const std::string colour = line_colour(i);
     const std::string title = gnuplot_string(response.method);
     bool titled = false;
     for (const auto& [part, style] :
-         {std::pair{Part::stable, "lw 2.4"}, std::pair{Part::unstable, "lw 1.2 dt (12,8)"},
-          std::pair{Part::unknown, "lw 1"}}) {
-      const std::string lines = pieces(response.diagram, part);
-      const std::string words = part == Part::unstable
+         {std::pair{Stability::stable, "lw 2.4"}, std::pair{Stability::unstable, "lw 1.2 dt (12,8)"},
+          std::pair{Stability::unknown, "lw 1"}}) {
+      const std::string lines = pieces(response.diagram, part, ordinate);
+      const std::string words = part == Stability::unstable
                                     ? "title " + gnuplot_string(response.method + ", unstable")
                                 : titled ? "notitle"
                                          : "title " + title;
-      plot.add(lines, fmt::format("lines {} {} {}", colour, style, words));
-      titled = titled || (!lines.empty() && part != Part::unstable);
+      draw(lines, fmt::format("with lines {} {} {}", colour, style, words));
+      titled = titled || (!lines.empty() && part != Stability::unstable);
     }
-    plot.add(steps(response.steps), fmt::format("points {} pt 6 ps 0.5 title {}", colour, title));
+    if (amplitudes)
+      draw(steps(response.steps), fmt::format("with points {} pt 6 ps 0.5 title {}", colour, title));
   }
   for (const auto& [kind, mark] : kMarks)
-    plot.add(marks(responses, kind), fmt::format("points lc rgb '#333333' pt {} ps 0.9 title {}", mark,
-                                                 gnuplot_string(describe(kind))));
-  if (plot.blocks == 0) plot.command = "set xrange [0:1]\nset yrange [0:1]\nplot 2 notitle";
+    if (amplitudes)
+      draw(marks(responses, kind), fmt::format("with points lc rgb '#333333' pt {} ps 0.9 title {}", mark,
+                                               gnuplot_string(describe(kind))));
+  constexpr double kPanel = 9.2, kAxis = 1.3;  // [cm]
+  const double key = key_height(entries, 3), height = kPanel + kAxis + key;
   return {.name = "response",
-          .caption = "Frequency response of " + scene,
-          .script = fmt::format("{}set xlabel {} noenhanced\nset title {} noenhanced\n{}\n", kResponseFrame,
-                                gnuplot_string(abscissa), gnuplot_string(scene), plot.command),
-          .data = plot.data,
+          .caption = "Response of " + scene,
+          .script = fmt::format("{}set bmargin at screen {:.3f}\nset ylabel {}\nset xlabel {} "
+                                "noenhanced\nset title {} noenhanced\n{}",
+                                kResponseFrame, (kAxis + key) / height,
+                                amplitudes ? "'amplitude [m]'" : "'x at t = 0 of each forcing period [m]'",
+                                gnuplot_string(abscissa), gnuplot_string(scene), canvas.panel()),
+          .data = canvas.data(),
           .width = 16.0,
-          .height = 11.0};
+          .height = height};
 }
 
 }  // namespace signorini

@@ -9,9 +9,17 @@
 
 namespace signorini {
 
+/// What is drawn over the parameter.
+enum class ResponseOrdinate {
+  amplitude,      ///< half of largest less least displacement
+  once_a_period,  ///< the displacement at t = 0 of every forcing period: a bifurcation diagram; of points
+                  ///< that keep their motion (BranchLimits::phases)
+};
+
 /// Amplitude over the parameter of the branches, of the contact that moves most: a colour per method; stable
 /// parts solid, unstable ones dashed, those of unknown stability thin, steps of the frequency as marks;
 /// special points marked by their kind.
-Figure response_plot(const std::string& scene, const std::vector<MethodResponse>& responses);
+Figure response_plot(const std::string& scene, const std::vector<MethodResponse>& responses,
+                     ResponseOrdinate ordinate = ResponseOrdinate::amplitude);
 
 }  // namespace signorini

@@ -6,6 +6,7 @@
 
 #include "harness/failure.hpp"
 #include "harness/records/sampled_trajectory.hpp"
+#include "harness/report/figures/gnuplot.hpp"
 
 namespace signorini {
 namespace {
@@ -34,8 +35,26 @@ TEST(OrbitPlot, HasAPortraitWithTheStopForEachOrbitUpToTwelve) {
   EXPECT_NE(two.script.find("from 0.75, graph 0"), std::string::npos);
   EXPECT_NE(two.script.find("data index 1"), std::string::npos);
   const Figure many = orbit_plot(one_stop(), std::vector<FoundOrbit>(20, orbit("again")));
-  EXPECT_NE(many.script.find("data index 11"), std::string::npos);
-  EXPECT_EQ(many.script.find("data index 12"), std::string::npos);
+  std::size_t portraits = 0;
+  for (std::size_t at = many.data.find("velocity"); at != std::string::npos;
+       at = many.data.find("velocity", at + 1))
+    ++portraits;
+  EXPECT_EQ(portraits, 12U);
+}
+
+TEST(OrbitPlot, ShowsMultipliersOfAllAndTheShareOfStartsOfEach) {
+  std::vector<FoundOrbit> orbits{orbit("first"), orbit("second")};
+  orbits[0].certified.floquet = FloquetMultipliers{{0.5, 0.25}, {0.5, -0.25}};
+  orbits[0].starts = 3;
+  orbits[1].certified.floquet = FloquetMultipliers{{-2.5, 0.0}};
+  orbits[1].certified.stable = false;
+  orbits[1].starts = 1;
+  const Figure figure = orbit_plot(one_stop(), orbits);
+  EXPECT_NE(figure.data.find("0.5 0.25\n0.5 -0.25\n"), std::string::npos) << figure.data;
+  EXPECT_NE(figure.script.find("set xrange [-2.75:2.75]"), std::string::npos) << figure.script;  // holds all
+  EXPECT_NE(figure.data.find("# first\n0 75\n"), std::string::npos) << figure.data;
+  EXPECT_NE(figure.data.find("# second\n1 25\n"), std::string::npos) << figure.data;
+  EXPECT_NO_THROW((void)drawn(figure, "svg"));
 }
 
 TEST(OrbitPlot, RefusesToDrawNothing) { EXPECT_THROW(orbit_plot(one_stop(), {}), UsageError); }

@@ -32,6 +32,25 @@ TEST(ResponsePlot, DrawsStableAndUnstablePartsThatMeet) {
   EXPECT_EQ(figure.script.find("grazing"), std::string::npos);
 }
 
+TEST(ResponsePlot, OfABifurcationHasACurveForEachForcingPeriod) {
+  Branch branch;
+  for (const double p : {1.0, 1.1}) {
+    branch.points.push_back(point(p, 0.3, OrbitStability::stable));
+    branch.points.back().order = 2;
+    branch.points.back().motion =
+        Eigen::MatrixXd{{0.0, p}, {0.0, -p}};  // of two contacts, the second moves most
+  }
+  const MethodResponse response{.method = "m", .diagram = {.branches = {branch}}};
+  const Figure figure = response_plot("scene", {response}, ResponseOrdinate::once_a_period);
+  EXPECT_EQ(figure.data, "1 1\n1.1 1.1\n\n1 -1\n1.1 -1.1\n\n\n\n");
+  EXPECT_NE(figure.script.find("x at t = 0"), std::string::npos);
+  branch.points[1].motion.resize(0, 0);  // not kept
+  EXPECT_EQ(response_plot("scene", {{.method = "m", .diagram = {.branches = {branch}}}},
+                          ResponseOrdinate::once_a_period)
+                .data,
+            "");
+}
+
 TEST(ResponsePlot, DrawsStepsAsPointsWithoutThoseThatFailed) {
   const MethodResponse steps{.method = "m",
                              .steps = {{.frequency = 1.0, .status = Status::converged, .amplitude = {0.5}},

@@ -1,0 +1,187 @@
+// Blocks, in oblique projection: x to the right, y into the paper, z upwards.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <map>
+
+#include "harness/schematic/boundary.hpp"
+#include "harness/schematic/mesh_lines.hpp"
+#include "harness/schematic/schematic.hpp"
+#include "harness/schematic/symbols.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// A box on paper; places within it are shares of its edges.
+struct ObliqueBox {
+  std::array<Place, 3> edges;  ///< along x, y and z [cm]
+
+  explicit ObliqueBox(const BlockMesh& mesh) {
+    constexpr double kLongest = 9.0, kLeast = 1.3;
+    const double scale = kLongest / *std::ranges::max_element(mesh.lengths);
+    const auto length = [&](std::size_t axis) { return std::max(kLeast, scale * mesh.lengths[axis]); };
+    edges = {Place(length(0), 0.0), length(1) * Place(0.5, 0.4), Place(0.0, length(2))};
+  }
+  [[nodiscard]] Place at(const Eigen::Vector3d& shares) const {
+    return shares.x() * edges[0] + shares.y() * edges[1] + shares.z() * edges[2];
+  }
+};
+
+/// Nodes of a block where one coordinate direction is in contact or loaded.
+struct NodeGroup {
+  std::vector<Eigen::Vector3d> nodes = {};  ///< as shares of the edges
+  double least_gap = 0.0, largest_gap = 0.0;
+  std::map<int, std::complex<double>> load = {};  ///< by harmonic, summed [N]
+
+  [[nodiscard]] Eigen::Vector3d low() const {
+    Eigen::Vector3d found = nodes.front();
+    for (const auto& node : nodes) found = found.cwiseMin(node);
+    return found;
+  }
+  [[nodiscard]] Eigen::Vector3d high() const {
+    Eigen::Vector3d found = nodes.front();
+    for (const auto& node : nodes) found = found.cwiseMax(node);
+    return found;
+  }
+};
+
+Eigen::Vector3d shares_of(const BlockMesh& mesh, int dof) {
+  const Node node = mesh.place(dof).first;
+  return {static_cast<double>(node[0]) / mesh.elements[0], static_cast<double>(node[1]) / mesh.elements[1],
+          static_cast<double>(node[2]) / mesh.elements[2]};
+}
+
+/// By axis, and whether it is the positive side.
+std::map<std::pair<int, bool>, NodeGroup> contact_groups(const Problem& problem, const BlockMesh& mesh) {
+  std::map<std::pair<int, bool>, NodeGroup> groups;
+  for (const SingleStop& stop : single_stops(problem)) {
+    NodeGroup& group = groups[{mesh.place(stop.dof).second, stop.forward}];
+    const bool first = group.nodes.empty();
+    group.least_gap = first ? stop.least_gap : std::min(group.least_gap, stop.least_gap);
+    group.largest_gap = first ? stop.largest_gap : std::max(group.largest_gap, stop.largest_gap);
+    group.nodes.push_back(shares_of(mesh, stop.dof));
+  }
+  return groups;
+}
+
+std::map<int, NodeGroup> load_groups(const Problem& problem, const BlockMesh& mesh) {
+  std::map<int, NodeGroup> groups;
+  for (const ForceTerm& term : problem.force) {
+    NodeGroup& group = groups[mesh.place(term.dof).second];
+    group.nodes.push_back(shares_of(mesh, term.dof));
+    group.load[term.harmonic] += std::complex<double>(term.cos, term.sin);
+  }
+  return groups;
+}
+
+/// The mesh on the face spanned by two edges.
+void draw_face(Drawing& drawing, const ObliqueBox& box, const BlockMesh& mesh, const Eigen::Vector3d& corner,
+               std::array<int, 2> axes) {
+  const auto unit = [](int axis) { return Eigen::Vector3d(Eigen::Vector3d::Unit(axis)); };
+  const Eigen::Vector3d a = unit(axes[0]), b = unit(axes[1]);
+  drawing.add("face").strokes.push_back(
+      {.places = {box.at(corner), box.at(corner + a), box.at(corner + a + b), box.at(corner + b)},
+       .fill = Fill::body,
+       .closed = true,
+       .width = 0.045});
+  Part& lines = drawing.add("mesh");
+  const auto draw = [&](const Eigen::Vector3d& along, const Eigen::Vector3d& across, int elements) {
+    for (const double share : mesh_lines(elements))
+      lines.strokes.push_back(
+          {.places = {box.at(corner + share * along), box.at(corner + share * along + across)},
+           .ink = Ink::note,
+           .width = 0.018});
+  };
+  draw(a, b, mesh.elements[static_cast<std::size_t>(axes[0])]);
+  draw(b, a, mesh.elements[static_cast<std::size_t>(axes[1])]);
+}
+
+/// The nodes on their face, and a plate opposite to them.
+void draw_contact_group(Drawing& drawing, const ObliqueBox& box, int axis, bool upper, const NodeGroup& group,
+                        bool compliant) {
+  constexpr std::size_t kMostDots = 150;
+  const Place way = (upper ? 1.0 : -1.0) * box.edges[static_cast<std::size_t>(axis)].normalized();
+  Part& dots = drawing.add("contact-nodes");
+  if (group.nodes.size() <= kMostDots)
+    for (const auto& node : group.nodes) draw_circle(dots, box.at(node), 0.055, Fill::ink, Ink::contact);
+  const int first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
+  Eigen::Vector3d low = group.low(), high = group.high();
+  for (const int side : {first, second}) {
+    const double margin = 0.25 / box.edges[static_cast<std::size_t>(side)].norm();
+    low(side) -= margin;
+    high(side) += margin;
+  }
+  const Place out = 0.55 * way;
+  std::array<Eigen::Vector3d, 4> corners{low, low, high, high};
+  corners[1](first) = high(first);
+  corners[3](first) = low(first);
+  std::vector<Place> plate;
+  for (const auto& corner : corners) plate.push_back(box.at(corner) + out);
+  Part& stop = drawing.add("stop");
+  stop.strokes.push_back(
+      {.places = plate, .ink = Ink::contact, .fill = Fill::paper, .closed = true, .width = 0.055});
+  constexpr int kHatches = 6;
+  for (int i = 1; i < kHatches; ++i) {
+    const double share = static_cast<double>(i) / kHatches;
+    const Place near = plate[0] + share * (plate[1] - plate[0]),
+                far = plate[3] + share * (plate[2] - plate[3]);
+    stop.strokes.push_back({.places = {near, far}, .ink = Ink::contact, .width = 0.022});
+  }
+  const Place foot = box.at(group.low());
+  if (compliant)
+    draw_stop_spring(stop, foot, foot + out);
+  else
+    stop.strokes.push_back({.places = {foot, foot + out}, .ink = Ink::contact, .dashed = true});
+  const std::size_t nodes = group.nodes.size();
+  const Place middle = 0.25 * (plate[0] + plate[1] + plate[2] + plate[3]);
+  drawing.add("gap").labels.push_back(
+      {.place = middle + 0.45 * way + Place(0.0, way.y() < 0.0 ? -kTextSize : 0.1),
+       .words = fmt::format("{}g = {}", nodes == 1 ? "" : fmt::format("{} nodes, ", nodes),
+                            range_text(group.least_gap, group.largest_gap, "m")),
+       .ink = Ink::contact});
+}
+
+/// The whole force along an axis, where its nodes are on the average.
+void draw_load_group(Drawing& drawing, const ObliqueBox& box, int axis, const NodeGroup& group) {
+  constexpr double kArrow = 1.1;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const auto& node : group.nodes) middle += node / static_cast<double>(group.nodes.size());
+  Problem whole;  // one coordinate that the whole force acts on
+  for (const auto& [harmonic, size] : group.load)
+    whole.force.push_back({.dof = 0, .harmonic = harmonic, .cos = size.real(), .sin = size.imag()});
+  const Place from = box.at(middle),
+              to = from + kArrow * box.edges[static_cast<std::size_t>(axis)].normalized();
+  // Beyond the block, at the height of the arrow, where no stop is in the way.
+  const Place beside(std::max(box.edges[0].x() + box.edges[1].x(), to.x()) + 0.25, 0.5 * (from.y() + to.y()));
+  draw_load(drawing, from, to, {.place = beside, .words = load_text(whole, 0), .anchor = Anchor::start});
+  draw_circle(drawing.parts.back(), from, 0.06, Fill::ink, Ink::load);
+}
+
+}  // namespace
+
+std::string draw_block(Drawing& drawing, const Problem& problem, const BlockMesh& mesh) {
+  const ObliqueBox box(mesh);
+  const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  const Place overlap = 0.25 * Place(0.0, 1.0);
+  draw_wall(drawing, box.at(origin) - overlap, box.at(Eigen::Vector3d::UnitZ()));
+  draw_wall(drawing, box.at(Eigen::Vector3d::UnitZ()),
+            box.at({0.0, 1.0, 1.0}) + 0.25 * box.edges[1].normalized());
+  draw_face(drawing, box, mesh, origin, {0, 2});
+  draw_face(drawing, box, mesh, Eigen::Vector3d::UnitZ(), {0, 1});
+  draw_face(drawing, box, mesh, Eigen::Vector3d::UnitX(), {1, 2});
+  for (const auto& [side, group] : contact_groups(problem, mesh))
+    draw_contact_group(drawing, box, side.first, side.second, group, has_compliant_stops(problem));
+  for (const auto& [axis, group] : load_groups(problem, mesh)) draw_load_group(drawing, box, axis, group);
+  std::string text = fmt::format("elastic block of {} × {} × {} bricks, {} × {} × {} m", mesh.elements[0],
+                                 mesh.elements[1], mesh.elements[2], number_text(mesh.lengths[0]),
+                                 number_text(mesh.lengths[1]), number_text(mesh.lengths[2]));
+  if (const auto hidden = static_cast<int>(pair_stops(problem).size()) + other_stops(problem); hidden > 0)
+    text += fmt::format(", {} contact{} between coordinates not drawn", hidden, hidden == 1 ? "" : "s");
+  return text;
+}
+
+}  // namespace signorini

@@ -1,0 +1,152 @@
+#include "harness/schematic/boundary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace signorini {
+
+namespace {
+
+/// "⁻³"
+std::string superscript(int exponent) {
+  constexpr std::array kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "⁻" : "";
+  for (const char digit : std::to_string(std::abs(exponent)))
+    text += kDigits.at(static_cast<std::size_t>(digit - '0'));
+  return text;
+}
+
+/// "0.5 cos 2ωt"
+std::string term_text(double size, const char* function, int harmonic) {
+  const std::string times = harmonic == 1 ? "" : std::to_string(harmonic);
+  return fmt::format("{} {} {}ωt", number_text(size), function, times);
+}
+
+std::vector<std::pair<int, double>> acting(const Contact& contact) {
+  std::vector<std::pair<int, double>> found;
+  for (const auto& entry : contact.normal)
+    if (entry.second != 0.0) found.push_back(entry);
+  return found;
+}
+
+/// Whether a contact is between two coordinates that move it in opposite directions.
+bool is_pair(const Contact& contact) {
+  const auto normal = acting(contact);
+  return normal.size() == 2 && (normal[0].second > 0.0) != (normal[1].second > 0.0);
+}
+
+}  // namespace
+
+std::string number_text(double value, int digits) {
+  std::string text = fmt::format("{:.{}g}", value, digits);
+  if (const std::size_t e = text.find('e'); e != std::string::npos) {
+    const std::string mantissa = text.substr(0, e);
+    const std::string power = "10" + superscript(std::stoi(text.substr(e + 1)));
+    text = mantissa == "1" ? power : mantissa == "-1" ? "-" + power : mantissa + "·" + power;
+  }
+  if (text.starts_with('-')) text.replace(0, 1, "−");
+  return text;
+}
+
+std::string range_text(double least, double largest, const std::string& unit) {
+  constexpr int kDigits = 10;  // a gap may differ from a resonance by little
+  const std::string from = number_text(least, kDigits), to = number_text(largest, kDigits);
+  return (from == to ? from : from + " … " + to) + " " + unit;
+}
+
+std::vector<SingleStop> single_stops(const Problem& problem) {
+  std::map<std::pair<int, bool>, SingleStop> found;
+  for (const Contact& contact : problem.contacts) {
+    const auto normal = acting(contact);
+    if (normal.size() != 1) continue;
+    const bool forward = normal[0].second > 0.0;
+    auto [at, fresh] = found.try_emplace({normal[0].first, !forward}, SingleStop{.dof = normal[0].first,
+                                                                                 .forward = forward,
+                                                                                 .least_gap = contact.gap,
+                                                                                 .largest_gap = contact.gap});
+    SingleStop& stop = at->second;
+    ++stop.contacts;
+    stop.least_gap = std::min(stop.least_gap, contact.gap);
+    stop.largest_gap = std::max(stop.largest_gap, contact.gap);
+  }
+  std::vector<SingleStop> stops;
+  for (const auto& [place, stop] : found) stops.push_back(stop);
+  return stops;
+}
+
+std::string gap_text(const SingleStop& stop) {
+  const std::string gap = "g = " + range_text(stop.least_gap, stop.largest_gap, "m");
+  if (stop.contacts == 1) return stop.least_gap < 0.0 ? gap + " (preload)" : gap;
+  return fmt::format("{} stops, {}", stop.contacts, gap);
+}
+
+std::vector<PairStop> pair_stops(const Problem& problem) {
+  std::vector<PairStop> pairs;
+  for (const Contact& contact : problem.contacts) {
+    if (!is_pair(contact)) continue;
+    const auto normal = acting(contact);
+    const std::size_t closing = normal[0].second > 0.0 ? 0 : 1;
+    pairs.push_back(
+        {.closing = normal[closing].first, .other = normal[1 - closing].first, .gap = contact.gap});
+  }
+  return pairs;
+}
+
+int other_stops(const Problem& problem) {
+  return static_cast<int>(std::ranges::count_if(problem.contacts, [](const Contact& contact) {
+    return acting(contact).size() != 1 && !is_pair(contact);
+  }));
+}
+
+double drawn_gap(double gap, double largest) {
+  constexpr double kLeast = 0.16, kMore = 0.44;
+  return gap > 0.0 ? kLeast + kMore * gap / largest : 0.0;
+}
+
+double largest_gap(const Problem& problem) {
+  double largest = 0.0;
+  for (const Contact& contact : problem.contacts) largest = std::max(largest, std::abs(contact.gap));
+  return largest;
+}
+
+std::vector<int> loaded_coordinates(const Problem& problem) {
+  std::set<int> found;
+  for (const ForceTerm& term : problem.force)
+    if (term.cos != 0.0 || term.sin != 0.0) found.insert(term.dof);
+  return {found.begin(), found.end()};
+}
+
+std::string load_text(const Problem& problem, int dof) {
+  constexpr std::size_t kMostTerms = 2;
+  std::vector<std::string> terms;
+  for (const ForceTerm& term : problem.force) {
+    if (term.dof != dof) continue;
+    if (term.harmonic == 0) terms.push_back(number_text(term.cos));
+    if (term.harmonic > 0 && term.cos != 0.0) terms.push_back(term_text(term.cos, "cos", term.harmonic));
+    if (term.harmonic > 0 && term.sin != 0.0) terms.push_back(term_text(term.sin, "sin", term.harmonic));
+  }
+  if (terms.size() > kMostTerms) return "f(t)";
+  return fmt::format("{} N", fmt::join(terms, " + "));
+}
+
+bool has_compliant_stops(const Problem& problem) { return std::holds_alternative<Penalty>(problem.law); }
+
+std::string motion_note(const Problem& problem) {
+  std::string note = fmt::format("ω = {} rad/s", number_text(problem.frequency));
+  if (problem.subharmonic > 1) note += fmt::format(", order {}", problem.subharmonic);
+  if (const auto* impact = std::get_if<Restitution>(&problem.law)) note += ", e = " + number_text(impact->e);
+  if (const auto* springs = std::get_if<Penalty>(&problem.law)) {
+    const auto [least, largest] = std::ranges::minmax(springs->stiffness);
+    note += ", stop of " + range_text(least, largest, "N/m");
+  }
+  if (std::holds_alternative<Massless>(problem.law)) note += ", contact without mass";
+  return note;
+}
+
+}  // namespace signorini

@@ -1,0 +1,171 @@
+#include "harness/schematic/symbols.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace signorini {
+
+namespace {
+
+constexpr double kThick = 0.055;  // of walls, plates and rods [cm]
+
+/// A frame along a line: places by distance along it and to its left.
+struct Along {
+  Place from, unit, left;
+  double length;
+
+  Along(const Place& start, const Place& end)
+      : from(start),
+        unit((end - start).normalized()),
+        left(-unit.y(), unit.x()),
+        length((end - start).norm()) {}
+  [[nodiscard]] Place at(double ahead, double aside = 0.0) const {
+    return from + ahead * unit + aside * left;
+  }
+};
+
+/// The zigzag between two places, with straight ends.
+void zigzag(Part& part, const Place& from, const Place& to, double amplitude, Ink ink) {
+  constexpr int kTeeth = 6;
+  const Along line(from, to);
+  const double end = 0.16 * line.length, tooth = (line.length - 2.0 * end) / kTeeth;
+  Stroke stroke{.places = {from, line.at(end)}, .ink = ink};
+  for (int i = 0; i < kTeeth; ++i)
+    stroke.places.push_back(line.at(end + (i + 0.5) * tooth, i % 2 == 0 ? amplitude : -amplitude));
+  stroke.places.push_back(line.at(line.length - end));
+  stroke.places.push_back(to);
+  part.strokes.push_back(std::move(stroke));
+}
+
+}  // namespace
+
+void draw_line(Part& part, std::vector<Place> places, Ink ink) {
+  part.strokes.push_back({.places = std::move(places), .ink = ink});
+}
+
+void draw_circle(Part& part, const Place& centre, double radius, Fill fill, Ink ink) {
+  const int corners = std::clamp(static_cast<int>(80.0 * radius), 16, 96);
+  Stroke stroke{.ink = ink, .fill = fill, .closed = true};
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / corners;
+    stroke.places.push_back(centre + radius * Place(std::cos(angle), std::sin(angle)));
+  }
+  part.strokes.push_back(std::move(stroke));
+}
+
+void draw_box(Part& part, const Place& low, const Place& high, Fill fill) {
+  part.strokes.push_back({.places = {low, {high.x(), low.y()}, high, {low.x(), high.y()}},
+                          .fill = fill,
+                          .closed = true,
+                          .width = 0.045});
+}
+
+void hatch_line(Part& part, const Place& from, const Place& to, Ink ink) {
+  constexpr double kPitch = 0.17, kDepth = 0.17;
+  const Along line(from, to);
+  const int hatches = std::max(2, static_cast<int>(line.length / kPitch));
+  for (int i = 0; i < hatches; ++i) {
+    const double ahead = (i + 0.75) * line.length / hatches;
+    part.strokes.push_back(
+        {.places = {line.at(ahead), line.at(ahead - kDepth, kDepth)}, .ink = ink, .width = 0.022});
+  }
+  part.strokes.push_back({.places = {from, to}, .ink = ink, .width = kThick});
+}
+
+void draw_wall(Drawing& drawing, const Place& from, const Place& to) {
+  hatch_line(drawing.add("wall"), from, to);
+}
+
+void draw_spring(Drawing& drawing, const Place& from, const Place& to) {
+  zigzag(drawing.add("spring"), from, to, 0.16, Ink::structure);
+}
+
+void draw_damper(Drawing& drawing, const Place& from, const Place& to) {
+  constexpr double kHalf = 0.15;
+  const Along line(from, to);
+  const double middle = 0.5 * line.length, depth = std::min(0.22, 0.2 * line.length);
+  Part& part = drawing.add("damper");
+  draw_line(part, {from, line.at(middle - depth)});
+  draw_line(part, {line.at(middle + depth, kHalf), line.at(middle - depth, kHalf),
+                   line.at(middle - depth, -kHalf), line.at(middle + depth, -kHalf)});
+  part.strokes.push_back(
+      {.places = {line.at(middle + 0.3 * depth, 0.75 * kHalf), line.at(middle + 0.3 * depth, -0.75 * kHalf)},
+       .width = kThick});
+  draw_line(part, {line.at(middle + 0.3 * depth), to});
+}
+
+void draw_element(Drawing& drawing, const Place& from, const Place& to, bool spring, bool damper,
+                  const ElementText& text) {
+  constexpr double kAside = 0.33;
+  const Along line(from, to);
+  const double aside = spring && damper ? kAside : 0.0;
+  const auto note = [&](const std::string& words, double distance) {
+    if (words.empty()) return;
+    drawing.parts.back().labels.push_back({.place = line.at(0.5 * line.length, distance) +
+                                                    Place(0.0, distance > 0.0 ? 0.02 : -0.75 * kTextSize),
+                                           .words = words});
+  };
+  if (spring) {
+    draw_spring(drawing, line.at(0.0, aside), line.at(line.length, aside));
+    note(text.spring, aside + 0.22);
+  }
+  if (damper) {
+    draw_damper(drawing, line.at(0.0, -aside), line.at(line.length, -aside));
+    note(text.damper, -aside - 0.22);
+  }
+}
+
+void draw_stop(Drawing& drawing, const Place& face, const Place& direction, const StopLook& look) {
+  const Place across(-direction.y(), direction.x());
+  Part& part = drawing.add("stop");
+  // The hatches are behind the wall, on its left as one walks down from its left end.
+  const auto wall = [&](const Place& middle) {
+    hatch_line(part, middle + look.half * across, middle - look.half * across, Ink::contact);
+  };
+  if (!look.compliant) return wall(face);
+  const double half = 0.6 * look.half;
+  part.strokes.push_back(
+      {.places = {face - half * across, face + half * across}, .ink = Ink::contact, .width = kThick});
+  wall(face + kStopDepth * direction);
+  zigzag(part, face, face + kStopDepth * direction, std::min(0.12, half), Ink::contact);
+}
+
+void draw_stop_spring(Part& part, const Place& from, const Place& to) {
+  zigzag(part, from, to, 0.12, Ink::contact);
+}
+
+void draw_arrow(Part& part, const Place& from, const Place& to, Ink ink) {
+  const Along line(from, to);
+  const double head = std::min(0.22, 0.6 * line.length);
+  draw_line(part, {from, line.at(line.length - 0.5 * head)}, ink);
+  part.strokes.push_back(
+      {.places = {to, line.at(line.length - head, 0.35 * head), line.at(line.length - head, -0.35 * head)},
+       .ink = ink,
+       .fill = Fill::ink,
+       .closed = true,
+       .width = 0.01});
+}
+
+void draw_gap(Drawing& drawing, const Place& from, const Place& to, const Label& label) {
+  constexpr double kTail = 0.38;
+  Part& part = drawing.add("gap");
+  if ((to - from).norm() > 0.0) {
+    const Place unit = (to - from).normalized();
+    draw_arrow(part, from - kTail * unit, from, Ink::contact);
+    draw_arrow(part, to + kTail * unit, to, Ink::contact);
+  }
+  part.labels.push_back(label);
+  part.labels.back().ink = Ink::contact;
+}
+
+void draw_load(Drawing& drawing, const Place& from, const Place& to, const Label& label) {
+  Part& part = drawing.add("load");
+  draw_arrow(part, from, to, Ink::load);
+  part.strokes.front().width = kThick;
+  if (label.words.empty()) return;
+  part.labels.push_back(label);
+  part.labels.back().ink = Ink::load;
+}
+
+}  // namespace signorini
