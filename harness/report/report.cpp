@@ -1,16 +1,21 @@
 #include "harness/report/report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <map>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "harness/files.hpp"
 #include "harness/records/manifest_check.hpp"
 #include "harness/records/run_folder.hpp"
+#include "harness/report/document/cells.hpp"
 #include "harness/report/figures/figures.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 #include "harness/report/formats/formats.hpp"
 #include "harness/report/formats/screen.hpp"
+#include "harness/report/formats/screen_groups.hpp"
+#include "harness/report/page/page.hpp"
 #include "harness/report/sections/sections.hpp"
 
 namespace signorini {
@@ -19,28 +24,40 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<SceneFigures> figures_by_scene(const Evaluation& evaluation) {
-  std::vector<SceneFigures> scenes;
-  for (const std::string& scene : evaluation.scenes()) {
-    SceneFigures& figures =
-        scenes.emplace_back(SceneFigures{scene, work_precision_figures(evaluation, scene)});
-    for (Figure& figure : motion_figures(evaluation, scene)) figures.figures.push_back(std::move(figure));
-  }
-  return scenes;
-}
-
-/// Draws every figure and reads it back, by name.
-std::map<std::string, std::string> draw_all(const fs::path& folder, const std::vector<Section>& sections,
-                                            const std::vector<SceneFigures>& scenes) {
+/// Every figure of a run as gnuplot draws it.
+std::vector<Figure> figures_of(const Evaluation& evaluation, const std::vector<Section>& sections) {
   std::vector<Figure> figures;
   for (const Section& section : sections)
     figures.insert(figures.end(), section.figures.begin(), section.figures.end());
-  for (const SceneFigures& scene : scenes)
-    figures.insert(figures.end(), scene.figures.begin(), scene.figures.end());
-  draw_figures(folder, figures);
-  std::map<std::string, std::string> svgs;
-  for (const Figure& figure : figures) svgs[figure.name] = read_file(folder / (figure.name + ".svg"));
-  return svgs;
+  for (const std::string& scene : evaluation.scenes()) {
+    for (Figure& figure : work_precision_figures(evaluation, scene)) figures.push_back(std::move(figure));
+    if (Figure figure = convergence_figure(evaluation, scene); !figure.data.empty())
+      figures.push_back(std::move(figure));
+    for (Figure& figure : motion_figures(evaluation, scene)) figures.push_back(std::move(figure));
+  }
+  return figures;
+}
+
+/// The methods that are recommended for each kind of scene, with the median time to each error.
+Section verdict_section(const Evaluation& evaluation) {
+  Section section{.id = "verdict", .title = "Which method?"};
+  section.table.header = {"scenes", "method"};
+  for (const char* error : kErrorTitles) section.table.header.push_back(fmt::format("to {}", error));
+  for (const SceneGroup& group : scene_groups(evaluation)) {
+    const auto scenes = std::ssize(group.scenes);
+    for (const Standing& standing : group.standings) {
+      if (!standing.recommended) continue;
+      std::vector<Cell> row{fmt::format("{}, {}", kind_title(group.kind), plural(scenes, "scene")),
+                            standing.configuration};
+      for (const Reach& reach : standing.reach) {
+        const double seconds = reach.median_seconds();
+        row.emplace_back(fmt::format("{}{} of {}", std::isfinite(seconds) ? time_text(seconds) + ", " : "",
+                                     reach.scenes, scenes));
+      }
+      section.table.rows.push_back(std::move(row));
+    }
+  }
+  return section;
 }
 
 /// Null where there is none.
@@ -65,23 +82,21 @@ std::vector<fs::path> write_report(const fs::path& folder, const Evaluation& eva
     write(folder / "table.csv", csv_report(evaluation));
     write(folder / "measures.csv", measures_csv(evaluation));
   }
-  if (!wants("tex") && !wants("html")) return files;
-  const std::vector<SceneFigures> scenes = figures_by_scene(evaluation);
-  const std::map<std::string, std::string> svgs = draw_all(folder / "figures", sections, scenes);
   if (wants("tex")) {
+    draw_figures(folder / "figures", figures_of(evaluation, sections));
     fs::create_directories(folder / "tables");
     for (const Section& section : sections)
       write(folder / "tables" / (section.id + ".tex"), to_latex(section));
   }
   if (wants("html")) {
-    write(folder / "report.html",
-          html_page(run_name(folder), manifest_in(folder), evaluation, sections, scenes, svgs));
+    write(folder / "report.html", html_page(run_name(folder), manifest_in(folder), evaluation, sections));
   }
   return files;
 }
 
 std::vector<Section> document_sections(const std::string& run, const Evaluation& evaluation) {
   std::vector<Section> sections = sections_of(evaluation);
+  sections.push_back(verdict_section(evaluation));
   sections.push_back(
       {.id = "screen",
        .text = screen_report(evaluation, {.folder = "results/" + run, .program = "signorini"})});

@@ -20,7 +20,7 @@ inline const std::vector<std::string> kReportFormats{"md", "csv", "tex", "html"}
 /// - md: table.md
 /// - csv: table.csv, one row per record; measures.csv, one row per scene and method
 /// - tex: tables/SECTION.tex, and the figures
-/// - html: report.html, and the figures
+/// - html: report.html
 /// - figures: figures/NAME.{gp,dat,svg,pdf}
 ///
 /// Returns the files that a reader opens. \throws UsageError if the folder cannot be written, or gnuplot,
@@ -29,8 +29,8 @@ std::vector<std::filesystem::path> write_report(const std::filesystem::path& fol
                                                 const Evaluation& evaluation,
                                                 const std::vector<std::string>& formats);
 
-/// What a document may show of a run: its sections, and as `screen` its screen (screen.hpp), that of a run in
-/// the folder results.
+/// What a document may show of a run: its sections, as `verdict` a table of the methods that are
+/// recommended, and as `screen` its screen (screen.hpp), that of a run in the folder results.
 std::vector<Section> document_sections(const std::string& run, const Evaluation& evaluation);
 
 /// Brings the tables of a run that a document shows up to date; see `with_tables`. The run goes by the name

@@ -25,7 +25,8 @@ enum class SectionKind {
   overview,  ///< of methods, over scenes
   scenes,    ///< of methods on one scene, which stands in the first column
   cases,     ///< every record
-  remarks    ///< records that did not go as hoped
+  remarks,   ///< records that did not go as hoped
+  origin     ///< of how the run was made, which a page shows last
 };
 
 /// One table with its words and figures. Text is plain, `code` between backquotes.

@@ -17,6 +17,9 @@ inline constexpr double kMeanShift = 0.010;
 /// Shifts between which an order must not change to be one [s].
 inline constexpr std::array kMeanShifts{0.001, kMeanShift, 0.100};
 
+/// Errors at which figures show performance profiles [-].
+inline constexpr std::array kProfileErrors{1e-2, 1e-3, 1e-6};
+
 /// Costs that are finite.
 std::ptrdiff_t solved_count(std::span<const double> costs);
 
@@ -36,12 +39,12 @@ struct PerformanceProfile {
   std::vector<std::vector<double>> ratios = {};  ///< [configuration], finite, rising, >= 1
 
   /// Share of all scenes that a configuration solves at `factor` times the least cost or less. A scene that
-  /// nobody solves is one of all; a failure has no factor, however large.
+  /// no method solves is one of all; a failure has no factor, however large.
   [[nodiscard]] double share(std::size_t configuration, double factor) const;
 };
 
 /// Joint profile of all rows. Where the least cost is zero, a cost above it has no finite ratio. With more
-/// than two rows a profile ranks nobody but the first: who is second changes with who else takes part
+/// than two rows a profile ranks only the first: who is second changes with who else takes part
 /// [gould2016].
 PerformanceProfile performance_profile(const Costs& costs);
 

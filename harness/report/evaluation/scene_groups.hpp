@@ -46,7 +46,7 @@ struct SceneGroup {
   std::vector<std::string> scenes = {};
   /// Best first: by the number of scenes with an error of x of at most kGroupErrors[kRankingError], then by
   /// the median time to it, then by name. Recommended are the first and those that reach it on as many scenes
-  /// within kEqualTimes of its time; nobody where nobody reaches it.
+  /// within kEqualTimes of its time; none where none reaches it.
   std::vector<Standing> standings = {};
 };
 

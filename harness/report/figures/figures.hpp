@@ -1,5 +1,5 @@
 #pragma once
-// The figures of a report: work and precision, motions, performance profiles.
+// The figures of a report: work and precision, convergence, motions, performance profiles.
 
 #include <cstddef>
 #include <string>
@@ -10,10 +10,15 @@
 
 namespace signorini {
 
-/// Error against time on one scene, one curve per configuration; hollow marks: below ten error bars. A second
+/// Error against time on one scene, one curve per configuration with its name at its end and
+/// the resolution at each mark; hollow marks: below ten error bars. A second
 /// figure shows configurations that represent another law, each against its own. Empty if no run has both
 /// error and time.
 std::vector<Figure> work_precision_figures(const Evaluation& evaluation, const std::string& scene);
+
+/// Error against the number of harmonics or samples, of configurations with several of them, with the slopes
+/// of orders 1 and 2. Without data if there is none.
+Figure convergence_figure(const Evaluation& evaluation, const std::string& scene);
 
 /// x, velocity, force and impulse over a period at one contact, and the phase portrait: the coarsest answer
 /// of each configuration that has one, on the certified orbit. Empty where the records keep no motions.

@@ -110,6 +110,13 @@ LineStyle line_style(std::size_t configuration) {
           .hollow = fmt::format("{} pt {}", colour, mark)};
 }
 
+double key_height(std::size_t entries, int columns) {
+  constexpr double kLine = 0.42, kAround = 0.4;
+  const auto count = static_cast<std::size_t>(columns);
+  const std::size_t rows = (entries + count - 1) / count;
+  return kLine * static_cast<double>(rows) + kAround;
+}
+
 std::string key_panel(const std::vector<KeyEntry>& entries, double height, int columns) {
   std::string script = fmt::format(R"(unset logscale
 unset border
@@ -124,11 +131,11 @@ set bmargin at screen 0.00
 set tmargin at screen {:.2f}
 set xrange [0:1]
 set yrange [0:1]  # what must be plotted beside a key lies outside
-set key center center horizontal maxcols {} Left reverse samplen 3 font ',9' noenhanced
+set key center center horizontal maxcols {} Left reverse samplen 2 width -4 font ',8' noenhanced
 plot 2 notitle)",
                                    height, columns);
   for (const KeyEntry& entry : entries)
-    script += fmt::format(", \\\n  keyentry with linespoints {} title {}", entry.style,
+    script += fmt::format(", \\\n  keyentry with {} {} title {}", entry.with, entry.style,
                           gnuplot_string(entry.title));
   return script + "\n";
 }

@@ -32,7 +32,11 @@ std::string gnuplot_string(std::string_view text);
 struct KeyEntry {
   std::string style = {};
   std::string title = {};
+  std::string with = "linespoints";
 };
+
+/// Room that a key of so many entries takes below a figure [cm].
+double key_height(std::size_t entries, int columns);
 
 /// The part of a multiplot's script that fills its lowest `height` (a share of the whole) with a key for all
 /// panels, in so many columns if they fit.

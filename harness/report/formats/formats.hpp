@@ -1,12 +1,8 @@
 #pragma once
-// A report in each of its formats: Markdown, LaTeX, CSV, HTML.
+// A report as text: Markdown, LaTeX, CSV.
 
-#include <map>
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "harness/report/document/section.hpp"
 #include "harness/report/evaluation/evaluation.hpp"
@@ -38,23 +34,5 @@ std::string csv_report(const Evaluation& evaluation);
 /// One row per scene and configuration: its eligibility (competes, another-law, not-applicable), how many of
 /// its runs are solved, and seconds to each error of kErrorLevels; `inf` where it is not reached.
 std::string measures_csv(const Evaluation& evaluation);
-
-/// The figures of one scene.
-struct SceneFigures {
-  std::string scene = {};
-  std::vector<Figure> figures = {};
-};
-
-/// A run as one HTML page that needs nothing but itself: overview, sections, scenes with their figures, and
-/// the record behind every number.
-/// \param title     of the run
-/// \param manifest  as read_manifest gives it, for the header; null if there is none
-/// \param svgs      each figure as drawn, by name
-std::string html_page(const std::string& title, const nlohmann::ordered_json& manifest,
-                      const Evaluation& evaluation, std::span<const Section> sections,
-                      std::span<const SceneFigures> scenes, const std::map<std::string, std::string>& svgs);
-
-// page.css and page.js of this folder.
-extern const std::string_view kPageStyle, kPageScript;
 
 }  // namespace signorini

@@ -80,16 +80,11 @@ ScreenLines command_lines(const std::string& words, const std::string& command) 
 
 /// What happened, in one or two sentences.
 ScreenLines opening_lines(const Evaluation& evaluation, const ScreenContext& context) {
-  OutcomeCounts counts;
-  bool together = false;
-  for (const Record& record : evaluation.records()) {
-    counts.add(record);
-    together = together || (record.seconds && record.seconds->jobs);
-  }
+  const bool together = std::ranges::any_of(
+      evaluation.records(), [](const Record& record) { return record.seconds && record.seconds->jobs; });
   ScreenLines lines;
   if (!context.heading.empty()) append(lines, wrapped_text(context.heading));
-  const auto scenes = static_cast<std::ptrdiff_t>(evaluation.scenes().size());
-  append(lines, wrapped_text(plural(scenes, "scene") + ", " + counts_text(counts)));
+  append(lines, wrapped_text(counts_line(evaluation)));
   if (together)
     append(lines, wrapped_text("Cases ran at the same time: their times are not comparable.", Emphasis::bad));
   return lines;
@@ -115,6 +110,13 @@ std::string painted(const ScreenLine& line, bool colour) {
 }
 
 }  // namespace
+
+std::string counts_line(const Evaluation& evaluation) {
+  OutcomeCounts counts;
+  for (const Record& record : evaluation.records()) counts.add(record);
+  const auto scenes = static_cast<std::ptrdiff_t>(evaluation.scenes().size());
+  return plural(scenes, "scene") + ", " + counts_text(counts);
+}
 
 std::string screen_report(const Evaluation& evaluation, const ScreenContext& context) {
   ScreenLines lines = opening_lines(evaluation, context);

@@ -27,6 +27,9 @@ struct ScreenContext {
 /// (scene_groups.hpp) the methods in their order, as many as there is room for.
 std::string screen_report(const Evaluation& evaluation, const ScreenContext& context);
 
+/// "37 scenes, 999 cases, 684 certified, 315 failed": what became of a run.
+std::string counts_line(const Evaluation& evaluation);
+
 /// One line on the cases of `scenes`, such as "sdof-stop: 27 cases, 20 certified, 5 refuted, 2 failed";
 /// without an end of line.
 std::string scene_line(const std::string& scenes, const OutcomeCounts& counts);

@@ -10,20 +10,12 @@
 
 #include "harness/report/document/cells.hpp"
 #include "harness/report/document/lines.hpp"
-#include "harness/report/evaluation/scene_groups.hpp"
 
 namespace signorini {
 
 namespace {
 
-constexpr const char* kColumnTitles[] = {"10 %", "1 %", "0.1 %", "1e-6"};
-static_assert(std::size(kColumnTitles) == kGroupErrors.size());
 constexpr int kTimeWidth = 8;  // "1.23e+03 s" of a very slow method pushes its line, which is clipped
-
-constexpr const char* kRule =
-    "Which method? * has an error of at most 1 % on most scenes of its group and, of several, the least "
-    "median time to it, or one within 10 % of that. Time to an error of x, and on how many scenes; - where "
-    "half or more fail:";
 
 /// Lines of the columns of one group: names, then a time and a number of scenes for each error.
 class Columns {
@@ -38,7 +30,7 @@ class Columns {
 
   [[nodiscard]] ScreenLine titles() const {
     std::string text(name_width_, ' ');
-    for (const char* title : kColumnTitles)
+    for (const char* title : kErrorTitles)
       text += fmt::format(" {:>{}} {:{}}", title, kTimeWidth, "", count_width_);
     text.erase(text.find_last_not_of(' ') + 1);
     return {std::move(text)};
@@ -64,19 +56,6 @@ class Columns {
   int count_width_ = 0;
   std::size_t name_width_ = 0;
 };
-
-/// "Spring, 3 scenes: exact-orbit or hat-lcp".
-ScreenLine group_title(const SceneGroup& group) {
-  std::string names;
-  for (const Standing& standing : group.standings) {
-    if (standing.recommended) names += (names.empty() ? "" : " or ") + standing.configuration;
-  }
-  const auto scenes = static_cast<std::ptrdiff_t>(group.scenes.size());
-  return {clipped(fmt::format("{}, {}: {}", kind_title(group.kind), plural(scenes, "scene"),
-                              names.empty() ? "no method gets to 1 %" : names),
-                  kScreenWidth),
-          Emphasis::title};
-}
 
 /// Places of the standings in the order in which they get room: of each method the best first.
 std::vector<std::size_t> order_of_room(const SceneGroup& group) {
@@ -132,17 +111,27 @@ std::string plural(std::ptrdiff_t count, const char* noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+std::string verdict_title(const SceneGroup& group) {
+  std::string names;
+  for (const Standing& standing : group.standings) {
+    if (standing.recommended) names += (names.empty() ? "" : " or ") + standing.configuration;
+  }
+  const auto scenes = static_cast<std::ptrdiff_t>(group.scenes.size());
+  return fmt::format("{}, {}: {}", kind_title(group.kind), plural(scenes, "scene"),
+                     names.empty() ? "no method gets to 1 %" : names);
+}
+
 ScreenLines group_lines(const Evaluation& evaluation, std::size_t most) {
   const std::vector<SceneGroup> groups = scene_groups(evaluation);
   if (groups.empty()) return {};
   const Columns columns(groups);
   ScreenLines lines{{}};
-  append(lines, wrapped_text(kRule));
+  append(lines, wrapped_text("Which method? " + std::string(kVerdictRule)));
   lines.push_back(columns.titles());
   const std::vector<std::vector<std::size_t>> shown =
       share_out(groups, columns, most - std::min(most, lines.size() + groups.size()));
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    lines.push_back(group_title(groups[g]));
+    lines.push_back({clipped(verdict_title(groups[g]), kScreenWidth), Emphasis::title});
     for (const std::size_t place : shown[g]) append(lines, columns.row(groups[g].standings[place]));
   }
   return lines;

@@ -1,11 +1,14 @@
 #pragma once
 // The lines of a screen, and those of them that say which method to take for which scenes.
 
+#include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/report/evaluation/evaluation.hpp"
+#include "harness/report/evaluation/scene_groups.hpp"
 
 namespace signorini {
 
@@ -28,6 +31,17 @@ ScreenLines wrapped_text(const std::string& text, Emphasis emphasis = Emphasis::
 
 /// "1 case", "2 cases".
 std::string plural(std::ptrdiff_t count, const char* noun);
+
+/// The rule by which a method is recommended, as reports print it above their groups.
+inline constexpr std::string_view kVerdictRule =
+    "* has an error of at most 1 % on most scenes of its group and, of several, the least median time to it, "
+    "or one within 10 % of that. Time to an error of x, and on how many scenes; - where half or more fail:";
+
+/// The titles of kGroupErrors.
+inline constexpr std::array<const char*, kGroupErrors.size()> kErrorTitles{"10 %", "1 %", "0.1 %", "1e-6"};
+
+/// "Spring, 3 scenes: exact-orbit or hat-lcp": the methods that are recommended.
+std::string verdict_title(const SceneGroup& group);
 
 /// For each kind of scene a title with the methods that are recommended, and rows of methods, best first, as
 /// many as `most` lines hold; above them the rule. Of each method its best configuration gets room before any

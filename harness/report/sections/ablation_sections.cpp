@@ -33,7 +33,7 @@ struct Form {
 
 /// Where a form stands in its table: plain ones first, with more and more additions, then ours, with fewer
 /// and fewer of them switched off; its name.
-using Place = std::tuple<bool, std::ptrdiff_t, std::string>;
+using FormPlace = std::tuple<bool, std::ptrdiff_t, std::string>;
 
 bool is_plain(const Settings& settings) {
   return std::ranges::find(settings, OptionSetting{"plain", "true"}) != settings.end();
@@ -43,7 +43,7 @@ bool has_start(const Settings& settings) {
   return std::ranges::find(settings, kStartSetting, &OptionSetting::first) != settings.end();
 }
 
-Place place_of(const Record& record) {
+FormPlace place_of(const Record& record) {
   const bool plain = is_plain(record.settings);
   const auto additions = std::ssize(record.settings);
   return {!plain, plain ? additions : -additions, method_label(record.method, record.settings)};
@@ -62,7 +62,7 @@ void add(const Record& record, Form& form) {
   if (claim_of(record) == Claim::certified && record.seconds) form.seconds.push_back(record.seconds->median);
 }
 
-std::vector<Cell> row_of(const Place& place, const Form& form) {
+std::vector<Cell> row_of(const FormPlace& place, const Form& form) {
   const OutcomeCounts& n = form.counts;
   const auto middle = [](const std::vector<double>& values, const auto& print) -> Cell {
     if (values.empty()) return {"-", kNeverReached};
@@ -80,7 +80,7 @@ std::vector<Cell> row_of(const Place& place, const Form& form) {
 }  // namespace
 
 Sections ablation_sections(const Evaluation& evaluation) {
-  std::map<std::string, std::map<Place, Form>> levels;
+  std::map<std::string, std::map<FormPlace, Form>> levels;
   for (const Record& record : evaluation.records()) {
     if (!has_start(record.settings)) add(record, levels[level_of(record)][place_of(record)]);
   }

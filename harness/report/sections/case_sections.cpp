@@ -159,7 +159,7 @@ Sections other_law_sections(const Evaluation& evaluation) {
            .title = "Methods that represent another law",
            .text =
                "They solve another problem than the scene states: errors are those against the motion under "
-               "their own law, and rank them against nobody above.",
+               "their own law; they are in no ranking.",
            .table = study_table(evaluation, true)}};
 }
 
@@ -187,7 +187,7 @@ Sections case_sections(const Evaluation& evaluation) {
 }
 
 Sections remark_sections(const Evaluation& evaluation) {
-  Section section{.id = "otherwise", .kind = SectionKind::remarks, .title = "What went otherwise"};
+  Section section{.id = "otherwise", .kind = SectionKind::remarks, .title = "Failures and other outcomes"};
   section.table.header = {"case", "status", "why"};
   for (const Record& record : evaluation.records()) {
     const std::string why = remark(record);

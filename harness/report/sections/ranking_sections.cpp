@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <set>
 
 #include "harness/report/document/cells.hpp"
+#include "harness/report/evaluation/scene_groups.hpp"
 #include "harness/report/figures/figures.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "harness/statistics.hpp"
@@ -22,17 +25,34 @@ constexpr std::array kFactors{1.0, 2.0, 10.0};
 
 std::string error_title(double error) { return fmt::format("{:.0e}", error); }
 
-/// "8 scenes whose law every method but hat-lcp[plain=true] represents": the shorter of who does and who not.
-std::string field_of(const Evaluation& evaluation, const RankingGroup& group) {
-  const std::string scenes =
-      fmt::format("{} scene{}", group.scenes.size(), group.scenes.size() == 1 ? "" : "s");
+/// "rigid stop (e = 1), spring, 8 scenes".
+std::string contest_title(const Evaluation& evaluation, const RankingGroup& group) {
+  std::set<SceneKind> kinds;
+  for (const Record& record : evaluation.records()) {
+    if (std::ranges::count(group.scenes, record.scene) == 0) continue;
+    if (const std::optional<SceneKind> kind = kind_of(record)) kinds.insert(*kind);
+  }
+  std::string title;
+  for (const SceneKind kind : kinds) {
+    std::string words{kind_title(kind)};
+    words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
+    title += words + ", ";
+  }
+  return fmt::format("{}{} scene{}", title, group.scenes.size(), group.scenes.size() == 1 ? "" : "s");
+}
+
+/// "Of all methods but hat-lcp[plain=true], which represent the law of these scenes.": the shorter of who
+/// does and who not.
+std::string contestants_text(const Evaluation& evaluation, const RankingGroup& group) {
   std::vector<std::string> others;
   std::ranges::set_difference(evaluation.configurations(), group.configurations, std::back_inserter(others));
-  if (others.empty()) return scenes + " whose law every method represents";
+  if (others.empty()) return "Of all methods, which represent the law of these scenes.";
   if (others.size() < group.configurations.size())
-    return fmt::format("{} whose law every method but {} represents", scenes, fmt::join(others, ", "));
-  return fmt::format("{} whose law {} {}", scenes, fmt::join(group.configurations, ", "),
-                     group.configurations.size() == 1 ? "represents" : "represent");
+    return fmt::format("Of all methods but {}, which represent the law of these scenes.",
+                       fmt::join(others, ", "));
+  const bool one = group.configurations.size() == 1;
+  return fmt::format("Of {}, which alone {} the law of these scenes.", fmt::join(group.configurations, ", "),
+                     one ? "represents" : "represent");
 }
 
 /// Whether any run of a group has a time: runs of a build that may not be timed have none, and cannot be
@@ -55,8 +75,9 @@ Sections per_group(const Evaluation& evaluation, const std::string& id, const st
   for (std::size_t k = 0; k < evaluation.groups().size(); ++k) {
     const RankingGroup& group = evaluation.groups()[k];
     Section section{.id = fmt::format("{}-{}", id, k + 1),
-                    .title = fmt::format("{}: {}", title, field_of(evaluation, group))};
+                    .title = fmt::format("{}: {}", title, contest_title(evaluation, group))};
     fill(group, section);
+    if (!section.text.empty()) section.text = contestants_text(evaluation, group) + " " + section.text;
     sections.push_back(std::move(section));
   }
   return sections;
@@ -64,7 +85,7 @@ Sections per_group(const Evaluation& evaluation, const std::string& id, const st
 
 Cell share_cell(double share) { return {fmt::format("{:.0f} %", 100.0 * share), share}; }
 
-/// "22 of 22, 410 us": success first; no time where half or more do not get there.
+/// "22 of 22, 410 us": success first; no time where half or more fail.
 Cell reached_cell(const std::vector<double>& costs) {
   const double middle = median(costs);
   const std::string count = fmt::format("{} of {}", solved_count(costs), costs.size());
@@ -127,8 +148,9 @@ std::string shift_remark(const RankingGroup& group, double limit) {
       changed.push_back(error_title(error));
   }
   if (changed.empty()) return "The order of the means is the same with all three shifts.";
-  return fmt::format("The order of the means changes with the shift at error {}: it ranks nobody there.",
-                     fmt::join(changed, ", "));
+  return fmt::format(
+      "The order of the means changes with the shift at error {}, where it is therefore no ranking.",
+      fmt::join(changed, ", "));
 }
 
 /// Medians over the scenes; "not counted" where a configuration has no such count on any of them.
@@ -141,9 +163,9 @@ Cell work_cell(const std::vector<const ResolutionStudy*>& studies, const CostAxi
                 return axis.cost(*run.record).has_value();
               });
   }
-  if (!counted) return "not counted";
+  if (!counted) return {"not counted", kNeverReached};
   const double middle = median(costs);
-  return {std::isfinite(middle) ? fmt::format("{:.0f}", middle) : "half or more do not get there", middle};
+  return {std::isfinite(middle) ? fmt::format("{:.0f}", middle) : "half or more fail", middle};
 }
 
 constexpr std::string_view kTimeToErrorText = R"(On how many scenes a method gets its error down to that of

@@ -11,8 +11,8 @@ namespace signorini {
 /// Sections of a run; none where the run has nothing to show.
 using Sections = std::vector<Section>;
 
-/// Every section of a report that has rows. A new table is a function as those below and one line in this
-/// one.
+/// Every section of a report that has rows; of a run of one scene none that compares methods over scenes. A
+/// new table is a function as those below and one line in this one.
 Sections sections_of(const Evaluation& evaluation);
 
 /// What each configuration solves under the scenes' own laws, at which error and in what time; and what under

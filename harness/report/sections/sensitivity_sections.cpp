@@ -184,7 +184,7 @@ Sections repeat_sections(const Evaluation& evaluation) {
     tally.solves += record.repeats->solves;
     tally.identical += record.repeats->identical == record.repeats->solves ? 1 : 0;
   }
-  Section section{.id = "repeats", .title = "Repeated solves"};
+  Section section{.id = "repeats", .kind = SectionKind::origin, .title = "Repeated solves"};
   section.text =
       "Cases solved again, in the same process and in others, and those of them whose every answer had the "
       "same bits as the first.";

@@ -80,7 +80,7 @@ void add_study(const ResolutionStudy& study, Account& account) {
     account.to_error[i].add(study, kSummaryErrors[i]);
 }
 
-/// "22 of 22, 410 us": success first; no time where half or more do not get there, or were not timed.
+/// "22 of 22, 410 us": success first; no time where half or more fail, or were not timed.
 Cell reach_cell(const Reach& reach) {
   if (reach.seconds.empty()) return {"-", kNeverReached};
   const std::string count = fmt::format("{} of {}", reach.scenes, reach.seconds.size());
@@ -178,7 +178,7 @@ Sections outcome_sections(const Evaluation& evaluation) {
   std::vector<OutcomeCounts> counts(evaluation.configurations().size());
   for (const Record& record : evaluation.records())
     counts[evaluation.place_of(configuration_of(record))].add(record);
-  Section section{.id = "outcomes", .title = "What became of every run"};
+  Section section{.id = "outcomes", .title = "Outcomes of every run"};
   section.text = kOutcomesText;
   section.table.header = {"method",    "runs",     "not applicable", "failed",       "says converged",
                           "certified", "unproven", "refuted",        "another orbit"};

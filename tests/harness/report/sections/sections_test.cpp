@@ -17,6 +17,14 @@ TEST(SectionsOf, ComeInTheOrderOfTheDocumentation) {
                                            "work-1", "scenes", "cases"}));
 }
 
+TEST(SectionsOf, OfOneSceneCompareNothingOverScenes) {
+  std::vector<Record> records = test::records_of_two_methods();
+  std::erase_if(records, [](const Record& record) { return record.scene != "s1"; });
+  std::vector<std::string> ids;
+  for (const Section& section : sections_of(Evaluation(records))) ids.push_back(section.id);
+  EXPECT_EQ(ids, (std::vector<std::string>{"summary", "outcomes", "speed", "scenes", "cases"}));
+}
+
 TEST(SectionsOf, HaveRowsAsLongAsTheirHeaderAndNamesOfTheirOwn) {
   std::vector<Record> records = test::records_of_a_run();
   records.push_back(test::good_record("scene-b", "method-d", "n=1", 0.1, 1.0));

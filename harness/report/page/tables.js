@@ -2,6 +2,7 @@
 // Tables sort by a click on a title and filter by words and by the values of their columns.
 
 const kFilterable = 10;      // rows from which a table gets filters
+const kBest = 7;             // methods of a verdict that are shown at first
 const kMostChoices = 80;     // values of a column beyond which it gets no list
 
 const words = (row) => row.textContent.toLowerCase();
@@ -37,7 +38,6 @@ const makeSortable = (table) => {
   [...table.tHead.rows[0].cells].forEach((title, column) => {
     const button = document.createElement("button");
     button.type = "button";
-    button.title = "sort by this column";
     button.append(...title.childNodes);
     button.addEventListener("click", () => sortBy(table, column));
     title.append(button);
@@ -95,8 +95,26 @@ const makeFilter = (table) => {
   apply();
 };
 
+// The best of a group, and the others when asked for.
+const shorten = (table) => {
+  const others = [...table.tBodies[0].rows].slice(kBest);
+  if (others.length < 2) return;
+  const button = document.createElement("button");
+  button.type = "button";
+  const show = (all) => {
+    for (const row of others) row.hidden = !all;
+    button.textContent = all ? "the best alone" : `${others.length} more`;
+    button.setAttribute("aria-expanded", all);
+  };
+  button.addEventListener("click", () => show(others[0].hidden));
+  table.parentElement.append(button);
+  show(false);
+};
+
 for (const table of document.querySelectorAll("table")) {
-  if (table.tBodies[0].rows.length >= kFilterable) makeFilter(table);
+  const isVerdict = table.closest(".verdicts") !== null;
+  if (isVerdict) shorten(table);
+  else if (table.tBodies[0].rows.length >= kFilterable) makeFilter(table);
   makeSortable(table);
 }
 
@@ -105,13 +123,3 @@ const cases = document.querySelector("#cases table");
 for (const link of document.querySelectorAll("a[data-filter]")) {
   link.addEventListener("click", () => cases?.filterBy?.(link.dataset.filter));
 }
-
-const openTarget = () => {
-  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-  if (target instanceof HTMLDetailsElement) {
-    target.open = true;
-    target.scrollIntoView();
-  }
-};
-addEventListener("hashchange", openTarget);
-openTarget();

@@ -1,0 +1,30 @@
+#pragma once
+// Kept motions made ready to be drawn beside each other.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "harness/records/record.hpp"
+
+namespace signorini {
+
+/// A periodic motion that begins `delay` later in its period, which the waveform spans; 0 <= delay < its end.
+Waveform delayed(const Waveform& waveform, double delay);
+
+/// The answer, moved by whole forcing periods to the phase of another answer's orbit: motions of `order`
+/// forcing periods are the same when they begin in another one of these. As it is where its own orbit is not
+/// kept, or its waveform spans another time. \param leader  orbit whose phase is taken, at the contact of
+/// this place \param kept    answer and own orbit, at the contact of that place
+Waveform in_phase_with(const Waveform& leader, std::size_t place, const Waveforms& kept, std::size_t at,
+                       int order);
+
+/// Lines "x v" of a portrait: between samples the cubic that has their displacements and velocities, unless
+/// it would leave the range of both velocities by their difference.
+std::string portrait_lines(const Waveform& waveform, std::size_t contact);
+
+/// Where the contact of this place closes [m]: under a rigid law the largest displacement of the certified
+/// orbit, of a spring where the force begins. Empty where it never closes.
+std::optional<double> stop_position(const Record& record, std::size_t place);
+
+}  // namespace signorini

@@ -1,0 +1,105 @@
+#include "harness/report/page/html.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
+#include <cctype>
+#include <cmath>
+#include <regex>
+#include <utility>
+
+namespace signorini {
+
+namespace {
+
+std::string linked(const std::string& target, const std::string& text) {
+  return fmt::format("<a href=\"#{}\">{}</a>", html_escaped(target), text);
+}
+
+/// Of a cell that has words in place of a number, such as "not reached"; not of "0 of 8".
+bool is_missing(const Cell& cell) {
+  const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+  return cell.value && !std::isfinite(*cell.value) && std::ranges::none_of(cell.text, is_digit);
+}
+
+std::string cell_text(const std::string& column, const Cell& cell) {
+  if (is_missing(cell) && !cell.record && cell.text != "-")
+    return fmt::format("–<span class=\"unseen\">{}</span>", html_escaped(cell.text));
+  const std::string text = html_escaped(with_unit_signs(cell.text));
+  if (cell.record) return linked(record_anchor(*cell.record), text);
+  if (column == "scene") return linked("scene-" + cell.text, text);
+  if (column == "method")
+    return fmt::format("<a href=\"#cases\" data-filter=\"{}\">{}</a>", text, breakable(cell.text));
+  return text;
+}
+
+/// One row; its first cell is its title.
+std::string row_text(const Table& table, const std::vector<std::size_t>& columns,
+                     const std::vector<Cell>& row) {
+  std::string text = "<tr>";
+  for (const std::size_t c : columns) {
+    const std::string value =
+        row[c].value && std::isfinite(*row[c].value) ? fmt::format(" data-v=\"{:.6g}\"", *row[c].value) : "";
+    const char* const tag = c == 0 ? "th scope=\"row\"" : "td";
+    text += fmt::format("<{}{}{}>{}</{}>", tag, table.is_numeric(c) ? " class=\"n\"" : "", value,
+                        cell_text(table.header[c], row[c]), c == 0 ? "th" : "td");
+  }
+  return text + "</tr>\n";
+}
+
+}  // namespace
+
+std::string html_escaped(std::string text) {
+  // Control characters, which HTML forbids.
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return (c < 0x20U && c != '\n' && c != '\t') || c == 0x7FU; }, ' ');
+  // The ampersand first: the others are spelled with it.
+  for (const auto& [plain, spelled] :
+       {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})
+    boost::replace_all(text, plain, spelled);
+  return text;
+}
+
+std::string html_text(const std::string& text) {
+  static const std::regex code("`([^`]*)`");
+  return std::regex_replace(html_escaped(text), code, "<code>$1</code>");
+}
+
+std::string with_unit_signs(std::string text) {
+  if (text.ends_with(" us")) text.replace(text.size() - 2, 1, "µ");
+  return text;
+}
+
+std::string breakable(const std::string& title) {
+  std::string text = html_escaped(title);
+  boost::replace_all(text, "[", "<wbr>[");
+  boost::replace_all(text, ",", ",<wbr>");
+  return text;
+}
+
+std::string record_anchor(std::size_t place) { return fmt::format("record-{}", place + 1); }
+
+bool says_nothing(const Table& table, std::size_t column) {
+  return column > 0 && std::ranges::all_of(table.rows, [&](const std::vector<Cell>& row) {
+           const Cell& cell = row[column];
+           return cell.text.empty() || cell.text == "-" || is_missing(cell);
+         });
+}
+
+std::string html_table(const Table& table, const std::string& caption) {
+  std::vector<std::size_t> columns;
+  for (std::size_t c = 0; c < table.header.size(); ++c)
+    if (!says_nothing(table, c)) columns.push_back(c);
+  std::string text = fmt::format(
+      "<div class=\"table\"><table><caption class=\"unseen\">{}</caption><thead><tr>", html_escaped(caption));
+  for (const std::size_t c : columns) {
+    text += fmt::format("<th scope=\"col\"{}>{}</th>", table.is_numeric(c) ? " class=\"n\"" : "",
+                        breakable(table.header[c]));
+  }
+  text += "</tr></thead><tbody>\n";
+  for (const std::vector<Cell>& row : table.rows) text += row_text(table, columns, row);
+  return text + "</tbody></table></div>\n";
+}
+
+}  // namespace signorini

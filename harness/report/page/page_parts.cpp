@@ -1,0 +1,230 @@
+#include "harness/report/page/page_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "harness/report/document/cells.hpp"
+#include "harness/report/formats/screen_groups.hpp"
+#include "harness/report/page/html.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A place for a figure that the page's script draws.
+std::string chart(const std::string& kind, const std::string& of, const std::string& title,
+                  const std::string& caption) {
+  return fmt::format(
+      "<figure class=\"chart {0}\" data-kind=\"{0}\" data-of=\"{1}\" data-title=\"{2}\"><figcaption>{3}"
+      "</figcaption></figure>\n",
+      kind, html_escaped(of), html_escaped(title), html_escaped(caption));
+}
+
+constexpr const char* kMethodSwitches = "<div class=\"legend\"></div>\n";
+
+std::string item(const std::string& target, const std::string& title, const char* kind = "part") {
+  return fmt::format("<li class=\"{}\"><a href=\"#{}\">{}</a></li>\n", kind, html_escaped(target),
+                     html_escaped(title));
+}
+
+/// Links to sections; those of several contests under one matter.
+std::string section_items(const std::vector<const Section*>& sections) {
+  std::string text, matter;
+  for (const Section* section : sections) {
+    const std::size_t colon = section->title.find(": ");
+    const std::string first = section->title.substr(0, colon);
+    if (colon == std::string::npos) {
+      text += item(section->id, section->title);
+      continue;
+    }
+    if (first != matter) text += fmt::format("<li class=\"matter\">{}</li>\n", html_escaped(first));
+    matter = first;
+    text += item(section->id, section->title.substr(colon + 2), "contest");
+  }
+  return text;
+}
+
+/// One method's row of a verdict: the median time to each error, and on how many scenes.
+std::string standing_row(const Standing& standing) {
+  std::string text = fmt::format(
+      "<tr{0}><th scope=\"row\">{1}<a href=\"#cases\" data-filter=\"{2}\">{3}</a></th>",
+      standing.recommended ? " class=\"best\"" : "",
+      standing.recommended ? "<span aria-hidden=\"true\">* </span><span class=\"unseen\">recommended: </span>"
+                           : "",
+      html_escaped(standing.configuration), breakable(standing.configuration));
+  for (const Reach& reach : standing.reach) {
+    const double seconds = reach.median_seconds();
+    text += std::isfinite(seconds)
+                ? fmt::format("<td class=\"n\" data-v=\"{:.6g}\">{} <small>{}</small></td>", seconds,
+                              with_unit_signs(time_text(seconds)), reach.scenes)
+                : fmt::format("<td class=\"n\">- <small>{}</small></td>", reach.scenes);
+  }
+  return text + "</tr>\n";
+}
+
+/// The orbit reached from rest, from the first record that found it.
+std::string orbit_facts(const Evaluation& evaluation, const std::string& scene) {
+  const auto& records = evaluation.records();
+  const auto found = std::find_if(records.begin(), records.end(), [&](const Record& record) {
+    return record.scene == scene && record.law_matches_scene == true && record.certificate.same_orbit == true;
+  });
+  if (found == records.end()) return "No record of the orbit reached from rest.";
+  const Certificate& orbit = found->certificate;
+  std::string text = fmt::format("The orbit reached from rest, {}", orbit.orbit.value_or("unnamed"));
+  if (found->period) text += fmt::format(", repeats after {:.6g} s", *found->period);
+  text += fmt::format("; events per period: {}", orbit.events.size());
+  if (orbit.stable) text += *orbit.stable ? "; stable" : "; unstable";
+  if (orbit.error_bar) text += fmt::format("; known to {:.1e}", *orbit.error_bar);
+  return text + ".";
+}
+
+std::string law_of_scene(const Evaluation& evaluation, const std::string& scene) {
+  for (const Record& record : evaluation.records()) {
+    if (record.scene == scene && record.scene_law) return law_text(*record.scene_law);
+  }
+  return "not recorded";
+}
+
+/// The rows of a section that belong to a scene, its first column left out.
+void add_rows_of_scene(const Section& section, const std::string& scene, Table& table) {
+  if (table.header.empty()) table.header.assign(section.table.header.begin() + 1, section.table.header.end());
+  for (const auto& row : section.table.rows) {
+    if (row.front().text == scene) table.rows.emplace_back(row.begin() + 1, row.end());
+  }
+}
+
+/// The figures of a scene for which there are data.
+std::string charts_of(const std::string& scene, const Json& data) {
+  std::string text;
+  const Json& work = data["work"];
+  if (!work.is_null() && !work["own"].empty()) {
+    text += chart("work", scene, "Error against time, " + scene,
+                  "Error of x against time of set-up and solve. Each mark is a resolution and leads to its "
+                  "record; hollow ones lie below ten error bars of the orbit.");
+  }
+  if (!data["motion"].is_null()) {
+    const int contact = data["motion"]["contact"];
+    text +=
+        chart("waveforms", scene, "Motion over a period, " + scene,
+              fmt::format("One period at contact {}: the coarsest solved resolution of each method on the "
+                          "certified orbit, which is the broad grey line. Impacts are jumps of the impulse.",
+                          contact));
+    text += chart("portrait", scene, "Phase portrait, " + scene,
+                  fmt::format("The same motions at contact {}.", contact));
+  }
+  if (!work.is_null() && !work["other"].empty()) {
+    text += chart("other", scene, "Error against time under other laws, " + scene,
+                  "The same of methods that represent another law than the scene's: errors against the "
+                  "motion under their own.");
+  }
+  return text.empty() ? text : kMethodSwitches + ("<div class=\"figures\">\n" + text) + "</div>\n";
+}
+
+}  // namespace
+
+std::vector<const Section*> of_kinds(std::span<const Section> sections,
+                                     std::initializer_list<SectionKind> kinds) {
+  std::vector<const Section*> chosen;
+  for (const Section& section : sections)
+    if (std::ranges::find(kinds, section.kind) != kinds.end()) chosen.push_back(&section);
+  return chosen;
+}
+
+std::optional<std::size_t> group_of(const Section& section) {
+  constexpr std::string_view kMeans = "means-";
+  if (!section.id.starts_with(kMeans)) return std::nullopt;
+  return std::stoul(section.id.substr(kMeans.size())) - 1;
+}
+
+std::string navigation(const Evaluation& evaluation, std::span<const Section> sections) {
+  const auto part = [](const char* title, const std::string& items) {
+    return items.empty() ? "" : fmt::format("<h2>{}</h2>\n<ul>\n{}</ul>\n", title, items);
+  };
+  std::string scenes;
+  for (const std::string& scene : evaluation.scenes()) scenes += item("scene-" + scene, scene);
+  return "<nav aria-label=\"Contents\"><details open><summary>Contents</summary>\n<ul>\n" +
+         item("verdict", "Which method?") + item("side-by-side", "Scenes side by side") + "</ul>\n" +
+         part("Over all scenes", section_items(of_kinds(sections, {SectionKind::overview}))) +
+         part("Scenes", scenes) +
+         part("Run by run", section_items(of_kinds(
+                                sections, {SectionKind::scenes, SectionKind::cases, SectionKind::remarks}))) +
+         "<ul>\n" + item("about", "How this run was made") + "</ul></details></nav>\n";
+}
+
+std::string verdict_of(const Evaluation& evaluation) {
+  std::string text = "<section id=\"verdict\"><h2>Which method?</h2>\n";
+  const std::vector<SceneGroup> groups = scene_groups(evaluation);
+  text += groups.empty() ? "<p>No scene of this run has a contact whose law is known.</p>\n"
+                         : fmt::format("<p>{}</p>\n", html_escaped(std::string(kVerdictRule)));
+  text += "<div class=\"verdicts\">\n";
+  for (const SceneGroup& group : groups) {
+    std::string titles;
+    for (const char* title : kErrorTitles)
+      titles += fmt::format("<th scope=\"col\" class=\"n\">{}</th>", title);
+    text += fmt::format(
+        "<div class=\"table\"><table><caption>{}</caption><thead><tr><th "
+        "scope=\"col\">method</th>{}</tr></thead>"
+        "<tbody>\n",
+        html_escaped(verdict_title(group)), titles);
+    for (const Standing& standing : group.standings) text += standing_row(standing);
+    text += "</tbody></table></div>\n";
+  }
+  return text + "</div></section>\n";
+}
+
+std::string side_by_side(const Evaluation& evaluation) {
+  std::string text =
+      "<section id=\"side-by-side\"><h2>Scenes side by side</h2>\n<p>Error of x against time, on the same "
+      "axes. Each mark is one resolution of a method and leads to its record; hollow ones lie below ten "
+      "error bars of the orbit and are not ranked. Names below switch methods off and on, in every figure "
+      "of the page.</p>\n" +
+      std::string(kMethodSwitches) + "<div class=\"scenes\">\n";
+  for (const std::string& scene : evaluation.scenes()) {
+    text += fmt::format("<div><h3><a href=\"#scene-{0}\">{0}</a></h3>", html_escaped(scene)) +
+            chart("small", scene, "Error against time, " + scene, "") + "</div>\n";
+  }
+  return text + "</div></section>\n";
+}
+
+std::string section_of(const Section& section, const char* heading) {
+  std::string text =
+      fmt::format("<section id=\"{0}\"><{2}>{1}</{2}>\n", section.id, html_escaped(section.title), heading);
+  if (!section.text.empty()) text += fmt::format("<p>{}</p>\n", html_text(section.text));
+  if (group_of(section)) {
+    text += kMethodSwitches +
+            chart("profile", std::to_string(*group_of(section)), section.title,
+                  "Share of all scenes that a method solves to the error above the panel within "
+                  "a factor of the time of the fastest. A failure is infinitely slow.");
+  }
+  text += html_table(section.table, section.title);
+  if (!section.note.empty()) text += fmt::format("<p class=\"note\">{}</p>\n", html_text(section.note));
+  return text + "</section>\n";
+}
+
+std::string scene_of(const std::string& scene, const Evaluation& evaluation,
+                     std::span<const Section> sections, const Json& data) {
+  Table laws;
+  for (const Section* section : of_kinds(sections, {SectionKind::scenes}))
+    add_rows_of_scene(*section, scene, laws);
+  return fmt::format(
+             "<section class=\"scene\" id=\"scene-{0}\"><h3>{0}</h3>\n<p>The scene's law: {1}. {2} "
+             "<a href=\"#cases\" data-filter=\"{0}\">All runs on this scene</a>.</p>\n",
+             html_escaped(scene), html_escaped(law_of_scene(evaluation, scene)),
+             html_escaped(orbit_facts(evaluation, scene))) +
+         (data["schematic"].is_null() ? ""
+                                      : chart("schematic", scene, "The mechanical system of " + scene, "")) +
+         charts_of(scene, data) +
+         (laws.rows.empty() ? ""
+                            : "<p>The law that each method represents, how many of its resolutions are "
+                              "solved, and the time "
+                              "to each error of x:</p>\n" +
+                                  html_table(laws, "Methods on " + scene)) +
+         "</section>\n";
+}
+
+}  // namespace signorini

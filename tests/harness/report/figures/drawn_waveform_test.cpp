@@ -1,0 +1,87 @@
+#include "harness/report/figures/drawn_waveform.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "tests/harness/sample_records.hpp"
+
+namespace signorini {
+namespace {
+
+/// x = cos(t / 2 - phase) over 4 pi, two periods of a load of period 2 pi, with an impulse that jumps at t
+/// = 3.
+Waveform half_frequency(double phase) {
+  Waveform waveform{.x = {{}}, .velocity = {{}}, .force = {{}}, .impulse = {{}}};
+  constexpr int kPoints = 200;
+  for (int i = 0; i <= kPoints; ++i) {
+    const double t = 4.0 * std::numbers::pi * i / kPoints;
+    waveform.t.push_back(t);
+    waveform.x[0].push_back(std::cos(0.5 * t - phase));
+    waveform.velocity[0].push_back(-0.5 * std::sin(0.5 * t - phase));
+    waveform.force[0].push_back(0.0);
+    waveform.impulse[0].push_back(t > 3.0 ? -1.0 : 0.0);
+  }
+  return waveform;
+}
+
+TEST(Delayed, BeginsLaterAndKeepsTheWholeImpulse) {
+  const Waveform later = delayed(half_frequency(0.0), 2.0 * std::numbers::pi);
+  ASSERT_EQ(later.t.size(), later.x[0].size());
+  for (std::size_t i = 0; i < later.t.size(); ++i) {
+    EXPECT_NEAR(later.x[0][i], -std::cos(0.5 * later.t[i]), 1e-3) << later.t[i];
+    EXPECT_GE(later.t[i], later.t[i == 0 ? 0 : i - 1]);
+  }
+  EXPECT_EQ(later.t.back(), half_frequency(0.0).t.back());
+  EXPECT_NEAR(later.impulse[0].front(), 0.0, 1e-12);
+  EXPECT_NEAR(later.impulse[0].back(), -1.0, 1e-12);
+  EXPECT_NEAR(later.impulse[0][later.impulse[0].size() / 2], 0.0, 1e-12);  // before its impact
+}
+
+TEST(InPhaseWith, ShiftsBySomeWholePeriodsOfTheLoad) {
+  const Waveform leader = half_frequency(0.0);
+  const Waveforms beside{.contacts = {0},
+                         .answer = half_frequency(std::numbers::pi + 0.1),
+                         .orbit = half_frequency(std::numbers::pi)};
+  const Waveform shifted = in_phase_with(leader, 0, beside, 0, 2);
+  EXPECT_NEAR(shifted.x[0].front(), std::cos(0.1), 1e-3);                      // its own error is kept
+  EXPECT_EQ(in_phase_with(leader, 0, beside, 0, 1).x[0], beside.answer.x[0]);  // nothing to shift by
+  const Waveforms there{.contacts = {0}, .answer = half_frequency(0.1), .orbit = leader};
+  EXPECT_EQ(in_phase_with(leader, 0, there, 0, 2).x[0], there.answer.x[0]);
+}
+
+TEST(PortraitLines, FollowACircleBetweenSamples) {
+  Waveform circle{.x = {{}}, .velocity = {{}}};
+  for (int i = 0; i <= 8; ++i) {
+    circle.t.push_back(i * std::numbers::pi / 4.0);
+    circle.x[0].push_back(std::cos(circle.t.back()));
+    circle.velocity[0].push_back(-std::sin(circle.t.back()));
+  }
+  std::istringstream lines(portrait_lines(circle, 0));
+  int points = 0;
+  for (double x = 0.0, v = 0.0; lines >> x >> v; ++points) EXPECT_NEAR(std::hypot(x, v), 1.0, 0.01);
+  EXPECT_EQ(points, 65);  // a polygon of 8 corners comes as near as 0.92
+}
+
+TEST(PortraitLines, JumpAtAnImpact) {
+  const Waveform impact{
+      .t = {0.0, 1.0, 1.0, 2.0}, .x = {{0.0, 1.0, 1.0, 0.0}}, .velocity = {{1.0, 1.0, -1.0, -1.0}}};
+  const std::string lines = portrait_lines(impact, 0);
+  EXPECT_NE(lines.find("\n1 1\n1 -1\n"), std::string::npos) << lines;
+}
+
+TEST(StopPosition, IsWhereTheContactCloses) {
+  Record record = test::full_record();
+  EXPECT_EQ(stop_position(record, 0), 0.5);
+  record.law = Penalty{{10.0}};
+  record.certificate.events = {{.time = 1.0, .contact = 0, .kind = ContactEvent::Kind::close}};
+  record.waveforms->orbit->x = {{0.25, 0.75}};
+  EXPECT_EQ(stop_position(record, 0), 0.5);  // between the two samples
+  record.waveforms->orbit->impulse = {{0.0, 0.0}};
+  EXPECT_EQ(stop_position(record, 0), std::nullopt);
+}
+
+}  // namespace
+}  // namespace signorini

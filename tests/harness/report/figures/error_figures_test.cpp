@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include "harness/report/figures/figures.hpp"
+#include "harness/report/figures/gnuplot.hpp"
+#include "tests/harness/sample_records.hpp"
+
+namespace signorini {
+namespace {
+
+TEST(WorkPrecisionFigure, KeepsTheCaseBesideEveryPoint) {
+  const Evaluation evaluation(test::records_of_two_methods());
+  const std::vector<Figure> figures = work_precision_figures(evaluation, "s1");
+  ASSERT_EQ(figures.size(), 1U);
+  EXPECT_EQ(figures[0].name, "s1-work-precision");
+  EXPECT_NE(figures[0].data.find("1.000000e-02 1.000000e-03  # b[n=2]"), std::string::npos);
+  EXPECT_EQ(figures[0].data.find("nan"), std::string::npos);
+}
+
+TEST(WorkPrecisionFigure, ShowsMethodsOfAnotherLawApartAndBoundsHollow) {
+  std::vector<Record> records = test::records_of_two_methods();
+  for (Record& record : records) {
+    if (record.method == "b") record.law_matches_scene = false;
+  }
+  records[1].errors.x_l2 = 1e-15;
+  const Evaluation evaluation(records);
+  const std::vector<Figure> figures = work_precision_figures(evaluation, "s1");
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_EQ(figures[0].data.find("# b,"), std::string::npos);
+  EXPECT_EQ(figures[1].data.find("# a,"), std::string::npos);
+  EXPECT_NE(figures[0].script.find(line_style(0).hollow), std::string::npos);
+  EXPECT_EQ(figures[1].script.find(line_style(1).hollow), std::string::npos);
+}
+
+TEST(WorkPrecisionFigure, IsNoneWhereNobodySolvesTheScene) {
+  std::vector<Record> records = test::records_of_two_methods();
+  for (Record& record : records) record.status = Status::timeout;
+  EXPECT_TRUE(work_precision_figures(Evaluation(records), "s1").empty());
+}
+
+/// Method a with errors of order 2, b with one resolution only.
+std::vector<Record> harmonics() {
+  std::vector<Record> records;
+  for (const int n : {10, 20, 40})
+    records.push_back(
+        test::good_record("s1", "a", "harmonics=" + std::to_string(n), 1.0 / (n * n), 1e-3 * n));
+  records.push_back(test::good_record("s1", "b", "harmonics=10", 1e-3, 1e-3));
+  return records;
+}
+
+TEST(ConvergenceFigure, HasTheMethodsWithSeveralResolutionsOverTheirNumbers) {
+  const Figure figure = convergence_figure(Evaluation(harmonics()), "s1");
+  EXPECT_EQ(figure.name, "s1-convergence");
+  EXPECT_NE(figure.data.find("# a, runs\n1.000000e+01 1.000000e-02  # a[harmonics=10]\n2.000000e+01"),
+            std::string::npos)
+      << figure.data;
+  EXPECT_EQ(figure.data.find("# b"), std::string::npos);
+  EXPECT_NE(figure.script.find("set object polygon"), std::string::npos);
+  EXPECT_NE(figure.script.find("set label '40' at 4.000000e+01,"), std::string::npos);  // beside its mark
+  EXPECT_TRUE(convergence_figure(Evaluation(harmonics()), "s2").data.empty());
+}
+
+TEST(WorkPrecisionFigure, NamesEveryCurveOnceBesideThePanel) {
+  const std::vector<Figure> figures = work_precision_figures(Evaluation(harmonics()), "s1");
+  for (const char* name : {"set label 'a' at graph", "set label 'b' at graph"}) {
+    const std::size_t at = figures[0].script.find(name);
+    ASSERT_NE(at, std::string::npos) << figures[0].script;
+    EXPECT_EQ(figures[0].script.find(name, at + 1), std::string::npos);
+  }
+}
+
+TEST(ErrorFigures, AreUnderstoodByGnuplot) {
+  const Evaluation evaluation(harmonics());
+  EXPECT_NO_THROW((void)drawn(work_precision_figures(evaluation, "s1").front(), "svg"));
+  EXPECT_NO_THROW((void)drawn(convergence_figure(evaluation, "s1"), "svg"));
+}
+
+}  // namespace
+}  // namespace signorini
