@@ -30,6 +30,11 @@ bool glob_match(std::string_view pattern, std::string_view text) {
   return fnmatch(shell_pattern.c_str(), std::string(text).c_str(), 0) == 0;
 }
 
+bool looks_like_path(std::string_view word) {
+  return word.find('/') != std::string_view::npos || word.ends_with(".toml") ||
+         word.find(".toml@") != std::string_view::npos;
+}
+
 GlobPieces split_globs(std::string_view filter) {
   GlobPieces pieces;
   std::string piece;

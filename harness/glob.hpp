@@ -11,6 +11,9 @@ namespace signorini {
 /// By fnmatch(3), whose sets of characters no filter needs.
 bool glob_match(std::string_view pattern, std::string_view text);
 
+/// Whether a word for a scene or a suite is a path rather than a name: it contains a slash or ".toml".
+bool looks_like_path(std::string_view word);
+
 /// The pieces of a filter: POSITIVE[:POSITIVE...][-NEGATIVE[:NEGATIVE...]].
 struct GlobPieces {
   std::vector<std::string> positive;  ///< "*" where none is given

@@ -6,8 +6,23 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
+#include <utility>
 
 namespace signorini {
+
+namespace {
+
+/// A line that is longer wraps, and a carriage return goes back to the beginning of its last part only.
+constexpr std::size_t kLineWidth = 79;
+constexpr std::string_view kClearLine = "\r\033[K";
+
+/// Nothing depends on its arrival.
+void write_to_terminal(std::string_view text) {
+  static_cast<void>(!write(STDERR_FILENO, text.data(), text.size()));
+}
+
+}  // namespace
 
 std::string progress_line(double done, std::size_t total, double elapsed_seconds, const std::string& what) {
   constexpr double kRounding = 1e-6;  // of shares of cases that add up
@@ -28,17 +43,48 @@ Progress::~Progress() { clear(); }
 
 void Progress::clear() const {
   if (!visible_) return;
-  fmt::print(stderr, "\r\033[K");
+  fmt::print(stderr, "{}", kClearLine);
   std::fflush(stderr);
 }
 
 void Progress::begin(const std::string& what) {
   if (!visible_) return;
   const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  // Cut to the width of a terminal: a carriage return goes back to the beginning of the last line only.
-  constexpr std::size_t kWidth = 79;
-  fmt::print(stderr, "\r\033[K{}", progress_line(done_, total_, elapsed, what).substr(0, kWidth));
+  fmt::print(stderr, "{}{}", kClearLine, progress_line(done_, total_, elapsed, what).substr(0, kLineWidth));
   std::fflush(stderr);
+}
+
+std::string waiting_line(const std::string& what, std::chrono::seconds elapsed) {
+  const auto seconds = elapsed.count();
+  const std::string clock = fmt::format(" {}:{:02}", seconds / 60, seconds % 60);
+  return what.substr(0, kLineWidth - std::min(kLineWidth, clock.size())) + clock;
+}
+
+Waiting::Waiting(std::string what) : what_(std::move(what)) {
+  if (isatty(STDERR_FILENO) == 1) teller_ = std::thread([this] { tell(); });
+}
+
+Waiting::~Waiting() {
+  if (!teller_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    done_ = true;
+  }
+  ended_.notify_one();
+  teller_.join();
+}
+
+void Waiting::tell() {
+  using namespace std::chrono_literals;
+  const auto start = std::chrono::steady_clock::now();
+  std::unique_lock lock(mutex_);
+  bool told = false;
+  for (auto next = start + 500ms; !ended_.wait_until(lock, next, [this] { return done_; }); told = true) {
+    const auto elapsed = std::chrono::round<std::chrono::seconds>(next - start);
+    write_to_terminal(std::string(kClearLine) + waiting_line(what_, elapsed));
+    next = start + elapsed + 1s;
+  }
+  if (told) write_to_terminal(kClearLine);
 }
 
 }  // namespace signorini

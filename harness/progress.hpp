@@ -2,8 +2,11 @@
 // The progress of a long command on a terminal.
 
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace signorini {
 
@@ -29,6 +32,29 @@ class Progress {
   bool visible_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
+
+/// One line on stderr that says what is being done and for how long, from half a second on, every second:
+/// for work whose end nothing foretells. Silent unless stderr is a terminal. It is written by a thread, which
+/// calls write(2) alone: a process that is forked meanwhile finds nothing locked.
+class Waiting {
+ public:
+  explicit Waiting(std::string what);
+  ~Waiting();  ///< clears the line
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+
+ private:
+  void tell();
+
+  std::string what_;
+  bool done_ = false;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  std::thread teller_;
+};
+
+/// "solving 1:05", cut to the width of a terminal.
+std::string waiting_line(const std::string& what, std::chrono::seconds elapsed);
 
 /// "[12/240] 5 % ETA 1:23 what", the rest assumed to take as long per case as what is done; no ETA before
 /// anything is done.

@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "harness/cluster/scripts.hpp"
 #include "harness/commands/command_line.hpp"
 #include "harness/conformance/check_result.hpp"
 #include "harness/conformance/check_runner.hpp"
+#include "harness/extend/plugins/plugins.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/plan/suite.hpp"
@@ -23,7 +25,7 @@ struct CheckArguments {
   std::optional<std::string> method;
   bool all = false;
   std::string suite = "easy";
-  std::optional<std::string> scenes;
+  std::vector<std::string> scenes;
   std::string checks = "*";
   double timeout = CheckOptions{}.timeout;
   bool json = false;
@@ -43,15 +45,21 @@ std::vector<const MethodEntry*> methods_of(const CheckArguments& arguments) {
   return entries;
 }
 
-/// The scenes of the suite, the shipped scenes that match the filter, or one scene file.
+/// The scenes of the suite, or those of --scenes among all that ship and one's own files.
 std::vector<Scene> scenes_of(const CheckArguments& arguments) {
   const Suite all{.name = "of all that ship", .scenes = {"*"}};
-  std::vector<Scene> scenes =
-      choose_scenes(arguments.scenes ? all : load_suite(arguments.suite), arguments.scenes, shipped_scenes());
+  std::vector<Scene> scenes = choose_scenes(arguments.scenes.empty() ? load_suite(arguments.suite) : all,
+                                            arguments.scenes, shipped_scenes());
   // The commands that show a failure again must find the scene by this name.
-  if (arguments.scenes && names_scene_file(*arguments.scenes))
-    scenes.front().problem.name = *arguments.scenes;
+  for (Scene& scene : scenes) scene.problem.name = scene.word;
   return scenes;
+}
+
+/// The words that load the plugins again, " --plugin march.toml".
+std::string plugin_words() {
+  std::string words;
+  for (const std::string& file : given_plugins()) words += " --plugin " + shell_word(file);
+  return words;
 }
 
 int check(const CheckArguments& arguments) {
@@ -72,9 +80,10 @@ int check(const CheckArguments& arguments) {
       for (const CheckResult& result : results) {
         list.push_back({{"method", entry->name}});
         list.back().update(to_json(result));
+        if (!result.reproduce.empty()) list.back()["reproduce"] = result.reproduce + plugin_words();
       }
     } else {
-      fmt::print("{}{}", entry == methods.front() ? "" : "\n", review_text(*entry, results));
+      fmt::print("{}{}", entry == methods.front() ? "" : "\n", review_text(*entry, results, plugin_words()));
       std::fflush(stdout);
     }
   }
@@ -98,8 +107,11 @@ void add_check_command(CLI::App& app, int& exit_code) {
   command->add_option("method", arguments->method, "method name; see `signorini list methods`");
   command->add_flag("--all", arguments->all, "every method there is");
   command->add_option("--suite", arguments->suite, "whose scenes are asked about")->capture_default_str();
-  command->add_option("--scenes", arguments->scenes,
-                      "instead: scenes by glob, A*:B*-C*, of all that ship; or one scene file");
+  command
+      ->add_option("--scenes", arguments->scenes,
+                   "instead: scenes by glob, A*:B*-C*, of all that ship, and files or folders of one's own; "
+                   "may be repeated")
+      ->allow_extra_args(false);
   command
       ->add_option("--checks", arguments->checks,
                    fmt::format("by glob, of {}", fmt::join(check_names(), ", ")))

@@ -13,12 +13,16 @@
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "harness/build_info.hpp"
+#include "harness/commands/command_guide.hpp"
 #include "harness/extend/plugins/plugins.hpp"
 #include "harness/failure.hpp"
 #include "harness/plots/plot_file.hpp"
+#include "harness/terminal/refusal_hint.hpp"
 #include "methods/options.hpp"
+#include "problems/scene/close_names.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "problems/scene/toml_tree.hpp"
 #include "problems/validation.hpp"
@@ -73,30 +77,58 @@ int complain_of_file(const std::filesystem::filesystem_error& error) {
       kBadUsage);
 }
 
-/// The program with the commands of the command line, "signorini submit slurm".
-std::string command_path(const CLI::App& app) {
+/// The command that the words lead to.
+const CLI::App& command_read(const CLI::App& app) {
   const std::vector<CLI::App*> read = app.get_subcommands();
-  return app.get_name() + (read.empty() ? "" : " " + command_path(*read.front()));
+  return read.empty() ? app : command_read(*read.front());
+}
+
+/// Options that words left over may have meant; several scenes that a shell made of one pattern.
+std::string hint_for_rest(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  for (const std::string& word : command.remaining()) {
+    if (word.ends_with(".toml")) return "; several scenes: --scenes A.toml:B.toml, or the pattern in quotes";
+    if (!word.starts_with("--")) continue;
+    const std::string hint = suggestion(word.substr(0, word.find('=')), names);
+    if (!hint.empty()) return "; " + word + ": " + hint.substr(2);
+  }
+  return {};
 }
 
 /// Reports in one line why the command line cannot be parsed.
 int complain_usage(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return delivered(app.exit(error));  // --help, --version
+  const CLI::App& command = command_read(app);
   std::string line = error.what();
   line = line.substr(0, line.find('\n'));
-  return complain(fmt::format("{} (see `{} --help`)", one_line(line, 500), command_path(app)), kBadUsage);
+  line += hint_for_rest(command);
+  return complain(fmt::format("{} (see `{} --help`)", one_line(line, 500), full_name(command)), kBadUsage);
 }
 
-/// Names the commands where the first word is none; CLI11 would only say that a command is missing.
-/// \throws UsageError
-void require_known_command(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
+/// Names the commands where the first word, after those of --plugin, is none; CLI11 would only say that a
+/// command is missing. \throws UsageError
+void require_known_command(const CLI::App& app, const std::vector<std::string>& words) {
+  std::size_t place = 1;
+  while (place < words.size() && words[place].starts_with("--plugin"))
+    place += words[place] == "--plugin" ? 2 : 1;  // "--plugin FILE" or "--plugin=FILE"
+  if (place >= words.size() || words[place].starts_with('-')) return;
   std::string names;
   for (const CLI::App* command : app.get_subcommands({})) {
-    if (command->get_name() == argv[1]) return;
+    if (command->get_name() == words[place]) return;
     names += (names.empty() ? "" : ", ") + command->get_name();
   }
-  throw UsageError(fmt::format("command = {} (must be one of {})", argv[1], names));
+  throw UsageError(fmt::format("command = {} (must be one of {})", words[place], names));
+}
+
+/// "signorini help solve" is "signorini solve --help".
+std::vector<std::string> without_help_command(std::vector<std::string> words) {
+  if (words.size() < 2 || words[1] != "help") return words;
+  words.erase(words.begin() + 1);
+  words.emplace_back("--help");
+  return words;
 }
 
 }  // namespace
@@ -126,17 +158,26 @@ void add_plot_option(CLI::App& command, std::string& file, const std::string& wh
 }
 
 void add_plugin_options(CLI::App& app, const std::shared_ptr<std::vector<std::string>>& plugins) {
+  const auto add = [&](CLI::App& command) {
+    // Words before a command and after it come one after the other, so that none replaces the others.
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--plugin",
+            [plugins](const std::vector<std::string>& files) {
+              plugins->insert(plugins->end(), files.begin(), files.end());
+            },
+            "load methods from a shared object or a command's description (*.toml), beside those in "
+            "the folders of $SIGNORINI_PLUGIN_PATH; repeatable, before the command or after it")
+        ->allow_extra_args(false)
+        ->type_name("FILE");
+  };
+  if (app.get_parent() == nullptr) add(app);
   for (CLI::App* command : app.get_subcommands({})) {
     if (!command->get_subcommands({}).empty()) {
       add_plugin_options(*command, plugins);
       continue;
     }
-    command
-        ->add_option("--plugin", *plugins,
-                     "load methods from a shared object or a command's description (*.toml), beside those in "
-                     "the folders of $SIGNORINI_PLUGIN_PATH; repeatable")
-        ->allow_extra_args(false)
-        ->type_name("FILE");
+    add(*command);
   }
 }
 
@@ -149,34 +190,37 @@ int run_command_line(int argc, char** argv) {
   // Not argv[0]: local paths stay out of the manifest.
   std::vector<std::string> words{"signorini"};
   words.insert(words.end(), argv + std::min(1, argc), argv + argc);
+  words = without_help_command(std::move(words));
   app.set_version_flag("--version", version_text);
   app.require_subcommand(1);
-  for (const auto add : {add_list_command, add_show_command, add_solve_command}) add(app, exit_code);
+  for (const auto add : {add_list_command, add_show_command, add_solve_command, add_orbits_command,
+                         add_sweep_command, add_completion_command, add_man_command})
+    add(app, exit_code);
   add_run_command(app, exit_code, words);
   for (const auto add :
-       {add_status_command, add_merge_command, add_compare_command, add_submit_command, add_doctor_command,
-        add_report_command, add_orbits_command, add_sweep_command, add_verify_command, add_check_command,
-        add_new_command, add_completion_command, add_man_command})
+       {add_report_command, add_compare_command, add_verify_command, add_doctor_command, add_new_command,
+        add_check_command, add_submit_command, add_status_command, add_merge_command})
     add(app, exit_code);
+  guide_commands(app);
   const auto plugins = std::make_shared<std::vector<std::string>>();
   add_plugin_options(app, plugins);
   app.parse_complete_callback([plugins] { load_plugins(*plugins); });  // before the callback of the command
   try {
-    require_known_command(app, argc, argv);
-    app.parse(argc, argv);
+    require_known_command(app, words);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend() - 1));  // CLI11 takes the last word first
     return delivered(exit_code);
   } catch (const CLI::ParseError& error) {
     return complain_usage(app, error);
   } catch (const NothingMatched& error) {
     return complain(error.what(), kNothingMatched);
   } catch (const UsageError& error) {
-    return complain(error.what(), kBadUsage);
+    return complain(with_hint(error.what()), kBadUsage);
   } catch (const SceneError& error) {
-    return complain(error.what(), kBadUsage);
+    return complain(with_hint(error.what()), kBadUsage);
   } catch (const InvalidProblem& error) {
     return complain(error.what(), kBadUsage);
   } catch (const InvalidOption& error) {
-    return complain(error.what(), kBadUsage);
+    return complain(with_hint(error.what()), kBadUsage);
   } catch (const std::filesystem::filesystem_error& error) {
     return complain_of_file(error);
   } catch (const std::system_error& error) {  // of fmt::print among others

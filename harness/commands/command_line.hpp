@@ -49,7 +49,7 @@ void add_report_command(CLI::App& app, int& exit_code);
 void add_orbits_command(CLI::App& app, int& exit_code);
 void add_verify_command(CLI::App& app, int& exit_code);
 
-/// --plugin, of every command that does something.
+/// --plugin, before the command and after it.
 void add_plugin_options(CLI::App& app, const std::shared_ptr<std::vector<std::string>>& plugins);
 
 /// --starts, --subharmonics, --seed, --timeout: of the commands that search for orbits.

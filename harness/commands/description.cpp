@@ -4,11 +4,16 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <boost/algorithm/string/replace.hpp>
 #include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "harness/build_info.hpp"
+#include "harness/commands/command_guide.hpp"
 #include "harness/commands/command_line.hpp"
 
 namespace signorini {
@@ -95,21 +100,56 @@ std::string roff_command(const Page& page) {
   return footer.empty() ? text : text + fmt::format(".PP\n{}\n", roff(footer));
 }
 
-/// A script for bash that completes commands and options, file names elsewhere.
+/// What the words without a dash after a command are, for `signorini list`.
+std::string_view names_after(const std::string& command) {
+  if (command == "solve" || command == "sweep" || command == "orbits") return "scenes";
+  if (command == "show") return "scenes methods";
+  if (command == "check") return "methods";
+  return command == "run" ? "suites" : "";
+}
+
+/// The functions of the script for bash that ask the program for names, so that they are those of the scenes,
+/// methods and suites that are there when the key is pressed.
+constexpr const char* kBashFunctions =
+    R"sh(# Completion of signorini for bash, written by `signorini completion bash`.
+_signorini_names() {
+  local kind
+  for kind in $1; do
+    "${COMP_WORDS[0]}" list "$kind" 2>/dev/null | sed -n 's/^\([^ ]\{1,\}\) .*/\1/p'
+  done
+}
+# The options of the method that the line names, each with the sign that follows it.
+_signorini_settings() {
+  local i
+  for ((i = 1; i < COMP_CWORD; ++i)); do
+    [ "${COMP_WORDS[i]}" != --method ] || "${COMP_WORDS[0]}" show "${COMP_WORDS[i + 1]}" 2>/dev/null |
+      sed -n '/^options/,$s/^  \([a-z_]\{1,\}\) .*/\1=/p'
+  done
+}
+_signorini() {
+  local words names= word="${COMP_WORDS[COMP_CWORD]}"
+)sh";
+
+/// A script for bash that completes commands, options and names, file names elsewhere.
 std::string bash_completion(const CLI::App& app) {
-  std::string text =
-      "# Completion of signorini for bash, written by `signorini completion bash`.\n"
-      "_signorini() {\n"
-      "  local words\n"
-      "  case \"${COMP_WORDS[*]:1:COMP_CWORD-1} \" in\n";
+  std::string text = kBashFunctions;
+  text += "  case \"${COMP_WORDS[*]:1:COMP_CWORD-1} \" in\n";
   text += branches(app, [](const std::string& pattern, const CLI::App& command) {
-    return fmt::format("    {}) words='{}' ;;\n", pattern, fmt::join(words_after(command), " "));
+    return fmt::format("    {}) words='{}' names='{}' ;;\n", pattern, fmt::join(words_after(command), " "),
+                       names_after(command.get_name()));
   });
-  return text +
-         "  esac\n"
-         "  mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"${COMP_WORDS[COMP_CWORD]}\")\n"
-         "}\n"
-         "complete -o default -F _signorini signorini\n";
+  return text + R"sh(  esac
+  case "${COMP_WORDS[COMP_CWORD - 1]}" in
+    --method | --methods) words= names=methods ;;
+    --scenes) words= names=scenes ;;
+    --suite) words= names=suites ;;
+    --set) words=$(_signorini_settings) names= ;;
+  esac
+  [[ $word == -* ]] || words="$words $(_signorini_names "$names")"
+  mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
+}
+complete -o default -F _signorini signorini
+)sh";
 }
 
 /// The same for zsh, with descriptions.
@@ -127,6 +167,29 @@ std::string zsh_completion(const CLI::App& app) {
          "_describe 'command or option' entries || _files\n";
 }
 
+struct NamedThing {
+  const char* name;
+  const char* meaning;
+};
+
+constexpr std::array<NamedThing, 8> kFiles{{
+    {"problems/catalogue/*.toml, problems/families/*.toml",
+     "the scenes that ship, in share/signorini of an installed program"},
+    {"problems/suites/*.toml", "the suites"},
+    {"results/references/*.json", "the orbits that are kept of each scene"},
+    {"results/local-SUITE/", "folder of a run unless --out names another"},
+    {"DIR/records.jsonl", "one record a line, each case of a run; docs/records.md has the keys"},
+    {"DIR/manifest.json, DIR/plan.txt", "build, machine and limits of a run; its cases"},
+    {"DIR/table.md, DIR/table.csv, DIR/measures.csv", "tables, written by run and report"},
+    {"DIR/report.html, DIR/figures/, DIR/tables/", "page, figures and tables for LaTeX, written by report"},
+}};
+
+constexpr std::array<NamedThing, 3> kVariables{{
+    {"SIGNORINI_PROBLEMS", "folder with catalogue, families and suites, in place of those that ship"},
+    {"SIGNORINI_PLUGIN_PATH", "folders whose *.so and *.toml are loaded as methods, separated by colons"},
+    {"NO_COLOR", "if not empty, nothing is coloured; nothing ever is into a pipe"},
+}};
+
 /// A page for man, section 1.
 std::string man_page(const CLI::App& app) {
   std::string text = fmt::format(
@@ -136,6 +199,9 @@ std::string man_page(const CLI::App& app) {
       build_info().version, roff("compares methods for periodic vibrations with unilateral contact"),
       roff(app.get_description()));
   for (const Page& page : pages(app)) text += roff_command(page);
+  text += ".SH EXAMPLES\n";
+  for (const CommandExample& example : command_examples())
+    text += fmt::format(".TP\n.B {}\n{}\n", roff(example.line), roff(example.does));
   text +=
       ".SH EXIT STATUS\n.TP\n.B 0\ndone\n.TP\n.B 1\nsomething did not converge that was not expected to "
       "fail, or "
@@ -143,6 +209,12 @@ std::string man_page(const CLI::App& app) {
       "matched "
       "nothing\n.TP\n.B 4\n"
       "compare found a regression\n.TP\n.B 5\ninternal error\n.TP\n.B 130\ninterrupted, resumable\n";
+  for (const auto& [section, entries] : {std::pair("FILES", std::span<const NamedThing>(kFiles)),
+                                         std::pair("ENVIRONMENT", std::span<const NamedThing>(kVariables))}) {
+    text += fmt::format(".SH {}\n", section);
+    for (const auto& [name, meaning] : entries)
+      text += fmt::format(".TP\n.I {}\n{}\n", roff(name), roff(meaning));
+  }
   return text;
 }
 

@@ -12,6 +12,7 @@
 #include "harness/plan/case_name.hpp"
 #include "harness/plots/orbit_plot.hpp"
 #include "harness/plots/plot_file.hpp"
+#include "harness/progress.hpp"
 #include "harness/table.hpp"
 
 namespace signorini {
@@ -73,7 +74,10 @@ int list_orbits(const OrbitsArguments& arguments) {
   OrbitSearchOptions options = arguments.options;
   options.subharmonics = arguments.subharmonics.value_or(default_subharmonics(scene.problem));
   watch_interrupts();
-  const SceneOrbits found = find_all_orbits(scene.problem, options);
+  const SceneOrbits found = [&] {
+    const Waiting waiting("searching orbits of " + scene.problem.name);
+    return find_all_orbits(scene.problem, options);
+  }();
   if (arguments.json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const FoundOrbit& orbit : found.orbits) list.push_back(to_json(orbit));
@@ -114,7 +118,8 @@ void add_orbits_command(CLI::App& app, int& exit_code) {
   command->add_option("scene", arguments->scene, "a scene of the catalogue, or a scene file")->required();
   add_search_options(*command, arguments->options, arguments->subharmonics);
   command->add_flag("--json", arguments->json, "print the orbits as a JSON array, events included");
-  add_plot_option(*command, arguments->plot, "the portrait of each orbit, the first 12");
+  add_plot_option(*command, arguments->plot,
+                  "the portrait of each orbit, the first 12, with multipliers and shares of starts");
   command->callback([arguments, &exit_code] { exit_code = list_orbits(*arguments); });
 }
 

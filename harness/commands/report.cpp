@@ -10,11 +10,11 @@
 #include <optional>
 
 #include "harness/commands/command_line.hpp"
-#include "harness/commands/terminal.hpp"
 #include "harness/failure.hpp"
 #include "harness/records/run_folder.hpp"
 #include "harness/report/formats/screen.hpp"
 #include "harness/responses/response_report.hpp"
+#include "harness/terminal/terminal.hpp"
 
 namespace signorini {
 
@@ -83,8 +83,8 @@ void add_report_command(CLI::App& app, int& exit_code) {
       ->add_option(
           "--format", arguments->formats,
           "md (table.md), csv (table.csv, measures.csv), tex (tables/*.tex), html (report.html), screen "
-          "(printed as at the end of run, no file), separated by commas; tex and html also draw "
-          "figures/*.svg and *.pdf, which needs gnuplot")
+          "(printed as at the end of run, no file), separated by commas; tex also draws figures/*.svg and "
+          "*.pdf, which needs gnuplot")
       ->delimiter(',')
       ->check(CLI::IsMember(formats_known()))
       ->capture_default_str();

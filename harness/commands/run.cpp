@@ -11,8 +11,6 @@
 
 #include "harness/build_info.hpp"
 #include "harness/commands/command_line.hpp"
-#include "harness/commands/run_output.hpp"
-#include "harness/commands/terminal.hpp"
 #include "harness/files.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/plan/suite.hpp"
@@ -25,6 +23,8 @@
 #include "harness/responses/response_report.hpp"
 #include "harness/responses/response_run.hpp"
 #include "harness/run/suite_run.hpp"
+#include "harness/terminal/run_output.hpp"
+#include "harness/terminal/terminal.hpp"
 #include "problems/scene/scene_file.hpp"
 
 namespace signorini {
@@ -200,8 +200,12 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
   command->add_option("suite", arguments->suite, "suite name or file")->capture_default_str();
   command->add_option("--methods", arguments->narrowing.methods,
                       "methods by glob, A*:B*-C*, options in brackets: name[key=v1|v2,key=v]");
-  command->add_option("--scenes", arguments->narrowing.scenes,
-                      "scenes by glob, A*:B*-C*, or a scene file of yours in their place");
+  command
+      ->add_option(
+          "--scenes", arguments->narrowing.scenes,
+          "scenes of the suite by glob, A*:B*-C*, and files, folders or globs of files of one's own, "
+          "own.toml:folder:'more/*.toml'; may be repeated")
+      ->allow_extra_args(false);
   command->add_option("--out", arguments->out, "folder of the results; results/local-SUITE if absent");
   command->add_flag("--resume", arguments->resume,
                     "keep the records that are there, run what is missing or stale");

@@ -9,10 +9,13 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/plan/plan.hpp"
+#include "harness/plots/schematic_plot.hpp"
 #include "harness/records/record.hpp"
 #include "harness/report/document/cells.hpp"
+#include "harness/schematic/schematic.hpp"
 #include "methods/catalogue.hpp"
 #include "problems/scene/scene_file.hpp"
+#include "problems/scene/scene_layout.hpp"
 
 namespace signorini {
 
@@ -86,12 +89,17 @@ void show_method(const MethodEntry& entry) {
   }
 }
 
-void show(const std::string& name) {
+void show(const std::string& name, const std::string& plot) {
   for (const MethodEntry& entry : method_catalogue()) {
-    if (entry.name == name) return show_method(entry);
+    if (entry.name != name) continue;
+    if (!plot.empty()) throw UsageError("plot = " + plot + " (must be left out: a method has no picture)");
+    return show_method(entry);
   }
   try {
-    show_scene(read_scene(find_scene(name)).problem);
+    const SceneSource source = find_scene(name);
+    const Scene scene = read_scene(source);
+    show_scene(scene.problem);
+    if (!plot.empty()) write_schematic(plot, schematic(scene.problem, load_layout(source)));
   } catch (const SceneError& error) {
     const bool is_file = name.find('/') != std::string::npos || name.ends_with(".toml");
     if (is_file || std::string_view(error.what()).find(".toml:") != std::string_view::npos) throw;
@@ -102,12 +110,14 @@ void show(const std::string& name) {
 }  // namespace
 
 void add_show_command(CLI::App& app, int& exit_code) {
-  auto* command =
-      app.add_subcommand("show", "A scene (sizes, eigenfrequencies, contacts) or a method (options).");
+  auto* command = app.add_subcommand(
+      "show", "A scene (sizes, eigenfrequencies, contacts, and its picture) or a method (options).");
   const auto name = std::make_shared<std::string>();
   command->add_option("name", *name, "a method, a scene of the catalogue, or a scene file")->required();
-  command->callback([name, &exit_code] {
-    show(*name);
+  const auto plot = std::make_shared<std::string>();
+  add_plot_option(*command, *plot, "the mechanical system of the scene");
+  command->callback([name, plot, &exit_code] {
+    show(*name, *plot);
     exit_code = kDone;
   });
 }

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -11,11 +12,13 @@
 #include "harness/interrupt.hpp"
 #include "harness/plots/motion_plot.hpp"
 #include "harness/plots/plot_file.hpp"
+#include "harness/progress.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/records/sampled_trajectory.hpp"
-#include "harness/report/document/cells.hpp"
 #include "harness/run/runner.hpp"
+#include "harness/terminal/solve_output.hpp"
+#include "harness/terminal/terminal.hpp"
 
 namespace signorini {
 
@@ -30,54 +33,62 @@ struct SolveArguments {
   double certificate = 1.0;              // [s]
   std::optional<double> reference = {};  // [s]
   bool json = false;
+  bool verbose = false;
+  int harmonics = SummaryRequest{}.harmonics;
+  std::vector<int> dofs;
   std::string plot;
 };
 
-void print_measure(const char* name, const Measure& value) {
-  if (value) fmt::print("{:<22}{:.3e}\n", name, *value);
+/// Prints what the method says, and that the harness looks at it; a terminal sees meanwhile for how long.
+class AnswerPrinter {
+ public:
+  AnswerPrinter(const std::string& method, SolveOutput output)
+      : output_(output), waiting_(std::in_place, "solving by " + method) {}
+
+  void answer(const Record& record) {
+    waiting_.reset();
+    status_ = record.status;
+    fmt::print("{}", answer_text(record, output_));
+    std::fflush(stdout);
+    waiting_.emplace("looking for the orbit behind the answer");
+  }
+
+  /// Before anything else is printed.
+  void stop_waiting() { waiting_.reset(); }
+
+  /// After the answer, which is printed now if it has not been yet.
+  void judgement(const Record& record) {
+    if (!status_) answer(record);
+    waiting_.reset();
+    if (*status_ != record.status)
+      fmt::print("{:<22}{}: {}\n", "verdict", status_name(record.status), record.message);
+    fmt::print("{}", judgement_text(record, output_));
+  }
+
+ private:
+  SolveOutput output_;
+  std::optional<Waiting> waiting_;
+  std::optional<Status> status_;
+};
+
+/// The motion to start from. \throws UsageError where it is none for the scene and the method
+std::shared_ptr<const Trajectory> start_of(const SolveArguments& arguments, const Scene& scene,
+                                           const Case& planned_case) {
+  if (arguments.start.empty()) return nullptr;
+  std::shared_ptr<const Trajectory> start = start_from_file(arguments.start);
+  if (planned_case.choice.start())
+    throw UsageError("set = start (must be left out: --start names the motion to start from)");
+  if (start->contact_count() != scene.problem.contact_count()) {
+    throw UsageError(fmt::format("start = {} (must have {} contacts as the scene has, not {})",
+                                 arguments.start, scene.problem.contact_count(), start->contact_count()));
+  }
+  return start;
 }
 
-/// What the method says.
-void print_answer(const Record& record) {
-  fmt::print("{}: {}{}{}\n", record.case_id, status_name(record.status), record.message.empty() ? "" : ": ",
-             record.message);
-  if (record.law) {
-    fmt::print("{:<22}{}{}\n", "law", law_text(*record.law),
-               record.law_matches_scene == false ? " (the scene: " + law_text(*record.scene_law) + ")" : "");
-  }
-  print_measure("period [s]", record.period);
-  std::fflush(stdout);
-}
-
-/// What the harness says of it.
-void print_judgement(const Record& record) {
-  fmt::print("{:<22}{}\n", "orbit", orbit_text(record));
-  fmt::print("{:<22}{}\n", "error of x", error_text(record));
-  const Errors& errors = record.errors;
-  for (const auto& [name, value] :
-       {std::pair{"  largest", errors.x_max}, std::pair{"error of u", errors.u_l2},
-        std::pair{"error of velocity", errors.velocity_l2}, std::pair{"error of impulse", errors.impulse}}) {
-    if (value) fmt::print("{:<22}{}\n", name, bounded_text(*value, record));
-  }
-  print_measure("penetration", record.physics.penetration);
-  print_measure("complementarity", record.physics.complementarity);
-  print_measure("energy defect", record.physics.energy_defect);
-  if (!record.physics.energy_reason.empty())
-    fmt::print("{:<22}not defined: {}\n", "energy defect", record.physics.energy_reason);
-  print_measure("contact ratio", record.physics.contact_ratio);
-  if (!record.physics.effective_restitution.empty()) {
-    fmt::print("{:<22}{:.4f}\n", "restitution found", fmt::join(record.physics.effective_restitution, ", "));
-  }
-  print_measure("condition estimate", record.condition);
-  const Work& work = record.work.counts;
-  for (const auto& [name, count] :
-       {std::pair{"unknowns", work.unknowns}, std::pair{"iterations", work.iterations},
-        std::pair{"pivots", work.pivots}}) {
-    if (count) fmt::print("{:<22}{}\n", name, *count);
-  }
-  if (record.seconds) {
-    fmt::print("{:<22}{} (set-up {}, solve {})\n", "time", time_text(record.seconds->median),
-               time_text(record.seconds->setup), time_text(record.seconds->solve));
+void require_coordinates(const std::vector<int>& dofs, int size) {
+  for (const int dof : dofs) {
+    if (dof < 0 || dof >= size)
+      throw UsageError(fmt::format("dofs = {} (must be coordinates of the scene, 0 to {})", dof, size - 1));
   }
 }
 
@@ -85,22 +96,10 @@ int solve(const SolveArguments& arguments) {
   const Scene scene = read_scene(find_scene(arguments.scene));
   const std::vector cases{
       make_case(scene, 0, {&find_method(arguments.method), parse_settings(arguments.settings)})};
-  SolveExtras extras{.samples = arguments.samples};
-  std::optional<Record> answer;
-  if (!arguments.json) {
-    extras.on_answer = [&answer](const Record& record) {
-      answer = record;
-      print_answer(record);
-    };
-  }
-  if (!arguments.start.empty()) extras.start = start_from_file(arguments.start);
-  if (extras.start && cases.front().choice.start())
-    throw UsageError("set = start (must be left out: --start names the motion to start from)");
-  if (extras.start && extras.start->contact_count() != scene.problem.contact_count()) {
-    throw UsageError(fmt::format("start = {} (must have {} contacts as the scene has, not {})",
-                                 arguments.start, scene.problem.contact_count(),
-                                 extras.start->contact_count()));
-  }
+  require_coordinates(arguments.dofs, scene.problem.size());
+  SolveExtras extras{.start = start_of(arguments, scene, cases.front()),
+                     .samples = arguments.samples,
+                     .summary = SummaryRequest{.harmonics = arguments.harmonics, .dofs = arguments.dofs}};
   watch_interrupts();
   Runner runner({.repetitions = 1,
                  .certificate_timeout = arguments.certificate,
@@ -108,17 +107,17 @@ int solve(const SolveArguments& arguments) {
   if (!arguments.plot.empty()) runner.keep_waveforms();
   const std::vector<Job> jobs = runner.make_jobs(scene, cases);
   if (interrupted()) return kInterrupted;
+  AnswerPrinter printer(arguments.method, {arguments.verbose, takes_colour(STDOUT_FILENO)});
+  if (!arguments.json) extras.on_answer = [&](const Record& answer) { printer.answer(answer); };
   runner.compute_references(scene, jobs);
   std::optional<Record> record = runner.run(scene, jobs.front(), extras);
+  printer.stop_waiting();
   if (!record) return kInterrupted;
   const std::optional<Waveforms> waveforms = std::exchange(record->waveforms, std::nullopt);
   if (arguments.json) {
     fmt::print("{}\n", json_line(to_json(*record)));
   } else {
-    if (!answer) print_answer(*record);
-    if (answer && answer->status != record->status)
-      fmt::print("{:<22}{}: {}\n", "verdict", status_name(record->status), record->message);
-    print_judgement(*record);
+    printer.judgement(*record);
   }
   if (waveforms) write_plot(arguments.plot, motion_plot(scene, *record, *waveforms));
   return record->status == Status::converged ? kDone : kUnexpectedFailure;
@@ -126,6 +125,7 @@ int solve(const SolveArguments& arguments) {
 
 // A record is one JSON object: at 65,536 instants some 5 MB for each contact.
 constexpr int kMostSamples = 1 << 16;
+constexpr int kMostHarmonics = 1000;
 
 }  // namespace
 
@@ -139,6 +139,17 @@ void add_solve_command(CLI::App& app, int& exit_code) {
       ->type_name("KEY=VALUE");
   command->add_option("--samples", arguments->samples, "add the motion at this many instants of its period")
       ->check(CLI::Range(1, kMostSamples));
+  command
+      ->add_option("--dofs", arguments->dofs,
+                   "coordinates whose motion is wanted too, separated by commas, the first is 0")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("I,J");
+  command
+      ->add_option("--harmonics", arguments->harmonics,
+                   "print amplitude and phase of this many harmonics of the motion's period")
+      ->check(CLI::Range(0, kMostHarmonics))
+      ->capture_default_str();
   command->add_option("--start", arguments->start,
                       "start from the motion in a file that solve --json --samples wrote");
   command
@@ -156,6 +167,8 @@ void add_solve_command(CLI::App& app, int& exit_code) {
       ->default_str("60")
       ->run_callback_for_default(false);
   command->add_flag("--json", arguments->json, "print the record as JSON");
+  command->add_flag("--verbose", arguments->verbose,
+                    "print every contact, impact and phase of contact, and what the solver counted");
   add_plot_option(*command, arguments->plot, "displacement, velocity, impulse and portrait of the answer");
   command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });
 }

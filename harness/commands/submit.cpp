@@ -8,6 +8,7 @@
 
 #include "harness/cluster/scripts.hpp"
 #include "harness/commands/command_line.hpp"
+#include "harness/extend/plugins/plugins.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 
@@ -47,7 +48,7 @@ Submission submission_of(const SubmitArguments& arguments, const CLI::App& comma
   submission.program = fs::read_symlink("/proc/self/exe");
   submission.folder = fs::absolute(arguments.folder).lexically_normal();
   submission.run_words = command.remaining();
-  for (const std::string& plugin : command.get_option("--plugin")->results()) {
+  for (const std::string& plugin : given_plugins()) {
     submission.run_words.emplace_back("--plugin");
     submission.run_words.push_back(fs::absolute(plugin).lexically_normal().string());
   }

@@ -40,7 +40,7 @@ std::string outcome_of(const Record& record) {
 Case case_of(const Record& record, const Scene& scene, std::span<const MethodEntry> catalogue) {
   const auto entry =
       std::ranges::find_if(catalogue, [&](const MethodEntry& one) { return one.name == record.method; });
-  if (entry == catalogue.end()) throw no_method(resolution_of(record));
+  if (entry == catalogue.end()) throw no_method(resolution_of(record), catalogue);
   return make_case(scene, 0, {&*entry, record.settings});
 }
 

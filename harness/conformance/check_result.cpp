@@ -39,19 +39,21 @@ std::string reproduction(const MethodEntry& entry, const CheckResult& result) {
   return fmt::format("signorini check {} --checks {}{}", entry.name, result.check, scene);
 }
 
-std::string remark(const MethodEntry& entry, const CheckResult& result) {
+std::string remark(const MethodEntry& entry, const CheckResult& result, const std::string& further_words) {
   const std::string where = result.scene.empty() ? "" : result.scene + ": ";
   std::string text = fmt::format("    {}{}\n", where, result.why);
-  if (result.outcome == CheckOutcome::failed) text += fmt::format("      {}\n", reproduction(entry, result));
+  if (result.outcome == CheckOutcome::failed)
+    text += fmt::format("      {}{}\n", reproduction(entry, result), further_words);
   return text;
 }
 
-std::string paragraph(const MethodEntry& entry, std::span<const CheckResult> results) {
+std::string paragraph(const MethodEntry& entry, std::span<const CheckResult> results,
+                      const std::string& further_words) {
   std::string text =
       fmt::format("  {:<18} {}: {}\n", results.front().check, results.front().promise, summary(results));
   for (const CheckOutcome outcome : {CheckOutcome::failed, CheckOutcome::remarked}) {
     for (const CheckResult& result : results) {
-      if (result.outcome == outcome) text += remark(entry, result);
+      if (result.outcome == outcome) text += remark(entry, result, further_words);
     }
   }
   return text;
@@ -83,13 +85,14 @@ CheckResult check_result_from_json(const nlohmann::ordered_json& json) {
   return result;
 }
 
-std::string review_text(const MethodEntry& entry, const std::vector<CheckResult>& results) {
+std::string review_text(const MethodEntry& entry, const std::vector<CheckResult>& results,
+                        const std::string& further_words) {
   std::string text = fmt::format("{}: {}\n", entry.name, entry.title);
   const std::span all(results);
   for (std::size_t begin = 0; begin < all.size();) {
     std::size_t end = begin;
     while (end < all.size() && all[end].check == all[begin].check) ++end;
-    text += paragraph(entry, all.subspan(begin, end - begin));
+    text += paragraph(entry, all.subspan(begin, end - begin), further_words);
     begin = end;
   }
   return text + fmt::format("{}: {} passed, {} failed, {} remarks, {} had nothing to look at\n", entry.name,

@@ -48,8 +48,10 @@ nlohmann::ordered_json to_json(const CheckResult& result);
 CheckResult check_result_from_json(const nlohmann::ordered_json& json);
 
 /// One paragraph per check: what it asks for and on how many scenes it passed; then, for each failure and
-/// each remark, the reason, and the command that shows the failure. The last line counts the outcomes. \param
-/// results  those of one check in succession, as check_method returns them
-std::string review_text(const MethodEntry& entry, const std::vector<CheckResult>& results);
+/// each remark, the reason, and the command that shows the failure. The last line counts the outcomes.
+/// \param results        those of one check in succession, as check_method returns them
+/// \param further_words  of those commands, such as " --plugin march.toml"
+std::string review_text(const MethodEntry& entry, const std::vector<CheckResult>& results,
+                        const std::string& further_words = {});
 
 }  // namespace signorini

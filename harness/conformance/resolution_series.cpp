@@ -204,16 +204,16 @@ CheckResult check_order(const LadderRecords& ladder) {
   };
   for (const ResolutionSeries& series : resolution_series(ladder.ladder)) {
     std::vector<ResolutionStep> steps;
-    double floor = 0.0;  // of the finest step
-    std::optional<std::size_t> unjudged;
+    double floor = 0.0;                     // of the finest step
+    const std::size_t* unjudged = nullptr;  // place of the last claim without an orbit
     for (std::size_t i = 0; i < series.places.size(); ++i) {
       const Record& record = ladder.records[series.places[i]];
       const Measure error = record.errors.x_l2 ? record.errors.x_l2 : record.errors.u_l2;
       if (!has_orbit(record) || !error) {
-        if (says_converged(record)) unjudged = series.places[i];
+        if (says_converged(record)) unjudged = &series.places[i];
         continue;
       }
-      unjudged.reset();
+      unjudged = nullptr;
       if (record.law && std::holds_alternative<Undetermined>(*record.law))
         return not_applicable("its law is undetermined: no orbit is the one that it approaches");
       floor = std::max(kErrorFloor, measurable_error(record));

@@ -12,6 +12,7 @@
 
 #include "harness/failure.hpp"
 #include "harness/plan/case_name.hpp"
+#include "harness/plan/scene_choice.hpp"
 #include "harness/plan/suite.hpp"
 #include "methods/catalogue.hpp"
 #include "problems/problem.hpp"
@@ -46,8 +47,8 @@ std::vector<Settings> expand_settings(std::string_view text);
 /// The settings that a method's own ladder prescribes.
 std::vector<Settings> ladder_of(const MethodEntry& entry);
 
-/// The refusal of a filter that no method matches.
-NothingMatched no_method(std::string_view filter);
+/// The refusal of a filter that no method matches, with names it may mean.
+NothingMatched no_method(std::string_view filter, std::span<const MethodEntry> catalogue);
 
 /// Methods that a filter of globs, each with optional settings in brackets, chooses; in catalogue
 /// order, each (method, settings) once. A piece without brackets gives a method its settings in `prescribed`,
@@ -55,16 +56,6 @@ NothingMatched no_method(std::string_view filter);
 /// \throws UsageError for bad brackets; NothingMatched if a piece matches no method
 std::vector<MethodChoice> select_methods(std::string_view filter, std::span<const MethodEntry> catalogue,
                                          std::span<const MethodChoice> prescribed = {});
-
-/// A scene ready to run.
-struct Scene {
-  Problem problem;
-  std::string sha256 = {};  ///< of the scene file, the level of one of a family, and its Matrix Market files
-  std::optional<FamilyLevel> family = {};
-};
-
-/// Reads a scene. \throws SceneError
-Scene read_scene(const SceneSource& source);
 
 /// One run of one method on one scene.
 struct Case {
@@ -85,18 +76,10 @@ Case make_case(const Scene& scene, std::size_t index, MethodChoice choice);
 /// The part of a suite that a user asks for.
 struct Narrowing {
   std::optional<std::string> methods = {};  ///< filter with optional settings in brackets
-  std::optional<std::string> scenes = {};   ///< filter on scene names, or one scene file
+  std::vector<std::string> scenes = {};     ///< words for scenes (SceneFilter); none: all
 };
 
-/// Whether a filter on scenes names a scene file instead, "own.toml" or of a family "own.toml@1e-4".
-bool names_scene_file(const std::string& filter);
-
-/// The scenes of a suite that the filter takes, in the order of `sources`; or the scene file that it names,
-/// in their place. \throws NothingMatched, SceneError
-std::vector<Scene> choose_scenes(const Suite& suite, const std::optional<std::string>& filter,
-                                 std::span<const SceneSource> sources);
-
-/// The cases of a suite, scenes in catalogue order, methods in catalogue order.
+/// The cases of a suite, scenes in the order of `choose_scenes`, methods in catalogue order.
 /// \throws NothingMatched, UsageError, SceneError, InvalidOption
 Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const MethodEntry> catalogue,
                std::span<const SceneSource> sources);

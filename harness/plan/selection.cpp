@@ -4,6 +4,7 @@
 
 #include "harness/glob.hpp"
 #include "harness/plan/plan.hpp"
+#include "problems/scene/close_names.hpp"
 
 namespace signorini {
 
@@ -113,9 +114,11 @@ std::vector<Settings> expand_settings(std::string_view text) {
 
 std::vector<Settings> ladder_of(const MethodEntry& entry) { return expand_settings(entry.ladder); }
 
-NothingMatched no_method(std::string_view filter) {
-  return NothingMatched(
-      fmt::format("methods = {} (matches no method; see `signorini list methods`)", filter));
+NothingMatched no_method(std::string_view filter, std::span<const MethodEntry> catalogue) {
+  std::vector<std::string> names;
+  for (const MethodEntry& entry : catalogue) names.push_back(entry.name);
+  return NothingMatched(fmt::format("methods = {} (matches no method{}; see `signorini list methods`)",
+                                    filter, suggestion(filter.substr(0, filter.find('[')), names)));
 }
 
 std::vector<MethodChoice> select_methods(std::string_view filter, std::span<const MethodEntry> catalogue,
@@ -127,7 +130,7 @@ std::vector<MethodChoice> select_methods(std::string_view filter, std::span<cons
     const auto matches = [&](const MethodEntry& entry) {
       return glob_match(positive.back().glob, entry.name);
     };
-    if (std::ranges::none_of(catalogue, matches)) throw no_method(text);
+    if (std::ranges::none_of(catalogue, matches)) throw no_method(text, catalogue);
   }
   std::vector<MethodChoice> choices;
   for (const MethodEntry& entry : catalogue) {
@@ -145,7 +148,7 @@ std::vector<MethodChoice> select_methods(std::string_view filter, std::span<cons
       }
     }
   }
-  if (choices.empty()) throw no_method(filter);
+  if (choices.empty()) throw no_method(filter, catalogue);
   return choices;
 }
 

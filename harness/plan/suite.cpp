@@ -7,6 +7,7 @@
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
+#include "harness/glob.hpp"
 #include "problems/scene/kebab_case.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/scene_file.hpp"
@@ -81,6 +82,8 @@ std::vector<SuiteResponse> read_responses(const SceneField& field) {
 Suite parse_suite(std::string_view text, const std::string& file) {
   const TomlNode document = parse_toml(text, file);
   const SceneField root(document, file);
+  if (root["system"].given())
+    root["system"].refuse("must not be there: a scene is no suite; give it to --scenes");
   static_cast<void>(root["schema"].whole("must be 1", 1, 1));  // first: another schema may have other keys
   root.allow_only({"schema", "name", "title", "scenes", "tags", "without_tags", "methods", "limits",
                    "expected_failure", "response", "by_steps"},
@@ -89,13 +92,17 @@ Suite parse_suite(std::string_view text, const std::string& file) {
   suite.name = root["name"].text("must be a name in lower-kebab-case");
   if (!is_lower_kebab_case(suite.name)) root["name"].refuse("must be a name in lower-kebab-case");
   suite.title = root["title"].text("must be one line of text");
-  suite.scenes = texts(root["scenes"], "must be a list of globs on scene names");
+  for (std::string& word : texts(root["scenes"], "must be a list of globs on scene names, and scene files")) {
+    const bool is_path = looks_like_path(word);
+    (is_path ? suite.files : suite.scenes)
+        .push_back(is_path ? (fs::path(file).parent_path() / word).string() : std::move(word));
+  }
   suite.tags = texts(root["tags"], "must be a list of tags");
   suite.without_tags = texts(root["without_tags"], "must be a list of tags");
   suite.responses = read_responses(root["response"]);
   suite.by_steps = texts(root["by_steps"], "must be a list of name[key=value|value]");
-  if (suite.responses.empty() && suite.scenes.empty() && suite.tags.empty()) {
-    root["scenes"].refuse("must be a list of globs on scene names, unless tags are given");
+  if (suite.responses.empty() && suite.scenes.empty() && suite.files.empty() && suite.tags.empty()) {
+    root["scenes"].refuse("must be a list of globs on scene names, and scene files, unless tags are given");
   }
   suite.methods = texts(root["methods"], "must be a list of name[key=value|value]");
   suite.limits = read_limits(root["limits"]);
@@ -104,10 +111,12 @@ Suite parse_suite(std::string_view text, const std::string& file) {
 }
 
 Suite load_suite(const std::string& name_or_path) {
-  const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
+  const bool is_path = looks_like_path(name_or_path);
   const fs::path path =
       is_path ? fs::path(name_or_path) : problems_folder() / "suites" / (name_or_path + ".toml");
   std::error_code ignored;
+  if (is_path && !fs::exists(path, ignored))
+    throw UsageError(fmt::format("suite = {} (must exist: there is no such file)", name_or_path));
   if (!fs::is_regular_file(path, ignored)) {
     std::string names;
     for (const fs::path& suite : shipped_files("suites"))

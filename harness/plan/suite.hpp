@@ -34,6 +34,7 @@ struct Suite {
   std::string name = {};
   std::string title = {};
   std::vector<std::string> scenes = {};        ///< globs on scene names
+  std::vector<std::string> files = {};         ///< scene files, folders and globs of files of its own
   std::vector<std::string> tags = {};          ///< a scene that carries one of these belongs too
   std::vector<std::string> without_tags = {};  ///< a scene that carries one of these does not, whatever else
   std::vector<std::string> methods = {};  ///< `name[key=value|value]`: replaces the ladder of what it names

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/plan/case_name.hpp"
+#include "harness/records/motion_summary.hpp"
 #include "methods/method.hpp"
 #include "methods/options.hpp"
 #include "problems/scene/scene_family.hpp"
@@ -140,6 +141,8 @@ struct TrajectorySamples {
   std::vector<std::vector<double>> x = {}, velocity = {}, force = {};  ///< per contact
   std::vector<Impulse> impulses = {};
   std::optional<int> bandwidth = {};
+  std::vector<int> dofs = {};               ///< coordinates that were asked for
+  std::vector<std::vector<double>> u = {};  ///< of each of them
 };
 
 /// A motion as it is drawn: polylines through common instants, as dense as the motion's bends ask for.
@@ -190,6 +193,7 @@ struct Record {
   std::optional<int> coordinates = {}, contacts = {};  ///< of the scene
   std::string problem = {};  ///< digest of the problem as the method represents it (problem_digest)
   Measure period = {}, residual = {}, condition = {};
+  std::optional<MotionSummary> motion = {};  ///< of a solve that was asked for it
   WorkDone work = {};
   std::optional<Seconds> seconds = {};
   std::string not_timed = {};  ///< why `seconds` is absent

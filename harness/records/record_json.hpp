@@ -147,6 +147,46 @@ void visit_fields(Either<TrajectorySamples> auto& samples, auto&& field) {
   field(required("force", "N"), samples.force);
   field(Field{"impulses", "", Presence::always}, samples.impulses);
   field(Field{"bandwidth"}, samples.bandwidth);
+  field(Field{"dofs"}, samples.dofs);
+  field(Field{"u", "m"}, samples.u);
+}
+
+void visit_fields(Either<Harmonic> auto& harmonic, auto&& field) {
+  field(required("frequency", "rad/s"), harmonic.frequency);
+  field(required("amplitude", "m"), harmonic.amplitude);
+  field(required("phase", "rad"), harmonic.phase);
+}
+
+void visit_fields(Either<DisplacementSummary> auto& displacement, auto&& field) {
+  field(Field{"dof"}, displacement.dof);
+  field(required("mean", "m"), displacement.mean);
+  field(required("min", "m"), displacement.min);
+  field(required("max", "m"), displacement.max);
+  field(required("amplitude", "m"), displacement.amplitude);
+  field(Field{"harmonics"}, displacement.harmonics);
+}
+
+void visit_fields(Either<ImpactSummary> auto& impact, auto&& field) {
+  field(required("contact"), impact.contact);
+  field(required("time", "s"), impact.time);
+  field(Field{"speed_before", "m/s"}, impact.speed_before);
+  field(Field{"speed_after", "m/s"}, impact.speed_after);
+  field(required("impulse", "N s"), impact.impulse);
+}
+
+void visit_fields(Either<PhaseSummary> auto& phase, auto&& field) {
+  field(required("contact"), phase.contact);
+  field(required("begin", "s"), phase.begin);
+  field(required("end", "s"), phase.end);
+  field(required("impulse", "N s"), phase.impulse);
+}
+
+void visit_fields(Either<MotionSummary> auto& motion, auto&& field) {
+  field(Field{"x"}, motion.x);
+  field(Field{"u"}, motion.u);
+  field(Field{"no_u"}, motion.no_u);
+  field(Field{"impacts", "", Presence::always}, motion.impacts);
+  field(Field{"contact_phases", "", Presence::always}, motion.contact_phases);
 }
 
 void visit_fields(Either<Waveform> auto& waveform, auto&& field) {
@@ -184,6 +224,7 @@ void visit_fields(Either<Record> auto& record, auto&& field) {
   field(Field{"contacts"}, record.contacts);
   field(Field{"problem"}, record.problem);
   field(Field{"period", "s"}, record.period);
+  field(Field{"motion"}, record.motion);
   field(Field{"residual"}, record.residual);
   field(Field{"condition"}, record.condition);
   field(Field{"work"}, record.work);

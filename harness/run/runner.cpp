@@ -117,7 +117,8 @@ Trial Runner::trial_of(const Scene& scene, const Job& job, const StartPoint& sta
           .samples = extras.samples,
           .timed = extras.timed,
           .certified = extras.certified,
-          .waveforms = waveforms_};
+          .waveforms = waveforms_,
+          .summary = extras.summary};
 }
 
 void Runner::run_first(const Scene& scene, std::span<const Job> jobs, int parallel, const TakeRecord& take,

@@ -16,6 +16,7 @@
 #include "harness/plan/deadline.hpp"
 #include "harness/records/record_check.hpp"
 #include "harness/records/sampled_trajectory.hpp"
+#include "harness/summary/coordinate_motion.hpp"
 
 namespace signorini {
 
@@ -189,6 +190,17 @@ void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory
   }
 }
 
+/// What the motion does, and where samples were asked for those of coordinates too.
+void take_summary(const Trial& trial, const Trajectory& answer, const Motion& motion, Record& record) {
+  const Problem& problem = trial.scene.problem;
+  record.motion = summarise_motion(problem, trial.law, answer, motion, *trial.summary);
+  if (!record.trajectory || record.motion->u.empty()) return;
+  const Eigen::MatrixXd samples =
+      CoordinateMotion(problem, motion, trial.summary->dofs).displacement(trial.samples);
+  record.trajectory->dofs = trial.summary->dofs;
+  for (const auto& u : samples.colwise()) record.trajectory->u.emplace_back(u.begin(), u.end());
+}
+
 /// How many periods of a motion make the one that a scene asks for; 0 if no whole number does.
 int whole_periods(const Problem& problem, const Trajectory& motion) {
   constexpr double kSamePeriod = 1e-6;  // relative; as the period of an answer is judged
@@ -231,8 +243,10 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   const std::optional<Motion> motion = take_solution(trial, solution, start.expired(), record);
   if (!changed.empty()) record.message += fmt::format("; it changed {}, which was restored", changed);
   record.processor.solve = processor.lap();
+  if (motion && trial.summary) take_summary(trial, *solution.trajectory, *motion, record);
   stage_done(record);
   if (!motion) return;
+  static_cast<void>(processor.lap());  // the summary is no stage of its own
   try {
     take_times(trial, {problem, *method, *prepared, trial.start, setup, solve}, record);
   } catch (const SolveFailure& failure) {

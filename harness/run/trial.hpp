@@ -11,6 +11,7 @@
 #include "harness/judge/reference.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/records/record.hpp"
+#include "harness/summary/motion_summary.hpp"
 
 namespace signorini {
 
@@ -26,8 +27,9 @@ struct Trial {
   std::shared_ptr<const Trajectory> start = {};  ///< null: cold
   int samples = 0;                               ///< instants of the trajectory kept in the record; 0: none
   bool timed = true;
-  bool certified = true;   ///< look for the orbit behind the answer
-  bool waveforms = false;  ///< keep the answer and its orbit as they are drawn
+  bool certified = true;                       ///< look for the orbit behind the answer
+  bool waveforms = false;                      ///< keep the answer and its orbit as they are drawn
+  std::optional<SummaryRequest> summary = {};  ///< summarise the motion of the answer
 };
 
 /// Stages of a trial, in order; its first round of timing is one of them.

@@ -61,6 +61,7 @@ stand_in cmake <<'END'
 END
 : | stand_in ctest
 : | stand_in clang-format
+echo 'exit 1' | stand_in npm # no network
 stand_in python3 <<'END'
 [ ! -e "$fail.python3" ] || { echo 'a circle' && exit 1; }
 END
@@ -162,12 +163,14 @@ expect_lines 0 'a later run says nothing of its own'
 fresh 1000 all
 bench test
 expect_call "ctest <--test-dir> <$tree/build/release> <--output-on-failure> <--no-tests=error> <--parallel> <2> <-LE> <^(slow|long)\$>" 'test'
+expect_calls '^npm' 0 'test'
 bench test -R 'A b'
 expect_calls '<-LE> <^(slow|long)\$> <-R> <A b>' 1 'test with options'
 : >"$calls"
 bench test --all -V
 expect_calls '^ctest .*<-V>' 1 'all tests'
 expect_calls '<-LE>' 0 'all tests'
+expect_calls '^npm <pack>' 1 'all tests'
 : >"$calls"
 (cd / && CI=true PATH="$tools:/usr/bin:/bin" "$tree/bench" test >/dev/null)
 expect_calls '^ctest' 1 'CI=true'

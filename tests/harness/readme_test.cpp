@@ -1,4 +1,4 @@
-// The README shows what is committed in results/, digit by digit.
+// Pages show what is committed in results/, digit by digit.
 
 #include <gtest/gtest.h>
 
@@ -17,14 +17,27 @@ namespace {
 
 TEST(Readme, ShowsTheTablesOfTheCommittedRecords) {
   const std::filesystem::path root = test::data_folder() / "../..";
-  const std::string readme = read_file(root / "README.md");
   for (const std::string run : {"article", "hard", "quick"}) {
     const std::filesystem::path folder = root / "results" / run;
-    ASSERT_NE(readme.find("<!-- table " + run + "/"), std::string::npos);
     const Evaluation evaluation(read_records(folder / "records.jsonl"), limits_of_run(folder));
-    EXPECT_EQ(with_tables(readme, run, document_sections(run, evaluation)), readme)
-        << "signorini report results/" << run << " --into README.md brings it up to date";
+    const std::vector<Section> sections = document_sections(run, evaluation);
+    for (const char* page : {"README.md", "docs/results.md"}) {
+      const std::string text = read_file(root / page);
+      if (text.find("<!-- table " + run + "/") == std::string::npos) continue;
+      EXPECT_EQ(with_tables(text, run, sections), text)
+          << "signorini report results/" << run << " --into " << page << " brings it up to date";
+    }
   }
+}
+
+TEST(Readme, ShowsTheVerdictAndTheResultsEveryTable) {
+  const std::filesystem::path root = test::data_folder() / "../..";
+  EXPECT_NE(read_file(root / "README.md").find("<!-- table quick/verdict -->\n\n| scenes"),
+            std::string::npos);
+  const std::string results = read_file(root / "docs/results.md");
+  for (const char* table :
+       {"quick/screen", "quick/summary", "article/time-to-error-1", "hard/breakdown-1e-01"})
+    EXPECT_NE(results.find(std::string("<!-- table ") + table + " -->"), std::string::npos) << table;
 }
 
 }  // namespace

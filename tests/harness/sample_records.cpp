@@ -2,6 +2,35 @@
 
 namespace signorini::test {
 
+namespace {
+
+MotionSummary full_motion() {
+  const DisplacementSummary displacement{.mean = 0.5,
+                                         .min = -1.0,
+                                         .max = 2.0,
+                                         .amplitude = 1.5,
+                                         .harmonics = {{.frequency = 3.0, .amplitude = 1.25, .phase = -0.5}}};
+  MotionSummary motion{
+      .x = {displacement},
+      .u = {displacement},
+      .no_u = "because",
+      .impacts = {{.contact = 0, .time = 0.25, .speed_before = 1.0, .speed_after = -0.5, .impulse = -2.0}},
+      .contact_phases = {{.contact = 0, .begin = 0.5, .end = 1.0, .impulse = -0.25}}};
+  motion.u.front().dof = 4;
+  return motion;
+}
+
+Waveforms full_waveforms() {
+  const Waveform waveform{.t = {0.0, 2.0},
+                          .x = {{0.5, 0.5}},
+                          .velocity = {{0.0, 0.0}},
+                          .force = {{-1.0, -1.0}},
+                          .impulse = {{0.0, -2.0}}};
+  return Waveforms{.contacts = {0}, .answer = waveform, .orbit = waveform};
+}
+
+}  // namespace
+
 Record full_record() {
   Record record = good_record("scene-a", "method-a", "n=1", 0.125, 0.5);
   record.message = "fine";
@@ -52,13 +81,11 @@ Record full_record() {
                                         .velocity = {{3.0, 4.0}},
                                         .force = {{-1.0, 0.0}},
                                         .impulses = {{.contact = 0, .time = 0.25, .value = -2.0}},
-                                        .bandwidth = 10};
-  const Waveform waveform{.t = {0.0, 2.0},
-                          .x = {{0.5, 0.5}},
-                          .velocity = {{0.0, 0.0}},
-                          .force = {{-1.0, -1.0}},
-                          .impulse = {{0.0, -2.0}}};
-  record.waveforms = Waveforms{.contacts = {0}, .answer = waveform, .orbit = waveform};
+                                        .bandwidth = 10,
+                                        .dofs = {4},
+                                        .u = {{0.25, -0.25}}};
+  record.motion = full_motion();
+  record.waveforms = full_waveforms();
   return record;
 }
 

@@ -168,6 +168,11 @@ std::vector<MethodEntry> load_shared_plugin(const fs::path& file) {
   return entries;
 }
 
+std::vector<std::string>& given() {
+  static std::vector<std::string> files;
+  return files;
+}
+
 void load_plugin(const fs::path& file) {
   std::vector<MethodEntry> entries;
   if (file.extension() == ".toml") {
@@ -186,7 +191,10 @@ void load_plugin(const fs::path& file) {
 
 }  // namespace
 
+const std::vector<std::string>& given_plugins() { return given(); }
+
 void load_plugins(const std::vector<std::string>& files) {
+  given() = files;
   std::vector<fs::path> plugins;
   const auto add = [&](const std::string& file) {
     fs::path plugin = found(file);

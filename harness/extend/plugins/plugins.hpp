@@ -12,4 +12,7 @@ namespace signorini {
 /// what cannot be read or loaded, was built otherwise than this program, or cannot be told apart by name
 void load_plugins(const std::vector<std::string>& files);
 
+/// The files that load_plugins was given, for commands that are printed or started.
+const std::vector<std::string>& given_plugins();
+
 }  // namespace signorini

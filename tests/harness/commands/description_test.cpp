@@ -59,14 +59,23 @@ TEST(Description, CompletesInBash) {
   const auto folder = test::fresh_folder("completion");
   std::ofstream(folder / "signorini.bash") << run("completion bash").out;
   std::ofstream(folder / "try.bash") << "source " << (folder / "signorini.bash").string() << R"(
+program=)" << SIGNORINI_BINARY << R"(
 try() { COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _signorini; echo "${COMPREPLY[@]}"; }
 try signorini comp
 try signorini run --sh
+try $program solve sdof-stop-ne
+try $program run qui
+try $program solve sdof-stop --method hat
+try $program run quick --scenes chain3-s
+try $program check hat-lcp --suite eas
+try $program solve sdof-stop --method hat-lcp --set sam
 try signorini submit slurm --sh
 )";
   const auto answer = folder / "answer";
   ASSERT_EQ(std::system(fmt::format("bash {0}/try.bash >{0}/answer 2>&1", folder.string()).c_str()), 0);
-  EXPECT_EQ(read_file(answer), "compare completion\n--shard\n--shards\n");
+  EXPECT_EQ(
+      read_file(answer),
+      "completion compare\n--shard\nsdof-stop-near\nquick\nhat-lcp\nchain3-stop\neasy\nsamples=\n--shards\n");
 }
 
 }  // namespace

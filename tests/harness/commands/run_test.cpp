@@ -13,9 +13,9 @@
 #include <string>
 #include <thread>
 
-#include "harness/commands/run_output.hpp"
 #include "harness/files.hpp"
 #include "harness/records/record_store.hpp"
+#include "harness/terminal/run_output.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
@@ -47,6 +47,35 @@ TEST(CommandRun, RunsASceneFileInPlaceOfTheSuites) {
                               (folder / "own.toml").string() + " --dry-run");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "my-stop/hat-lcp[samples=64]\n");
+}
+
+TEST(CommandRun, RunsOwnSceneFilesBesideScenesOfTheSuite) {
+  const std::filesystem::path folder = test::fresh_folder("own-scenes");
+  const std::string text = read_file(problems_folder() / "catalogue" / "sdof-stop.toml");
+  for (const std::string name : {"first", "second"}) {
+    std::string own = text;
+    own.replace(own.find("\"sdof-stop\""), 11, "\"" + name + "\"");
+    std::ofstream(folder / (name + ".toml")) << own;
+  }
+  const std::string rest = " --methods 'hat-lcp[samples=64]' --dry-run";
+  const auto planned = [&](const std::string& arguments) {
+    const Outcome outcome = test::run_program("run " + arguments + rest, folder.string());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.out;
+  };
+  const std::string first = "first/hat-lcp[samples=64]\n", second = "second/hat-lcp[samples=64]\n",
+                    shipped = "sdof-stop/hat-lcp[samples=64]\n";
+  EXPECT_EQ(planned("quick --scenes first.toml:sdof-stop"), first + shipped);
+  EXPECT_EQ(planned("quick --scenes sdof-stop:first.toml --scenes second.toml"), first + second + shipped);
+  EXPECT_EQ(planned("--scenes '*.toml'"), first + second);
+  std::filesystem::create_directory(folder / "suites");
+  std::ofstream(folder / "suites" / "mine.toml")
+      << "schema = 1\nname = \"mine\"\ntitle = \"t\"\nscenes = [\"../first.toml\", \"sdof-stop\"]\n";
+  EXPECT_EQ(planned("suites/mine.toml"), first + shipped);
+  EXPECT_EQ(planned("suites/mine.toml --scenes first"), first);
+  const Outcome refused = test::run_program("run second.toml" + rest, folder.string());
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("a scene is no suite; give it to --scenes"), std::string::npos) << refused.err;
 }
 
 TEST(CommandRun, SaysThatThereIsNoRoomAndKeepsWhatItHas) {

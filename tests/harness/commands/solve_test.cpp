@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include "tests/harness/fake_method.hpp"
@@ -43,6 +44,70 @@ TEST(CommandSolve, ReportsASolveInWords) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out.rfind("sdof-stop/hat-lcp: converged", 0), 0U) << outcome.out;
   EXPECT_NE(outcome.out.find("error of x"), std::string::npos);
+}
+
+// The stop is at 0.2 m, and no sample meets the impact.
+TEST(CommandSolve, TellsWhatTheMotionDoes) {
+  const Outcome outcome = run("solve sdof-stop --method exact-orbit --dofs 0 --samples 16 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out), &motion = json["motion"];
+  EXPECT_NEAR(motion["x"][0]["max"].get<double>(), 0.2, 1e-12);
+  EXPECT_EQ(motion["x"][0]["harmonics"].size(), 5U);
+  ASSERT_EQ(motion["impacts"].size(), 1U);
+  const Json& impact = motion["impacts"][0];
+  EXPECT_EQ(impact["time"], json["certificate"]["events"][0]["time"]);
+  EXPECT_NEAR(impact["speed_after"].get<double>(), -impact["speed_before"].get<double>(), 1e-5);  // e = 1
+  // m = 1 kg: the impulse is the jump of momentum.
+  EXPECT_NEAR(impact["impulse"].get<double>(), -2.0 * impact["speed_before"].get<double>(), 1e-5);
+  EXPECT_TRUE(motion["contact_phases"].empty());
+  EXPECT_NEAR(motion["u"][0]["max"].get<double>(), 0.2, 1e-7) << "the coordinate is the contact";
+  EXPECT_NEAR(motion["u"][0]["min"].get<double>(), motion["x"][0]["min"].get<double>(), 1e-7);
+  for (std::size_t i = 0; i < 16; ++i)
+    EXPECT_NEAR(json["trajectory"]["u"][0][i].get<double>(), json["trajectory"]["x"][0][i].get<double>(),
+                1e-7);
+}
+
+// Every method's coordinate at the contact is its contact displacement.
+TEST(CommandSolve, TellsTheMotionOfCoordinatesByEveryMethod) {
+  for (const std::string method : {"exact-orbit", "event-driven", "fourier-lipschitz", "hat-lcp"}) {
+    const Outcome outcome = run("solve chain3-stop --method " + method + " --dofs 2,0 --harmonics 2 --json");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Json json = Json::parse(outcome.out), &motion = json["motion"];
+    ASSERT_EQ(motion["u"].size(), 2U);
+    EXPECT_EQ(motion["u"][1]["dof"], 0);
+    const double amplitude = motion["x"][0]["amplitude"];
+    for (const char* key : {"min", "max", "mean"}) {
+      EXPECT_NEAR(motion["u"][0][key].get<double>(), motion["x"][0][key].get<double>(), 0.02 * amplitude)
+          << method << " " << key;
+    }
+    // Series of few harmonics round the corner of an impact off.
+    const bool resolved = method == "exact-orbit" || method == "event-driven";
+    EXPECT_NEAR(motion["x"][0]["max"].get<double>(), 0.5, (resolved ? 1e-9 : 0.1) * amplitude) << method;
+  }
+}
+
+TEST(CommandSolve, RefusesCoordinatesThatTheSceneHasNot) {
+  const Outcome outcome = run("solve sdof-stop --method exact-orbit --dofs 0,1");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.err, "dofs = 1 (must be coordinates of the scene, 0 to 0)\n");
+}
+
+TEST(CommandSolve, PrintsTheMotionThenTheJudgementOnOneScreen) {
+  for (const std::string scene : {"sdof-stop", "chain10-stops", "sdof-chatter"}) {
+    const Outcome outcome = run("solve " + scene + " --method exact-orbit");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_LE(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 40) << outcome.out;
+    std::istringstream lines(outcome.out);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
+    std::size_t last = 0;
+    for (const char* part : {"\ndisplacement ", "\nimpacts ", "\ncontact phases ", "\nharmonics ",
+                             "\ncertified by orbit ", "\nstability ", "\nerror of x "}) {
+      const std::size_t at = outcome.out.find(part);
+      ASSERT_NE(at, std::string::npos) << part << outcome.out;
+      EXPECT_GT(at, last) << part;
+      last = at;
+    }
+  }
 }
 
 // The judgement may take its time, and may find otherwise.

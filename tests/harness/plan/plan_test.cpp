@@ -97,10 +97,11 @@ TEST_F(MakePlan, DoesNotAssembleWhatItLeavesOut) {
 
 TEST_F(MakePlan, IsNarrowedByScenesAndMethods) {
   const Suite suite = suite_of("scenes = [\"*\"]\nmethods = [\"fake*[level=3]\"]");
-  EXPECT_EQ(ids(suite, {.methods = {}, .scenes = "al*"}), (Ids{"alpha/fake-method[level=3]"}));
-  EXPECT_EQ(ids(suite, {.methods = "fake*", .scenes = "al*"}), (Ids{"alpha/fake-method[level=3]"}));
-  EXPECT_EQ(ids(suite, {.methods = "fake*[level=9]", .scenes = "al*"}), (Ids{"alpha/fake-method[level=9]"}));
-  EXPECT_THROW(ids(suite, {.methods = {}, .scenes = "gamma"}), NothingMatched);
+  EXPECT_EQ(ids(suite, {.methods = {}, .scenes = {"al*"}}), (Ids{"alpha/fake-method[level=3]"}));
+  EXPECT_EQ(ids(suite, {.methods = "fake*", .scenes = {"al*"}}), (Ids{"alpha/fake-method[level=3]"}));
+  EXPECT_EQ(ids(suite, {.methods = "fake*[level=9]", .scenes = {"al*"}}),
+            (Ids{"alpha/fake-method[level=9]"}));
+  EXPECT_THROW(ids(suite, {.methods = {}, .scenes = {"gamma"}}), NothingMatched);
 }
 
 TEST_F(MakePlan, RefusesAnOptionThatTheMethodDoesNotHave) {

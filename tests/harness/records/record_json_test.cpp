@@ -42,7 +42,8 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
                               "repeats",      "elapsed",
                               "processor",    "certificate",
                               "errors",       "physics",
-                              "trajectory",   "waveforms"}));
+                              "trajectory",   "waveforms",
+                              "motion"}));
   EXPECT_EQ(keys(json["work"]), (Keys{"unknowns", "iterations", "pivots", "rhs_evaluations", "factorisations",
                                       "peak_memory_bytes"}));
   EXPECT_EQ(keys(json["seconds"]), (Keys{"median", "min", "mad", "repetitions", "setup", "solve", "unstable",
@@ -56,7 +57,14 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
             (Keys{"x_l2", "x_max", "u_l2", "velocity_l2", "impulse", "force_l2", "x_l2_scene"}));
   EXPECT_EQ(keys(json["physics"]), (Keys{"penetration", "complementarity", "energy_defect", "energy_reason",
                                          "effective_restitution", "contact_ratio"}));
-  EXPECT_EQ(keys(json["trajectory"]), (Keys{"t", "x", "velocity", "force", "impulses", "bandwidth"}));
+  EXPECT_EQ(keys(json["trajectory"]),
+            (Keys{"t", "x", "velocity", "force", "impulses", "bandwidth", "dofs", "u"}));
+  EXPECT_EQ(keys(json["motion"]), (Keys{"x", "u", "no_u", "impacts", "contact_phases"}));
+  EXPECT_EQ(keys(json["motion"]["u"][0]), (Keys{"dof", "mean", "min", "max", "amplitude", "harmonics"}));
+  EXPECT_EQ(keys(json["motion"]["u"][0]["harmonics"][0]), (Keys{"frequency", "amplitude", "phase"}));
+  EXPECT_EQ(keys(json["motion"]["impacts"][0]),
+            (Keys{"contact", "time", "speed_before", "speed_after", "impulse"}));
+  EXPECT_EQ(keys(json["motion"]["contact_phases"][0]), (Keys{"contact", "begin", "end", "impulse"}));
   EXPECT_EQ(keys(json["waveforms"]), (Keys{"contacts", "answer", "orbit"}));
   EXPECT_EQ(keys(json["waveforms"]["answer"]), (Keys{"t", "x", "velocity", "force", "impulse"}));
   EXPECT_EQ(keys(json["waveforms"]["orbit"]), (Keys{"t", "x", "velocity", "force", "impulse"}));

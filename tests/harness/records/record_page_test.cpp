@@ -99,6 +99,12 @@ TEST(RecordFields, OfGroupsAreNamedInTheRowOrPartOfTheGroup) {
   expect_quoted(Impulse{}, row_of(page, "trajectory"));
   expect_quoted(Seconds{}, part_of_the_page("## Seconds"));
   expect_quoted(OrbitEvent{}, row_of(part_of_the_page("## Certificate"), "events"));
+  const std::string motion = part_of_the_page("## Motion");
+  expect_quoted(MotionSummary{}, motion);
+  expect_quoted(DisplacementSummary{}, motion);
+  expect_quoted(Harmonic{}, motion);
+  expect_quoted(ImpactSummary{}, motion);
+  expect_quoted(PhaseSummary{}, motion);
   expect_quoted(Waveforms{}, part_of_the_page("## Waveforms"));
   expect_quoted(Waveform{}, part_of_the_page("## Waveforms"));
 }

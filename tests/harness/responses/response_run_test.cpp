@@ -41,19 +41,20 @@ std::vector<std::string> ids(const std::vector<ResponseCase>& cases) {
 
 TEST(ResponseCases, TakeMethodsWithoutACurveByStepsAndOthersAsTheSuiteSays) {
   const Suite suite = parse_suite(kSuite, "curves.toml");
-  EXPECT_EQ(ids(response_cases(suite, {.scenes = "sdof-stop"}, method_catalogue())),
+  EXPECT_EQ(ids(response_cases(suite, {.scenes = {"sdof-stop"}}, method_catalogue())),
             (std::vector<std::string>{"sdof-stop/exact-orbit[samples=64]",
                                       "sdof-stop/fourier-lipschitz[harmonics=10]",
                                       "sdof-stop/event-driven[tolerance=1e-6] by steps",
                                       "sdof-stop/fourier-lipschitz[harmonics=10] by steps"}));
   EXPECT_EQ(response_cases(suite, {}, method_catalogue()).size(), 8U);
-  EXPECT_EQ(ids(response_cases(suite, {.methods = "exact-orbit", .scenes = "sdof-stop"}, method_catalogue())),
-            (std::vector<std::string>{"sdof-stop/exact-orbit[samples=64]"}));
+  EXPECT_EQ(
+      ids(response_cases(suite, {.methods = "exact-orbit", .scenes = {"sdof-stop"}}, method_catalogue())),
+      (std::vector<std::string>{"sdof-stop/exact-orbit[samples=64]"}));
 }
 
 TEST(ResponseCases, RefuseFiltersThatLeaveNothing) {
   const Suite suite = parse_suite(kSuite, "curves.toml");
-  EXPECT_THROW(response_cases(suite, {.scenes = "beam*"}, method_catalogue()), NothingMatched);
+  EXPECT_THROW(response_cases(suite, {.scenes = {"beam*"}}, method_catalogue()), NothingMatched);
   EXPECT_THROW(response_cases(suite, {.methods = "no-such-method"}, method_catalogue()), NothingMatched);
 }
 

@@ -1,4 +1,4 @@
-#include "harness/commands/terminal.hpp"
+#include "harness/terminal/terminal.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "harness/commands/run_output.hpp"
+#include "harness/terminal/run_output.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "harness/commands/terminal.hpp"
 #include "harness/report/formats/formats.hpp"
 #include "harness/report/formats/screen.hpp"
 #include "harness/report/sections/sections.hpp"
+#include "harness/terminal/terminal.hpp"
 
 namespace signorini {
 

@@ -1,4 +1,4 @@
-#include "harness/commands/terminal.hpp"
+#include "harness/terminal/terminal.hpp"
 
 #include <unistd.h>
 

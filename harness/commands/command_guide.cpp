@@ -1,0 +1,136 @@
+#include "harness/commands/command_guide.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "harness/report/document/lines.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr std::size_t kHelpColumns = 80, kHelpIndent = 24;
+
+constexpr std::array<CommandExample, 23> kExamples{{
+    {"list", "signorini list scenes", "the scenes that ship, one a line"},
+    {"show", "signorini show hat-lcp", "the options of a method"},
+    {"solve", "signorini solve sdof-stop --method exact-orbit", "one motion, and how good it is"},
+    {"solve", "signorini solve own.toml --method hat-lcp --set samples=512 --dofs 0,5 --plot own.svg",
+     "a scene of one's own, two coordinates, a picture"},
+    {"orbits", "signorini orbits sdof-two-sided", "all periodic motions, stable or not"},
+    {"sweep", "signorini sweep sdof-stop --methods exact-orbit --from 0.5 --to 3 --plot response.svg",
+     "the response curve with its unstable parts"},
+    {"completion", "source <(signorini completion bash)", "completion in this shell"},
+    {"man", "signorini man | man -l -", "the manual"},
+    {"run", "signorini run quick --scenes own.toml:'sdof*' --methods 'hat-lcp:exact-orbit'",
+     "two methods on a scene of one's own and some that ship"},
+    {"report", "signorini report results/local-quick --format html", "a page with figures"},
+    {"compare", "signorini compare results/before results/after", "what got slower or less accurate"},
+    {"verify", "signorini verify results/references", "whether kept orbits are found again"},
+    {"doctor", "signorini doctor", "before times are measured"},
+    {"new", "signorini new scene my-scene", "a scene to begin with"},
+    {"new method", "signorini new method my-method --python", "a method in Python to begin with"},
+    {"new scene", "signorini new scene my-scene", "a scene to begin with"},
+    {"check", "signorini check --plugin my-method.toml", "the review of a method of one's own"},
+    {"submit", "signorini submit slurm results/cluster --shards 8 quick", "a suite on a cluster"},
+    {"submit slurm", "signorini submit slurm results/cluster --shards 8 quick", "a suite on a cluster"},
+    {"submit parallel", "signorini submit parallel results/here --shards 2 quick", "on this machine"},
+    {"status", "signorini status results/cluster", "how far it is"},
+    {"merge", "signorini merge results/cluster/shard-* --out results/whole", "shards as one run"},
+    {"merge", "signorini merge results/a results/b --out results/both", "two runs of one machine as one"},
+}};
+
+struct CommandGroup {
+  const char* title;
+  std::string_view commands;  // each followed by a blank
+};
+
+constexpr std::array<CommandGroup, 4> kGroups{{
+    {"Use", "list show solve orbits sweep completion man "},
+    {"Judge", "run report compare verify doctor "},
+    {"Extend", "new check "},
+    {"Cluster", "submit status merge "},
+}};
+
+std::string indented(const std::vector<std::string>& lines, std::size_t indent) {
+  return fmt::format("{}", fmt::join(lines, "\n" + std::string(indent, ' ')));
+}
+
+std::string first_sentence(const std::string& text) {
+  const std::size_t question = text.find("? ");
+  if (question != std::string::npos) return text.substr(0, question + 1);
+  std::string sentence = text.substr(0, std::min(text.find(". "), text.find("; ")));
+  if (sentence.ends_with('.')) sentence.pop_back();
+  return sentence;
+}
+
+std::string examples_of(const std::string& path) {
+  std::string text;
+  for (const CommandExample& example : kExamples) {
+    if (example.command == path) text += fmt::format("  {}\n      {}\n", example.line, example.does);
+  }
+  return text.empty() ? text : "Examples:\n" + text;
+}
+
+/// CLI11's own, in lines of limited width.
+class GuideFormatter final : public CLI::Formatter {
+ public:
+  std::string make_description(const CLI::App* app) const override {
+    return indented(wrapped_lines(app->get_description(), kHelpColumns), 0) + "\n";
+  }
+  std::string make_subcommand(const CLI::App* sub) const override {
+    const auto lines = wrapped_lines(first_sentence(sub->get_description()), kHelpColumns - kHelpIndent);
+    return fmt::format("  {:<{}}{}\n", sub->get_name(), kHelpIndent - 2, indented(lines, kHelpIndent));
+  }
+  std::string make_option(const CLI::Option* option, bool is_positional) const override {
+    const std::string name = make_option_name(option, is_positional) + make_option_opts(option);
+    const auto lines = wrapped_lines(make_option_desc(option), kHelpColumns - kHelpIndent);
+    const bool beside = name.size() + 4 <= kHelpIndent;
+    return fmt::format("  {:<{}}{}{}\n", name, beside ? kHelpIndent - 2 : 0,
+                       beside ? "" : "\n" + std::string(kHelpIndent, ' '), indented(lines, kHelpIndent));
+  }
+  std::string make_footer(const CLI::App* app) const override {
+    const std::string path = full_name(*app);
+    const std::size_t blank = path.find(' ');
+    const std::string footer = app->get_footer();
+    const std::string text = footer.empty() ? "" : indented(wrapped_lines(footer, kHelpColumns), 0) + "\n";
+    if (blank != std::string::npos) return text + examples_of(path.substr(blank + 1));
+    std::string examples = "Examples (signorini COMMAND --help has those of each command):\n";
+    for (const char* command : {"solve", "run", "check", "submit"}) {
+      const auto* const example = std::ranges::find_if(
+          kExamples, [&](const CommandExample& one) { return one.command == std::string_view(command); });
+      examples += fmt::format("  {}\n      {}\n", example->line, example->does);
+    }
+    return text + examples;
+  }
+};
+
+}  // namespace
+
+std::span<const CommandExample> command_examples() { return kExamples; }
+
+std::string full_name(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return (parent == nullptr ? "" : full_name(*parent) + " ") + command.get_name();
+}
+
+void guide_commands(CLI::App& app) {
+  const auto formatter = std::make_shared<GuideFormatter>();
+  app.formatter(formatter);
+  for (CLI::App* command : app.get_subcommands({})) {
+    command->formatter(formatter);
+    for (CLI::App* inner : command->get_subcommands({})) inner->formatter(formatter);
+    for (const CommandGroup& group : kGroups) {
+      if (group.commands.find(command->get_name() + " ") != std::string_view::npos)
+        command->group(group.title);
+    }
+  }
+}
+
+}  // namespace signorini

@@ -1,0 +1,64 @@
+#pragma once
+// Which scenes: those that ship by name, and one's own by file, folder or glob of files.
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/plan/suite.hpp"
+#include "problems/problem.hpp"
+#include "problems/scene/scene_file.hpp"
+
+namespace signorini {
+
+/// A scene ready to run.
+struct Scene {
+  Problem problem;
+  std::string sha256 = {};  ///< of the scene file, the level of one of a family, and its Matrix Market files
+  std::optional<FamilyLevel> family = {};
+  std::string word = {};  ///< what a command calls it: its name, or the path of a file that does not ship
+};
+
+/// Reads a scene. \throws SceneError
+Scene read_scene(const SceneSource& source);
+
+/// Whether a word for scenes is a path, "own.toml", "own.toml@1e-4", "own/", "own/*.toml", rather than a name
+/// or a glob on names: it contains a slash or ".toml", or is a folder and no scene that ships.
+bool names_path(const std::string& word);
+
+/// The scene files behind a path: the file itself, every TOML file of a folder, or every file that matches,
+/// sorted by name; of a family each level unless one is given. \throws NothingMatched where a folder or a
+/// glob holds none, SceneError for a file that is missing or cannot be read
+std::vector<SceneSource> scene_files(const std::string& path);
+
+/// What --scenes asks for: any number of words A*:B*:own.toml:folder-C*, each a name, a glob on names or a
+/// path, then, after the first dash that follows `*`, `?` or `:`, globs on names that are left out.
+class SceneFilter {
+ public:
+  /// No word: every scene. \throws NothingMatched, SceneError as `scene_files`
+  explicit SceneFilter(const std::vector<std::string>& words);
+
+  /// Whether a scene that is not asked for by its file belongs.
+  [[nodiscard]] bool takes(std::string_view name) const;
+  /// Whether a scene is left out by its name, asked for by its file or not.
+  [[nodiscard]] bool leaves_out(std::string_view name) const;
+  /// Globs on names that a scene must match one of; none: every scene, unless there are `files`.
+  [[nodiscard]] const std::vector<std::string>& globs() const { return globs_; }
+  /// Asked for by path, in their order, each once.
+  [[nodiscard]] const std::vector<SceneSource>& files() const { return files_; }
+
+ private:
+  std::vector<std::string> globs_, left_out_;
+  std::vector<SceneSource> files_;
+};
+
+/// The scenes that a filter names by path, in their order, then those of the suite that it takes, files of
+/// the suite's own first, the others in the order of `sources`. Two scenes of one name are refused: records
+/// could not tell them apart. \throws NothingMatched for a glob without a scene, UsageError, SceneError
+std::vector<Scene> choose_scenes(const Suite& suite, const std::vector<std::string>& words,
+                                 std::span<const SceneSource> sources);
+
+}  // namespace signorini

@@ -1,0 +1,48 @@
+#pragma once
+// The motion of any coordinate of a structure behind a motion that knows only its contacts.
+
+#include <Eigen/Core>
+#include <span>
+
+#include "harness/judge/motion.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// u_d over one period, the structure's response to the load and to a motion's contact force, with
+///
+///     u_n = Z_n^{-1} (f_n + W lambda_n),   n = 0..H,   w = 2 pi / T.
+///
+/// H is the motion's bandwidth where it has one: the field is then the method's own. Else H = 512 per forcing
+/// period, and of impulses p_k at t_k the rest of the series is added in closed form as far as its first two
+/// terms in 1 / (n w), -M^-1 W p_k / (T (n w)^2) and -i M^-1 D M^-1 W p_k / (T (n w)^3): velocities jump
+/// where they must, and what is missing of u falls as H^-3.
+class CoordinateMotion {
+ public:
+  /// \param dofs  coordinates, each in [0, Nd)
+  /// \throws SingularStiffness if some harmonic excites an undamped eigenfrequency
+  CoordinateMotion(const Problem& problem, const Motion& motion, std::span<const int> dofs);
+
+  /// u at count equidistant instants from t = 0, count x dofs [m].
+  [[nodiscard]] Eigen::MatrixXd displacement(int count) const;
+  /// u', right-sided where it jumps, count x dofs [m/s].
+  [[nodiscard]] Eigen::MatrixXd velocity(int count) const;
+
+ private:
+  /// What an impulse does at the coordinates.
+  struct Kick {
+    double turn = 0.0;            // t_k / T
+    Eigen::VectorXd jump;         // M^-1 W p_k [m/s]
+    Eigen::VectorXd retardation;  // M^-1 D M^-1 W p_k [m/s^2]
+  };
+
+  void take_out(const Kick& kick);
+  template <class Add>
+  void add_kicks(Eigen::MatrixXd& values, const Add& add) const;
+
+  double base_frequency_ = 1.0;
+  Eigen::MatrixXcd u_;  // (H+1) x dofs, less what the kicks add
+  std::vector<Kick> kicks_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,69 @@
+// Coordinates behind a motion at the contacts, against the one-mass impact oscillator in closed form.
+
+#include "harness/summary/coordinate_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+
+#include "tests/harness/fake_method.hpp"
+#include "tests/support/impact_oscillator.hpp"
+
+namespace signorini {
+namespace {
+
+constexpr int kCoordinateInstants = 1000;
+
+/// The orbit as impulses alone tell it: its displacement is left out, and has to be found.
+Motion impulses_of_orbit(const Problem& problem, const test::SingleImpactOrbit& orbit) {
+  const auto nothing = [](double) { return 0.0; };
+  return sample_motion(
+      problem, test::FormulaMotion(orbit.period, nothing, nothing, nothing,
+                                   {{.contact = 0, .time = orbit.impact_time, .value = -orbit.impulse}}));
+}
+
+TEST(CoordinateMotion, OfTheImpactOscillatorIsTheClosedFormThroughTheImpact) {
+  for (const int order : {1, 2}) {
+    const test::ImpactOscillator oscillator{.damping = 0.3,
+                                            .frequency = order == 1 ? 2.2 : 2.8,
+                                            .gap = order == 1 ? 0.05 : 0.2,
+
+                                            .restitution = 0.8,
+                                            .order = order,
+                                            .static_load = 0.1};
+    const auto orbits = test::single_impact_orbits(oscillator);
+    ASSERT_FALSE(orbits.empty()) << order;
+    const Problem problem = test::to_problem(oscillator);
+    const CoordinateMotion field(problem, impulses_of_orbit(problem, orbits.front()), std::array{0});
+    const Eigen::MatrixXd u = field.displacement(kCoordinateInstants),
+                          v = field.velocity(kCoordinateInstants);
+    double apart = 0.0, speeds_apart = 0.0;
+    for (int i = 0; i < kCoordinateInstants; ++i) {
+      const double t = i * orbits.front().period / kCoordinateInstants;
+      apart = std::max(apart, std::abs(u(i, 0) - orbits.front().x(t)));
+      speeds_apart = std::max(speeds_apart, std::abs(v(i, 0) - orbits.front().velocity(t)));
+    }
+    EXPECT_LT(apart, 1e-9) << order;
+    EXPECT_LT(speeds_apart, 1e-6) << order;
+  }
+}
+
+TEST(CoordinateMotion, WithABandwidthIsTheSeriesOfThatMany) {
+  // The response of one coordinate to a cosine is one harmonic, whatever the grid.
+  const Problem problem = test::one_mass();
+  const auto nothing = [](double) { return 0.0; };
+  const Motion motion =
+      sample_motion(problem, test::FormulaMotion(problem.period(), nothing, nothing, nothing, {}, 1));
+  const std::complex<double> response = 1.0 / std::complex<double>(1.0 - 4.0, 0.2);
+  const Eigen::MatrixXd u = CoordinateMotion(problem, motion, std::array{0}).displacement(5);
+  for (int i = 0; i < 5; ++i) {
+    const double expected = (response * std::polar(1.0, 2.0 * i * problem.period() / 5.0)).real();
+    EXPECT_NEAR(u(i, 0), expected, 1e-14);
+  }
+}
+
+}  // namespace
+}  // namespace signorini

@@ -1,0 +1,94 @@
+// What `solve` prints, of records made by hand.
+
+#include "harness/terminal/solve_output.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "tests/harness/sample_records.hpp"
+
+namespace signorini {
+namespace {
+
+Record record_with_contacts(int contacts) {
+  Record record = test::full_record();
+  record.motion = MotionSummary{};
+  for (int c = 0; c < contacts; ++c) {
+    record.motion->x.push_back({.mean = 0.5, .min = -1.0, .max = 2.0, .amplitude = 1.5});
+    record.motion->x.back().harmonics = {{.frequency = 3.0, .amplitude = 1.25, .phase = 0.5}};
+    record.motion->impacts.push_back({.contact = c, .time = 0.1 * c, .impulse = -1.0 - c});
+    record.motion->contact_phases.push_back({.contact = c, .begin = 0.1, .end = 0.6, .impulse = -0.25});
+  }
+  return record;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(AnswerText, OfManyContactsIsOneScreenOfThoseThatPushHardest) {
+  Record record = record_with_contacts(100);
+  record.motion->u.push_back({.dof = 7, .max = 3.0});
+  const std::string text = answer_text(record, {}) + judgement_text(record, {});
+  const std::vector<std::string> lines = lines_of(text);
+  EXPECT_LE(lines.size(), 40U) << text;
+  for (const std::string& line : lines) EXPECT_LE(line.size(), 80U) << line;
+  EXPECT_NE(text.find("\n  contact 99 "), std::string::npos) << text;
+  EXPECT_EQ(text.find("\n  contact 50 "), std::string::npos) << text;
+  EXPECT_NE(text.find("and 97 more (--verbose)"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n  u[7]"), std::string::npos) << text;
+}
+
+TEST(AnswerText, HasEveryContactWhereAllIsAskedFor) {
+  const std::string text = answer_text(record_with_contacts(100), {.verbose = true});
+  EXPECT_NE(text.find("\n  contact 50 "), std::string::npos);
+  EXPECT_EQ(text.find("more (--verbose)"), std::string::npos);
+  EXPECT_NE(text.find("\n  fine\n"), std::string::npos) << "the message of the method";
+}
+
+TEST(AnswerText, PrintsRoundOffAsNothing) {
+  Record record = record_with_contacts(1);
+  record.motion->x[0].mean = 1e-16;
+  record.motion->x[0].harmonics = {{.frequency = 3.0, .amplitude = 1.25, .phase = 0.0},
+                                   {.frequency = 6.0, .amplitude = 1e-15, .phase = 1.0}};
+  const std::string text = answer_text(record, {});
+  EXPECT_NE(text.find("            -1             2             0\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("             3          1.25             0\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("             6             0             -\n"), std::string::npos) << text;
+}
+
+TEST(AnswerText, WithoutAnAnswerSaysWhy) {
+  Record record;
+  record.case_id = "a/b";
+  record.status = Status::not_converged;
+  record.message = "the residual stays";
+  EXPECT_EQ(answer_text(record, {}), "a/b: not-converged\n  the residual stays\n");
+  EXPECT_EQ(answer_text(record, {.colour = true}),
+            "a/b: \033[31mnot-converged\033[0m\n  the residual stays\n");
+}
+
+TEST(JudgementText, NamesMultipliersByTheirSizeAndOneOfEachPair) {
+  Record record = test::full_record();
+  record.certificate.floquet = {{0.1, 0.0}, {-0.5, -0.5}, {-0.5, 0.5}};
+  const std::string text = judgement_text(record, {});
+  EXPECT_NE(text.find("stable, multipliers -0.5 +- 0.5i, 0.1\n"), std::string::npos) << text;
+  record.certificate.stable = false;
+  EXPECT_NE(judgement_text(record, {}).find("unstable, multipliers"), std::string::npos);
+}
+
+TEST(JudgementText, SaysWhetherTheOrbitIsReachedFromRest) {
+  Record record = test::full_record();
+  EXPECT_NE(judgement_text(record, {}).find("which is also reached from rest"), std::string::npos);
+  record.certificate.same_orbit = false;
+  EXPECT_NE(judgement_text(record, {}).find("another than the one reached from rest"), std::string::npos);
+  record.certificate.same_orbit.reset();
+  EXPECT_NE(judgement_text(record, {}).find("(no reference: none)"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace signorini
