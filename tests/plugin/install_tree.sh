@@ -19,6 +19,9 @@ build_project() { # SOURCE BUILD [OPTION...]
   "$cmake" --build "$to" --parallel 2
 }
 build_project "$folder/prefix/share/signorini/examples/moreau_jean" "$folder/moreau_jean" "$@"
+if [ -d /usr/include/siconos ]; then
+  build_project "$folder/prefix/share/signorini/examples/rivals/siconos" "$folder/siconos" "$@"
+fi
 (cd "$folder" && "$folder/prefix/bin/signorini" new method begun-outside --out-of-tree)
 build_project "$folder/begun-outside" "$folder/begun" "$@"
 build_project "$source/tests/plugin/plugins" "$folder/plugins" "$@"

@@ -14,6 +14,8 @@
 
 namespace signorini::test {
 
+std::filesystem::path python_package() { return SIGNORINI_PYTHON; }
+
 std::filesystem::path installed_tree() { return SIGNORINI_INSTALLED_TREE; }
 
 std::string plugin_path(const std::string& name) { return (installed_tree() / "plugins" / name).string(); }

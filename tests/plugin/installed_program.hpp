@@ -28,6 +28,9 @@ Outcome run_installed(const TemporaryFolder& folder, const std::string& argument
 /// The folder that install_tree.sh made.
 std::filesystem::path installed_tree();
 
+/// The folder of the Python package, for PYTHONPATH.
+std::filesystem::path python_package();
+
 /// A plugin of tests/plugin/plugins.
 std::string plugin_path(const std::string& name);
 

@@ -1,0 +1,150 @@
+% Harmonic balance of NLvib as a method of signorini: one JSON request per line, one answer per line.
+%
+% NLVIB is the folder of its sources (the one with solve_and_continue.m), which the user has fetched.
+% The response curve is followed by NLvib's arc length from the frequency option `from` to the scene's, where one
+% more Newton solve at fixed frequency ends it.
+1;
+
+function answer = not_converged(message)
+  answer = struct("verdict", "not-converged", "message", message);
+end
+
+function A = full_matrix(entries, n)
+  A = full(sparse(entries.row(:) + 1, entries.column(:) + 1, entries.value(:), n, n));
+end
+
+% NLvib knows loads of the first harmonic alone.
+function [load, known] = first_harmonic(force, n)
+  load = zeros(n, 1);
+  known = true;
+  for term = reshape(force, 1, [])
+    known = known && term.harmonic == 1;
+    load(term.dof + 1) += term.cos - 1i * term.sin;
+  end
+end
+
+function w = normal_of(contact, n)
+  w = zeros(n, 1);
+  pairs = contact.normal;
+  if iscell(pairs), pairs = cell2mat(cellfun(@(p) reshape(p, 1, []), pairs(:), "UniformOutput", false)); end
+  if isvector(pairs), pairs = reshape(pairs, 1, 2); end
+  w(pairs(:, 1) + 1) = pairs(:, 2);
+end
+
+function springs = springs_of(problem, K, options)
+  n = problem.size;
+  contacts = problem.contacts;
+  springs = {};
+  for j = 1:numel(contacts)
+    w = normal_of(contacts(j), n);
+    if isfield(problem.law, "penalty")
+      stiffness = problem.law.penalty(min(j, numel(problem.law.penalty)));
+    else
+      stiffness = options.stiffness / (w' * (K \ w));
+    end
+    springs{end + 1} = struct("type", "unilateralSpring", "stiffness", stiffness, "gap", contacts(j).gap, ...
+                              "force_direction", w);
+  end
+end
+
+% Displacement, velocity and force of the contacts at so many instants of a period.
+function trajectory = motion_of(X, system, H, omega, count)
+  n = system.n;
+  t = 2 * pi / omega * (0:count - 1) / count;
+  Q = zeros(n, H + 1);
+  Q(:, 1) = X(1:n);
+  for h = 1:H
+    Q(:, h + 1) = X((2 * h - 1) * n + (1:n)) - 1i * X(2 * h * n + (1:n));
+  end
+  waves = exp(1i * omega * (0:H)' * t);
+  u = real(Q * waves);
+  v = real((Q .* (1i * omega * (0:H))) * waves);
+  x = []; velocity = []; force = [];
+  for j = 1:numel(system.nonlinear_elements)
+    spring = system.nonlinear_elements{j};
+    x(j, :) = spring.force_direction' * u;
+    velocity(j, :) = spring.force_direction' * v;
+    force(j, :) = -spring.stiffness * max(0, x(j, :) - spring.gap);
+  end
+  rows = @(A) arrayfun(@(j) A(j, :), 1:size(A, 1), "UniformOutput", false);
+  trajectory = struct("t", t, "bandwidth", H);
+  trajectory.x = rows(x);
+  trajectory.velocity = rows(velocity);
+  trajectory.force = rows(force);
+end
+
+% Points of the response curve from the contact-free motion at frequency `begin`, columns [X; omega].
+function [X, iterations] = curve_from(begin, omega, system, residual, options)
+  H = options.harmonics;
+  n = system.n;
+  linear = (-begin^2 * system.M + 1i * begin * system.D + system.K) \ system.Fex1;
+  start = zeros((2 * H + 1) * n, 1);
+  start(n + (1:2 * n)) = [real(linear); -imag(linear)];
+  settings = struct("Dscale", [max(abs(linear)) * ones(size(start)); omega], "dynamicDscale", 1, "stoponerror", 0, ...
+                    "reversaltolerance", Inf, "stepmax", 500);  % through folds, however far they lead
+  newton = optimset("Display", "off", "Jacobian", "on", "MaxIter", 50);  % its own, in words that Octave takes
+  evalc(["[X, info] = solve_and_continue(start, residual, begin, omega, options.step * omega, ", ...
+         "settings, {}, newton);"]);  % it prints as it goes
+  iterations = sum(info.NIT);
+end
+
+function answer = solve_problem(problem, options)
+  n = problem.size;
+  [load, known] = first_harmonic(problem.force, n);
+  if !known || problem.subharmonic != 1
+    answer = not_converged("NLvib has loads of the first harmonic, and motions of their period");
+    return
+  end
+  K = full_matrix(problem.stiffness, n);
+  system = MechanicalSystem(full_matrix(problem.mass, n), full_matrix(problem.damping, n), K, ...
+                            springs_of(problem, K, options), load);
+  omega = problem.frequency;
+  residual = @(X) HB_residual(X, system, options.harmonics, options.samples, "FRF");
+  tight = optimset("Display", "off", "Jacobian", "on", "MaxIter", 100, "TolFun", 1e-12, "TolX", 1e-12);
+  iterations = 0;
+  points = 0;
+  % From one side the curve may turn back at a fold before it is there: then from the other.
+  for begin = omega * [options.from, 1 / options.from]
+    [X, steps] = curve_from(begin, omega, system, residual, options);
+    iterations += steps;
+    points += size(X, 2);
+    [gap, nearest] = min(abs(X(end, :) - omega));
+    if gap > 10 * options.step * omega, continue; end
+    scale = max(abs(X(1:end - 1, nearest)));
+    [x, rest] = fsolve(@(x) residual_at(x, omega, residual, scale), X(1:end - 1, nearest) / scale, tight);
+    if norm(rest) > 1e-8 * norm(load), continue; end
+    answer = struct("verdict", "converged", "residual", norm(rest) / norm(load));
+    answer.message = sprintf("%d points of the response curve from %.4g rad/s", points, begin);
+    answer.work = struct("unknowns", numel(x), "iterations", iterations);
+    answer.trajectory = motion_of(x * scale, system, options.harmonics, omega, max(8192, 16 * options.harmonics));
+    return
+  end
+  answer = not_converged(sprintf("%d points of response curves from both sides do not reach %.4g rad/s", points, omega));
+end
+
+function [R, J] = residual_at(x, omega, residual, scale)
+  [R, dR] = residual([x * scale; omega]);
+  J = dR(:, 1:end - 1) * scale;
+end
+
+sources = getenv("NLVIB");
+if isempty(sources)
+  fprintf(stderr, "NLVIB must name the folder of NLvib's sources\n");
+  exit(2);
+end
+addpath(sources, fullfile(sources, "MechanicalSystems"));
+warning("off", "all");
+while true
+  % fgetl would wait for the first letter of the next request.
+  try, line = input("", "s"); catch, break; end
+  request = jsondecode(line);
+  clock_start = tic;
+  try
+    answer = solve_problem(request.problem, request.options);
+  catch failure
+    answer = not_converged(failure.message);
+  end
+  answer.seconds = toc(clock_start);
+  printf("%s\n", jsonencode(answer, "ConvertInfAndNaN", false));
+  fflush(stdout);
+end
