@@ -1,6 +1,7 @@
 """What the pages and the bibliography must hold; each check yields one line per offence, "file: what"."""
 
 import json
+import posixpath
 import re
 
 CITED_IN = (".hpp", ".cpp", ".md", ".toml", ".py", ".in")
@@ -8,6 +9,21 @@ ENTRY = re.compile(r"^@\w+\{([^,\s]+),", re.M)
 CITATION = re.compile(r"\[([a-z]+\d{4}[a-z]?)(?:, [^\]]*)?\]")
 NUMBERED = re.compile(r"\((\d+)\)\s*$", re.M)
 MEMBERS = re.compile(r"\b(?:TEST|TEST_F|TEST_P)\((\w+),\s*(\w+)\)")
+
+
+# Phrases that once stood in tables, pages and messages, and that a reader had to guess at.
+PRIVATE = re.compile(r"ranks? nobody|against nobody|nobody solves|nobody's (?:loss|gain)|earns no time|(?:own|their) kin\b|went otherwise|"
+                     r"what became of every|only then a time|do not get there|\bis told in\b|from a second side|refutes none|left to itself|"
+                     r"[\"'`]there[\"'`]", re.I)
+
+
+def private_phrase_offences(texts):
+    """Private phrases in texts, those broken over lines, comments or adjacent literals of a source included."""
+    for path, text in texts.items():
+        whole = re.sub(r'"\s*\n\s*"', "", text)
+        whole = re.sub(r"\s*\n\s*(?:///? |# |\* |> )?", " ", whole)
+        for match in PRIVATE.finditer(whole):
+            yield f"{path}: {match[0]!r} is private English"
 
 
 def bibliography_offences(bibliography, texts):
@@ -133,3 +149,24 @@ def misprint_offences(page, files):
         for name in names:
             if name not in tests:
                 yield f"docs/source-paper.md: misprint ({number}): there is no test {name}"
+
+
+def link_offences(pages, exists):
+    """Links of Markdown pages (path from the root -> text) that lead to no file and no heading.
+
+    exists(path) says whether a file or folder of that path is there."""
+    for path, text in sorted(pages.items()):
+        for link in re.findall(r"\]\(([^)\s]+)\)", text):
+            if re.match(r"\w+:", link):
+                continue  # elsewhere
+            name, _, heading = link.partition("#")
+            target = posixpath.normpath(posixpath.join(posixpath.dirname(path), name)) if name else path
+            if not exists(target):
+                yield f"{path}: there is no {link}"
+            elif heading and target in pages and heading not in headings(pages[target]):
+                yield f"{path}: {target} has no heading #{heading}"
+
+
+def headings(text):
+    """The anchors that GitHub gives to the headings of a page."""
+    return {re.sub(r"[^\w\- ]", "", title.lower()).strip().replace(" ", "-") for title in re.findall(r"^#+ (.*)$", text, re.M)}

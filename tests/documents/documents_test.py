@@ -44,9 +44,30 @@ class Tree(unittest.TestCase):
         self.expect_none(documents.crosswalk_offences(read("docs/source-paper.md"), read("docs/theory.md"), texts()))
 
 
+    def test_every_link_of_a_page_leads_somewhere(self):
+        pages = {path.relative_to(ROOT).as_posix(): path.read_text() for path in [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]}
+        self.assertGreater(len(pages), 40)
+        self.expect_none(documents.link_offences(pages, lambda path: (ROOT / path).exists()))
+
+
+    def test_nothing_that_is_read_holds_private_phrases(self):
+        paths = [path for part in ("problems", "methods", "harness", "docs", "examples", "python", "results")
+                 for path in (ROOT / part).rglob("*") if path.suffix in (*documents.CITED_IN, ".js", ".tex", ".ipynb")]
+        read_by_people = {path.relative_to(ROOT).as_posix(): path.read_text() for path in [*paths, *ROOT.glob("*.md"), ROOT / "bench"]
+                          if "results/local" not in path.as_posix()}
+        self.assertGreater(len(read_by_people), 500)
+        self.expect_none(documents.private_phrase_offences(read_by_people))
+
+
 class Planted(unittest.TestCase):
     def expect(self, offences, *lines):
         self.assertEqual(list(offences), list(lines))
+
+    def test_private_phrases_on_one_line_over_two_and_in_split_literals(self):
+        self.expect(documents.private_phrase_offences({"a.md": "It Ranks nobody.", "b.hpp": "/// What became of\n/// every run", "c.cpp":
+                                                       'f("a scene that nobody "\n      "solves counts");', "d.md": "Nobody is told."}),
+                    "a.md: 'Ranks nobody' is private English", "b.hpp: 'What became of every' is private English",
+                    "c.cpp: 'nobody solves' is private English")
 
     def test_a_key_that_stands_twice(self):
         self.expect(documents.bibliography_offences("@book{a2001,\n}\n@article{a2001,\n}\n", {"x.md": "[a2001]"}),
@@ -55,6 +76,11 @@ class Planted(unittest.TestCase):
     def test_a_key_that_nothing_cites_and_a_citation_without_entry(self):
         self.expect(documents.bibliography_offences("@book{a2001,\n}\n", {"x.md": "[b2002, section 3]"}),
                     "docs/references.bib: nothing cites a2001", "x.md: [b2002] is not in docs/references.bib")
+
+    def test_a_link_to_nothing(self):
+        pages = {"README.md": "[a](docs/a.md#its-part) [b](docs/b.md) [c](https://example.org/x)", "docs/a.md": "# Its part\n[r](../README.md#gone)"}
+        self.expect(documents.link_offences(pages, pages.__contains__),
+                    "README.md: there is no docs/b.md", "docs/a.md: README.md has no heading #gone")
 
     def test_another_version(self):
         citation = ("cff-version: 1.2.0\nmessage: m\ntitle: t\nauthors:\n  - name: n\n"

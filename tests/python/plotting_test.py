@@ -15,7 +15,7 @@ WITHOUT = {"matplotlib": None, "matplotlib.pyplot": None, "pandas": None, "scipy
 
 
 def sweep_of(stability):
-    points = [{"frequency": float(i), "way": "there", "status": "converged", "amplitude": [10.0 * i], "x_max": [0.0]}
+    points = [{"frequency": float(i), "way": "up", "status": "converged", "amplitude": [10.0 * i], "x_max": [0.0]}
               for i in range(len(stability))]
     for point, stable in zip(points, stability):
         if stable is not None:
