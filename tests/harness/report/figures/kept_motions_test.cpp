@@ -54,7 +54,8 @@ TEST(KeptMotions, AreThoseOfTheBusiestContactInPhase) {
         first ? Waveforms{.contacts = {4, 7}, .answer = beside(quiet, early), .orbit = beside(quiet, early)}
               : Waveforms{.contacts = {7, 4}, .answer = beside(late, quiet), .orbit = beside(late, quiet)};
   }
-  const KeptMotions kept = kept_motions(Evaluation(records), "s1");
+  const Evaluation evaluation(records);
+  const KeptMotions kept = kept_motions(evaluation, "s1");
   ASSERT_EQ(kept.answers.size(), 2U);
   EXPECT_EQ(kept.contact, 7);
   EXPECT_EQ(kept.place, 1U);
