@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "methods/aft_hbm/aft_hbm.hpp"
+#include "methods/augmented_lagrangian/augmented_lagrangian.hpp"
 #include "methods/event_driven/event_driven.hpp"
 #include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
@@ -24,6 +25,7 @@ std::vector<MethodEntry> methods_of_the_program() {
       method_entry<FourierLipschitz>(),
       method_entry<PenaltyHbm>(),
       method_entry<AftHbm>(),
+      method_entry<AugmentedLagrangian>(),
       method_entry<EventDriven>(),
       method_entry<ExactOrbitMethod>(),
   };

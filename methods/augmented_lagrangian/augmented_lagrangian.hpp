@@ -1,0 +1,68 @@
+#pragma once
+// Augmented Lagrangian harmonic balance: a penalty inside, a multiplier that takes its error back outside.
+
+#include <optional>
+#include <string_view>
+
+#include "methods/complementarity/projected_law.hpp"
+#include "methods/harmonic_balance/harmonic_options.hpp"
+#include "methods/method.hpp"
+
+namespace signorini {
+
+/// lambda = -P max(0, rho (x - g) - mu) with x = x_f + C lambda, |n| <= H, by Newton's method, and mu <-
+/// lambda until that changes nothing (multiplier_grid_solver) [alart1991, wriggers2006]. The source paper
+/// names it in section 6 and does not write it out. What it converges to solves the Lipschitz form with c =
+/// rho, without the penetration of a penalty, at any rho; rho decides whether and how fast it converges. It
+/// is the literature's iteration, but for the contact integral, which is exact: impacts stay as the series
+/// has them, and the law represented is restitution 1. A scene whose stop is a spring is solved by its own
+/// penalty.
+class AugmentedLagrangian final : public Method {
+ public:
+  static constexpr std::string_view kName = "augmented-lagrangian";
+  static constexpr std::string_view kTitle = "Harmonic balance with a penalty and updates of a multiplier";
+  static constexpr std::string_view kLaws = "restitution 1; penalty; massless";
+  static constexpr std::string_view kLadder = "harmonics=10|40|160";
+
+  struct Options {
+    std::optional<int> harmonics = {};   ///< H >= 1 [-]
+    std::optional<Scaled> penalty = {};  ///< rho > 0 [N/m], or times contact_stiffness_scale
+    int max_updates = 150;               ///< of the multiplier [-]
+    double tolerance = 1e-10;            ///< on the relative residual of the Lipschitz form [-]
+    int max_iterations = 0;              ///< Newton steps; 0: not limited [-]
+    bool plain = false;                  ///< as the literature does it
+
+    void visit(auto&& field) {
+      field("harmonics", harmonics, "[-]",
+            "highest harmonic H kept, 1..100000; auto: 20, or as many as the load has");
+      field("penalty", penalty, "[N/m]",
+            "rho, 1e6 or 100x the contact's stiffness; auto: 32x the dynamic one near H, a spring's own");
+      field("max_updates", max_updates, "[-]", "limit on updates of the multiplier, 1..100000");
+      field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
+      field("max_iterations", max_iterations, "[-]",
+            "limit on Newton steps, asked for between updates; 0: none");
+      field("plain", plain, "[-]",
+            "true: the literature's form, updates not accelerated, from rising penalties");
+    }
+  };
+
+  explicit AugmentedLagrangian(const Options& options);  ///< \throws InvalidOption
+
+  [[nodiscard]] std::vector<OptionEcho> options() const override { return echo_options(options_); }
+  [[nodiscard]] Support supports(const Problem& problem) const override;
+  [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
+  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
+
+ private:
+  /// What it shares with the other methods of harmonic balance in the literature's form.
+  [[nodiscard]] HarmonicOptions common() const;
+
+  Options options_;
+};
+
+/// Signorini's condition with c = rho, or a scene's spring behind it: the penalty asked for; else the
+/// spring's stiffness; else, for a rigid stop, 32 times the highest dynamic stiffness kept.
+ProjectedLaw augmented_law(const Problem& problem, const std::optional<Scaled>& penalty,
+                           const ContactReceptance& receptance);
+
+}  // namespace signorini

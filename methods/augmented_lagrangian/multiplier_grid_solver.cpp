@@ -1,0 +1,253 @@
+#include "methods/augmented_lagrangian/multiplier_grid_solver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "methods/complementarity/exact_projection.hpp"
+#include "methods/complementarity/projected_residual.hpp"
+#include "methods/discretisation/fourier_series.hpp"
+#include "methods/solvers/anderson_acceleration.hpp"
+#include "methods/structure/periodic_response.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// The updates of the multiplier so far, by the residual that each left.
+class Convergence {
+ public:
+  void add(double residual) {
+    factor_ = count_ > 0 ? residual / last_ : 0.0;
+    last_ = residual;
+    least_ = std::min(least_, residual);
+    ++count_;
+  }
+  [[nodiscard]] double last() const { return last_; }
+  [[nodiscard]] int updates() const { return count_ - 1; }
+  /// Of the last update [-].
+  [[nodiscard]] double factor() const { return factor_; }
+  /// Far above the least residual met: an error that grows by a factor takes few updates to get there.
+  [[nodiscard]] bool diverges() const {
+    constexpr double kGrown = 1e3;
+    return !std::isfinite(last_) || last_ > kGrown * least_;
+  }
+
+ private:
+  int count_ = 0;
+  double last_ = 0.0, factor_ = 0.0;
+  double least_ = std::numeric_limits<double>::infinity();
+};
+
+/// One solve on a grid.
+class MultiplierIteration {
+ public:
+  MultiplierIteration(const ProjectedEquations& equations, const ExactProjectionSettings& settings,
+                      Eigen::MatrixXcd lambda, bool accelerated)
+      : equations_(equations),
+        settings_(settings),
+        lipschitz_(equations, settings.samples, settings.tolerance),
+        acceleration_(accelerated ? kDepth : 0),
+        accelerated_(accelerated),
+        lambda_(std::move(lambda)) {}
+
+  [[nodiscard]] const Eigen::MatrixXcd& lambda() const { return lambda_; }
+  [[nodiscard]] const std::optional<double>& condition() const { return condition_; }
+  [[nodiscard]] int newton_steps() const { return newton_steps_; }
+  [[nodiscard]] long pivots() const { return pivots_; }
+
+  /// Of the projected equations at lambda.
+  [[nodiscard]] double residual() {
+    const Eigen::VectorXd packed = pack_harmonics(lambda_ * lipschitz_.root().cwiseInverse().asDiagonal());
+    return lipschitz_.error(packed, lipschitz_.residual(packed));
+  }
+
+  /// Solves the penalty rho with mu = 0, from the motion without contact forces through rising penalties or,
+  /// with pivots, from a penalty of the size of the highest dynamic stiffness. False where no way leads
+  /// there.
+  bool begin(bool by_pivoting, const Start& start) {
+    constexpr double kPivoted = 1.0 / 32.0;  // of rho: long contacts, which a grid resolves
+    const double first = by_pivoting ? kPivoted : softest_share();
+    return (by_pivoting ? pivot(first, start) : solve(equations_.receptance, first)) && harden(first);
+  }
+
+  /// One update of the multiplier, to lambda or, accelerated, beyond it; less far where Newton's method does
+  /// not follow. False where it follows nowhere.
+  bool update() {
+    const int halvings = accelerated_ ? 6 : 0;
+    if (multiplier_.size() == 0) multiplier_ = Eigen::MatrixXcd::Zero(lambda_.rows(), lambda_.cols());
+    const Eigen::MatrixXcd before = multiplier_, next = next_multiplier();
+    double part = 1.0;
+    for (int k = 0; k <= halvings; ++k, part *= 0.5) {
+      multiplier_ = before + part * (next - before);
+      if (solve(held_by(multiplier_), 1.0)) return true;
+    }
+    return false;
+  }
+
+ private:
+  /// A share of rho by pivoting on samples, as penalty-hbm begins.
+  bool pivot(double share, const Start& start) {
+    const ProjectedLaw law = penalty(share);
+    Work work;
+    const GridSolution solved =
+        lcp_grid_solver({.tolerance = settings_.tolerance})
+            ->solve({equations_.receptance, equations_.gap, law}, settings_.samples, {}, start, work);
+    pivots_ += work.pivots.value_or(0);
+    if (!solved.solved) return false;
+    lambda_ = solved.lambda;
+    return solve(equations_.receptance, share);
+  }
+
+  /// From a solved share of rho up to rho, each penalty from the solution of the one before, the next one
+  /// nearer where Newton's method does not follow.
+  bool harden(double solved) {
+    constexpr double kLargest = 2.0, kSmallest = 1.02;  // ratios of penalties
+    double ratio = kLargest;
+    while (solved < 1.0 && ratio >= kSmallest) {
+      const double share = std::min(1.0, solved * ratio);
+      if (solve(equations_.receptance, share)) {
+        solved = share;
+        ratio = std::min(kLargest, ratio * ratio);
+      } else {
+        ratio = std::sqrt(ratio);
+      }
+    }
+    return solved >= 1.0;
+  }
+
+  /// Of rho where a penalty is soft beside the structure at the frequency of the motion.
+  [[nodiscard]] double softest_share() const {
+    constexpr double kSoft = 0.1;
+    const Eigen::VectorXd compliance = equations_.receptance.receptance[1].diagonal().cwiseAbs();
+    return std::min(1.0, kSoft / compliance.cwiseProduct(equations_.law.constant).maxCoeff());
+  }
+
+  [[nodiscard]] Eigen::MatrixXcd next_multiplier() {
+    const Eigen::VectorXd& root = lipschitz_.root();
+    const auto packed = [&](const Eigen::MatrixXcd& force) {
+      return pack_harmonics(force * root.cwiseInverse().asDiagonal());
+    };
+    const Eigen::VectorXd next = acceleration_.next(packed(multiplier_), packed(lambda_));
+    return unpack_harmonics(next, equations_.receptance.harmonics()) * root.asDiagonal();
+  }
+
+  /// rho (x - g) - alpha mu = rho (x - alpha mu / rho - g): a multiplier is a part of the free response.
+  [[nodiscard]] ContactReceptance held_by(const Eigen::MatrixXcd& multiplier) const {
+    const ProjectedLaw& law = equations_.law;
+    const Eigen::VectorXd weight = law.multiplier_weight.cwiseQuotient(law.constant);
+    ContactReceptance moved = equations_.receptance;
+    moved.free_response -= multiplier * weight.asDiagonal();
+    return moved;
+  }
+
+  [[nodiscard]] ProjectedLaw penalty(double share) const {
+    return {.constant = share * equations_.law.constant,
+            .multiplier_weight = Eigen::VectorXd::Zero(lambda_.cols())};
+  }
+
+  /// The penalty law with a share of rho, from the present lambda.
+  bool solve(const ContactReceptance& receptance, double share) {
+    const ProjectedLaw law = penalty(share);
+    ExactProjection solved = project_exactly({receptance, equations_.gap, law}, lambda_, settings_);
+    newton_steps_ += solved.iterations;
+    if (solved.condition) condition_ = solved.condition;
+    if (!solved.converged) return false;
+    lambda_ = std::move(solved.lambda);
+    return true;
+  }
+
+  static constexpr int kDepth = 8;
+
+  const ProjectedEquations& equations_;
+  ExactProjectionSettings settings_;
+  ProjectedResidual lipschitz_;
+  AndersonAcceleration acceleration_;
+  bool accelerated_;
+  Eigen::MatrixXcd lambda_;      // (H+1) x Nc [N]
+  Eigen::MatrixXcd multiplier_;  // mu behind lambda, of the same size; empty: none yet
+  std::optional<double> condition_;
+  int newton_steps_ = 0;
+  long pivots_ = 0;
+};
+
+class MultiplierGridSolver final : public GridSolver {
+ public:
+  MultiplierGridSolver(const SolverSettings& settings, int updates, bool plain)
+      : settings_(settings), updates_(updates), plain_(plain) {}
+
+  [[nodiscard]] Work initial_counts() const override {
+    return plain_ ? Work{.iterations = 0} : Work{.iterations = 0, .pivots = 0};
+  }
+
+  [[nodiscard]] GridSolution solve(const ProjectedEquations& equations, int samples,
+                                   const Eigen::MatrixXcd& previous, const Start& start,
+                                   Work& work) const override {
+    const int harmonics = equations.receptance.harmonics();
+    const bool cold = previous.size() == 0 && !start.guess;
+    Eigen::MatrixXcd lambda = Eigen::MatrixXcd::Zero(harmonics + 1, equations.receptance.contacts());
+    if (!cold) lambda = previous.size() > 0 ? previous : force_spectrum(*start.guess, harmonics);
+    MultiplierIteration iteration(
+        equations, {.samples = samples, .tolerance = settings_.tolerance, .deadline = start.deadline},
+        std::move(lambda), !plain_);
+    GridSolution solution{.finer_may_help = !plain_ && !start.expired()};
+    if (cold && !iteration.begin(!plain_, start)) {
+      solution.message = "no solution of the penalty";
+      solution.residual = iteration.residual();
+    } else {
+      solution.message = iterate(iteration, solution);
+    }
+    solution.solved = solution.residual <= settings_.tolerance;
+    solution.lambda = iteration.lambda();
+    solution.condition = iteration.condition();
+    count_iterations(iteration.newton_steps(), work);
+    if (!plain_) work.pivots = work.pivots.value_or(0) + iteration.pivots();
+    return solution;
+  }
+
+ private:
+  /// Updates the multiplier until the residual is accepted, or a limit is met, or it leads away. How it
+  /// ended.
+  std::string iterate(MultiplierIteration& iteration, GridSolution& solution) const {
+    const int most =
+        settings_.max_iterations > 0 ? settings_.max_iterations : std::numeric_limits<int>::max();
+    Convergence convergence;
+    convergence.add(iteration.residual());
+    const char* end = "solved";
+    while (!(convergence.last() <= settings_.tolerance)) {
+      if (convergence.diverges()) {
+        end = "divergence";
+      } else if (convergence.updates() >= updates_ || iteration.newton_steps() >= most) {
+        end = "not converged";
+      } else if (!iteration.update()) {
+        end = "Newton's method does not follow";
+      } else {
+        convergence.add(iteration.residual());
+        continue;
+      }
+      break;
+    }
+    solution.residual = convergence.last();
+    const std::string factor = convergence.updates() > 0
+                                   ? fmt::format(", residual times {:.2g} in the last", convergence.factor())
+                                   : "";
+    return fmt::format("{} after {} updates of the multiplier{}", end, convergence.updates(), factor);
+  }
+
+  SolverSettings settings_;
+  int updates_;
+  bool plain_;
+};
+
+}  // namespace
+
+std::unique_ptr<GridSolver> multiplier_grid_solver(const SolverSettings& settings, int updates, bool plain) {
+  return std::make_unique<MultiplierGridSolver>(settings, updates, plain);
+}
+
+}  // namespace signorini
