@@ -13,7 +13,7 @@ namespace {
 /// Instants per forcing period among which those that are kept are chosen.
 constexpr int kDrawnGrid = 2048;
 /// Largest distance of a polyline from its signal, share of the signal's range.
-constexpr double kDrawnTolerance = 0.005;
+constexpr double kDrawnTolerance = 0.002;
 
 enum Signal : Eigen::Index { kX, kVelocity, kForce, kImpulse, kSignals };
 
@@ -58,7 +58,7 @@ Eigen::MatrixXd signals_of(const Motion& motion, int contact, int periods) {
   return signals;
 }
 
-double rounded(double value) { return std::stod(fmt::format("{:.4g}", value)); }
+double rounded(double value) { return std::stod(fmt::format("{:.5g}", value)); }
 
 std::vector<double> rounded_at(const Eigen::Ref<const Eigen::VectorXd>& values,
                                const std::vector<int>& places) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,6 +42,65 @@ double mismatch(const Waveform& a, std::size_t place, const Waveform& b, std::si
            (a.t[i + 1] - a.t[i]);
   return sum;
 }
+
+double range_of(const std::vector<double>& values) {
+  const auto [least, largest] = std::ranges::minmax(values);
+  return largest > least ? largest - least : 1.0;
+}
+
+/// A portrait as a curve through its samples: centripetal splines of Catmull and Rom [yuksel2011], which have
+/// neither loops nor cusps between samples however uneven, in shares of the ranges. Times play no part:
+/// they are kept with few digits, and instants before an impact are close to it.
+class Portrait {
+ public:
+  Portrait(const std::vector<double>& x, const std::vector<double>& v) : scale_(range_of(x), range_of(v)) {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      places_.emplace_back(Eigen::Vector2d(x[i], v[i]).cwiseQuotient(scale_));
+    closed_ = places_.size() > 3 && (places_.front() - places_.back()).norm() < kNear;
+  }
+
+  /// Whether the piece that ends at sample `i` is an impact: upright, and no part of a turn.
+  [[nodiscard]] bool jumps(std::size_t i) const {
+    constexpr double kLeap = 0.25;
+    const Eigen::Vector2d step = places_[i] - places_[i - 1];
+    return step.norm() == 0.0 || (std::abs(step.x()) < kNear && std::abs(step.y()) > kLeap);
+  }
+
+  /// The curve from sample `i` - 1 to sample `i` at this share of its way.
+  [[nodiscard]] Eigen::Vector2d between(std::size_t i, double share) const {
+    const Eigen::Vector2d &from = places_[i - 1], &to = places_[i];
+    const Eigen::Vector2d before = neighbour(i, false), after = neighbour(i, true);
+    const auto knot = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+      return std::sqrt((b - a).norm());
+    };
+    const double first = knot(before, from), own = knot(from, to), last = knot(to, after);
+    // Slopes at both ends, over the length of this piece.
+    const Eigen::Vector2d begin = to - from + own * ((from - before) / first - (to - before) / (first + own));
+    const Eigen::Vector2d end = to - from + own * ((after - to) / last - (after - from) / (own + last));
+    const double s = share, r = 1.0 - share;
+    const Eigen::Vector2d place =
+        r * r * (1.0 + 2.0 * s) * from + s * s * (3.0 - 2.0 * s) * to + s * r * (r * begin - s * end);
+    return place.cwiseProduct(scale_);
+  }
+
+ private:
+  static constexpr double kNear = 0.01;  // of the ranges
+
+  /// The sample beyond either end of the piece that ends at `i`; where the curve has a corner, as if it went
+  /// on.
+  [[nodiscard]] Eigen::Vector2d neighbour(std::size_t i, bool beyond) const {
+    const std::size_t last = places_.size() - 1, piece = beyond ? i + 1 : i - 1;
+    const bool inside = piece >= 1 && piece <= last;
+    const std::size_t next = inside ? piece : beyond ? 1 : last;  // where a closed curve goes on
+    const Eigen::Vector2d &end = places_[beyond ? i : i - 1], &other = places_[beyond ? i - 1 : i];
+    if ((!inside && !closed_) || jumps(next)) return 2.0 * end - other;
+    return places_[beyond ? next : next - 1];
+  }
+
+  Eigen::Vector2d scale_;
+  std::vector<Eigen::Vector2d> places_;
+  bool closed_ = false;
+};
 
 }  // namespace
 
@@ -84,23 +144,15 @@ Waveform in_phase_with(const Waveform& leader, std::size_t place, const Waveform
 
 std::string portrait_lines(const Waveform& waveform, std::size_t contact) {
   constexpr int kBetween = 8;
+  const Portrait portrait(waveform.x[contact], waveform.velocity[contact]);
   const std::vector<double>&x = waveform.x[contact], &v = waveform.velocity[contact];
-  std::string lines = fmt::format("{:.4g} {:.4g}\n", x[0], v[0]);
+  std::string lines = fmt::format("{:.7g} {:.7g}\n", x[0], v[0]);
   for (std::size_t i = 1; i < x.size(); ++i) {
-    const double dt = waveform.t[i] - waveform.t[i - 1];
-    const double mean = dt > 0.0 ? (x[i] - x[i - 1]) / dt : 0.0;
-    const double middle = 1.5 * mean - 0.25 * (v[i] + v[i - 1]);
-    const double jump = std::abs(v[i] - v[i - 1]);
-    const bool smooth =
-        dt > 0.0 && middle <= std::max(v[i], v[i - 1]) + jump && middle >= std::min(v[i], v[i - 1]) - jump;
-    for (int k = 1; smooth && k < kBetween; ++k) {
-      const double s = static_cast<double>(k) / kBetween, r = 1.0 - s;
-      const double place = r * r * (1.0 + 2.0 * s) * x[i - 1] + s * s * (3.0 - 2.0 * s) * x[i] +
-                           dt * s * r * (r * v[i - 1] - s * v[i]);
-      const double speed = r * (1.0 - 3.0 * s) * v[i - 1] + s * (3.0 * s - 2.0) * v[i] + 6.0 * s * r * mean;
-      lines += fmt::format("{:.5g} {:.5g}\n", place, speed);
+    for (int k = 1; !portrait.jumps(i) && k < kBetween; ++k) {
+      const Eigen::Vector2d place = portrait.between(i, static_cast<double>(k) / kBetween);
+      lines += fmt::format("{:.7g} {:.7g}\n", place.x(), place.y());
     }
-    lines += fmt::format("{:.4g} {:.4g}\n", x[i], v[i]);
+    lines += fmt::format("{:.7g} {:.7g}\n", x[i], v[i]);
   }
   return lines;
 }

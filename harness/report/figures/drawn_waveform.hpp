@@ -19,8 +19,8 @@ Waveform delayed(const Waveform& waveform, double delay);
 Waveform in_phase_with(const Waveform& leader, std::size_t place, const Waveforms& kept, std::size_t at,
                        int order);
 
-/// Lines "x v" of a portrait: between samples the cubic that has their displacements and velocities, unless
-/// it would leave the range of both velocities by their difference.
+/// Lines "x v" of a portrait: between samples a centripetal curve of Catmull and Rom [yuksel2011] in shares
+/// of the ranges of x and v, straight where the motion jumps.
 std::string portrait_lines(const Waveform& waveform, std::size_t contact);
 
 /// Where the contact of this place closes [m]: under a rigid law the largest displacement of the certified

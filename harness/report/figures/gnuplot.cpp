@@ -10,6 +10,7 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 
@@ -21,6 +22,9 @@ namespace signorini {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Of letters on a screen: scripts give their size in points, whatever the format.
+constexpr double kPixelsPerPoint = 96.0 / 72.0;
 
 /// The standard error of gnuplot; kept where it fails.
 constexpr const char* kLog = "gnuplot.log";
@@ -110,6 +114,14 @@ LineStyle line_style(std::size_t configuration) {
           .hollow = fmt::format("{} pt {}", colour, mark)};
 }
 
+double tic_step(double range, int most) {
+  if (!(range > 0.0) || !std::isfinite(range)) return 1.0;
+  const double least = range / most, power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= least * (1.0 - 1e-9)) return factor * power;  // up to round-off of a share of one
+  return 10.0 * power;
+}
+
 double key_height(std::size_t entries, int columns) {
   constexpr double kLine = 0.42, kAround = 0.4;
   const auto count = static_cast<std::size_t>(columns);
@@ -143,7 +155,7 @@ plot 2 notitle)",
 std::string whole_script(const Figure& figure) {
   constexpr std::string_view kScript = R"(# gnuplot {0}.gp makes {0}.svg and {0}.pdf of {0}.dat
 data = '{0}.dat'
-svg = "svg size {1:.0f},{2:.0f} font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+svg = "svg size {1:.0f},{2:.0f} font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
 pdf = "pdfcairo size {3:.1f}cm,{4:.1f}cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {{
 reset
@@ -170,12 +182,13 @@ std::string drawn(const Figure& figure, std::string_view format) {
   const double width = figure.width * kPixelsPerCentimetre, height = figure.height * kPixelsPerCentimetre;
   std::string terminal;
   if (format == "svg")
-    terminal = fmt::format("svg size {:.0f},{:.0f} font 'sans-serif,11' background '#ffffff'", width, height);
+    terminal = fmt::format("svg size {:.0f},{:.0f} font 'sans-serif,9' fontscale {:.3f} background '#ffffff'",
+                           width, height, kPixelsPerPoint);
   else if (format == "pdf")
     terminal = fmt::format("pdfcairo size {:.1f}cm,{:.1f}cm font 'sans,9'", figure.width, figure.height);
   else
-    terminal = fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,11' fontscale {:g} linewidth {:g}",
-                           kPixels * width, kPixels * height, kPixels, kPixels);
+    terminal = fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,9' fontscale {:.3f} linewidth {:g}",
+                           kPixels * width, kPixels * height, kPixels * kPixelsPerPoint, kPixels);
   write_whole(folder.path() / "figure.dat", figure.data);
   write_whole(
       folder.path() / "figure.gp",

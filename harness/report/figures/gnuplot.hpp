@@ -28,6 +28,10 @@ std::string line_colour(std::size_t configuration);
 /// become blanks.
 std::string gnuplot_string(std::string_view text);
 
+/// The step of the tics of a range: 1, 2 or 5 times a power of ten, so that it has at most so many; 1 for no
+/// range. gnuplot counts those of an abscissa by the width of its letters, and sets them too close.
+double tic_step(double range, int most);
+
 /// An entry of a key: style and title.
 struct KeyEntry {
   std::string style = {};

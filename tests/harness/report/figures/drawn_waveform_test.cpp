@@ -72,6 +72,33 @@ TEST(PortraitLines, JumpAtAnImpact) {
   EXPECT_NE(lines.find("\n1 1\n1 -1\n"), std::string::npos) << lines;
 }
 
+TEST(PortraitLines, StayBetweenTheVelocitiesBesideAnImpact) {
+  // As records keep it: few digits, one instant before the impact and one after it.
+  const Waveform impact{.t = {0.9, 1.2, 1.379, 1.38, 1.381, 1.5, 1.7},
+                        .x = {{-0.02, 0.12, 0.1995, 0.2, 0.2, 0.15, 0.06}},
+                        .velocity = {{0.62, 0.5, 0.413, 0.4117, -0.4117, -0.45, -0.5}}};
+  std::istringstream lines(portrait_lines(impact, 0));
+  for (double x = 0.0, v = 0.0; lines >> x >> v;) {
+    EXPECT_LT(x, 0.2 + 1e-6) << v;
+    if (x > 0.15) {
+      EXPECT_LT(std::abs(v), 0.5) << x;
+    }
+  }
+}
+
+TEST(PortraitLines, AreNotMovedByTheRoundingOfTimes) {
+  // A quarter of a circle at uneven instants that have lost their digits.
+  Waveform arc{.x = {{}}, .velocity = {{}}};
+  for (const double t : {0.0, 0.1, 0.13, 0.4, 0.44, 0.9, 1.2, 1.25, 1.57}) {
+    arc.t.push_back(std::round(10.0 * t) / 10.0);
+    arc.x[0].push_back(std::sin(t));
+    arc.velocity[0].push_back(std::cos(t));
+  }
+  std::istringstream lines(portrait_lines(arc, 0));
+  // Straight lines between these samples come as near as 0.973.
+  for (double x = 0.0, v = 0.0; lines >> x >> v;) EXPECT_NEAR(std::hypot(x, v), 1.0, 0.015) << x;
+}
+
 TEST(StopPosition, IsWhereTheContactCloses) {
   Record record = test::full_record();
   EXPECT_EQ(stop_position(record, 0), 0.5);

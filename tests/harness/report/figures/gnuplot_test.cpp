@@ -110,5 +110,14 @@ TEST(DrawFigures, WritesNoFileOutsideItsFolder) {
   EXPECT_FALSE(std::filesystem::exists(folder / "escape.gp"));
 }
 
+TEST(TicStep, IsRoundAndGivesAtMostSoMany) {
+  EXPECT_DOUBLE_EQ(tic_step(0.9, 5), 0.2);
+  EXPECT_DOUBLE_EQ(tic_step(1.0, 5), 0.2);
+  EXPECT_DOUBLE_EQ(tic_step(1.01, 5), 0.5);
+  EXPECT_DOUBLE_EQ(tic_step(3.5e-7, 4), 1e-7);
+  EXPECT_DOUBLE_EQ(tic_step(60.0, 7), 10.0);
+  EXPECT_EQ(tic_step(0.0, 5), 1.0);
+}
+
 }  // namespace
 }  // namespace signorini
