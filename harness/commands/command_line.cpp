@@ -157,6 +157,16 @@ void add_plot_option(CLI::App& command, std::string& file, const std::string& wh
       ->type_name("FILE");
 }
 
+void add_column_option(CLI::App& command, Column& column, const std::string& of) {
+  command
+      .add_option_function<std::string>(
+          "--column",
+          [&column](const std::string& word) { column = word == "single" ? Column::single : Column::both; },
+          fmt::format("width of {} for a journal: single ({} cm) or double ({} cm); letters keep their size",
+                      of, kSingleColumn, kBothColumns))
+      ->check(CLI::IsMember({"single", "double"}));
+}
+
 void add_plugin_options(CLI::App& app, const std::shared_ptr<std::vector<std::string>>& plugins) {
   const auto add = [&](CLI::App& command) {
     // Words before a command and after it come one after the other, so that none replaces the others.

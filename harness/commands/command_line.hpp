@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "harness/report/figures/column.hpp"
+
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
 class App;
 }
@@ -58,6 +60,8 @@ void add_search_options(CLI::App& command, OrbitSearchOptions& options, std::opt
 /// --plot FILE, refused at once where no picture can be written there.
 /// \param what  is drawn, for --help
 void add_plot_option(CLI::App& command, std::string& file, const std::string& what);
+/// --column single|double, of figures for a journal. \param of  which figures, for --help
+void add_column_option(CLI::App& command, Column& column, const std::string& of);
 
 /// `key=value` as --set takes it, any number. \throws UsageError
 std::vector<std::pair<std::string, std::string>> parse_settings(const std::vector<std::string>& texts);

@@ -25,6 +25,7 @@ struct OrbitsArguments {
   std::optional<int> subharmonics;
   bool json = false;
   std::string plot;
+  Column column = Column::own;
 };
 
 /// "fourier-lipschitz, hat-lcp": the methods, whatever their options.
@@ -87,7 +88,7 @@ int list_orbits(const OrbitsArguments& arguments) {
   }
   print_remarks(found, options);
   if (!arguments.plot.empty() && !found.orbits.empty())
-    write_plot(arguments.plot, orbit_plot(scene.problem, found.orbits));
+    write_plot(arguments.plot, orbit_plot(scene.problem, found.orbits, arguments.column));
   if (found.interrupted) return kInterrupted;
   if (!found.orbits.empty()) return kDone;
   fmt::print(stderr, "no certified orbit\n");
@@ -120,6 +121,7 @@ void add_orbits_command(CLI::App& app, int& exit_code) {
   command->add_flag("--json", arguments->json, "print the orbits as a JSON array, events included");
   add_plot_option(*command, arguments->plot,
                   "the portrait of each orbit, the first 12, with multipliers and shares of starts");
+  add_column_option(*command, arguments->column, "the picture");
   command->callback([arguments, &exit_code] { exit_code = list_orbits(*arguments); });
 }
 

@@ -37,6 +37,7 @@ struct SolveArguments {
   int harmonics = SummaryRequest{}.harmonics;
   std::vector<int> dofs;
   std::string plot;
+  Column column = Column::own;
 };
 
 /// Prints what the method says, and that the harness looks at it; a terminal sees meanwhile for how long.
@@ -119,7 +120,7 @@ int solve(const SolveArguments& arguments) {
   } else {
     printer.judgement(*record);
   }
-  if (waveforms) write_plot(arguments.plot, motion_plot(scene, *record, *waveforms));
+  if (waveforms) write_plot(arguments.plot, motion_plot(scene, *record, *waveforms, arguments.column));
   return record->status == Status::converged ? kDone : kUnexpectedFailure;
 }
 
@@ -170,6 +171,7 @@ void add_solve_command(CLI::App& app, int& exit_code) {
   command->add_flag("--verbose", arguments->verbose,
                     "print every contact, impact and phase of contact, and what the solver counted");
   add_plot_option(*command, arguments->plot, "displacement, velocity, impulse and portrait of the answer");
+  add_column_option(*command, arguments->column, "the picture");
   command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });
 }
 

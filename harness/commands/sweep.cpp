@@ -39,6 +39,7 @@ struct SweepArguments {
   SecondParameter second;
   std::string format = "md";
   std::string plot;
+  Column column = Column::own;
   bool bifurcation = false;
 };
 
@@ -87,8 +88,8 @@ int sweep_steps(const SweepArguments& arguments) {
   });
   print(arguments, found);
   if (!arguments.plot.empty())
-    write_plot(arguments.plot,
-               response_plot(scene.problem.name, {{.method = method.label(), .steps = found}}));
+    write_plot(arguments.plot, response_plot(scene.problem.name, {{.method = method.label(), .steps = found}},
+                                             ResponseOrdinate::amplitude, arguments.column));
   if (interrupted()) return kInterrupted;
   return all_converged(found) ? kDone : kUnexpectedFailure;
 }
@@ -180,7 +181,7 @@ int sweep_branches(const SweepArguments& arguments) {
   if (!arguments.plot.empty()) {
     const auto ordinate =
         arguments.bifurcation ? ResponseOrdinate::once_a_period : ResponseOrdinate::amplitude;
-    write_plot(arguments.plot, response_plot(scene.problem.name, responses, ordinate));
+    write_plot(arguments.plot, response_plot(scene.problem.name, responses, ordinate, arguments.column));
   }
   if (interrupted()) return kInterrupted;
   return all ? kDone : kUnexpectedFailure;
@@ -323,6 +324,7 @@ void add_sweep_command(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"md", "csv", "json", "jsonl"}))
       ->capture_default_str();
   add_plot_option(*command, arguments->plot, "amplitude over frequency");
+  add_column_option(*command, arguments->column, "the picture");
   command->callback([arguments, &exit_code] { exit_code = sweep(*arguments); });
 }
 

@@ -30,6 +30,14 @@ std::size_t busiest(const Waveform& motion) {
                                   motion.impulse.begin());
 }
 
+constexpr int kPortraitTics = 5;
+
+/// With the stop, which is drawn too.
+double range_of_displacement(const std::vector<double>& x, double gap) {
+  const auto [least, largest] = std::ranges::minmax(x);
+  return std::max(largest, gap) - std::min(least, gap);
+}
+
 /// Instants of the impacts of one contact within the motion drawn [s].
 std::string impact_lines(const Record& record, int contact, double gap) {
   std::string lines;
@@ -39,7 +47,7 @@ std::string impact_lines(const Record& record, int contact, double gap) {
   return lines;
 }
 
-constexpr std::string_view kMotionFrame = R"(set multiplot layout 2,2 title {} noenhanced
+constexpr std::string_view kMotionFrame = R"(set multiplot layout {},{} title {} noenhanced
 set grid back lc rgb '#dddddd' lw 0.5
 set border 3
 set tics nomirror font ',8'
@@ -48,7 +56,7 @@ unset key
 
 }  // namespace
 
-Figure motion_plot(const Scene& scene, const Record& record, const Waveforms& waveforms) {
+Figure motion_plot(const Scene& scene, const Record& record, const Waveforms& waveforms, Column column) {
   const std::size_t place = busiest(waveforms.answer);
   const int contact = waveforms.contacts[place];
   const double gap = scene.problem.contacts[static_cast<std::size_t>(contact)].gap;
@@ -68,9 +76,14 @@ Figure motion_plot(const Scene& scene, const Record& record, const Waveforms& wa
     canvas.plot(below, fmt::format("using 1:{} with lines lc rgb '#bbbbbb' lw 5", column));
     canvas.plot(above, fmt::format("using 1:{} with lines lc rgb '#0072B2' lw 1.6", column));
   };
-  Figure figure{.name = "motion", .caption = record.case_id, .width = 17.0, .height = 13.0};
-  figure.script =
-      fmt::format(kMotionFrame, gnuplot_string(fmt::format("{}, contact {}", record.case_id, contact)));
+  constexpr double kUsualWidth = 17.0, kHeight = 13.0, kNarrowHeight = 20.0;  // [cm]
+  const bool narrow = is_narrow(column);  // then the four panels stand below each other
+  Figure figure{.name = "motion",
+                .caption = record.case_id,
+                .width = width_in(column, kUsualWidth),
+                .height = narrow ? kNarrowHeight : kHeight};
+  figure.script = fmt::format(kMotionFrame, narrow ? 4 : 2, narrow ? 1 : 2,
+                              gnuplot_string(fmt::format("{}, contact {}", record.case_id, contact)));
   figure.script += fmt::format("set xrange [0:{:.8g}]\nset xlabel 't [s]'\nset ylabel 'x [m]'\n",
                                waveforms.answer.t.back());
   canvas.plot(fmt::format("{:.10g} with lines lc rgb '#D55E00' dt (12,6) lw 1.2", gap));
@@ -83,10 +96,11 @@ Figure motion_plot(const Scene& scene, const Record& record, const Waveforms& wa
   figure.script += "set ylabel 'impulse so far [N s]'\n" + canvas.panel();
   draw(orbit_portrait, portrait, 2);
   figure.script += fmt::format(
-      "set xrange [*:*]\nset xlabel 'x [m]'\nset ylabel 'velocity [m/s]'\nset arrow 1 from {0:.10g}, graph 0 "
+      "set xrange [*:*]\nset xtics {2:g}\nset xlabel 'x [m]'\nset ylabel 'velocity [m/s]'\nset arrow 1 from "
+      "{0:.10g}, graph 0 "
       "to {0:.10g}, graph "
       "1 nohead lc rgb '#D55E00' dt (12,6) lw 1.2\n{1}unset multiplot\n",
-      gap, canvas.panel());
+      gap, canvas.panel(), tic_step(range_of_displacement(waveforms.answer.x[place], gap), kPortraitTics));
   figure.data = canvas.data();
   return figure;
 }

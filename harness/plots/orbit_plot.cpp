@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kMostPortraits = 12;
 constexpr int kInstants = 2048;
+constexpr int kTics = 4;
 
 /// The contact whose displacement has the largest range.
 Eigen::Index liveliest(const Samples& motion) {
@@ -68,10 +69,10 @@ std::string multiplier_panel(const std::vector<FoundOrbit>& orbits, Canvas& canv
   return fmt::format(
       "set title 'Floquet multipliers'\nset xlabel 'real part'\nset ylabel 'imaginary part'\nset "
       "parametric\nset size ratio -1\nset "
-      "xrange [{0:.3g}:{1:.3g}]\nset yrange [{0:.3g}:{1:.3g}]\n{2}unset parametric\nset size noratio\nset "
-      "xrange "
-      "[*:*]\nset yrange [*:*]\n",
-      -1.1 * reach, 1.1 * reach, canvas.panel());
+      "xrange [{0:.3g}:{1:.3g}]\nset yrange [{0:.3g}:{1:.3g}]\nset xtics {3:g}\nset ytics {3:g}\n{2}unset "
+      "parametric\nset size noratio\nset xrange [*:*]\nset yrange [*:*]\nset xtics autofreq\nset ytics "
+      "autofreq\n",
+      -1.1 * reach, 1.1 * reach, canvas.panel(), tic_step(2.2 * reach, kTics));
 }
 
 /// How many of the starts of the search ended at each orbit: an estimate of the sizes of their basins, for
@@ -98,13 +99,15 @@ std::string basin_panel(const std::vector<FoundOrbit>& orbits, Canvas& canvas) {
 
 }  // namespace
 
-Figure orbit_plot(const Problem& problem, const std::vector<FoundOrbit>& orbits) {
+Figure orbit_plot(const Problem& problem, const std::vector<FoundOrbit>& orbits, Column column) {
   if (orbits.empty() || problem.contacts.empty())
     throw UsageError("plot = nothing to draw (there is no orbit)");
   const std::size_t count = std::min(orbits.size(), kMostPortraits);
   const auto panels = static_cast<int>(count) + kSummaryPanels;
-  const int columns = std::min(panels, 3), rows = (panels + columns - 1) / columns;
-  Figure figure{.name = "orbits", .width = 6.5 * columns, .height = 5.5 * rows};
+  constexpr double kPanelWidth = 6.5, kPanelHeight = 5.5;  // [cm]
+  const int columns = std::min(panels, is_narrow(column) ? 1 : 3), rows = (panels + columns - 1) / columns;
+  Figure figure{
+      .name = "orbits", .width = width_in(column, kPanelWidth * columns), .height = kPanelHeight * rows};
   figure.script = fmt::format(kOrbitFrame, rows, columns);
   Canvas canvas;
   for (std::size_t i = 0; i < count; ++i) {
@@ -113,10 +116,11 @@ Figure orbit_plot(const Problem& problem, const std::vector<FoundOrbit>& orbits)
     canvas.draw(portrait_block(motion, contact), fmt::format("with lines {} lw 1.4", line_colour(i)),
                 "x [m], velocity [m/s]");
     figure.script += fmt::format(
-        "set title {0} noenhanced\nset arrow 1 from {1:.10g}, graph 0 to {1:.10g}, graph 1 nohead lc rgb "
+        "set title {0} noenhanced\nset xtics {3:g}\nset arrow 1 from {1:.10g}, graph 0 to {1:.10g}, graph 1 "
+        "nohead lc rgb "
         "'#D55E00' dt (6,3)\n{2}",
         gnuplot_string(title_of(orbits[i])), problem.contacts[static_cast<std::size_t>(contact)].gap,
-        canvas.panel());
+        canvas.panel(), tic_step(motion.x.col(contact).maxCoeff() - motion.x.col(contact).minCoeff(), kTics));
   }
   figure.script +=
       "unset arrow\n" + multiplier_panel(orbits, canvas) + basin_panel(orbits, canvas) + "unset multiplot\n";

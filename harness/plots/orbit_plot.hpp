@@ -3,6 +3,7 @@
 
 #include "harness/orbits/orbit_search.hpp"
 #include "harness/report/document/section.hpp"
+#include "harness/report/figures/column.hpp"
 
 namespace signorini {
 
@@ -10,6 +11,6 @@ namespace signorini {
 /// wall: order and stability in the title, at most 12, in the order of the search. Then the Floquet
 /// multipliers of all in the complex plane, and the share of the starts of the search that ended at each.
 /// \throws UsageError where there is none
-Figure orbit_plot(const Problem& problem, const std::vector<FoundOrbit>& orbits);
+Figure orbit_plot(const Problem& problem, const std::vector<FoundOrbit>& orbits, Column column = Column::own);
 
 }  // namespace signorini

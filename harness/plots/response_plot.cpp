@@ -98,13 +98,13 @@ std::string marks(const std::vector<MethodResponse>& responses, SpecialKind kind
 constexpr std::string_view kResponseFrame = R"(set grid back lc rgb '#dddddd' lw 0.5
 set border 3
 set tics nomirror
-set key at screen 0.5,0.01 bottom center horizontal maxcols 3 noenhanced Left reverse samplen 2 font ',8'
+set key at screen 0.5,0.01 bottom center horizontal maxcols {} noenhanced Left reverse samplen 2 font ',8'
 )";
 
 }  // namespace
 
 Figure response_plot(const std::string& scene, const std::vector<MethodResponse>& responses,
-                     ResponseOrdinate ordinate) {
+                     ResponseOrdinate ordinate, Column column) {
   const bool amplitudes = ordinate == ResponseOrdinate::amplitude;
   // gnuplot's hollow marks.
   constexpr std::array kMarks{
@@ -142,17 +142,20 @@ Figure response_plot(const std::string& scene, const std::vector<MethodResponse>
     if (amplitudes)
       draw(marks(responses, kind), fmt::format("with points lc rgb '#333333' pt {} ps 0.9 title {}", mark,
                                                gnuplot_string(describe(kind))));
-  constexpr double kPanel = 9.2, kAxis = 1.3;  // [cm]
-  const double key = key_height(entries, 3), height = kPanel + kAxis + key;
+  constexpr double kUsualWidth = 16.0, kUsualPanel = 9.2, kNarrowPanel = 6.0, kAxis = 1.3;  // [cm]
+  const int columns = is_narrow(column) ? 1 : 3;
+  const double panel = is_narrow(column) ? kNarrowPanel : kUsualPanel;
+  const double key = key_height(entries, columns), height = panel + kAxis + key;
   return {.name = "response",
           .caption = "Response of " + scene,
-          .script = fmt::format("{}set bmargin at screen {:.3f}\nset ylabel {}\nset xlabel {} "
+          .script = fmt::format(kResponseFrame, columns) +
+                    fmt::format("set bmargin at screen {:.3f}\nset ylabel {}\nset xlabel {} "
                                 "noenhanced\nset title {} noenhanced\n{}",
-                                kResponseFrame, (kAxis + key) / height,
+                                (kAxis + key) / height,
                                 amplitudes ? "'amplitude [m]'" : "'x at t = 0 of each forcing period [m]'",
                                 gnuplot_string(abscissa), gnuplot_string(scene), canvas.panel()),
           .data = canvas.data(),
-          .width = 16.0,
+          .width = width_in(column, kUsualWidth),
           .height = height};
 }
 

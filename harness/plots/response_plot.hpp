@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "harness/report/document/section.hpp"
+#include "harness/report/figures/column.hpp"
 #include "harness/sweep/branch_response.hpp"
 
 namespace signorini {
@@ -20,6 +21,6 @@ enum class ResponseOrdinate {
 /// parts solid, unstable ones dashed, those of unknown stability thin, steps of the frequency as marks;
 /// special points marked by their kind.
 Figure response_plot(const std::string& scene, const std::vector<MethodResponse>& responses,
-                     ResponseOrdinate ordinate = ResponseOrdinate::amplitude);
+                     ResponseOrdinate ordinate = ResponseOrdinate::amplitude, Column column = Column::own);
 
 }  // namespace signorini

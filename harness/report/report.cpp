@@ -16,6 +16,7 @@
 #include "harness/report/formats/screen.hpp"
 #include "harness/report/formats/screen_groups.hpp"
 #include "harness/report/page/page.hpp"
+#include "harness/report/page/page_parts.hpp"
 #include "harness/report/sections/sections.hpp"
 
 namespace signorini {
@@ -25,15 +26,17 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Every figure of a run as gnuplot draws it.
-std::vector<Figure> figures_of(const Evaluation& evaluation, const std::vector<Section>& sections) {
+std::vector<Figure> figures_of(const Evaluation& evaluation, const std::vector<Section>& sections,
+                               Column column) {
   std::vector<Figure> figures;
   for (const Section& section : sections)
-    figures.insert(figures.end(), section.figures.begin(), section.figures.end());
+    if (const auto group = group_of(section)) figures.push_back(profile_figure(evaluation, *group, column));
   for (const std::string& scene : evaluation.scenes()) {
-    for (Figure& figure : work_precision_figures(evaluation, scene)) figures.push_back(std::move(figure));
-    if (Figure figure = convergence_figure(evaluation, scene); !figure.data.empty())
+    for (Figure& figure : work_precision_figures(evaluation, scene, column))
       figures.push_back(std::move(figure));
-    for (Figure& figure : motion_figures(evaluation, scene)) figures.push_back(std::move(figure));
+    if (Figure figure = convergence_figure(evaluation, scene, column); !figure.data.empty())
+      figures.push_back(std::move(figure));
+    for (Figure& figure : motion_figures(evaluation, scene, column)) figures.push_back(std::move(figure));
   }
   return figures;
 }
@@ -69,7 +72,7 @@ nlohmann::ordered_json manifest_in(const fs::path& folder) {
 }  // namespace
 
 std::vector<fs::path> write_report(const fs::path& folder, const Evaluation& evaluation,
-                                   const std::vector<std::string>& formats) {
+                                   const std::vector<std::string>& formats, Column column) {
   const auto wants = [&](const char* format) { return std::ranges::count(formats, format) > 0; };
   const std::vector<Section> sections = sections_of(evaluation);
   std::vector<fs::path> files;
@@ -83,7 +86,7 @@ std::vector<fs::path> write_report(const fs::path& folder, const Evaluation& eva
     write(folder / "measures.csv", measures_csv(evaluation));
   }
   if (wants("tex")) {
-    draw_figures(folder / "figures", figures_of(evaluation, sections));
+    draw_figures(folder / "figures", figures_of(evaluation, sections, column));
     fs::create_directories(folder / "tables");
     for (const Section& section : sections)
       write(folder / "tables" / (section.id + ".tex"), to_latex(section));

@@ -9,6 +9,7 @@
 #include "harness/plan/suite.hpp"
 #include "harness/report/document/section.hpp"
 #include "harness/report/evaluation/evaluation.hpp"
+#include "harness/report/figures/column.hpp"
 
 namespace signorini {
 
@@ -21,13 +22,14 @@ inline const std::vector<std::string> kReportFormats{"md", "csv", "tex", "html"}
 /// - csv: table.csv, one row per record; measures.csv, one row per scene and method
 /// - tex: tables/SECTION.tex, and the figures
 /// - html: report.html
-/// - figures: figures/NAME.{gp,dat,svg,pdf}
+/// - figures: figures/NAME.{gp,dat,svg,pdf}, as wide as `column`
 ///
 /// Returns the files that a reader opens. \throws UsageError if the folder cannot be written, or gnuplot,
 /// which draws figures, is missing
 std::vector<std::filesystem::path> write_report(const std::filesystem::path& folder,
                                                 const Evaluation& evaluation,
-                                                const std::vector<std::string>& formats);
+                                                const std::vector<std::string>& formats,
+                                                Column column = Column::own);
 
 /// What a document may show of a run: its sections, as `verdict` a table of the methods that are
 /// recommended, and as `screen` its screen (screen.hpp), that of a run in the folder results.

@@ -35,6 +35,7 @@ struct Extremes {
 struct NamedCurve {
   std::string name = {}, colour = {};
   double cost = 0.0, error = 0.0;  ///< its end
+  std::string style = {};          ///< of its line and marks
 };
 
 /// One figure of errors over a cost.
@@ -76,7 +77,7 @@ void add_study(const ResolutionStudy& study, std::size_t place, const std::strin
   for (const CurvePoint& point : pareto_curve(study, axis))
     curve += fmt::format("{:.6e} {:.6e}\n", point.cost, *point.run->error);
   if (curve.empty()) return;
-  NamedCurve named{.name = label, .colour = line_colour(place)};
+  NamedCurve named{.name = label, .colour = line_colour(place), .style = style.line + " " + style.mark};
   for (const ScoredRun& run : study.runs) {
     const std::optional<double> cost = axis.cost(*run.record);
     if (!run.error || !cost) continue;
@@ -153,8 +154,12 @@ set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
 unset key
-set rmargin at screen {:.3f}
 )";
+
+/// A key below the panel, in one column.
+constexpr std::string_view kKeyBelow =
+    "set key at screen 0.5,0.01 bottom center vertical maxcols 1 noenhanced Left reverse samplen 2 font "
+    "',8'\n";
 
 /// Triangles with the slopes of orders 1 and 2, at the lower left.
 std::string slope_triangles(double least_cost, double low) {
@@ -181,31 +186,49 @@ struct ErrorAxes {
   bool slopes = false;  ///< with triangles of orders 1 and 2
 };
 
+/// Where the curves are named, as commands that make room for it, and the rest of the figure's size.
+/// \param low, high  of the error axis
+std::string named_curves(const ErrorFigure& drawn, Column column, double low, double high, Figure& figure) {
+  if (!is_narrow(column)) {
+    constexpr double kLetter = 0.19, kBeside = 0.9;  // [cm]
+    std::size_t longest = 0;
+    for (const NamedCurve& curve : drawn.curves) longest = std::max(longest, curve.name.size());
+    const double room = std::min(0.5, (kLetter * static_cast<double>(longest) + kBeside) / figure.width);
+    return fmt::format("set rmargin at screen {:.3f}\n", 1.0 - room) + names_beside(drawn.curves, low, high);
+  }
+  constexpr double kPanelAndAxis = 7.6, kAxis = 1.4;  // [cm]
+  const double key = key_height(drawn.curves.size(), 1);
+  figure.height = kPanelAndAxis + key;
+  return fmt::format("set bmargin at screen {:.3f}\n{}", (key + kAxis) / figure.height, kKeyBelow);
+}
+
 Figure figure_of(const Evaluation& evaluation, const std::vector<const ResolutionStudy*>& studies,
-                 const std::string& name, const ErrorAxes& axes) {
+                 const std::string& name, const ErrorAxes& axes, Column column) {
   ErrorFigure drawn;
   for (const ResolutionStudy* study : studies)
     add_study(*study, evaluation.place_of(study->configuration), label_of(*study), axes.axis, drawn);
   if (drawn.canvas.empty()) return {};
-  constexpr double kMargin = 3.0, kWidth = 17.0, kLetter = 0.19, kBeside = 0.9;  // [-], [cm]
-  std::size_t longest = 0;
-  for (const NamedCurve& curve : drawn.curves) longest = std::max(longest, curve.name.size());
-  const double room = std::min(0.5, (kLetter * static_cast<double>(longest) + kBeside) / kWidth);
+  constexpr double kMargin = 3.0, kUsualWidth = 17.0;  // [-], [cm]
   const Extremes& e = drawn.extremes;
   const double lowest = axes.floor > 0.0 ? std::min(e.least_error, axes.floor) : e.least_error;
   const double low = lowest / kMargin, high = e.largest_error * kMargin;
   if (axes.floor > 0.0)
     drawn.canvas.plot(fmt::format("{:.6e} with lines lc rgb '#888888' dt 3 lw 1 notitle", axes.floor));
-  Figure figure{.name = name, .data = drawn.canvas.data(), .width = kWidth};
-  figure.script = fmt::format(kAxes, axes.cost, axes.error, e.least_cost / kMargin, e.largest_cost * kMargin,
-                              low, high, 1.0 - room);
+  Figure figure{.name = name, .data = drawn.canvas.data(), .width = width_in(column, kUsualWidth)};
+  figure.script =
+      fmt::format(kAxes, axes.cost, axes.error, e.least_cost / kMargin, e.largest_cost * kMargin, low, high) +
+      named_curves(drawn, column, low, high, figure);
+  if (is_narrow(column))
+    for (const NamedCurve& curve : drawn.curves)
+      drawn.canvas.plot(
+          fmt::format("keyentry with linespoints {} title {}", curve.style, gnuplot_string(curve.name)));
   if (axes.floor > 0.0)
     figure.script += fmt::format(
         "set label '10 error bars' at graph 0.99, first {:.6e} right offset 0,-0.6 font ',7' textcolor rgb "
         "'#888888'\n",
         axes.floor);
   if (axes.slopes) figure.script += slope_triangles(e.least_cost, low);
-  figure.script += drawn.marks + names_beside(drawn.curves, low, high) + drawn.canvas.panel();
+  figure.script += drawn.marks + drawn.canvas.panel();
   return figure;
 }
 
@@ -227,17 +250,19 @@ const CostAxis& resolution_axis() {
 
 }  // namespace
 
-std::vector<Figure> work_precision_figures(const Evaluation& evaluation, const std::string& scene) {
+std::vector<Figure> work_precision_figures(const Evaluation& evaluation, const std::string& scene,
+                                           Column column) {
   std::vector<const ResolutionStudy*> competing, others;
   for (const ResolutionStudy& study : evaluation.studies()) {
     if (study.scene == scene)
       (study.eligibility == Eligibility::another_law ? others : competing).push_back(&study);
   }
   constexpr const char* kTime = "time, set-up and solve [s]";
-  std::vector<Figure> figures{figure_of(evaluation, competing, scene + "-work-precision",
-                                        {time_axis(), kTime, "error of x [-]", floor_of(competing)}),
-                              figure_of(evaluation, others, scene + "-other-laws",
-                                        {time_axis(), kTime, "error of x, own law [-]", floor_of(others)})};
+  std::vector<Figure> figures{
+      figure_of(evaluation, competing, scene + "-work-precision",
+                {time_axis(), kTime, "error of x [-]", floor_of(competing)}, column),
+      figure_of(evaluation, others, scene + "-other-laws",
+                {time_axis(), kTime, "error of x, own law [-]", floor_of(others)}, column)};
   figures[0].caption =
       "Error against time. Each mark is a resolution, its number beside it; hollow ones lie below ten error "
       "bars of the orbit and are not ranked.";
@@ -249,7 +274,7 @@ std::vector<Figure> work_precision_figures(const Evaluation& evaluation, const s
   return figures;
 }
 
-Figure convergence_figure(const Evaluation& evaluation, const std::string& scene) {
+Figure convergence_figure(const Evaluation& evaluation, const std::string& scene, Column column) {
   std::vector<const ResolutionStudy*> studies;
   for (const ResolutionStudy& study : evaluation.studies()) {
     if (study.scene != scene || study.eligibility == Eligibility::another_law) continue;
@@ -262,7 +287,7 @@ Figure convergence_figure(const Evaluation& evaluation, const std::string& scene
   }
   const ErrorAxes axes{resolution_axis(), "harmonics, or samples of a period [-]", "error of x [-]", 0.0,
                        true};
-  Figure figure = figure_of(evaluation, studies, scene + "-convergence", axes);
+  Figure figure = figure_of(evaluation, studies, scene + "-convergence", axes, column);
   if (figure.data.empty()) return {};
   figure.caption =
       "Error against the number of harmonics or samples that a method was asked for; triangles have the "

@@ -73,7 +73,8 @@ set border 3
 set tics nomirror
 )";
 
-constexpr std::string_view kPanels = R"(set multiplot layout 4,1 margins 0.11,0.98,{:.3f},0.98 spacing 0,0.03
+constexpr std::string_view kPanels =
+    R"(set multiplot layout 4,1 margins {:.2f},0.98,{:.3f},0.98 spacing 0,0.03
 set xrange [0:{:.6g}]
 set format x ''
 unset key
@@ -85,40 +86,51 @@ unset key
 set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
 )";
 
-Figure waveform_figure(const Evaluation& evaluation, DrawnMotions& drawn, const std::string& scene) {
+Figure waveform_figure(const Evaluation& evaluation, DrawnMotions& drawn, const std::string& scene,
+                       Column column_of_page) {
   std::vector<KeyEntry> keys{{std::string(kOrbitStyle) + " pt -1", "certified orbit"}};
   if (drawn.impacts) keys.push_back({std::string(kImpactStyle), "its impacts", "points"});
   for (const KeptAnswer& answer : drawn.kept.answers)
     keys.push_back({style_of(evaluation, answer).line + " pt -1", resolution_of(*answer.record)});
   constexpr std::size_t kFitsTwice = 48;  // letters
-  const bool wide =
-      std::ranges::any_of(keys, [](const KeyEntry& entry) { return entry.title.size() > kFitsTwice; });
+  const bool wide = is_narrow(column_of_page) || std::ranges::any_of(keys, [](const KeyEntry& entry) {
+                      return entry.title.size() > kFitsTwice;
+                    });
   const int columns = wide ? 1 : 2;
-  constexpr double kPanelsAndAxis = 15.2, kAxis = 1.3;  // [cm]
+  constexpr double kPanelsAndAxis = 15.2, kAxis = 1.3, kLabels = 1.9;  // [cm]
   const double key = key_height(keys.size(), columns);
-  Figure figure{.name = scene + "-waveforms", .width = 17.0, .height = kPanelsAndAxis + key};
-  figure.script = std::string(kFrame) + fmt::format(kPanels, (key + kAxis) / figure.height, drawn.end);
-  constexpr std::array kLabels{"x [m]", "velocity [m/s]", "force of the stop [N]", "impulse so far [N s]"};
-  for (std::size_t panel = 0; panel < kLabels.size(); ++panel) {
+  Figure figure{
+      .name = scene + "-waveforms", .width = width_in(column_of_page, 17.0), .height = kPanelsAndAxis + key};
+  figure.script = std::string(kFrame) +
+                  fmt::format(kPanels, kLabels / figure.width, (key + kAxis) / figure.height, drawn.end);
+  constexpr std::array kSignals{"x [m]", "velocity [m/s]", "force of the stop [N]", "impulse so far [N s]"};
+  for (std::size_t panel = 0; panel < kSignals.size(); ++panel) {
     const int column = static_cast<int>(panel) + kDisplacement;
-    if (panel + 1 == kLabels.size()) figure.script += "set format x '%g'\nset xlabel 't [s]'\n";
+    if (panel + 1 == kSignals.size()) figure.script += "set format x '%g'\nset xlabel 't [s]'\n";
     if (column == kDisplacement) figure.script += stop_line(drawn, false);
     figure.script +=
-        fmt::format("set ylabel '{}'\n", kLabels[panel]) + waveform_panel(evaluation, drawn, column);
+        fmt::format("set ylabel '{}'\n", kSignals[panel]) + waveform_panel(evaluation, drawn, column);
     if (column == kDisplacement) figure.script += "unset arrow\nunset label\n";
   }
   figure.script += key_panel(keys, key / figure.height, columns) + "unset multiplot\n";
   return figure;
 }
 
-Figure phase_figure(const Evaluation& evaluation, DrawnMotions& drawn, const std::string& scene) {
-  Figure figure{.name = scene + "-phase", .width = 12.0, .height = 10.0};
+Figure phase_figure(const Evaluation& evaluation, DrawnMotions& drawn, const std::string& scene,
+                    Column column) {
+  constexpr double kUsualWidth = 12.0, kHeight = 10.0;  // [cm]
+  Figure figure{.name = scene + "-phase",
+                .width = width_in(column, kUsualWidth),
+                .height = is_narrow(column) ? kSingleColumn : kHeight};
   drawn.canvas.plot(drawn.portraits[0], fmt::format("with lines {}", kOrbitStyle));
   for (std::size_t i = 0; i < drawn.kept.answers.size(); ++i)
     drawn.canvas.plot(drawn.portraits[i + 1],
                       fmt::format("with lines {}", style_of(evaluation, drawn.kept.answers[i]).line));
-  figure.script =
-      std::string(kFrame) + std::string(kPhaseAxes) + stop_line(drawn, true) + drawn.canvas.panel();
+  constexpr int kTics = 5;
+  const auto [least, largest] = std::ranges::minmax(drawn.kept.orbit().x[drawn.kept.place]);
+  figure.script = std::string(kFrame) + std::string(kPhaseAxes) +
+                  fmt::format("set xtics {:g}\n", tic_step(largest - least, kTics)) + stop_line(drawn, true) +
+                  drawn.canvas.panel();
   return figure;
 }
 
@@ -154,13 +166,13 @@ DrawnMotions motions_drawn(KeptMotions kept) {
 
 }  // namespace
 
-std::vector<Figure> motion_figures(const Evaluation& evaluation, const std::string& scene) {
+std::vector<Figure> motion_figures(const Evaluation& evaluation, const std::string& scene, Column column) {
   KeptMotions kept = kept_motions(evaluation, scene);
   if (kept.answers.empty()) return {};
   const int contact = kept.contact;
   DrawnMotions drawn = motions_drawn(std::move(kept));
-  std::vector<Figure> figures{waveform_figure(evaluation, drawn, scene),
-                              phase_figure(evaluation, drawn, scene)};
+  std::vector<Figure> figures{waveform_figure(evaluation, drawn, scene, column),
+                              phase_figure(evaluation, drawn, scene, column)};
   figures[0].caption = fmt::format(
       "One period at contact {}: each method's coarsest solved resolution on the certified orbit; "
       "subharmonic answers are shifted by whole periods of the load to its phase. Impacts are jumps of the "

@@ -14,7 +14,7 @@ namespace signorini {
 namespace {
 
 constexpr std::string_view kProfilePanels =
-    R"(set multiplot layout 1,{} margins 0.11,0.99,{:.3f},{:.3f} spacing 0.03,0
+    R"(set multiplot layout {},{} margins {:.2f},0.99,{:.3f},{:.3f} spacing 0.03,{:.3f}
 set logscale x
 set xrange [1:{:.6e}]
 set yrange [-0.02:1.02]
@@ -48,24 +48,27 @@ double largest_ratio(const std::vector<PerformanceProfile>& profiles) {
 
 }  // namespace
 
-Figure profile_figure(const Evaluation& evaluation, std::size_t number) {
+Figure profile_figure(const Evaluation& evaluation, std::size_t number, Column column) {
   const RankingGroup& group = evaluation.groups()[number];
   std::vector<PerformanceProfile> profiles;
   for (const double error : kProfileErrors)
     profiles.push_back(performance_profile(costs_to_error(group, time_axis(), error)));
   const double end = 1.5 * largest_ratio(profiles);
-  constexpr int kColumns = 2;
+  const bool narrow = is_narrow(column);  // then the panels stand below each other
+  const int columns = narrow ? 1 : 2, panels = static_cast<int>(kProfileErrors.size());
   constexpr double kPanel = 4.9, kBelow = 1.5, kAbove = 1.1;  // of a panel, of its axis, of its title [cm]
-  const double key = key_height(group.configurations.size(), kColumns);
+  const double key = key_height(group.configurations.size(), columns);
+  const double stack = (kPanel + kBelow + kAbove) * (narrow ? panels : 1);
   Figure figure{
-      .name = fmt::format("profile-{}", number + 1), .width = 18.0, .height = kPanel + kBelow + kAbove + key};
+      .name = fmt::format("profile-{}", number + 1), .width = width_in(column, 18.0), .height = stack + key};
   figure.caption = fmt::format(
       "Performance profiles on {} scenes: the share of all of them that a method solves to the error above "
       "the panel within a factor of the time of the fastest. A failure is infinitely slow; a scene that no "
       "method solves counts.",
       group.scenes.size());
-  figure.script = fmt::format(kProfilePanels, kProfileErrors.size(), (key + kBelow) / figure.height,
-                              1.0 - kAbove / figure.height, end);
+  figure.script = fmt::format(kProfilePanels, narrow ? panels : 1, narrow ? 1 : panels, narrow ? 0.23 : 0.11,
+                              (key + kBelow) / figure.height, 1.0 - kAbove / figure.height,
+                              narrow ? (kBelow + kAbove) / figure.height : 0.0, end);
   Canvas canvas;
   for (std::size_t p = 0; p < profiles.size(); ++p) {
     for (std::size_t c = 0; c < group.configurations.size(); ++c) {
@@ -76,8 +79,8 @@ Figure profile_figure(const Evaluation& evaluation, std::size_t number) {
       canvas.plot(block, fmt::format("with steps {} notitle", style.line));
       canvas.plot(block, fmt::format("with points {} ps 0.6 notitle", style.filled));
     }
-    figure.script += fmt::format("set title 'error 10^{{{:.0f}}}'\n{}set format y ''\nunset ylabel\n",
-                                 std::log10(kProfileErrors[p]), canvas.panel());
+    figure.script += fmt::format("set title 'error 10^{{{:.0f}}}'\n{}{}", std::log10(kProfileErrors[p]),
+                                 canvas.panel(), narrow ? "" : "set format y ''\nunset ylabel\n");
   }
   figure.data = canvas.data();
   std::vector<KeyEntry> keys;
@@ -85,7 +88,7 @@ Figure profile_figure(const Evaluation& evaluation, std::size_t number) {
     const LineStyle style = line_style(evaluation.place_of(configuration));
     keys.push_back({style.line + " " + style.mark, configuration});
   }
-  figure.script += key_panel(keys, key / figure.height, kColumns) + "unset multiplot\n";
+  figure.script += key_panel(keys, key / figure.height, columns) + "unset multiplot\n";
   return figure;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/plots/plot_file.hpp"
+#include "harness/report/figures/gnuplot.hpp"
 #include "tests/harness/sample_records.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
@@ -45,6 +46,13 @@ TEST(MotionPlot, CanBeDrawnWithAndWithoutAnOrbit) {
   EXPECT_NO_THROW(
       write_plot(folder.path() / "a.svg", motion_plot(two_stops(), test::full_record(), motions())));
   EXPECT_NO_THROW(write_plot(folder.path() / "b.svg", motion_plot(two_stops(), test::full_record(), alone)));
+}
+
+TEST(MotionPlot, StacksItsPanelsInASingleColumn) {
+  const Figure figure = motion_plot(two_stops(), test::full_record(), motions(), Column::single);
+  EXPECT_EQ(figure.width, kSingleColumn);
+  EXPECT_NE(figure.script.find("layout 4,1"), std::string::npos);
+  EXPECT_NO_THROW((void)drawn(figure, "svg"));
 }
 
 }  // namespace

@@ -57,6 +57,12 @@ TEST(OrbitPlot, ShowsMultipliersOfAllAndTheShareOfStartsOfEach) {
   EXPECT_NO_THROW((void)drawn(figure, "svg"));
 }
 
+TEST(OrbitPlot, StacksItsPortraitsInASingleColumn) {
+  const Figure figure = orbit_plot(one_stop(), {orbit("first"), orbit("second")}, Column::single);
+  EXPECT_EQ(figure.width, kSingleColumn);
+  EXPECT_NE(figure.script.find("layout 4,1"), std::string::npos);  // with multipliers and starts
+}
+
 TEST(OrbitPlot, RefusesToDrawNothing) { EXPECT_THROW(orbit_plot(one_stop(), {}), UsageError); }
 
 }  // namespace

@@ -32,6 +32,13 @@ TEST(ResponsePlot, DrawsStableAndUnstablePartsThatMeet) {
   EXPECT_EQ(figure.script.find("grazing"), std::string::npos);
 }
 
+TEST(ResponsePlot, IsAsWideAsAColumn) {
+  const Figure figure = response_plot("scene", {two_parts()}, ResponseOrdinate::amplitude, Column::single);
+  EXPECT_EQ(figure.width, kSingleColumn);
+  EXPECT_LT(figure.height, response_plot("scene", {two_parts()}).height);
+  EXPECT_NE(figure.script.find("maxcols 1 "), std::string::npos);
+}
+
 TEST(ResponsePlot, OfABifurcationHasACurveForEachForcingPeriod) {
   Branch branch;
   for (const double p : {1.0, 1.1}) {

@@ -74,5 +74,19 @@ TEST(ErrorFigures, AreUnderstoodByGnuplot) {
   EXPECT_NO_THROW((void)drawn(convergence_figure(evaluation, "s1"), "svg"));
 }
 
+TEST(WorkPrecisionFigure, NamesCurvesBelowThePanelInASingleColumn) {
+  const Evaluation evaluation(test::records_of_two_methods());
+  const Figure usual = work_precision_figures(evaluation, "s1").at(0),
+               narrow = work_precision_figures(evaluation, "s1", Column::single).at(0),
+               broad = work_precision_figures(evaluation, "s1", Column::both).at(0);
+  EXPECT_EQ(narrow.width, kSingleColumn);
+  EXPECT_EQ(broad.width, kBothColumns);
+  EXPECT_EQ(narrow.data, usual.data);
+  EXPECT_NE(usual.script.find("set label 'b' at graph 1.06"), std::string::npos) << usual.script;
+  EXPECT_EQ(narrow.script.find("graph 1.06"), std::string::npos);
+  EXPECT_NE(narrow.script.find("title 'b'"), std::string::npos);
+  for (const char* format : {"svg", "pdf", "png"}) EXPECT_NO_THROW((void)drawn(narrow, format));
+}
+
 }  // namespace
 }  // namespace signorini

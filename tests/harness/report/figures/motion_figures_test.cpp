@@ -28,6 +28,10 @@ TEST(MotionFigures, DrawTheCoarsestSolvedAnswerOnItsOrbit) {
   EXPECT_NE(figures[1].script.find("set arrow 1 from 0.5, graph 0 to 0.5, graph 1"), std::string::npos);
   EXPECT_NE(figures[0].data.find("# impacts\n0.5 0.5\n\n\n"), std::string::npos) << figures[0].data;
   for (const Figure& figure : figures) EXPECT_NO_THROW((void)drawn(figure, "svg"));
+  for (const Figure& narrow : motion_figures(Evaluation(records), "s1", Column::single)) {
+    EXPECT_EQ(narrow.width, kSingleColumn);
+    EXPECT_NO_THROW((void)drawn(narrow, "svg"));
+  }
 }
 
 }  // namespace
