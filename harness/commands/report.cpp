@@ -14,6 +14,7 @@
 #include "harness/records/run_folder.hpp"
 #include "harness/report/formats/screen.hpp"
 #include "harness/responses/response_report.hpp"
+#include "harness/responses/response_sections.hpp"
 #include "harness/terminal/terminal.hpp"
 
 namespace signorini {
@@ -27,6 +28,7 @@ struct ReportArguments {
   std::string folder;
   std::vector<std::string> formats{"md", "csv"};
   std::optional<std::string> document;
+  Column column = Column::own;
 };
 
 std::vector<std::string> formats_known() {
@@ -35,7 +37,7 @@ std::vector<std::string> formats_known() {
   return formats;
 }
 
-/// table.md of a folder of responses, and its figures where a format asks for them.
+/// What the formats ask for of a folder of responses.
 void report_responses(const ReportArguments& arguments, const std::filesystem::path& folder) {
   const std::vector<ResponseRecord> records = read_responses(folder);
   if (arguments.document) {
@@ -43,9 +45,9 @@ void report_responses(const ReportArguments& arguments, const std::filesystem::p
     fmt::print("{}\n", *arguments.document);
     return;
   }
-  const bool figures = std::ranges::any_of(
-      arguments.formats, [](const std::string& format) { return format == "html" || format == "tex"; });
-  for (const std::filesystem::path& file : write_response_report(folder, records, figures))
+  if (std::ranges::count(arguments.formats, kScreen) > 0) fmt::print("{}", response_screen(records));
+  for (const std::filesystem::path& file :
+       write_response_report(folder, records, arguments.formats, arguments.column))
     fmt::print("{}\n", file.string());
 }
 
@@ -68,7 +70,8 @@ void report(const ReportArguments& arguments) {
                                                 .program = typed_program(),
                                                 .colour = takes_colour(STDOUT_FILENO)}));
   }
-  for (const std::filesystem::path& file : write_report(folder, evaluation, arguments.formats))
+  for (const std::filesystem::path& file :
+       write_report(folder, evaluation, arguments.formats, arguments.column))
     fmt::print("{}\n", file.string());
 }
 
@@ -88,6 +91,7 @@ void add_report_command(CLI::App& app, int& exit_code) {
       ->delimiter(',')
       ->check(CLI::IsMember(formats_known()))
       ->capture_default_str();
+  add_column_option(*command, arguments->column, "figures/*");
   command->add_option(
       "--into", arguments->document,
       "instead bring the tables in this Markdown file up to date, each between the lines <!-- "

@@ -6,10 +6,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "harness/build_info.hpp"
+#include "harness/cluster/scripts.hpp"
 #include "harness/commands/command_line.hpp"
 #include "harness/files.hpp"
 #include "harness/interrupt.hpp"
@@ -22,6 +22,7 @@
 #include "harness/report/report.hpp"
 #include "harness/responses/response_report.hpp"
 #include "harness/responses/response_run.hpp"
+#include "harness/responses/response_sections.hpp"
 #include "harness/run/suite_run.hpp"
 #include "harness/terminal/run_output.hpp"
 #include "harness/terminal/terminal.hpp"
@@ -135,11 +136,14 @@ int run_response_suite(const RunArguments& arguments, const Suite& suite) {
   watch_interrupts();
   const ResponseRunResult result = run_responses(suite, cases, limits, folder, arguments.resume);
   const std::vector<ResponseRecord> records = read_responses(folder);
-  write_response_report(folder, records, false);
-  const std::vector<Section> sections = response_sections(records);
-  fmt::print("{}", markdown_report(std::span(sections).first(arguments.verbose ? sections.size() : 1)));
-  fmt::print("\n{} responses run, {} already there; {} and table.md, with each response, are in {}\n",
-             result.ran, result.present, kResponsesFile, folder.string());
+  write_response_report(folder, records, {"md"});
+  if (arguments.verbose) fmt::print("{}\n", markdown_report(response_sections(records)));
+  fmt::print("{}", response_screen(records));
+  fmt::print(
+      "\n{} responses run, {} already there; {} and table.md, with each response, are in {}\n"
+      "A page with figures: {} report {} --format html\n",
+      result.ran, result.present, kResponsesFile, folder.string(), shell_word(typed_program()),
+      shell_word(folder.string()));
   if (result.interrupted) {
     fmt::print(stderr, "interrupted; the same command with --resume --out {} does the rest\n",
                folder.string());

@@ -15,6 +15,10 @@ std::optional<bool> stable(OrbitStability stability) {
   return std::nullopt;
 }
 
+std::optional<double> amplitude_at(const BranchPoint& point) {
+  return point.amplitude.empty() ? std::nullopt : std::optional(std::ranges::max(point.amplitude));
+}
+
 /// The motion at kComparedPhases instants of each forcing period, interpolated.
 Eigen::MatrixXd at_phases(const std::vector<std::vector<double>>& x, int order) {
   const Eigen::Index count = Eigen::Index{kComparedPhases} * order;
@@ -91,8 +95,10 @@ ResponseCurve curve_of(const BranchDiagram& diagram) {
                                .stable = stable(point.stability)});
     curve.branches.push_back(std::move(points));
     for (const SpecialPoint& special : branch.special)
-      curve.located.push_back(
-          {.kind = special.kind, .frequency = special.point.frequency, .order = special.point.order});
+      curve.located.push_back({.kind = special.kind,
+                               .frequency = special.point.frequency,
+                               .order = special.point.order,
+                               .amplitude = amplitude_at(special.point)});
   }
   if (!diagram.unfinished.empty()) curve.open_ends.push_back(diagram.unfinished);
   curve.open_ends.insert(curve.open_ends.end(), diagram.notes.begin(), diagram.notes.end());

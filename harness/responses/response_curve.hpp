@@ -1,6 +1,7 @@
 #pragma once
 // A frequency response as a method gives it, and the same cut into short pieces of known length.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,9 @@ struct ResponseBranch {
 /// A point that the method itself located.
 struct LocatedPoint {
   SpecialKind kind = SpecialKind::fold;
-  double frequency = 0.0;  ///< [rad/s]
-  int order = 1;           ///< forcing periods per period
+  double frequency = 0.0;                ///< [rad/s]
+  int order = 1;                         ///< forcing periods per period
+  std::optional<double> amplitude = {};  ///< largest of the contacts: half of largest less least x_j [m]
 };
 
 /// All that one method makes of a response.

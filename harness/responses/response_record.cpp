@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "harness/files.hpp"
@@ -22,6 +23,7 @@ void visit_fields(Either<LocatedPoint> auto& point, auto&& field) {
   field(required("kind"), point.kind);
   field(required("omega", "rad/s"), point.frequency);
   field(required("order"), point.order);
+  field(Field{"amplitude", "m"}, point.amplitude);
 }
 
 void visit_fields(Either<CurveShares> auto& shares, auto&& field) {
@@ -68,6 +70,21 @@ void visit_fields(Either<ResponseRecord> auto& record, auto&& field) {
   field(Field{"located"}, record.located);
   field(Field{"open_ends"}, record.open_ends);
   field(Field{"branches"}, record.branches);
+}
+
+bool is_exact(const ResponseRecord& record) { return record.method.empty(); }
+
+std::string label_of(const ResponseRecord& record) {
+  return record.method + (record.by_steps ? " by steps" : "");
+}
+
+std::vector<std::string> labels_of(std::span<const ResponseRecord> records) {
+  std::vector<std::string> found;
+  for (const ResponseRecord& record : records) {
+    const std::string label = label_of(record);
+    if (!is_exact(record) && std::ranges::find(found, label) == found.end()) found.push_back(label);
+  }
+  return found;
 }
 
 std::vector<DrawnBranch> drawn(const ResponseCurve& curve) {

@@ -2,6 +2,7 @@
 // What is kept of a frequency response: one line of DIR/responses.jsonl each.
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,13 @@ struct ResponseRecord {
   std::vector<std::string> open_ends = {};  ///< what was not followed to its end, and why
   std::vector<DrawnBranch> branches = {};
 };
+
+/// Whether it is the exact response of its scene.
+bool is_exact(const ResponseRecord& record);
+/// The method as tables name it: "aft-hbm[harmonics=20] by steps"; empty of an exact one.
+std::string label_of(const ResponseRecord& record);
+/// Labels of all methods, in the order of their first records.
+std::vector<std::string> labels_of(std::span<const ResponseRecord> records);
 
 /// The branches of a response as they are drawn.
 std::vector<DrawnBranch> drawn(const ResponseCurve& curve);

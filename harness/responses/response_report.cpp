@@ -3,203 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "harness/files.hpp"
+#include "harness/records/manifest_check.hpp"
 #include "harness/records/run_folder.hpp"
-#include "harness/report/document/cells.hpp"
 #include "harness/report/figures/canvas.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 #include "harness/report/formats/formats.hpp"
+#include "harness/responses/response_page.hpp"
+#include "harness/responses/response_sections.hpp"
 
 namespace signorini {
 
 namespace {
-
-bool is_exact(const ResponseRecord& record) { return record.method.empty(); }
-
-std::string label_of(const ResponseRecord& record) {
-  return record.method + (record.by_steps ? " by steps" : "");
-}
-
-/// Labels of methods in the order of their first record.
-std::vector<std::string> labels(std::span<const ResponseRecord> records) {
-  std::vector<std::string> found;
-  for (const ResponseRecord& record : records) {
-    const std::string label = label_of(record);
-    if (!is_exact(record) && std::ranges::find(found, label) == found.end()) found.push_back(label);
-  }
-  return found;
-}
-
-Cell percent_cell(std::optional<double> share) {
-  if (!share) return "-";
-  return {fmt::format("{:.1f} %", 100.0 * *share), *share};
-}
-
-Cell seconds_cell(std::optional<double> seconds) {
-  return seconds ? Cell(time_text(*seconds), *seconds) : Cell("-");
-}
-
-/// Relative error of a located point.
-std::optional<double> error_of(const PointMatch& match) {
-  if (!match.frequency) return std::nullopt;
-  return std::abs(*match.frequency - match.exact.frequency) / match.exact.frequency;
-}
-
-Cell error_cell(std::optional<double> error) {
-  return error ? Cell(fmt::format("{:.1e}", *error), *error) : Cell("-");
-}
-
-std::ptrdiff_t found_points(const CurveComparison& comparison) {
-  return std::ranges::count_if(comparison.points,
-                               [](const PointMatch& m) { return m.frequency.has_value(); });
-}
-
-std::optional<double> largest_error(const CurveComparison& comparison) {
-  std::optional<double> largest;
-  for (const PointMatch& match : comparison.points) {
-    if (const auto error = error_of(match)) largest = std::max(largest.value_or(0.0), *error);
-  }
-  return largest;
-}
-
-/// Sums over the responses of one method.
-struct Totals {
-  std::ptrdiff_t followed = 0, asked = 0, found = 0, points = 0, invented = 0;
-  double exact = 0.0, covered = 0.0, length = 0.0, wrong = 0.0, right = 0.0, seconds = 0.0;
-  std::optional<double> error = {};
-
-  void add(const ResponseRecord& record) {
-    if (record.status == Status::not_applicable) return;
-    ++asked;
-    if (record.status == Status::converged) ++followed;
-    if (!record.comparison) return;
-    const CurveComparison& c = *record.comparison;
-    exact += c.exact_length;
-    covered += c.close.covered * c.exact_length;
-    length += c.length;
-    wrong += c.wide.false_share * c.length;
-    right += c.right_length;
-    found += found_points(c);
-    points += static_cast<std::ptrdiff_t>(c.points.size());
-    invented += static_cast<std::ptrdiff_t>(c.invented.size());
-    seconds += record.seconds.value_or(0.0);
-    if (const auto largest = largest_error(c)) error = std::max(error.value_or(0.0), *largest);
-  }
-};
-
-Section overview(std::span<const ResponseRecord> records) {
-  Section section{
-      .id = "responses",
-      .title = "How much of the exact frequency responses each method finds",
-      .text =
-          "Over all responses that a method applies to, by length: `covered` is the share of the exact "
-          "branches within 2 % of the method's, `false` the share of the method's own branches that is "
-          "farther than 5 % from every exact one; `located` are folds, doublings and beginnings of "
-          "contact that it located itself, with the largest error of their frequency, `invented` those "
-          "that are not there; time is that of the processor, per unit of right length."};
-  section.table.header = {"method",        "responses", "covered", "false",          "located",
-                          "largest error", "invented",  "time",    "time per length"};
-  for (const std::string& label : labels(records)) {
-    Totals totals;
-    for (const ResponseRecord& record : records)
-      if (!is_exact(record) && label_of(record) == label) totals.add(record);
-    const auto share = [](double part, double whole) {
-      return whole > 0.0 ? std::optional(part / whole) : std::nullopt;
-    };
-    section.table.rows.push_back(
-        {label, count_cell(totals.followed, totals.asked), percent_cell(share(totals.covered, totals.exact)),
-         percent_cell(share(totals.wrong, totals.length)), count_cell(totals.found, totals.points),
-         error_cell(totals.error), count_cell(totals.invented), seconds_cell(totals.seconds),
-         seconds_cell(share(totals.seconds, totals.right))});
-  }
-  return section;
-}
-
-std::vector<Cell> case_row(const ResponseRecord& record) {
-  if (!record.comparison) {
-    return {
-        record.scene, label_of(record), std::string(status_name(record.status)), "-", "-", "-", "-", "-", "-",
-        "-",          record.message};
-  }
-  const CurveComparison& c = *record.comparison;
-  return {record.scene,
-          label_of(record),
-          count_cell(record.points),
-          percent_cell(c.close.covered),
-          percent_cell(c.close.covered_stable),
-          percent_cell(c.wide.covered),
-          percent_cell(c.wide.false_share),
-          count_cell(found_points(c), static_cast<std::ptrdiff_t>(c.points.size())),
-          error_cell(largest_error(c)),
-          seconds_cell(record.seconds),
-          fmt::format("{}", fmt::join(record.open_ends, "; "))};
-}
-
-Section case_section(std::span<const ResponseRecord> records) {
-  Section section{.id = "response-cases",
-                  .kind = SectionKind::scenes,
-                  .title = "Each response",
-                  .text = "`covered` within 2 %, its stable part alone, and within 5 %; `false` beyond 5 %."};
-  section.table.header = {"scene", "method",  "points",        "covered", "covered, stable", "covered in 5 %",
-                          "false", "located", "largest error", "time",    "left open"};
-  for (const ResponseRecord& record : records)
-    if (!is_exact(record)) section.table.rows.push_back(case_row(record));
-  return section;
-}
-
-Section located_section(std::span<const ResponseRecord> records) {
-  Section section{.id = "located",
-                  .kind = SectionKind::scenes,
-                  .title = "Folds, doublings and beginnings of contact",
-                  .text =
-                      "Where they are on the exact branches, and the relative error of the frequency at "
-                      "which a method located each; `-` where it did not."};
-  const std::vector<std::string> methods = labels(records);
-  section.table.header = {"scene", "point", "order", "omega [rad/s]"};
-  section.table.header.insert(section.table.header.end(), methods.begin(), methods.end());
-  std::map<std::string, std::map<std::string, const ResponseRecord*>> by_scene;
-  for (const ResponseRecord& record : records)
-    if (record.comparison) by_scene[record.scene][label_of(record)] = &record;
-  for (const auto& [scene, of_methods] : by_scene) {
-    const CurveComparison& first = *of_methods.begin()->second->comparison;
-    for (std::size_t i = 0; i < first.points.size(); ++i) {
-      const LocatedPoint& exact = first.points[i].exact;
-      std::vector<Cell> row{scene, describe(exact.kind), count_cell(exact.order),
-                            Cell(fmt::format("{:.10g}", exact.frequency), exact.frequency)};
-      for (const std::string& method : methods) {
-        const auto found = of_methods.find(method);
-        const bool has = found != of_methods.end() && i < found->second->comparison->points.size();
-        row.push_back(has ? error_cell(error_of(found->second->comparison->points[i])) : Cell("-"));
-      }
-      section.table.rows.push_back(std::move(row));
-    }
-  }
-  return section;
-}
-
-Section open_section(std::span<const ResponseRecord> records) {
-  Section section{.id = "open-ends",
-                  .kind = SectionKind::scenes,
-                  .title = "The exact responses, and where they are not known to be whole",
-                  .text =
-                      "A method is measured against what is known: branches that hang together with the "
-                      "answers at both ends of the interval, up to the orders looked for."};
-  section.table.header = {"scene", "from", "to", "orders", "branches", "points", "left open"};
-  for (const ResponseRecord& record : records) {
-    if (!is_exact(record)) continue;
-    std::vector<std::string> open = record.open_ends;
-    if (!record.message.empty()) open.push_back(record.message);
-    section.table.rows.push_back(
-        {record.scene, fmt::format("{:.6g}", record.from), fmt::format("{:.6g}", record.to),
-         count_cell(record.orders), count_cell(static_cast<std::ptrdiff_t>(record.branches.size())),
-         count_cell(record.points), open.empty() ? "nothing" : fmt::format("{}", fmt::join(open, "; "))});
-  }
-  return section;
-}
 
 /// The parts of branches that are stable, or are not, as lines with gaps between them.
 std::string lines_of(const std::vector<DrawnBranch>& branches, bool stable) {
@@ -232,13 +50,10 @@ std::string lines_of(const std::vector<DrawnBranch>& branches) {
   return lines;
 }
 
-constexpr int kPanelColumns = 3;
-
-// Of 3 columns; sizes in cm.
-constexpr double kPanelWidth = 6.0, kPanelHeight = 4.6;
+constexpr double kUsualWidth = 18.0, kPanelHeight = 4.6;  // [cm]
 
 constexpr std::string_view kResponsePanels =
-    R"(set multiplot layout {},{} margins 0.07,0.99,{:.4f},{:.4f} spacing 0.05,{:.4f}
+    R"(set multiplot layout {},{} margins {:.2f},0.99,{:.4f},{:.4f} spacing 0.05,{:.4f}
 set grid back lc rgb '#dddddd' lw 0.5
 set border 3
 set tics nomirror
@@ -246,7 +61,7 @@ set logscale y
 set format y '10^{{%T}}'
 set tics font ',8'
 set title font ',8' offset 0,-0.6
-set label 1 'amplitude [m] over frequency of the load [rad/s]; grey: exact, dashed where unstable; blue: by arc length; orange: by steps' at screen 0.5,{:.4f} center font ',8'
+set label 1 "amplitude [m] over frequency of the load [rad/s]; {}grey: exact, dashed where unstable; {}blue: by arc length; orange: by steps" at screen 0.5,{:.4f} center font ',8'
 set xrange [{:.8g}:{:.8g}]
 unset key
 )";
@@ -261,7 +76,7 @@ std::string panel(const ResponseRecord& record, std::optional<int> stable, std::
   return fmt::format("set title {} noenhanced\n{}", gnuplot_string(label_of(record)), canvas.panel());
 }
 
-Figure response_figure(const ResponseRecord& exact, std::span<const ResponseRecord> records) {
+Figure response_figure(const ResponseRecord& exact, std::span<const ResponseRecord> records, Column column) {
   Canvas canvas;
   const auto stable = canvas.add(lines_of(exact.branches, true));
   const auto unstable = canvas.add(lines_of(exact.branches, false));
@@ -272,49 +87,63 @@ Figure response_figure(const ResponseRecord& exact, std::span<const ResponseReco
     panels += panel(record, stable, unstable, canvas);
     if (count++ == 0) panels += "unset label 1\n";  // once is enough
   }
-  const int rows = std::max(1, (count + kPanelColumns - 1) / kPanelColumns);
-  const double height = rows * kPanelHeight;
+  const bool narrow = is_narrow(column);
+  const int columns = narrow ? 1 : 3, rows = std::max(1, (count + columns - 1) / columns);
+  constexpr double kCaption = 0.4, kCaptionLines = 1.2;  // [cm]
+  const double more = narrow ? kCaptionLines - kCaption : 0.0, height = rows * kPanelHeight + more;
   // Room for titles and numbers, in shares of the figure.
-  const double bottom = 1.3 / height, top = 1.0 - 0.8 / height, between = 1.4 / height;
-  const double caption = 0.4 / height;
+  const double bottom = (1.3 + more) / height, top = 1.0 - 0.8 / height, between = 1.4 / height;
+  const double caption = (narrow ? kCaptionLines : kCaption) / height;
+  const char* const line_end = narrow ? "\\n" : "";
   return {.name = exact.scene + "-response",
           .caption = "Amplitude over the frequency of the load, " + exact.scene +
                      ": exact branches grey, unstable parts dashed; curves by arc length blue, steps orange",
-          .script = fmt::format(kResponsePanels, rows, kPanelColumns, bottom, top, between, caption,
-                                std::min(exact.from, exact.to), std::max(exact.from, exact.to)) +
+          .script = fmt::format(kResponsePanels, rows, columns, narrow ? 0.14 : 0.07, bottom, top, between,
+                                line_end, line_end, caption, std::min(exact.from, exact.to),
+                                std::max(exact.from, exact.to)) +
                     panels + "unset multiplot\n",
           .data = canvas.data(),
-          .width = kPanelColumns * kPanelWidth,
+          .width = width_in(column, kUsualWidth),
           .height = height};
 }
 
 }  // namespace
 
-std::vector<Section> response_sections(std::span<const ResponseRecord> records) {
-  return {overview(records), case_section(records), located_section(records), open_section(records)};
-}
-
-std::vector<Figure> response_figures(std::span<const ResponseRecord> records) {
+std::vector<Figure> response_figures(std::span<const ResponseRecord> records, Column column) {
   std::vector<Figure> figures;
   for (const ResponseRecord& record : records) {
     const bool followed = std::ranges::any_of(records, [&](const ResponseRecord& other) {
       return !is_exact(other) && other.scene == record.scene && !other.branches.empty();
     });
     if (is_exact(record) && !record.branches.empty() && followed)
-      figures.push_back(response_figure(record, records));
+      figures.push_back(response_figure(record, records, column));
   }
   return figures;
 }
 
 std::vector<std::filesystem::path> write_response_report(const std::filesystem::path& folder,
                                                          std::span<const ResponseRecord> records,
-                                                         bool with_figures) {
-  write_whole(folder / "table.md", markdown_report(response_sections(records)));
-  std::vector<std::filesystem::path> files{folder / "table.md"};
-  if (!with_figures) return files;
-  const std::vector<Figure> figures = response_figures(records);
-  draw_figures(folder / "figures", figures);
-  for (const Figure& figure : figures) files.push_back(folder / "figures" / (figure.name + ".svg"));
+                                                         const std::vector<std::string>& formats,
+                                                         Column column) {
+  const auto wants = [&](const char* format) { return std::ranges::count(formats, format) > 0; };
+  std::vector<std::filesystem::path> files;
+  const auto write = [&](const char* name, const std::string& text) {
+    write_whole(folder / name, text);
+    files.push_back(folder / name);
+  };
+  if (wants("md")) write("table.md", markdown_report(response_sections(records)));
+  if (wants("html")) {
+    const std::filesystem::path manifest = folder / "manifest.json";
+    write("report.html", response_page(run_name(folder),
+                                       std::filesystem::exists(manifest) ? read_manifest(manifest)
+                                                                         : nlohmann::ordered_json(),
+                                       records));
+  }
+  if (wants("tex")) {
+    const std::vector<Figure> figures = response_figures(records, column);
+    draw_figures(folder / "figures", figures);
+    for (const Figure& figure : figures) files.push_back(folder / "figures" / (figure.name + ".svg"));
+  }
   return files;
 }
 

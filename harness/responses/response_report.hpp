@@ -1,5 +1,5 @@
 #pragma once
-// Tables and figures of a folder of responses, pure functions of its records.
+// A folder of responses as files: tables, figures, a page.
 
 #include <filesystem>
 #include <span>
@@ -7,24 +7,22 @@
 #include <vector>
 
 #include "harness/report/document/section.hpp"
+#include "harness/report/figures/column.hpp"
 #include "harness/responses/response_record.hpp"
 
 namespace signorini {
 
-/// Sections `responses` (methods over all responses, sums of length), `response-cases` (each response),
-/// `located` (each fold and the like of the exact responses, with the error of every method in omega), and
-/// `open-ends` (where an exact response is not known to be whole).
-std::vector<Section> response_sections(std::span<const ResponseRecord> records);
-
 /// Amplitude over frequency of every scene: the exact response, stable and unstable, under those of the
 /// methods.
-std::vector<Figure> response_figures(std::span<const ResponseRecord> records);
+std::vector<Figure> response_figures(std::span<const ResponseRecord> records, Column column = Column::own);
 
-/// Writes table.md and, if asked to, figures/SCENE-response.{gp,dat,svg,pdf}. Returns the files that a reader
-/// opens. \throws UsageError if the folder cannot be written, or gnuplot is missing
+/// Writes what the formats ask for: "md" table.md, "html" report.html, "tex" figures/SCENE-response.{gp, dat,
+/// svg, pdf}. Returns the files that a reader opens. \throws UsageError if the folder cannot be written, or
+/// gnuplot is missing
 std::vector<std::filesystem::path> write_response_report(const std::filesystem::path& folder,
                                                          std::span<const ResponseRecord> records,
-                                                         bool with_figures);
+                                                         const std::vector<std::string>& formats,
+                                                         Column column = Column::own);
 
 /// Brings the tables of a document up to date; see `with_tables`. The run goes by the name of its folder.
 /// \throws UsageError, NothingMatched

@@ -9,6 +9,8 @@ const switchedOff = new Set(); // configurations
 const classOf = (configuration) => `series c${configuration % 7}`;
 const dashOf = (configuration) => kDashes[configuration % kDashes.length];
 const markPath = (configuration) => d3.symbol().type(kMarks[configuration % kMarks.length]).size(kMarkArea)();
+const kDotRadius = 2.2;     // [pixels]
+const dotPath = (x, y) => `M${x - kDotRadius},${y}a${kDotRadius},${kDotRadius} 0 1 0 ${2 * kDotRadius},0a${kDotRadius},${kDotRadius} 0 1 0 ${-2 * kDotRadius},0`;
 
 const hint = document.getElementById("hint");
 const hideHint = () => { hint.hidden = true; };
@@ -20,11 +22,24 @@ const showHint = (x, y, title, text) => {
   hint.style.top = `${y + 18 + box.height > innerHeight ? y - box.height - 12 : y + 18}px`;
 };
 
+// A portrait as pieces: curves, and impacts as straight lines between them (drawn_waveform.cpp draws likewise).
+const piecesOfPortrait = (line) => {
+  const [x, v] = [0, 1].map((at) => { const [least, largest] = d3.extent(line, (point) => point[at]); return largest - least || 1; });
+  const pieces = [[line[0]]];
+  for (let i = 1; i < line.length; ++i) {
+    const [dx, dv] = [Math.abs(line[i][0] - line[i - 1][0]) / x, Math.abs(line[i][1] - line[i - 1][1]) / v];
+    if (dx < 0.01 && dv > 0.25) pieces.push([line[i - 1], line[i]], [line[i]]);
+    else pieces.at(-1).push(line[i]);
+  }
+  return pieces.filter((piece) => piece.length > 1);
+};
+
 let clips = 0;
 
 class Panel {
-  // spec: {width, height, x, y: axes {log, domain, text, label}, title, label, rule, series: [{c, label, record,
-  // line, step, broad, marks: [{x, y, text, record, hollow, title}]}]}
+  // spec: {width, height, x, y: axes {log, domain, text, label}, title, label, rule, wall, series: [{c, label, record,
+  // line, step, smooth, broad, dash, thin, dots, note, marks: [{x, y, text, record, hollow, title, shape}]}]}; a null in a line
+  // is a gap in it; `rule` and `wall` are lines across the panel at a height and upright, `note` is said of points.
   constructor(host, spec, chart) {
     this.spec = spec;
     this.chart = chart;
@@ -56,7 +71,10 @@ class Panel {
     if (this.spec.y.label) words(this.spec.y.label, 12, middle).attr("transform", `rotate(-90,12,${middle})`);
     this.body = this.svg.append("g").attr("clip-path", `url(#${clip})`);
     if (this.spec.rule !== undefined) {
-      this.rule = this.body.append("line").attr("class", "rule").attr("x1", left).attr("x2", right).attr("aria-hidden", "true");
+      this.rule = this.body.append("line").attr("class", this.spec.stop ? "rule stop" : "rule").attr("x1", left).attr("x2", right).attr("aria-hidden", "true");
+    }
+    if (this.spec.wall !== undefined) {
+      this.wall = this.body.append("line").attr("class", "rule stop").attr("y1", top).attr("y2", bottom).attr("aria-hidden", "true");
     }
   }
 
@@ -68,12 +86,13 @@ class Panel {
       const link = (record, title) => group.append("a").attr("href", `#record-${record + 1}`).attr("tabindex", -1)
         .attr("aria-label", title);
       const path = (series.record === undefined ? group : link(series.record, series.label))
-        .append("path").attr("class", series.broad ? "line broad" : "line");
-      if (series.c !== undefined) path.attr("stroke-dasharray", dashOf(series.c));
+        .append("path").attr("class", ["line", series.broad && "broad", series.thin && "thin", series.dots && "dots"].filter(Boolean).join(" "));
+      const dash = series.dash ?? (series.c === undefined ? "" : dashOf(series.c));
+      if (dash) path.attr("stroke-dasharray", dash);
       const marks = (series.marks ?? []).map((mark) => {
         const anchor = link(mark.record, `${mark.title}: ${mark.text}`).attr("class", "mark").classed("hollow", mark.hollow);
         anchor.append("circle").attr("class", "reach").attr("r", 9);
-        anchor.append("path").attr("d", markPath(series.c));
+        anchor.append("path").attr("d", mark.shape ?? markPath(series.c));
         return { ...mark, anchor };
       });
       return { ...series, group, path, marks };
@@ -94,9 +113,12 @@ class Panel {
     if (this.spec.bare) this.bottom.selectAll("text").remove();
     this.left.call(axis(d3.axisLeft, this.spec.y, y, width, Math.max(2, Math.floor(height / 32))));
     if (this.rule) this.rule.attr("y1", y(this.spec.rule)).attr("y2", y(this.spec.rule));
-    const line = d3.line().x((point) => x(point[0])).y((point) => y(point[1]));
+    if (this.wall) this.wall.attr("x1", x(this.spec.wall)).attr("x2", x(this.spec.wall));
+    const line = d3.line().defined((point) => point !== null).x((point) => x(point[0])).y((point) => y(point[1]));
     for (const series of this.series) {
-      series.path.attr("d", line.curve(series.step ? d3.curveStepAfter : d3.curveLinear)(series.line));
+      series.path.attr("d", series.dots ? series.line.map((point) => dotPath(x(point[0]), y(point[1]))).join("")
+        : series.smooth ? piecesOfPortrait(series.line).map((piece) => line.curve(piece.length > 2 ? d3.curveCatmullRom : d3.curveLinear)(piece)).join("")
+        : line.curve(series.step ? d3.curveStepAfter : d3.curveLinear)(series.line));
       for (const mark of series.marks) mark.anchor.attr("transform", `translate(${x(mark.x)},${y(mark.y)})`);
     }
   }
@@ -139,9 +161,11 @@ class Panel {
     };
     for (const series of this.shown()) {
       for (const mark of series.marks) ask(mark.x, mark.y, mark);
-      if (series.marks.length > 0) continue;
-      for (const [x, y] of series.line) {
-        const text = `${this.spec.x.name} ${this.spec.x.text(x)}, ${this.spec.y.name} ${this.spec.y.text(y)}`;
+      if (series.marks.length > 0 && !series.every) continue;
+      for (const point of series.line) {
+        if (point === null) continue;
+        const [x, y] = point;
+        const text = `${this.spec.x.name} ${this.spec.x.text(x)}, ${this.spec.y.name} ${this.spec.y.text(y)}${series.note ?? ""}`;
         ask(x, y, { x, y, title: series.label, text, record: series.record });
       }
     }

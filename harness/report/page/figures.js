@@ -44,8 +44,8 @@ const motionSeries = ({ orbit, answers }, abscissa, ordinate) => [
 ];
 
 const kSignals = [["x", "x [m]"], ["v", "velocity [m/s]"], ["f", "force [N]"], ["p", "impulse [N s]"]];
-const axisOfSignal = (series, at, name, label) => ({
-  domain: domainAround(series.flatMap(({ line }) => line.map((point) => point[at])), false, 0.05),
+const axisOfSignal = (series, at, name, label, stop) => ({
+  domain: domainAround(series.flatMap(({ line }) => line.map((point) => point[at])).concat(stop ?? []), false, 0.05),
   text: numberText, label, name: `${name} =`,
 });
 
@@ -55,15 +55,16 @@ const waveformSpecs = (title, motion, width) => kSignals.map(([key, label], i) =
   return {
     width, height: last ? 150 : 116, label: `${title}: ${label}`, series, fixed: true, bare: !last,
     x: { domain: d3.extent(motion.orbit.t), text: numberText, label: last ? "t [s]" : undefined, name: "t =" },
-    y: axisOfSignal(series, 1, key, label),
+    y: axisOfSignal(series, 1, key, label, key === "x" ? motion.stop : undefined),
+    ...(key === "x" && motion.stop !== undefined ? { rule: motion.stop, stop: true } : {}),
   };
 });
 
 const portraitSpec = (title, motion, width) => {
-  const series = motionSeries(motion, "x", "v");
+  const series = motionSeries(motion, "x", "v").map((one) => ({ ...one, smooth: true }));
   return [{
     width, height: Math.min(width, 440), label: title, series,
-    x: axisOfSignal(series, 0, "x", "x [m]"), y: axisOfSignal(series, 1, "v", "velocity [m/s]"),
+    x: axisOfSignal(series, 0, "x", "x [m]", motion.stop), y: axisOfSignal(series, 1, "v", "velocity [m/s]"), wall: motion.stop,
   }];
 };
 
@@ -80,6 +81,73 @@ const profileSpecs = (title, panels, width) => {
   }));
 };
 
+// Special points of a response by their kind.
+const kKinds = { "fold": d3.symbolTriangle, "period-doubling": d3.symbolSquare, "neimark-sacker": d3.symbolDiamond, "branch-point": d3.symbolStar,
+  "grazing": d3.symbolCircle, "contact-change": d3.symbolCross };
+const shapeOf = (kind) => d3.symbol().type(kKinds[kind]).size(kMarkArea)();
+const kParts = [["stable", 1, {}], ["unstable", 0, { dash: "5 4" }], ["stability unknown", -1, { thin: true }]];
+
+// The pieces of branches that are of one stability, null between them. A piece is what its first point is, or its last
+// where a grazing leaves the first without multipliers.
+const piecesOf = (branches, stability) => branches.flatMap(({ w, a, s }) => {
+  const line = [];
+  let drawing = false;
+  for (let i = 0; i + 1 < w.length; ++i) {
+    const belongs = (s[i] === -1 ? s[i + 1] : s[i]) === stability;
+    if (belongs && !drawing) line.push([w[i], a[i]]);
+    if (belongs) line.push([w[i + 1], a[i + 1]]);
+    if (drawing && !belongs) line.push(null);
+    drawing = belongs;
+  }
+  return [...line, null];
+});
+
+const specialMarks = ({ points, record }, of) => points.map(([kind, x, y, order, there]) => ({
+  x, y, record, hollow: there === 0, shape: shapeOf(kind), title: `${of}, ${kind}`,
+  text: `${numberText(x)} rad/s, amplitude ${numberText(y)} m${order > 1 ? `, of ${order} forcing periods` : ""}${there === 0 ? ", not on the exact response" : ""}`,
+}));
+
+const lineSeries = (curve, label, how) => {
+  const parts = kParts.map(([note, stability, style]) => ({
+    ...how, ...style, label, record: curve.record, note: `, ${note}`, line: piecesOf(curve.branches, stability),
+  })).filter(({ line }) => line.some((point) => point !== null));
+  if (parts.length > 0) Object.assign(parts.at(-1), { marks: specialMarks(curve, label), every: true });
+  return parts;
+};
+
+const dotSeries = (curve) => [{
+  c: curve.c, label: curve.label, record: curve.record, dots: true,
+  line: curve.branches.flatMap(({ w, a }) => zip(w, a)),
+}];
+
+const responseSpec = (title, { from, to, exact, methods }, width) => {
+  const amplitudes = [exact, ...methods].flatMap(({ branches }) => branches.flatMap(({ a }) => a)).filter((a) => a > 0);
+  return [{
+    width, height: Math.max(300, Math.min(460, 0.75 * width)), label: title,
+    x: { domain: [from, to], text: numberText, label: "frequency of the load [rad/s]", name: "" },
+    y: { log: true, domain: domainAround(amplitudes, true, 1.3), text: numberText, label: "amplitude [m]", name: "amplitude" },
+    series: [
+      ...lineSeries(exact, "exact", { broad: true }),
+      ...methods.flatMap((method) => (method.steps ? dotSeries(method) : lineSeries(method, method.label, { c: method.c, dash: "" }))),
+    ],
+  }];
+};
+
+// What the marks of a response are.
+const kindsKey = ({ exact, methods }) => {
+  const key = document.createElement("div");
+  key.className = "kinds";
+  const found = new Set([exact, ...methods].flatMap(({ points }) => points.map(([kind]) => kind)));
+  for (const kind of Object.keys(kKinds).filter((one) => found.has(one))) {
+    const entry = document.createElement("span");
+    d3.select(entry).append("svg").attr("width", 14).attr("height", 14).attr("aria-hidden", "true").append("g").attr("class", "mark")
+      .attr("transform", "translate(7,7)").append("path").attr("d", shapeOf(kind));
+    entry.append(kind);
+    key.append(entry);
+  }
+  return key;
+};
+
 const specsOf = (figure, data, width) => {
   const { kind, of, title } = figure.dataset;
   const scene = data.scenes?.[of];
@@ -88,6 +156,7 @@ const specsOf = (figure, data, width) => {
     case "work": return workSpec(title, scene.work.own, scene.work.floor, width, 340);
     case "other": return workSpec(title, scene.work.other, 0, width, 340);
     case "waveforms": return waveformSpecs(title, scene.motion, width);
+    case "response": return responseSpec(title, scene.response, width);
     case "portrait": return portraitSpec(title, scene.motion, width);
     default: return profileSpecs(title, data.profiles[of], width);
   }
@@ -110,6 +179,7 @@ const draw = (figure, data) => {
   figure.prepend(panels);
   if (figure.dataset.kind === "schematic") panels.append(schematicOf(figure, data.scenes[figure.dataset.of].schematic));
   else new Chart(panels, specsOf(figure, data, width));
+  if (figure.dataset.kind === "response") panels.append(kindsKey(data.scenes[figure.dataset.of].response));
   figure.dataset.drawn = width;
 };
 
@@ -119,7 +189,8 @@ const configurationsBelow = (section, data) => {
   for (const { dataset: { kind, of } } of section.querySelectorAll(".chart")) {
     const scene = data.scenes?.[of];
     if (kind === "schematic") continue;
-    const lists = kind === "profile" ? data.profiles[of].map((panel) => panel.curves)
+    const lists = kind === "response" ? [scene.response.methods]
+      : kind === "profile" ? data.profiles[of].map((panel) => panel.curves)
       : [kind === "other" ? scene.work?.other : scene.work?.own, kind === "waveforms" ? scene.motion.answers : []];
     for (const { c } of lists.flatMap((list) => list ?? [])) found.add(c);
   }
@@ -131,14 +202,20 @@ const showSwitches = () => {
   for (const key of document.querySelectorAll(".legend [data-key]")) key.setAttribute("aria-pressed", !switchedOff.has(Number(key.dataset.key)));
 };
 
-const keyOf = (configuration, name) => {
+// The sample shows what the figures draw: of responses a line or, of methods by steps, a dot.
+const addSample = (sample, configuration, steps) => {
+  if (steps !== true) sample.append("path").attr("class", "line").attr("d", "M1,7H33").attr("stroke-dasharray", steps === undefined ? dashOf(configuration) : null);
+  if (steps === true) sample.append("path").attr("class", "line dots").attr("d", [6, 17, 28].map((x) => dotPath(x, 7)).join(""));
+  if (steps === undefined) sample.append("g").attr("class", "mark").attr("transform", "translate(17,7)").append("path").attr("d", markPath(configuration));
+};
+
+const keyOf = (configuration, name, steps) => {
   const key = document.createElement("button");
   key.type = "button";
   key.dataset.key = configuration;
   const sample = d3.select(key).append("svg").attr("width", 34).attr("height", 14).attr("aria-hidden", "true")
     .append("g").attr("class", classOf(configuration));
-  sample.append("path").attr("class", "line").attr("d", "M1,7H33").attr("stroke-dasharray", dashOf(configuration));
-  sample.append("g").attr("class", "mark").attr("transform", "translate(17,7)").append("path").attr("d", markPath(configuration));
+  addSample(sample, configuration, steps);
   key.append(name);
   key.addEventListener("click", () => {
     if (!switchedOff.delete(configuration)) switchedOff.add(configuration);
@@ -155,7 +232,7 @@ const fillLegend = (legend, data) => {
   const none = Object.assign(document.createElement("button"), { type: "button", textContent: "none" });
   all.addEventListener("click", () => { switchedOff.clear(); showSwitches(); });
   none.addEventListener("click", () => { for (const c of shown) switchedOff.add(c); showSwitches(); });
-  legend.append(...shown.map((c) => keyOf(c, data.configurations[c])));
+  legend.append(...shown.map((c) => keyOf(c, data.configurations[c], data.steps?.[c])));
   if (shown.length > 2) legend.append(all, none);
 };
 

@@ -8,6 +8,7 @@
 
 #include "harness/plan/plan.hpp"
 #include "harness/report/document/cells.hpp"
+#include "harness/report/figures/drawn_waveform.hpp"
 #include "harness/report/figures/kept_motions.hpp"
 #include "harness/schematic/schematic.hpp"
 #include "harness/schematic/svg.hpp"
@@ -94,9 +95,12 @@ Json motion_data(const Evaluation& evaluation, const std::string& scene) {
     answer.update(signals(motion, place));
     answers.push_back(std::move(answer));
   }
-  return {{"contact", kept.contact},
-          {"orbit", signals(kept.orbit(), kept.place)},
-          {"answers", std::move(answers)}};
+  Json data{{"contact", kept.contact},
+            {"orbit", signals(kept.orbit(), kept.place)},
+            {"answers", std::move(answers)}};
+  if (const std::optional<double> stop = stop_position(*kept.leader, kept.place))
+    data["stop"] = rounded(*stop);
+  return data;
 }
 
 Json schematic_data(const Evaluation& evaluation, const std::string& scene) {

@@ -22,11 +22,12 @@ nlohmann::ordered_json work_precision_data(const Evaluation& evaluation, const s
 /// One period at the contact that takes most impulse: the certified orbit and the coarsest answer of each
 /// configuration on it. Null where the records keep no motions.
 ///
-///     {"contact": 0, "orbit": {"t": [s], "x": [m], "v": [m/s], "f": [N], "p": [N s]},
+///     {"contact": 0, "stop": [m], "orbit": {"t": [s], "x": [m], "v": [m/s], "f": [N], "p": [N s]},
 ///      "answers": [{"c": 3, "record": 17, "label": "hat-lcp[n=1]", "t": ..., "p": ...}]}
 ///
-/// An answer of a motion that repeats after several periods of the load may have its instants counted from
-/// another one of them; it is late by as many as bring it closest to the orbit drawn.
+/// `stop` is that of stop_position, absent where the contact never closes. An answer of a motion that repeats
+/// after several periods of the load may have its instants counted from another one of them; it is late by as
+/// many as bring it closest to the orbit drawn.
 nlohmann::ordered_json motion_data(const Evaluation& evaluation, const std::string& scene);
 
 /// The picture of a scene's mechanical system as SVG, where the catalogue has the scene of the records, which

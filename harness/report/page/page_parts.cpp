@@ -9,45 +9,13 @@
 #include "harness/report/document/cells.hpp"
 #include "harness/report/formats/screen_groups.hpp"
 #include "harness/report/page/html.hpp"
+#include "harness/report/page/page_shell.hpp"
 
 namespace signorini {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// A place for a figure that the page's script draws.
-std::string chart(const std::string& kind, const std::string& of, const std::string& title,
-                  const std::string& caption) {
-  return fmt::format(
-      "<figure class=\"chart {0}\" data-kind=\"{0}\" data-of=\"{1}\" data-title=\"{2}\"><figcaption>{3}"
-      "</figcaption></figure>\n",
-      kind, html_escaped(of), html_escaped(title), html_escaped(caption));
-}
-
-constexpr const char* kMethodSwitches = "<div class=\"legend\"></div>\n";
-
-std::string item(const std::string& target, const std::string& title, const char* kind = "part") {
-  return fmt::format("<li class=\"{}\"><a href=\"#{}\">{}</a></li>\n", kind, html_escaped(target),
-                     html_escaped(title));
-}
-
-/// Links to sections; those of several contests under one matter.
-std::string section_items(const std::vector<const Section*>& sections) {
-  std::string text, matter;
-  for (const Section* section : sections) {
-    const std::size_t colon = section->title.find(": ");
-    const std::string first = section->title.substr(0, colon);
-    if (colon == std::string::npos) {
-      text += item(section->id, section->title);
-      continue;
-    }
-    if (first != matter) text += fmt::format("<li class=\"matter\">{}</li>\n", html_escaped(first));
-    matter = first;
-    text += item(section->id, section->title.substr(colon + 2), "contest");
-  }
-  return text;
-}
 
 /// One method's row of a verdict: the median time to each error, and on how many scenes.
 std::string standing_row(const Standing& standing) {
@@ -111,11 +79,13 @@ std::string charts_of(const std::string& scene, const Json& data) {
     const int contact = data["motion"]["contact"];
     text +=
         chart("waveforms", scene, "Motion over a period, " + scene,
-              fmt::format("One period at contact {}: the coarsest solved resolution of each method on the "
-                          "certified orbit, which is the broad grey line. Impacts are jumps of the impulse.",
-                          contact));
+              fmt::format(
+                  "One period at contact {}: the coarsest solved resolution of each method on the "
+                  "certified orbit, which is the broad grey line. Dashed: the stop. Impacts are jumps of the "
+                  "impulse; forces push the structure back: they are negative.",
+                  contact));
     text += chart("portrait", scene, "Phase portrait, " + scene,
-                  fmt::format("The same motions at contact {}.", contact));
+                  fmt::format("The same motions at contact {}, with the stop as a wall.", contact));
   }
   if (!work.is_null() && !work["other"].empty()) {
     text += chart("other", scene, "Error against time under other laws, " + scene,
@@ -142,18 +112,15 @@ std::optional<std::size_t> group_of(const Section& section) {
 }
 
 std::string navigation(const Evaluation& evaluation, std::span<const Section> sections) {
-  const auto part = [](const char* title, const std::string& items) {
-    return items.empty() ? "" : fmt::format("<h2>{}</h2>\n<ul>\n{}</ul>\n", title, items);
-  };
   std::string scenes;
   for (const std::string& scene : evaluation.scenes()) scenes += item("scene-" + scene, scene);
-  return "<nav aria-label=\"Contents\"><details open><summary>Contents</summary>\n<ul>\n" +
-         item("verdict", "Which method?") + item("side-by-side", "Scenes side by side") + "</ul>\n" +
-         part("Over all scenes", section_items(of_kinds(sections, {SectionKind::overview}))) +
-         part("Scenes", scenes) +
-         part("Run by run", section_items(of_kinds(
-                                sections, {SectionKind::scenes, SectionKind::cases, SectionKind::remarks}))) +
-         "<ul>\n" + item("about", "How this run was made") + "</ul></details></nav>\n";
+  return contents_of(
+      list_part("", item("verdict", "Which method?") + item("side-by-side", "Scenes side by side")) +
+      list_part("Over all scenes", section_items(of_kinds(sections, {SectionKind::overview}))) +
+      list_part("Scenes", scenes) +
+      list_part("Run by run", section_items(of_kinds(sections, {SectionKind::scenes, SectionKind::cases,
+                                                                SectionKind::remarks}))) +
+      list_part("", item("about", "How this run was made")));
 }
 
 std::string verdict_of(const Evaluation& evaluation) {

@@ -15,6 +15,9 @@ const factsOf = (record) => [
   record.certificate?.status,
   typeof record.errors?.x_l2 === "number" ? `error of x ${record.errors.x_l2.toExponential(1)}` : "",
   typeof record.seconds?.median === "number" ? timeText(record.seconds.median) : "",
+  typeof record.comparison?.["within_0.02"]?.covered === "number"
+    ? `${d3.format(".1%")(record.comparison["within_0.02"].covered)} of the exact response` : "",
+  typeof record.seconds === "number" ? timeText(record.seconds) : "",
   record.message,
 ].filter(Boolean).join(" · ");
 

@@ -69,6 +69,7 @@ TEST(CurveOfDiagram, HoldsPointsLocatedPointsAndWhatIsLeftOpen) {
   Branch branch{.points = {point, point}};
   branch.points[1].stability = OrbitStability::undefined;
   branch.special.push_back({.kind = SpecialKind::period_doubling, .point = point});
+  branch.special.back().point.amplitude = {0.5, 0.75};
   const ResponseCurve curve =
       curve_of(BranchDiagram{.branches = {branch}, .unfinished = "the time is up", .notes = {"a corner"}});
   ASSERT_EQ(curve.branches.size(), 1U);
@@ -79,6 +80,7 @@ TEST(CurveOfDiagram, HoldsPointsLocatedPointsAndWhatIsLeftOpen) {
   EXPECT_EQ(curve.located[0].kind, SpecialKind::period_doubling);
   EXPECT_EQ(curve.located[0].frequency, 2.0);
   EXPECT_EQ(curve.located[0].order, 2);
+  EXPECT_EQ(curve.located[0].amplitude, 0.75);
   EXPECT_EQ(curve.open_ends, (std::vector<std::string>{"the time is up", "a corner"}));
 }
 

@@ -29,7 +29,7 @@ ResponseRecord whole_record() {
   comparison.points = {{.exact = {SpecialKind::fold, 1.5, 2}, .frequency = 1.51}};
   comparison.invented = {{SpecialKind::neimark_sacker, 1.75, 1}};
   record.comparison = comparison;
-  record.located = {{SpecialKind::fold, 1.51, 2}};
+  record.located = {{SpecialKind::fold, 1.51, 2, 0.5}};
   record.open_ends = {"the time is up"};
   record.branches = {{.frequency = {1.0, 2.0}, .amplitude = {0.5, 0.25}, .stable = {1, -1}}};
   return record;
@@ -41,6 +41,8 @@ TEST(ResponseRecord, ComesBackFromItsLine) {
   EXPECT_EQ(response_line(response_from_line(line)), line);
   const ResponseRecord back = response_from_line(line);
   EXPECT_EQ(back.comparison->points[0].frequency, 1.51);
+  EXPECT_EQ(back.located[0].amplitude, 0.5);
+  EXPECT_FALSE(back.comparison->invented[0].amplitude.has_value());
   EXPECT_EQ(back.comparison->invented[0].kind, SpecialKind::neimark_sacker);
   EXPECT_EQ(back.branches[0].stable, (std::vector<int>{1, -1}));
 }

@@ -89,6 +89,7 @@ TEST(MotionData, ShiftsAnAnswerToThePeriodOfTheLoadInWhichTheOrbitIsDrawn) {
   const Evaluation evaluation({kept_record("n=1", 0.0), kept_record("n=2", period)});
   const Json data = motion_data(evaluation, "s");
   EXPECT_EQ(data["contact"], 3);
+  EXPECT_EQ(data["stop"], 1.5);  // where the orbit turns at the rigid stop
   ASSERT_EQ(data["answers"].size(), 2U);
   for (const Json& answer : data["answers"]) {
     const auto t = answer["t"].get<std::vector<double>>(), x = answer["x"].get<std::vector<double>>(),

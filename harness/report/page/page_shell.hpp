@@ -1,0 +1,54 @@
+#pragma once
+// What pages of all kinds share: head, contents, dialog of records, data and scripts.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/report/document/section.hpp"
+
+namespace signorini {
+
+/// What a page says; all of it HTML but the title and the data.
+struct PageText {
+  std::string title = {};
+  std::string summary = {};   ///< one line below the title
+  std::string contents = {};  ///< of contents_of
+  std::string main = {};      ///< sections
+};
+
+/// A whole page, which needs nothing but itself. Its data are in it in packed form; only scripts of ours may
+/// run (a content security policy names them).
+/// \param data  {"configurations": names of methods, "cases": names of records, "records": their texts, and
+///              what the figures draw}
+std::string whole_page(const PageText& text, const nlohmann::ordered_json& data);
+
+/// A record as its dialog shows it: one key a line.
+std::string printed(const nlohmann::ordered_json& record);
+
+/// How a run was made, as a section "about", and what else is to be said there. \param manifest  null if
+/// there is none
+std::string about_section(const nlohmann::ordered_json& manifest, const std::string& more = {});
+
+/// The navigation of a page, of parts as list_part makes them.
+std::string contents_of(const std::string& parts);
+/// Links under a title, or without one; nothing where there are no links.
+std::string list_part(const std::string& title, const std::string& items);
+/// A link to a part of the page. \param kind  its class
+std::string item(const std::string& target, const std::string& title, const char* kind = "part");
+/// Links to sections; those of several contests under one matter.
+std::string section_items(const std::vector<const Section*>& sections);
+
+/// A place for a figure that the page's script draws. \param kind  which, see figures.js \param of  the key
+/// of its data \param title  for screen readers
+std::string chart(const std::string& kind, const std::string& of, const std::string& title,
+                  const std::string& caption);
+
+/// A place for the switches of the methods in the figures beside it.
+inline constexpr const char* kMethodSwitches = "<div class=\"legend\"></div>\n";
+
+// The style sheet of this folder, its scripts in one, and the modules of D3 that they call.
+extern const std::string_view kPageStyle, kPageScript, kChartLibrary;
+
+}  // namespace signorini
