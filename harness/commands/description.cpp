@@ -5,7 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/split.hpp>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -38,14 +41,48 @@ std::vector<Page> pages(const CLI::App& app, const std::string& path = "") {
   return found;
 }
 
-/// The words that may follow a command: its own commands and long options.
+/// The values that an option takes, where they are few and known: of its check, which CLI11 shows as
+/// "{md,csv}".
+std::vector<std::string> choices_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const std::size_t begin = type.find('{'), end = type.find('}');
+  if (begin == std::string::npos || end == std::string::npos) return {};
+  std::vector<std::string> choices;
+  boost::split(choices, type.substr(begin + 1, end - begin - 1), boost::is_any_of(","));
+  return choices;
+}
+
+/// Values of the words without a dash that may follow a command.
+std::vector<std::string> positional_choices(const CLI::App& app) {
+  std::vector<std::string> words;
+  for (const CLI::Option* option : app.get_options())
+    if (option->get_lnames().empty())
+      for (std::string& word : choices_of(*option)) words.push_back(std::move(word));
+  return words;
+}
+
+/// The words that may follow a command: its own commands, long options and known values.
 std::vector<std::string> words_after(const CLI::App& app) {
   std::vector<std::string> words;
   for (const CLI::App* command : app.get_subcommands({})) words.push_back(command->get_name());
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
   }
+  std::ranges::copy(positional_choices(app), std::back_inserter(words));
   return words;
+}
+
+/// What bash and zsh alike do about a command's options with known values. \param then  what to do with them
+template <class Then>
+std::string choice_cases(const CLI::App& app, const char* before, const Then& then) {
+  std::string cases;
+  for (const CLI::Option* option : app.get_options()) {
+    const std::vector<std::string> choices = choices_of(*option);
+    if (choices.empty() || option->get_lnames().empty()) continue;
+    cases += fmt::format("      --{}) {} ;;\n", option->get_lnames().front(),
+                         then(fmt::format("{}", fmt::join(choices, " "))));
+  }
+  return cases.empty() ? "" : fmt::format("      case \"{}\" in\n{}      esac\n", before, cases);
 }
 
 /// An entry 'word:description' for zsh's _describe.
@@ -62,6 +99,7 @@ std::string zsh_entries(const CLI::App& app) {
     for (const std::string& name : option->get_lnames())
       entries += "      " + zsh_entry("--" + name, option->get_description()) + "\n";
   }
+  for (const std::string& word : positional_choices(app)) entries += fmt::format("      '{}'\n", word);
   return entries;
 }
 
@@ -135,8 +173,11 @@ std::string bash_completion(const CLI::App& app) {
   std::string text = kBashFunctions;
   text += "  case \"${COMP_WORDS[*]:1:COMP_CWORD-1} \" in\n";
   text += branches(app, [](const std::string& pattern, const CLI::App& command) {
-    return fmt::format("    {}) words='{}' names='{}' ;;\n", pattern, fmt::join(words_after(command), " "),
-                       names_after(command.get_name()));
+    return fmt::format("    {}) words='{}' names='{}'\n{}      ;;\n", pattern,
+                       fmt::join(words_after(command), " "), names_after(command.get_name()),
+                       choice_cases(command, "${COMP_WORDS[COMP_CWORD - 1]}", [](const std::string& choices) {
+                         return fmt::format("words='{}' names=", choices);
+                       }));
   });
   return text + R"sh(  esac
   case "${COMP_WORDS[COMP_CWORD - 1]}" in
@@ -152,19 +193,49 @@ complete -o default -F _signorini signorini
 )sh";
 }
 
+/// The same functions for zsh; names come with their titles.
+constexpr const char* kZshFunctions =
+    R"sh(#compdef signorini
+# Completion of signorini for zsh, written by `signorini completion zsh`.
+_signorini_names() {
+  local kind
+  for kind in ${=1}; do
+    "${words[1]}" list "$kind" 2>/dev/null | sed -n 's/^\([^ :]\{1,\}\) \{1,\}\(.*\)$/\1:\2/p'
+  done
+}
+# The options of the method that the line names, each with the sign that follows it.
+_signorini_settings() {
+  local i=${words[(I)--method]}
+  (( i == 0 )) || "${words[1]}" show "${words[i + 1]}" 2>/dev/null |
+    sed -n '/^options/,$s/^  \([a-z_]\{1,\}\) \{1,\}\(.*\)$/\1=:\2/p'
+}
+local -a entries names settings
+local kinds= found=1
+)sh";
+
 /// The same for zsh, with descriptions.
 std::string zsh_completion(const CLI::App& app) {
-  std::string text =
-      "#compdef signorini\n"
-      "# Completion of signorini for zsh, written by `signorini completion zsh`.\n"
-      "local -a entries\n"
-      "case \"${words[2,CURRENT-1]} \" in\n";
+  std::string text = std::string(kZshFunctions) + "case \"${words[2,CURRENT-1]} \" in\n";
   text += branches(app, [](const std::string& pattern, const CLI::App& command) {
-    return fmt::format("  {})\n    entries=(\n{}    ) ;;\n", pattern, zsh_entries(command));
+    return fmt::format("  {})\n    kinds='{}'\n    entries=(\n{}    )\n{}    ;;\n", pattern,
+                       names_after(command.get_name()), zsh_entries(command),
+                       choice_cases(command, "${words[CURRENT - 1]}", [](const std::string& choices) {
+                         return fmt::format("kinds= entries=({})", choices);
+                       }));
   });
-  return text +
-         "esac\n"
-         "_describe 'command or option' entries || _files\n";
+  return text + R"sh(esac
+case "${words[CURRENT - 1]}" in
+  --method | --methods) entries=() kinds=methods ;;
+  --scenes) entries=() kinds=scenes ;;
+  --suite) entries=() kinds=suites ;;
+  --set) entries=() kinds= settings=(${(f)"$(_signorini_settings)"}) ;;
+esac
+[[ -z $kinds || ${words[CURRENT]} == -* ]] || names=(${(f)"$(_signorini_names $kinds)"})
+(( ${#entries} )) && _describe 'command or option' entries && found=0
+(( ${#names} )) && _describe 'name' names && found=0
+(( ${#settings} )) && _describe 'setting' settings -S '' && found=0
+(( ! found )) || _files
+)sh";
 }
 
 struct NamedThing {

@@ -70,12 +70,52 @@ try $program run quick --scenes chain3-s
 try $program check hat-lcp --suite eas
 try $program solve sdof-stop --method hat-lcp --set sam
 try signorini submit slurm --sh
+try signorini report results --format ht
+try signorini list sui
 )";
   const auto answer = folder / "answer";
   ASSERT_EQ(std::system(fmt::format("bash {0}/try.bash >{0}/answer 2>&1", folder.string()).c_str()), 0);
+  EXPECT_EQ(read_file(answer),
+            "completion "
+            "compare\n--shard\nsdof-stop-near\nquick\nhat-lcp\nchain3-stop\neasy\nsamples=\n--shards\nhtml\n"
+            "suites\n");
+}
+
+TEST(Description, CompletesInZsh) {
+  if (std::system("zsh --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "zsh is not installed";
+  const auto folder = test::fresh_folder("completion-zsh");
+  std::ofstream(folder / "_signorini") << run("completion zsh").out;
+  // zsh's own functions, as far as the script calls them: what begins with the word at the cursor, or
+  // "files".
+  std::ofstream(folder / "try.zsh") << "fpath=(" << folder.string() << R"( $fpath)
+autoload -Uz _signorini
+_describe() {
+  local -a list=("${(@P)2}")
+  list=(${(M)${list%%:*}:#${words[CURRENT]}*})
+  (( ${#list} )) && offered+=($list)
+}
+_files() { offered+=(files) }
+try() { local -a words=("$@") offered; local CURRENT=$#; _signorini; print -r -- $offered }
+program=)" << SIGNORINI_BINARY << R"(
+try signorini comp
+try signorini run --sh
+try $program solve sdof-stop-ne
+try $program run qui
+try $program solve sdof-stop --method hat
+try $program run quick --scenes chain3-s
+try $program check hat-lcp --suite eas
+try $program solve sdof-stop --method hat-lcp --set sam
+try signorini submit slurm --sh
+try signorini report results --format ht
+try signorini list sui
+try signorini report resu
+)";
+  const auto answer = folder / "answer";
+  ASSERT_EQ(std::system(fmt::format("zsh -f {0}/try.zsh >{0}/answer 2>&1", folder.string()).c_str()), 0);
   EXPECT_EQ(
       read_file(answer),
-      "completion compare\n--shard\nsdof-stop-near\nquick\nhat-lcp\nchain3-stop\neasy\nsamples=\n--shards\n");
+      "completion compare\n--shard\nsdof-stop-near\nquick\nhat-lcp\nchain3-stop\neasy\nsamples=\n--shards\n"
+      "html\nsuites\nfiles\n");
 }
 
 }  // namespace
