@@ -17,8 +17,9 @@ namespace {
 
 constexpr std::size_t kHelpColumns = 80, kHelpIndent = 24;
 
-constexpr std::array<CommandExample, 23> kExamples{{
+constexpr std::array<CommandExample, 24> kExamples{{
     {"list", "signorini list scenes", "the scenes that ship, one a line"},
+    {"list", "signorini list scenes 'beam*'", "some of them, by name or tag"},
     {"show", "signorini show hat-lcp", "the options of a method"},
     {"solve", "signorini solve sdof-stop --method exact-orbit", "one motion, and how good it is"},
     {"solve", "signorini solve own.toml --method hat-lcp --set samples=512 --dofs 0,5 --plot own.svg",

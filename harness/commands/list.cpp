@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "harness/commands/command_line.hpp"
+#include "harness/failure.hpp"
+#include "harness/glob.hpp"
 #include "harness/plan/suite.hpp"
 #include "methods/catalogue.hpp"
 #include "problems/scene/scene_file.hpp"
@@ -19,11 +22,17 @@ void list_methods() {
   }
 }
 
-void list_scenes() {
+/// \param filter  glob on the names, or a tag; all where it is empty
+void list_scenes(const std::string& filter) {
+  bool found = false;
   for (const SceneSource& source : shipped_scenes()) {
     const SceneHeader scene = load_header(source);
+    if (!filter.empty() && !filter_matches(filter, scene.name) && std::ranges::count(scene.tags, filter) == 0)
+      continue;
+    found = true;
     fmt::print("{:<26} {} [{}]\n", scene.name, scene.title, fmt::join(scene.tags, ", "));
   }
+  if (!found) throw NothingMatched(fmt::format("only = {} (matches no name of a scene and no tag)", filter));
 }
 
 void list_suites() {
@@ -38,15 +47,18 @@ void list_suites() {
 void add_list_command(CLI::App& app, int& exit_code) {
   auto* command =
       app.add_subcommand("list", "Names and one-line descriptions of methods, scenes and suites.");
-  const auto what = std::make_shared<std::string>();
+  const auto what = std::make_shared<std::string>(), only = std::make_shared<std::string>();
   command->add_option("what", *what, "methods, scenes or suites; all of them if absent")
       ->check(CLI::IsMember({"methods", "scenes", "suites"}));
-  command->callback([what, &exit_code] {
+  command->add_option("only", *only, "of scenes: those whose names match this glob, or that carry this tag");
+  command->callback([what, only, &exit_code] {
     const bool all = what->empty();
+    if (!only->empty() && *what != "scenes")
+      throw UsageError(fmt::format("only = {} (must go with scenes)", *only));
     if (all) fmt::print("Methods\n");
     if (all || *what == "methods") list_methods();
     if (all) fmt::print("\nScenes\n");
-    if (all || *what == "scenes") list_scenes();
+    if (all || *what == "scenes") list_scenes(*only);
     if (all) fmt::print("\nSuites\n");
     if (all || *what == "suites") list_suites();
     exit_code = kDone;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -21,6 +23,25 @@ std::string columns_of(const Table& table) {
   std::string columns;
   for (std::size_t c = 0; c < table.header.size(); ++c) columns += table.is_numeric(c) ? 'r' : 'l';
   return columns;
+}
+
+/// A cell as journals print it: 1.2e-03 as a power of ten, us as microseconds. Names of settings stay as they
+/// are typed.
+std::string latex_cell(const std::string& text) {
+  static const std::regex power(R"(\b(\d(?:\.\d+)?)e([+-])0*(\d+)\b)"), micro(" us\\b");
+  const std::string spelled = latex_escaped(text);
+  if (text.find_first_of("[]=") != std::string::npos) return spelled;
+  std::string written;
+  std::size_t from = 0;
+  for (std::sregex_iterator at(spelled.begin(), spelled.end(), power), end; at != end; ++at) {
+    const auto place = static_cast<std::size_t>(at->position());
+    written += spelled.substr(from, place - from);
+    written += at->str(3) == "0" ? at->str(1)
+                                 : fmt::format("${}\\cdot10^{{{}{}}}$", at->str(1),
+                                               at->str(2) == "-" ? "-" : "", at->str(3));
+    from = place + static_cast<std::size_t>(at->length());
+  }
+  return std::regex_replace(written + spelled.substr(from), micro, " $$\\mu$$s");
 }
 
 }  // namespace
@@ -75,7 +96,7 @@ std::string to_latex(const Section& section) {
   if (is_long) text += "\\endhead\n\\bottomrule\n\\endfoot\n";
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
-    for (const Cell& cell : row) cells.push_back(latex_escaped(cell.text));
+    for (const Cell& cell : row) cells.push_back(latex_cell(cell.text));
     text += row_of(cells);
   }
   return text + (is_long ? "\\end{longtable}\n" : "\\bottomrule\n\\end{tabular}\n");

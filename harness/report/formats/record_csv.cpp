@@ -18,7 +18,8 @@ namespace signorini {
 
 namespace {
 
-/// Why cells of a row are empty, and other remarks on it.
+/// Why cells of a row are empty, and other remarks on it; empty cells without a reason are of what does not
+/// exist for this run.
 std::string csv_reason(const Record& record) {
   if (!claim_of(record)) return fmt::format("{}: {}", status_name(record.status), record.message);
   std::string text;
@@ -32,7 +33,6 @@ std::string csv_reason(const Record& record) {
     add("not timed: " + (record.not_timed.empty() ? "no times recorded" : record.not_timed));
   if (!record.certificate.reference_reason.empty())
     add("no reference: " + record.certificate.reference_reason);
-  add("other empty cells: the notion does not exist for this run");
   return text;
 }
 
@@ -75,53 +75,53 @@ void collect_texts(const std::string& path, const T& value, std::map<std::string
 }
 
 /// A column: its title, and the path of the field that it shows.
-struct Column {
+struct CsvColumn {
   std::string_view title;
   std::string_view field;
 };
 
 /// Columns of table.csv, in order. Two of them are no fields: kResolution and kReason.
 constexpr std::string_view kResolution = "resolution", kReason = "reason";
-constexpr std::array<Column, 40> kColumns{{{"case", "case"},
-                                           {"scene", "scene"},
-                                           {"scene_law", "scene_law"},
-                                           {"method", "method"},
-                                           {kResolution, kResolution},
-                                           {"law", "law"},
-                                           {"law_matches_scene", "law_matches_scene"},
-                                           {"status", "status"},
-                                           {"period", "period"},
-                                           {"x_l2", "errors.x_l2"},
-                                           {"x_max", "errors.x_max"},
-                                           {"u_l2", "errors.u_l2"},
-                                           {"velocity_l2", "errors.velocity_l2"},
-                                           {"impulse", "errors.impulse"},
-                                           {"force_l2", "errors.force_l2"},
-                                           {"x_l2_scene", "errors.x_l2_scene"},
-                                           {"error_bar", "certificate.error_bar"},
-                                           {"penetration", "physics.penetration"},
-                                           {"complementarity", "physics.complementarity"},
-                                           {"energy_defect", "physics.energy_defect"},
-                                           {"contact_ratio", "physics.contact_ratio"},
-                                           {"seconds_min", "seconds.min"},
-                                           {"seconds_median", "seconds.median"},
-                                           {"seconds_mad", "seconds.mad"},
-                                           {"seconds_setup", "seconds.setup"},
-                                           {"seconds_solve", "seconds.solve"},
-                                           {"unknowns", "work.unknowns"},
-                                           {"iterations", "work.iterations"},
-                                           {"pivots", "work.pivots"},
-                                           {"rhs_evaluations", "work.rhs_evaluations"},
-                                           {"factorisations", "work.factorisations"},
-                                           {"peak_memory_bytes", "work.peak_memory_bytes"},
-                                           {"condition", "condition"},
-                                           {"certificate", "certificate.status"},
-                                           {"orbit", "certificate.orbit"},
-                                           {"same_orbit", "certificate.same_orbit"},
-                                           {"problem", "problem"},
-                                           {"stable", "certificate.stable"},
-                                           {"return_distance", "certificate.return_distance"},
-                                           {kReason, kReason}}};
+constexpr std::array<CsvColumn, 40> kColumns{{{"case", "case"},
+                                              {"scene", "scene"},
+                                              {"scene_law", "scene_law"},
+                                              {"method", "method"},
+                                              {kResolution, kResolution},
+                                              {"law", "law"},
+                                              {"law_matches_scene", "law_matches_scene"},
+                                              {"status", "status"},
+                                              {"period", "period"},
+                                              {"x_l2", "errors.x_l2"},
+                                              {"x_max", "errors.x_max"},
+                                              {"u_l2", "errors.u_l2"},
+                                              {"velocity_l2", "errors.velocity_l2"},
+                                              {"impulse", "errors.impulse"},
+                                              {"force_l2", "errors.force_l2"},
+                                              {"x_l2_scene", "errors.x_l2_scene"},
+                                              {"error_bar", "certificate.error_bar"},
+                                              {"penetration", "physics.penetration"},
+                                              {"complementarity", "physics.complementarity"},
+                                              {"energy_defect", "physics.energy_defect"},
+                                              {"contact_ratio", "physics.contact_ratio"},
+                                              {"seconds_min", "seconds.min"},
+                                              {"seconds_median", "seconds.median"},
+                                              {"seconds_mad", "seconds.mad"},
+                                              {"seconds_setup", "seconds.setup"},
+                                              {"seconds_solve", "seconds.solve"},
+                                              {"unknowns", "work.unknowns"},
+                                              {"iterations", "work.iterations"},
+                                              {"pivots", "work.pivots"},
+                                              {"rhs_evaluations", "work.rhs_evaluations"},
+                                              {"factorisations", "work.factorisations"},
+                                              {"peak_memory_bytes", "work.peak_memory_bytes"},
+                                              {"condition", "condition"},
+                                              {"certificate", "certificate.status"},
+                                              {"orbit", "certificate.orbit"},
+                                              {"same_orbit", "certificate.same_orbit"},
+                                              {"problem", "problem"},
+                                              {"stable", "certificate.stable"},
+                                              {"return_distance", "certificate.return_distance"},
+                                              {kReason, kReason}}};
 
 std::vector<Cell> csv_row(const Record& record) {
   std::map<std::string, std::string> texts;
@@ -129,7 +129,7 @@ std::vector<Cell> csv_row(const Record& record) {
   texts.emplace(kResolution, resolution_of(record));
   texts.emplace(kReason, csv_reason(record));
   std::vector<Cell> row;
-  for (const Column& column : kColumns) row.emplace_back(texts[std::string(column.field)]);
+  for (const CsvColumn& column : kColumns) row.emplace_back(texts[std::string(column.field)]);
   return row;
 }
 
@@ -137,13 +137,13 @@ std::vector<Cell> csv_row(const Record& record) {
 
 std::string csv_report(const Evaluation& evaluation) {
   Table table;
-  for (const Column& column : kColumns) table.header.emplace_back(column.title);
+  for (const CsvColumn& column : kColumns) table.header.emplace_back(column.title);
   for (const Record& record : evaluation.records()) table.rows.push_back(csv_row(record));
   return to_csv(table);
 }
 
 std::string measures_csv(const Evaluation& evaluation) {
-  Table table{{"scene", "contestant", "law", "standing", "runs", "solved"}, {}};
+  Table table{{"scene", "method", "law", "standing", "runs", "solved"}, {}};
   for (const double error : kErrorLevels) table.header.push_back(fmt::format("seconds_to_{:.0e}", error));
   for (const ResolutionStudy& study : evaluation.studies()) {
     const Record& first = *study.runs.front().record;

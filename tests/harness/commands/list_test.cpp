@@ -22,5 +22,16 @@ TEST(CommandList, ListsMethodsScenesAndSuites) {
   for (const char* name : {"hat-lcp", "sdof-stop", "smoke"}) EXPECT_NE(all.out.find(name), std::string::npos);
 }
 
+TEST(CommandList, ShowsScenesByNameOrTag) {
+  const std::string beams = run("list scenes 'beam*'").out;
+  EXPECT_EQ(beams.rfind("beam", 0), 0U) << beams;
+  EXPECT_EQ(beams.find("\nsdof"), std::string::npos);
+  EXPECT_NE(run("list scenes chain").out.find("chain3-stop"), std::string::npos);  // a tag
+  EXPECT_EQ(run("list scenes chain").out.find("sdof-stop"), std::string::npos);
+  const Outcome none = run("list scenes no-such-thing"), methods = run("list methods 'hat*'");
+  EXPECT_EQ(none.code, 3) << none.err;
+  EXPECT_EQ(methods.code, 2) << methods.err;
+}
+
 }  // namespace
 }  // namespace signorini

@@ -22,6 +22,16 @@ TEST(LatexEscaped, SpellsOutWhatTexTakesForItsOwn) {
   EXPECT_EQ(latex_escaped("a → b"), "a ? b");
 }
 
+TEST(ToLatex, PrintsNumbersAsJournalsDo) {
+  Section section{.id = "t", .title = "t"};
+  section.table = {{"a", "b", "c", "d", "e"},
+                   {{"1.2e-03", "59.4 us", "<2.8e-11", "m[tolerance=1e-06]", "22e05f4a"}}};
+  EXPECT_NE(to_latex(section).find("$1.2\\cdot10^{-3}$ & 59.4 $\\mu$s & $<$$2.8\\cdot10^{-11}$ & "
+                                   "m{[}tolerance=1e-06] & 22e05f4a \\\\"),
+            std::string::npos)
+      << to_latex(section);
+}
+
 TEST(ToLatex, HasAsManyCellsInEveryRowAsColumns) {
   for (const Section& section : sections_of(Evaluation(test::records_of_a_run()))) {
     const std::string text = to_latex(section);
