@@ -106,9 +106,10 @@ std::string unbalance_text(const Problem& problem, int first, int second) {
   return text;
 }
 
-/// Spring and damper down to the ground.
+/// Spring and damper down to the ground, from a bearing that both hang on, also beyond the end of a shaft.
 void draw_support(Drawing& drawing, const Place& from, double stiffness, double damping) {
-  const Place to = from - Place(0.0, 1.5);
+  const Place to = from - Place(0.0, 1.5), half(0.45, 0.0);
+  drawing.add("bearing").strokes.push_back({.places = {from - half, from + half}});
   draw_element(drawing, to, from, stiffness > 0.0, damping > 0.0);
   draw_wall(drawing, to + Place(0.65, 0.0), to - Place(0.65, 0.0));
 }
