@@ -123,7 +123,7 @@ double tic_step(double range, int most) {
 }
 
 double key_height(std::size_t entries, int columns) {
-  constexpr double kLine = 0.42, kAround = 0.4;
+  constexpr double kLine = 0.34, kAround = 0.4;
   const auto count = static_cast<std::size_t>(columns);
   const std::size_t rows = (entries + count - 1) / count;
   return kLine * static_cast<double>(rows) + kAround;

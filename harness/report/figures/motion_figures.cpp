@@ -92,7 +92,7 @@ Figure waveform_figure(const Evaluation& evaluation, DrawnMotions& drawn, const 
   if (drawn.impacts) keys.push_back({std::string(kImpactStyle), "its impacts", "points"});
   for (const KeptAnswer& answer : drawn.kept.answers)
     keys.push_back({style_of(evaluation, answer).line + " pt -1", resolution_of(*answer.record)});
-  constexpr std::size_t kFitsTwice = 48;  // letters
+  constexpr std::size_t kFitsTwice = 36;  // letters
   const bool wide = is_narrow(column_of_page) || std::ranges::any_of(keys, [](const KeyEntry& entry) {
                       return entry.title.size() > kFitsTwice;
                     });
