@@ -14,12 +14,15 @@
 namespace signorini {
 
 /// A stop that stands `distance` nearer at one instant, and comes nearer at `speed`:
-/// x <= g - distance - speed (t - time), t and time as shares of the period.
+/// x <= g - distance - speed (t - time), t and time as shares of the period, -before <= t - time <= after. At
+/// other times it stands in its place.
 struct StopShift {
   double time = 0.0;      ///< middle of the contact that this is for, in [0, 1) [-]
   double width = 0.0;     ///< duration of that contact [-]
   double distance = 0.0;  ///< [m]
   double speed = 0.0;     ///< [m] per period
+  double before = std::numeric_limits<double>::infinity();  ///< how long before `time` it stands there [-]
+  double after = std::numeric_limits<double>::infinity();   ///< how long after [-]
 
   /// t - time, in [-1/2, 1/2].
   [[nodiscard]] double since(double t) const {
@@ -33,7 +36,8 @@ struct StopShift {
 /// Per contact, Nc lists or none at all. At any time the shift counts whose contact is nearest.
 using StopShifts = std::vector<std::vector<StopShift>>;
 
-/// The shift of one contact's stop that counts at `t`, a share of the period; none for an empty list.
+/// The shift of one contact's stop that counts at `t`, a share of the period; none for an empty list, or
+/// where the stop stands in its place.
 inline StopShift shift_at(const std::vector<StopShift>& shifts, double t) {
   StopShift nearest;
   double least = std::numeric_limits<double>::infinity();
@@ -43,6 +47,8 @@ inline StopShift shift_at(const std::vector<StopShift>& shifts, double t) {
     least = away;
     nearest = shift;
   }
+  const double since = nearest.since(t);
+  if (since < -nearest.before || since > nearest.after) return {};
   return nearest;
 }
 

@@ -16,7 +16,9 @@ Support FourierLipschitz::supports(const Problem& problem) const {
   return supports_harmonics(problem, options_.common);
 }
 
-RepresentedLaw FourierLipschitz::law(const Problem& problem) const { return projected_method_law(problem); }
+RepresentedLaw FourierLipschitz::law(const Problem& problem) const {
+  return options_.common.represented(problem, projected_method_law(problem));
+}
 
 LawAt FourierLipschitz::law_at(const Problem& problem) const {
   return [&problem, c = options_.common.lipschitz_constant(options_.c)](const ContactReceptance& receptance) {

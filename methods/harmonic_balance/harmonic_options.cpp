@@ -22,6 +22,17 @@ bool HarmonicOptions::compensates_impacts() const {
   return compensate.value_or(!plain) && contact_integral() == Quadrature::exact;
 }
 
+std::optional<double> HarmonicOptions::closed_restitution(const Problem& problem) const {
+  const auto* law = std::get_if<Restitution>(&problem.law);
+  if (restitution == ClosedRestitution::none || law == nullptr) return std::nullopt;
+  return law->e;
+}
+
+RepresentedLaw HarmonicOptions::represented(const Problem& problem, const RepresentedLaw& projected) const {
+  const std::optional<double> closed = closed_restitution(problem);
+  return closed ? RepresentedLaw(Restitution{*closed}) : projected;
+}
+
 std::optional<int> HarmonicOptions::fixed_samples(int harmonics) const {
   constexpr int kPlain = 32;
   return plain ? samples.value_or(kPlain * harmonics) : samples;
@@ -60,6 +71,9 @@ void validate(const HarmonicOptions& options) {
                  "must be at most 10000000");
   require_option(options.continuation == Continuation::none || options.plain, "continuation",
                  options.continuation, "must be none unless plain = true");
+  require_option(options.restitution == ClosedRestitution::none || options.compensates_impacts(),
+                 "restitution", options.restitution,
+                 "must be none if plain = true, compensate = false or quadrature = sampled");
   require_option(options.tolerance > 0.0 && options.tolerance <= 1e-2, "tolerance", options.tolerance,
                  "must be in (0, 1e-2]");
   require_option(options.max_iterations >= 0, "max_iterations", options.max_iterations, "must be 0 or more");

@@ -32,6 +32,17 @@ struct EnumNames<Continuation> {
   static constexpr std::array<std::string_view, 2> values{"none", "frequency"};
 };
 
+/// The law of impact on a rigid stop that is asked for: none, what the projected equations represent,
+/// restitution 1; or the scene's own, by impact closure (closed_answer.hpp).
+enum class ClosedRestitution { none, scene };
+
+/// The values of the option `restitution`.
+template <>
+struct EnumNames<ClosedRestitution> {
+  /// In the order of the enumerators.
+  static constexpr std::array<std::string_view, 2> values{"none", "scene"};
+};
+
 /// H where it is left to the method and nothing asks for more.
 inline constexpr int kDefaultHarmonics = 20;
 /// Harmonics beyond which none are tried unasked.
@@ -39,14 +50,15 @@ inline constexpr int kMostHarmonics = 160;
 
 /// Options of every method of harmonic balance. A method adds those of its contact law and of its solver.
 struct HarmonicOptions {
-  std::optional<int> harmonics = {};               ///< H >= 1 [-]
-  std::optional<int> samples = {};                 ///< N >= 2 H + 1 [-]
-  std::optional<Quadrature> quadrature = {};       ///< of the contact integral
-  std::optional<bool> compensate = {};             ///< impacts right with all harmonics
-  Continuation continuation = Continuation::none;  ///< of the plain form
-  double tolerance = 1e-10;                        ///< on the relative residual of the method's equations [-]
-  int max_iterations = 0;  ///< pivots and Newton steps in all; 0: the solver's own limit [-]
-  bool plain = false;      ///< as the literature does it
+  std::optional<int> harmonics = {};                        ///< H >= 1 [-]
+  std::optional<int> samples = {};                          ///< N >= 2 H + 1 [-]
+  std::optional<Quadrature> quadrature = {};                ///< of the contact integral
+  std::optional<bool> compensate = {};                      ///< impacts right with all harmonics
+  ClosedRestitution restitution = ClosedRestitution::none;  ///< of impacts on rigid stops
+  Continuation continuation = Continuation::none;           ///< of the plain form
+  double tolerance = 1e-10;  ///< on the relative residual of the method's equations [-]
+  int max_iterations = 0;    ///< pivots and Newton steps in all; 0: the solver's own limit [-]
+  bool plain = false;        ///< as the literature does it
 
   /// Visits all options in the order in which users see them; `law` and `solver` visit the method's own.
   void visit(auto&& field, auto&& law, auto&& solver) {
@@ -60,6 +72,8 @@ struct HarmonicOptions {
           "plain");
     field("compensate", compensate, "[-]",
           "impacts right with all harmonics, the integral being exact: true | false; auto: unless plain");
+    field("restitution", restitution, "[-]",
+          "of impacts on rigid stops: none (restitution 1) | scene: the scene's, by impact closure");
     solver();
     field("continuation", continuation, "[-]",
           "if plain: none | frequency: in steps of the load's frequency, from where nothing touches");
@@ -73,6 +87,11 @@ struct HarmonicOptions {
   /// Whether impacts are compensated: as asked for, else unless `plain`; only with the exact contact
   /// integral.
   [[nodiscard]] bool compensates_impacts() const;
+  /// The restitution to close impacts at: the scene's, where that is asked for and its stops are rigid with
+  /// mass behind them.
+  [[nodiscard]] std::optional<double> closed_restitution(const Problem& problem) const;
+  /// The law represented on a scene, `projected` being that of the projected equations alone.
+  [[nodiscard]] RepresentedLaw represented(const Problem& problem, const RepresentedLaw& projected) const;
   /// N to solve on with H harmonics: the one asked for; else 32 H if `plain`, and empty (as fine as the solve
   /// turns out to need) otherwise.
   [[nodiscard]] std::optional<int> fixed_samples(int harmonics) const;

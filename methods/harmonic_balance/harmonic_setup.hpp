@@ -35,7 +35,10 @@ struct HarmonicSetup {
   ProjectedLaw law;              ///< for H
   /// With which impacts are compensated; empty: they stay as the series has them.
   std::optional<PeriodicGreenFunction> compensation = {};
-  /// The same scene on hat functions with restitution 1; empty: not to be asked, or too many contacts.
+  /// The restitution to close impacts at; empty: they are not closed, and the law represented is e = 1.
+  std::optional<double> restitution = {};
+  /// The same scene on hat functions with the restitution represented; empty: not to be asked, or too many
+  /// contacts.
   std::optional<Resolutions> hat_grids = {};
   /// The scene, for a continuation in frequency; null where the receptance is not that of a scene.
   const Problem* problem = nullptr;

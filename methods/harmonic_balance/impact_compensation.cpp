@@ -167,20 +167,20 @@ CompensatedImpacts compensate_impacts(const PeriodicGreenFunction& response,
 }
 
 std::optional<PeriodicGreenFunction> response_to_impacts(const Problem& problem,
-                                                         const ContactReceptance& receptance) {
+                                                         const ContactReceptance& receptance, int beyond) {
   if (!std::holds_alternative<Restitution>(problem.law)) return std::nullopt;
   const int harmonics = receptance.harmonics();
   const PeriodicGreenFunction kept(receptance);
-  const auto has_mass = [](const PeriodicGreenFunction& response, int contacts, int beyond) {
+  const auto has_mass = [](const PeriodicGreenFunction& response, int contacts, int from) {
     for (int c = 0; c < contacts; ++c) {
-      if (response.is_mass_beyond(c, beyond)) return true;
+      if (response.is_mass_beyond(c, from)) return true;
     }
     return false;
   };
   // A look at the harmonics at hand spares most structures with higher modes the search for more.
   if (!has_mass(kept, receptance.contacts(), harmonics - std::max(1, harmonics / 8))) return std::nullopt;
   try {
-    PeriodicGreenFunction extended(fourier_receptance(problem, 2 * harmonics));
+    PeriodicGreenFunction extended(fourier_receptance(problem, beyond));
     if (!has_mass(extended, receptance.contacts(), harmonics)) return std::nullopt;
     return extended;
   } catch (const SingularStiffness&) {

@@ -56,10 +56,10 @@ CompensatedImpacts compensate_impacts(const PeriodicGreenFunction& response,
                                       const ProjectedEquations& equations, const Eigen::MatrixXcd& lambda,
                                       const StopShifts& shifts, const ExactProjectionSettings& settings);
 
-/// The response to impacts of a scene whose impacts can be compensated, n = 0..2 H; nothing where none can:
+/// The response to impacts of a scene whose impacts can be compensated, n = 0..L; nothing where none can:
 /// the stops are compliant or no contact has mass (the force is then a function of time), or none answers
-/// like a mass from H to 2 H. \param receptance  of the scene, n = 0..H
+/// like a mass from H to L. \param receptance  of the scene, n = 0..H \param beyond  L > H
 std::optional<PeriodicGreenFunction> response_to_impacts(const Problem& problem,
-                                                         const ContactReceptance& receptance);
+                                                         const ContactReceptance& receptance, int beyond);
 
 }  // namespace signorini

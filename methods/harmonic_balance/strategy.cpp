@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "methods/complementarity/exact_projection.hpp"
+#include "methods/harmonic_balance/closed_answer.hpp"
 #include "methods/harmonic_balance/compensated_answer.hpp"
 #include "methods/harmonic_balance/distinct_stops.hpp"
 #include "methods/harmonic_balance/frequency_continuation.hpp"
@@ -92,6 +93,13 @@ std::optional<Solution> continuation_in_frequency(const HarmonicSetup& setup, co
 
 /// One solve with the harmonics of the setup. Each attempt is asked only where those before it gave nothing.
 Solution solve_with_harmonics(HarmonicSetup& setup, const Start& start, Work& work) {
+  // The scene's own law of impact. Nothing below represents a restitution other than 1.
+  if (setup.restitution) {
+    ClosedAnswer closed = close_answer(setup, start, work);
+    if (closed.answer) return *std::move(closed.answer);
+    if (*setup.restitution < 1.0) return {.message = std::move(closed.reason)};
+  }
+
   // A guess whose impacts are compensated already needs Newton's method alone.
   if (std::optional<Solution> answer = compensated_from_guess(setup, start, work)) return *std::move(answer);
 

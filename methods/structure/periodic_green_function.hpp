@@ -25,6 +25,8 @@ class PeriodicGreenFunction {
   /// with respect to turn; at turn = 0, where the slope jumps, the mean of both sides, and the curvature
   /// without its impulse [m / N].
   [[nodiscard]] Jet at(int row, int column, double turn) const;
+  /// The receptances that it was made of, n = 0..L.
+  [[nodiscard]] const ContactReceptance& receptance() const { return receptance_; }
   /// Whether the contact answers like a mass beyond harmonic H: there C_n n^2 is -a within a half of it.
   [[nodiscard]] bool is_mass_beyond(int contact, int harmonics) const;
 

@@ -24,14 +24,16 @@ std::vector<std::string> names() {
 // Records and users know the options by these names, in this order.
 TEST(HarmonicOptions, AreEchoedInTheirOrderWithTheMethodsOwnAmongThem) {
   EXPECT_EQ(names<FourierLipschitz>(),
-            (std::vector<std::string>{"harmonics", "samples", "c", "quadrature", "compensate", "solver",
-                                      "continuation", "tolerance", "max_iterations", "plain"}));
-  EXPECT_EQ(names<PenaltyHbm>(),
-            (std::vector<std::string>{"harmonics", "samples", "penalty", "quadrature", "compensate", "solver",
-                                      "continuation", "tolerance", "max_iterations", "plain"}));
-  EXPECT_EQ(names<AftHbm>(), (std::vector<std::string>{"harmonics", "samples", "law", "c", "penalty",
-                                                       "quadrature", "compensate", "homotopy", "continuation",
-                                                       "tolerance", "max_iterations", "plain"}));
+            (std::vector<std::string>{"harmonics", "samples", "c", "quadrature", "compensate", "restitution",
+                                      "solver", "continuation", "tolerance", "max_iterations", "plain"}));
+  EXPECT_EQ(
+      names<PenaltyHbm>(),
+      (std::vector<std::string>{"harmonics", "samples", "penalty", "quadrature", "compensate", "restitution",
+                                "solver", "continuation", "tolerance", "max_iterations", "plain"}));
+  EXPECT_EQ(names<AftHbm>(),
+            (std::vector<std::string>{"harmonics", "samples", "law", "c", "penalty", "quadrature",
+                                      "compensate", "restitution", "homotopy", "continuation", "tolerance",
+                                      "max_iterations", "plain"}));
 }
 
 TEST(HarmonicOptions, PlainSetsWhatIsLeftOpen) {
@@ -72,6 +74,18 @@ TEST(HarmonicOptions, CompensateOnlyWhereTheContactIntegralIsExact) {
       (HarmonicOptions{.quadrature = Quadrature::sampled, .compensate = true}.compensates_impacts()));
 }
 
+TEST(HarmonicOptions, CloseImpactsAtTheRestitutionOfRigidStopsWhereThatIsAsked) {
+  Problem problem = test::to_problem({.frequency = 2.2, .gap = 0.2, .restitution = 0.5});
+  const HarmonicOptions asked{.restitution = ClosedRestitution::scene};
+  EXPECT_FALSE(HarmonicOptions{}.closed_restitution(problem));
+  EXPECT_EQ(asked.closed_restitution(problem), 0.5);
+  EXPECT_TRUE(law_matches(asked.represented(problem, Restitution{1.0}), problem.law));
+  EXPECT_FALSE(law_matches(HarmonicOptions{}.represented(problem, Restitution{1.0}), problem.law));
+  problem.law = Penalty{{300.0}};
+  EXPECT_FALSE(asked.closed_restitution(problem));
+  EXPECT_TRUE(law_matches(asked.represented(problem, as_represented(problem.law)), problem.law));
+}
+
 TEST(HarmonicOptions, AGridIsFixedByEachOfItsOptions) {
   EXPECT_FALSE((HarmonicOptions{.samples = 640}.grid_is_open(20)));
   EXPECT_FALSE((HarmonicOptions{.quadrature = Quadrature::sampled}.grid_is_open(20)));
@@ -108,6 +122,14 @@ TEST(HarmonicOptions, AreRefusedOutOfTheirRanges) {
   EXPECT_EQ(refusal({.continuation = Continuation::frequency}),
             "continuation = frequency (must be none unless plain = true)");
   EXPECT_EQ(refusal({.continuation = Continuation::frequency, .plain = true}), "");
+  const auto closed = ClosedRestitution::scene;
+  const std::string needs_exact =
+      "restitution = scene (must be none if plain = true, compensate = false or "
+      "quadrature = sampled)";
+  EXPECT_EQ(refusal({.restitution = closed}), "");
+  EXPECT_EQ(refusal({.restitution = closed, .plain = true}), needs_exact);
+  EXPECT_EQ(refusal({.compensate = false, .restitution = closed}), needs_exact);
+  EXPECT_EQ(refusal({.quadrature = Quadrature::sampled, .restitution = closed}), needs_exact);
   EXPECT_EQ(refusal({.tolerance = 1.0}), "tolerance = 1 (must be in (0, 1e-2])");
   EXPECT_EQ(refusal({.max_iterations = -1}), "max_iterations = -1 (must be 0 or more)");
 }

@@ -58,6 +58,25 @@ TEST(HarmonicSetup, AsksHatFunctionsFromCoarseToFineAndNoneForManyContacts) {
   EXPECT_FALSE(setup_of(problem, {}).hat_grids);
 }
 
+TEST(HarmonicSetup, ClosesImpactsAtTheScenesRestitutionFromHatFunctionsThatHaveIt) {
+  test::ImpactOscillator scene = kStop;
+  scene.restitution = 0.5;
+  const Problem problem = test::to_problem(scene);
+  EXPECT_FALSE(setup_of(problem, {}).restitution);
+  HarmonicSetup setup = setup_of(problem, {.restitution = ClosedRestitution::scene}, false);
+  EXPECT_EQ(setup.restitution, 0.5);
+  ASSERT_TRUE(setup.hat_grids) << "whatever the solver";
+  EXPECT_GE(setup.compensation->receptance().harmonics(), 128);
+  const Solution hat = setup.hat_grids->solve_at(0, {});
+  ASSERT_EQ(hat.verdict, Verdict::converged);
+  // The velocities about the one impact, from the nodes before and after those that it presses.
+  const Samples nodes = hat.trajectory->sample(256);
+  Eigen::Index hit = 0;
+  nodes.force.col(0).minCoeff(&hit);
+  const auto at = [&](Eigen::Index i) { return nodes.velocity((hit + i + 256) % 256, 0); };
+  EXPECT_NEAR(-at(2) / at(-3), 0.5, 0.1);
+}
+
 TEST(HarmonicSetup, SolvesWithoutAGridOnlyWhereNothingFixesIt) {
   const Problem problem = test::to_problem(kStop);
   EXPECT_TRUE(setup_of(problem, {}).without_grid());

@@ -1,0 +1,224 @@
+#include "methods/harmonic_balance/closed_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "methods/complementarity/exact_quadrature.hpp"
+#include "methods/complementarity/impact_closure.hpp"
+#include "methods/discretisation/fourier_series.hpp"
+#include "methods/harmonic_balance/series_solution.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr double kPassedStop = 1e-6;      // of the motion, X beyond a stop between impacts
+constexpr int kLongestOnGrid = 3;         // nodes that an impact may press on a grid of hat functions
+constexpr double kLongestInSeries = 2.5;  // over H
+constexpr int kSeedsPerHarmonic = 16;     // instants at which a series is looked at
+constexpr int kFewestSeeds = 1024;
+constexpr double kNoForce = 1e-9;  // of the largest force: no contact
+constexpr int kClosureSteps = 40;
+
+/// How the phases of a sampled force are told.
+struct SeedSampling {
+  int count = 0;       // instants
+  int longest = 0;     // that an impact may press
+  int resolution = 1;  // without force that separate two phases
+};
+
+SeedSampling seed_sampling(const Trajectory& motion) {
+  if (const auto nodes = motion.nodes()) return {*nodes, kLongestOnGrid, 2};
+  if (!motion.impulses().empty()) return {kFewestSeeds, 0, 1};
+  const int harmonics = std::max(1, motion.bandwidth().value_or(kFewestSeeds / kSeedsPerHarmonic));
+  return {kSeedsPerHarmonic * harmonics, static_cast<int>(kLongestInSeries * kSeedsPerHarmonic),
+          kSeedsPerHarmonic};
+}
+
+void append(int contact, double turn, double force, std::vector<int>& contacts,
+            std::vector<double>& moments) {
+  contacts.push_back(contact);
+  moments.push_back(turn - std::floor(turn));
+  moments.push_back(force);
+}
+
+/// One solve by impact closure.
+class ImpactClosing {
+ public:
+  ImpactClosing(HarmonicSetup& setup, const Start& start, Work& work)
+      : setup_(setup), start_(start), work_(work) {
+    if (setup.compensation)
+      motion_.emplace(setup.compensation->receptance(), setup.receptance.free_response, setup.gap,
+                      *setup.restitution);
+  }
+
+  /// The answer that a motion's impacts lead to, found as `how` says.
+  std::optional<Solution> from(const Trajectory& motion, const std::string& how) {
+    const ImpactSeeds seeds = impact_seeds(motion);
+    if (seeds.lasting) return failed("a contact lasts: only separate impacts are closed");
+    if (seeds.impacts.count() == 0) return contact_free();
+    if (!all_have_mass(seeds.impacts))
+      return failed("a contact that is struck has no mass beyond the harmonics");
+    const auto settled = motion_->settle(seeds.impacts, 0.01 * setup_.options.tolerance);
+    if (!settled) return failed("instants and impulses of the impacts do not settle");
+    count_iterations(settled->steps, work_);
+    if (!motion_->are_separate(settled->impacts)) return failed("two contacts are struck at once");
+    if (motion_->overshoot(settled->impacts) > kPassedStop * motion_->size(settled->impacts))
+      return failed("the motion behind the impacts passes a stop");
+    return closed(settled->impacts, how);
+  }
+
+  /// The motion in which nothing touches.
+  std::optional<Solution> contact_free() {
+    const int instants = std::max(kFewestSeeds, kSeedsPerHarmonic * setup_.receptance.harmonics());
+    const Eigen::MatrixXd x = sample_series(setup_.receptance.free_response, instants);
+    if (((x.rowwise() - setup_.gap.transpose()).array() > 0.0).any())
+      return failed("the motion without contact passes a stop");
+    ExactProjection none;
+    none.converged = true;
+    none.lambda = Eigen::MatrixXcd::Zero(setup_.receptance.harmonics() + 1, setup_.receptance.contacts());
+    return exact_solution(setup_.equations(), none, "nothing touches");
+  }
+
+  /// The motion in which each contact presses throughout or never.
+  std::optional<Solution> permanent_contact() {
+    const ExactProjection held = solve_permanent_contact(setup_.equations(), setup_.options.tolerance);
+    if (!held.converged) return std::nullopt;
+    return exact_solution(setup_.equations(), held, "permanent contact");
+  }
+
+  /// Why the last attempt failed.
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+
+  /// Takes down why an attempt failed.
+  std::nullopt_t failed(std::string_view reason) {
+    reason_ = reason;
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] bool all_have_mass(const PeriodicImpacts& impacts) const {
+    const int harmonics = setup_.receptance.harmonics();
+    return motion_ && std::ranges::all_of(impacts.contacts, [&](int contact) {
+             return setup_.compensation->is_mass_beyond(contact, harmonics);
+           });
+  }
+
+  [[nodiscard]] int steps_left() const {
+    const int limit = setup_.options.max_iterations;
+    return limit == 0 ? kClosureSteps : std::min(kClosureSteps, limit - static_cast<int>(steps_spent(work_)));
+  }
+
+  std::optional<Solution> closed(const PeriodicImpacts& impacts, const std::string& how) {
+    const int samples = kResolvingSamples * std::max(setup_.receptance.harmonics(), kFewestOnGrid);
+    const double hard = setup_.compensated_stiffness();
+    for (const double factor : {hard, 1.0}) {
+      const ProjectedLaw law{factor * setup_.law.constant, setup_.law.multiplier_weight};
+      const ImpactClosure closure = close_impacts(
+          {setup_.receptance, setup_.gap, law}, impacts,
+          {.samples = samples, .tolerance = setup_.options.tolerance, .deadline = start_.deadline},
+          steps_left());
+      count_iterations(closure.steps, work_);
+      if (closure.converged) return answer(law, closure, impacts.count(), how);
+      failed(closure.failure);
+      if (hard == 1.0) break;
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Solution answer(const ProjectedLaw& law, const ImpactClosure& closure, int impacts,
+                                const std::string& how) const {
+    FourierTrajectory::Data data = series_data({setup_.receptance, setup_.gap, law}, closure.lambda);
+    data.shifts = closure.shifts;
+    return {
+        .verdict = Verdict::converged,
+        .message = fmt::format("{}; {} impact{} closed at restitution {:g}, stops moved by up to {:.1e}, net "
+                               "contact work {:.1e}",
+                               how, impacts, impacts == 1 ? "" : "s", *setup_.restitution, closure.largest,
+                               net_work_ratio(data.x, data.lambda)),
+        .trajectory = std::make_shared<FourierTrajectory>(std::move(data)),
+        .residual = closure.residual,
+        .condition = closure.condition};
+  }
+
+  HarmonicSetup& setup_;
+  const Start& start_;
+  Work& work_;
+  std::optional<ImpactMotion> motion_;  // none where no contact has mass
+  std::string reason_;
+};
+
+/// From the scene on hat functions, from coarse to fine.
+std::optional<Solution> close_from_hat_functions(HarmonicSetup& setup, const Start& start, Work& work,
+                                                 ImpactClosing& closing) {
+  if (!setup.hat_grids)
+    return closing.failed("no contact has mass beyond the harmonics, or they are too many");
+  Resolutions& grids = *setup.hat_grids;
+  grids.forget_from(0);  // preparing them is part of this solve
+  int lasting = 0;
+  // Where two grids show contact that lasts, finer ones will: they are for impacts that a coarse one runs
+  // together.
+  for (std::size_t grid = 0; grid < grids.count() && lasting < 2 && !start.expired(); ++grid) {
+    const int nodes = grids.value(grid);
+    if (static_cast<long>(nodes) * setup.receptance.contacts() > kMostHatUnknowns) break;
+    const Solution hat = grids.solve_at(grid, {.deadline = start.deadline});
+    add_effort(hat.work, work);
+    if (hat.verdict != Verdict::converged) {
+      closing.failed("no motion on hat functions to begin with");
+      continue;
+    }
+    if (impact_seeds(*hat.trajectory).lasting) ++lasting;
+    if (auto answer = closing.from(*hat.trajectory, fmt::format("{} hat functions first", nodes)))
+      return answer;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ImpactSeeds impact_seeds(const Trajectory& motion) {
+  ImpactSeeds seeds;
+  std::vector<int> contacts;
+  std::vector<double> moments;
+  for (const Impulse& impulse : motion.impulses())
+    append(impulse.contact, impulse.time / motion.period(), -impulse.value / motion.period(), contacts,
+           moments);
+  const SeedSampling sampling = seed_sampling(motion);
+  const Eigen::MatrixXd force = motion.sample(sampling.count).force;
+  const double none = kNoForce * force.cwiseAbs().maxCoeff();
+  for (Eigen::Index c = 0; c < force.cols(); ++c) {
+    for (const SampledPhase& phase : contact_phases(force.col(c), none, sampling.resolution)) {
+      if (phase.length > sampling.longest) seeds.lasting = true;
+      double sum = 0.0;
+      double first = 0.0;
+      for (int i = 0; i < phase.length; ++i) {
+        const double push = -force((phase.first + i) % sampling.count, c);
+        sum += push;
+        first += push * (phase.first + i);
+      }
+      append(static_cast<int>(c), first / (sum * sampling.count), sum / sampling.count, contacts, moments);
+    }
+  }
+  seeds.impacts.moments =
+      Eigen::Map<Eigen::Matrix2Xd>(moments.data(), 2, static_cast<Eigen::Index>(contacts.size()));
+  seeds.impacts.contacts = std::move(contacts);
+  return seeds;
+}
+
+ClosedAnswer close_answer(HarmonicSetup& setup, const Start& start, Work& work) {
+  ImpactClosing closing(setup, start, work);
+  ClosedAnswer result;
+  if (start.guess) result.answer = closing.from(*start.guess, "impacts of the guess");
+  if (!result.answer) result.answer = closing.contact_free();
+  if (!result.answer) result.answer = closing.permanent_contact();
+  if (!result.answer) result.answer = close_from_hat_functions(setup, start, work, closing);
+  if (!result.answer) result.reason = start.expired() ? "the time is up" : closing.reason();
+  return result;
+}
+
+}  // namespace signorini

@@ -1,0 +1,206 @@
+// Harmonic balance under the scene's own restitution, judged by closed-form and exact orbits.
+
+#include "methods/harmonic_balance/closed_answer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "methods/aft_hbm/aft_hbm.hpp"
+#include "methods/discretisation/trajectories.hpp"
+#include "methods/exact_orbit/exact_orbit_method.hpp"
+#include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
+#include "methods/penalty_hbm/penalty_hbm.hpp"
+#include "tests/support/accuracy.hpp"
+#include "tests/support/exact_scenes.hpp"
+#include "tests/support/impact_oscillator.hpp"
+#include "tests/support/population.hpp"
+
+namespace signorini {
+namespace {
+
+using test::ImpactOscillator;
+using test::relative_distance;
+using test::solve;
+
+constexpr auto kScene = ClosedRestitution::scene;
+
+ImpactOscillator oscillator(double restitution) {
+  return {.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = restitution};
+}
+
+/// Error of x over what H harmonics cut off of the nearest closed-form orbit.
+double error_over_cut(const ImpactOscillator& scene, const Solution& solution, int harmonics) {
+  double best = HUGE_VAL;
+  for (const auto& orbit : test::single_impact_orbits(scene)) {
+    double beyond = 0.0;
+    double all = std::norm(orbit.fourier(0));
+    for (int n = 1; n <= 4000; ++n) {
+      all += 2.0 * std::norm(orbit.fourier(n));
+      if (n > harmonics) beyond += 2.0 * std::norm(orbit.fourier(n));
+    }
+    const double error = test::relative_error(*solution.trajectory, [&](double t) { return orbit.x(t); });
+    best = std::min(best, error / std::sqrt(beyond / all));
+  }
+  return best;
+}
+
+template <class Method>
+void expect_closed(double restitution) {
+  const ImpactOscillator scene = oscillator(restitution);
+  const Problem problem = test::to_problem(scene);
+  for (const int harmonics : {10, 40, 160}) {
+    const typename Method::Options options{{.harmonics = harmonics, .restitution = kScene}};
+    const Solution found = solve<Method>(problem, options);
+    ASSERT_EQ(found.verdict, Verdict::converged) << found.message;
+    EXPECT_NE(found.message.find("1 impact closed at restitution"), std::string::npos) << found.message;
+    EXPECT_LE(error_over_cut(scene, found, harmonics), 1.02);
+    EXPECT_LE(found.work.iterations.value(), 16) << "Newton steps, those that settle the impacts included";
+    EXPECT_TRUE(law_matches(Method(options).law(problem), problem.law));
+  }
+}
+
+class ClosedAnswerAt : public testing::TestWithParam<double> {};
+
+TEST_P(ClosedAnswerAt, IsTheOrbitOfTheScenesRestitutionInEachMethod) {
+  expect_closed<FourierLipschitz>(GetParam());
+  expect_closed<PenaltyHbm>(GetParam());
+  expect_closed<AftHbm>(GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(OneMass, ClosedAnswerAt, testing::Values(1.0, 0.8, 0.5, 0.2, 0.0));
+
+TEST(ClosedAnswer, IsNotGivenUnasked) {
+  const Problem problem = test::to_problem(oscillator(0.5));
+  EXPECT_FALSE(law_matches(FourierLipschitz({}).law(problem), problem.law));
+  const Solution found = solve<FourierLipschitz>(problem, {});
+  EXPECT_EQ(found.message.find("closed"), std::string::npos) << found.message;
+}
+
+/// The answer's distance from the exact orbit that it leads to, under the scene's own law.
+double distance_from_orbit(const Problem& problem, const Solution& found) {
+  const Solution orbit = solve<ExactOrbitMethod>(problem, {}, found.trajectory);
+  EXPECT_EQ(orbit.verdict, Verdict::converged) << orbit.message;
+  return orbit.verdict == Verdict::converged ? relative_distance(*orbit.trajectory, *found.trajectory)
+                                             : HUGE_VAL;
+}
+
+TEST(ClosedAnswer, ConvergesOnChainsWithTwoStopsAsTheBestSeriesDoes) {
+  const Problem problem = test::stopped_chain(3, 0.5, 2);
+  std::vector<double> steps;
+  std::vector<double> errors;
+  for (const int harmonics : {20, 40, 80, 160}) {
+    const Solution found =
+        solve<FourierLipschitz>(problem, {{.harmonics = harmonics, .restitution = kScene}});
+    ASSERT_EQ(found.verdict, Verdict::converged) << found.message;
+    steps.push_back(1.0 / harmonics);
+    errors.push_back(distance_from_orbit(problem, found));
+  }
+  EXPECT_NEAR(test::observed_order(steps, errors), 1.5, 0.15);
+}
+
+TEST(ClosedAnswer, ConvergesBetweenTwoStopsAsTheBestSeriesDoes) {
+  ImpactOscillator one{.damping = 0.1, .frequency = 0.8, .gap = 0.5, .restitution = 0.8};
+  Problem problem = test::to_problem(one);
+  problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = 0.5});
+  std::vector<double> steps;
+  std::vector<double> errors;
+  for (const int harmonics : {20, 40, 80, 160}) {
+    const Solution found = solve<PenaltyHbm>(problem, {{.harmonics = harmonics, .restitution = kScene}});
+    ASSERT_EQ(found.verdict, Verdict::converged) << found.message;
+    steps.push_back(1.0 / harmonics);
+    errors.push_back(distance_from_orbit(problem, found));
+  }
+  EXPECT_NEAR(test::observed_order(steps, errors), 1.5, 0.15);
+}
+
+TEST(ClosedAnswer, IsContinuousInTheRestitution) {
+  const auto of = [](double restitution) {
+    return solve<FourierLipschitz>(test::to_problem(oscillator(restitution)),
+                                   {{.harmonics = 20, .restitution = kScene}});
+  };
+  EXPECT_LE(relative_distance(*of(1.0).trajectory, *of(1.0 - 1e-6).trajectory), 1e-5);
+}
+
+TEST(ClosedAnswer, OfRestitutionOneIsTheCompensatedOne) {
+  const Problem problem = test::to_problem(oscillator(1.0));
+  const Solution compensated = solve<FourierLipschitz>(problem, {{.harmonics = 20}});
+  const Solution closed = solve<FourierLipschitz>(problem, {{.harmonics = 20, .restitution = kScene}});
+  EXPECT_LE(relative_distance(*compensated.trajectory, *closed.trajectory), 1e-5);
+}
+
+TEST(ClosedAnswer, RefusesContactThatSticksOrChatters) {
+  for (const ImpactOscillator& scene :
+       {ImpactOscillator{.damping = 0.1, .frequency = 0.4, .gap = -0.3, .restitution = 0.0},
+        ImpactOscillator{.damping = 0.1, .frequency = 0.4, .gap = 0.0, .restitution = 0.3}}) {
+    const Solution found = solve<FourierLipschitz>(test::to_problem(scene), {{.restitution = kScene}});
+    EXPECT_EQ(found.verdict, Verdict::not_converged) << found.message;
+    EXPECT_FALSE(found.message.empty());
+  }
+}
+
+TEST(ClosedAnswer, IsTheContactFreeMotionOrTheHeldOneWhereNoImpactIs) {
+  const Problem free = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 2.0, .restitution = 0.3});
+  const Solution open = solve<AftHbm>(free, {{.restitution = kScene}});
+  ASSERT_EQ(open.verdict, Verdict::converged) << open.message;
+  EXPECT_EQ(open.trajectory->force_coefficients().norm(), 0.0);
+  const Problem pressed =
+      test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = -2.0, .restitution = 0.3});
+  const Solution held = solve<AftHbm>(pressed, {{.restitution = kScene}});
+  ASSERT_EQ(held.verdict, Verdict::converged) << held.message;
+  EXPECT_NEAR(held.trajectory->sample(64).x.minCoeff(), -2.0, 1e-9);
+}
+
+TEST(ClosedAnswer, FollowsAGuess) {
+  const Problem problem = test::to_problem(oscillator(0.5));
+  ImpactOscillator moved = oscillator(0.5);
+  moved.frequency = 2.21;
+  const Solution first = solve<FourierLipschitz>(problem, {{.harmonics = 40, .restitution = kScene}});
+  const Solution next = solve<FourierLipschitz>(test::to_problem(moved),
+                                                {{.harmonics = 40, .restitution = kScene}}, first.trajectory);
+  ASSERT_EQ(next.verdict, Verdict::converged) << next.message;
+  EXPECT_EQ(next.message.find("impacts of the guess"), 0U) << next.message;
+  EXPECT_FALSE(next.work.pivots) << "no hat functions";
+  EXPECT_LE(error_over_cut(moved, next, 40), 1.02);
+}
+
+// Whatever is claimed under e < 1 leads to an orbit of that restitution near by.
+TEST(ClosedAnswer, ClaimsOnlyOrbitsOfTheScenesOwnRestitution) {
+  int claimed = 0;
+  for (const Problem& problem : test::restitution_population(40)) {
+    if (std::get<Restitution>(problem.law).e == 1.0) continue;
+    const Solution found = solve<FourierLipschitz>(problem, {{.harmonics = 20, .restitution = kScene}});
+    if (found.verdict != Verdict::converged) continue;
+    ++claimed;
+    if (found.message.find("closed") != std::string::npos)
+      EXPECT_LE(distance_from_orbit(problem, found), 0.1);
+  }
+  EXPECT_GE(claimed, 16);
+}
+
+TEST(ImpactSeeds, AreReadOffAGridOfNodes) {
+  Eigen::MatrixXd force = Eigen::MatrixXd::Zero(100, 1);
+  force(20, 0) = -3.0;
+  force(21, 0) = -1.0;
+  force(99, 0) = -2.0;
+  force(0, 0) = -2.0;
+  const NodalTrajectory motion(2.0, Eigen::MatrixXd::Zero(100, 1), force);
+  const ImpactSeeds seeds = impact_seeds(motion);
+  EXPECT_FALSE(seeds.lasting);
+  ASSERT_EQ(seeds.impacts.count(), 2);
+  EXPECT_NEAR(seeds.impacts.moments(0, 0), 0.2025, 1e-12);
+  EXPECT_NEAR(seeds.impacts.moments(1, 0), 0.04, 1e-12);
+  EXPECT_NEAR(seeds.impacts.moments(0, 1), 0.995, 1e-12);
+}
+
+TEST(ImpactSeeds, SayWhereAContactLasts) {
+  Eigen::MatrixXd force = Eigen::MatrixXd::Zero(100, 1);
+  force.col(0).segment(20, 30).setConstant(-1.0);
+  EXPECT_TRUE(impact_seeds(NodalTrajectory(2.0, Eigen::MatrixXd::Zero(100, 1), force)).lasting);
+}
+
+}  // namespace
+}  // namespace signorini
