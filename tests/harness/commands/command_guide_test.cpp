@@ -60,7 +60,7 @@ TEST(CommandGuide, HasExamplesThatTheProgramTakes) {
     EXPECT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
     ++tried;
   }
-  EXPECT_EQ(tried, 4);
+  EXPECT_EQ(tried, 5);
 }
 
 TEST(CommandHelp, IsThatOfTheCommandNamed) {
