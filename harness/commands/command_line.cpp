@@ -204,8 +204,9 @@ int run_command_line(int argc, char** argv) {
   app.set_version_flag("--version", version_text);
   app.require_subcommand(1);
   for (const auto add : {add_list_command, add_show_command, add_solve_command, add_orbits_command,
-                         add_sweep_command, add_completion_command, add_man_command})
+                         add_completion_command, add_man_command})
     add(app, exit_code);
+  add_sweep_command(app, exit_code, words);
   add_run_command(app, exit_code, words);
   for (const auto add :
        {add_report_command, add_compare_command, add_verify_command, add_doctor_command, add_new_command,

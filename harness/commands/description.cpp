@@ -243,7 +243,7 @@ struct NamedThing {
   const char* meaning;
 };
 
-constexpr std::array<NamedThing, 8> kFiles{{
+constexpr std::array<NamedThing, 9> kFiles{{
     {"problems/catalogue/*.toml, problems/families/*.toml",
      "the scenes that ship, in share/signorini of an installed program"},
     {"problems/suites/*.toml", "the suites"},
@@ -251,6 +251,7 @@ constexpr std::array<NamedThing, 8> kFiles{{
     {"results/local-SUITE/", "folder of a run unless --out names another"},
     {"DIR/records.jsonl", "one record a line, each case of a run; docs/records.md has the keys"},
     {"DIR/manifest.json, DIR/plan.txt", "build, machine and limits of a run; its cases"},
+    {"DIR/branches.jsonl", "of sweep --out: a line per branch or step, as sweep --format jsonl prints them"},
     {"DIR/table.md, DIR/table.csv, DIR/measures.csv", "tables, written by run and report"},
     {"DIR/report.html, DIR/figures/, DIR/tables/", "page, figures and tables for LaTeX, written by report"},
 }};

@@ -14,6 +14,7 @@
 #include "harness/files.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/plan/suite.hpp"
+#include "harness/records/line_file.hpp"
 #include "harness/records/merge.hpp"
 #include "harness/records/run_folder.hpp"
 #include "harness/records/shards.hpp"
@@ -129,7 +130,7 @@ int run_response_suite(const RunArguments& arguments, const Suite& suite) {
   }
   const std::filesystem::path folder = arguments.out.value_or("results/local-" + suite.name);
   const Limits limits = limits_of(arguments, suite);
-  std::filesystem::create_directories(folder);
+  make_folder(folder);
   const Descriptor lock = lock_folder(folder);
   write_whole(folder / "manifest.json",
               make_manifest(suite, limits, arguments.schedule, arguments.words).dump(2) + "\n");

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "harness/commands/command_line.hpp"
+#include "harness/commands/sweep_arguments.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/plots/plot_file.hpp"
@@ -20,28 +21,25 @@
 #include "harness/sweep/bifurcation_response.hpp"
 #include "harness/sweep/branch_response.hpp"
 #include "harness/sweep/frequency_response.hpp"
+#include "harness/sweep/response_folder.hpp"
 #include "harness/sweep/response_stream.hpp"
 
 namespace signorini {
 
 namespace {
 
-struct SweepArguments {
-  std::string scene, method, methods;
-  std::vector<std::string> settings;
-  SweepRange range;
-  SweepLimits limits;
-  BranchLimits branches;
-  std::string parameter{kFrequency};
-  std::optional<double> from, to;
-  bool natural = false;
-  std::string follow;
-  SecondParameter second;
-  std::string format = "md";
-  std::string plot;
-  Column column = Column::own;
-  bool bifurcation = false;
-};
+// The folder of --out, if there is one. \throws UsageError
+std::optional<ResponseFolder> folder_of(const SweepArguments& arguments, const Scene& scene) {
+  if (!arguments.out) return std::nullopt;
+  return std::optional<ResponseFolder>(std::in_place, *arguments.out, question_of(arguments, scene),
+                                       arguments.words, arguments.resume);
+}
+
+void tell_interrupted(const SweepArguments& arguments) {
+  if (arguments.out)
+    fmt::print(stderr, "interrupted; the same command with --resume --out {} does the rest\n",
+               *arguments.out);
+}
 
 void print(const SweepArguments& arguments, const std::vector<SweepPoint>& points) {
   if (arguments.format == "jsonl") return;  // each as it came
@@ -81,16 +79,29 @@ bool all_converged(const std::vector<SweepPoint>& points) {
 int sweep_steps(const SweepArguments& arguments) {
   const Scene scene = read_scene(find_scene(arguments.scene));
   const MethodChoice method{&find_method(arguments.method), parse_settings(arguments.settings)};
+  std::optional<ResponseFolder> folder = folder_of(arguments, scene);
+  const std::string label = method.label(), key = response_key(method);
   watch_interrupts();
   ResponseStream stream(arguments.format, {});
-  const std::vector<SweepPoint> found = steps(arguments, scene, method, [&](const SweepPoint& point) {
-    if (arguments.format == "jsonl") stream.step(method.label(), point);
-  });
+  const TakePoint print_line = [&](const SweepPoint& point) {
+    if (arguments.format == "jsonl") stream.step(label, point);
+  };
+  const std::optional<MethodResponse> kept = folder ? folder->complete(label, key) : std::nullopt;
+  const std::vector<SweepPoint> found =
+      kept ? kept->steps : steps(arguments, scene, method, [&](const SweepPoint& point) {
+        if (folder) folder->add(label, point);
+        print_line(point);
+      });
+  if (kept) std::for_each(found.begin(), found.end(), print_line);
+  if (folder && !kept && !interrupted()) folder->finish({.method = label, .steps = found}, key);
   print(arguments, found);
   if (!arguments.plot.empty())
-    write_plot(arguments.plot, response_plot(scene.problem.name, {{.method = method.label(), .steps = found}},
+    write_plot(arguments.plot, response_plot(scene.problem.name, {{.method = label, .steps = found}},
                                              ResponseOrdinate::amplitude, arguments.column));
-  if (interrupted()) return kInterrupted;
+  if (interrupted()) {
+    tell_interrupted(arguments);
+    return kInterrupted;
+  }
   return all_converged(found) ? kDone : kUnexpectedFailure;
 }
 
@@ -109,20 +120,34 @@ ParametrisedScene parametrised(const SweepArguments& arguments, const Scene& sce
   return over_place(find_scene(arguments.scene), arguments.parameter, range.from, range.to);
 }
 
-// What one method makes of the response, printed as it comes where the format allows.
+// An empty response of a method.
+MethodResponse blank_response(const SweepArguments& arguments, const Scene& scene,
+                              const MethodChoice& method) {
+  return {.method = method.label(),
+          .order = scene.problem.subharmonic,
+          .parameter = arguments.parameter,
+          .at_values = !arguments.range.at.empty()};
+}
+
+// Prints what a folder has kept as it would have come.
+void replay(const MethodResponse& response, ResponseStream& stream) {
+  for (const Branch& branch : response.diagram.branches) stream.branch(response.method, branch);
+  for (const SweepPoint& step : response.steps) stream.step(response.method, step);
+}
+
+// What one method makes of the response, kept and printed as it comes where the format allows.
 MethodResponse response_of(const SweepArguments& arguments, const Scene& scene,
                            const ParametrisedScene& varied, const MethodChoice& method,
-                           ResponseStream& stream) {
+                           ResponseStream& stream, ResponseFolder* folder) {
   const std::vector<double>& values = arguments.range.at;
-  MethodResponse response{.method = method.label(),
-                          .order = scene.problem.subharmonic,
-                          .parameter = arguments.parameter,
-                          .at_values = !values.empty()};
+  MethodResponse response = blank_response(arguments, scene, method);
   BranchLimits limits = arguments.branches;
   limits.at = values;
   if (arguments.bifurcation) limits.phases = 1;
   limits.take = [&](const Branch& branch) {
-    stream.branch(response.method, values.empty() ? branch : points_at(branch, values));
+    const Branch shown = values.empty() ? branch : points_at(branch, values);
+    if (folder != nullptr) folder->add(response.method, shown);
+    stream.branch(response.method, shown);
   };
   std::optional<BranchDiagram> own;
   if (!arguments.natural) {
@@ -131,8 +156,10 @@ MethodResponse response_of(const SweepArguments& arguments, const Scene& scene,
     own = branches_of(varied, method, limits);
   }
   if (!own) {
-    response.steps = steps(arguments, scene, method,
-                           [&](const SweepPoint& point) { stream.step(response.method, point); });
+    response.steps = steps(arguments, scene, method, [&](const SweepPoint& point) {
+      if (folder != nullptr) folder->add(response.method, point);
+      stream.step(response.method, point);
+    });
     return response;
   }
   response.diagram = *std::move(own);
@@ -154,6 +181,24 @@ void print(const SweepArguments& arguments, const std::vector<MethodResponse>& r
   }
 }
 
+// What the folder has kept of a method, or what it makes of the response now.
+MethodResponse kept_or_computed(const SweepArguments& arguments, const Scene& scene,
+                                const ParametrisedScene& varied, const MethodChoice& method,
+                                ResponseStream& stream, std::optional<ResponseFolder>& folder) {
+  const std::string key = response_key(method);
+  if (auto kept = folder ? folder->complete(method.label(), key) : std::nullopt) {
+    MethodResponse response = blank_response(arguments, scene, method);
+    response.diagram = std::move(kept->diagram);
+    response.steps = std::move(kept->steps);
+    replay(response, stream);
+    return response;
+  }
+  MethodResponse response =
+      response_of(arguments, scene, varied, method, stream, folder ? &*folder : nullptr);
+  if (folder && !interrupted()) folder->finish(response, key);
+  return response;
+}
+
 // Branches of several methods, by arc length where a method has a curve of its own.
 int sweep_branches(const SweepArguments& arguments) {
   const Scene scene = read_scene(find_scene(arguments.scene));
@@ -163,6 +208,7 @@ int sweep_branches(const SweepArguments& arguments) {
   for (const std::string& name : names)
     methods.push_back({&find_method(name), parse_settings(arguments.settings)});
   const ParametrisedScene varied = parametrised(arguments, scene);
+  std::optional<ResponseFolder> folder = folder_of(arguments, scene);
   watch_interrupts();
   ResponseStream stream(arguments.format, {.method = {},
                                            .order = scene.problem.subharmonic,
@@ -171,7 +217,7 @@ int sweep_branches(const SweepArguments& arguments) {
   std::vector<MethodResponse> responses;
   bool all = true;
   for (const MethodChoice& method : methods) {
-    responses.push_back(response_of(arguments, scene, varied, method, stream));
+    responses.push_back(kept_or_computed(arguments, scene, varied, method, stream, folder));
     const MethodResponse& response = responses.back();
     all =
         all && (response.steps.empty() ? !response.diagram.branches.empty() : all_converged(response.steps));
@@ -183,7 +229,10 @@ int sweep_branches(const SweepArguments& arguments) {
         arguments.bifurcation ? ResponseOrdinate::once_a_period : ResponseOrdinate::amplitude;
     write_plot(arguments.plot, response_plot(scene.problem.name, responses, ordinate, arguments.column));
   }
-  if (interrupted()) return kInterrupted;
+  if (interrupted()) {
+    tell_interrupted(arguments);
+    return kInterrupted;
+  }
   return all ? kDone : kUnexpectedFailure;
 }
 
@@ -194,8 +243,8 @@ int sweep_special_points(const SweepArguments& arguments) {
                                  arguments.follow, kFollowedByArcLength));
   if (arguments.second.place.empty())
     throw UsageError("follow needs --second, --second-from and --second-to");
-  if (!arguments.range.at.empty() || !arguments.plot.empty())
-    throw UsageError("--at and --plot (must be left out with --follow)");
+  if (!arguments.range.at.empty() || !arguments.plot.empty() || arguments.out)
+    throw UsageError("--at, --plot and --out (must be left out with --follow)");
   const BifurcationResponse response =
       bifurcation_response(find_scene(arguments.scene), arguments.range.from, arguments.range.to,
                            arguments.second, arguments.follow, arguments.branches);
@@ -209,26 +258,6 @@ int sweep_special_points(const SweepArguments& arguments) {
   return response.curves.empty() ? kUnexpectedFailure : kDone;
 }
 
-// The interval, which points asked for may span. \throws UsageError
-SweepRange interval(const SweepArguments& arguments) {
-  SweepRange range = arguments.range;
-  if (!range.at.empty()) {
-    const auto [least, most] = std::minmax_element(range.at.begin(), range.at.end());
-    range.from = arguments.from.value_or(*least);
-    range.to = arguments.to.value_or(*most);
-    const auto [low, high] = std::minmax(range.from, range.to);
-    for (const double value : range.at) {
-      if (!(value >= low && value <= high))
-        throw UsageError(fmt::format("at = {} (must be between --from and --to)", value));
-    }
-    return range;
-  }
-  if (!arguments.from || !arguments.to) throw UsageError("--from and --to are required without --at");
-  range.from = *arguments.from;
-  range.to = *arguments.to;
-  return range;
-}
-
 int sweep(SweepArguments arguments) {
   arguments.range = interval(arguments);
   if (arguments.method.empty() == arguments.methods.empty())
@@ -238,49 +267,14 @@ int sweep(SweepArguments arguments) {
         fmt::format("parameter = {} (must be {} with --method)", arguments.parameter, kFrequency));
   if (arguments.bifurcation && (arguments.methods.empty() || arguments.natural || arguments.plot.empty()))
     throw UsageError("bifurcation (must go with --methods by arc length and --plot)");
+  if (arguments.resume && !arguments.out) throw UsageError("resume (must go with --out)");
   if (!arguments.follow.empty()) return sweep_special_points(arguments);
   return arguments.methods.empty() ? sweep_steps(arguments) : sweep_branches(arguments);
 }
 
-/// Options of branches by arc length.
-void add_branch_options(CLI::App& command, SweepArguments& arguments) {
-  command
-      .add_option(
-          "--parameter", arguments.parameter,
-          "by arc length: the number to follow, by its place in the scene file, such as contact[0].gap")
-      ->capture_default_str();
-  command
-      .add_option("--orders", arguments.branches.max_order, "by arc length: longest period [forcing periods]")
-      ->check(CLI::Range(1, 12))
-      ->capture_default_str();
-  command.add_option("--max-branches", arguments.branches.max_branches, "by arc length: branches in all")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  command.add_option("--max-points", arguments.branches.max_points, "by arc length: points of a branch")
-      ->check(CLI::Range(2, 1000000))
-      ->capture_default_str();
-  command
-      .add_option("--total-time", arguments.branches.timeout, "by arc length: wall time of all branches [s]")
-      ->check(positive_seconds)
-      ->capture_default_str();
-  command.add_flag(
-      "--bifurcation", arguments.bifurcation,
-      "with --plot, by arc length: a bifurcation diagram, the displacement at t = 0 of every forcing period");
-}
-
-void add_special_point_options(CLI::App& command, SweepArguments& arguments) {
-  command.add_option("--follow", arguments.follow,
-                     "with --methods exact-orbit: curves of these special points over the frequency and a "
-                     "second number: fold, period-doubling, neimark-sacker, grazing or contact-change");
-  command.add_option("--second", arguments.second.place,
-                     "with --follow: the second number, by its place in the scene file");
-  command.add_option("--second-from", arguments.second.from, "where curves begin");
-  command.add_option("--second-to", arguments.second.to, "where they end");
-}
-
 }  // namespace
 
-void add_sweep_command(CLI::App& app, int& exit_code) {
+void add_sweep_command(CLI::App& app, int& exit_code, const std::vector<std::string>& words) {
   auto* command =
       app.add_subcommand("sweep",
                          "Frequency response: one method on one scene at one frequency after "
@@ -288,43 +282,8 @@ void add_sweep_command(CLI::App& app, int& exit_code) {
                          "methods, by arc length through folds and grazings where a method has its own. "
                          "Exit code 1 if a solve did not converge, or no branch was found.");
   const auto arguments = std::make_shared<SweepArguments>();
-  command->add_option("scene", arguments->scene, "a scene of the catalogue, or a scene file")->required();
-  command->add_option("--method", arguments->method, "method name; see `signorini list methods`");
-  command->add_option("--methods", arguments->methods,
-                      "A:B: branches of several methods, by arc length where a method has its own curve "
-                      "(exact-orbit, harmonic balance, hat functions), others by steps");
-  command->add_flag("--natural", arguments->natural, "with --methods: steps for all of them");
-  add_branch_options(*command, *arguments);
-  command->add_option("--set", arguments->settings, "key=value: an option of the method; may be repeated")
-      ->allow_extra_args(false)
-      ->type_name("KEY=VALUE");
-  command->add_option("--from", arguments->from,
-                      "first frequency of the load [rad/s], or value of --parameter");
-  command->add_option("--to", arguments->to, "last one, above or below");
-  command
-      ->add_option("--at", arguments->range.at,
-                   "w1,w2,...: points exactly there, on every branch; or steps to these frequencies")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  add_special_point_options(*command, *arguments);
-  command->add_option("--points", arguments->range.points, "frequencies, both ends included")
-      ->check(CLI::Range(2, 1000000))
-      ->capture_default_str();
-  command->add_flag("--log", arguments->range.logarithmic, "equal ratios instead of equal steps");
-  command->add_flag("--down,--back", arguments->range.back,
-                    "and back again from the last answer: where the ways differ, several motions coexist");
-  command->add_flag("--certify", arguments->limits.certified,
-                    "look for the orbit behind each answer: whether there is one, and whether it is stable");
-  command->add_option("--timeout", arguments->limits.timeout, "wall time of one solve [s]")
-      ->check(positive_seconds)
-      ->capture_default_str();
-  command
-      ->add_option("--format", arguments->format,
-                   "md, csv, json, or jsonl: one JSON object per branch or step; csv and jsonl as they come")
-      ->check(CLI::IsMember({"md", "csv", "json", "jsonl"}))
-      ->capture_default_str();
-  add_plot_option(*command, arguments->plot, "amplitude over frequency");
-  add_column_option(*command, arguments->column, "the picture");
+  arguments->words = words;
+  add_sweep_options(*command, *arguments);
   command->callback([arguments, &exit_code] { exit_code = sweep(*arguments); });
 }
 

@@ -72,6 +72,7 @@ std::string pieces_of(const Branch& branch, Stability part, ResponseOrdinate ord
 std::string pieces(const BranchDiagram& diagram, Stability part, ResponseOrdinate ordinate) {
   std::string lines;
   for (const Branch& branch : diagram.branches) {
+    if (branch.points.empty()) continue;  // none at the values asked for
     const auto order = static_cast<std::size_t>(branch.points.front().order);
     for (std::size_t i = 0; i < (ordinate == ResponseOrdinate::amplitude ? 1 : order); ++i)
       lines += pieces_of(branch, part, ordinate, i);

@@ -125,6 +125,7 @@ constexpr std::array kOfRun{
     Rule{"/machine/kernel", is_text, kText},
     Rule{"/machine/load", is_list_of<is_number>, "must be a list of numbers"},
     Rule{"/plugins", is_table_of_methods, "must be an object of texts, by names of methods"},
+    Rule{"/sweep", is_object, kObject},
     Rule{"/shards", is_list_of<is_object>, "must be a list of objects"},
 };
 

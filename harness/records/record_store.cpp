@@ -1,21 +1,15 @@
 #include "harness/records/record_store.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
-#include <thread>
 
 #include "harness/failure.hpp"
-#include "harness/files.hpp"
 #include "harness/records/record_check.hpp"
 #include "harness/records/record_json.hpp"
 
@@ -38,25 +32,12 @@ Record parse_line(const std::string& line) {
   return checked_record(json);
 }
 
-/// The records of a file. A line that holds none is left out with a warning, and its case counts as one that
-/// has not run: the others are worth as much as before.
+/// The records of a file. The case of a line that holds none counts as one that has not run.
 Contents read_contents(const fs::path& file) {
   Contents contents;
-  const std::string text = read_file(file);
-  std::size_t begin = 0;
-  // Only what ends in a line break was written whole.
-  for (std::size_t number = 1; true; ++number) {
-    const std::size_t end = text.find('\n', begin);
-    if (end == std::string::npos) break;
-    try {
-      if (end > begin) contents.records.push_back(parse_line(text.substr(begin, end - begin)));
-    } catch (const BadRecord& error) {
-      fmt::print(stderr, "{}:{}: {}; this line is left out, and `run --resume` runs its case again\n",
-                 as_message(file.string()), number, as_message(error.what()));
-    }
-    begin = end + 1;
-  }
-  contents.whole_bytes = begin;
+  contents.whole_bytes = read_lines(
+      file, [&](const std::string& line) { contents.records.push_back(parse_line(line)); },
+      "`run --resume` runs its case again");
   return contents;
 }
 
@@ -70,45 +51,9 @@ std::vector<Record> repair_file(const fs::path& file) {
   return std::move(contents.records);
 }
 
-Descriptor open_to_append(const fs::path& file) {
-  Descriptor descriptor(open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644));
-  if (!descriptor.is_open()) {
-    throw UsageError(
-        fmt::format("out = {} (must be a folder that can be written)", file.parent_path().string()));
-  }
-  return descriptor;
-}
-
-void write_line(const Descriptor& descriptor, const Record& record, const fs::path& file) {
-  const std::string line = json_line(to_json(record)) + "\n";
-  // One write to a file opened with O_APPEND: a kill can tear the last line only.
-  const ssize_t written = write(descriptor.number(), line.data(), line.size());
-  if (written == static_cast<ssize_t>(line.size())) return;
-  // A write that stops short sets no error: the disk is full, or a limit of file sizes is reached.
-  const std::error_code reason(written < 0 ? errno : ENOSPC, std::generic_category());
-  throw UsageError(fmt::format("out = {} (must have room: {}; `run --resume` goes on from here)",
-                               file.string(), reason.message()));
-}
-
-/// Tries the lock for a moment: children of a run that was killed may hold it for an instant longer.
-bool take_lock(int descriptor) {
-  constexpr int kTries = 100;
-  for (int i = 0; i < kTries; ++i) {
-    // File systems without locks cannot refuse a second run.
-    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
+std::string line_of(const Record& record) { return json_line(to_json(record)); }
 
 }  // namespace
-
-Descriptor lock_folder(const fs::path& folder) {
-  Descriptor descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (descriptor.is_open() && !take_lock(descriptor.number()))
-    throw UsageError(fmt::format("out = {} (must not be in use: another run writes there)", folder.string()));
-  return descriptor;
-}
 
 std::vector<Record> read_records(const fs::path& file) {
   std::vector<Record> records;
@@ -125,19 +70,10 @@ std::vector<Record> read_records(const fs::path& file) {
   return records;
 }
 
-bool folder_in_use(const fs::path& folder) {
-  const Descriptor descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  return descriptor.is_open() && flock(descriptor.number(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-}
-
 RecordStore::RecordStore(const fs::path& folder, bool resume)
     : file_(folder / "records.jsonl"), unfinished_file_(folder / "unfinished.jsonl") {
+  make_folder(folder);
   std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) {
-    throw UsageError(fmt::format("out = {} (must be a folder that can be written: {})", folder.string(),
-                                 failure.message()));
-  }
   lock_ = lock_folder(folder);
   if (fs::exists(file_) && !resume) fs::rename(file_, folder / "records.previous.jsonl", failure);
   if (!resume) fs::remove(unfinished_file_, failure);
@@ -156,12 +92,14 @@ RecordStore::~RecordStore() {
 
 void RecordStore::append(const Record& record) {
   if (!keys_.insert(record.key).second) return;
-  write_line(records_, record, file_);
+  append_line(records_, line_of(record), file_);
   if (fsync(records_.number()) != 0) throw std::system_error(errno, std::generic_category(), file_.string());
   std::erase_if(unfinished_, [&](const auto& kept) { return kept.second.case_id == record.case_id; });
 }
 
-void RecordStore::keep_unfinished(const Record& record) { write_line(kept_, record, unfinished_file_); }
+void RecordStore::keep_unfinished(const Record& record) {
+  append_line(kept_, line_of(record), unfinished_file_);
+}
 
 std::optional<Record> RecordStore::unfinished(const std::string& key) const {
   const auto found = unfinished_.find(key);
@@ -171,7 +109,7 @@ std::optional<Record> RecordStore::unfinished(const std::string& key) const {
 void RecordStore::clear_unfinished() {
   if (ftruncate(kept_.number(), 0) != 0)
     throw std::system_error(errno, std::generic_category(), unfinished_file_.string());
-  for (const auto& [key, record] : unfinished_) write_line(kept_, record, unfinished_file_);
+  for (const auto& [key, record] : unfinished_) append_line(kept_, line_of(record), unfinished_file_);
 }
 
 }  // namespace signorini

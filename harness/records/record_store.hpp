@@ -8,7 +8,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "harness/isolation/child_process.hpp"
+#include "harness/records/line_file.hpp"
 #include "harness/records/record.hpp"
 
 namespace signorini {
@@ -17,11 +17,6 @@ namespace signorini {
 /// and so is, with a warning on stderr that names file and line, one that is no record. \throws UsageError if
 /// the file cannot be read
 std::vector<Record> read_records(const std::filesystem::path& file);
-
-/// Keeps other runs out of a folder as long as it is open. \throws UsageError if another run writes there
-Descriptor lock_folder(const std::filesystem::path& folder);
-/// True while a run writes there.
-bool folder_in_use(const std::filesystem::path& folder);
 
 class RecordStore {
  public:

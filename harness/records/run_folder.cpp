@@ -170,22 +170,31 @@ std::string clock_governor(const fs::path& root) {
   return first_line(root / "sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
 }
 
-Json make_manifest(const Suite& suite, const Limits& limits, const Schedule& schedule,
-                   const std::vector<std::string>& command_line) {
+Json program_manifest(const std::vector<std::string>& command_line) {
   // A folder may have any name; a manifest holds it as a reader will take it.
   std::vector<std::string> words;
   std::ranges::transform(command_line, std::back_inserter(words), as_message);
   return {{"schema", 1},
-          {"suite", suite.name},
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
           {"command_line", words},
+          {"build", build()},
+          {"machine", machine()}};
+}
+
+Json make_manifest(const Suite& suite, const Limits& limits, const Schedule& schedule,
+                   const std::vector<std::string>& command_line) {
+  const Json program = program_manifest(command_line);
+  return {{"schema", program["schema"]},
+          {"suite", suite.name},
+          {"date", program["date"]},
+          {"command_line", program["command_line"]},
           {"order", "scene by scene, rounds in random order"},
           {"seed", schedule.seed},
           {"jobs", schedule.together()},
           {"times_comparable", build_may_be_timed() && schedule.together() == 1},
           {"limits", write_fields(limits)},
-          {"build", build()},
-          {"machine", machine()}};
+          {"build", program["build"]},
+          {"machine", program["machine"]}};
 }
 
 }  // namespace signorini

@@ -40,6 +40,10 @@ std::vector<Record> read_current_records(const std::filesystem::path& folder);
 /// DIR/plan.txt: one case per line, key and name. \throws UsageError if the folder cannot be written
 void write_plan(const std::filesystem::path& folder, const std::vector<PlannedCase>& plan);
 
+/// What every manifest says: schema, date, command line, build and machine. What the system does not tell is
+/// absent.
+nlohmann::ordered_json program_manifest(const std::vector<std::string>& command_line);
+
 /// Build, machine, date, limits and command line. What the system does not tell is absent.
 nlohmann::ordered_json make_manifest(const Suite& suite, const Limits& limits, const Schedule& schedule,
                                      const std::vector<std::string>& command_line);

@@ -3,21 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "harness/files.hpp"
 #include "harness/records/json_fields.hpp"
+#include "harness/records/line_file.hpp"
 #include "harness/records/record_check.hpp"
+#include "harness/sweep/branch_json.hpp"
 #include "problems/scene/kebab_case.hpp"
 
 namespace signorini {
-
-/// The names in files.
-template <>
-struct EnumNames<SpecialKind> {
-  static constexpr std::array<std::string_view, 6> values{
-      "fold", "period-doubling", "neimark-sacker", "branch-point", "grazing", "contact-change"};
-};
 
 void visit_fields(Either<LocatedPoint> auto& point, auto&& field) {
   field(required("kind"), point.kind);
@@ -119,17 +113,9 @@ ResponseRecord response_from_line(const std::string& line) {
 std::vector<ResponseRecord> read_responses(const std::filesystem::path& folder) {
   std::vector<ResponseRecord> records;
   if (!std::filesystem::exists(folder / kResponsesFile)) return records;
-  std::istringstream lines(read_file(folder / kResponsesFile));
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    try {
-      records.push_back(response_from_line(line));
-    } catch (const BadRecord& error) {
-      fmt::print(stderr, "{}:{}: {}; this line is left out, and `run --resume` runs its case again\n",
-                 as_message((folder / kResponsesFile).string()), number, as_message(error.what()));
-    }
-  }
+  read_lines(
+      folder / kResponsesFile, [&](const std::string& line) { records.push_back(response_from_line(line)); },
+      "`run --resume` runs its case again");
   return records;
 }
 

@@ -7,8 +7,8 @@
 #include "harness/judge/certificate.hpp"
 #include "harness/orbits/orbit_file.hpp"
 #include "harness/plan/deadline.hpp"
-#include "harness/records/problem_digest.hpp"
 #include "harness/records/record_json.hpp"
+#include "harness/run/problem_digest.hpp"
 #include "harness/run/round_messages.hpp"
 #include "harness/run/trial.hpp"
 

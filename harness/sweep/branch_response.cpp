@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
+#include "harness/interrupt.hpp"
+#include "harness/sweep/branch_json.hpp"
 #include "methods/curve_method.hpp"
 #include "methods/orbit/continuation/one_impact_orbits.hpp"
 #include "methods/orbit/exact_trajectory.hpp"
@@ -71,43 +73,6 @@ std::vector<SequencedOrbit> seeds_of(OrbitFamily& family, const BranchLimits& li
     }
   }
   return seeds;
-}
-
-Json to_json(const Eigen::VectorXcd& multipliers) {
-  Json list = Json::array();
-  for (const auto& mu : multipliers) list.push_back({mu.real(), mu.imag()});
-  return list;
-}
-
-// Value of a parameter that is not the frequency, and the energy, where they are.
-void add_values(Json& json, const BranchPoint& point) {
-  if (point.parameter != point.frequency) json["value"] = point.parameter;
-  if (point.energy) json["energy"] = *point.energy;
-}
-
-Json to_json(const BranchPoint& point) {
-  const bool told = point.stability == OrbitStability::stable || point.stability == OrbitStability::unstable;
-  Json json{{"omega", point.frequency},
-            {"order", point.order},
-            {"amplitude", point.amplitude},
-            {"x_max", point.x_max},
-            {"impacts", point.impacts},
-            {"stable", told ? Json(point.stability == OrbitStability::stable) : Json()},
-            {"stability", describe(point.stability)},
-            {"multipliers", to_json(point.multipliers)}};
-  add_values(json, point);
-  return json;
-}
-
-Json to_json(const SpecialPoint& special) {
-  Json json{{"kind", describe(special.kind)},
-            {"omega", special.point.frequency},
-            {"order", special.point.order},
-            {"after", special.after},
-            {"multipliers", to_json(special.point.multipliers)}};
-  add_values(json, special.point);
-  if (!special.text.empty()) json["text"] = special.text;
-  return json;
 }
 
 Json steps_json(const MethodResponse& response) {
@@ -193,7 +158,7 @@ BranchDiagram exact_branches(const ParametrisedScene& scene, const BranchLimits&
                                   .max_points = limits.max_points,
                                   .phases = limits.phases,
                                   .at = limits.at,
-                                  .expired = [deadline] { return Clock::now() > deadline; }},
+                                  .expired = [deadline] { return interrupted() || Clock::now() > deadline; }},
                         .max_order = limits.max_order,
                         .max_branches = limits.max_branches,
                         .take = limits.take});
@@ -224,14 +189,6 @@ std::optional<BranchDiagram> branches_of(const ParametrisedScene& scene, const M
                                          const BranchLimits& limits) {
   if (method.entry->name == kFollowedByArcLength) return exact_branches(scene, limits);
   return own_branches(scene, method, limits);
-}
-
-Json to_json(const Branch& branch, const std::string& method) {
-  Json points = Json::array(), special = Json::array();
-  for (const BranchPoint& point : branch.points) points.push_back(to_json(point));
-  for (const SpecialPoint& at : branch.special) special.push_back(to_json(at));
-  return {{"method", method},   {"sequence", branch.sequence}, {"points", points},
-          {"special", special}, {"began", branch.began},       {"ended", branch.ended}};
 }
 
 Json to_json(const std::vector<MethodResponse>& responses) {

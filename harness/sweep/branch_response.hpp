@@ -65,16 +65,8 @@ struct MethodResponse {
   bool at_values = false;                           ///< the branches hold points_at values only
 };
 
-/// {"method", "sequence", "points", "special", "began", "ended"}.
-nlohmann::ordered_json to_json(const Branch& branch, const std::string& method);
-
-/// {"parameter", "branches": [{"method", "sequence", "points": [{"omega", "order", "amplitude", "x_max",
-/// "impacts", "stable", "stability", "multipliers"}], "special": [{"kind", "omega", "order", "after",
-/// "multipliers", "text"}], "began", "ended"}], "unfinished", "notes"}. amplitude and x_max have an entry per
-/// contact; `stable` is null where the multipliers do not tell: on the circle, undefined at a grazing,
-/// unknown; a multiplier is [re, im]; `after` counts the points of the branch before a special one. Points
-/// and special points have "value" too where the parameter is not the frequency, and "energy" where no load
-/// drives the motion. Points of natural steps have their status instead of impacts and multipliers.
+/// {"parameter", "branches", "unfinished", "notes"}, branches as to_json of a Branch has them. Points of
+/// natural steps are {"omega", "order", "amplitude", "x_max", "status", "stable"}.
 nlohmann::ordered_json to_json(const std::vector<MethodResponse>& responses);
 
 /// One row per point and, unless points at values were asked for, special point, in the order of the

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "harness/records/json_fields.hpp"
+#include "harness/sweep/branch_json.hpp"
 
 namespace signorini {
 
@@ -38,9 +39,7 @@ void ResponseStream::branch(const std::string& method, const Branch& branch) {
 
 void ResponseStream::step(const std::string& method, const SweepPoint& step) {
   if (format_ == "jsonl") {
-    nlohmann::ordered_json line{{"method", method}};
-    line.update(to_json(step));
-    print_line(json_line(line));
+    print_line(json_line(to_json(step, method)));
   } else if (prints()) {
     MethodResponse response = shape_;
     response.method = method;

@@ -144,7 +144,7 @@ class Scene:
         What is followed, and what is not: docs/responses.md. Raises BadInput for scenes of more than 300 coordinates.
         """
         words = ["sweep", self._source, "--methods", "exact-orbit", "--from", repr(float(start)), "--to", repr(float(stop)),
-                 "--orders", str(orders), "--max-branches", str(most), "--total-time", str(timeout), "--format", "json"]
+                 "--max-order", str(orders), "--max-branches", str(most), "--total-time", str(timeout), "--format", "json"]
         answer = json.loads(program.run(words, (program.DONE, program.FAILED)))
         return Response.from_branches(self, "exact-orbit", answer)
 

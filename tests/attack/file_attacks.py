@@ -196,6 +196,8 @@ def special_files(program, random, count, folder, findings):
     (folder / "whole").mkdir()
     shutil.copy(TREE / "results/quick/records.jsonl", folder / "whole")
     shutil.copy(TREE / "results/quick/manifest.json", folder / "whole")
+    kept = ["sweep", "sdof-stop", "--methods", "exact-orbit", "--from", "3", "--to", "3.1", "--out"]
+    program.run([*kept, "kept"], folder, 60.0)
     places = {"x.toml": [["show", "./x.toml"], ["solve", "./x.toml", "--method", "hat-lcp"],
                          ["run", "./x.toml", "--dry-run"], ["list", "--plugin", "./x.toml"], ["orbits", "./x.toml"]],
               "x.so": [["list", "--plugin", "./x.so"]],
@@ -203,7 +205,9 @@ def special_files(program, random, count, folder, findings):
               "start.json": [["solve", "sdof-stop", "--method", "hat-lcp", "--start", "start.json"]],
               "run/records.jsonl": [["status", "run"], ["report", "run", "--format", "md"], ["compare", "whole", "run"]],
               "run/responses.jsonl": [["report", "run"]],
-              "run/manifest.json": [["report", "run", "--format", "csv"], ["merge", "run", "--out", "merged"]],
+              "run/branches.jsonl": [[*kept, "run", "--resume"], [*kept, "run"]],
+              "run/manifest.json": [["report", "run", "--format", "csv"], ["merge", "run", "--out", "merged"],
+                                    [*kept, "run", "--resume"]],
               "run/plan.txt": [["status", "run"]],
               "references/sdof-stop.json": [["verify", "references", "--scenes", "sdof-stop"]]}
     cases = [(name, place, command) for name in special.names for place, commands in places.items()
@@ -214,6 +218,8 @@ def special_files(program, random, count, folder, findings):
         (folder / place).parent.mkdir(exist_ok=True)
         if place == "run/plan.txt" or place == "run/manifest.json":
             shutil.copy(TREE / "tests/attack/corpus/records/several.jsonl", folder / "run/records.jsonl")
+        if place == "run/branches.jsonl":
+            shutil.copy(folder / "kept/manifest.json", folder / "run")
         (folder / place).unlink(missing_ok=True)
         (folder / place).symlink_to(special.folder / name)
         campaign.attack(program, command, folder, codes=(0, 1, 2, 3, 4), seconds=20.0)

@@ -13,6 +13,7 @@
 
 #include "harness/extend/plugins/command_method.hpp"
 #include "harness/judge/measures.hpp"
+#include "harness/records/line_file.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/records/record_store.hpp"
 #include "harness/records/sampled_trajectory.hpp"
@@ -20,6 +21,8 @@
 #include "harness/report/page/page.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "harness/run/trial.hpp"
+#include "harness/sweep/branch_json.hpp"
+#include "harness/sweep/branch_response.hpp"
 #include "problems/scene/matrix_market.hpp"
 #include "problems/scene/scene_family.hpp"
 #include "problems/scene/scene_file.hpp"
@@ -215,9 +218,36 @@ bool attack_answer(std::string_view text) {
   }
 }
 
+/// A line that is accepted, as it is written again.
+std::string rewritten(const nlohmann::ordered_json& json) {
+  if (json.contains("points")) {
+    MethodResponse response{.method = "m"};
+    response.diagram.branches = {branch_from_json(json)};
+    require_harmless(to_csv(branch_table({response})));
+    require_harmless(to_markdown(branch_table({response})));
+    return json_line(to_json(response.diagram.branches.front(), "m"));
+  }
+  return json_line(to_json(step_from_json(json), "m"));
+}
+
+bool attack_branches(std::string_view text) {
+  bool accepted = false;
+  const auto take = [&](const std::string& line) {
+    const auto json = nlohmann::ordered_json::parse(line, nullptr, false);
+    if (!json.is_object()) throw BadRecord("line = unreadable");
+    const std::string again = rewritten(json);
+    require(rewritten(nlohmann::ordered_json::parse(again)) == again,
+            "a line that is written reads the same");
+    accepted = true;
+  };
+  static_cast<void>(read_lines(MemoryFile(text).path(), take, "its method is asked again"));
+  return accepted;
+}
+
 constexpr std::array kReaders{UntrustedReader{.name = "scene", .attack = attack_scene},
                               UntrustedReader{.name = "matrix", .attack = attack_matrix},
                               UntrustedReader{.name = "records", .attack = attack_records},
+                              UntrustedReader{.name = "branches", .attack = attack_branches},
                               UntrustedReader{.name = "answer", .attack = attack_answer}};
 
 }  // namespace

@@ -25,6 +25,7 @@ struct UntrustedReader {
 /// - scene: a scene in TOML, and all that is derived from its structure before a method is asked
 /// - matrix: a matrix in the Matrix Market format
 /// - records: lines of records, and every table and page that a report makes of them
+/// - branches: lines of branches and steps as sweep keeps them, and the table of them
 /// - answer: what a command prints, and the motion and the measures that the harness takes from it
 std::span<const UntrustedReader> untrusted_readers();
 

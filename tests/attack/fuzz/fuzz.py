@@ -5,7 +5,7 @@ usage: fuzz.py FOLDER [--seconds N] [--only NAME] [--minimise]
 
 Each runs for so many seconds of processor time in all, an hour unless told; a run that was stopped is continued as long as
 the program is the same. FOLDER holds the programs fuzz_scene, fuzz_matrix,
-fuzz_records and fuzz_answer (build/fuzz/tests/attack). Inputs that broke a promise are kept in FOLDER/findings, what
+fuzz_records, fuzz_branches and fuzz_answer (build/fuzz/tests/attack). Inputs that broke a promise are kept in FOLDER/findings, what
 reached new code in FOLDER/found. Each ends in one line, and all of them in FOLDER/fuzz.json, from which attack.py makes
 its table. With --minimise the smallest inputs that reach what was reached are added to tests/attack/corpus. Exit code 1
 if something was found.
@@ -25,7 +25,7 @@ ATTACK = pathlib.Path(__file__).resolve().parents[1]
 TREE = ATTACK.parents[1]
 # What else a fuzzer begins with.
 SEEDS = {"scene": ["problems/families"], "matrix": ["problems/catalogue/matrices-cantilever"],
-         "records": [], "answer": []}
+         "records": [], "answer": [], "branches": []}
 LONGEST = 8192  # of an input [bytes]
 SECONDS, MEMORY_MB = 25, 4096  # of one input, with sanitizers
 MOST_FILES = 24  # of a corpus in the tree

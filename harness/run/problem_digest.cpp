@@ -1,4 +1,4 @@
-#include "harness/records/problem_digest.hpp"
+#include "harness/run/problem_digest.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,49 @@
+#pragma once
+// The options of `signorini sweep`.
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/plan/plan.hpp"
+#include "harness/report/figures/column.hpp"
+#include "harness/sweep/bifurcation_response.hpp"
+#include "harness/sweep/branch_response.hpp"
+#include "harness/sweep/frequency_response.hpp"
+
+namespace signorini {
+
+/// What `sweep` is asked.
+struct SweepArguments {
+  std::string scene, method, methods;
+  std::vector<std::string> settings;
+  SweepRange range;
+  SweepLimits limits;
+  BranchLimits branches;
+  std::string parameter{kFrequency};
+  std::optional<double> from, to;
+  bool natural = false;
+  std::string follow;
+  SecondParameter second;
+  std::string format = "md";
+  std::string plot;
+  Column column = Column::own;
+  bool bifurcation = false;
+  std::optional<std::string> out;
+  bool resume = false;
+  std::vector<std::string> words;  ///< the command line
+};
+
+/// Adds the options to the command; `arguments` outlives it.
+void add_sweep_options(CLI::App& command, SweepArguments& arguments);
+
+/// The range with its ends: those given, or the least and the largest of the values asked for.
+/// \throws UsageError where an end is missing, or a value is not between them
+SweepRange interval(const SweepArguments& arguments);
+
+/// All that the answers depend on but methods and code: an object, its keys the names of the options.
+nlohmann::ordered_json question_of(const SweepArguments& arguments, const Scene& scene);
+
+}  // namespace signorini

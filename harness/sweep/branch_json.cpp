@@ -1,0 +1,176 @@
+#include "harness/sweep/branch_json.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "harness/records/json_fields.hpp"
+#include "harness/records/record_check.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json multipliers_json(const Eigen::VectorXcd& multipliers) {
+  Json list = Json::array();
+  for (const auto& mu : multipliers) list.push_back({mu.real(), mu.imag()});
+  return list;
+}
+
+Json motion_json(const Eigen::MatrixXd& motion) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < motion.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j < motion.cols(); ++j) row.push_back(motion(i, j));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+void add_point(Json& json, const BranchPoint& point) {
+  const bool told = point.stability == OrbitStability::stable || point.stability == OrbitStability::unstable;
+  json["omega"] = point.frequency;
+  json["order"] = point.order;
+  json["amplitude"] = point.amplitude;
+  json["x_max"] = point.x_max;
+  json["impacts"] = point.impacts;
+  json["stable"] = told ? Json(point.stability == OrbitStability::stable) : Json();
+  json["stability"] = enum_name(point.stability);
+  json["multipliers"] = multipliers_json(point.multipliers);
+  if (point.parameter != point.frequency) json["value"] = point.parameter;
+  if (point.energy) json["energy"] = *point.energy;
+  if (point.motion.size() > 0) json["motion"] = motion_json(point.motion);
+}
+
+Json point_json(const BranchPoint& point) {
+  Json json = Json::object();
+  add_point(json, point);
+  return json;
+}
+
+Json special_json(const SpecialPoint& special) {
+  Json json{{"kind", enum_name(special.kind)}};
+  add_point(json, special.point);
+  json["after"] = special.after;
+  if (!special.text.empty()) json["text"] = special.text;
+  return json;
+}
+
+double number_of_json(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+std::vector<double> numbers_of_json(const Json& json) {
+  std::vector<double> numbers;
+  for (const Json& one : json.get_ref<const Json::array_t&>()) numbers.push_back(number_of_json(one));
+  return numbers;
+}
+
+std::size_t count_of_json(const Json& json, const char* field, std::size_t least, std::size_t most) {
+  const Json& value = json.at(field);
+  if (!value.is_number_integer() || value < least || value > most)
+    throw BadRecord(fmt::format("{} = {} (must be a whole number, {}..{})", field, as_message(value.dump()),
+                                least, most));
+  return value.get<std::size_t>();
+}
+
+Eigen::MatrixXd motion_from_json(const Json& json, std::size_t contacts) {
+  const auto& rows = json.get_ref<const Json::array_t&>();
+  Eigen::MatrixXd motion(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(contacts));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<double> row = numbers_of_json(rows[i]);
+    if (row.size() != contacts)
+      throw BadRecord(
+          fmt::format("motion = {} numbers (must be {}, one of each contact)", row.size(), contacts));
+    for (std::size_t j = 0; j < contacts; ++j)
+      motion(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = row[j];
+  }
+  return motion;
+}
+
+BranchPoint point_from_json(const Json& json) {
+  constexpr std::size_t kMostPeriods = 1000, kMostImpacts = 1000000000;
+  BranchPoint point;
+  point.frequency = number_of_json(json.at("omega"));
+  point.parameter = json.contains("value") ? number_of_json(json.at("value")) : point.frequency;
+  point.order = static_cast<int>(count_of_json(json, "order", 1, kMostPeriods));
+  point.amplitude = numbers_of_json(json.at("amplitude"));
+  point.x_max = numbers_of_json(json.at("x_max"));
+  point.impacts = static_cast<int>(count_of_json(json, "impacts", 0, kMostImpacts));
+  point.stability = enum_from_name<OrbitStability>("stability", json.at("stability").get<std::string>());
+  const auto& multipliers = json.at("multipliers").get_ref<const Json::array_t&>();
+  point.multipliers.resize(static_cast<Eigen::Index>(multipliers.size()));
+  for (std::size_t i = 0; i < multipliers.size(); ++i)
+    point.multipliers[static_cast<Eigen::Index>(i)] = {number_of_json(multipliers[i].at(0)),
+                                                       number_of_json(multipliers[i].at(1))};
+  if (json.contains("energy")) point.energy = number_of_json(json.at("energy"));
+  if (json.contains("motion")) point.motion = motion_from_json(json.at("motion"), point.amplitude.size());
+  return point;
+}
+
+SpecialPoint special_from_json(const Json& json, std::size_t points) {
+  return {.kind = enum_from_name<SpecialKind>("kind", json.at("kind").get<std::string>()),
+          .point = point_from_json(json),
+          .text = json.value("text", std::string()),
+          .after = count_of_json(json, "after", 0, points)};
+}
+
+// What `read` makes of a value whose texts are plain. \throws BadRecord for what is none
+template <class Read>
+auto read_plain(const char* what, const Json& json, Read&& read) {
+  require_plain_texts(json);
+  try {
+    return read();
+  } catch (const Json::exception& error) {
+    throw BadRecord(fmt::format("{} = unreadable (must be one as sweep writes it: {})", what, error.what()));
+  }
+}
+
+}  // namespace
+
+Json to_json(const Branch& branch, const std::string& method) {
+  Json points = Json::array(), special = Json::array();
+  for (const BranchPoint& point : branch.points) points.push_back(point_json(point));
+  for (const SpecialPoint& at : branch.special) special.push_back(special_json(at));
+  return {{"method", method},   {"sequence", branch.sequence}, {"points", points},
+          {"special", special}, {"began", branch.began},       {"ended", branch.ended}};
+}
+
+Branch branch_from_json(const Json& json) {
+  return read_plain("branch", json, [&] {
+    Branch branch{.sequence = json.at("sequence").get<std::string>(),
+                  .began = json.at("began").get<std::string>(),
+                  .ended = json.at("ended").get<std::string>()};
+    for (const Json& point : json.at("points").get_ref<const Json::array_t&>())
+      branch.points.push_back(point_from_json(point));
+    for (const Json& special : json.at("special").get_ref<const Json::array_t&>())
+      branch.special.push_back(special_from_json(special, branch.points.size()));
+    return branch;
+  });
+}
+
+Json to_json(const SweepPoint& step, const std::string& method) {
+  Json line{{"method", method}};
+  line.update(to_json(step));
+  return line;
+}
+
+SweepPoint step_from_json(const Json& json) {
+  return read_plain("step", json, [&] {
+    SweepPoint step{.frequency = number_of_json(json.at("frequency")),
+                    .down = json.at("way").get<std::string>() == "down",
+                    .status = enum_from_name<Status>("status", json.at("status").get<std::string>()),
+                    .message = json.value("message", std::string())};
+    if (json.contains("x_max")) step.x_max = numbers_of_json(json.at("x_max"));
+    if (json.contains("amplitude")) step.amplitude = numbers_of_json(json.at("amplitude"));
+    if (json.contains("contact_ratio")) step.contact_ratio = number_of_json(json.at("contact_ratio"));
+    if (json.contains("stable")) step.stable = json.at("stable").get<bool>();
+    return step;
+  });
+}
+
+}  // namespace signorini

@@ -1,0 +1,76 @@
+#include "harness/records/line_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "harness/failure.hpp"
+#include "harness/files.hpp"
+#include "harness/records/json_fields.hpp"
+#include "tests/problems/temporary_folder.hpp"
+
+namespace signorini {
+namespace {
+
+TEST(ReadLines, TakeWholeLinesInOrderAndLeaveOutATornOne) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("lines", "one\n\ntwo\nthr");
+  std::vector<std::string> lines;
+  const std::size_t bytes = read_lines(
+      file, [&](const std::string& line) { lines.push_back(line); }, "it comes again");
+  EXPECT_EQ(lines, (std::vector<std::string>{"one", "two"}));
+  EXPECT_EQ(bytes, std::string("one\n\ntwo\n").size());
+}
+
+TEST(ReadLines, WarnOfALineThatIsRefusedAndGoOn) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("lines", "one\nbad\ntwo\n");
+  int taken = 0;
+  const auto take = [&](const std::string& line) {
+    if (line == "bad") throw BadRecord("line = bad\x1b (must be good)");
+    ++taken;
+  };
+  testing::internal::CaptureStderr();
+  (void)read_lines(file, take, "it comes again");
+  const std::string warning = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(taken, 2);
+  EXPECT_NE(warning.find("lines:2: line = bad"), std::string::npos) << warning;
+  EXPECT_NE(warning.find("left out, and it comes again"), std::string::npos) << warning;
+  EXPECT_EQ(warning.find('\x1b'), std::string::npos);
+}
+
+TEST(AppendLine, AddsWholeLinesToWhatIsThere) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("lines", "one\n");
+  {
+    const Descriptor descriptor = open_to_append(file);
+    append_line(descriptor, "two", file);
+    append_line(descriptor, "three", file);
+  }
+  EXPECT_EQ(read_file(file), "one\ntwo\nthree\n");
+  const Descriptor full = open_to_append("/dev/full");
+  EXPECT_THROW(append_line(full, "four", "/dev/full"), UsageError);
+}
+
+TEST(LockFolder, KeepsOthersOutAsLongAsItIsOpen) {
+  const test::TemporaryFolder folder;
+  {
+    const Descriptor lock = lock_folder(folder.path());
+    EXPECT_TRUE(folder_in_use(folder.path()));
+    EXPECT_THROW((void)lock_folder(folder.path()), UsageError);
+  }
+  EXPECT_FALSE(folder_in_use(folder.path()));
+  EXPECT_NO_THROW((void)lock_folder(folder.path()));
+}
+
+TEST(MakeFolder, MakesFoldersAndSaysWhyItCannot) {
+  const test::TemporaryFolder folder;
+  make_folder(folder.path() / "a/b");
+  EXPECT_TRUE(std::filesystem::is_directory(folder.path() / "a/b"));
+  const auto file = folder.write("file", "");
+  EXPECT_THROW(make_folder(file / "c"), UsageError);
+}
+
+}  // namespace
+}  // namespace signorini
