@@ -35,6 +35,13 @@ concept HoldsConditions = requires(const Equations& equations) {
   { equations.conditions() } -> std::convertible_to<Eigen::MatrixXd>;
 };
 
+/// Equations of which some unknowns follow from the others so steeply that they are put in their places
+/// before each evaluation of the corrector.
+template <class Equations>
+concept Settles = requires(Equations& equations, Eigen::VectorXd& x) {
+  equations.settle(x);
+};
+
 /// When the corrector stops.
 struct CorrectorLimits {
   int iterations = 7;        ///< Newton steps at most
@@ -80,6 +87,7 @@ std::optional<int> correct(Equations& equations, const Eigen::VectorXd& predicte
   Eigen::VectorXd x = predicted, step = Eigen::VectorXd::Ones(x.size());
   double before = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= limits.iterations; ++k) {
+    if constexpr (Settles<Equations>) equations.settle(x);
     if (!equations.evaluate(x)) return std::nullopt;
     const double residual = equations.residual().template lpNorm<Eigen::Infinity>();
     if (!(residual < kLost)) return std::nullopt;

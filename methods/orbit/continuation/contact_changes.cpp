@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "methods/orbit/continuation/orbit_section.hpp"
+#include "methods/orbit/family/chatter.hpp"
 
 namespace signorini {
 
@@ -150,6 +151,8 @@ ChangeOfSequence past_change(OrbitFamily& family, const TracedCurve& curve) {
   if (!equations.evaluate(orbit.x)) return {.obstacle = "the orbit cannot be evaluated"};
   const ContactDynamics& dynamics = equations.model().dynamics;
   const bool rigid = dynamics.rigid();
+  if (curve.branch.ended.starts_with(kChatterLimit))
+    return {.obstacle = "infinitely many impacts graze there; an end"};
   switch (guard.kind) {
     case GuardKind::clearance:
     case GuardKind::pressure:

@@ -9,6 +9,7 @@
 
 #include "methods/orbit/continuation/orbit_section.hpp"
 #include "methods/orbit/continuation/station.hpp"
+#include "methods/orbit/family/chatter.hpp"
 
 namespace signorini {
 
@@ -44,6 +45,41 @@ std::string why_rejected(const ExtendedEquations& equations, const CurveStart& s
       of_least_period(equations.orbit(), equations).order < equations.orbit().order)
     why = "the corrector fell back on the branch that was to be left";
   return why;
+}
+
+// The orbit of a curve in other unknowns, with the tangent there; or why it cannot be had.
+struct OtherUnknowns {
+  std::unique_ptr<ExtendedEquations> equations = {};
+  Eigen::VectorXd tangent = {};
+  std::string obstacle = {};
+};
+
+// An event that slid over the section would make the arcs run backwards. Empty where none is near.
+std::optional<OtherUnknowns> with_section_clear(const ExtendedEquations& here,
+                                                const Eigen::VectorXd& tangent) {
+  constexpr double kNear = 0.2, kBetter = 1.2;  // rad; a share
+  const SequencedOrbit& orbit = here.orbit();
+  if (clearance_of_section(orbit) > kNear) return std::nullopt;
+  const double phase = quiet_phase(orbit);
+  const SequencedOrbit moved = with_section(orbit, here, phase);
+  if (clearance_of_section(moved) < kBetter * clearance_of_section(orbit)) return std::nullopt;
+  OtherUnknowns other{.equations = std::make_unique<ExtendedEquations>(here.family(), moved)};
+  if (!other.equations->evaluate(moved.x)) return std::nullopt;
+  other.tangent = moved_tangent(*other.equations, orbit, tangent, phase);
+  return other;
+}
+
+// Along the curve the last impacts of a chatter come to matter, or cease to. Empty where they are as before.
+std::optional<OtherUnknowns> with_chatter_resolved(const ExtendedEquations& here,
+                                                   const Eigen::VectorXd& tangent) {
+  ResolvedChatter resolved = resolve_chatter(here);
+  if (!resolved.obstacle.empty()) return OtherUnknowns{.obstacle = std::move(resolved.obstacle)};
+  if (!resolved.orbit) return std::nullopt;
+  const SequencedOrbit& orbit = *resolved.orbit;
+  OtherUnknowns other{.equations = std::make_unique<ExtendedEquations>(here.family(), orbit)};
+  if (!other.equations->evaluate(orbit.x)) return OtherUnknowns{.obstacle = "the corrector fails"};
+  other.tangent = tangent_with(*other.equations, orbit.states(), tangent);
+  return other;
 }
 
 class Tracer {
@@ -107,6 +143,7 @@ class Tracer {
       result_.rejected.clear();
       return shorten(0.2);
     }
+    if (leaves_out_too_much(*equations_)) return step_ > kShort ? shorten(0.5) : finish(kChatterLimit);
     const auto halved = half_period_on_step(
         *equations_, {.x = here_.x, .tangent = here_.tangent, .length = step_}, half_way_);
     if (halved && *halved == 0.0 && step_ > kShort) return shorten(0.5);  // to end nearer to it
@@ -192,7 +229,8 @@ class Tracer {
     const bool rigid = equations_->model().dynamics.rigid();
     const OrbitGuard* there = here_.survey.find(crossing.guard.kind, crossing.guard.index);
     result_.guard = there != nullptr ? *there : crossing.guard;
-    finish(describe(*result_.guard, orbit, rigid));
+    finish((ends_chatter(*equations_, *result_.guard) ? std::string(kChatterLimit) + ": " : std::string()) +
+           describe(*result_.guard, orbit, rigid));
     add({.kind =
              rigid && is_grazing(*result_.guard, orbit) ? SpecialKind::grazing : SpecialKind::contact_change,
          .point = result_.branch.points.back(),
@@ -216,22 +254,15 @@ class Tracer {
       return finish("the motion grows without bound");
     if (static_cast<int>(result_.branch.points.size()) >= options_.max_points)
       return finish(fmt::format("limit of {} points", options_.max_points));
-    keep_section_clear();
+    if (auto moved = with_section_clear(*equations_, here_.tangent)) go_on_with(std::move(*moved));
+    if (auto resolved = with_chatter_resolved(*equations_, here_.tangent)) go_on_with(std::move(*resolved));
   }
 
-  // An event that slid over the section would make the arcs run backwards.
-  void keep_section_clear() {
-    constexpr double kNear = 0.2, kBetter = 1.2;  // rad; a share
-    const SequencedOrbit& orbit = equations_->orbit();
-    if (clearance_of_section(orbit) > kNear) return;
-    const double phase = quiet_phase(orbit);
-    const SequencedOrbit moved = with_section(orbit, *equations_, phase);
-    if (clearance_of_section(moved) < kBetter * clearance_of_section(orbit)) return;
-    auto equations = std::make_unique<ExtendedEquations>(family_, moved);
-    if (!equations->evaluate(moved.x)) return;
-    const Eigen::VectorXd tangent = moved_tangent(*equations, orbit, here_.tangent, phase);
-    equations_ = std::move(equations);
-    here_ = station_at(*equations_, tangent);
+  // The same orbit in other unknowns.
+  void go_on_with(OtherUnknowns other) {
+    if (!other.obstacle.empty()) return finish(std::move(other.obstacle));
+    equations_ = std::move(other.equations);
+    here_ = station_at(*equations_, other.tangent);
     half_way_ = half_way(*equations_);
   }
 

@@ -12,6 +12,7 @@
 #include "methods/orbit/continuation/orbit_section.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/continuation/switching.hpp"
+#include "methods/orbit/family/chatter.hpp"
 
 namespace signorini {
 
@@ -37,16 +38,6 @@ Branch joined(const Branch& backward, const Branch& forward) {
     result.special.back().after += half - 1;
   }
   return result;
-}
-
-// Closes after a finite number of impacts though its stop gives them back: the number would change all the
-// time.
-bool chatters(const ExtendedEquations& equations) {
-  const auto& events = equations.orbit().events;
-  const ContactDynamics& dynamics = equations.model().dynamics;
-  return dynamics.rigid() && dynamics.restitution() > 0.0 &&
-         std::any_of(events.begin(), events.end(),
-                     [](const SequenceEvent& event) { return event.kind == ContactEvent::Kind::close; });
 }
 
 class DiagramTracer {
@@ -98,7 +89,11 @@ class DiagramTracer {
   void add_seed(const SequencedOrbit& seed) {
     ExtendedEquations given(family_, seed);
     if (!correct_at_parameter(given, seed.x)) return note("a start of a branch is not on a curve");
-    if (chatters(given)) return note("a start of a branch chatters completely; not followed");
+    const ResolvedChatter resolved = resolve_chatter(given);
+    if (!resolved.obstacle.empty())
+      return note(
+          fmt::format("a start of a branch chatters completely: {}; not followed", resolved.obstacle));
+    if (resolved.orbit) return add_seed(*resolved.orbit);
     const SequencedOrbit orbit = of_least_period(given.orbit(), given);
     ExtendedEquations equations(family_, orbit);
     if (!equations.evaluate(orbit.x) || is_known(equations)) return;
@@ -132,7 +127,10 @@ class DiagramTracer {
     const OrbitMark mark = mark_of(equations);
     for (const Branch& branch : result_.branches) {
       const BranchPoint& any = branch.points.front();
-      if (any.order != mark.order || any.orbit.events.size() != mark.events.size()) continue;
+      if (any.order != mark.order) continue;
+      // The number of impacts of a chatter changes along a branch.
+      if (any.orbit.events.size() != equations.orbit().events.size() && chatter_ends(equations).empty())
+        continue;
       for (const SequencedOrbit& orbit : orbits_at(family_, branch, equations.parameter())) {
         ExtendedEquations there(family_, orbit);
         if (there.evaluate(orbit.x) && mark_of(there).same(mark)) return true;

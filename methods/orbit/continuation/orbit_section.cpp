@@ -45,6 +45,7 @@ SequencedOrbit of_least_period(const SequencedOrbit& orbit, const ExtendedEquati
 bool passes(ExtendedEquations& equations, const Eigen::VectorXd& from, const Eigen::VectorXd& to,
             const SequencedOrbit& orbit) {
   constexpr double kSame = 1e-6;
+  if (from.size() != orbit.x.size()) return false;  // the impacts of a chatter are others
   const Eigen::Index last = orbit.x.size() - 1;
   const double before = from[last] - orbit.x[last], after = to[last] - orbit.x[last];
   if (before * after > 0.0) return false;

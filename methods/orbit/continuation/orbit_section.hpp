@@ -22,6 +22,7 @@ SequencedOrbit of_least_period(const SequencedOrbit& orbit, const ExtendedEquati
 
 /// Whether a curve passes an orbit of its own sequence between two of its points: where it has the parameter
 /// of the orbit it has its state, at the same phase of any of its n forcing periods, to 1e-6 in CurveUnits.
+/// False where the numbers of events differ.
 /// The equations are left there.
 bool passes(ExtendedEquations& equations, const Eigen::VectorXd& from, const Eigen::VectorXd& to,
             const SequencedOrbit& orbit);

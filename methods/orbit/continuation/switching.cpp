@@ -11,6 +11,7 @@
 #include "methods/continuation/arc_length.hpp"
 #include "methods/orbit/continuation/grazing_families.hpp"
 #include "methods/orbit/continuation/orbit_section.hpp"
+#include "methods/orbit/family/chatter.hpp"
 
 namespace signorini {
 
@@ -24,13 +25,37 @@ bool OrbitMark::same(const OrbitMark& other, bool loosely) const {
                     });
 }
 
+namespace {
+
+// Of each event whether it is one of the last of a chatter: how many of these are resolved does not tell
+// orbits apart.
+std::vector<bool> last_impacts(const ExtendedEquations& equations) {
+  constexpr double kSlow = 1e-3;  // of V
+  const SequencedOrbit& orbit = equations.orbit();
+  std::vector<bool> last(orbit.events.size(), false);
+  for (const ChatterEnd& end : chatter_ends(equations)) {
+    const int contact = orbit.events[static_cast<std::size_t>(end.closing)].contact;
+    for (auto i = static_cast<std::size_t>(end.closing) + 1; i-- > 0;) {
+      if (orbit.events[i].contact != contact) continue;
+      if (equations.equations().crossings()[i].approach >= kSlow * equations.family().units().velocity ||
+          orbit.events[i].kind == ContactEvent::Kind::open)
+        break;
+      last[i] = true;
+    }
+  }
+  return last;
+}
+
+}  // namespace
+
 OrbitMark mark_of(const ExtendedEquations& equations) {
   const SequencedOrbit& orbit = equations.orbit();
   OrbitMark mark{.parameter = orbit.x[orbit.x.size() - 1], .order = orbit.order};
+  const std::vector<bool> tail = last_impacts(equations);
   for (std::size_t i = 0; i < orbit.events.size(); ++i) {
-    mark.events.emplace_back(
-        3 * orbit.events[i].contact + static_cast<int>(orbit.events[i].kind),
-        equations.equations().crossings()[i].approach / equations.family().units().velocity);
+    const double speed = equations.equations().crossings()[i].approach / equations.family().units().velocity;
+    if (tail[i]) continue;
+    mark.events.emplace_back(3 * orbit.events[i].contact + static_cast<int>(orbit.events[i].kind), speed);
   }
   std::sort(mark.events.begin(), mark.events.end());
   return mark;

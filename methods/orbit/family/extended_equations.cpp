@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "methods/orbit/family/event_instants.hpp"
+
 namespace signorini {
 
 namespace {
@@ -159,6 +161,21 @@ bool ExtendedEquations::divide_rows(const Eigen::VectorXd& x) {
     jacobian_(row, row - 1) += slope;
   }
   return true;
+}
+
+void ExtendedEquations::settle(Eigen::VectorXd& x) {
+  const bool closes = std::any_of(orbit_.events.begin(), orbit_.events.end(), [](const SequenceEvent& event) {
+    return event.kind == ContactEvent::Kind::close;
+  });
+  if (!closes || !x.allFinite()) return;
+  try {
+    const auto model = family_.model(x[size()] * family_.units().parameter);
+    if (!model->dynamics.rigid() || model->dynamics.restitution() == 0.0) return;
+    orbit_.events = events_of(orbit_, model->dynamics);
+    if (const auto phases = event_instants(*model, orbit_, family_.units(), x))
+      x.segment(orbit_.states(), orbit_.count()) = *phases;
+  } catch (const std::runtime_error&) {  // no flow of a mode: the evaluation fails likewise
+  }
 }
 
 bool ExtendedEquations::evaluate(const Eigen::VectorXd& x) {

@@ -32,6 +32,9 @@ class ExtendedEquations {
   /// Evaluates R and its derivative but for dR/dp at x; false where anything is not finite or a flow cannot
   /// be formed.
   bool evaluate(const Eigen::VectorXd& x);
+  /// Of sequences that end a complete chatter: puts the instants of x where `event_instants` has them, before
+  /// an evaluation within Newton's method; leaves x as it is where they are not to be had.
+  void settle(Eigen::VectorXd& x);
   [[nodiscard]] const Eigen::VectorXd& residual() const { return residual_; }  ///< R, 2 Nd + m [-]
   /// [dR/dy, dR/dtheta, dR/dp], (2 Nd + m) x (2 Nd + m + 1) [-]. dR/dp is evaluated anew where x has moved by
   /// more than 1e-6 since.

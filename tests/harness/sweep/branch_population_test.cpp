@@ -15,6 +15,7 @@
 #include "harness/orbits/orbit_search.hpp"
 #include "harness/sweep/branch_response.hpp"
 #include "methods/orbit/continuation/branch_section.hpp"
+#include "methods/orbit/family/chatter.hpp"
 #include "methods/orbit/family/survey.hpp"
 #include "tests/harness/sweep/random_scenes.hpp"
 #include "tests/harness/sweep/sound_branches.hpp"
@@ -38,7 +39,8 @@ Extent extent() {
 }
 
 // Whether some branch has an orbit of this order, number of impacts, largest multiplier and amplitude, which
-// the search samples, at a frequency.
+// the search samples, at a frequency. Of a complete chatter the impacts are infinitely many, of which both
+// resolve so many.
 bool holds(OrbitFamily& family, const BranchDiagram& diagram, double frequency, const FoundOrbit& sought) {
   constexpr double kSameAmplitude = 1e-3, kSameMultiplier = 1e-5;
   for (const Branch& branch : diagram.branches) {
@@ -52,7 +54,8 @@ bool holds(OrbitFamily& family, const BranchDiagram& diagram, double frequency, 
       const OrbitSurvey found = survey(equations);
       const double amplitude = 0.5 * (found.highest - found.lowest).maxCoeff();
       const double largest = equations.monodromy().eigenvalues().cwiseAbs().maxCoeff();
-      if (impacts == sought.impacts() &&
+      const bool chatters = !chatter_ends(equations).empty();
+      if (chatters == (sought.contact_phases() > 0) && (chatters || impacts == sought.impacts()) &&
           std::abs(amplitude - sought.amplitude) < kSameAmplitude * sought.amplitude &&
           std::abs(largest - *sought.largest_multiplier()) < kSameMultiplier)
         return true;

@@ -1,0 +1,150 @@
+#include "methods/orbit/family/chatter.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "methods/continuation/arc_length.hpp"
+#include "methods/orbit/orbit_guess.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Kind = ContactEvent::Kind;
+
+// From closing i to the opening of the contact, through the section if need be [rad].
+double closed_for(const SequencedOrbit& orbit, Eigen::Index i) {
+  const int contact = orbit.events[static_cast<std::size_t>(i)].contact;
+  const Eigen::Index m = orbit.count();
+  for (Eigen::Index k = 1; k <= m; ++k) {
+    const Eigen::Index at = (i + k) % m;
+    const SequenceEvent& event = orbit.events[static_cast<std::size_t>(at)];
+    if (event.contact == contact && event.kind == Kind::open)
+      return orbit.phase(at) - orbit.phase(i) + (at < i ? orbit.end() : 0.0);
+  }
+  return orbit.end();
+}
+
+// The closing becomes an impact, and the contact closes when the next one is due; empty where another event
+// comes first.
+std::optional<SequencedOrbit> with_one_more(const ExtendedEquations& equations, const ChatterEnd& end) {
+  const SequencedOrbit& orbit = equations.orbit();
+  const double e = equations.model().dynamics.restitution();
+  const double phase =
+      orbit.phase(end.closing) + equations.frequency() * 2.0 * e * end.speed / end.acceleration;
+  const Eigen::Index next = end.closing + 1;
+  if (phase >= (next < orbit.count() ? orbit.phase(next) : orbit.end())) return std::nullopt;
+  std::vector<PlacedEvent> placed = placed_events(orbit);
+  const auto closing = placed.begin() + end.closing;
+  placed.insert(closing + 1, {phase, closing->second});
+  SequenceEvent& impact = placed[static_cast<std::size_t>(end.closing)].second;
+  impact.kind = Kind::impact;
+  impact.restitution.assign(impact.pushed.size(), e);
+  return with_modes(with_events(orbit, std::move(placed)));
+}
+
+// The contact closes at the impact before.
+SequencedOrbit with_one_less(const SequencedOrbit& orbit, const ChatterEnd& end) {
+  SequencedOrbit result = without_event(orbit, end.closing);
+  SequenceEvent& closing = result.events[static_cast<std::size_t>(end.closing - 1)];
+  closing.kind = Kind::close;
+  closing.restitution.assign(closing.pushed.size(), 0.0);
+  return with_modes(std::move(result));
+}
+
+bool follows_an_impact(const SequencedOrbit& orbit, Eigen::Index i) {
+  if (i == 0) return false;
+  const SequenceEvent &before = orbit.events[static_cast<std::size_t>(i - 1)],
+                      &event = orbit.events[static_cast<std::size_t>(i)];
+  return before.kind == Kind::impact && before.contact == event.contact && before.pushed.size() == 1;
+}
+
+// The orbit with one impact more or less at one of the closings.
+ResolvedChatter one_step(const ExtendedEquations& equations) {
+  constexpr double kMostRest = 0.5, kByFar = 0.5;  // shares: of the contact, of kChatterLeftOut
+  const SequencedOrbit& orbit = equations.orbit();
+  const double e = equations.model().dynamics.restitution();
+  for (const ChatterEnd& end : chatter_ends(equations)) {
+    if (orbit.events[static_cast<std::size_t>(end.closing)].pushed.size() != 1)
+      return {.obstacle = "its impacts are felt by contacts that rest"};
+    if (end.left_out > kChatterLeftOut) {
+      if (!(end.rest < kMostRest)) return {.obstacle = kChatterLimit};
+      auto more = with_one_more(equations, end);
+      if (!more) return {.obstacle = "another event comes before its end"};
+      return {.orbit = std::move(more)};
+    }
+    // Each impact makes the error smaller by e^2.
+    if (end.left_out < kByFar * e * e * kChatterLeftOut && follows_an_impact(orbit, end.closing))
+      return {.orbit = with_one_less(orbit, end)};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<ChatterEnd> chatter_ends(const ExtendedEquations& equations) {
+  const ContactDynamics& dynamics = equations.model().dynamics;
+  const double e = dynamics.restitution();
+  std::vector<ChatterEnd> ends;
+  if (!dynamics.rigid() || e == 0.0) return ends;
+  const SequencedOrbit& orbit = equations.orbit();
+  for (Eigen::Index i = 0; i < orbit.count(); ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    const SequenceEvent& event = orbit.events[index];
+    if (event.kind != Kind::close) continue;
+    const LinearArc& before = *equations.equations().arcs()[index];
+    ChatterEnd end{.closing = i,
+                   .speed = equations.equations().crossings()[index].approach,
+                   .acceleration = before.displacement(event.contact, equations.time_of(orbit.phase(i)), 2),
+                   .left_out = std::numeric_limits<double>::infinity(),
+                   .rest = std::numeric_limits<double>::infinity()};
+    if (end.acceleration > 0.0 && e < 1.0) {
+      const double lasts = 2.0 * e * end.speed / (end.acceleration * (1.0 - e));
+      end.left_out = 0.25 * end.speed * lasts / equations.family().units().displacement;
+      end.rest = lasts * equations.frequency() / closed_for(orbit, i);
+    }
+    ends.push_back(end);
+  }
+  return ends;
+}
+
+ResolvedChatter resolve_chatter(const ExtendedEquations& equations) {
+  ResolvedChatter result = one_step(equations);
+  while (result.orbit && result.obstacle.empty()) {
+    if (result.orbit->events.size() > kMostEvents) return {.obstacle = "too many impacts before its end"};
+    ExtendedEquations next(equations.family(), *result.orbit);
+    if (!correct_at_parameter(next, result.orbit->x))
+      return {.obstacle = "the corrector fails where an impact is added or taken away"};
+    result.orbit = next.orbit();
+    ResolvedChatter further = one_step(next);
+    if (!further.orbit && further.obstacle.empty()) break;
+    result = std::move(further);
+  }
+  return result;
+}
+
+bool leaves_out_too_much(const ExtendedEquations& equations) {
+  constexpr double kTooMuch = 30.0;  // times
+  const std::vector<ChatterEnd> ends = chatter_ends(equations);
+  return std::any_of(ends.begin(), ends.end(),
+                     [](const ChatterEnd& end) { return end.left_out > kTooMuch * kChatterLeftOut; });
+}
+
+bool ends_chatter(const ExtendedEquations& equations, const OrbitGuard& guard) {
+  if (guard.kind != GuardKind::interval && guard.kind != GuardKind::landing) return false;
+  const Eigen::Index closing = guard.kind == GuardKind::interval ? guard.index - 1 : guard.index;
+  const std::vector<ChatterEnd> ends = chatter_ends(equations);
+  return std::any_of(ends.begin(), ends.end(),
+                     [closing](const ChatterEnd& end) { return end.closing == closing; });
+}
+
+Eigen::VectorXd tangent_with(ExtendedEquations& equations, Eigen::Index states,
+                             const Eigen::VectorXd& before) {
+  const Eigen::VectorXd tangent = first_tangent(equations);
+  const double shared =
+      tangent.head(states).dot(before.head(states)) + tangent[tangent.size() - 1] * before[before.size() - 1];
+  return shared < 0.0 ? Eigen::VectorXd(-tangent) : tangent;
+}
+
+}  // namespace signorini

@@ -1,0 +1,77 @@
+#include "methods/orbit/family/event_instants.hpp"
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace signorini {
+
+namespace {
+
+// The function that vanishes at an event, or a derivative.
+double equation_of(const SequenceEvent& event, const LinearArc& arc, double gap, double time, int order) {
+  if (event.kind == ContactEvent::Kind::open) return arc.force(event.contact, time, order);
+  return arc.displacement(event.contact, time, order) - (order == 0 ? gap : 0.0);
+}
+
+// Its zero by Newton's method, to a tolerance that rounding of a slow approach may need; empty where that
+// goes astray.
+std::optional<double> zero_of(const SequenceEvent& event, const LinearArc& arc, double gap, double guess,
+                              double farthest, double tolerance) {
+  constexpr int kIterations = 20;
+  double time = guess, step = farthest;
+  for (int k = 0; k < kIterations; ++k) {
+    step = -equation_of(event, arc, gap, time, 0) / equation_of(event, arc, gap, time, 1);
+    if (!std::isfinite(step)) return std::nullopt;
+    time += step;
+    if (std::abs(time - guess) > farthest) return std::nullopt;
+    if (std::abs(step) <= 2.0 * kEpsilon * std::abs(time)) break;
+  }
+  return std::abs(step) <= tolerance ? std::optional(time) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Eigen::VectorXd> event_instants(OrbitModel& model, const SequencedOrbit& orbit,
+                                              const CurveUnits& units, const Eigen::VectorXd& x) {
+  constexpr double kFarthest = 0.2, kShort = 0.05, kSame = 1e-9;  // rad
+  constexpr double kSameFlight = 1e-3;                            // of a short flight
+  const FlowStructure& structure = model.dynamics.structure();
+  const double omega = structure.frequency;
+  const Eigen::Index n = model.dynamics.size();
+  State state{.u = units.displacement * x.head(n), .v = units.velocity * x.segment(n, n)};
+  Eigen::VectorXd phases(orbit.count());
+  double time = orbit.section / omega, shift = 0.0;
+  const std::vector<bool>* closed = &orbit.closed;
+  for (Eigen::Index i = 0; i < orbit.count(); ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    const SequenceEvent& event = orbit.events[index];
+    const int j = event.contact;
+    const std::unique_ptr<LinearArc> arc = model.flows.of(*closed).arc();
+    arc->start(time, state);
+    double guess = (orbit.section + x[2 * n + i] + shift) / omega;
+    const bool flies = i > 0 && event.kind != ContactEvent::Kind::open &&
+                       orbit.events[index - 1].kind == ContactEvent::Kind::impact &&
+                       orbit.events[index - 1].contact == j;
+    const double flight = flies ? -2.0 * arc->displacement(j, time, 1) / arc->displacement(j, time, 2) : 0.0;
+    const bool brief = flight > 0.0 && flight * omega < kShort;
+    if (brief) guess = time + flight;
+    const auto at = zero_of(event, *arc, structure.gaps[j], guess, brief ? 0.5 * flight : kFarthest / omega,
+                            brief ? kSameFlight * flight : kSame / omega);
+    if (!at || !(*at > time)) return std::nullopt;
+    time = *at;
+    phases[i] = time * omega - orbit.section;
+    shift = phases[i] - x[2 * n + i];
+    arc->state(time, state);
+    if (!event.pushed.empty()) {
+      const Eigen::VectorXd impulses =
+          structure.impulse_of_velocity(event.pushed, event.restitution) * state.v;
+      state.v += structure.velocity_per_impulse(Eigen::all, event.pushed) * impulses;
+    }
+    closed = &event.closed;
+  }
+  if (orbit.count() > 0 && !(phases[orbit.count() - 1] < orbit.end())) return std::nullopt;
+  return phases;
+}
+
+}  // namespace signorini
