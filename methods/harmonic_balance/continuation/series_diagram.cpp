@@ -83,7 +83,7 @@ class SeriesDiagram {
                          [](const SeriesStart& a, const SeriesStart& b) { return a.multiple < b.multiple; });
     const SeriesStart start = std::move(*next);
     starts_.erase(next);
-    if (!start.leaves_repetition && known(start.multiple, start.x)) return;
+    if (!start.leaves_repetition && !start.crosses && known(start.multiple, start.x)) return;
     if (static_cast<int>(diagram_.branches.size()) >= limits_.max_branches) {
       diagram_.unfinished = fmt::format("limit of {} branches", limits_.max_branches);
       return;

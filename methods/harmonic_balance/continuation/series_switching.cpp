@@ -129,7 +129,8 @@ std::vector<SeriesStart> crossing_branches(const SeriesCurve& curve, const Eigen
                       .x = curve.x(),
                       .tangent = sign * direction,
                       .origin = fmt::format("branch point at {:.10g} rad/s", curve.frequency()),
-                      .leaves_repetition = false});
+                      .leaves_repetition = false,
+                      .crosses = true});
   return starts;
 }
 

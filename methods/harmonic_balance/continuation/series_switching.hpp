@@ -19,6 +19,8 @@ struct SeriesStart {
   std::string origin;       ///< why there, one clause
   /// The start is a motion of a smaller period, and the curve is to leave it.
   bool leaves_repetition = false;
+  /// The start is a branch point of a curve that is followed, and the curve is to leave that.
+  bool crosses = false;
 };
 
 /// The unknowns of the same motion, begun a share of its period later. \param harmonics  H of the unknowns

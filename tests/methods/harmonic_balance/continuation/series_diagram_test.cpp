@@ -164,6 +164,31 @@ TEST(SeriesDiagram, PlainFormBreaksAndSaysWhere) {
   EXPECT_GT(branch.points.back().parameter, 1.6);
 }
 
+// Between two stops the symmetric motion crosses branches of unsymmetric ones, one the mirror image of the
+// other: their mean is not 0. The exact orbits' branch points are at 1.004957 and 1.579605.
+TEST(SeriesDiagram, FollowsTheBranchesThatCrossAtABranchPoint) {
+  Problem problem = test::to_problem({.damping = 0.1, .frequency = 1.6, .gap = 0.5, .restitution = 1.0});
+  problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = 0.5});
+  CurveLimits limits;
+  limits.max_order = 1;
+  limits.phases = 64;
+  const BranchDiagram diagram = with_harmonics<FourierLipschitz>(20).follow(problem, 0.8, 2.0, limits);
+  expect_sound(diagram);
+  const auto located = nearest(diagram, SpecialKind::branch_point, 1, 1.0);
+  ASSERT_TRUE(located.has_value());
+  EXPECT_NEAR(*located, 1.004957, 0.05);
+  std::vector<double> means;
+  for (const Branch& branch : diagram.branches) {
+    if (!branch.began.starts_with("branch point")) continue;
+    EXPECT_NEAR(branch.points.front().parameter, *located, 1e-9);
+    EXPECT_NEAR(branch.points.front().motion.mean(), 0.0, 1e-6);
+    means.push_back(branch.points[std::min<std::size_t>(8, branch.points.size() - 1)].motion.col(0).mean());
+  }
+  ASSERT_EQ(means.size(), 2U);
+  EXPECT_GT(std::abs(means[0]), 1e-4);
+  EXPECT_NEAR(means[0], -means[1], 1e-3 * std::abs(means[0]));
+}
+
 TEST(SeriesDiagram, LimitsAreSaid) {
   const Problem problem = test::to_problem(kStop);
   const auto method = with_harmonics<FourierLipschitz>(10);
