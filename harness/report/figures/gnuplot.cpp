@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of letters on a screen: scripts give their size in points, whatever the format.
+/// Of letters in SVG, where gnuplot takes points for pixels.
 constexpr double kPixelsPerPoint = 96.0 / 72.0;
 
 /// The standard error of gnuplot; kept where it fails.
@@ -187,8 +187,8 @@ std::string drawn(const Figure& figure, std::string_view format) {
   else if (format == "pdf")
     terminal = fmt::format("pdfcairo size {:.1f}cm,{:.1f}cm font 'sans,9'", figure.width, figure.height);
   else
-    terminal = fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,9' fontscale {:.3f} linewidth {:g}",
-                           kPixels * width, kPixels * height, kPixels * kPixelsPerPoint, kPixels);
+    terminal = fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,9' fontscale {:g} linewidth {:g}",
+                           kPixels * width, kPixels * height, kPixels, kPixels);
   write_whole(folder.path() / "figure.dat", figure.data);
   write_whole(
       folder.path() / "figure.gp",
