@@ -117,7 +117,9 @@ SeriesStation series_station(SeriesCurve& curve, const Eigen::VectorXd& tangent,
 SeriesEvents events_on_step(SeriesCurve& curve, const SeriesStation& here, double length,
                             const SeriesStation& next, bool leaving) {
   StepSearch search(curve, here, length, next);
-  search.folds();
+  // Where a branch leaves another one the frequency may stand still, to rounding of either sign.
+  constexpr double kStandsStill = 1e-6;
+  if (!leaving || std::abs(here.tangent[curve.size()]) > kStandsStill) search.folds();
   if (!leaving) search.branch_points();
   search.doublings();
   search.contacts();

@@ -159,12 +159,8 @@ class SeriesTracer {
 
   // Special points on the step, and the curves that begin there.
   void take_events(const SeriesStation& next) {
-    const bool first = result_.points.x.size() == 1;
-    const bool leaving = first && (start_.leaves_repetition || start_.crosses);
+    const bool leaving = (start_.leaves_repetition || start_.crosses) && result_.points.x.size() == 1;
     SeriesEvents events = events_on_step(curve_, here_, step_, next, leaving);
-    // Where the branch leaves another one the frequency stands still, to rounding of either sign.
-    if (first && start_.crosses)
-      std::erase_if(events.special, [](const SpecialPoint& at) { return at.kind == SpecialKind::fold; });
     for (SpecialPoint& special : events.special) {
       special.after = result_.points.x.size();
       result_.branch.special.push_back(std::move(special));
