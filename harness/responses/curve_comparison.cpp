@@ -104,6 +104,34 @@ void match_points(std::vector<LocatedPoint> exact, std::vector<LocatedPoint> loc
 
 }  // namespace
 
+std::vector<ResponseBranch> beside_branches(const ResponseCurve& branches, const ResponseCurve& steps,
+                                            const ResponseMetric& metric, double window) {
+  const double reach = kCloseTolerance * window;
+  const std::vector<CurveElement> followed = ordered(elements_of(branches, metric));
+  std::vector<ResponsePoint> kept;
+  const auto known = [&](const ResponsePoint& point) {
+    return nearest(point, followed, metric, reach) <= kCloseTolerance ||
+           std::ranges::any_of(kept, [&](const ResponsePoint& other) {
+             return point.frequency == other.frequency && metric(point, other) <= kCloseTolerance;
+           });
+  };
+  std::vector<ResponseBranch> beside;
+  for (const ResponseBranch& branch : steps.branches) {
+    bool joined = false;
+    for (const ResponsePoint& step : branch.points) {
+      const ResponsePoint point = metric.primitive(step);
+      const bool take = !known(point);
+      if (take) {
+        if (!joined) beside.push_back({.by_arc_length = false});
+        beside.back().points.push_back(point);
+        kept.push_back(point);
+      }
+      joined = take;
+    }
+  }
+  return beside;
+}
+
 CurveComparison compare_curves(const ResponseCurve& exact, const ResponseCurve& curve,
                                const ResponseMetric& metric, double window) {
   const std::vector<CurveElement> truth = ordered(elements_of(exact, metric));

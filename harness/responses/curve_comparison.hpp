@@ -34,6 +34,11 @@ struct CurveComparison {
   std::vector<LocatedPoint> invented = {};  ///< located by the method and not there
 };
 
+/// What steps of the frequency found that lies on none of the branches, farther than kCloseTolerance, each
+/// motion once: in the order of the steps, with a gap wherever one lies on a branch or stands there already.
+std::vector<ResponseBranch> beside_branches(const ResponseCurve& branches, const ResponseCurve& steps,
+                                            const ResponseMetric& metric, double window);
+
 /// Compares by length: the number of points does not count, and a point that stands alone counts as one
 /// element. Located points are matched one to one with those of the same kind and order within 0.05 of the
 /// interval, nearest first; a grazing and a change of contact are one kind, the beginning of contact.

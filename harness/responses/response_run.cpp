@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <optional>
 #include <utility>
@@ -75,6 +76,28 @@ struct ResponseScene {
     return {.max_order = response.orders, .timeout = timeout};
   }
 
+  /// Orbits that exact-orbit finds in steps of the frequency on none of the branches: those of isolated
+  /// ones, and beyond ends at which a branch could not be followed.
+  void add_orbits_beside() {
+    constexpr double kShareOfSolve = 0.1;  // of the time limit
+    const SweepRange range = range_of(response);
+    const MethodChoice method{.entry = &find_method(kFollowedByArcLength)};
+    const ResponseCurve steps =
+        curve_of(frequency_response(scene, method, range,
+                                    {.timeout = kShareOfSolve * limits.reference_timeout,
+                                     .deadline = deadline_after(limits.reference_timeout)}));
+    const double window = std::abs(range.to - range.from);
+    const double amplitude = std::max(amplitude_of(exact), amplitude_of(steps));
+    if (!(amplitude > 0.0)) return;
+    const std::vector<ResponseBranch> beside =
+        beside_branches(exact, steps, ResponseMetric(window, amplitude), window);
+    std::size_t orbits = 0;
+    for (const ResponseBranch& branch : beside) orbits += branch.points.size();
+    if (orbits > 0)
+      exact.open_ends.push_back(fmt::format("{} orbits in steps of the frequency lie on no branch", orbits));
+    exact.branches.insert(exact.branches.end(), beside.begin(), beside.end());
+  }
+
   void follow_exactly() {
     constexpr double kFineStep = 0.05;  // of CurveUnits, a third of the usual
     BranchLimits fine = branch_limits(limits.reference_timeout);
@@ -82,6 +105,7 @@ struct ResponseScene {
     fine.largest_step = kFineStep;
     try {
       exact = curve_of(exact_branches(varied(), fine));
+      add_orbits_beside();
       exact_record.status = exact.branches.empty() ? Status::not_converged : Status::converged;
     } catch (const std::runtime_error& error) {
       exact_record.status = Status::not_applicable;

@@ -50,6 +50,24 @@ TEST(CompareCurves, CountsWhatIsNotThereByItsLength) {
   EXPECT_NEAR(more.right_length, 1.0, 1e-12);
 }
 
+TEST(BesideBranches, AreTheOrbitsOfStepsThatLieOnNoneEachOnce) {
+  ResponseCurve steps;
+  for (const double turn : {0.0, 1.0}) {  // up and down
+    ResponseBranch pass{.by_arc_length = false};
+    for (int i = 0; i <= 20; ++i) {
+      const double frequency = 1.0 + 0.05 * (turn > 0.0 ? 20 - i : i);
+      pass.points.push_back(moving(frequency, frequency > 1.4 && frequency < 1.6 ? 3.0 : 1.0));
+    }
+    steps.branches.push_back(std::move(pass));
+  }
+  const std::vector<ResponseBranch> beside = beside_branches(kExact, steps, kMetric, 1.0);
+  ASSERT_EQ(beside.size(), 1U);
+  ASSERT_EQ(beside[0].points.size(), 3U);
+  EXPECT_FALSE(beside[0].by_arc_length);
+  EXPECT_NEAR(beside[0].points.front().frequency, 1.45, 1e-12);
+  EXPECT_TRUE(beside_branches(kExact, kExact, kMetric, 1.0).empty());
+}
+
 // A method that answers everything would cover all, and be false in nearly all of it.
 TEST(CompareCurves, IsNotImpressedByACloudOfAnswers) {
   ResponseCurve cloud;
