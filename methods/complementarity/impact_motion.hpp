@@ -23,9 +23,9 @@ struct PeriodicImpacts {
 
 /// Impacts that solve their equations.
 struct SettledImpacts {
-  PeriodicImpacts impacts = {};
-  int steps = 0;        ///< of Newton's method
-  double defect = 0.0;  ///< largest residual left [m]
+  PeriodicImpacts impacts = {};  ///< instants and mean forces
+  int steps = 0;                 ///< of Newton's method
+  double defect = 0.0;           ///< largest residual left [m]
 };
 
 /// The motion of the contacts with all harmonics behind impacts of impulse J_l at t_l,
