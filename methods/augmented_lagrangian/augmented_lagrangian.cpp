@@ -16,7 +16,7 @@ AugmentedLagrangian::AugmentedLagrangian(const Options& options) : options_(opti
 HarmonicOptions AugmentedLagrangian::common() const {
   return {.harmonics = options_.harmonics,
           .quadrature = Quadrature::exact,
-          .compensate = false,
+          .compensate = options_.compensate.value_or(!options_.plain),
           .tolerance = options_.tolerance,
           .max_iterations = options_.max_iterations};
 }
@@ -40,8 +40,9 @@ std::unique_ptr<PreparedMethod> AugmentedLagrangian::prepare(const Problem& prob
        .grid_solver =
            multiplier_grid_solver({.tolerance = shared.tolerance, .max_iterations = shared.max_iterations},
                                   options_.max_updates, options_.plain),
-       .constant_is_chosen = true,
-       .solver_is_open = false});
+       .constant_is_chosen = true,  // as hard as compensation makes that of the others
+       .solver_is_open = !options_.plain,
+       .on_grids_only = true});
 }
 
 ProjectedLaw augmented_law(const Problem& problem, const std::optional<Scaled>& penalty,

@@ -13,10 +13,13 @@ namespace signorini {
 /// lambda = -P max(0, rho (x - g) - mu) with x = x_f + C lambda, |n| <= H, by Newton's method, and mu <-
 /// lambda until that changes nothing (multiplier_grid_solver) [alart1991, wriggers2006]. The source paper
 /// names it in section 6 and does not write it out. What it converges to solves the Lipschitz form with c =
-/// rho, without the penetration of a penalty, at any rho; rho decides whether and how fast it converges. It
-/// is the literature's iteration, but for the contact integral, which is exact: impacts stay as the series
-/// has them, and the law represented is restitution 1. A scene whose stop is a spring is solved by its own
-/// penalty.
+/// rho, without the penetration of a penalty, at any rho; rho decides whether and how fast it converges. The
+/// contact integral is exact; impacts are then compensated (impact_compensation.hpp), and an answer is
+/// claimed as those of fourier-lipschitz are. The law represented is restitution 1. A scene whose stop is a
+/// spring is solved by its own penalty.
+///
+/// `plain` is the literature's form: updates as they stand, from rising penalties, impacts as the series has
+/// them.
 class AugmentedLagrangian final : public Method {
  public:
   static constexpr std::string_view kName = "augmented-lagrangian";
@@ -25,18 +28,21 @@ class AugmentedLagrangian final : public Method {
   static constexpr std::string_view kLadder = "harmonics=10|40|160";
 
   struct Options {
-    std::optional<int> harmonics = {};   ///< H >= 1 [-]
-    std::optional<Scaled> penalty = {};  ///< rho > 0 [N/m], or times contact_stiffness_scale
-    int max_updates = 150;               ///< of the multiplier [-]
-    double tolerance = 1e-10;            ///< on the relative residual of the Lipschitz form [-]
-    int max_iterations = 0;              ///< Newton steps; 0: not limited [-]
-    bool plain = false;                  ///< as the literature does it
+    std::optional<int> harmonics = {};    ///< H >= 1 [-]
+    std::optional<Scaled> penalty = {};   ///< rho > 0 [N/m], or times contact_stiffness_scale
+    std::optional<bool> compensate = {};  ///< impacts right with all harmonics
+    int max_updates = 150;                ///< of the multiplier [-]
+    double tolerance = 1e-10;             ///< on the relative residual of the Lipschitz form [-]
+    int max_iterations = 0;               ///< Newton steps; 0: not limited [-]
+    bool plain = false;                   ///< as the literature does it
 
     void visit(auto&& field) {
       field("harmonics", harmonics, "[-]",
-            "highest harmonic H kept, 1..100000; auto: 20, or as many as the load has");
+            "highest harmonic H kept, 1..100000; auto: 20, where that fails twice as many, up to 160");
       field("penalty", penalty, "[N/m]",
             "rho, 1e6 or 100x the contact's stiffness; auto: 32x the dynamic one near H, a spring's own");
+      field("compensate", compensate, "[-]",
+            "impacts right with all harmonics: true | false; auto: unless plain");
       field("max_updates", max_updates, "[-]", "limit on updates of the multiplier, 1..100000");
       field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
       field("max_iterations", max_iterations, "[-]",

@@ -24,6 +24,7 @@ struct HarmonicMethod {
   bool constant_is_chosen = false;                ///< the user set the constant of the law
   bool solver_is_open = true;     ///< the way to the solution is left to the method, not set by an option
   bool newton_from_guess = true;  ///< whether a guess is given to project_exactly before any grid
+  bool on_grids_only = false;     ///< no attempt without a grid comes before its grid solver
 };
 
 /// A scene prepared with H harmonics.
@@ -47,7 +48,7 @@ struct HarmonicSetup {
   [[nodiscard]] ProjectedEquations equations() const { return {receptance, gap, law}; }
   /// Whether solves of the exactly projected equations may replace grids.
   [[nodiscard]] bool without_grid() const {
-    return method.solver_is_open && options.grid_is_open(receptance.harmonics());
+    return method.solver_is_open && !method.on_grids_only && options.grid_is_open(receptance.harmonics());
   }
   /// Factor on the law's constant once impacts are compensated: the harder the law, the nearer the force is
   /// to an impulse, and the error to that of truncation alone (docs/decisions/0011). A constant that the user
