@@ -212,12 +212,14 @@ Section located_section(std::span<const ResponseRecord> records) {
 }
 
 Section open_section(std::span<const ResponseRecord> records) {
-  Section section{.id = "open-ends",
-                  .kind = SectionKind::scenes,
-                  .title = "The exact responses, and where they are not known to be whole",
-                  .text =
-                      "A method is measured against what is known: branches that hang together with the "
-                      "answers at both ends of the interval, up to the orders looked for."};
+  Section section{
+      .id = "open-ends",
+      .kind = SectionKind::scenes,
+      .title = "The exact responses, and where they are not known to be whole",
+      .text =
+          "A method is measured against what is known, up to the orders looked for: branches that "
+          "hang together with the answers at both ends of the interval, and orbits found in steps "
+          "on none of them."};
   section.table.header = {"scene", "from", "to", "orders", "branches", "points", "left open"};
   for (const ResponseRecord& record : records) {
     if (!is_exact(record)) continue;
