@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <complex>
@@ -13,6 +12,7 @@
 #include "methods/complementarity/projected_residual.hpp"
 #include "methods/complementarity/series_impacts.hpp"
 #include "methods/discretisation/fourier_series.hpp"
+#include "methods/discretisation/gauss_rule.hpp"
 #include "methods/solvers/condition_estimate.hpp"
 #include "methods/solvers/constants.hpp"
 
@@ -25,14 +25,6 @@ using Complex = std::complex<double>;
 constexpr double kLongestContact = 2.5;  // over H, share of the period
 constexpr double kStopMoved = 3.0;       // over H: how far from its impact a stop that approaches is moved
 constexpr double kPanel = 0.25;  // over H: on so much of the period eight nodes of Gauss reach rounding
-
-/// Nodes and weights of Gauss' rule on [-1, 1].
-constexpr std::array<double, 8> kGaussNodes{-0.9602898564975363, -0.7966664774136267, -0.5255324099163290,
-                                            -0.1834346424956498, 0.1834346424956498,  0.5255324099163290,
-                                            0.7966664774136267,  0.9602898564975363};
-constexpr std::array<double, 8> kGaussWeights{0.1012285362903763, 0.2223810344533745, 0.3137066458778873,
-                                              0.3626837833783620, 0.3626837833783620, 0.3137066458778873,
-                                              0.2223810344533745, 0.1012285362903763};
 
 /// One impact's contact in the series.
 struct ClosedContact {
@@ -56,15 +48,18 @@ struct ContactNodes {
 
 ContactNodes nodes_on(const ClosedContact& contact, int harmonics) {
   const int panels = std::max(1, static_cast<int>(std::ceil(contact.width() * harmonics / kPanel)));
-  const auto count = static_cast<Eigen::Index>(kGaussNodes.size()) * panels;
+  const auto count = 8 * static_cast<Eigen::Index>(panels);
   const double half = 0.5 * contact.width() / panels;
   ContactNodes nodes{Eigen::VectorXd(count), Eigen::VectorXd(count), Eigen::MatrixXcd(count, harmonics + 1)};
   Eigen::VectorXcd unit(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Eigen::Index panel = i / 8;
     const auto place = static_cast<std::size_t>(i % 8);
-    nodes.since[i] = contact.begin + (2.0 * static_cast<double>(panel) + 1.0 + kGaussNodes[place]) * half;
-    nodes.weight[i] = kGaussWeights[place] * half;
+    const bool left = place < kGaussNodes.size();  // mirror images come first
+    const std::size_t k = left ? kGaussNodes.size() - 1 - place : place - kGaussNodes.size();
+    const double node = left ? -kGaussNodes[k] : kGaussNodes[k];
+    nodes.since[i] = contact.begin + (2.0 * static_cast<double>(panel) + 1.0 + node) * half;
+    nodes.weight[i] = kGaussWeights[k] * half;
     unit[i] = std::polar(1.0, kTwoPi * (contact.time + nodes.since[i]));
   }
   nodes.phases.col(0).setOnes();

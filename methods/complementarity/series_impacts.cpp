@@ -2,12 +2,12 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
 
+#include "methods/discretisation/gauss_rule.hpp"
 #include "methods/solvers/constants.hpp"
 #include "methods/solvers/newton_krylov.hpp"
 
@@ -26,10 +26,6 @@ constexpr double kRipple = 1.0;
 template <class Function>
 std::pair<double, double> moments(const Function& function, const ContactInterval& interval, double origin,
                                   int harmonics) {
-  constexpr std::array<double, 4> kNodes{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
-                                         0.9602898564975363};
-  constexpr std::array<double, 4> kWeights{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
-                                           0.1012285362903763};
   const double length = interval.end - interval.begin;
   const int panels = std::max(1, static_cast<int>(std::ceil(2.0 * length * harmonics)));
   const double half = 0.5 * length / panels;
@@ -37,10 +33,10 @@ std::pair<double, double> moments(const Function& function, const ContactInterva
   double moment = 0.0;
   for (int p = 0; p < panels; ++p) {
     const double middle = interval.begin + (2 * p + 1) * half;
-    for (std::size_t k = 0; k < kNodes.size(); ++k) {
+    for (std::size_t k = 0; k < kGaussNodes.size(); ++k) {
       for (const double side : {-1.0, 1.0}) {
-        const double t = middle + side * half * kNodes[k];
-        const double weighted = half * kWeights[k] * function(t);
+        const double t = middle + side * half * kGaussNodes[k];
+        const double weighted = half * kGaussWeights[k] * function(t);
         sum += weighted;
         moment += weighted * (t - origin);
       }
