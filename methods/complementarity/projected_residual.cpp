@@ -19,6 +19,7 @@ using Complex = std::complex<double>;
 
 constexpr Eigen::Index kDense = 100;        // unknowns up to which factorising is the cheaper step
 constexpr double kLinearTolerance = 1e-12;  // of each GMRES solve, relative to its right-hand side
+constexpr double kFelt = 1e-6;              // of x_f - g: a motion that a force of rounding must not cause
 
 /// The runs of positive samples, each sample half a step to either side.
 std::vector<ContactInterval> positive_runs(const Eigen::VectorXd& values) {
@@ -32,6 +33,13 @@ std::vector<ContactInterval> positive_runs(const Eigen::VectorXd& values) {
   }
   if (runs.empty() && values[0] > 0.0) runs.push_back({0.0, 1.0});
   return runs;
+}
+
+/// max_n |B_n|: what a force of length 1 does to y at most.
+double greatest_answer(const ContactSymbol& symbol) {
+  double greatest = 0.0;
+  for (int n = 0; n <= symbol.harmonics(); ++n) greatest = std::max(greatest, symbol.block(n).norm());
+  return greatest;
 }
 
 /// Coefficients n = 0..count <= 2 N of the samples' indicator function, periodic in n.
@@ -60,13 +68,16 @@ ProjectedResidual::ProjectedResidual(const ProjectedEquations& equations, int sa
   free_ = equations.receptance.free_response;
   free_.row(0) -= equations.gap.transpose();
   free_ = free_ * root().asDiagonal();
-  rounding_ = 16.0 * std::numeric_limits<double>::epsilon() * pack_harmonics(free_).norm();
-  least_scale_ = rounding_ / tolerance;
+  const double free = pack_harmonics(free_).norm();
+  rounding_ = 16.0 * std::numeric_limits<double>::epsilon() * free;
+  // With c far above the structure's stiffness a force of that size moves the mass: it must be met then. An
+  // overflow makes the comparison false.
+  if (greatest_answer(symbol_) * rounding_ <= kFelt * free) least_scale_ = rounding_ / tolerance;
 }
 
 double ProjectedResidual::error(const Eigen::VectorXd& lambda, const Eigen::VectorXd& r) const {
-  const double scale = std::max(lambda.norm(), least_scale_);
-  return scale > 0.0 ? r.norm() / scale : 0.0;
+  const double left = r.norm();
+  return left == 0.0 ? 0.0 : left / std::max(lambda.norm(), least_scale_);
 }
 
 void ProjectedResidual::take_contacts(Eigen::Index contact, const Eigen::VectorXcd& y) {

@@ -31,8 +31,10 @@ class ProjectedResidual {
   /// sqrt(c), Nc.
   [[nodiscard]] const Eigen::VectorXd& root() const { return symbol_.root(); }
   /// |R|_2 / |lambda|_2. Short contacts press little on the mean, and much less than the load would: the
-  /// force is the scale. Below it lies the rounding of y, in which the load and the response to the force
-  /// cancel.
+  /// force is the scale. Where it lies below the rounding of y, in which the load and the response to the
+  /// force cancel, R may be as large as that rounding, as long as a force of that size moves nothing by more
+  /// than 1e-6 of x_f - g: with c up to some 1e8 times the structure's stiffness. Infinite where only R is
+  /// left.
   [[nodiscard]] double error(const Eigen::VectorXd& lambda, const Eigen::VectorXd& r) const;
   /// What rounding leaves of R, in its units.
   [[nodiscard]] double rounding() const { return rounding_; }

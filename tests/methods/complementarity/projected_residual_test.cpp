@@ -77,6 +77,25 @@ TEST(ProjectedResidual, ExactIsTheLimitOfManySamples) {
   EXPECT_LT((residual.residual(some_force()) - summed(scene, some_force(), 100000)).norm(), 1e-7);
 }
 
+// The stop is pressed by the free response. A force that is nothing but rounding keeps it open at a constant
+// so large that rounding of y exceeds the true force.
+TEST(ProjectedResidual, DoesNotTakeRoundingForTheForceOfAStiffStop) {
+  for (const double c : {1e12, 1e16, 1e300}) {
+    Scene scene;
+    scene.law = {Eigen::Vector2d(c, c), Eigen::Vector2d::Zero()};
+    ProjectedResidual residual(scene.equations(), 64, 1e-10);
+    const Eigen::VectorXd force =
+        Eigen::VectorXd::Constant(2 * (2 * kHarmonics + 1), 1e-3 * residual.rounding());
+    EXPECT_GE(residual.error(force, Eigen::VectorXd::Constant(force.size(), 1e-3 * residual.rounding())),
+              1.0);
+  }
+  const Scene usual;
+  const ProjectedResidual residual(usual.equations(), 64, 1e-10);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(2 * (2 * kHarmonics + 1));
+  EXPECT_EQ(residual.error(none, none), 0.0);
+  EXPECT_LT(residual.error(none, Eigen::VectorXd::Constant(none.size(), 0.1 * residual.rounding())), 1e-10);
+}
+
 TEST(ProjectedResidual, JacobianIsThatOfDifferences) {
   const Scene scene;
   for (const ContactIntegral integral : {ContactIntegral::exact, ContactIntegral::sampled}) {

@@ -103,6 +103,14 @@ TEST(PenaltyHbm, OnAMasslessContactGainsFromMoreHarmonics) {
   EXPECT_LE(error(160), at_40 / 4.0);
 }
 
+TEST(PenaltyHbm, ClaimsNothingWhereRoundingExceedsTheForce) {
+  for (const double penalty : {1e10, 1e16, 1e308}) {
+    const Solution solution = solve<PenaltyHbm>(
+        test::to_problem(kStop), {.common = {.harmonics = 10}, .penalty = Scaled{penalty, true}});
+    EXPECT_NE(solution.verdict, Verdict::converged) << penalty;
+  }
+}
+
 TEST(PenaltyHbm, RefusesOptionsOutOfRange) {
   EXPECT_THROW(PenaltyHbm({.penalty = Scaled{0.0, false}}), InvalidOption);
   EXPECT_THROW(PenaltyHbm({.penalty = Scaled{-3.0, true}}), InvalidOption);
