@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "methods/structure/dynamic_stiffness.hpp"
 
@@ -28,15 +29,19 @@ Eigen::VectorXd wave_derivative(const Eigen::MatrixXcd& amplitudes, const std::v
 
 }  // namespace
 
-FlowStructure::FlowStructure(const Problem& problem)
-    : CondensedStructure(condense(problem)),
+FlowStructure::FlowStructure(const Problem& problem) : FlowStructure(problem, condense(problem)) {}
+
+FlowStructure::FlowStructure(const Problem& problem, CondensedStructure condensed)
+    : CondensedStructure(std::move(condensed)),
       gaps(contact_gaps(problem)),
       highest_harmonic(std::max(1, highest_load_harmonic(problem))) {
   if (!obstacle.empty()) throw std::runtime_error(obstacle);
+  if (relaxation > 0.0) throw std::runtime_error(flow_obstacle(problem));
   directions = normals;
   compliance = massless_compliance;
   factors = std::make_shared<const Eigen::SimplicialLLT<SparseMatrix>>(mass);
-  if (factors->info() != Eigen::Success) throw std::runtime_error(flow_obstacle(problem));
+  if (factors->info() != Eigen::Success)
+    throw std::runtime_error("the mass matrix is singular on the coordinates with mass");
   if (const auto* law = std::get_if<Penalty>(&problem.law)) {
     const auto k = Eigen::VectorXd::Map(law->stiffness.data(), contact_count());
     compliance.diagonal() += k.cwiseInverse();

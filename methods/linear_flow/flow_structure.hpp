@@ -35,6 +35,9 @@ class FlowStructure : public CondensedStructure {
  public:
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
   explicit FlowStructure(const Problem& problem);
+  /// `condensed` in place of condense(problem), whose contacts, gaps, law, load and scales are meant: a
+  /// reduced structure. \throws std::runtime_error with its obstacle, or that its mass is singular
+  FlowStructure(const Problem& problem, CondensedStructure condensed);
   /// The same structure under the same load at another frequency, X of its scales kept.
   [[nodiscard]] FlowStructure at_frequency(double omega) const;
 

@@ -6,6 +6,7 @@
 #include <complex>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "problems/matrix_properties.hpp"
 
@@ -40,11 +41,23 @@ SparseMatrix picking(const std::vector<int>& picked, Eigen::Index size) {
 }
 
 // Whether rows or columns of A at the picked coordinates hold more than the rounding of an assembly, in which
-// element contributions that should cancel do so only to precision.
-bool touches(const SparseMatrix& A, const SparseMatrix& picked) {
+// element contributions that should cancel do so only to precision: that of a matrix with entries up to
+// `scale`.
+bool touches(const SparseMatrix& A, const SparseMatrix& picked, double scale) {
   constexpr double kRoundOff = 64.0 * std::numeric_limits<double>::epsilon();
-  return largest_entry(SparseMatrix(A * picked)) > kRoundOff * largest_entry(A) ||
-         largest_entry(SparseMatrix(picked.transpose() * A)) > kRoundOff * largest_entry(A);
+  return largest_entry(SparseMatrix(A * picked)) > kRoundOff * scale ||
+         largest_entry(SparseMatrix(picked.transpose() * A)) > kRoundOff * scale;
+}
+
+// beta of D_b. = beta K_b., D_.b = beta K_.b; empty where the damping at b is of another form.
+std::optional<double> relaxation_at(const Problem& problem, const SparseMatrix& b) {
+  const SparseMatrix &D = problem.damping(), &K = problem.stiffness();
+  const double scale = largest_entry(D);
+  if (!touches(D, b, scale)) return 0.0;
+  const SparseMatrix D_b = D * b, K_b = K * b;
+  const double beta = D_b.cwiseProduct(K_b).sum() / K_b.squaredNorm();
+  if (!(beta > 0.0) || touches(SparseMatrix(D - beta * K), b, scale)) return std::nullopt;
+  return beta;
 }
 
 // Fills in h omega of the load's harmonics and their amplitudes on all coordinates.
@@ -83,10 +96,13 @@ void eliminate(const Problem& problem, const SparseMatrix& i, const SparseMatrix
       real.cast<std::complex<double>>() + std::complex<double>(0.0, 1.0) * imag.cast<std::complex<double>>();
   // K_ib K_bb^-1 K_bi is symmetric but for the rounding of the solves; methods rely on exact symmetry.
   const SparseMatrix pulled = K_bi.transpose() * follows;
-  result.stiffness -= SparseMatrix(0.5 * (pulled + SparseMatrix(pulled.transpose())));
+  const SparseMatrix softened = 0.5 * (pulled + SparseMatrix(pulled.transpose()));
+  result.stiffness -= softened;
+  if (result.relaxation > 0.0) result.damping -= result.relaxation * softened;
   result.normals -= SparseMatrix(K_bi.transpose() * moved);
   result.massless_compliance = Eigen::MatrixXd(W_b.transpose() * moved);
   result.shift = W_b.transpose().cast<std::complex<double>>() * carried;
+  if (result.massless_compliance.isZero(0.0)) result.relaxation = 0.0;  // no contact acts there
   result.load = (i.transpose().cast<std::complex<double>>() * result.load -
                  K_bi.transpose().cast<std::complex<double>>() * carried)
                     .eval();
@@ -94,19 +110,21 @@ void eliminate(const Problem& problem, const SparseMatrix& i, const SparseMatrix
 
 }  // namespace
 
-CondensedStructure condense(const Problem& problem) {
+CondensedStructure condense(const Problem& problem, int most) {
   CondensedStructure result;
-  if (problem.size() > kMostInTime) {
+  if (problem.size() > most) {
     result.obstacle =
-        fmt::format("{} coordinates: at most {} are followed through time", problem.size(), kMostInTime);
+        fmt::format("{} coordinates: at most {} are followed through time", problem.size(), most);
     return result;
   }
   const Split split = split_by_mass(problem.mass());
   const SparseMatrix i = picking(split.kept, problem.size()), b = picking(split.massless, problem.size());
-  if (touches(problem.damping(), b)) {
-    result.obstacle = "a coordinate without mass is damped: its equation is of first order";
+  const std::optional<double> relaxation = relaxation_at(problem, b);
+  if (!relaxation) {
+    result.obstacle = "the damping of coordinates without mass is not proportional to their stiffness";
     return result;
   }
+  result.relaxation = *relaxation;
   result.kept = split.kept;
   result.mass = i.transpose() * problem.mass() * i;
   result.damping = i.transpose() * problem.damping() * i;
@@ -122,6 +140,8 @@ CondensedStructure condense(const Problem& problem) {
 std::string flow_obstacle(const Problem& problem) {
   const CondensedStructure structure = condense(problem);
   if (!structure.obstacle.empty()) return structure.obstacle;
+  if (structure.relaxation > 0.0)
+    return "a coordinate without mass is damped: its equation is of first order";
   const Eigen::SimplicialLLT<SparseMatrix> mass(structure.mass);
   return mass.info() == Eigen::Success ? "" : "the mass matrix is singular on the coordinates with mass";
 }

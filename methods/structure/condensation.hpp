@@ -9,20 +9,25 @@
 
 namespace signorini {
 
-/// A scene in its coordinates with mass i. With b those without, K_bb positive definite and no damping at b,
+/// A scene in its coordinates with mass i. With b those without, K_bb positive definite and the damping there
+/// proportional to the stiffness, D_b. = beta K_b. with beta >= 0,
 ///
-///     u_b = K_bb^-1 (f_b - K_bi u_i + W_b lambda),
+///     (1 + beta d/dt) (K_bi u_i + K_bb u_b) = f_b + W_b lambda,
 ///
-/// so that the others move as a structure with contact directions N, whose stops are compliant:
+/// so that the others move as a structure with contact directions N, and the contacts by u_i and a part xi of
+/// their own that relaxes:
 ///
-///     M_ii u_i'' + D_ii u_i' + (K_ii - K_ib K_bb^-1 K_bi) u_i = f_i - K_ib K_bb^-1 f_b + N lambda,
-///     x = N^T u_i + s(t) + C lambda,   N = W_i - K_ib K_bb^-1 W_b,   C = W_b^T K_bb^-1 W_b,
-///     s = W_b^T K_bb^-1 f_b.
+///     M u_i'' + D u_i' + S u_i = f_i - K_ib K_bb^-1 f_b + N lambda,
+///     M = M_ii,   S = K_ii - K_ib K_bb^-1 K_bi,   D = D_ii - beta K_ib K_bb^-1 K_bi,
+///     x = N^T u_i + xi,   beta xi' + xi = s(t) + C lambda,
+///     N = W_i - K_ib K_bb^-1 W_b,   C = W_b^T K_bb^-1 W_b,   s = W_b^T K_bb^-1 f_b.
 ///
-/// Where every contact acts on massless coordinates, x <= g, lambda <= 0, lambda (x - g) = 0 is a linear
-/// complementarity problem in C, which has one solution x for every u_i and one lambda where the columns of
-/// W_b are independent: lambda is a Lipschitz function of (u_i, t), and no impact law is needed
-/// [khenous2008]. A scene without massless coordinates is left as it is: N = W, C = 0, s = 0.
+/// Without damping at b, beta = 0, the massless coordinates follow statically, xi = s + C lambda: where every
+/// contact acts on them, x <= g, lambda <= 0, lambda (x - g) = 0 is a linear complementarity problem in C,
+/// which has one solution x for every u_i and one lambda where the columns of W_b are independent, and lambda
+/// is a Lipschitz function of (u_i, t). With beta > 0 the same is true of the speeds: lambda jumps where a
+/// contact closes, by -C_jj^-1 beta x'_-, and x is continuous. No impact law is needed in either case
+/// [khenous2008]. A scene without massless coordinates is left as it is: N = W, C = 0, s = 0, beta = 0.
 struct CondensedStructure {
   std::string obstacle;                 ///< why this cannot be done, one clause; the rest is then empty
   std::vector<int> kept;                ///< i, ascending: coordinates of the scene
@@ -30,7 +35,10 @@ struct CondensedStructure {
   SparseMatrix damping;                 ///< Nd x Nd [N s/m]
   SparseMatrix stiffness;               ///< Nd x Nd [N/m]
   SparseMatrix normals;                 ///< N, Nd x Nc [-]
-  Eigen::MatrixXd massless_compliance;  ///< C, by which a force moves the contacts at once, Nc x Nc [m/N]
+  Eigen::MatrixXd massless_compliance;  ///< C, by which a force moves the contacts at once or, relaxing, in
+                                        ///< the end, Nc x Nc [m/N]
+  /// beta, the time in which xi relaxes to s + C lambda; 0 where it follows at once, or there is none [s].
+  double relaxation = 0.0;
   /// h omega of the harmonics in the load, ascending, 0 always the first [rad/s].
   std::vector<double> rates;
   Eigen::MatrixXcd load;   ///< of e^{i h omega t}, its real part to be taken; Nd x Nh [N]
@@ -41,12 +49,11 @@ struct CondensedStructure {
 /// asks, which a fine mesh makes faster still, and each costs a solve.
 inline constexpr int kMostInTime = 10000;
 
-/// Sparse throughout, but for C and the columns of load and shift. More than `kMostInTime` coordinates are an
-/// obstacle.
-CondensedStructure condense(const Problem& problem);
+/// Sparse throughout, but for C and the columns of load and shift. More than `most` coordinates are an
+/// obstacle, and so is damping at massless coordinates that is not proportional to the stiffness there.
+CondensedStructure condense(const Problem& problem, int most = kMostInTime);
 
-/// Why a scene's motion between events is no ordinary differential equation of second order; empty if it is
-/// one. Damping at coordinates without mass, which makes an equation of first order there, is not done.
+/// Why a scene's motion is not followed through time, one clause; empty if it is.
 std::string flow_obstacle(const Problem& problem);
 
 }  // namespace signorini

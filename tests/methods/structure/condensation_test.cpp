@@ -32,9 +32,9 @@ TEST(Condense, LeavesAStructureWithMassEverywhereAsItIs) {
   EXPECT_TRUE(condensed.shift.isZero(0.0));
 }
 
-// At any frequency the condensed structure answers loads and contact forces as the whole one does.
-TEST(Condense, KeepsTheReceptanceOfCoupledAndLoadedContacts) {
-  const Problem problem = test::coupled_massless_scene(3);
+// At any frequency the condensed structure answers loads and contact forces as the whole one does, xi as
+// (s + C lambda) / (1 + i beta w).
+void expect_same_receptance(const Problem& problem) {
   const CondensedStructure condensed = condense(problem);
   ASSERT_EQ(condensed.kept.size(), 4U);
   ASSERT_EQ(condensed.rates.size(), 3U);
@@ -52,14 +52,30 @@ TEST(Condense, KeepsTheReceptanceOfCoupledAndLoadedContacts) {
     const Eigen::FullPivLU<Eigen::MatrixXcd> reduced(
         stiffness(condensed.mass, condensed.damping, condensed.stiffness, w));
     const Eigen::MatrixXcd C = W.transpose() * whole.solve(W);
+    const Complex relaxing = 1.0 / Complex(1.0, condensed.relaxation * w);
     const Eigen::MatrixXcd C_condensed =
-        N.transpose() * reduced.solve(N) + condensed.massless_compliance.cast<Complex>();
+        N.transpose() * reduced.solve(N) + relaxing * condensed.massless_compliance.cast<Complex>();
     EXPECT_LT((C - C_condensed).norm(), 1e-13 * C.norm()) << "rate " << w;
     const Eigen::VectorXcd x = W.transpose() * whole.solve(load_harmonic(problem, static_cast<int>(h)));
     const Eigen::VectorXcd x_condensed =
-        N.transpose() * reduced.solve(condensed.load.col(column)) + condensed.shift.col(column);
+        N.transpose() * reduced.solve(condensed.load.col(column)) + relaxing * condensed.shift.col(column);
     EXPECT_LT((x - x_condensed).norm(), 1e-13 * x.norm()) << "rate " << w;
   }
+}
+
+TEST(Condense, KeepsTheReceptanceOfCoupledAndLoadedContacts) {
+  const Problem problem = test::coupled_massless_scene(3);
+  EXPECT_EQ(condense(problem).relaxation, 0.0);
+  expect_same_receptance(problem);
+}
+
+// D_ii is of any form: what relaxes is decided by the rows of the massless coordinates.
+TEST(Condense, KeepsTheReceptanceOfRelaxingContacts) {
+  constexpr double kBeta = 0.07;
+  Problem problem = test::coupled_massless_scene(3);
+  problem.edit_structure([&](Structure& s) { s.damping += SparseMatrix(kBeta * s.stiffness); });
+  EXPECT_NEAR(condense(problem).relaxation, kBeta, 1e-15);
+  expect_same_receptance(problem);
 }
 
 TEST(Condense, RefusesWhatIsTooLargeToBeFollowedThroughTime) {
@@ -77,7 +93,12 @@ TEST(Condense, SaysWhereItCannotBeDone) {
   damped.edit_structure([&](Structure& s) {
     s.damping = Eigen::MatrixXd((Eigen::Matrix2d() << 0.1, -0.1, -0.1, 0.1).finished()).sparseView();
   });
-  EXPECT_EQ(condense(damped).obstacle, "a coordinate without mass is damped: its equation is of first order");
+  EXPECT_NEAR(condense(damped).relaxation, 0.1 / 20.0, 1e-17);  // a dashpot along the spring of 20 N/m
+  damped.edit_structure([&](Structure& s) {
+    s.damping = Eigen::MatrixXd((Eigen::Matrix2d() << 0.1, 0.0, 0.0, 0.1).finished()).sparseView();
+  });
+  EXPECT_EQ(condense(damped).obstacle,
+            "the damping of coordinates without mass is not proportional to their stiffness");
   Problem loose = test::massless_node();
   loose.edit_structure([&](Structure& s) {
     s.stiffness = Eigen::MatrixXd(Eigen::Vector2d(1.0, 0.0).asDiagonal()).sparseView();
