@@ -109,9 +109,10 @@ std::string response_of(const std::string& scene, std::span<const ResponseRecord
             "response.");
   else
     text += "<div>\n";
-  text += html_table(rows_of_response(section_called(sections, "response-cases"), scene,
-                                      {"method", "covered", "false", "located", "largest error", "time"}),
-                     "Methods on " + scene) +
+  text += html_table(
+              rows_of_response(section_called(sections, "response-cases"), scene,
+                               {"method", "other law", "found", "false", "located", "largest error", "time"}),
+              "Methods on " + scene) +
           "</div>\n";
   Table located = rows_of_response(section_called(sections, "located"), scene,
                                    section_called(sections, "located").table.header);
@@ -145,21 +146,22 @@ std::string contents(const std::vector<std::string>& scenes) {
   std::string items;
   for (const std::string& scene : scenes) items += item("scene-" + scene, scene);
   return contents_of(list_part("", item("verdict", "Which method?")) + list_part("Scenes", items) +
-                     list_part("All together", item("cases", "Each response") +
+                     list_part("All together", item("responses", "Each method") +
+                                                   item("cases", "Each response") +
                                                    item("open-ends", "Where the exact responses are open")) +
                      list_part("", item("about", "How this run was made")));
 }
 
-/// The sums over all responses, as they are printed after a run, under what they recommend.
-std::string verdict_section_of(Section overview, std::span<const ResponseRecord> records) {
-  overview.id = "verdict";
-  const std::string title = std::exchange(overview.title, "Which method?");
-  const std::string words = std::exchange(overview.text, "");
+/// What each kind of scenes recommends, in words and as a table.
+std::string verdict_section_of(const Section& verdict, std::span<const ResponseRecord> records) {
+  std::string items;
+  for (const ResponseGroup& group : response_groups(records))
+    items +=
+        fmt::format("<li>{}: {}</li>\n", html_text(group_title(group)), html_text(response_verdict(group)));
   return fmt::format(
-      "<section id=\"verdict\"><h2>Which method?</h2>\n<p>{}</p>\n{}<p class=\"note\">{}</p>\n"
+      "<section id=\"verdict\"><h2>Which method?</h2>\n<ul>\n{}</ul>\n{}<p class=\"note\">{}</p>\n"
       "<p class=\"note\">{}</p>\n</section>\n",
-      html_text(response_verdict(records)), html_table(overview.table, title),
-      html_text(std::string(kResponseRule)), html_text(words));
+      items, html_table(verdict.table, "Which method?"), html_text(verdict.text), html_text(verdict.note));
 }
 
 }  // namespace
@@ -194,13 +196,14 @@ std::string response_page(const std::string& title, const Json& manifest,
   const std::vector<std::string> scenes = scenes_followed(records);
   const std::vector<Section> sections = response_sections(records);
   const Json data = page_data(records, scenes);
-  std::string text = verdict_section_of(section_called(sections, "responses"), records);
+  std::string text = verdict_section_of(section_called(sections, "verdict"), records);
   text += "<h2>Scene by scene</h2>\n";
   for (const std::string& scene : scenes)
     text += response_of(scene, records, sections, data["scenes"][scene]["response"]);
   Section cases = section_called(sections, "response-cases");
   cases.id = "cases";  // where names of methods lead
-  text += section_of(cases) + section_of(section_called(sections, "open-ends"));
+  text += section_of(section_called(sections, "responses")) + section_of(cases) +
+          section_of(section_called(sections, "open-ends"));
   const auto methods = std::ssize(labels_of(records));
   return whole_page({.title = title,
                      .summary = fmt::format("Frequency responses: {} of {}", plural(methods, "method"),

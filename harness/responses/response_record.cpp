@@ -56,6 +56,11 @@ void visit_fields(Either<ResponseRecord> auto& record, auto&& field) {
   field(required("from", "rad/s"), record.from);
   field(required("to", "rad/s"), record.to);
   field(required("orders"), record.orders);
+  field(Field{"law"}, record.law);
+  field(Field{"scene_law"}, record.scene_law);
+  field(Field{"law_matches_scene"}, record.law_matches_scene);
+  field(Field{"coordinates"}, record.coordinates);
+  field(Field{"contacts"}, record.contacts);
   field(required("status"), record.status);
   field(Field{"message"}, record.message);
   field(Field{"seconds", "s"}, record.seconds);
@@ -67,6 +72,8 @@ void visit_fields(Either<ResponseRecord> auto& record, auto&& field) {
 }
 
 bool is_exact(const ResponseRecord& record) { return record.method.empty(); }
+
+bool of_another_law(const ResponseRecord& record) { return record.law_matches_scene == false; }
 
 std::string label_of(const ResponseRecord& record) {
   return record.method + (record.by_steps ? " by steps" : "");

@@ -24,10 +24,14 @@ struct ResponseRecord {
   std::string case_id = {};  ///< "sdof-stop/aft-hbm[harmonics=20] by steps"; of the exact one "sdof-stop/"
   std::string key = {};      ///< identifies the case for --resume
   std::string scene = {}, method = {};
-  bool by_steps = false;                  ///< of the frequency, up and down, instead of by arc length
-  double from = 0.0, to = 0.0;            ///< [rad/s]
-  int orders = 1;                         ///< longest period looked for [forcing periods]
-  Status status = Status::not_converged;  ///< converged: there is at least one branch
+  bool by_steps = false;        ///< of the frequency, up and down, instead of by arc length
+  double from = 0.0, to = 0.0;  ///< [rad/s]
+  int orders = 1;               ///< longest period looked for [forcing periods]
+  /// The law that the method represents, and the scene's.
+  std::optional<RepresentedLaw> law = {}, scene_law = {};
+  std::optional<bool> law_matches_scene = {};
+  std::optional<int> coordinates = {}, contacts = {};  ///< of the scene
+  Status status = Status::not_converged;               ///< converged: there is at least one branch
   std::string message = {};
   Measure seconds = {};  ///< processor time of the whole response [s]
   int points = 0;        ///< that the method gave
@@ -39,6 +43,9 @@ struct ResponseRecord {
 
 /// Whether it is the exact response of its scene.
 bool is_exact(const ResponseRecord& record);
+/// Whether the method represents another law than the scene's, as harmonic balance does where restitution is
+/// below 1: its branches are then right or wrong about another scene.
+bool of_another_law(const ResponseRecord& record);
 /// The method as tables name it: "aft-hbm[harmonics=20] by steps"; empty of an exact one.
 std::string label_of(const ResponseRecord& record);
 /// Labels of all methods, in the order of their first records.

@@ -17,6 +17,7 @@
 #include "harness/plan/deadline.hpp"
 #include "harness/progress.hpp"
 #include "harness/records/record_check.hpp"
+#include "harness/run/applicability.hpp"
 #include "harness/run/round_messages.hpp"
 #include "harness/sweep/branch_response.hpp"
 #include "methods/curve_method.hpp"
@@ -57,7 +58,23 @@ SweepRange range_of(const SuiteResponse& response) {
 }
 
 ResponseRecord blank(const SuiteResponse& response, const Scene& scene) {
-  return {.scene = scene.problem.name, .from = response.from, .to = response.to, .orders = response.orders};
+  return {.scene = scene.problem.name,
+          .from = response.from,
+          .to = response.to,
+          .orders = response.orders,
+          .scene_law = as_represented(scene.problem.law),
+          .coordinates = scene.problem.size(),
+          .contacts = scene.problem.contact_count()};
+}
+
+/// The law that the method represents, if it applies.
+void take_law(const Scene& scene, const MethodChoice& method, int memory_mb, ResponseRecord& record) {
+  const Case asked{.choice = method};
+  const Case* const list = &asked;
+  for (const Applicability& answer : ask_applicability(scene, std::span(&list, 1), memory_mb)) {
+    record.law = answer.law;
+    if (answer.law) record.law_matches_scene = law_matches(*answer.law, scene.problem.law);
+  }
 }
 
 /// A scene with its exact response, and what the cases of one response share.
@@ -303,6 +320,7 @@ ResponseRunResult run_responses(const Suite& suite, std::span<const ResponseCase
     record.key = key;
     record.method = one.method.label();
     record.by_steps = one.by_steps;
+    take_law(at->scene, one.method, limits.memory_mb, record);
     record = one.by_steps ? step(*at, one.method, record) : follow_isolated(*at, one.method, record);
     if (interrupted()) break;
     store.put(std::move(record));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 
@@ -25,123 +24,87 @@ Cell seconds_cell(std::optional<double> seconds) {
   return seconds ? Cell(time_text(*seconds), *seconds) : Cell("-");
 }
 
-/// Relative error of a located point.
-std::optional<double> error_of(const PointMatch& match) {
-  if (!match.frequency) return std::nullopt;
-  return std::abs(*match.frequency - match.exact.frequency) / match.exact.frequency;
-}
-
 Cell error_cell(std::optional<double> error) {
   return error ? Cell(fmt::format("{:.1e}", *error), *error) : Cell("-");
 }
 
-std::ptrdiff_t found_points(const CurveComparison& comparison) {
-  return std::ranges::count_if(comparison.points,
-                               [](const PointMatch& m) { return m.frequency.has_value(); });
-}
-
-std::optional<double> largest_error(const CurveComparison& comparison) {
-  std::optional<double> largest;
-  for (const PointMatch& match : comparison.points) {
-    if (const auto error = error_of(match)) largest = std::max(largest.value_or(0.0), *error);
-  }
-  return largest;
-}
-
-/// Sums over the responses of one method.
-struct Totals {
-  std::ptrdiff_t followed = 0, asked = 0, found = 0, points = 0, invented = 0;
-  double exact = 0.0, covered = 0.0, length = 0.0, wrong = 0.0, right = 0.0, seconds = 0.0;
-  std::optional<double> error = {};
-
-  void add(const ResponseRecord& record) {
-    if (record.status == Status::not_applicable) return;
-    ++asked;
-    if (record.status == Status::converged) ++followed;
-    if (!record.comparison) return;
-    const CurveComparison& c = *record.comparison;
-    exact += c.exact_length;
-    covered += c.close.covered * c.exact_length;
-    length += c.length;
-    wrong += c.wide.false_share * c.length;
-    right += c.right_length;
-    found += found_points(c);
-    points += static_cast<std::ptrdiff_t>(c.points.size());
-    invented += static_cast<std::ptrdiff_t>(c.invented.size());
-    seconds += record.seconds.value_or(0.0);
-    if (const auto largest = largest_error(c)) error = std::max(error.value_or(0.0), *largest);
-  }
-};
-
-Totals totals_of(std::span<const ResponseRecord> records, const std::string& label) {
-  Totals totals;
-  for (const ResponseRecord& record : records)
-    if (!is_exact(record) && label_of(record) == label) totals.add(record);
-  return totals;
-}
-
-std::optional<double> length_share(double part, double whole) {
-  return whole > 0.0 ? std::optional(part / whole) : std::nullopt;
-}
-
-/// Of the exact responses of all scenes, as far as any method was compared with them.
-double exact_length_of(std::span<const ResponseRecord> records) {
-  std::map<std::string, double> by_scene;
-  for (const ResponseRecord& record : records)
-    if (record.comparison) by_scene[record.scene] = record.comparison->exact_length;
-  double sum = 0.0;
-  for (const auto& [scene, length] : by_scene) sum += length;
-  return sum;
-}
-
-/// By kResponseRule, of those that `asked` takes; null where none qualifies.
-template <class Asked>
-ResponseStanding* best_standing(std::vector<ResponseStanding>& standings, Asked asked) {
-  constexpr double kMostFalse = 0.05, kAsMuch = 0.05;
-  double most = 0.0;
-  const auto qualifies = [&](const ResponseStanding& one) {
-    return asked(one) && one.cost && one.false_share <= kMostFalse;
-  };
-  for (const ResponseStanding& one : standings)
-    if (qualifies(one)) most = std::max(most, one.covered);
-  ResponseStanding* best = nullptr;
-  for (ResponseStanding& one : standings)
-    if (qualifies(one) && one.covered > 0.0 && one.covered >= most - kAsMuch &&
-        (best == nullptr || *one.cost < *best->cost))
-      best = &one;
-  return best;
-}
-
-bool is_truth(const ResponseStanding& standing) { return standing.label.starts_with(kFollowedByArcLength); }
-
 std::string in_words(const ResponseStanding& standing) {
-  return fmt::format("`{}` ({:.1f} % of the exact branches, {:.1f} % false, {} per length)", standing.label,
-                     100.0 * standing.covered, 100.0 * standing.false_share, time_text(*standing.cost));
+  return fmt::format("{} ({:.1f} % found, {:.1f} % false)", standing.label, 100.0 * standing.found,
+                     100.0 * standing.false_share);
 }
 
-Section overview(std::span<const ResponseRecord> records) {
+/// The names and figures of a standing, or dashes.
+void add_standing(std::vector<Cell>& row, const ResponseStanding* standing) {
+  if (standing == nullptr) {
+    row.insert(row.end(), {"-", "-", "-", "-"});
+    return;
+  }
+  row.insert(row.end(), {standing->label, percent_cell(standing->found), percent_cell(standing->false_share),
+                         seconds_cell(standing->cost)});
+}
+
+const ResponseStanding* recommended_of(const ResponseGroup& group) {
+  const auto found = std::ranges::find_if(group.standings, &ResponseStanding::recommended);
+  return found == group.standings.end() ? nullptr : &*found;
+}
+
+/// The best of those that the exact responses are not made by, where that is another.
+const ResponseStanding* other_of(const ResponseGroup& group) {
+  const auto found = std::ranges::find_if(group.standings, [](const ResponseStanding& one) {
+    return one.recommended_otherwise && !one.recommended;
+  });
+  return found == group.standings.end() ? nullptr : &*found;
+}
+
+Section verdict_section(std::span<const ResponseGroup> groups) {
+  Section section{.id = "verdict",
+                  .title = "Which method for whole frequency responses",
+                  .text = std::string(kResponseRule) +
+                          " The exact responses are made by exact-orbit with shorter steps; the best of the "
+                          "other methods stands beside it.",
+                  .note =
+                      "`found` is the share of the exact branches' length within 2 % of the method's, "
+                      "`false` the share of the method's own that is farther than 5 % from every exact one; "
+                      "time is that of the processor per unit of right length."};
+  section.table.header = {"responses",    "method",          "found",
+                          "false",        "time per length", "best other",
+                          "other, found", "other, false",    "other, time per length"};
+  for (const ResponseGroup& group : groups) {
+    std::vector<Cell>& row = section.table.rows.emplace_back();
+    row.emplace_back(group_title(group));
+    add_standing(row, recommended_of(group));
+    add_standing(row, other_of(group));
+  }
+  return section;
+}
+
+Section overview_section(std::span<const ResponseGroup> groups) {
   Section section{
       .id = "responses",
       .title = "How much of the exact frequency responses each method finds",
       .text =
-          "Over all responses that a method applies to, by length: `covered` is the share of the exact "
-          "branches within 2 % of the method's, `false` the share of the method's own branches that is "
-          "farther than 5 % from every exact one; `located` are folds, doublings and beginnings of "
+          "By kinds of scenes, for the methods that represent their law, sums of length: `found` is the "
+          "share "
+          "of the exact branches within 2 % of the method's, `false` the share of the method's own branches "
+          "that is farther than 5 % from every exact one; `located` are folds, doublings and beginnings of "
           "contact that it located itself, with the largest error of their frequency, `invented` those "
           "that are not there; time is that of the processor, per unit of right length."};
-  section.table.header = {"method",        "responses", "covered", "false",          "located",
-                          "largest error", "invented",  "time",    "time per length"};
-  for (const std::string& label : labels_of(records)) {
-    const Totals totals = totals_of(records, label);
-    section.table.rows.push_back({label, count_cell(totals.followed, totals.asked),
-                                  percent_cell(length_share(totals.covered, totals.exact)),
-                                  percent_cell(length_share(totals.wrong, totals.length)),
-                                  count_cell(totals.found, totals.points), error_cell(totals.error),
-                                  count_cell(totals.invented), seconds_cell(totals.seconds),
-                                  seconds_cell(length_share(totals.seconds, totals.right))});
+  section.table.header = {"scenes",  "method",        "responses", "found", "false",
+                          "located", "largest error", "invented",  "time",  "time per length"};
+  for (const ResponseGroup& group : groups) {
+    for (const ResponseStanding& one : group.standings)
+      section.table.rows.push_back({std::string(group.kind ? kind_title(*group.kind) : "Unrecorded law"),
+                                    one.label, count_cell(one.followed, one.asked), percent_cell(one.found),
+                                    percent_cell(one.false_share), count_cell(one.located, one.points),
+                                    error_cell(one.largest_error), count_cell(one.invented),
+                                    seconds_cell(one.seconds), seconds_cell(one.cost)});
   }
-  if (!records.empty()) section.note = response_verdict(records) + " " + std::string(kResponseRule);
   return section;
+}
+
+/// The law that a method represents where it is not the scene's.
+Cell other_law_cell(const ResponseRecord& record) {
+  return of_another_law(record) && record.law ? law_text(*record.law) : std::string();
 }
 
 Cell leading_to(Cell cell, std::size_t place) {
@@ -153,17 +116,19 @@ Cell leading_to(Cell cell, std::size_t place) {
 std::vector<Cell> case_row(const ResponseRecord& record, std::size_t place) {
   if (!record.comparison) {
     const Cell status = leading_to(std::string(status_name(record.status)), place);
-    return {record.scene, label_of(record), status, "-", "-", "-", "-", "-", "-", "-", record.message};
+    return {record.scene, label_of(record), other_law_cell(record), status, "-", "-", "-", "-", "-", "-",
+            "-",          record.message};
   }
   const CurveComparison& c = *record.comparison;
   return {record.scene,
           label_of(record),
+          other_law_cell(record),
           count_cell(record.points),
           leading_to(percent_cell(c.close.covered), place),
           percent_cell(c.close.covered_stable),
           percent_cell(c.wide.covered),
           percent_cell(c.wide.false_share),
-          count_cell(found_points(c), static_cast<std::ptrdiff_t>(c.points.size())),
+          count_cell(located_points(c), std::ssize(c.points)),
           error_cell(largest_error(c)),
           seconds_cell(record.seconds),
           fmt::format("{}", fmt::join(record.open_ends, "; "))};
@@ -173,9 +138,12 @@ Section case_section(std::span<const ResponseRecord> records) {
   Section section{.id = "response-cases",
                   .kind = SectionKind::scenes,
                   .title = "Each response",
-                  .text = "`covered` within 2 %, its stable part alone, and within 5 %; `false` beyond 5 %."};
-  section.table.header = {"scene", "method",  "points",        "covered", "covered, stable", "covered in 5 %",
-                          "false", "located", "largest error", "time",    "left open"};
+                  .text =
+                      "`found` within 2 %, of the stable part alone, and within 5 %; `false` beyond 5 %. "
+                      "`other law`: the method represents that law instead of the scene's, and its branches "
+                      "count in no sum."};
+  section.table.header = {"scene",        "method", "other law", "points",        "found", "found, stable",
+                          "found in 5 %", "false",  "located",   "largest error", "time",  "left open"};
   for (std::size_t place = 0; place < records.size(); ++place)
     if (!is_exact(records[place])) section.table.rows.push_back(case_row(records[place], place));
   return section;
@@ -235,63 +203,47 @@ Section open_section(std::span<const ResponseRecord> records) {
 
 }  // namespace
 
-std::vector<ResponseStanding> response_standings(std::span<const ResponseRecord> records) {
-  std::vector<ResponseStanding> standings;
-  const double exact = exact_length_of(records);
-  for (const std::string& label : labels_of(records)) {
-    const Totals totals = totals_of(records, label);
-    standings.push_back({.label = label,
-                         .covered = length_share(totals.covered, exact).value_or(0.0),
-                         .false_share = length_share(totals.wrong, totals.length).value_or(0.0),
-                         .cost = length_share(totals.seconds, totals.right)});
-  }
-  if (ResponseStanding* best = best_standing(standings, [](const ResponseStanding&) { return true; }))
-    best->recommended = true;
-  if (ResponseStanding* other =
-          best_standing(standings, [](const ResponseStanding& s) { return !is_truth(s); }))
-    other->recommended_otherwise = true;
-  return standings;
-}
-
-std::string response_verdict(std::span<const ResponseRecord> records) {
-  const std::vector<ResponseStanding> standings = response_standings(records);
-  const auto best = std::ranges::find_if(standings, &ResponseStanding::recommended);
-  const auto other = std::ranges::find_if(standings, &ResponseStanding::recommended_otherwise);
-  if (best == standings.end())
-    return "No method finds any of the exact branches with at most 5 % false ones.";
-  std::string text = "Take " + in_words(*best) + ".";
-  if (other != standings.end() && other != best)
-    text += fmt::format(
-        " The exact responses are made by the same method with shorter steps; the best of the others is {}.",
-        in_words(*other));
+std::string response_verdict(const ResponseGroup& group) {
+  const ResponseStanding *best = recommended_of(group), *other = other_of(group);
+  if (best == nullptr) return "no method finds any of the exact branches with at most 5 % false ones";
+  std::string text = in_words(*best);
+  if (other != nullptr) text += "; of the others " + in_words(*other);
   return text;
 }
 
 std::string response_screen(std::span<const ResponseRecord> records) {
-  constexpr std::size_t kName = 40;
+  constexpr std::size_t kName = 42;
+  constexpr std::size_t kRows = 28;  // of titles and methods together
+  const std::vector<ResponseGroup> groups = response_groups(records);
+  const std::size_t most = std::max<std::size_t>(3, kRows / std::max<std::size_t>(1, groups.size())) - 1;
   std::string text;
   const auto add = [&](std::string words) {
-    std::erase(words, '`');
     for (const std::string& line : wrapped_lines(words, kScreenWidth)) text += line + "\n";
   };
-  add(response_verdict(records));
-  text += fmt::format("\n{:<42}{:>9}{:>9}{:>8}{:>12}\n", "", "found", "false", "located", "time/length");
-  for (const ResponseStanding& one : response_standings(records)) {
-    const Totals totals = totals_of(records, one.label);
-    text += fmt::format("{} {}", one.recommended || one.recommended_otherwise ? "*" : " ", one.label);
-    text += one.label.size() > kName ? "\n" + std::string(kName + 2, ' ')
-                                     : std::string(kName - one.label.size(), ' ');
-    text +=
-        fmt::format("{:>7.1f} %{:>7.1f} %{:>8}{:>12}\n", 100.0 * one.covered, 100.0 * one.false_share,
-                    fmt::format("{}/{}", totals.found, totals.points), one.cost ? time_text(*one.cost) : "-");
+  add("Which method? Share of the exact branches found, of its own false, special points located, "
+      "processor time per length:");
+  text += fmt::format("{:<44}{:>8}{:>8}{:>9}{:>10}\n", "", "found", "false", "located", "time");
+  for (const ResponseGroup& group : groups) {
+    text += group_title(group) + "\n";
+    for (const ResponseStanding& one :
+         std::span(group.standings).first(std::min(most, group.standings.size()))) {
+      text += fmt::format("{} {:<{}}", one.recommended || one.recommended_otherwise ? "*" : " ",
+                          clipped(one.label, kName), kName);
+      text +=
+          fmt::format("{:>6.1f} %{:>6.1f} %{:>9}{:>10}\n", 100.0 * one.found, 100.0 * one.false_share,
+                      fmt::format("{}/{}", one.located, one.points), one.cost ? time_text(*one.cost) : "-");
+    }
   }
   text += "\n";
-  add(std::string(kResponseRule));
+  add(std::string(kResponseRule) +
+      " The exact responses are made by exact-orbit with shorter steps: the best other has a star too.");
   return text;
 }
 
 std::vector<Section> response_sections(std::span<const ResponseRecord> records) {
-  return {overview(records), case_section(records), located_section(records), open_section(records)};
+  const std::vector<ResponseGroup> groups = response_groups(records);
+  return {verdict_section(groups), overview_section(groups), case_section(records), located_section(records),
+          open_section(records)};
 }
 
 }  // namespace signorini

@@ -67,12 +67,17 @@ std::string_view kind_title(SceneKind kind) {
   return {};
 }
 
+std::optional<SceneKind> kind_of_scene(const std::optional<RepresentedLaw>& law,
+                                       std::optional<int> coordinates, std::optional<int> contacts) {
+  const std::optional<SceneKind> by_law = law ? kind_of_law(*law) : std::nullopt;
+  if (!by_law) return std::nullopt;
+  if (coordinates >= kLargeStructure) return SceneKind::large_structure;
+  if (contacts >= kManyContacts) return SceneKind::many_contacts;
+  return by_law;
+}
+
 std::optional<SceneKind> kind_of(const Record& record) {
-  const std::optional<SceneKind> law = record.scene_law ? kind_of_law(*record.scene_law) : std::nullopt;
-  if (!law) return std::nullopt;
-  if (record.coordinates >= kLargeStructure) return SceneKind::large_structure;
-  if (record.contacts >= kManyContacts) return SceneKind::many_contacts;
-  return law;
+  return kind_of_scene(record.scene_law, record.coordinates, record.contacts);
 }
 
 std::vector<SceneGroup> scene_groups(const Evaluation& evaluation) {

@@ -21,8 +21,12 @@ std::string_view kind_title(SceneKind kind);
 /// Contacts from which on they are many, and coordinates from which on a structure is large.
 inline constexpr int kManyContacts = 5, kLargeStructure = 100;
 
-/// The kind of a record's scene; nothing where it has no contact or the record does not know its law. Records
-/// of earlier versions do not know how many contacts and coordinates there are, and go by the law alone.
+/// The kind of a scene of this law; nothing where it has no contact or its law is not known. Where the
+/// numbers of coordinates and contacts are not known either, as in records of earlier versions, it goes by
+/// the law.
+std::optional<SceneKind> kind_of_scene(const std::optional<RepresentedLaw>& law,
+                                       std::optional<int> coordinates, std::optional<int> contacts);
+/// The kind of a record's scene.
 std::optional<SceneKind> kind_of(const Record& record);
 
 /// Errors of x that scene groups tell the times to [-].

@@ -1,0 +1,154 @@
+#include "harness/responses/response_standings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "harness/report/document/cells.hpp"
+#include "harness/report/formats/screen_groups.hpp"
+#include "harness/sweep/branch_response.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Responses = std::vector<const ResponseRecord*>;
+
+/// What a method's responses add up to.
+class Sums {
+ public:
+  void add(const ResponseRecord& record) {
+    if (record.status == Status::not_applicable || of_another_law(record)) return;
+    ++standing_.asked;
+    if (record.status == Status::converged) ++standing_.followed;
+    if (!record.comparison) return;
+    const CurveComparison& c = *record.comparison;
+    covered_ += c.close.covered * c.exact_length;
+    length_ += c.length;
+    wrong_ += c.wide.false_share * c.length;
+    right_ += c.right_length;
+    standing_.located += located_points(c);
+    standing_.points += std::ssize(c.points);
+    standing_.invented += std::ssize(c.invented);
+    if (record.seconds) standing_.seconds = standing_.seconds.value_or(0.0) + *record.seconds;
+    if (const auto largest = largest_error(c))
+      standing_.largest_error = std::max(standing_.largest_error.value_or(0.0), *largest);
+  }
+
+  [[nodiscard]] ResponseStanding standing(std::string label, double exact_length) const {
+    ResponseStanding result = standing_;
+    result.label = std::move(label);
+    if (exact_length > 0.0) result.found = covered_ / exact_length;
+    if (length_ > 0.0) result.false_share = wrong_ / length_;
+    if (right_ > 0.0 && result.seconds) result.cost = *result.seconds / right_;
+    return result;
+  }
+
+ private:
+  ResponseStanding standing_;
+  double covered_ = 0.0, length_ = 0.0, wrong_ = 0.0, right_ = 0.0;
+};
+
+bool is_truth(const ResponseStanding& standing) { return standing.label.starts_with(kFollowedByArcLength); }
+
+/// By kResponseRule, of those that `takes` takes; null where none qualifies.
+template <class Takes>
+ResponseStanding* best_standing(std::vector<ResponseStanding>& standings, Takes takes) {
+  constexpr double kMostFalse = 0.05, kAsMuch = 0.05;
+  double most = 0.0;
+  const auto qualifies = [&](const ResponseStanding& one) {
+    return takes(one) && one.cost && one.false_share <= kMostFalse;
+  };
+  for (const ResponseStanding& one : standings)
+    if (qualifies(one)) most = std::max(most, one.found);
+  ResponseStanding* best = nullptr;
+  for (ResponseStanding& one : standings)
+    if (qualifies(one) && one.found > 0.0 && one.found >= most - kAsMuch &&
+        (best == nullptr || *one.cost < *best->cost))
+      best = &one;
+  return best;
+}
+
+void rank_responses(std::vector<ResponseStanding>& standings) {
+  if (ResponseStanding* best = best_standing(standings, [](const ResponseStanding&) { return true; }))
+    best->recommended = true;
+  if (ResponseStanding* other =
+          best_standing(standings, [](const ResponseStanding& one) { return !is_truth(one); }))
+    other->recommended_otherwise = true;
+  const auto order = [](const ResponseStanding& one) {
+    return std::pair(one.recommended ? 0 : one.recommended_otherwise ? 1 : 2, -one.found);
+  };
+  std::ranges::stable_sort(standings, {}, order);
+}
+
+/// Of the exact responses, as far as any method was compared with them.
+double exact_length_of(const Responses& responses) {
+  std::map<std::string, double> by_scene;
+  for (const ResponseRecord* record : responses)
+    if (record->comparison) by_scene[record->scene] = record->comparison->exact_length;
+  double sum = 0.0;
+  for (const auto& [scene, length] : by_scene) sum += length;
+  return sum;
+}
+
+ResponseGroup group_of_responses(std::optional<SceneKind> kind, const Responses& responses,
+                                 const std::vector<std::string>& labels) {
+  ResponseGroup group{.kind = kind};
+  for (const ResponseRecord* record : responses)
+    if (std::ranges::find(group.scenes, record->scene) == group.scenes.end())
+      group.scenes.push_back(record->scene);
+  const double exact = exact_length_of(responses);
+  for (const std::string& label : labels) {
+    Sums sums;
+    for (const ResponseRecord* record : responses)
+      if (label_of(*record) == label) sums.add(*record);
+    ResponseStanding standing = sums.standing(label, exact);
+    if (standing.asked > 0) group.standings.push_back(std::move(standing));
+  }
+  rank_responses(group.standings);
+  return group;
+}
+
+}  // namespace
+
+std::vector<ResponseGroup> response_groups(std::span<const ResponseRecord> records) {
+  std::map<std::string, bool> compared;  // scenes
+  for (const ResponseRecord& record : records)
+    if (record.comparison) compared[record.scene] = true;
+  std::map<std::optional<SceneKind>, Responses> by_kind;
+  for (const ResponseRecord& record : records) {
+    if (is_exact(record) || !compared.contains(record.scene)) continue;
+    by_kind[kind_of_scene(record.scene_law, record.coordinates, record.contacts)].push_back(&record);
+  }
+  std::vector<ResponseGroup> groups;
+  for (const auto& [kind, responses] : by_kind)
+    groups.push_back(group_of_responses(kind, responses, labels_of(records)));
+  return groups;
+}
+
+std::string group_title(const ResponseGroup& group) {
+  return fmt::format("{}, {}", group.kind ? kind_title(*group.kind) : "Scenes of unrecorded law",
+                     plural(std::ssize(group.scenes), "response"));
+}
+
+std::ptrdiff_t located_points(const CurveComparison& comparison) {
+  return std::ranges::count_if(comparison.points,
+                               [](const PointMatch& m) { return m.frequency.has_value(); });
+}
+
+std::optional<double> error_of(const PointMatch& match) {
+  if (!match.frequency) return std::nullopt;
+  return std::abs(*match.frequency - match.exact.frequency) / match.exact.frequency;
+}
+
+std::optional<double> largest_error(const CurveComparison& comparison) {
+  std::optional<double> largest;
+  for (const PointMatch& match : comparison.points) {
+    if (const auto error = error_of(match)) largest = std::max(largest.value_or(0.0), *error);
+  }
+  return largest;
+}
+
+}  // namespace signorini

@@ -1,0 +1,59 @@
+#pragma once
+// Which method for whole frequency responses: sums of length for each kind of scene, and the order of
+// methods.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/report/evaluation/scene_groups.hpp"
+#include "harness/responses/response_record.hpp"
+
+namespace signorini {
+
+/// How a method for frequency responses is recommended.
+inline constexpr std::string_view kResponseRule =
+    "Recommended: of the methods of whose own branches at most 5 % are false, over all responses of the "
+    "kind, the one that finds the most of the exact branches; of those that find as much but for 5 "
+    "percentage "
+    "points, the one that takes the least time per length. A response counts as not found where a method "
+    "does "
+    "not apply or represents another law.";
+
+/// The sums of one method over the responses of a kind, by length. Responses of which the method represents
+/// another law add to nothing.
+struct ResponseStanding {
+  std::string label = {};
+  std::ptrdiff_t followed = 0, asked = 0;  ///< responses with a branch, of those that it applies to
+  double found = 0.0;        ///< share of the exact length of all responses, within kCloseTolerance
+  double false_share = 0.0;  ///< of the method's own length, beyond kWideTolerance
+  std::ptrdiff_t located = 0, points = 0, invented = 0;  ///< special points: located, of those there are
+  std::optional<double> largest_error = {};              ///< of their frequencies, relative
+  std::optional<double> seconds = {};                    ///< processor time of all [s]
+  std::optional<double> cost = {};                       ///< the same per length within kWideTolerance [s]
+  bool recommended = false;                              ///< by kResponseRule
+  bool recommended_otherwise = false;  ///< by the same among methods other than kFollowedByArcLength
+};
+
+/// The responses of scenes of a kind, and the methods that represent the law of one of them at least.
+struct ResponseGroup {
+  std::optional<SceneKind> kind = {};  ///< none where the records do not know it
+  std::vector<std::string> scenes = {};
+  /// The recommended ones, then by the share found, largest first, then as in labels_of.
+  std::vector<ResponseStanding> standings = {};
+};
+
+/// Groups by kind, of the responses that a method was compared with.
+std::vector<ResponseGroup> response_groups(std::span<const ResponseRecord> records);
+
+/// "Spring, 5 responses".
+std::string group_title(const ResponseGroup& group);
+
+/// Special points that a comparison finds located, and the largest relative error of their frequencies.
+std::ptrdiff_t located_points(const CurveComparison& comparison);
+std::optional<double> error_of(const PointMatch& match);
+std::optional<double> largest_error(const CurveComparison& comparison);
+
+}  // namespace signorini
