@@ -148,12 +148,27 @@ Eigen::MatrixXd BlockLanczos::projected_start() const {
   return start;
 }
 
+Eigen::MatrixXd BlockLanczos::projected(const SparseMatrix& A) const {
+  Eigen::MatrixXd rows(size_, A.cols());
+  Eigen::Index first = 0;
+  for (const Eigen::MatrixXd& block : basis_) {
+    rows.middleRows(first, block.cols()) = (A.transpose() * block).transpose();
+    first += block.cols();
+  }
+  return rows;
+}
+
 double BlockLanczos::omitted() const { return std::sqrt(omitted_squares_); }
 
 double BlockLanczos::operations_of_growth() const {
   const auto width = static_cast<double>(next_.cols());
   const auto rows = static_cast<double>(P_.rows());
   return width * (4.0 * factors_.entries() + 8.0 * rows * static_cast<double>(size_ + next_.cols()));
+}
+
+RitzPairs ritz_pairs(const BlockLanczos& space) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(space.projected_mass());
+  return {modes.eigenvalues(), modes.eigenvectors()};
 }
 
 }  // namespace signorini

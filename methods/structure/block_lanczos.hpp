@@ -31,6 +31,8 @@ class BlockLanczos {
   [[nodiscard]] bool exhausted() const { return next_.cols() == 0; }
   /// Dimension of the space, without the block that would come next.
   [[nodiscard]] Eigen::Index size() const { return size_; }
+  /// Vectors by which the next growth enlarges it.
+  [[nodiscard]] Eigen::Index width() const { return next_.cols(); }
   /// t = V^T M V, k x k.
   [[nodiscard]] Eigen::MatrixXd projected_mass() const;
   /// r = V^T B, k x m.
@@ -48,6 +50,10 @@ class BlockLanczos {
   [[nodiscard]] double omitted_start() const { return omitted_start_; }
   /// Floating-point operations of the next growth, roughly.
   [[nodiscard]] double operations_of_growth() const;
+  /// V^T A for other columns A, Nd x l; k x l.
+  [[nodiscard]] Eigen::MatrixXd projected(const SparseMatrix& A) const;
+  /// P^{-1} columns, Nd x l.
+  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& columns) { return factors_.solve(columns); }
   /// The Cholesky factors of P.
   [[nodiscard]] const SparseCholesky& factors() const { return factors_; }
 
@@ -71,5 +77,15 @@ class BlockLanczos {
   Eigen::MatrixXd next_;
   Eigen::MatrixXd coupling_;
 };
+
+/// t = V^T M V in its eigenvectors: t U = U diag(values), U^T U = 1. V U / sqrt(value) are the Ritz vectors of
+/// the pencil (P, M), 1 / value its Ritz values.
+struct RitzPairs {
+  Eigen::VectorXd values;   ///< rising, k; of zero or below: rounding, or a direction without mass
+  Eigen::MatrixXd vectors;  ///< U, k x k
+};
+
+/// Of the space so far.
+RitzPairs ritz_pairs(const BlockLanczos& space);
 
 }  // namespace signorini

@@ -1,6 +1,5 @@
 #include "methods/structure/receptance.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -94,9 +93,9 @@ class ReducedModel {
 
   /// t = U diag(theta) U^T: modes of the projection, in whose coordinates every harmonic is diagonal.
   void diagonalise() {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(space_->projected_mass());
-    theta_ = modes.eigenvalues();
-    vectors_ = modes.eigenvectors();
+    RitzPairs modes = ritz_pairs(*space_);
+    theta_ = std::move(modes.values);
+    vectors_ = std::move(modes.vectors);
     rows_ = vectors_.transpose() * space_->projected_start();
     contact_rows_ = rows_.leftCols(contacts_);
     outside_ = space_->coupling() * vectors_.bottomRows(space_->coupling().cols());

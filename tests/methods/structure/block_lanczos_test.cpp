@@ -64,6 +64,30 @@ TEST_F(BlockLanczosOfChain, HoldsTheWholeSpectrumOnceExhausted) {
   EXPECT_EQ(space_.size(), before);
 }
 
+// Of the whole space: t = U theta U^T, and projected columns are those of the start.
+TEST_F(BlockLanczosOfChain, GivesRitzPairsAndProjectsOtherColumns) {
+  const Eigen::MatrixXd start = space_.projected_start();
+  EXPECT_LE((space_.projected(start_) - start).norm(), 1e-12 * start.norm());
+  EXPECT_LE((space_.solve(b_) - p_.llt().solve(b_)).norm(), 1e-11 * b_.norm());
+  const Eigen::Index before = space_.size(), width = space_.width();
+  space_.grow();
+  EXPECT_EQ(space_.size(), before + width);
+  const RitzPairs pairs = ritz_pairs(space_);
+  const Eigen::MatrixXd t = space_.projected_mass();
+  EXPECT_LE((t * pairs.vectors - pairs.vectors * pairs.values.asDiagonal()).norm(), 1e-12 * t.norm());
+  EXPECT_LE((pairs.vectors.transpose() * pairs.vectors - Eigen::MatrixXd::Identity(t.rows(), t.rows())).norm(),
+            1e-12);
+  for (Eigen::Index k = 1; k < pairs.values.size(); ++k)
+    EXPECT_LE(pairs.values[k - 1], pairs.values[k]);
+  // Columns outside the space: (V^T A)^T V^T A is at most A^T P^-1 A.
+  Eigen::MatrixXd others = Eigen::MatrixXd::Zero(24, 2);
+  others(3, 0) = others(17, 1) = 1.0;
+  const Eigen::MatrixXd rows = space_.projected(SparseMatrix(others.sparseView()));
+  const Eigen::MatrixXd missed = others.transpose() * p_.llt().solve(others) - rows.transpose() * rows;
+  EXPECT_GE(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(missed).eigenvalues()[0], -1e-12);
+  EXPECT_GT(missed.norm(), 1e-6);
+}
+
 TEST_F(BlockLanczosOfChain, LeavesOutWhatOnlyRepeatsADirection) {
   SparseMatrix twice(24, 4);
   for (int j = 0; j < 4; ++j) {

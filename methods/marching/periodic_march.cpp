@@ -1,0 +1,157 @@
+#include "methods/marching/periodic_march.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "methods/solvers/anderson_acceleration.hpp"
+#include "methods/solvers/newton_krylov.hpp"
+
+namespace signorini {
+
+namespace {
+
+// Of a Newton step, relative to its residual: the sets are frozen, so that more would be wasted.
+constexpr double kMarchKrylovTolerance = 1e-3;
+constexpr int kAndersonDepth = 15;  // of Anderson's acceleration
+// Of Newton's method. Where sets change along a step, a short one may still gain a little and lead on.
+constexpr int kMarchNewtonSteps = 25;
+constexpr int kMarchHalvings = 8;
+constexpr double kMarchDecrease = 1e-2;
+// How much longer the attempts are that are repeated at the very end.
+constexpr int kPatience = 4;
+
+double relative_defect(double difference, const Eigen::VectorXd& state) {
+  const double scale = state.norm();
+  return difference == 0.0 ? 0.0 : difference / std::max(scale, std::numeric_limits<double>::min());
+}
+
+/// Y - P(Y) = 0 as Newton's method sees it.
+class PeriodMapSystem {
+ public:
+  explicit PeriodMapSystem(ContactMarch& march) : march_(march) {}
+
+  Eigen::VectorXd residual(const Eigen::VectorXd& state) { return state - march_.period(state); }
+
+  KrylovSolve solve_jacobian(const Eigen::VectorXd& value) {
+    return solve_by_gmres(
+        [&](const Eigen::VectorXd& v) { return Eigen::VectorXd(v - march_.tangent(v)); },
+        [](const Eigen::VectorXd& v) { return v; }, value, kMarchKrylovTolerance);
+  }
+
+  static double error(const Eigen::VectorXd& state, const Eigen::VectorXd& value) {
+    return relative_defect(value.norm(), state);
+  }
+
+ private:
+  ContactMarch& march_;
+};
+
+/// The attempts on one march, one after another.
+class PeriodicSearch {
+ public:
+  PeriodicSearch(ContactMarch& march, const PeriodicMarchSettings& settings, Eigen::VectorXd state)
+      : march_(march), settings_(settings), state_(std::move(state)) {}
+
+  void march(int periods) {
+    for (int period = 0; period < periods && !late(); ++period) {
+      const Eigen::VectorXd next = march_.period(state_);
+      if (!next.allFinite()) return;
+      state_ = next;
+    }
+  }
+
+  bool newton(const Eigen::VectorXd& from, MarchedBy by) {
+    if (late()) return false;
+    PeriodMapSystem system(march_);
+    const NewtonKrylovResult newton =
+        solve_newton_krylov(system, from, settings_.tolerance,
+                            {.max_steps = kMarchNewtonSteps,
+                             .max_halvings = kMarchHalvings,
+                             .sufficient_decrease = kMarchDecrease,
+                             .deadline = settings_.deadline});
+    newton_steps_ += newton.iterations;
+    return judge(newton.unknowns, by);
+  }
+
+  bool anderson(int periods) {
+    AndersonAcceleration acceleration(kAndersonDepth);
+    Eigen::VectorXd state = state_;
+    for (int period = 0; period < periods && !late(); ++period) {
+      const Eigen::VectorXd next = march_.period(state);
+      if (!next.allFinite()) return false;
+      if (relative_defect((next - state).norm(), state) <= settings_.tolerance)
+        return judge(state, MarchedBy::anderson);
+      state = acceleration.next(state, next);
+    }
+    return false;
+  }
+
+  [[nodiscard]] PeriodicMarch result() && {
+    result_.newton_steps = newton_steps_;
+    result_.work = march_.work();
+    return std::move(result_);
+  }
+
+  [[nodiscard]] const Eigen::VectorXd& state() const { return state_; }
+
+ private:
+  [[nodiscard]] bool late() const { return std::chrono::steady_clock::now() > settings_.deadline; }
+
+  // One more period from there, which is kept: motion and forces belong to the state.
+  bool judge(const Eigen::VectorXd& state, MarchedBy by) {
+    const Eigen::VectorXd next = march_.period(state);
+    const double residual = relative_defect((next - state).norm(), state);
+    const bool found = residual <= settings_.tolerance;
+    result_ = {.by = found ? by : MarchedBy::nothing,
+               .residual = residual,
+               .state = state,
+               .motion = march_.motion(),
+               .force = march_.force(),
+               .newton_steps = 0,
+               .work = {}};
+    return found;
+  }
+
+  ContactMarch& march_;
+  const PeriodicMarchSettings& settings_;
+  Eigen::VectorXd state_;
+  PeriodicMarch result_;
+  int newton_steps_ = 0;
+};
+
+PeriodicMarch searched(PeriodicSearch search, const PeriodicMarchSettings& settings, const Eigen::VectorXd& free) {
+  if (search.newton(search.state(), MarchedBy::newton)) return std::move(search).result();
+  for (const int patience : {1, kPatience}) {
+    search.march(patience * settings.further_periods);
+    if (search.newton(search.state(), MarchedBy::more_periods) ||
+        search.anderson(patience * settings.accelerated_periods))
+      break;
+    if (patience == 1 && search.newton(free, MarchedBy::free_start)) break;
+  }
+  return std::move(search).result();
+}
+
+}  // namespace
+
+std::string_view describe(MarchedBy by) {
+  constexpr std::array<std::string_view, 5> kWords{
+      "Newton's method after a few periods", "Newton's method after many periods",
+      "Anderson's acceleration", "Newton's method from the motion without contact", "no periodic motion"};
+  return kWords[static_cast<std::size_t>(by)];
+}
+
+PeriodicMarch march_to_periodic_motion(ContactMarch& march, const PeriodicMarchSettings& settings) {
+  PeriodicSearch search(march, settings, Eigen::VectorXd::Zero(march.size()));
+  search.march(settings.periods);
+  return searched(std::move(search), settings, march.free_state());
+}
+
+PeriodicMarch march_from(ContactMarch& march, const Eigen::VectorXd& state,
+                         const PeriodicMarchSettings& settings) {
+  return searched(PeriodicSearch(march, settings, state), settings, march.free_state());
+}
+
+}  // namespace signorini
