@@ -30,8 +30,8 @@ Eigen::VectorXd step_response(const ContactReduction& reduction, double sigma) {
 Eigen::MatrixXd step_compliance(const ContactReduction& reduction, const MarchGrid& grid) {
   const double sigma = sigma_of(grid);
   const Eigen::MatrixXd weighted = step_response(reduction, sigma).asDiagonal() * reduction.rows;
-  Eigen::MatrixXd G = reduction.rows.transpose() * weighted +
-                      reduction.compliance / (1.0 + reduction.damping.beta * sigma);
+  Eigen::MatrixXd G =
+      reduction.rows.transpose() * weighted + reduction.compliance / (1.0 + reduction.damping.beta * sigma);
   G.diagonal() += grid.compliance;
   return 0.5 * (G + G.transpose());
 }
@@ -116,8 +116,7 @@ void ContactMarch::advance_freely(const History& history, const Eigen::VectorXd&
   const auto h_q = history_part_.head(modes_), h_p = history_part_.segment(modes_, modes_);
   next_.resize(part_);
   next_.head(modes_) =
-      (response_.array() * (h_p.array() + load.array() + (sigma_ + damping_.array()) * h_q.array()))
-          .matrix();
+      (response_.array() * (h_p.array() + load.array() + (sigma_ + damping_.array()) * h_q.array())).matrix();
   xi_ = relax_ * shift;
   if (relaxing_ > 0) xi_ += (relax_ * reduction_.damping.beta) * history_part_.tail(relaxing_);
 }
@@ -154,8 +153,7 @@ Eigen::VectorXd ContactMarch::period(const Eigen::VectorXd& state) {
     }
     const std::vector<int>& set = contacts_.set();
     push_.resize(static_cast<Eigen::Index>(set.size()));
-    for (std::size_t j = 0; j < set.size(); ++j)
-      push_[static_cast<Eigen::Index>(j)] = -contacts_.z()[set[j]];
+    for (std::size_t j = 0; j < set.size(); ++j) push_[static_cast<Eigen::Index>(j)] = -contacts_.z()[set[j]];
     press(set);
     next_.segment(modes_, modes_) = sigma_ * next_.head(modes_) - history_part_.head(modes_);
     if (relaxing_ > 0) next_.tail(relaxing_) = xi_;

@@ -36,9 +36,8 @@ class PeriodMapSystem {
   Eigen::VectorXd residual(const Eigen::VectorXd& state) { return state - march_.period(state); }
 
   KrylovSolve solve_jacobian(const Eigen::VectorXd& value) {
-    return solve_by_gmres(
-        [&](const Eigen::VectorXd& v) { return Eigen::VectorXd(v - march_.tangent(v)); },
-        [](const Eigen::VectorXd& v) { return v; }, value, kMarchKrylovTolerance);
+    return solve_by_gmres([&](const Eigen::VectorXd& v) { return Eigen::VectorXd(v - march_.tangent(v)); },
+                          [](const Eigen::VectorXd& v) { return v; }, value, kMarchKrylovTolerance);
   }
 
   static double error(const Eigen::VectorXd& state, const Eigen::VectorXd& value) {
@@ -66,12 +65,11 @@ class PeriodicSearch {
   bool newton(const Eigen::VectorXd& from, MarchedBy by) {
     if (late()) return false;
     PeriodMapSystem system(march_);
-    const NewtonKrylovResult newton =
-        solve_newton_krylov(system, from, settings_.tolerance,
-                            {.max_steps = kMarchNewtonSteps,
-                             .max_halvings = kMarchHalvings,
-                             .sufficient_decrease = kMarchDecrease,
-                             .deadline = settings_.deadline});
+    const NewtonKrylovResult newton = solve_newton_krylov(system, from, settings_.tolerance,
+                                                          {.max_steps = kMarchNewtonSteps,
+                                                           .max_halvings = kMarchHalvings,
+                                                           .sufficient_decrease = kMarchDecrease,
+                                                           .deadline = settings_.deadline});
     newton_steps_ += newton.iterations;
     return judge(newton.unknowns, by);
   }
@@ -122,7 +120,8 @@ class PeriodicSearch {
   int newton_steps_ = 0;
 };
 
-PeriodicMarch searched(PeriodicSearch search, const PeriodicMarchSettings& settings, const Eigen::VectorXd& free) {
+PeriodicMarch searched(PeriodicSearch search, const PeriodicMarchSettings& settings,
+                       const Eigen::VectorXd& free) {
   if (search.newton(search.state(), MarchedBy::newton)) return std::move(search).result();
   for (const int patience : {1, kPatience}) {
     search.march(patience * settings.further_periods);
@@ -138,8 +137,8 @@ PeriodicMarch searched(PeriodicSearch search, const PeriodicMarchSettings& setti
 
 std::string_view describe(MarchedBy by) {
   constexpr std::array<std::string_view, 5> kWords{
-      "Newton's method after a few periods", "Newton's method after many periods",
-      "Anderson's acceleration", "Newton's method from the motion without contact", "no periodic motion"};
+      "Newton's method after a few periods", "Newton's method after many periods", "Anderson's acceleration",
+      "Newton's method from the motion without contact", "no periodic motion"};
   return kWords[static_cast<std::size_t>(by)];
 }
 

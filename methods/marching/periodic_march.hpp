@@ -11,9 +11,9 @@ namespace signorini {
 
 /// How hard a periodic motion is looked for.
 struct PeriodicMarchSettings {
-  double tolerance = 1e-10;      ///< on PeriodicMarch::residual, above the rounding of a period [-]
-  int periods = 15;              ///< marched before Newton's method is tried, >= 0 [-]
-  int further_periods = 60;      ///< marched where it fails, before it is tried again, >= 0 [-]
+  double tolerance = 1e-10;       ///< on PeriodicMarch::residual, above the rounding of a period [-]
+  int periods = 15;               ///< marched before Newton's method is tried, >= 0 [-]
+  int further_periods = 60;       ///< marched where it fails, before it is tried again, >= 0 [-]
   int accelerated_periods = 150;  ///< of Anderson's acceleration where it fails again, >= 0 [-]
   /// The end of the time budget.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();

@@ -21,8 +21,8 @@ constexpr Eigen::Index kMostStored = 20'000'000;
 Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& G) {
   const Eigen::LLT<Eigen::MatrixXd> factor(G);
   // rcond() of a factorisation that failed means nothing.
-  const bool regular = factor.info() == Eigen::Success &&
-                       factor.rcond() > 16.0 * std::numeric_limits<double>::epsilon();
+  const bool regular =
+      factor.info() == Eigen::Success && factor.rcond() > 16.0 * std::numeric_limits<double>::epsilon();
   if (regular) return factor.solve(Eigen::MatrixXd::Identity(G.rows(), G.cols()));
   return G.completeOrthogonalDecomposition().pseudoInverse();
 }

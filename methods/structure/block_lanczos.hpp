@@ -78,8 +78,8 @@ class BlockLanczos {
   Eigen::MatrixXd coupling_;
 };
 
-/// t = V^T M V in its eigenvectors: t U = U diag(values), U^T U = 1. V U / sqrt(value) are the Ritz vectors of
-/// the pencil (P, M), 1 / value its Ritz values.
+/// t = V^T M V in its eigenvectors: t U = U diag(values), U^T U = 1. V U / sqrt(value) are the Ritz vectors
+/// of the pencil (P, M), 1 / value its Ritz values.
 struct RitzPairs {
   Eigen::VectorXd values;   ///< rising, k; of zero or below: rounding, or a direction without mass
   Eigen::MatrixXd vectors;  ///< U, k x k

@@ -95,8 +95,7 @@ Eigen::MatrixXd static_compliance(BlockLanczos& space, const SparseMatrix& B) {
 ReductionSettings chosen(ReductionSettings settings, Eigen::Index contacts, Eigen::Index loads) {
   const auto columns = static_cast<int>(contacts + loads);
   if (settings.basis == ReductionBasis::automatic) {
-    settings.basis =
-        kPowers * columns <= kMostOfPowers ? ReductionBasis::krylov : ReductionBasis::modes;
+    settings.basis = kPowers * columns <= kMostOfPowers ? ReductionBasis::krylov : ReductionBasis::modes;
   }
   if (settings.vectors <= 0) {
     settings.vectors =
@@ -189,6 +188,26 @@ ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSetti
   const bool whole = space.exhausted() || space.size() >= most;
   result.complete = whole && (krylov || space.size() <= asked.vectors);
   keep_lowest(projection, loads, krylov ? space.size() : asked.vectors, result);
+  return result;
+}
+
+CondensedStructure condensed(const ContactReduction& reduction) {
+  const auto diagonal = [](const Eigen::VectorXd& entries) {
+    return SparseMatrix(Eigen::MatrixXd(entries.asDiagonal()).sparseView());
+  };
+  const auto [alpha, beta] = reduction.damping;
+  CondensedStructure result;
+  result.obstacle = reduction.obstacle;
+  if (!result.obstacle.empty()) return result;
+  result.mass = diagonal(Eigen::VectorXd::Ones(reduction.vectors()));
+  result.damping = diagonal((alpha + beta * reduction.squares.array()).matrix());
+  result.stiffness = diagonal(reduction.squares);
+  result.normals = reduction.rows.sparseView();
+  result.massless_compliance = reduction.compliance;
+  result.relaxation = reduction.compliance.isZero(0.0) ? 0.0 : beta;
+  result.rates = reduction.rates;
+  result.load = reduction.load;
+  result.shift = reduction.shift;
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "methods/discretisation/symbols.hpp"
+#include "methods/structure/condensation.hpp"
 #include "methods/structure/receptance.hpp"
 #include "problems/matrix_properties.hpp"
 #include "problems/problem.hpp"
@@ -71,6 +72,10 @@ struct ReductionSettings {
 ///
 /// An obstacle: damping that is not proportional, K not positive definite, neither contacts nor loads.
 ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSettings& settings = {});
+
+/// The reduction in the form of a condensed structure: M = 1, D = alpha + beta omega^2, K = omega^2, N the
+/// rows, relaxing with beta. `kept` is empty, for its coordinates are none of the scene.
+CondensedStructure condensed(const ContactReduction& reduction);
 
 /// C_n and free response of the reduced structure, n = 0..H:
 ///

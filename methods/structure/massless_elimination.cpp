@@ -51,7 +51,8 @@ MasslessElimination eliminate_massless(const Problem& problem) {
   using Complex = std::complex<double>;
   MasslessElimination result;
   split_by_mass(problem.mass(), result);
-  const SparseMatrix i = coordinate_selection(result.kept, problem.size()), b = coordinate_selection(result.massless, problem.size());
+  const SparseMatrix i = coordinate_selection(result.kept, problem.size()),
+                     b = coordinate_selection(result.massless, problem.size());
   const SparseMatrix W = contact_directions(problem);
   SparseMatrix K_bi;
   Eigen::SimplicialLDLT<SparseMatrix> stiffness;

@@ -132,11 +132,12 @@ TEST_P(MarchOfAWholeStructure, IsThatOfItsCoordinates) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, MarchOfAWholeStructure,
-    testing::Values(MarchCase{"a massless bar that relaxes", test::massless_bar({.alpha = 0.2, .beta = 0.005}, 12)},
-                    MarchCase{"a massless bar without damping of its stiffness", test::massless_bar({.alpha = 0.3}, 12)},
-                    MarchCase{"three coupled contacts that relax", three_contacts(3, {.alpha = 0.1, .beta = 0.05})},
-                    MarchCase{"three coupled contacts", three_contacts(5, {.alpha = 0.1})},
-                    MarchCase{"a spring stop", sprung_chain()}));
+    testing::Values(
+        MarchCase{"a massless bar that relaxes", test::massless_bar({.alpha = 0.2, .beta = 0.005}, 12)},
+        MarchCase{"a massless bar without damping of its stiffness", test::massless_bar({.alpha = 0.3}, 12)},
+        MarchCase{"three coupled contacts that relax", three_contacts(3, {.alpha = 0.1, .beta = 0.05})},
+        MarchCase{"three coupled contacts", three_contacts(5, {.alpha = 0.1})},
+        MarchCase{"a spring stop", sprung_chain()}));
 
 class MarchOfTheBlock : public testing::Test {
  protected:

