@@ -37,6 +37,18 @@ double shortest_phase(const ExtendedEquations& equations, int contact) {
   return shortest;
 }
 
+// The later of event i and that of its contact before or behind it, whichever is nearer; empty where others
+// lie between them.
+std::optional<Eigen::Index> nearer_event(const SequencedOrbit& orbit, Eigen::Index i) {
+  const auto gap = [&](Eigen::Index later) {
+    const bool pair = later > 0 && later < orbit.count() &&
+                      event_of(orbit, later).contact == event_of(orbit, later - 1).contact;
+    return pair ? orbit.phase(later) - orbit.phase(later - 1) : orbit.end();
+  };
+  const Eigen::Index nearer = gap(i) < gap(i + 1) ? i : i + 1;
+  return gap(nearer) < orbit.end() ? std::optional(nearer) : std::nullopt;
+}
+
 ChangeOfSequence begin_phase(OrbitFamily& family, const SequencedOrbit& orbit, const OrbitGuard& guard) {
   constexpr double kBrief = 1e-3;  // a fold or a doubling can lie next to the beginning
   const int contact = guard.index;
@@ -75,6 +87,7 @@ ChangeOfSequence exchange(OrbitFamily& family, const SequencedOrbit& orbit, Eige
       [i](const ExtendedEquations& at) { return at.orbit().phase(i) - at.orbit().phase(i - 1); },
       "events of two contacts exchanged");
   if (!start) return {.obstacle = "the orbit cannot be evaluated"};
+  start->exchanges = true;
   return {.start = std::move(start)};
 }
 
@@ -162,11 +175,9 @@ ChangeOfSequence past_change(OrbitFamily& family, const TracedCurve& curve) {
       if (guard.index > 0) return past_coincidence(family, orbit, guard.index, dynamics);
       break;
     case GuardKind::approach: {
-      // A closing without a speed: its phase of contact has no length.
-      const Eigen::Index next = guard.index + 1;
-      if (!rigid && next < orbit.count() &&
-          event_of(orbit, next).contact == event_of(orbit, guard.index).contact)
-        return end_phase(family, orbit, next);
+      // A closing without a speed: its phase of contact has no length, or the interruption before it.
+      const auto met = rigid ? std::nullopt : nearer_event(orbit, guard.index);
+      if (met) return end_phase(family, orbit, *met);
       break;
     }
     case GuardKind::release:

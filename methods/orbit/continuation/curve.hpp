@@ -43,6 +43,8 @@ struct CurveStart {
   std::string origin;                    ///< why there, one clause
   LeftBranch leaves = LeftBranch::none;  ///< that also goes through the start
   double first_step_share = 1.0;         ///< of CurveOptions::first_step [-]
+  /// Two events that coincide there follow each other the other way round than on the branch that was left.
+  bool exchanges = false;
 };
 
 /// A branch, and where it may be left.

@@ -142,9 +142,15 @@ class DiagramTracer {
   // A branch that has been traced ends here, or began.
   bool is_an_end(const CurveStart& start) {
     ExtendedEquations equations(family_, start.orbit);
+    if (!equations.evaluate(start.orbit.x)) return false;
+    const OrbitMark mark = mark_of(equations);
+    // The branch that was left ends at this very orbit, with its events the other way round.
+    if (start.exchanges)
+      return std::any_of(ends_.begin(), ends_.end(), [&](const OrbitMark& end) {
+        return mark.same(end) && mark.order_of_events == end.order_of_events;
+      });
     // A doubled branch ends beside its doubling, not at it.
-    return equations.evaluate(start.orbit.x) &&
-           contains(ends_, mark_of(equations), start.leaves == LeftBranch::repetition);
+    return contains(ends_, mark, start.leaves == LeftBranch::repetition);
   }
   void end_here(const SequencedOrbit& orbit) {
     ExtendedEquations equations(family_, orbit);

@@ -46,6 +46,16 @@ std::vector<bool> last_impacts(const ExtendedEquations& equations) {
   return last;
 }
 
+// A period may be said to begin at any of its events.
+std::vector<int> least_rotation(const std::vector<int>& events) {
+  std::vector<int> least = events, rotated = events;
+  for (std::size_t i = 1; i < events.size(); ++i) {
+    std::rotate(rotated.begin(), rotated.begin() + 1, rotated.end());
+    least = std::min(least, rotated);
+  }
+  return least;
+}
+
 }  // namespace
 
 OrbitMark mark_of(const ExtendedEquations& equations) {
@@ -57,6 +67,8 @@ OrbitMark mark_of(const ExtendedEquations& equations) {
     if (tail[i]) continue;
     mark.events.emplace_back(3 * orbit.events[i].contact + static_cast<int>(orbit.events[i].kind), speed);
   }
+  for (const auto& [event, speed] : mark.events) mark.order_of_events.push_back(event);
+  mark.order_of_events = least_rotation(mark.order_of_events);
   std::sort(mark.events.begin(), mark.events.end());
   return mark;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "problems/scene/scene_file.hpp"
 #include "tests/methods/orbit/continuation/diagrams.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
@@ -75,6 +76,58 @@ TEST(PastChange, PassesTheTwoMassesOfNlvib) {
     EXPECT_EQ(folds, 2) << from;
     EXPECT_EQ(diagram.branches.size(), 3U) << from;
   }
+}
+
+// Three massless contacts on a beam. Among the first changes after the contact-free motion are interruptions
+// of contact that fade, and two events that exchange their order.
+TEST(PastChange, LeadsThroughTheChangesOfThreeContacts) {
+  constexpr int kBranches = 16;
+  const BranchDiagram diagram = diagram_of(load_scene(find_scene("beam20-three-stops")), 4.0, 5.5,
+                                           {.max_order = 1, .max_branches = kBranches});
+  EXPECT_TRUE(diagram.notes.empty()) << diagram.notes.front();
+  ASSERT_EQ(diagram.branches.size(), static_cast<std::size_t>(kBranches));
+  int ended_phases = 0, exchanged = 0;
+  for (std::size_t i = 0; i + 1 < diagram.branches.size(); ++i) {
+    const std::string& ended = diagram.branches[i].ended;
+    if (ended.find("fades") != std::string::npos || ended.find("meet") != std::string::npos) ++ended_phases;
+    if (ended.find("coincide") != std::string::npos) ++exchanged;
+    // The next branch goes on from there.
+    EXPECT_NEAR(diagram.branches[i].points.back().parameter, diagram.branches[i + 1].points.front().parameter,
+                1e-9)
+        << ended;
+    EXPECT_NEAR(diagram.branches[i].points.back().amplitude[0],
+                diagram.branches[i + 1].points.front().amplitude[0], 1e-9);
+  }
+  EXPECT_GE(ended_phases, 3);
+  EXPECT_EQ(exchanged, 1);
+  EXPECT_GT(diagram.branches.back().points.back().parameter, 4.55);
+}
+
+// Where an interruption of contact ends, the closing behind it has no speed. Which of the two guards is met
+// first is rounding, and both lead to the same motion.
+TEST(PastChange, EndsAnInterruptionWhicheverOfItsGuardsIsMet) {
+  OrbitFamily family(over_frequency(load_scene(find_scene("beam20-three-stops")), 4.0, 5.5));
+  const auto lower = [](const ExtendedEquations& at) { return -at.parameter(); };
+  std::optional<CurveStart> start =
+      start_where_grows(family, contact_free_orbit(family, 5.5).value(), lower, "contact-free");
+  TracedCurve curve;
+  for (int k = 0; k < 4; ++k) {
+    ASSERT_TRUE(start) << k;
+    curve = trace_curve(family, *start, {});
+    ASSERT_TRUE(curve.guard) << curve.branch.ended;
+    start = past_change(family, curve).start;
+  }
+  ASSERT_EQ(curve.guard->kind, GuardKind::interval) << curve.branch.ended;
+  const auto later = static_cast<std::size_t>(curve.guard->index);
+  ASSERT_EQ(curve.last.events[later].kind, ContactEvent::Kind::close);  // an interruption
+  curve.guard->kind = GuardKind::approach;
+  const ChangeOfSequence change = past_change(family, curve);
+  ASSERT_TRUE(change.start) << change.obstacle;
+  EXPECT_EQ(change.start->orbit.events.size(), start->orbit.events.size());
+  EXPECT_LT((change.start->orbit.x - start->orbit.x).norm(), 1e-12);
+  ExtendedEquations equations(family, change.start->orbit);
+  ASSERT_TRUE(equations.evaluate(change.start->orbit.x));
+  EXPECT_LT(equations.residual().norm(), 1e-9);
 }
 
 // Without restitution the impact turns into a phase of sticking, which ends as the closed form says.
