@@ -172,7 +172,7 @@ double uniform(std::mt19937_64& generator) { return static_cast<double>(generato
 FlowState random_state(OrbitModel& model, std::mt19937_64& generator, const SearchOptions& options) {
   const ContactDynamics& dynamics = model.dynamics;
   const double size = std::pow(10.0, 2.0 * uniform(generator) - 1.0);
-  State state{.u = Eigen::VectorXd(dynamics.size()), .v = Eigen::VectorXd(dynamics.size())};
+  State state = dynamics.at_rest();
   for (double& u : state.u) u = size * dynamics.scales().displacement * (2.0 * uniform(generator) - 1.0);
   for (double& v : state.v) v = size * dynamics.scales().velocity * (2.0 * uniform(generator) - 1.0);
   const double time = dynamics.structure().forcing_period * uniform(generator);

@@ -171,7 +171,7 @@ class PreparedExactOrbit final : public PreparedMethod {
 
   Solution finish() {
     Solution solution{.work = progress_.work};
-    if (progress_.finder) solution.work.unknowns = 2L * progress_.finder->model()->dynamics.size();
+    if (progress_.finder) solution.work.unknowns = progress_.finder->model()->dynamics.states();
     solution.message = fmt::format("no exact orbit: {}", fmt::join(progress_.tried, "; "));
     if (!progress_.best) return solution;
     const ExactOrbit& orbit = progress_.best->orbit;

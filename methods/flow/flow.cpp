@@ -17,6 +17,8 @@ EventFlow::EventFlow(const ContactDynamics& dynamics, double tolerance, std::fun
     auto events = std::make_unique<RigidEvents>(dynamics, tolerance);
     rebound_ = std::make_unique<TaylorStretch>(dynamics, events->touch());
     events_ = std::move(events);
+  } else if (dynamics.structure().relaxing() > 0) {
+    events_ = std::make_unique<RelaxingEvents>(dynamics, tolerance);
   } else {
     events_ = std::make_unique<CompliantEvents>(dynamics, tolerance);
   }
@@ -102,7 +104,7 @@ void EventFlow::advance(FlowState& flow, double duration, FlowRecord& record) {
   // What is left of the duration by rounding of the time itself is no stretch.
   const double shortest = 16.0 * kEpsilon * (std::abs(end) + duration);
   if (record.tangent && record.derivative.size() == 0) {
-    record.derivative = Eigen::MatrixXd::Identity(2 * dynamics_.size(), 2 * dynamics_.size());
+    record.derivative = Eigen::MatrixXd::Identity(dynamics_.states(), dynamics_.states());
   }
   for (int events = 0; end - flow.time > shortest; ++events) {
     if (events > kMaxEvents)

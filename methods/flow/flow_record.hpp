@@ -40,7 +40,7 @@ struct FlowRecord {
   std::vector<ContactEvent> events;
   std::vector<SequenceEvent> sequence;  ///< the same, event by event
   std::vector<FlowNode> nodes;          ///< in time order; two at each event, one for either side
-  Eigen::MatrixXd derivative;           ///< 2 Nd x 2 Nd, of (u, v)
+  Eigen::MatrixXd derivative;           ///< Ns x Ns, of (u, xi, v)
 };
 
 /// What separates events from noise in a flow of this tolerance, relative to the scales of the motion [-]:

@@ -16,22 +16,21 @@ double local_tolerance(double tolerance) {
 }
 
 Eigen::VectorXd absolute_tolerances(const ContactDynamics& dynamics, double tolerance) {
-  Eigen::VectorXd result(2 * dynamics.size());
-  result.head(dynamics.size()).setConstant(tolerance * dynamics.scales().displacement);
+  Eigen::VectorXd result(dynamics.states());
+  result.head(dynamics.positions()).setConstant(tolerance * dynamics.scales().displacement);
   result.tail(dynamics.size()).setConstant(tolerance * dynamics.scales().velocity);
   return result;
-}
-
-State unpacked(const Eigen::VectorXd& y) {
-  const Eigen::Index n = y.size() / 2;
-  return {.u = y.head(n), .v = y.tail(n)};
 }
 
 }  // namespace
 
 void StateStretch::state(double time, State& state) const {
   evaluate(time, y_);
-  state = unpacked(y_);
+  state = unpacked();
+}
+
+State StateStretch::unpacked() const {
+  return {.u = y_.head(dynamics_.positions()), .v = y_.tail(dynamics_.size())};
 }
 
 Guard StateStretch::guard(int contact, double time) const {
@@ -46,12 +45,10 @@ Guard StateStretch::guard(int contact, double time) const {
 
 std::vector<Guard> StateStretch::guards(double time) const {
   evaluate(time, y_);
-  const Eigen::Index n = y_.size() / 2;
   const FlowStructure& structure = dynamics_.structure();
   const int contacts = structure.contact_count();
-  Eigen::VectorXd x = structure.unloaded(time, y_.head(n), 0), v = structure.unloaded(time, y_.tail(n), 1);
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(contacts), rate = force;  // lambda, d lambda / dt
-  if (!mode_->active.empty()) dynamics_.stops().forces(*mode_, time, unpacked(y_), x, v, force, rate);
+  Eigen::VectorXd x, v, force, rate;  // rate: d lambda / dt
+  dynamics_.stops().forces(*mode_, time, unpacked(), x, v, force, rate);
   std::vector<Guard> result(static_cast<std::size_t>(contacts));
   for (int j = 0; j < contacts; ++j) {
     result[static_cast<std::size_t>(j)] = {.value = structure.gaps[j] - x[j], .rate = -v[j]};
@@ -73,9 +70,7 @@ CvodeStretch::CvodeStretch(const ContactDynamics& dynamics, double tolerance, Mu
       session_(
           local_tolerance(tolerance), absolute_tolerances(dynamics, local_tolerance(tolerance)),
           [this](double time, const Eigen::Ref<const Eigen::VectorXd>& y, Eigen::Ref<Eigen::VectorXd> rate) {
-            const Eigen::Index n = y.size() / 2;
-            rate.head(n) = y.tail(n);
-            dynamics_.acceleration(*mode_, time, y.head(n), y.tail(n), rate.tail(n));
+            dynamics_.rate(*mode_, time, y, rate);
           },
           multistep) {}
 
@@ -85,7 +80,7 @@ void CvodeStretch::start(const ContactMode& mode, const FlowState& flow, double 
   begin_ = end_ = flow.time;
   stop_ = end;
   const FlowStructure& structure = dynamics_.structure();
-  first_.resize(2 * dynamics_.size());
+  first_.resize(dynamics_.states());
   first_ << flow.state.u, flow.state.v;
   stepped_ = false;
   session_.start(flow.time, first_, end,

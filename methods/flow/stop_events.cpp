@@ -21,9 +21,16 @@ void StopEvents::decide(double time, const State& state, const std::vector<Order
     if (std::find(held.begin(), held.end(), false) == held.end()) return;
     // u^(k) is that of the contacts closed so far: at rigid stops their force is part of it, and z of a held
     // contact only what the ones still to close change about it.
+    // Where contacts relax, the derivative of x is known two orders below that of u.
+    const bool relaxing = structure.relaxing() > 0;
     const MotionDerivatives motion =
-        dynamics_.derivatives(dynamics_.mode(closed), time, state, std::max(2, order));
-    Eigen::VectorXd gap = -structure.unloaded(time, motion.u.col(order), order);
+        dynamics_.derivatives(dynamics_.mode(closed), time, state, std::max(2, order) + (relaxing ? 2 : 0));
+    Eigen::VectorXd gap;
+    if (relaxing) {
+      gap = -structure.relaxation * motion.x.col(order);
+    } else {
+      gap = -structure.unloaded(time, motion.u.col(order), order);
+    }
     if (order == 0) gap += structure.gaps;
     const Eigen::MatrixXd A = dynamics_.stops().coupling()(involved, involved);
     const Eigen::VectorXd q = gap(involved);

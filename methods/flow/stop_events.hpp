@@ -11,7 +11,7 @@
 
 namespace signorini {
 
-/// The law of contact at the instants where a mode ends: RigidEvents or CompliantEvents.
+/// The law of contact at the instants where a mode ends: RigidEvents, CompliantEvents or RelaxingEvents.
 class StopEvents {
  public:
   virtual ~StopEvents() = default;
@@ -39,9 +39,10 @@ class StopEvents {
   ///     w = A z + q >= 0,   z >= 0,   w z = 0,   z = -d^k lambda / dt^k,   A = Stops::coupling,
   ///
   /// with the contacts closed so far as equalities w = 0; -q is the k-th derivative of W^T u + s - g without
-  /// the forces of the others. A contact with z > floor closes, one with w > floor stays open, and the others
-  /// are left to the next order. Undecided after the last one: open.
-  /// \throws FlowError if there is no solution (only possible where contacts depend on each other)
+  /// the forces of the others. Where contacts relax, z is a derivative less, and q is that of beta (g - x). A
+  /// contact with z > floor closes, one with w > floor stays open, and the others are left to the next order.
+  /// Undecided after the last one: open. \throws FlowError if there is no solution (only possible where
+  /// contacts depend on each other)
   void decide(double time, const State& state, const std::vector<Order>& orders, std::vector<bool> undecided,
               std::vector<bool>& closed) const;
 
@@ -134,6 +135,38 @@ class CompliantEvents final : public StopEvents {
 
  private:
   std::vector<Order> orders_;  // of gap, speed and acceleration
+};
+
+/// At relaxing stops (behind damped coordinates without mass) a contact that closes is stopped without an
+/// impulse: the state is continuous, and the forces of all contacts at their stops jump to the solution of
+///
+///     -(a + G lambda) >= 0,   lambda <= 0,   complementary,   G = C / beta,
+///
+/// a = W^T v + (s - xi) / beta their speeds without forces; a single one takes lambda = -a / G. So one may
+/// open where another closes. Where the solution has contacts with neither speed nor force, the second
+/// derivatives of x decide, with lambda'. A contact opens where its force vanishes, and no force jumps.
+class RelaxingEvents final : public StopEvents {
+ public:
+  /// \param tolerance  of the integration, relative to the scales of the motion [-]
+  RelaxingEvents(const ContactDynamics& dynamics, double tolerance);
+
+  /// The state with the contacts beyond their stops moved back, by the smallest impulses xi takes for that,
+  /// and the contacts that push. \throws FlowError
+  [[nodiscard]] FlowState place(double time, const State& state) const override;
+  /// The contacts that push after the guard of `trigger` has vanished. Logs every change; where the record
+  /// asks for it, multiplies its derivative by the saltation matrix I + (F+ - F-) n^T / x'_- of a closing, n
+  /// the gradient of x, F = (v, xi', a) on each side, and takes away what the next mode does not admit.
+  void resolve(FlowState& flow, int trigger, FlowRecord& record) const override;
+  /// x_A = g_A at closed contacts, by xi in the direction C_A that a force moves it.
+  void hold(State& state, const ContactMode& mode) const override;
+
+ private:
+  [[nodiscard]] Eigen::VectorXd rates(const FlowState& flow) const;
+  void pass(const FlowState& after, const Eigen::VectorXd& before, int trigger,
+            Eigen::MatrixXd& derivative) const;
+
+  double touch_;               // gap that counts as none [m]
+  std::vector<Order> orders_;  // of speed and acceleration
 };
 
 }  // namespace signorini

@@ -93,13 +93,15 @@ class StateStretch : public Stretch {
  protected:
   /// \param dynamics  of the scene, kept by the caller
   StateStretch(const ContactDynamics& dynamics, double noise) : Stretch(noise), dynamics_(dynamics) {}
-  /// y = (u, v) within the last step, 2 Nd.
+  /// y = (u, xi, v) within the last step.
   virtual void evaluate(double time, Eigen::VectorXd& y) const = 0;
 
   const ContactDynamics& dynamics_;    ///< of the scene
   const ContactMode* mode_ = nullptr;  ///< that the stretch was started in
 
  private:
+  [[nodiscard]] State unpacked() const;
+
   mutable Eigen::VectorXd y_;
 };
 

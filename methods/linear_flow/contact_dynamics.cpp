@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <utility>
 
 namespace signorini {
 
@@ -18,8 +19,11 @@ Eigen::MatrixXd symmetric_inverse(const Eigen::MatrixXd& A) {
 
 }  // namespace
 
-ContactDynamics::ContactDynamics(const Problem& problem)
-    : structure_(std::make_shared<FlowStructure>(problem)), stops_(Stops::of(problem, *structure_)) {
+ContactDynamics::ContactDynamics(const Problem& problem) : ContactDynamics(problem, condense(problem)) {}
+
+ContactDynamics::ContactDynamics(const Problem& problem, CondensedStructure condensed)
+    : structure_(std::make_shared<FlowStructure>(problem, std::move(condensed))),
+      stops_(Stops::of(problem, *structure_)) {
   if (const auto* law = std::get_if<Restitution>(&problem.law)) restitution_ = law->e;
   constexpr int kSmall = 32;  // a dense product is then no dearer than sparse ones and a sparse solve
   const FlowStructure& s = *structure_;
@@ -66,30 +70,54 @@ void ContactDynamics::acceleration(const ContactMode& mode, double time,
                                    const Eigen::Ref<const Eigen::VectorXd>& u,
                                    const Eigen::Ref<const Eigen::VectorXd>& v,
                                    Eigen::Ref<Eigen::VectorXd> a) const {
+  const auto moved = u.head(size());
   if (small_) {
-    a.noalias() = inverse_mass_stiffness_.lazyProduct(-u);
+    a.noalias() = inverse_mass_stiffness_.lazyProduct(-moved);
     a.noalias() -= inverse_mass_damping_.lazyProduct(v);
     for (const LoadRate& load : inverse_mass_load_) {
       a += std::cos(load.rate * time) * load.cos + std::sin(load.rate * time) * load.sin;
     }
   } else {
     Eigen::VectorXd force = structure_->load_at(time);
-    force.noalias() -= structure_->stiffness * u;
+    force.noalias() -= structure_->stiffness * moved;
     force.noalias() -= structure_->damping * v;
     a = structure_->factors->solve(force);
   }
-  if (!mode.active.empty()) stops_->add_acceleration(mode, time, u, a);
+  if (!mode.active.empty()) stops_->add_acceleration(mode, time, u, v, a);
+}
+
+void ContactDynamics::rate(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& y,
+                           Eigen::Ref<Eigen::VectorXd> rate) const {
+  const auto u = y.head(positions());
+  const auto v = y.tail(size());
+  rate.head(size()) = v;
+  if (positions() > size()) stops_->relax(mode, time, u, v, rate.segment(size(), positions() - size()));
+  acceleration(mode, time, u, v, rate.tail(size()));
+}
+
+State ContactDynamics::with_mass(const State& whole, const Eigen::VectorXd& x) const {
+  State state{.u = Eigen::VectorXd(positions()), .v = whole.v(structure_->kept)};
+  state.u.head(size()) = whole.u(structure_->kept);
+  if (positions() > size())
+    state.u.tail(positions() - size()) = x - structure_->directions.transpose() * state.u.head(size());
+  return state;
 }
 
 Eigen::MatrixXd ContactDynamics::flow_matrix(const ContactMode& mode) const {
-  const int n = size();
+  const int n = size(), p = positions();
   Eigen::MatrixXd from_u = -structure_->factors->solve(stops_->stiffness(mode));
-  Eigen::MatrixXd from_v = -structure_->factors->solve(Eigen::MatrixXd(structure_->damping));
+  Eigen::MatrixXd from_v = -structure_->factors->solve(stops_->damping(mode));
   if (!mode.active.empty()) stops_->constrain(mode, from_u, from_v);
-  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(p + n, p + n);
   B.topRightCorner(n, n).setIdentity();
   B.bottomLeftCorner(n, n) = from_u;
   B.bottomRightCorner(n, n) = from_v;
+  if (p > n) {  // beta xi' = C_A lambda_A - xi
+    const double beta = structure_->relaxation;
+    B.middleRows(n, p - n) = structure_->massless_compliance(Eigen::all, mode.active) / beta *
+                             stops_->free_form(mode).force_of_state;
+    B.block(n, n, p - n, p - n).diagonal().array() -= 1.0 / beta;
+  }
   return B;
 }
 

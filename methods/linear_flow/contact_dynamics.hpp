@@ -17,6 +17,8 @@ class ContactDynamics {
  public:
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
   explicit ContactDynamics(const Problem& problem);
+  /// `condensed` in place of condense(problem), as FlowStructure takes it.
+  ContactDynamics(const Problem& problem, CondensedStructure condensed);
   /// The same scene with another frequency of its load (FlowStructure::at_frequency).
   ContactDynamics(const ContactDynamics& other, double frequency);
 
@@ -29,20 +31,30 @@ class ContactDynamics {
   [[nodiscard]] const MotionScales& scales() const { return structure_->scales; }
   /// False where the stops are compliant.
   [[nodiscard]] bool rigid() const { return stops_->rigid(); }
-  [[nodiscard]] double restitution() const { return restitution_; }  ///< e [-]; 1 without a law
-  /// The state of the coordinates with mass out of that of all.
-  [[nodiscard]] State with_mass(const State& whole) const {
-    return {.u = whole.u(structure_->kept), .v = whole.v(structure_->kept)};
+  [[nodiscard]] double restitution() const { return restitution_; }        ///< e [-]; 1 without a law
+  [[nodiscard]] int positions() const { return structure_->positions(); }  ///< Np, of u and xi
+  [[nodiscard]] int states() const { return structure_->states(); }        ///< of (u, xi, v)
+  /// The state of the coordinates with mass out of that of all, whose contacts are at x: xi = x - W^T u where
+  /// they relax.
+  [[nodiscard]] State with_mass(const State& whole, const Eigen::VectorXd& x = {}) const;
+  /// At rest, all zero.
+  [[nodiscard]] State at_rest() const {
+    return {.u = Eigen::VectorXd::Zero(positions()), .v = Eigen::VectorXd::Zero(size())};
   }
-  /// Unit of lambda_j in tolerances: X / C_jj, or the acceleration scale over G_jj at a rigid stop [N].
+  /// Unit of lambda_j in tolerances: X / C_jj, max(X, beta V) / C_jj where contacts relax, or the
+  /// acceleration scale over G_jj at a rigid stop [N].
   [[nodiscard]] double force_scale(int contact) const;
 
   /// The mode in which exactly the contacts with closed[j] are closed.
   [[nodiscard]] ContactMode mode(const std::vector<bool>& closed) const;
 
-  /// u'' in a mode; `u`, `v`, `a` are Nd. Allocation apart, free of side effects.
+  /// u'' in a mode; `u` is Np, `v` and `a` are Nd. Allocation apart, free of side effects.
   void acceleration(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& u,
                     const Eigen::Ref<const Eigen::VectorXd>& v, Eigen::Ref<Eigen::VectorXd> a) const;
+
+  /// (u, xi, v)' in a mode from y = (u, xi, v).
+  void rate(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& y,
+            Eigen::Ref<Eigen::VectorXd> rate) const;
 
   /// Derivatives 0..order (>= 2) of u and 0..order-2 of x and lambda, exact from the equation of motion.
   [[nodiscard]] MotionDerivatives derivatives(const ContactMode& mode, double time, const State& state,
@@ -50,7 +62,7 @@ class ContactDynamics {
     return stops_->derivatives(mode, time, state, order);
   }
 
-  /// The 2 Nd x 2 Nd matrix B of the homogeneous flow (u, v)' = B (u, v) in a mode.
+  /// The square matrix B of the homogeneous flow (u, xi, v)' = B (u, xi, v) in a mode.
   [[nodiscard]] Eigen::MatrixXd flow_matrix(const ContactMode& mode) const;
 
  private:

@@ -13,55 +13,82 @@ Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& A) { return A.exp(); }
 ExponentialFlow::ExponentialFlow(ModeEquations equations, const EnergyForm& energy)
     : LinearFlow(std::move(equations)) {
   const Eigen::MatrixXd& Q = equations_.form.basis;
-  const std::vector<double>& rates = equations_.rates();
+  const RelaxingForm& relaxing = equations_.form.relaxing;
   const Eigen::Index n = equations_.free(), harmonics = equations_.harmonics();
-  generator_ = Eigen::MatrixXd::Zero(2 * n + 2 * harmonics, 2 * n + 2 * harmonics);
+  const Eigen::Index alone = relaxing.of_z.cols(), y = 2 * n + alone;
+  generator_ = Eigen::MatrixXd::Zero(y + 2 * harmonics, y + 2 * harmonics);
   generator_.topLeftCorner(2 * n, 2 * n) = energy.B.cast<double>();
-  v_of_z_ = Q * energy.q_of_z.cast<double>();
-  u_of_e_ = Q * ExtendedMatrix(energy.q_of_z * energy.z_of_e).cast<double>();
-  z_of_v_ = energy.L.transpose().cast<double>() * Q.transpose();
-  e_of_u_ = ExtendedMatrix(energy.E.transpose() * energy.L.transpose()).cast<double>() * Q.transpose();
+  position_of_y_ = Eigen::MatrixXd::Zero(positions(), y);
+  position_of_y_.topLeftCorner(size(), n) = Q * ExtendedMatrix(energy.q_of_z * energy.z_of_e).cast<double>();
+  velocity_of_y_ = Eigen::MatrixXd::Zero(size(), y);
+  velocity_of_y_.middleCols(n, n) = Q * energy.q_of_z.cast<double>();
+  y_of_state_ = Eigen::MatrixXd::Zero(y, states());
+  y_of_state_.topLeftCorner(n, size()) =
+      ExtendedMatrix(energy.E.transpose() * energy.L.transpose()).cast<double>() * Q.transpose();
+  y_of_state_.block(n, positions(), n, size()) = energy.L.transpose().cast<double>() * Q.transpose();
+  offset_ = Eigen::VectorXd::Zero(positions());
+  offset_.head(size()) = equations_.form.offset;
+  if (positions() > size()) relax();
   output_ = Eigen::MatrixXd::Zero(equations_.outputs(), generator_.cols());
-  output_.leftCols(n) = equations_.output_of_state.leftCols(size()) * u_of_e_;
-  output_.middleCols(n, n) = equations_.output_of_state.rightCols(size()) * v_of_z_;
+  output_.leftCols(y) = equations_.output_of_state.leftCols(positions()) * position_of_y_ +
+                        equations_.output_of_state.rightCols(size()) * velocity_of_y_;
   for (Eigen::Index h = 0; h < harmonics; ++h) {
     // Re f e^{i angle} = Re f cos - Im f sin, with the cosine in column c and the sine in column c + 1.
-    const Eigen::Index c = 2 * n + 2 * h;
+    const Eigen::Index c = y + 2 * h;
+    const double rate = equations_.rates()[static_cast<std::size_t>(h)];
     const Eigen::VectorXcd load = energy.q_of_z.transpose().cast<double>() * equations_.reduced_load(h);
     generator_.block(n, c, n, 1) = load.real();
     generator_.block(n, c + 1, n, 1) = -load.imag();
-    generator_(c, c + 1) = -rates[static_cast<std::size_t>(h)];
-    generator_(c + 1, c) = rates[static_cast<std::size_t>(h)];
+    generator_(c, c + 1) = -rate;
+    generator_(c + 1, c) = rate;
     output_.col(c) = equations_.output_of_load.col(h).real();
     output_.col(c + 1) = -equations_.output_of_load.col(h).imag();
   }
-  output_.col(2 * n) += equations_.output_of_state.leftCols(size()) * equations_.form.offset;
+  output_.col(y) += equations_.output_of_state.leftCols(positions()) * offset_;
   // An estimate by power iteration: the bound of a Gershgorin disc would be too large for M far from the
   // identity.
-  const double structure = std::max(rates.back(), 1.1 * equations_.structure().fastest_rate);
+  const double structure = std::max(equations_.rates().back(), 1.1 * equations_.structure().fastest_rate);
   fastest_rate_ = equations_.dynamics->stops().fastest_rate(equations_.mode, structure);
 }
 
+// What relaxes alone: beta z' + z = shift.
+void ExponentialFlow::relax() {
+  const RelaxingForm& relaxing = equations_.form.relaxing;
+  const double beta = equations_.structure().relaxation;
+  const Eigen::Index n = equations_.free(), alone = relaxing.of_z.cols(), contacts = positions() - size();
+  position_of_y_.bottomLeftCorner(contacts, n) = relaxing.of_u * position_of_y_.topLeftCorner(size(), n);
+  position_of_y_.bottomRightCorner(contacts, alone) = relaxing.of_z;
+  y_of_state_.block(2 * n, size(), alone, contacts) = relaxing.of_xi;
+  offset_.tail(contacts) = relaxing.of_u * equations_.form.offset + relaxing.offset;
+  generator_.block(2 * n, 2 * n, alone, alone).diagonal().setConstant(-1.0 / beta);
+  for (Eigen::Index h = 0; h < equations_.harmonics(); ++h) {
+    const Eigen::Index c = 2 * n + alone + 2 * h;
+    generator_.block(2 * n, c, alone, 1) = relaxing.shift.col(h).real() / beta;
+    generator_.block(2 * n, c + 1, alone, 1) = -relaxing.shift.col(h).imag() / beta;
+  }
+}
+
 Eigen::MatrixXd ExponentialFlow::transition(double duration) const {
-  const int n = size();
-  const Eigen::Index r = equations_.free();
-  Eigen::MatrixXd result(2 * n, 2 * n);
-  const Eigen::MatrixXd reduced = matrix_exponential(generator_.topLeftCorner(2 * r, 2 * r) * duration);
-  result.topLeftCorner(n, n) = u_of_e_ * reduced.topLeftCorner(r, r) * e_of_u_;
-  result.topRightCorner(n, n) = u_of_e_ * reduced.topRightCorner(r, r) * z_of_v_;
-  result.bottomLeftCorner(n, n) = v_of_z_ * reduced.bottomLeftCorner(r, r) * e_of_u_;
-  result.bottomRightCorner(n, n) = v_of_z_ * reduced.bottomRightCorner(r, r) * z_of_v_;
+  const Eigen::Index y = y_of_state_.rows();
+  const Eigen::MatrixXd reduced = matrix_exponential(generator_.topLeftCorner(y, y) * duration) * y_of_state_;
+  Eigen::MatrixXd result(states(), states());
+  result.topRows(positions()) = position_of_y_ * reduced;
+  result.bottomRows(size()) = velocity_of_y_ * reduced;
   return result;
 }
 
 State ExponentialFlow::response(const std::vector<Impulse>& impulses) const {
-  const int n = size();
-  const Eigen::MatrixXd& velocity = equations_.structure().velocity_per_impulse;
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(2 * n);
-  // An impulse p is the velocity M^-1 W p, from which the structure moves freely.
-  for (const Impulse& impulse : impulses)
-    sum += transition(impulse.time).rightCols(n) * (impulse.value * velocity.col(impulse.contact));
-  return {.u = sum.head(n), .v = sum.tail(n)};
+  const FlowStructure& structure = equations_.structure();
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(states()), struck = sum;
+  // An impulse p is the velocity M^-1 W p, and C p / beta of xi, from which the structure moves freely.
+  for (const Impulse& impulse : impulses) {
+    struck.tail(size()) = impulse.value * structure.velocity_per_impulse.col(impulse.contact);
+    if (positions() > size())
+      struck.segment(size(), positions() - size()) =
+          impulse.value / structure.relaxation * structure.massless_compliance.col(impulse.contact);
+    sum += transition(impulse.time) * struck;
+  }
+  return {.u = sum.head(positions()), .v = sum.tail(size())};
 }
 
 /// A motion as the augmented state at its beginning.
@@ -71,16 +98,16 @@ class ExponentialFlow::Arc final : public LinearArc {
 
   void start(double time, const State& state) override {
     const std::vector<double>& rates = equations_.rates();
-    const Eigen::Index r = equations_.free();
+    const Eigen::Index y = flow_.y_of_state_.rows();
     begin_ = time;
     placed_ = false;
     first_.resize(flow_.generator_.cols());
-    first_.head(r) = flow_.e_of_u_ * (state.u - equations_.form.offset);
-    first_.segment(r, r) = flow_.z_of_v_ * state.v;
+    first_.head(y) = flow_.y_of_state_.leftCols(flow_.positions()) * (state.u - flow_.offset_) +
+                     flow_.y_of_state_.rightCols(flow_.size()) * state.v;
     for (Eigen::Index h = 0; h < equations_.harmonics(); ++h) {
       const double angle = rates[static_cast<std::size_t>(h)] * time;
-      first_[2 * r + 2 * h] = std::cos(angle);
-      first_[2 * r + 2 * h + 1] = std::sin(angle);
+      first_[y + 2 * h] = std::cos(angle);
+      first_[y + 2 * h + 1] = std::sin(angle);
     }
   }
 
@@ -91,16 +118,17 @@ class ExponentialFlow::Arc final : public LinearArc {
 
   void state(double time, State& state) const override {
     move_to(time);
-    const Eigen::Index r = equations_.free();
-    state.u = equations_.form.offset + flow_.u_of_e_ * augmented_.head(r);
-    state.v = flow_.v_of_z_ * augmented_.segment(r, r);
+    const auto y = augmented_.head(flow_.y_of_state_.rows());
+    state.u = flow_.offset_ + flow_.position_of_y_ * y;
+    state.v = flow_.velocity_of_y_ * y;
   }
 
-  void acceleration(double time, Eigen::VectorXd& a) const override {
+  void rate(double time, Eigen::VectorXd& rate) const override {
     move_to(time);
-    const Eigen::Index r = equations_.free();
-    const Eigen::VectorXd rate = flow_.generator_ * augmented_;
-    a = flow_.v_of_z_ * rate.segment(r, r);
+    const Eigen::VectorXd y = (flow_.generator_ * augmented_).head(flow_.y_of_state_.rows());
+    rate.resize(flow_.states());
+    rate.head(flow_.positions()) = flow_.position_of_y_ * y;
+    rate.tail(flow_.size()) = flow_.velocity_of_y_ * y;
   }
 
  private:

@@ -36,13 +36,13 @@ FlowStructure::FlowStructure(const Problem& problem, CondensedStructure condense
       gaps(contact_gaps(problem)),
       highest_harmonic(std::max(1, highest_load_harmonic(problem))) {
   if (!obstacle.empty()) throw std::runtime_error(obstacle);
-  if (relaxation > 0.0) throw std::runtime_error(flow_obstacle(problem));
   directions = normals;
   compliance = massless_compliance;
   factors = std::make_shared<const Eigen::SimplicialLLT<SparseMatrix>>(mass);
   if (factors->info() != Eigen::Success)
     throw std::runtime_error("the mass matrix is singular on the coordinates with mass");
   if (const auto* law = std::get_if<Penalty>(&problem.law)) {
+    if (relaxation > 0.0) throw std::runtime_error(flow_obstacle(problem));
     const auto k = Eigen::VectorXd::Map(law->stiffness.data(), contact_count());
     compliance.diagonal() += k.cwiseInverse();
   }
@@ -65,12 +65,18 @@ FlowStructure FlowStructure::at_frequency(double omega) const {
 Eigen::VectorXd FlowStructure::load_at(double time) const { return wave_derivative(load, rates, time, 0); }
 
 Eigen::VectorXd FlowStructure::free_force(double time, const Eigen::MatrixXd& u, int k) const {
-  return wave_derivative(load, rates, time, k) - stiffness * u.col(k) - damping * u.col(k + 1);
+  return wave_derivative(load, rates, time, k) - stiffness * u.col(k).head(size()) -
+         damping * u.col(k + 1).head(size());
 }
 
 Eigen::VectorXd FlowStructure::unloaded(double time, const Eigen::Ref<const Eigen::VectorXd>& u,
                                         int order) const {
+  if (relaxing() > 0) return directions.transpose() * u.head(size()) + u.tail(relaxing());
   return directions.transpose() * u + wave_derivative(shift, rates, time, order);
+}
+
+Eigen::VectorXd FlowStructure::shift_at(double time, int order) const {
+  return wave_derivative(shift, rates, time, order);
 }
 
 Eigen::MatrixXd FlowStructure::impulse_of_velocity(const std::vector<int>& pushed,
@@ -99,6 +105,7 @@ void FlowStructure::measure_rates() {
   };
   oscillation_ = std::sqrt(largest(stiffness));
   decay_ = largest(damping);
+  if (relaxation > 0.0) decay_ = std::max(decay_, 1.0 / relaxation);
 }
 
 void FlowStructure::set_frequency(double omega) {

@@ -19,7 +19,7 @@ struct MotionScales {
   double velocity = 1.0;      ///< V = omega X [m/s]
   double acceleration = 1.0;  ///< omega_max V [m/s^2]
 
-  /// max(|u_a - u_b| / X, |v_a - v_b| / V), in the maximum norm [-].
+  /// max(|u_a - u_b| / X, |v_a - v_b| / V), in the maximum norm, u with its relaxing part if any [-].
   [[nodiscard]] double distance(const State& a, const State& b) const {
     return std::max((a.u - b.u).lpNorm<Eigen::Infinity>() / displacement,
                     (a.v - b.v).lpNorm<Eigen::Infinity>() / velocity);
@@ -30,7 +30,10 @@ struct MotionScales {
 ///
 ///     M u'' + D u' + K u = f(t) + W lambda,    x = W^T u + s(t) + C_0 lambda <= g,    lambda <= 0,
 ///
-/// f(t) = Re sum_h f_h e^{i r_h t} and s(t) likewise, over the rates r_h of the harmonics present.
+/// f(t) = Re sum_h f_h e^{i r_h t} and s(t) likewise, over the rates r_h of the harmonics present. With a
+/// relaxation time beta > 0 there are Nc more positions xi, which follow u in every state,
+///
+///     x = W^T u + xi,    beta xi' + xi = s(t) + C_0 lambda.
 class FlowStructure : public CondensedStructure {
  public:
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
@@ -43,14 +46,21 @@ class FlowStructure : public CondensedStructure {
 
   [[nodiscard]] int size() const { return static_cast<int>(directions.rows()); }           ///< Nd
   [[nodiscard]] int contact_count() const { return static_cast<int>(directions.cols()); }  ///< Nc
+  /// Of the parts xi that relax: Nc with a relaxation time, else 0.
+  [[nodiscard]] int relaxing() const { return relaxation > 0.0 ? contact_count() : 0; }
+  [[nodiscard]] int positions() const { return size() + relaxing(); }  ///< Np, of u and xi
+  [[nodiscard]] int states() const { return positions() + size(); }    ///< of (u, xi, v)
   /// f, Nd [N].
   [[nodiscard]] Eigen::VectorXd load_at(double time) const;
-  /// k-th time derivative of f - K u - D u', Nd [N / s^k]; column i of `u` is the i-th derivative of u.
+  /// k-th time derivative of f - K u - D u', Nd [N / s^k]; column i of `u` is the i-th derivative of u, and
+  /// of xi below it, Np rows.
   [[nodiscard]] Eigen::VectorXd free_force(double time, const Eigen::MatrixXd& u, int k) const;
   /// order-th time derivative of W^T u + s, the contact displacements without contact forces, from that of
-  /// u, Nc [m / s^order].
+  /// u, Nc [m / s^order]; with a relaxation time that of x = W^T u + xi from that of (u, xi), Np.
   [[nodiscard]] Eigen::VectorXd unloaded(double time, const Eigen::Ref<const Eigen::VectorXd>& u,
                                          int order) const;
+  /// order-th time derivative of s, Nc [m / s^order].
+  [[nodiscard]] Eigen::VectorXd shift_at(double time, int order) const;
 
   /// Newton's law for contacts S that take an impulse together, p as a map of v_-, |S| x Nd [kg]:
   /// W_S^T v_+ = -e W_S^T v_- with v_+ = v_- + M^-1 W_S p, hence p = -G_SS^-1 diag(1 + e) W_S^T v_-. Stops
@@ -67,7 +77,7 @@ class FlowStructure : public CondensedStructure {
   double frequency = 1.0;       ///< omega [rad/s]
   double forcing_period = 1.0;  ///< 2 pi / omega [s]
   int highest_harmonic = 1;     ///< of the load, at least 1
-  /// Upper estimate of the fastest rate of structure and load, max(sqrt(K/M), D/M, h omega) [rad/s].
+  /// Upper estimate of the fastest rate of structure and load, max(sqrt(K/M), D/M, 1/beta, h omega) [rad/s].
   double fastest_rate = 1.0;
   /// The fastest motions decay without oscillating, D/M > 2 sqrt(K/M): an explicit integrator has to take
   /// steps of 1 / fastest_rate for motions that are long gone.

@@ -43,10 +43,10 @@ class LinearArc {
   /// order.
   [[nodiscard]] virtual std::vector<FadingRate> fading_rates(double floor, double step = 0.0,
                                                              int order = 0) const = 0;
-  /// u and v at a time, Nd each.
+  /// (u, xi), Np, and v, Nd, at a time.
   virtual void state(double time, State& state) const = 0;
-  /// u'' at a time, Nd.
-  virtual void acceleration(double time, Eigen::VectorXd& a) const = 0;
+  /// (u, xi, v)' at a time.
+  virtual void rate(double time, Eigen::VectorXd& rate) const = 0;
   /// order-th derivative (0..8) of x_j [m / s^order].
   [[nodiscard]] double displacement(int contact, double time, int order = 0) const {
     return output(contact, time, order);
@@ -80,11 +80,11 @@ class LinearArc {
   const ModeEquations& equations_;  ///< of the flow
 };
 
-/// A transition as writing * reading, 2 Nd x r and r x 2 Nd: what the motion keeps of a state, and what it
+/// A transition as writing * reading: what the motion keeps of a state (u, xi, v), Ns numbers, and what it
 /// makes of that.
 struct TransitionFactors {
-  Eigen::MatrixXd writing;  ///< 2 Nd x r
-  Eigen::MatrixXd reading;  ///< r x 2 Nd
+  Eigen::MatrixXd writing;  ///< Ns x r
+  Eigen::MatrixXd reading;  ///< r x Ns
 };
 
 /// The linear motions of one contact mode in closed form: ModalFlow or ExponentialFlow.
@@ -94,17 +94,19 @@ class LinearFlow {
 
   [[nodiscard]] const ContactMode& mode() const { return equations_.mode; }  ///< whose flow this is
   [[nodiscard]] int size() const { return equations_.size(); }               ///< Nd
+  [[nodiscard]] int positions() const { return equations_.positions(); }     ///< Np, of u and xi
+  [[nodiscard]] int states() const { return equations_.states(); }           ///< Ns, of (u, xi, v)
   /// An arc of this flow, not yet started.
   [[nodiscard]] virtual std::unique_ptr<LinearArc> arc() const = 0;
-  /// d(u, v)(t0 + duration) / d(u, v)(t0), 2 Nd x 2 Nd; deviations normal to the constraint are dropped.
+  /// d(u, xi, v)(t0 + duration) / d(u, xi, v)(t0), Ns x Ns; deviations normal to the constraint are dropped.
   [[nodiscard]] virtual Eigen::MatrixXd transition(double duration) const = 0;
-  /// The same without the modes that have faded to e^-50, r <= 2 Nd.
+  /// The same without the modes that have faded to e^-50, r <= Ns.
   [[nodiscard]] virtual TransitionFactors transition_factors(double duration) const {
-    return {.writing = transition(duration), .reading = Eigen::MatrixXd::Identity(2 * size(), 2 * size())};
+    return {.writing = transition(duration), .reading = Eigen::MatrixXd::Identity(states(), states())};
   }
   /// What impulses at the contacts, each `time` before now, have made of a structure at rest without load.
   [[nodiscard]] virtual State response(const std::vector<Impulse>& impulses) const = 0;
-  /// d lambda_j / d(u, v) at a closed contact, else d x_j / d(u, v), 1 x 2 Nd.
+  /// d lambda_j / d(u, xi, v) at a closed contact, else d x_j / d(u, xi, v), 1 x Ns.
   [[nodiscard]] auto gradient(int contact, bool of_force) const {
     return equations_.output_of_state.row(of_force ? equations_.force_row(contact) : contact);
   }
@@ -172,14 +174,17 @@ struct ComplexModes {
 /// between them) or M or K is not definite.
 std::optional<ComplexModes> complex_modes(const EnergyForm& form);
 
-/// The complex modes of a contact mode in all its coordinates: what no load enters.
+/// The complex modes of a contact mode in all its coordinates, and of what relaxes alone (RelaxingForm), each
+/// with the rate -1 / beta: what no load enters.
 struct ModalBasis {
   /// \param modes  complex_modes(equations.energy()); without entries where nothing moves
   ModalBasis(const ModeEquations& equations, ComplexModes modes);
 
-  ComplexModes reduced;          ///< in the coordinates that are free
-  Eigen::MatrixXcd shapes;       ///< U, Nd x Nm
-  Eigen::MatrixXcd left;         ///< Nm x 2 Nd: a = left ((u, v) - forced)
+  ComplexModes reduced;          ///< in the coordinates that are free, those that relax alone left out
+  Eigen::VectorXcd mu;           ///< of all, Nm [rad/s]
+  Eigen::VectorXd weight;        ///< w_k, Nm
+  Eigen::MatrixXcd shapes;       ///< U, Np x Nm
+  Eigen::MatrixXcd left;         ///< Nm x Ns: a = left ((u, xi, v) - forced)
   Eigen::MatrixXcd row_of_mode;  ///< outputs x Nm, w_k included
 };
 
@@ -192,7 +197,7 @@ bool resonates(const ModeEquations& equations, const ComplexModes& modes);
 
 /// With the complex modes (mu_k, U_k) of the structure, proportional damping or not,
 ///
-///     u(t) = Re sum_k w_k U_k a_k e^{mu_k (t - t0)} + Re sum_h P_h e^{i h omega t},
+///     (u, xi)(t) = Re sum_k w_k U_k a_k e^{mu_k (t - t0)} + Re sum_h P_h e^{i h omega t},
 ///
 /// Im mu_k >= 0, w_k = 2 for a pair and 1 for a real mu_k (ComplexModes), P_h the periodic response to the
 /// load. Evaluations allocate nothing.
@@ -209,11 +214,12 @@ class ModalFlow final : public LinearFlow {
  private:
   class Arc;
 
-  [[nodiscard]] const Eigen::VectorXcd& mu() const { return basis_->reduced.mu; }         // Nm
-  [[nodiscard]] const Eigen::VectorXd& weight() const { return basis_->reduced.weight; }  // w_k
+  void force_relaxing();
+  [[nodiscard]] const Eigen::VectorXcd& mu() const { return basis_->mu; }         // Nm
+  [[nodiscard]] const Eigen::VectorXd& weight() const { return basis_->weight; }  // w_k
 
   std::shared_ptr<const ModalBasis> basis_;
-  Eigen::MatrixXcd forced_;           // P, Nd x Nh
+  Eigen::MatrixXcd forced_;           // P, Np x Nh
   Eigen::MatrixXcd row_of_harmonic_;  // outputs x Nh
 };
 
@@ -237,12 +243,16 @@ class ExponentialFlow final : public LinearFlow {
  private:
   class Arc;
 
-  // The coordinates of the energy, e of the position and z' of the velocity, Nr each.
-  Eigen::MatrixXd u_of_e_, v_of_z_;  // Nd x Nr
-  Eigen::MatrixXd e_of_u_, z_of_v_;  // Nr x Nd
-  Eigen::MatrixXd generator_;        // of (e, z', cos and sin of each harmonic)
-  Eigen::MatrixXd output_;           // outputs x generator size
-  double fastest_rate_ = 0.0;        // of structure and load [rad/s]
+  void relax();
+
+  // y: the coordinates of the energy, e of the position and z' of the velocity, Nr each, and what relaxes
+  // alone.
+  Eigen::MatrixXd position_of_y_, velocity_of_y_;  // Np and Nd rows
+  Eigen::MatrixXd y_of_state_;                     // Ns columns
+  Eigen::VectorXd offset_;                         // of the positions, Np
+  Eigen::MatrixXd generator_;                      // of (y, cos and sin of each harmonic)
+  Eigen::MatrixXd output_;                         // outputs x generator size
+  double fastest_rate_ = 0.0;                      // of structure and load [rad/s]
 };
 
 }  // namespace signorini

@@ -27,15 +27,28 @@ bool resonates(const ModeEquations& equations, const ComplexModes& modes) {
 
 ModalBasis::ModalBasis(const ModeEquations& equations, ComplexModes modes) : reduced(std::move(modes)) {
   const Eigen::MatrixXd& Q = equations.form.basis;
-  const Eigen::Index n = equations.free(), size = equations.size();
-  shapes = Q * reduced.shapes;
-  left.resize(reduced.mu.size(), 2 * size);
-  left.leftCols(size) = reduced.left.leftCols(n) * Q.transpose();
-  left.rightCols(size) = reduced.left.rightCols(n) * Q.transpose();
-  Eigen::MatrixXcd states(2 * size, reduced.mu.size());
-  states.topRows(size) = shapes;
-  states.bottomRows(size) = shapes * reduced.mu.asDiagonal();
-  row_of_mode = equations.output_of_state * states * reduced.weight.asDiagonal();
+  const RelaxingForm& relaxing = equations.form.relaxing;
+  const Eigen::Index n = equations.free(), size = equations.size(), positions = equations.positions();
+  const Eigen::Index moving = reduced.mu.size(), alone = relaxing.of_z.cols();
+  mu = Eigen::VectorXcd::Constant(moving + alone, -1.0 / std::max(equations.structure().relaxation, 1e-300));
+  mu.head(moving) = reduced.mu;
+  weight = Eigen::VectorXd::Ones(moving + alone);
+  weight.head(moving) = reduced.weight;
+  shapes = Eigen::MatrixXcd::Zero(positions, moving + alone);
+  shapes.topLeftCorner(size, moving) = Q * reduced.shapes;
+  left = Eigen::MatrixXcd::Zero(moving + alone, positions + size);
+  left.topLeftCorner(moving, size) = reduced.left.leftCols(n) * Q.transpose();
+  left.topRightCorner(moving, size) = reduced.left.rightCols(n) * Q.transpose();
+  if (positions > size) {
+    shapes.bottomLeftCorner(positions - size, moving) =
+        relaxing.of_u.cast<Complex>() * shapes.topLeftCorner(size, moving);
+    shapes.bottomRightCorner(positions - size, alone) = relaxing.of_z.cast<Complex>();
+    left.block(moving, size, alone, positions - size) = relaxing.of_xi.cast<Complex>();
+  }
+  Eigen::MatrixXcd states(positions + size, moving + alone);
+  states.topRows(positions) = shapes;
+  states.bottomRows(size) = shapes.topRows(size) * mu.asDiagonal();
+  row_of_mode = equations.output_of_state * states * weight.asDiagonal();
 }
 
 std::shared_ptr<const ModalBasis> modal_basis(const ModeEquations& equations) {
@@ -48,31 +61,46 @@ std::shared_ptr<const ModalBasis> modal_basis(const ModeEquations& equations) {
 ModalFlow::ModalFlow(ModeEquations equations, std::shared_ptr<const ModalBasis> basis)
     : LinearFlow(std::move(equations)), basis_(std::move(basis)) {
   const Eigen::Index harmonics = equations_.harmonics();
-  forced_ = Eigen::MatrixXcd::Zero(size(), harmonics);
-  Eigen::MatrixXcd waves(2 * size(), harmonics);
+  forced_ = Eigen::MatrixXcd::Zero(positions(), harmonics);
+  Eigen::MatrixXcd waves(states(), harmonics);
   // P_h = Q (of the modes' response), plus the offset of held contacts, which is constant.
   for (Eigen::Index h = 0; h < harmonics; ++h) {
     const Eigen::VectorXcd load = equations_.reduced_load(h);
     if (!load.isZero(0.0))
-      forced_.col(h) = equations_.form.basis *
-                       basis_->reduced.forced(load, equations_.rates()[static_cast<std::size_t>(h)]);
+      forced_.col(h).head(size()) =
+          equations_.form.basis *
+          basis_->reduced.forced(load, equations_.rates()[static_cast<std::size_t>(h)]);
   }
-  forced_.col(0) += equations_.form.offset.cast<Complex>();
-  waves.topRows(size()) = forced_;
+  forced_.col(0).head(size()) += equations_.form.offset.cast<Complex>();
+  if (positions() > size()) force_relaxing();
+  waves.topRows(positions()) = forced_;
   for (Eigen::Index h = 0; h < harmonics; ++h)
     waves.col(h).tail(size()) =
-        Complex(0.0, equations_.rates()[static_cast<std::size_t>(h)]) * forced_.col(h);
+        Complex(0.0, equations_.rates()[static_cast<std::size_t>(h)]) * forced_.col(h).head(size());
   row_of_harmonic_ = equations_.output_of_state * waves + equations_.output_of_load;
+}
+
+// Of what relaxes alone, z = shift / (1 + i beta rate), and of what follows u.
+void ModalFlow::force_relaxing() {
+  const RelaxingForm& relaxing = equations_.form.relaxing;
+  const Eigen::Index contacts = positions() - size();
+  const double beta = equations_.structure().relaxation;
+  for (Eigen::Index h = 0; h < forced_.cols(); ++h) {
+    const Complex factor = 1.0 / Complex(1.0, beta * equations_.rates()[static_cast<std::size_t>(h)]);
+    forced_.col(h).tail(contacts) = relaxing.of_u.cast<Complex>() * forced_.col(h).head(size()) +
+                                    factor * (relaxing.of_z.cast<Complex>() * relaxing.shift.col(h));
+  }
+  forced_.col(0).tail(contacts) += relaxing.offset.cast<Complex>();
 }
 
 Eigen::MatrixXd ModalFlow::transition(double duration) const {
   const int n = size();
-  Eigen::MatrixXd result(2 * n, 2 * n);
+  Eigen::MatrixXd result(states(), states());
   // Deviations obey the homogeneous equation: Re sum_k w_k (U_k, mu_k U_k) e^{mu_k s} left_k.
   const Eigen::VectorXcd growth = weight().array() * (mu().array() * duration).exp();
   const Eigen::MatrixXcd scaled = growth.asDiagonal() * basis_->left;
-  result.topRows(n) = (basis_->shapes * scaled).real();
-  result.bottomRows(n) = (basis_->shapes * mu().asDiagonal() * scaled).real();
+  result.topRows(positions()) = (basis_->shapes * scaled).real();
+  result.bottomRows(n) = (basis_->shapes.topRows(n) * mu().asDiagonal() * scaled).real();
   return result;
 }
 
@@ -87,12 +115,12 @@ TransitionFactors ModalFlow::transition_factors(double duration) const {
     alive.push_back(k);
     columns += mu()[k].imag() > 0.0 ? 2 : 1;
   }
-  TransitionFactors factors{.writing = Eigen::MatrixXd(2 * n, columns),
-                            .reading = Eigen::MatrixXd(columns, 2 * n)};
+  TransitionFactors factors{.writing = Eigen::MatrixXd(states(), columns),
+                            .reading = Eigen::MatrixXd(columns, states())};
   Eigen::Index c = 0;
   for (const Eigen::Index k : alive) {
     const Complex growth = weight()[k] * std::exp(mu()[k] * duration);
-    const Eigen::VectorXcd position = growth * basis_->shapes.col(k), velocity = mu()[k] * position;
+    const Eigen::VectorXcd position = growth * basis_->shapes.col(k), velocity = mu()[k] * position.head(n);
     factors.writing.col(c) << position.real(), velocity.real();
     factors.reading.row(c++) = basis_->left.row(k).real();
     if (!(mu()[k].imag() > 0.0)) continue;
@@ -104,8 +132,11 @@ TransitionFactors ModalFlow::transition_factors(double duration) const {
 
 State ModalFlow::response(const std::vector<Impulse>& impulses) const {
   // All impulses excite the same modes: their amplitudes are summed before the shapes are taken.
-  const Eigen::MatrixXcd excited =
-      basis_->left.rightCols(size()) * equations_.structure().velocity_per_impulse;
+  const FlowStructure& structure = equations_.structure();
+  Eigen::MatrixXcd excited = basis_->left.rightCols(size()) * structure.velocity_per_impulse;
+  if (positions() > size())  // xi takes C p / beta at once
+    excited += basis_->left.middleCols(size(), positions() - size()) *
+               (structure.massless_compliance / structure.relaxation);
   Eigen::VectorXcd amplitude = Eigen::VectorXcd::Zero(mu().size());
   for (const Impulse& impulse : impulses) {
     amplitude.array() +=
@@ -113,7 +144,7 @@ State ModalFlow::response(const std::vector<Impulse>& impulses) const {
   }
   amplitude.array() *= weight().array();
   const Eigen::VectorXcd rates = mu().cwiseProduct(amplitude);
-  return {.u = (basis_->shapes * amplitude).real(), .v = (basis_->shapes * rates).real()};
+  return {.u = (basis_->shapes * amplitude).real(), .v = (basis_->shapes.topRows(size()) * rates).real()};
 }
 
 /// A motion as amplitudes of the modes.
@@ -128,15 +159,21 @@ class ModalFlow::Arc final : public LinearArc {
   void start(double time, const State& state) override;
   [[nodiscard]] std::vector<FadingRate> fading_rates(double floor, double step, int order) const override;
   void state(double time, State& state) const override {
+    state.u.resize(flow_.positions());
+    state.v.resize(flow_.size());
     differentiate(time, 0, state.u);
     differentiate(time, 1, state.v);
   }
-  void acceleration(double time, Eigen::VectorXd& a) const override { differentiate(time, 2, a); }
+  void rate(double time, Eigen::VectorXd& rate) const override {
+    rate.resize(flow_.states());
+    differentiate(time, 1, rate.head(flow_.positions()));
+    differentiate(time, 2, rate.tail(flow_.size()));
+  }
 
  private:
   [[nodiscard]] double output(Eigen::Index row, double time, int order) const override;
   [[nodiscard]] double curvature_bound(Eigen::Index row, double time) const override;
-  void differentiate(double time, int order, Eigen::VectorXd& derivative) const;
+  void differentiate(double time, int order, Eigen::Ref<Eigen::VectorXd> derivative) const;
   [[nodiscard]] double rate(Eigen::Index h) const { return rates_[static_cast<std::size_t>(h)]; }
   void move_to(double time) const;
 
@@ -155,17 +192,18 @@ class ModalFlow::Arc final : public LinearArc {
 void ModalFlow::Arc::start(double time, const State& state) {
   begin_ = time;
   placed_ = false;
-  const int n = flow_.size();
+  const int n = flow_.size(), positions = flow_.positions();
   for (Eigen::Index h = 0; h < wave_.size(); ++h) wave_[h] = std::polar(1.0, rate(h) * time);
   amplitude_.setZero();
-  for (int i = 0; i < n; ++i) {
-    double u = state.u[i], v = state.v[i];
+  for (int i = 0; i < positions; ++i) {
+    double u = state.u[i], v = i < n ? state.v[i] : 0.0;
     for (Eigen::Index h = 0; h < wave_.size(); ++h) {
       const Complex part = flow_.forced_(i, h) * wave_[h];
       u -= part.real();
       v += rate(h) * part.imag();
     }
-    amplitude_ += u * flow_.basis_->left.col(i) + v * flow_.basis_->left.col(n + i);
+    amplitude_ += u * flow_.basis_->left.col(i);
+    if (i < n) amplitude_ += v * flow_.basis_->left.col(positions + i);
   }
   contribution_ = flow_.basis_->row_of_mode * amplitude_.asDiagonal();
 }
@@ -241,19 +279,19 @@ double ModalFlow::Arc::curvature_bound(Eigen::Index row, double time) const {
   return sum;
 }
 
-// order-th derivative (0..2) of u.
-void ModalFlow::Arc::differentiate(double time, int order, Eigen::VectorXd& derivative) const {
+// order-th derivative (0..2) of the first coordinates of (u, xi).
+void ModalFlow::Arc::differentiate(double time, int order, Eigen::Ref<Eigen::VectorXd> derivative) const {
   move_to(time);
-  const int n = flow_.size();
-  derivative.setZero(n);
+  const Eigen::Index n = derivative.size();
+  derivative.setZero();
   for (Eigen::Index k = 0; k < growth_.size(); ++k) {
     Complex a = flow_.weight()[k] * amplitude_[k] * growth_[k];
     for (int i = 0; i < order; ++i) a *= flow_.mu()[k];
-    for (int i = 0; i < n; ++i) derivative[i] += (a * flow_.basis_->shapes(i, k)).real();
+    for (Eigen::Index i = 0; i < n; ++i) derivative[i] += (a * flow_.basis_->shapes(i, k)).real();
   }
   for (Eigen::Index h = 0; h < wave_.size(); ++h) {
     const double r = rate(h);
-    for (int i = 0; i < n; ++i) {
+    for (Eigen::Index i = 0; i < n; ++i) {
       const Complex part = flow_.forced_(i, h) * wave_[h];  // times (i r)^order
       derivative[i] += order == 0 ? part.real() : order == 1 ? -r * part.imag() : -r * r * part.real();
     }

@@ -38,17 +38,23 @@ ModeEquations::ModeEquations(const ContactDynamics& of, ContactMode contacts)
   const FlowStructure& s = structure();
   const int contact_count = s.contact_count();
   const auto active = static_cast<Eigen::Index>(mode.active.size());
-  output_of_state = Eigen::MatrixXd::Zero(contact_count + active, 2 * size());
+  output_of_state = Eigen::MatrixXd::Zero(contact_count + active, states());
   output_of_state.topLeftCorner(contact_count, size()) = s.directions.transpose();
   output_of_load.resize(contact_count + active, static_cast<Eigen::Index>(s.rates.size()));
-  output_of_load.topRows(contact_count) = s.shift;
+  if (s.relaxing() > 0) {  // x = W^T u + xi
+    output_of_state.block(0, size(), contact_count, contact_count).setIdentity();
+    output_of_load.topRows(contact_count).setZero();
+  } else {
+    output_of_load.topRows(contact_count) = s.shift;
+  }
   if (active == 0) return;
+  output_of_state.bottomRows(active) = form.force_of_state;
+  output_of_load.bottomRows(active) = form.force_of_load;
+  if (s.relaxing() > 0) return;
   // x = W^T u + s + C_0 lambda
   const Eigen::MatrixXd give = s.massless_compliance(Eigen::all, mode.active);
   output_of_state.topRows(contact_count) += give * form.force_of_state;
-  output_of_state.bottomRows(active) = form.force_of_state;
   output_of_load.topRows(contact_count) += give * form.force_of_load;
-  output_of_load.bottomRows(active) = form.force_of_load;
 }
 
 Eigen::VectorXcd ModeEquations::reduced_load(Eigen::Index h) const {
@@ -64,7 +70,7 @@ EnergyForm ModeEquations::energy() const {
     return Q.transpose() * (A.cast<long double>() * Q);
   };
   const FlowStructure& s = structure();
-  return EnergyForm(reduced(s.mass), reduced(s.damping), reduced(form.stiffness), s.frequency);
+  return EnergyForm(reduced(s.mass), reduced(form.damping), reduced(form.stiffness), s.frequency);
 }
 
 Eigen::Index ModeEquations::force_row(int contact) const {

@@ -13,9 +13,10 @@ bool equal_matrices(const Matrix& a, const Matrix& b) {
 
 bool SharedModes::Entry::fits(const ModeEquations& equations) const {
   const FlowStructure& structure = equations.structure();
-  return equal_matrices(mass, structure.mass) && equal_matrices(damping, structure.damping) &&
+  return equal_matrices(mass, structure.mass) && equal_matrices(damping, equations.form.damping) &&
          equal_matrices(stiffness, equations.form.stiffness) && equal_matrices(basis, equations.form.basis) &&
-         equal_matrices(output_of_state, equations.output_of_state);
+         equal_matrices(output_of_state, equations.output_of_state) &&
+         equal_matrices(relaxing, equations.form.relaxing.of_xi) && relaxation == structure.relaxation;
 }
 
 std::shared_ptr<const ModalBasis> SharedModes::of(const ModeEquations& equations) {
@@ -25,10 +26,12 @@ std::shared_ptr<const ModalBasis> SharedModes::of(const ModeEquations& equations
   const FlowStructure& structure = equations.structure();
   Entry& entry = entries_[equations.mode.active];
   entry = {.mass = structure.mass,
-           .damping = structure.damping,
+           .damping = equations.form.damping,
            .stiffness = equations.form.stiffness,
            .basis = equations.form.basis,
            .output_of_state = equations.output_of_state,
+           .relaxing = equations.form.relaxing.of_xi,
+           .relaxation = structure.relaxation,
            .modes = modal_basis(equations)};
   return entry.modes;
 }

@@ -22,8 +22,10 @@ class SharedModes {
 
  private:
   struct Entry {
-    SparseMatrix mass, damping;
-    Eigen::MatrixXd stiffness, basis, output_of_state;  // with springs; Q
+    SparseMatrix mass;
+    Eigen::MatrixXd damping, stiffness, basis, output_of_state;  // with dashpots and springs; Q
+    Eigen::MatrixXd relaxing;                                    // RelaxingForm::of_xi
+    double relaxation = 0.0;
     std::shared_ptr<const ModalBasis> modes;
 
     [[nodiscard]] bool fits(const ModeEquations& equations) const;

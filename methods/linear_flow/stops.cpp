@@ -13,11 +13,11 @@ bool ContactMode::closed(int contact) const {
 
 MotionDerivatives Stops::derivatives(const ContactMode& mode, double time, const State& state,
                                      int order) const {
-  MotionDerivatives motion{.u = Eigen::MatrixXd::Zero(structure_.size(), order + 1),
+  MotionDerivatives motion{.u = Eigen::MatrixXd::Zero(structure_.positions(), order + 1),
                            .x = Eigen::MatrixXd::Zero(structure_.contact_count(), order - 1),
                            .lambda = Eigen::MatrixXd::Zero(structure_.contact_count(), order - 1)};
   motion.u.col(0) = state.u;
-  motion.u.col(1) = state.v;
+  motion.u.col(1).head(structure_.size()) = state.v;
   // M u^(k+2) = (f - K u - D u')^(k) + W lambda^(k): each derivative gives the next but one.
   for (int k = 0; k + 2 <= order; ++k)
     differentiate(mode, time, k, structure_.free_force(time, motion.u, k), motion);
@@ -29,6 +29,7 @@ FreeForm Stops::open_form() const {
   return {.basis = Eigen::MatrixXd::Identity(n, n),
           .offset = Eigen::VectorXd::Zero(n),
           .stiffness = structure_.stiffness,
+          .damping = structure_.damping,
           .load = structure_.load};
 }
 
@@ -41,6 +42,7 @@ class RigidStops final : public Stops {
   explicit RigidStops(const FlowStructure& structure) : Stops(structure, true) {}
 
   void add_acceleration(const ContactMode& mode, double, const Eigen::Ref<const Eigen::VectorXd>&,
+                        const Eigen::Ref<const Eigen::VectorXd>&,
                         Eigen::Ref<Eigen::VectorXd> a) const override {
     a += structure_.velocity_per_impulse(Eigen::all, mode.active) * multiplier(mode, a);
   }
@@ -58,8 +60,12 @@ class RigidStops final : public Stops {
   }
 
   // The rate of lambda follows from u''', which takes the acceleration with the stops' own forces.
-  void forces(const ContactMode& mode, double time, const State& state, Eigen::VectorXd&, Eigen::VectorXd&,
-              Eigen::VectorXd& force, Eigen::VectorXd& force_rate) const override {
+  void forces(const ContactMode& mode, double time, const State& state, Eigen::VectorXd& x,
+              Eigen::VectorXd& rate, Eigen::VectorXd& force, Eigen::VectorXd& force_rate) const override {
+    x = structure_.unloaded(time, state.u, 0);
+    rate = structure_.unloaded(time, state.v, 1);
+    force = force_rate = Eigen::VectorXd::Zero(structure_.contact_count());
+    if (mode.active.empty()) return;
     const MotionDerivatives motion = derivatives(mode, time, state, 3);
     force = motion.lambda.col(0);
     force_rate = motion.lambda.col(1);
@@ -107,6 +113,7 @@ class CompliantStops final : public Stops {
   explicit CompliantStops(const FlowStructure& structure) : Stops(structure, false) {}
 
   void add_acceleration(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& u,
+                        const Eigen::Ref<const Eigen::VectorXd>&,
                         Eigen::Ref<Eigen::VectorXd> a) const override {
     const Eigen::VectorXd lambda = force(mode, structure_.unloaded(time, u, 0), 0);
     for (const int j : mode.active) a += lambda[j] * structure_.velocity_per_impulse.col(j);
@@ -121,8 +128,10 @@ class CompliantStops final : public Stops {
     motion.u.col(k + 2) = structure_.factors->solve(load);
   }
 
-  void forces(const ContactMode& mode, double, const State&, Eigen::VectorXd& x, Eigen::VectorXd& rate,
-              Eigen::VectorXd& lambda, Eigen::VectorXd& lambda_rate) const override {
+  void forces(const ContactMode& mode, double time, const State& state, Eigen::VectorXd& x,
+              Eigen::VectorXd& rate, Eigen::VectorXd& lambda, Eigen::VectorXd& lambda_rate) const override {
+    x = structure_.unloaded(time, state.u, 0);
+    rate = structure_.unloaded(time, state.v, 1);
     lambda = force(mode, x, 0);
     lambda_rate = force(mode, rate, 1);
     x += structure_.massless_compliance * lambda;
@@ -174,6 +183,142 @@ class CompliantStops final : public Stops {
   }
 };
 
+class RelaxingStops final : public Stops {
+ public:
+  explicit RelaxingStops(const FlowStructure& structure) : Stops(structure, false) {}
+
+  void add_acceleration(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& u,
+                        const Eigen::Ref<const Eigen::VectorXd>& v,
+                        Eigen::Ref<Eigen::VectorXd> a) const override {
+    const Eigen::VectorXd lambda = force(mode, time, u.head(v.size()), v, 0);
+    for (const int j : mode.active) a += lambda[j] * structure_.velocity_per_impulse.col(j);
+  }
+
+  void relax(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& u,
+             const Eigen::Ref<const Eigen::VectorXd>& v, Eigen::Ref<Eigen::VectorXd> rate) const override {
+    rate = relaxed(time, u.tail(structure_.relaxing()), force(mode, time, u.head(v.size()), v, 0), 0);
+  }
+
+  void differentiate(const ContactMode& mode, double time, int k, Eigen::VectorXd load,
+                     MotionDerivatives& motion) const override {
+    const int n = structure_.size(), r = structure_.relaxing();
+    motion.x.col(k) = structure_.unloaded(time, motion.u.col(k), k);
+    motion.lambda.col(k) = force(mode, time, motion.u.col(k).head(n), motion.u.col(k + 1).head(n), k);
+    motion.u.col(k + 1).tail(r) = relaxed(time, motion.u.col(k).tail(r), motion.lambda.col(k), k);
+    load += structure_.directions * motion.lambda.col(k);
+    motion.u.col(k + 2).head(n) = structure_.factors->solve(load);
+  }
+
+  void forces(const ContactMode& mode, double time, const State& state, Eigen::VectorXd& x,
+              Eigen::VectorXd& rate, Eigen::VectorXd& lambda, Eigen::VectorXd& lambda_rate) const override {
+    const MotionDerivatives motion = derivatives(mode, time, state, 3);
+    x = motion.x.col(0);
+    rate = motion.x.col(1);
+    lambda = motion.lambda.col(0);
+    lambda_rate = motion.lambda.col(1);
+  }
+
+  [[nodiscard]] Eigen::MatrixXd stiffness(const ContactMode& mode) const override {
+    return structure_.stiffness + springs(mode);
+  }
+  [[nodiscard]] Eigen::MatrixXd damping(const ContactMode& mode) const override {
+    return structure_.damping + structure_.relaxation * springs(mode);
+  }
+
+  // A mass G_jj^-1 on the spring and the dashpot of its stop alone.
+  [[nodiscard]] double fastest_rate(const ContactMode& mode, double rate) const override {
+    for (std::size_t i = 0; i < mode.active.size(); ++i) {
+      const int j = mode.active[i];
+      const auto row = static_cast<Eigen::Index>(i);
+      const double squared = mode.response(row, row) * structure_.delassus(j, j);
+      rate = std::hypot(rate, std::sqrt(squared), structure_.relaxation * squared);
+    }
+    return rate;
+  }
+
+  // lambda_A = R (g_A - s_A - W_A^T u - beta W_A^T v), R = C_AA^-1: springs, dashpots and a load.
+  [[nodiscard]] FreeForm free_form(const ContactMode& mode) const override {
+    FreeForm form = open_form();
+    const int n = structure_.size();
+    const auto active = static_cast<Eigen::Index>(mode.active.size());
+    const Eigen::MatrixXd W = structure_.directions(Eigen::all, mode.active);
+    const Eigen::VectorXd g = structure_.gaps(mode.active);
+    const Eigen::MatrixXd response = active > 0 ? mode.response : Eigen::MatrixXd(0, 0);
+    form.stiffness = stiffness(mode);
+    form.damping = damping(mode);
+    Eigen::MatrixXcd depth = structure_.shift(mode.active, Eigen::all);
+    depth.col(0) -= g.cast<Complex>();
+    form.force_of_state = Eigen::MatrixXd::Zero(active, structure_.states());
+    form.force_of_state.leftCols(n) = -response * W.transpose();
+    form.force_of_state.rightCols(n) = structure_.relaxation * form.force_of_state.leftCols(n);
+    form.force_of_load = -response.cast<Complex>() * depth;
+    form.load += W.cast<Complex>() * form.force_of_load;
+    form.relaxing = relaxing(mode, W, g, response);
+    return form;
+  }
+
+ private:
+  // W_A C_AA^-1 W_A^T, Nd x Nd.
+  [[nodiscard]] Eigen::MatrixXd springs(const ContactMode& mode) const {
+    if (mode.active.empty()) return Eigen::MatrixXd::Zero(structure_.size(), structure_.size());
+    const Eigen::MatrixXd active = structure_.directions(Eigen::all, mode.active);
+    return active * mode.response * active.transpose();
+  }
+
+  // order-th derivative of lambda from those of u and v, Nc.
+  [[nodiscard]] Eigen::VectorXd force(const ContactMode& mode, double time,
+                                      const Eigen::Ref<const Eigen::VectorXd>& u,
+                                      const Eigen::Ref<const Eigen::VectorXd>& v, int order) const {
+    Eigen::VectorXd lambda = Eigen::VectorXd::Zero(structure_.contact_count());
+    if (mode.active.empty()) return lambda;
+    const Eigen::VectorXd shift = structure_.shift_at(time, order);
+    Eigen::VectorXd depth(static_cast<Eigen::Index>(mode.active.size()));
+    for (std::size_t i = 0; i < mode.active.size(); ++i) {
+      const int j = mode.active[i];
+      const auto w = structure_.directions.col(j);
+      depth[static_cast<Eigen::Index>(i)] =
+          w.dot(u) + structure_.relaxation * w.dot(v) + shift[j] - (order == 0 ? structure_.gaps[j] : 0.0);
+    }
+    lambda(mode.active) = -mode.response * depth;
+    return lambda;
+  }
+
+  // The next derivative of xi: beta xi' = s + C lambda - xi.
+  [[nodiscard]] Eigen::VectorXd relaxed(double time, const Eigen::Ref<const Eigen::VectorXd>& xi,
+                                        const Eigen::VectorXd& lambda, int order) const {
+    return (structure_.shift_at(time, order) + structure_.massless_compliance * lambda - xi) /
+           structure_.relaxation;
+  }
+
+  // xi_A = g_A - W_A^T u, xi_O = z + carried xi_A.
+  [[nodiscard]] RelaxingForm relaxing(const ContactMode& mode, const Eigen::MatrixXd& W,
+                                      const Eigen::VectorXd& g, const Eigen::MatrixXd& response) const {
+    const int contacts = structure_.contact_count();
+    std::vector<int> open;
+    for (int j = 0; j < contacts; ++j) {
+      if (!mode.closed(j)) open.push_back(j);
+    }
+    const auto count = static_cast<Eigen::Index>(open.size());
+    RelaxingForm form{.of_u = Eigen::MatrixXd(contacts, structure_.size()),
+                      .of_z = Eigen::MatrixXd::Zero(contacts, count),
+                      .of_xi = Eigen::MatrixXd::Zero(count, contacts),
+                      .offset = Eigen::VectorXd(contacts)};
+    const Eigen::MatrixXd carried = structure_.massless_compliance(open, mode.active) * response;
+    form.of_u(mode.active, Eigen::all) = -W.transpose();
+    form.of_u(open, Eigen::all) = -carried * W.transpose();
+    form.offset(mode.active) = g;
+    form.offset(open) = carried * g;
+    form.of_xi(Eigen::all, mode.active) = -carried;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const int j = open[static_cast<std::size_t>(i)];
+      form.of_z(j, i) = form.of_xi(i, j) = 1.0;
+    }
+    form.shift = structure_.shift(open, Eigen::all) -
+                 carried.cast<Complex>() * structure_.shift(mode.active, Eigen::all);
+    return form;
+  }
+};
+
 }  // namespace
 
 std::unique_ptr<const Stops> Stops::of(const Problem& problem, const FlowStructure& structure) {
@@ -183,6 +328,7 @@ std::unique_ptr<const Stops> Stops::of(const Problem& problem, const FlowStructu
 
 std::unique_ptr<const Stops> Stops::on(const FlowStructure& structure, bool rigid) {
   if (rigid) return std::make_unique<RigidStops>(structure);
+  if (structure.relaxation > 0.0) return std::make_unique<RelaxingStops>(structure);
   return std::make_unique<CompliantStops>(structure);
 }
 

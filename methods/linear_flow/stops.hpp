@@ -2,6 +2,7 @@
 // The forces of closed contacts: rigid stops, which hold, and compliant ones, which spring.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -9,7 +10,7 @@
 
 namespace signorini {
 
-/// The set A of closed contacts: sticking to a rigid stop, or pushing a compliant stop.
+/// The set A of closed contacts: sticking to a rigid stop, or pushing a compliant or relaxing stop.
 struct ContactMode {
   std::vector<int> active;  ///< A, ascending
   /// Inverse of Stops::coupling over A: G_AA^-1 [kg] or C_AA^-1 [N/m]. The pseudo-inverse where stops depend
@@ -22,21 +23,40 @@ struct ContactMode {
 
 /// Time derivatives of the motion and of the contact force at one instant.
 struct MotionDerivatives {
-  Eigen::MatrixXd u;       ///< Nd x (order + 1): column k is the k-th derivative of u
+  /// Np x (order + 1): column k is the k-th derivative of u, above that of xi where contacts relax, which is
+  /// filled up to order - 1.
+  Eigen::MatrixXd u;
   Eigen::MatrixXd x;       ///< Nc x (order - 1): of the contact displacements
   Eigen::MatrixXd lambda;  ///< Nc x (order - 1): of the contact forces
 };
 
+/// The parts xi of relaxing contacts in one mode, by u and by No numbers z of the open ones, which relax
+/// alone:
+///
+///     xi = of_u u + of_z z + offset,   z = of_xi xi,   beta z' + z = Re sum_h shift_h e^{i r_h t}.
+///
+/// Without relaxing contacts there are no rows.
+struct RelaxingForm {
+  Eigen::MatrixXd of_u = {};    ///< Nc x Nd [-]
+  Eigen::MatrixXd of_z = {};    ///< Nc x No [-]
+  Eigen::MatrixXd of_xi = {};   ///< No x Nc [-]
+  Eigen::VectorXd offset = {};  ///< Nc [m]
+  Eigen::MatrixXcd shift = {};  ///< No x Nh [m]
+};
+
 /// A mode's equation of motion without its constraint: u = offset + basis q, and q obeys
-/// basis^T (M, D, stiffness) basis under basis^T (load - K offset). Its contact forces are
-/// lambda_A = force_of_state (u, v) + Re sum_h force_of_load_h e^{i r_h t}; empty where no contact is closed.
+/// basis^T (M, damping, stiffness) basis under basis^T (load - K offset). Its contact forces are
+/// lambda_A = force_of_state (u, xi, v) + Re sum_h force_of_load_h e^{i r_h t}; empty where no contact is
+/// closed.
 struct FreeForm {
   Eigen::MatrixXd basis;                ///< Q, Nd x Nr, orthonormal
   Eigen::VectorXd offset;               ///< u_g, Nd [m]
   Eigen::MatrixXd stiffness;            ///< K and the springs of closed stops, Nd x Nd [N/m]
+  Eigen::MatrixXd damping;              ///< D and their dashpots, Nd x Nd [N s/m]
   Eigen::MatrixXcd load;                ///< f_h and the forces of those springs at u = 0, Nd x Nh [N]
-  Eigen::MatrixXd force_of_state = {};  ///< |A| x 2 Nd
+  Eigen::MatrixXd force_of_state = {};  ///< |A| x (Np + Nd)
   Eigen::MatrixXcd force_of_load = {};  ///< |A| x Nh [N]
+  RelaxingForm relaxing = {};           ///< of xi
 };
 
 /// What the closed contacts A of a mode do to the motion M u'' + D u' + K u = f + W lambda.
@@ -49,9 +69,18 @@ struct FreeForm {
 /// (compliance C_0, shift s), has the force that keeps it closed:
 ///
 ///     W_A^T u + s_A(t) + C_AA lambda_A = g_A,    C = C_0 + diag(1 / k),    x = W^T u + s(t) + C_0 lambda.
+///
+/// A relaxing stop, behind damped coordinates without mass (relaxation time beta), holds its contact at
+/// x_A = g_A, which is a spring and a dashpot of the structure:
+///
+///     lambda_A = C_AA^-1 (g_A - s_A(t) - W_A^T u - beta W_A^T u'),    C = C_0.
+///
+/// Meanwhile xi_A = g_A - W_A^T u, and of the open contacts O the numbers z = xi_O - C_OA C_AA^-1 xi_A relax
+/// by themselves, beta z' + z = s_O - C_OA C_AA^-1 s_A.
 class Stops {
  public:
-  /// Those of a scene: compliant if its law is Penalty or Massless. `structure` must outlive them.
+  /// Those of a scene: compliant if its law is Penalty or Massless, relaxing if besides the structure has a
+  /// relaxation time. `structure` must outlive them.
   static std::unique_ptr<const Stops> of(const Problem& problem, const FlowStructure& structure);
   /// Those of the same kind on a structure, which must outlive them.
   static std::unique_ptr<const Stops> on(const FlowStructure& structure, bool rigid);
@@ -63,24 +92,31 @@ class Stops {
   [[nodiscard]] const Eigen::MatrixXd& coupling() const {
     return rigid_ ? structure_.delassus : structure_.compliance;
   }
-  /// Unit of coupling times force in tolerances: the acceleration scale, or X.
+  /// Unit of coupling times force in tolerances: the acceleration scale, or X, or max(X, beta V).
   [[nodiscard]] double scale() const {
-    return rigid_ ? structure_.scales.acceleration : structure_.scales.displacement;
+    const MotionScales& scales = structure_.scales;
+    return rigid_ ? scales.acceleration
+                  : std::max(scales.displacement, structure_.relaxation * scales.velocity);
   }
 
-  /// Adds M^-1 W lambda to `a`, the acceleration without contact forces.
+  /// Adds M^-1 W lambda to `a`, the acceleration without contact forces; `u` is Np, `v` and `a` are Nd.
   virtual void add_acceleration(const ContactMode& mode, double time,
                                 const Eigen::Ref<const Eigen::VectorXd>& u,
+                                const Eigen::Ref<const Eigen::VectorXd>& v,
                                 Eigen::Ref<Eigen::VectorXd> a) const = 0;
+  /// Writes xi' where contacts relax.
+  virtual void relax(const ContactMode&, double, const Eigen::Ref<const Eigen::VectorXd>&,
+                     const Eigen::Ref<const Eigen::VectorXd>&, Eigen::Ref<Eigen::VectorXd>) const {}
   /// Derivatives 0..order (>= 2) of u and 0..order-2 of x and lambda, exact from the equation of motion.
   [[nodiscard]] MotionDerivatives derivatives(const ContactMode& mode, double time, const State& state,
                                               int order) const;
-  /// lambda and its rate at a state, Nc each, zero at open contacts. `x` and `rate` are W^T u + s and its
-  /// rate on entry, the contact displacements and velocities on return.
+  /// x, x', lambda and lambda' at a state, Nc each, the forces zero at open contacts.
   virtual void forces(const ContactMode& mode, double time, const State& state, Eigen::VectorXd& x,
                       Eigen::VectorXd& rate, Eigen::VectorXd& force, Eigen::VectorXd& force_rate) const = 0;
   /// K and the springs of closed stops, Nd x Nd [N/m].
   [[nodiscard]] virtual Eigen::MatrixXd stiffness(const ContactMode&) const { return structure_.stiffness; }
+  /// D and their dashpots, Nd x Nd [N s/m].
+  [[nodiscard]] virtual Eigen::MatrixXd damping(const ContactMode&) const { return structure_.damping; }
   /// Takes the part of the accelerations u'' = from_u u + from_v u' (second and third argument, Nd x Nd) that
   /// closed contacts do not admit away: nothing at compliant stops.
   virtual void constrain(const ContactMode&, Eigen::MatrixXd&, Eigen::MatrixXd&) const {}
@@ -92,8 +128,8 @@ class Stops {
  protected:
   /// \param structure  of the scene, kept by the caller
   Stops(const FlowStructure& structure, bool rigid) : structure_(structure), rigid_(rigid) {}
-  /// Fills column k of x and lambda and column k + 2 of u, `load` being the k-th derivative of f - K u - D
-  /// u'.
+  /// Fills column k of x and lambda, k + 2 of u and k + 1 of xi, `load` being the k-th derivative of
+  /// f - K u - D u'.
   virtual void differentiate(const ContactMode& mode, double time, int k, Eigen::VectorXd load,
                              MotionDerivatives& motion) const = 0;
   /// The form of a mode without closed contacts.

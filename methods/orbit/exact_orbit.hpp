@@ -73,10 +73,11 @@ struct ExactOrbit {
   double attainable = 0.0;                                 ///< round-off of the residual [-]
   /// Of the motion, relative to X: |J^-1| times the residual and its noise [-].
   double error_bar = 0.0;
-  double condition = 1.0;             ///< estimate for J, in its scales; where there is a trajectory [-]
-  int iterations = 0;                 ///< Newton steps
-  Eigen::VectorXcd multipliers = {};  ///< Floquet, 2 Nd; empty where undefined
-  Admissibility admissibility = {};   ///< where there is a trajectory
+  double condition = 1.0;  ///< estimate for J, in its scales; where there is a trajectory [-]
+  int iterations = 0;      ///< Newton steps
+  Eigen::VectorXcd multipliers =
+      {};                            ///< Floquet, 2 Nd, Nc more with relaxing contacts; empty where undefined
+  Admissibility admissibility = {};  ///< where there is a trajectory
 
   /// An orbit of the scene stands behind this.
   [[nodiscard]] bool certified() const {

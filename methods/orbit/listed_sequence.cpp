@@ -87,14 +87,13 @@ std::optional<State> state_for_instants(OrbitModel& model, const OrbitGuess& gue
 std::optional<OrbitGuess> listed_sequence(OrbitModel& model, std::vector<ContactEvent> events, double section,
                                           const std::vector<bool>& pushing, const Expired& expired) {
   constexpr double kSameInstant = 1e-12;  // of the period
-  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.dynamics.size());
   for (ContactEvent& event : events) event.time = section + wrapped_time(event.time - section, model.period);
   std::stable_sort(events.begin(), events.end(), [](const ContactEvent& a, const ContactEvent& b) {
     return std::pair(a.time, a.contact) < std::pair(b.time, b.contact);
   });
   end_chatters(events);
   std::vector<bool> closed = closed_at_section(events, pushing);
-  OrbitGuess guess{.start = {.time = section, .state = {.u = zero, .v = zero}, .closed = closed},
+  OrbitGuess guess{.start = {.time = section, .state = model.dynamics.at_rest(), .closed = closed},
                    .events = {},
                    .origin = "its own events"};
   for (auto first = events.begin(); first != events.end();) {

@@ -16,7 +16,9 @@ OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expir
     : model_(model),
       sequence_(guess),
       expired_(std::move(expired)),
+      p_(model.dynamics.positions()),
       n_(model.dynamics.size()),
+      states_(p_ + n_),
       m_(static_cast<Eigen::Index>(guess.events.size())),
       x_unit_(model.dynamics.scales().displacement),
       v_unit_(model.dynamics.scales().velocity),
@@ -26,12 +28,12 @@ OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expir
   // speeds, forces and instants, and |J^-1| says something about all of them.
   const ContactDynamics& dynamics = model_.dynamics;
   first_.resize(size());
-  first_.head(n_) = guess.start.state.u / x_unit_;
-  first_.segment(n_, n_) = guess.start.state.v / v_unit_;
+  first_.head(p_) = guess.start.state.u / x_unit_;
+  first_.segment(p_, n_) = guess.start.state.v / v_unit_;
   flows_.push_back(&model_.flows.of(guess.start.closed));
   for (Eigen::Index i = 0; i < m_; ++i) {
     const SequenceEvent& event = guess.events[static_cast<std::size_t>(i)];
-    first_[2 * n_ + i] = (event.time - guess.start.time) / t_unit_;
+    first_[states_ + i] = (event.time - guess.start.time) / t_unit_;
     require_time(expired_);
     flows_.push_back(&model_.flows.of(event.closed));
     EventLaw law;
@@ -47,7 +49,7 @@ OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expir
   crossings_.resize(static_cast<std::size_t>(m_));
   residual_.resize(size());
   jacobian_.resize(size(), size());
-  sensitivity_.resize(2 * n_, size());
+  sensitivity_.resize(states_, size());
 }
 
 // The sensitivities at the end of arc i.
@@ -66,7 +68,7 @@ void OrbitEquations::carry(Eigen::Index i, double duration) {
   of_state_ = factors.writing.cols();
   sensitivity_.leftCols(of_state_) = factors.writing;
   reading_ = factors.reading;
-  reading_.leftCols(n_) *= x_unit_;
+  reading_.leftCols(p_) *= x_unit_;
   reading_.rightCols(n_) *= v_unit_;
 }
 
@@ -80,9 +82,9 @@ void OrbitEquations::pass_event(Eigen::Index i) {
   EventCrossing& crossing = crossings_[index];
   crossing.approach = arc.displacement(event.contact, event.time, 1);
   if (law.of_force) {
-    residual_[2 * n_ + i] = arc.force(event.contact, event.time) / law.unit;
+    residual_[states_ + i] = arc.force(event.contact, event.time) / law.unit;
   } else {
-    residual_[2 * n_ + i] =
+    residual_[states_ + i] =
         (arc.displacement(event.contact, event.time) - model_.dynamics.structure().gaps[event.contact]) /
         law.unit;
   }
@@ -95,18 +97,17 @@ void OrbitEquations::differentiate_event(Eigen::Index i) {
   const LinearArc& arc = *arcs_[index];
   const EventLaw& law = laws_[index];
   const auto known = of_state_ + i + 1;  // columns that can be nonzero so far
-  const Eigen::Index row = 2 * n_ + i;
-  arc.acceleration(event.time, a_);
-  // A later event instant carries the state on along the motion, by F_- = (v, a) dt.
-  sensitivity_.col(known - 1).head(n_) = t_unit_ * state_.v;
-  sensitivity_.col(known - 1).tail(n_) = t_unit_ * a_;
+  const Eigen::Index row = states_ + i;
+  arc.rate(event.time, rate_);
+  // A later event instant carries the state on along the motion, by F_- dt.
+  sensitivity_.col(known - 1) = t_unit_ * rate_;
   const Eigen::RowVectorXd gradient = flows_[index]->gradient(event.contact, law.of_force);
   if (kind_ == Columns::all) {
     jacobian_.row(row).head(known).noalias() = gradient * sensitivity_.leftCols(known) / law.unit;
   } else {
     const Eigen::RowVectorXd by_all = gradient * sensitivity_.leftCols(known) / law.unit;
-    jacobian_.row(row).head(2 * n_) = by_all.head(of_state_) * reading_;
-    jacobian_.row(row).segment(2 * n_, i + 1) = by_all.tail(i + 1);
+    jacobian_.row(row).head(states_) = by_all.head(of_state_) * reading_;
+    jacobian_.row(row).segment(states_, i + 1) = by_all.tail(i + 1);
   }
   jacobian_(row, row) =
       t_unit_ * (law.of_force ? arc.force(event.contact, event.time, 1) : crossings_[index].approach) /
@@ -134,26 +135,26 @@ void OrbitEquations::push(Eigen::Index i, bool derivatives) {
 
 void OrbitEquations::differentiate_closure() {
   if (kind_ == Columns::all) {
-    jacobian_.topRows(n_) = sensitivity_.topRows(n_) / x_unit_;
-    jacobian_.middleRows(n_, n_) = sensitivity_.bottomRows(n_) / v_unit_;
+    jacobian_.topRows(p_) = sensitivity_.topRows(p_) / x_unit_;
+    jacobian_.middleRows(p_, n_) = sensitivity_.bottomRows(n_) / v_unit_;
   } else {
-    jacobian_.topLeftCorner(2 * n_, 2 * n_).noalias() = sensitivity_.leftCols(of_state_) * reading_;
-    jacobian_.topRightCorner(2 * n_, m_) = sensitivity_.middleCols(of_state_, m_);
-    jacobian_.topRows(n_) /= x_unit_;
-    jacobian_.middleRows(n_, n_) /= v_unit_;
+    jacobian_.topLeftCorner(states_, states_).noalias() = sensitivity_.leftCols(of_state_) * reading_;
+    jacobian_.topRightCorner(states_, m_) = sensitivity_.middleCols(of_state_, m_);
+    jacobian_.topRows(p_) /= x_unit_;
+    jacobian_.middleRows(p_, n_) /= v_unit_;
   }
-  jacobian_.topLeftCorner(2 * n_, 2 * n_).diagonal().array() -= 1.0;  // of - y_0
+  jacobian_.topLeftCorner(states_, states_).diagonal().array() -= 1.0;  // of - y_0
 }
 
 void OrbitEquations::pass(const Eigen::VectorXd& unknowns, bool derivatives) {
   const double start = sequence_.start.time;
-  state_.u = x_unit_ * unknowns.head(n_);
-  state_.v = v_unit_ * unknowns.segment(n_, n_);
+  state_.u = x_unit_ * unknowns.head(p_);
+  state_.v = v_unit_ * unknowns.segment(p_, n_);
   if (derivatives) {
-    of_state_ = 2 * n_;
+    of_state_ = states_;
     sensitivity_.setZero();
-    sensitivity_.topLeftCorner(n_, n_).diagonal().setConstant(x_unit_);
-    sensitivity_.block(n_, n_, n_, n_).diagonal().setConstant(v_unit_);
+    sensitivity_.topLeftCorner(p_, p_).diagonal().setConstant(x_unit_);
+    sensitivity_.block(p_, p_, n_, n_).diagonal().setConstant(v_unit_);
   }
   largest_state_ = 1.0;
   double begin = start;
@@ -162,12 +163,11 @@ void OrbitEquations::pass(const Eigen::VectorXd& unknowns, bool derivatives) {
     const auto index = static_cast<std::size_t>(i);
     LinearArc& arc = *arcs_[index];
     arc.start(begin, state_);
-    const double end = i == m_ ? start + model_.period : start + t_unit_ * unknowns[2 * n_ + i];
+    const double end = i == m_ ? start + model_.period : start + t_unit_ * unknowns[states_ + i];
     if (derivatives && i > 0) {  // a later beginning leaves the arc less time: -F_+ dt
       const Eigen::Index last = of_state_ + i - 1;
-      arc.acceleration(begin, a_);
-      sensitivity_.col(last).head(n_) -= t_unit_ * state_.v;
-      sensitivity_.col(last).tail(n_) -= t_unit_ * a_;
+      arc.rate(begin, rate_);
+      sensitivity_.col(last) -= t_unit_ * rate_;
     }
     if (derivatives) carry(i, end - begin);
     if (i == m_) {
@@ -182,8 +182,8 @@ void OrbitEquations::pass(const Eigen::VectorXd& unknowns, bool derivatives) {
                                state_.v.lpNorm<Eigen::Infinity>() / v_unit_});
     begin = end;
   }
-  residual_.head(n_) = state_.u / x_unit_ - unknowns.head(n_);
-  residual_.segment(n_, n_) = state_.v / v_unit_ - unknowns.segment(n_, n_);
+  residual_.head(p_) = state_.u / x_unit_ - unknowns.head(p_);
+  residual_.segment(p_, n_) = state_.v / v_unit_ - unknowns.segment(p_, n_);
   if (derivatives) differentiate_closure();
 }
 
@@ -199,22 +199,22 @@ bool OrbitEquations::evaluate_residual(const Eigen::VectorXd& unknowns) {
 
 Eigen::MatrixXd OrbitEquations::monodromy() const {
   // Up to here the instants were free; now they follow the state (theory.md, section 6).
-  Eigen::MatrixXd P = jacobian_.topLeftCorner(2 * n_, 2 * n_);
+  Eigen::MatrixXd P = jacobian_.topLeftCorner(states_, states_);
   P.diagonal().array() += 1.0;  // dP/dy_0 without the - y_0 of the closure
   if (m_ == 0) return P;
   // dh/dt is lower triangular: an event depends on those before it.
   const Eigen::MatrixXd along = jacobian_.bottomRightCorner(m_, m_);
   if (along.diagonal().cwiseAbs().minCoeff() == 0.0) return {};
-  P -= jacobian_.topRightCorner(2 * n_, m_) *
-       along.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd(jacobian_.bottomLeftCorner(m_, 2 * n_)));
+  P -= jacobian_.topRightCorner(states_, m_) *
+       along.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd(jacobian_.bottomLeftCorner(m_, states_)));
   return P;
 }
 
 OrbitGuess OrbitEquations::orbit(const Eigen::VectorXd& unknowns) const {
   OrbitGuess result = sequence_;
-  result.start.state = {.u = x_unit_ * unknowns.head(n_), .v = v_unit_ * unknowns.segment(n_, n_)};
+  result.start.state = {.u = x_unit_ * unknowns.head(p_), .v = v_unit_ * unknowns.segment(p_, n_)};
   for (Eigen::Index i = 0; i < m_; ++i)
-    result.events[static_cast<std::size_t>(i)].time = result.start.time + t_unit_ * unknowns[2 * n_ + i];
+    result.events[static_cast<std::size_t>(i)].time = result.start.time + t_unit_ * unknowns[states_ + i];
   return result;
 }
 

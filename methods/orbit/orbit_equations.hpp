@@ -53,14 +53,14 @@ using Expired = std::function<bool()>;
 void require_time(const Expired& expired);
 
 /// Unknowns: the state y_0 at the section and the instants t_1 < ... < t_m of the events, in the scales
-/// (X, V, 1 / omega), 2 Nd + m. Equations, as many:
+/// (X, V, 1 / omega), Ns + m, Ns = 2 Nd or, with relaxing contacts, 2 Nd + Nc. Equations, as many:
 ///
 ///     y(t_0 + T) - y_0 = 0,    x_j(t_i) - g_j = 0 (impact, close),    lambda_j(t_i) = 0 (open),
 ///
 /// in the scales X, V and, for a force, ContactDynamics::force_scale. Between events the motion is that
 /// of LinearFlow; at impacts v_+ = v_- - M^-1 W_S G_SS^-1 diag(1 + e) W_S^T v_-, S the contacts that take an
 /// impulse, which also is the projection on sticking where e = 0. The Jacobian is carried along: an event's
-/// instant moves the state after it by R F_- - F_+, F = (v, a) on either side.
+/// instant moves the state after it by R F_- - F_+, F = (v, xi', a) on either side.
 ///
 /// The monodromy matrix is its Schur complement: with P(y_0, t) = y(t_0 + T) and h(y_0, t) the event
 /// equations, the instants follow the state by dt = -(dh/dt)^-1 (dh/dy_0) dy_0, so that
@@ -80,7 +80,7 @@ class OrbitEquations {
   OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired = {},
                  Columns columns = Columns::all);
 
-  [[nodiscard]] Eigen::Index size() const { return 2 * n_ + m_; }        ///< 2 Nd + m
+  [[nodiscard]] Eigen::Index size() const { return states_ + m_; }       ///< Ns + m
   [[nodiscard]] Eigen::Index events() const { return m_; }               ///< m
   [[nodiscard]] const Eigen::VectorXd& guess() const { return first_; }  ///< the unknowns to begin with
   /// The instant at which the section comes again, in the unit of the instants [-].
@@ -107,7 +107,7 @@ class OrbitEquations {
   [[nodiscard]] const std::vector<EventCrossing>& crossings() const { return crossings_; }
   /// m + 1 arcs: arc i ends at event i. The next evaluation changes them.
   [[nodiscard]] const std::vector<std::shared_ptr<LinearArc>>& arcs() const { return arcs_; }
-  /// The Schur complement in scaled coordinates, 2 Nd x 2 Nd; empty if dh/dt is singular.
+  /// The Schur complement in scaled coordinates, Ns x Ns; empty if dh/dt is singular.
   [[nodiscard]] Eigen::MatrixXd monodromy() const;
   /// The orbit of given unknowns, with the sequence of this one.
   [[nodiscard]] OrbitGuess orbit(const Eigen::VectorXd& unknowns) const;
@@ -129,9 +129,9 @@ class OrbitEquations {
   OrbitModel& model_;
   OrbitGuess sequence_;
   Expired expired_;
-  Eigen::Index n_ = 0, m_ = 0;
+  Eigen::Index p_ = 0, n_ = 0, states_ = 0, m_ = 0;  // Np, Nd, Ns
   double x_unit_ = 1.0, v_unit_ = 1.0, t_unit_ = 1.0, largest_state_ = 0.0;
-  Eigen::VectorXd first_, residual_, a_;
+  Eigen::VectorXd first_, residual_, rate_;
   Eigen::MatrixXd jacobian_;
   // Derivatives of the state, in SI units: by the state at the section, or by the amplitudes that `reading_`
   // takes from it, then by the instants passed so far.

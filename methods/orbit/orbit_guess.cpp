@@ -105,23 +105,23 @@ double quiet_instant(const std::vector<Push>& pushes, double period) {
 // impulses of one period make of a structure at rest, for y_0 itself returns as Phi(T) y_0.
 std::optional<State> periodic_state(OrbitModel& model, double time, std::vector<Impulse> impulses) {
   const ContactDynamics& dynamics = model.dynamics;
-  const int n = dynamics.size();
+  const int states = dynamics.states();
   const LinearFlow& flow =
       model.flows.of(std::vector<bool>(static_cast<std::size_t>(dynamics.contact_count()), false));
   const std::unique_ptr<LinearArc> arc = flow.arc();
   State end;
-  arc->start(time, {.u = Eigen::VectorXd::Zero(n), .v = Eigen::VectorXd::Zero(n)});
+  arc->start(time, dynamics.at_rest());
   arc->state(time + model.period, end);
   for (Impulse& impulse : impulses)  // times before the end of the period
     impulse.time = model.period - wrapped_time(impulse.time - time, model.period);
   const State struck = flow.response(impulses);
-  Eigen::VectorXd sum(2 * n);
+  Eigen::VectorXd sum(states);
   sum << end.u + struck.u, end.v + struck.v;
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(Eigen::MatrixXd::Identity(2 * n, 2 * n) -
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(Eigen::MatrixXd::Identity(states, states) -
                                                 flow.transition(model.period));
   const Eigen::VectorXd y = lu.solve(sum);
   if (!y.allFinite() || !(lu.rcond() > 1e-13)) return std::nullopt;
-  return State{.u = y.head(n), .v = y.tail(n)};
+  return State{.u = y.head(dynamics.positions()), .v = y.tail(dynamics.size())};
 }
 
 // The events of the pushes, ordered after the section, with the contacts closed after each.

@@ -3,8 +3,8 @@
 namespace signorini {
 
 PeriodicClosure::PeriodicClosure(const LinearFlow& flow, const MotionScales& scales, double period)
-    : units_(2 * flow.size()) {
-  units_ << Eigen::VectorXd::Constant(flow.size(), scales.displacement),
+    : units_(flow.states()) {
+  units_ << Eigen::VectorXd::Constant(flow.positions(), scales.displacement),
       Eigen::VectorXd::Constant(flow.size(), scales.velocity);
   const Eigen::MatrixXd transition =
       units_.cwiseInverse().asDiagonal() * flow.transition(period) * units_.asDiagonal();

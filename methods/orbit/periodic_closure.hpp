@@ -18,11 +18,11 @@ class PeriodicClosure {
   /// 1e-12. The condition number would not tell, for where all motions return I - Phi(T) is rounding
   /// altogether.
   [[nodiscard]] bool unique() const;
-  /// y_0 of d, both (u, v), 2 Nd. Precondition: unique().
+  /// y_0 of d, both (u, xi, v), Ns. Precondition: unique().
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& d) const;
 
  private:
-  Eigen::VectorXd units_;  // X and V, 2 Nd
+  Eigen::VectorXd units_;  // X and V, Ns
   Eigen::FullPivLU<Eigen::MatrixXd> lu_;
 };
 

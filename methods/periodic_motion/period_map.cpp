@@ -23,15 +23,16 @@ void PeriodMap::apply(FlowState& state, int count, FlowRecord& record) {
 
 Eigen::VectorXd PeriodMap::scaled(const State& state) const {
   const MotionScales& scales = flow_.dynamics().scales();
-  Eigen::VectorXd vector(2 * state.u.size());
+  Eigen::VectorXd vector(state.u.size() + state.v.size());
   vector << state.u / scales.displacement, state.v / scales.velocity;
   return vector;
 }
 
 State PeriodMap::unscaled(const Eigen::VectorXd& vector) const {
   const MotionScales& scales = flow_.dynamics().scales();
-  const Eigen::Index n = vector.size() / 2;
-  return {.u = vector.head(n) * scales.displacement, .v = vector.tail(n) * scales.velocity};
+  const ContactDynamics& dynamics = flow_.dynamics();
+  return {.u = vector.head(dynamics.positions()) * scales.displacement,
+          .v = vector.tail(dynamics.size()) * scales.velocity};
 }
 
 namespace {
@@ -111,7 +112,7 @@ class PeriodEquations {
     Iterate at{
         .point = {.start = start, .order = order_, .residual = std::numeric_limits<double>::infinity()}};
     const MotionScales& scales = map_.flow().dynamics().scales();
-    const Eigen::Index n = start.state.u.size();
+    const Eigen::Index p = start.state.u.size(), n = start.state.v.size();
     FlowState end = start;
     FlowRecord record;
     record.tangent = true;
@@ -123,11 +124,11 @@ class PeriodEquations {
       return at;
     }
     at.defect = map_.scaled(end.state) - map_.scaled(start.state);
-    // The derivative of the flow is that of (u, v); here it is wanted of (u / X, v / V).
+    // The derivative of the flow is that of (u, xi, v); here it is wanted of (u / X, xi / X, v / V).
     Eigen::MatrixXd& derivative = at.point.monodromy = std::move(record.derivative);
     const double ratio = scales.velocity / scales.displacement;
-    derivative.topRightCorner(n, n) *= ratio;
-    derivative.bottomLeftCorner(n, n) /= ratio;
+    derivative.topRightCorner(p, n) *= ratio;
+    derivative.bottomLeftCorner(n, p) /= ratio;
     const double residual = at.defect.lpNorm<Eigen::Infinity>();
     if (std::isfinite(residual) && derivative.allFinite()) {
       at.point.residual = residual;

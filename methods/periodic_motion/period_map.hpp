@@ -19,7 +19,7 @@ class PeriodMap {
 
   /// Applies the map `count` times; the phase state.time stays, record times run on.
   void apply(FlowState& state, int count, FlowRecord& record);
-  /// (u / X, v / V), 2 Nd, in the scales of the motion [-].
+  /// (u / X, xi / X, v / V), Ns, in the scales of the motion [-].
   [[nodiscard]] Eigen::VectorXd scaled(const State& state) const;
   /// The state that is scaled to a vector.
   [[nodiscard]] State unscaled(const Eigen::VectorXd& vector) const;
@@ -43,7 +43,7 @@ struct FixedPoint {
   double residual = 0.0;                 ///< distance between start and end of a period, scaled [-]
   long iterations = 0;                   ///< Newton steps, or periods marched
   std::optional<double> condition = {};  ///< estimate for I - monodromy at the last step, scaled [-]
-  Eigen::MatrixXd monodromy = {};        ///< in scaled coordinates, 2 Nd x 2 Nd
+  Eigen::MatrixXd monodromy = {};        ///< in scaled coordinates, Ns x Ns
   Eigen::VectorXcd multipliers = {};     ///< its eigenvalues, the Floquet multipliers; empty unless converged
 
   /// Of `multipliers`, in magnitude; 0 where there are none.

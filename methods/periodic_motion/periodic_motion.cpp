@@ -21,16 +21,14 @@ namespace {
 // unstable or not: hence the cast.
 FlowState first_state(const Problem& problem, const ContactDynamics& dynamics, const Start& start,
                       const EventFlow& flow) {
-  if (!start.guess) {
-    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(dynamics.size());
-    return flow.place(0.0, {.u = zero, .v = zero});
-  }
+  if (!start.guess) return flow.place(0.0, dynamics.at_rest());
   const auto* followed = dynamic_cast<const EventTrajectory*>(start.guess.get());
-  if (followed != nullptr && followed->start().state.u.size() == dynamics.size()) {
+  if (followed != nullptr && followed->start().state.u.size() == dynamics.positions()) {
     return flow.place(std::fmod(followed->start().time, dynamics.structure().forcing_period),
                       followed->start().state);
   }
-  return flow.place(0.0, dynamics.with_mass(PeriodicResponse(problem, *start.guess).at(0.0)));
+  const State whole = PeriodicResponse(problem, *start.guess).at(0.0);
+  return flow.place(0.0, dynamics.with_mass(whole, contact_directions(problem).transpose() * whole.u));
 }
 
 std::shared_ptr<const Trajectory> recorded(PeriodMap& map, const FixedPoint& found) {
@@ -67,7 +65,7 @@ void search(const Problem& problem, const ContactDynamics& dynamics, PeriodicMot
 Solution find_periodic_motion(const Problem& problem, const ContactDynamics& dynamics,
                               const PeriodicMotionOptions& options, const Start& start) {
   Solution solution;
-  solution.work.unknowns = 2L * dynamics.size();
+  solution.work.unknowns = dynamics.states();
   std::optional<EventFlow> flow;
   std::optional<PeriodMap> map;
   try {

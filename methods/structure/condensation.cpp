@@ -85,8 +85,11 @@ CondensedStructure condense(const Problem& problem, int most) {
 std::string flow_obstacle(const Problem& problem) {
   const CondensedStructure structure = condense(problem);
   if (!structure.obstacle.empty()) return structure.obstacle;
-  if (structure.relaxation > 0.0)
-    return "a coordinate without mass is damped: its equation is of first order";
+  if (structure.relaxation > 0.0 && std::holds_alternative<Penalty>(problem.law))
+    return "a spring acts on a coordinate without mass that is damped";
+  if (structure.relaxation > 0.0 && problem.size() > kMostRelaxing)
+    return fmt::format("{} coordinates: at most {} are followed through time where massless ones are damped",
+                       problem.size(), kMostRelaxing);
   const Eigen::SimplicialLLT<SparseMatrix> mass(structure.mass);
   return mass.info() == Eigen::Success ? "" : "the mass matrix is singular on the coordinates with mass";
 }

@@ -48,6 +48,9 @@ struct CondensedStructure {
 /// Coordinates beyond which no motion is followed through time: the steps are as short as the fastest mode
 /// asks, which a fine mesh makes faster still, and each costs a solve.
 inline constexpr int kMostInTime = 10000;
+/// The same where contacts relax: damping that grows with the stiffness makes a fine mesh stiff, and each
+/// step of an implicit integrator a dense solve.
+inline constexpr int kMostRelaxing = 1000;
 
 /// Sparse throughout, but for C and the columns of load and shift. More than `most` coordinates are an
 /// obstacle, and so is damping at massless coordinates that is not proportional to the stiffness there.

@@ -37,7 +37,10 @@ std::string continuation_obstacle(const Problem& problem) {
   const auto* law = std::get_if<Restitution>(&problem.law);
   const bool loses = problem.damping().norm() > 0.0 || (law != nullptr && law->e < 1.0);
   if (!is_driven(problem) && loses) return "without a periodic load it comes to rest";
-  return flow_obstacle(problem);
+  if (std::string obstacle = flow_obstacle(problem); !obstacle.empty()) return obstacle;
+  if (condense(problem).relaxation > 0.0)
+    return "coordinates without mass are damped, whose orbits are not continued";
+  return {};
 }
 
 OrbitFamily::OrbitFamily(ParametrisedScene scene, const CurveUnits& units)

@@ -37,7 +37,7 @@ SequencedOrbit with_events(const SequencedOrbit& orbit, std::vector<PlacedEvent>
 }
 
 std::optional<State> contact_free_motion(OrbitModel& model) {
-  const Eigen::Index n = model.dynamics.size();
+  const ContactDynamics& dynamics = model.dynamics;
   model.period = model.dynamics.structure().forcing_period;
   const LinearFlow& flow =
       model.flows.of(std::vector<bool>(static_cast<std::size_t>(model.dynamics.contact_count()), false));
@@ -45,13 +45,13 @@ std::optional<State> contact_free_motion(OrbitModel& model) {
   if (!closure.unique()) return std::nullopt;
   const auto arc = flow.arc();
   State end;
-  arc->start(0.0, {.u = Eigen::VectorXd::Zero(n), .v = Eigen::VectorXd::Zero(n)});
+  arc->start(0.0, dynamics.at_rest());
   arc->state(model.period, end);
-  Eigen::VectorXd change(2 * n);
+  Eigen::VectorXd change(dynamics.states());
   change << end.u, end.v;
   const Eigen::VectorXd y = closure.solve(change);
   if (!y.allFinite()) return std::nullopt;
-  return State{.u = y.head(n), .v = y.tail(n)};
+  return State{.u = y.head(dynamics.positions()), .v = y.tail(dynamics.size())};
 }
 
 std::optional<SequencedOrbit> contact_free_orbit(OrbitFamily& family, double parameter) {

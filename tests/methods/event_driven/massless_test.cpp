@@ -17,6 +17,7 @@
 #include "tests/methods/event_driven/scenes.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/massless_scenes.hpp"
+#include "tests/support/relaxing_scenes.hpp"
 
 namespace signorini {
 namespace {
@@ -185,12 +186,37 @@ TEST(MasslessContacts, TheSameStopTwiceChangesNothingButTheShareOfTheForce) {
   }
 }
 
-TEST(MasslessContacts, DampedOnesAreRefusedWithTheReason) {
+TEST(MasslessContacts, DampedByTheirStiffnessAreTheSameForEveryMethod) {
+  const Problem problem = test::damped_coupled_scene(1, 0.2);
+  ASSERT_NO_THROW(validate(problem));
+  const Solution exact = solve<ExactOrbitMethod>(problem, {});
+  ASSERT_EQ(exact.verdict, Verdict::converged) << exact.message;
+  EXPECT_GT(exact.trajectory->events()->size(), 1U);
+  for (const Integrator flow : {Integrator::cvode, Integrator::modal}) {
+    const Solution followed = solve<EventDriven>(problem, {.tolerance = 1e-10, .flow = flow});
+    ASSERT_EQ(followed.verdict, Verdict::converged) << followed.message;
+    EXPECT_LT(test::relative_distance(*followed.trajectory, *exact.trajectory), 1e-8);
+  }
+  const Solution hat = solve<HatLcp>(problem, {.samples = 512});
+  ASSERT_EQ(hat.verdict, Verdict::converged) << hat.message;
+  EXPECT_LT(test::relative_distance(*hat.trajectory, *exact.trajectory), 1e-2);
+}
+
+TEST(MasslessContacts, DampedOtherwiseAreRefusedWithTheReason) {
   Problem damped = test::massless_node();
-  damped.edit_structure([&](Structure& s) { s.damping = s.stiffness; });
+  damped.edit_structure([&](Structure& s) {
+    s.damping = SparseMatrix(0.1 * s.stiffness);
+    s.damping.coeffRef(1, 1) += 0.1;
+  });
   EXPECT_EQ(EventDriven({}).supports(damped).reason,
-            "a coordinate without mass is damped: its equation is of first order");
+            "the damping of coordinates without mass is not proportional to their stiffness");
   EXPECT_EQ(ExactOrbitMethod({}).supports(damped).reason, EventDriven({}).supports(damped).reason);
+  Problem sprung = test::massless_node();
+  sprung.edit_structure([&](Structure& s) { s.damping = SparseMatrix(0.1 * s.stiffness); });
+  EXPECT_EQ(EventDriven({}).supports(sprung).reason, "");
+  sprung.law = Penalty{.stiffness = {50.0}};
+  EXPECT_EQ(EventDriven({}).supports(sprung).reason,
+            "a spring acts on a coordinate without mass that is damped");
 }
 
 /// Radius of the synchronous full rub of oracle 1i without friction: the solutions of

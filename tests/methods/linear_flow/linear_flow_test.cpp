@@ -31,8 +31,9 @@ double defect(const ContactDynamics& dynamics, const LinearArc& arc, double from
     const double t = from + (to - from) * i / 40;
     State state;
     arc.state(t, state);
-    Eigen::VectorXd a, expected(dynamics.size());
-    arc.acceleration(t, a);
+    Eigen::VectorXd rate, expected(dynamics.size());
+    arc.rate(t, rate);
+    const Eigen::VectorXd a = rate.tail(dynamics.size());
     dynamics.acceleration(arc.mode(), t, state.u, state.v, expected);
     worst = std::max(worst, (a - expected).lpNorm<Eigen::Infinity>());
     scale = std::max(scale, expected.lpNorm<Eigen::Infinity>());

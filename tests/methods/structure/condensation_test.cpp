@@ -6,6 +6,7 @@
 
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/massless_scenes.hpp"
+#include "tests/support/structure_scenes.hpp"
 
 namespace signorini {
 namespace {
@@ -86,6 +87,9 @@ TEST(Condense, RefusesWhatIsTooLargeToBeFollowedThroughTime) {
     s.damping = s.stiffness = s.mass;
   });
   EXPECT_EQ(flow_obstacle(large), "10001 coordinates: at most 10000 are followed through time");
+  EXPECT_EQ(flow_obstacle(test::massless_bar({.alpha = 0.1}, kMostRelaxing + 1)), "");
+  EXPECT_EQ(flow_obstacle(test::massless_bar({.alpha = 0.1, .beta = 0.01}, kMostRelaxing + 1)),
+            "1001 coordinates: at most 1000 are followed through time where massless ones are damped");
 }
 
 TEST(Condense, SaysWhereItCannotBeDone) {
