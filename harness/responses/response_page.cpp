@@ -152,16 +152,12 @@ std::string contents(const std::vector<std::string>& scenes) {
                      list_part("", item("about", "How this run was made")));
 }
 
-/// What each kind of scenes recommends, in words and as a table.
-std::string verdict_section_of(const Section& verdict, std::span<const ResponseRecord> records) {
-  std::string items;
-  for (const ResponseGroup& group : response_groups(records))
-    items +=
-        fmt::format("<li>{}: {}</li>\n", html_text(group_title(group)), html_text(response_verdict(group)));
+/// What each kind of scenes recommends.
+std::string verdict_section_of(const Section& verdict) {
   return fmt::format(
-      "<section id=\"verdict\"><h2>Which method?</h2>\n<ul>\n{}</ul>\n{}<p class=\"note\">{}</p>\n"
+      "<section id=\"verdict\"><h2>Which method?</h2>\n{}<p class=\"note\">{}</p>\n"
       "<p class=\"note\">{}</p>\n</section>\n",
-      items, html_table(verdict.table, "Which method?"), html_text(verdict.text), html_text(verdict.note));
+      html_table(verdict.table, "Which method?"), html_text(verdict.text), html_text(verdict.note));
 }
 
 }  // namespace
@@ -196,7 +192,7 @@ std::string response_page(const std::string& title, const Json& manifest,
   const std::vector<std::string> scenes = scenes_followed(records);
   const std::vector<Section> sections = response_sections(records);
   const Json data = page_data(records, scenes);
-  std::string text = verdict_section_of(section_called(sections, "verdict"), records);
+  std::string text = verdict_section_of(section_called(sections, "verdict"));
   text += "<h2>Scene by scene</h2>\n";
   for (const std::string& scene : scenes)
     text += response_of(scene, records, sections, data["scenes"][scene]["response"]);

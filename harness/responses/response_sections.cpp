@@ -28,11 +28,6 @@ Cell error_cell(std::optional<double> error) {
   return error ? Cell(fmt::format("{:.1e}", *error), *error) : Cell("-");
 }
 
-std::string in_words(const ResponseStanding& standing) {
-  return fmt::format("{} ({:.1f} % found, {:.1f} % false)", standing.label, 100.0 * standing.found,
-                     100.0 * standing.false_share);
-}
-
 /// The names and figures of a standing, or dashes.
 void add_standing(std::vector<Cell>& row, const ResponseStanding* standing) {
   if (standing == nullptr) {
@@ -202,14 +197,6 @@ Section open_section(std::span<const ResponseRecord> records) {
 }
 
 }  // namespace
-
-std::string response_verdict(const ResponseGroup& group) {
-  const ResponseStanding *best = recommended_of(group), *other = other_of(group);
-  if (best == nullptr) return "no method finds any of the exact branches with at most 5 % false ones";
-  std::string text = in_words(*best);
-  if (other != nullptr) text += "; of the others " + in_words(*other);
-  return text;
-}
 
 std::string response_screen(std::span<const ResponseRecord> records) {
   constexpr std::size_t kName = 42;

@@ -11,10 +11,6 @@
 
 namespace signorini {
 
-/// The recommendation for a kind of scenes in words, the second best where the best is what the exact
-/// responses are made by: "exact-orbit (99.3 % found, 0.0 % false); of the others hat-lcp (...)".
-std::string response_verdict(const ResponseGroup& group);
-
 /// For each kind of scenes the recommended methods and those that find the most, at most 80 columns wide:
 /// what a terminal shows of a folder.
 std::string response_screen(std::span<const ResponseRecord> records);
