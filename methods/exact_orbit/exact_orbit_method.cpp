@@ -18,6 +18,7 @@
 #include "methods/hat_functions/hat_contact.hpp"
 #include "methods/linear_flow/linear_flow.hpp"
 #include "methods/orbit/exact_orbit.hpp"
+#include "methods/orbit/reduced_orbit.hpp"
 #include "methods/structure/condensation.hpp"
 
 namespace signorini {
@@ -193,6 +194,53 @@ class PreparedExactOrbit final : public PreparedMethod {
   Progress progress_;
 };
 
+// Structures too large for a closed form, reduced to what their contacts feel.
+class PreparedReducedOrbit final : public PreparedMethod {
+ public:
+  PreparedReducedOrbit(const Problem& problem, const ExactOrbitMethod::Options& options)
+      : problem_(problem), options_(options), pair_(problem) {}
+
+  Solution solve(const Start& start) override {
+    SearchOptions search;
+    search.polish.tolerance = options_.tolerance;
+    search.polish.max_iterations = options_.max_iterations;
+    search.shootings = 15;
+    search.marched = options_.marching;
+    search.expired = [&start] { return start.expired(); };
+    Solution solution;
+    try {
+      take(find_reduced_orbit(problem_, pair_, search), solution);
+    } catch (const std::exception& error) {  // a mode whose flow cannot be formed
+      solution.message = fmt::format("no exact orbit: {}", error.what());
+    }
+    return solution;
+  }
+
+ private:
+  void take(const ReducedOrbit& found, Solution& solution) const {
+    const ExactOrbit& orbit = found.orbit;
+    const long vectors = pair_.fine.vectors();
+    solution.work.iterations = found.iterations;
+    solution.work.unknowns = 2 * vectors + problem_.contact_count();
+    solution.trajectory = orbit.trajectory;
+    solution.residual = orbit.residual;
+    solution.message = fmt::format("no exact orbit of the structure reduced to {} vectors: {}, {}", vectors,
+                                   describe(orbit.outcome), orbit.reason);
+    if (!orbit.certified()) return;
+    solution.verdict = Verdict::converged;
+    solution.condition = orbit.condition;
+    solution.message = fmt::format(
+        "{}, of the structure reduced to {} vectors, by {}; {} vectors change it by {:.1e}; largest "
+        "multiplier {:.6g}",
+        orbit.reason, vectors, found.start, vectors - pair_.coarse.vectors(), found.change,
+        orbit.largest_multiplier());
+  }
+
+  const Problem& problem_;
+  ExactOrbitMethod::Options options_;
+  ReducedPair pair_;
+};
+
 }  // namespace
 
 ExactOrbitMethod::ExactOrbitMethod(const Options& options) : options_(options) {
@@ -210,8 +258,10 @@ ExactOrbitMethod::ExactOrbitMethod(const Options& options) : options_(options) {
 
 Support ExactOrbitMethod::supports(const Problem& problem) const {
   if (problem.size() > kMostInDenseFlow) {
-    return {false, fmt::format("{} coordinates: the closed-form flow is dense, at most {}", problem.size(),
-                               kMostInDenseFlow)};
+    const std::string obstacle = reduction_obstacle(problem);
+    if (obstacle.empty()) return {.ok = true, .reason = {}};
+    return {false, fmt::format("{} coordinates: the closed-form flow is dense, at most {}; {}",
+                               problem.size(), kMostInDenseFlow, obstacle)};
   }
   if (Support grid = grid_support(problem, options_.samples); !grid.ok) return grid;
   const std::string obstacle = flow_obstacle(problem);
@@ -221,6 +271,7 @@ Support ExactOrbitMethod::supports(const Problem& problem) const {
 RepresentedLaw ExactOrbitMethod::law(const Problem& problem) const { return as_represented(problem.law); }
 
 std::unique_ptr<PreparedMethod> ExactOrbitMethod::prepare(const Problem& problem) const {
+  if (problem.size() > kMostInDenseFlow) return std::make_unique<PreparedReducedOrbit>(problem, options_);
   return std::make_unique<PreparedExactOrbit>(problem, options_);
 }
 

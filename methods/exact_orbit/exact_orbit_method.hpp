@@ -16,6 +16,11 @@ namespace signorini {
 /// Guarantee: a converged answer solves the equations of motion, the impact law and the periodicity to
 /// `tolerance` (or to the round-off stated), does not penetrate, and pulls nowhere (1e-11 of the scales); its
 /// message gives the error bar. Of several orbits it returns the first found: stable or not.
+///
+/// Structures of more than 300 coordinates, with massless contacts and proportional damping, are reduced to
+/// what their contacts feel (`find_reduced_orbit`): the guarantee is then about the reduced structure, and
+/// the message says of how many vectors it is and what the last third of them changes. `samples`,
+/// `refinements` and `restarts` do not matter then.
 class ExactOrbitMethod final : public Method {
  public:
   static constexpr std::string_view kName = "exact-orbit";

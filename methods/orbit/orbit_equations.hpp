@@ -23,6 +23,9 @@ struct OrbitModel {
       : dynamics(problem),
         flows(dynamics, FlowForm::automatic, std::move(shared)),
         period(problem.period()) {}
+  /// `condensed` in place of condense(problem), as FlowStructure takes it.
+  OrbitModel(const Problem& problem, CondensedStructure condensed)
+      : dynamics(problem, std::move(condensed)), flows(dynamics), period(problem.period()) {}
   /// The same scene with another frequency of its load.
   OrbitModel(const OrbitModel& other, double frequency, std::shared_ptr<SharedModes> shared)
       : dynamics(other.dynamics, frequency),

@@ -7,6 +7,7 @@
 #include <complex>
 #include <vector>
 
+#include "methods/orbit/family/orbit_family.hpp"
 #include "methods/orbit/return_check.hpp"
 #include "methods/periodic_motion/period_map.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
@@ -109,6 +110,12 @@ TEST(RelaxingOrbits, AreTheLimitOfImplicitEulerWithoutEvents) {
     }
     EXPECT_LT(errors.back(), 0.01);
   }
+}
+
+TEST(RelaxingOrbits, AreNotContinuedYet) {
+  EXPECT_EQ(continuation_obstacle(test::damped_tip_chain(0.5)),
+            "coordinates without mass are damped, whose orbits are not continued");
+  EXPECT_EQ(continuation_obstacle(test::damped_tip_chain(0.0)), "");
 }
 
 // With less and less damping of the tip the orbits go to that of the undamped one, at first order.
