@@ -78,16 +78,21 @@ DisplacementSummary summary_of(const SampledDisplacement& sampled, const Extreme
   return summary;
 }
 
-std::vector<double> jump_times(const Motion& motion) {
+/// Where velocities may jump: at impulses, and where a massless contact closes or opens.
+std::vector<double> jump_times(const Motion& motion, const RepresentedLaw& law) {
   std::vector<double> times;
   for (const Impulse& impulse : motion.impulses) times.push_back(impulse.time);
+  if (std::holds_alternative<Massless>(law) && motion.events) {
+    for (const ContactEvent& event : *motion.events) times.push_back(event.time);
+    std::ranges::sort(times);
+  }
   return times;
 }
 
 std::vector<DisplacementSummary> contact_displacements(const Trajectory& answer, const Motion& motion,
-                                                       int harmonics) {
+                                                       const RepresentedLaw& law, int harmonics) {
   std::vector<DisplacementSummary> all;
-  const std::vector<double> jumps = jump_times(motion);
+  const std::vector<double> jumps = jump_times(motion, law);
   const Eigen::MatrixXd nodal = answer.nodes() ? answer.sample(*answer.nodes()).x : Eigen::MatrixXd();
   for (Eigen::Index c = 0; c < motion.samples.x.cols(); ++c) {
     const SampledDisplacement sampled{motion.period(), motion.samples.x.col(c),
@@ -100,13 +105,13 @@ std::vector<DisplacementSummary> contact_displacements(const Trajectory& answer,
 }
 
 /// The coordinates asked for, or why there are none.
-void take_coordinates(const Problem& problem, const Motion& motion, const SummaryRequest& request,
-                      MotionSummary& summary) {
+void take_coordinates(const Problem& problem, const Motion& motion, const RepresentedLaw& law,
+                      const SummaryRequest& request, MotionSummary& summary) {
   if (request.dofs.empty()) return;
   try {
     const CoordinateMotion field(problem, motion, request.dofs);
     const Eigen::MatrixXd u = field.displacement(motion.count()), v = field.velocity(motion.count());
-    const std::vector<double> jumps = motion.bandwidth ? std::vector<double>() : jump_times(motion);
+    const std::vector<double> jumps = motion.bandwidth ? std::vector<double>() : jump_times(motion, law);
     for (std::size_t i = 0; i < request.dofs.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
       const SampledDisplacement sampled{motion.period(), u.col(column), v.col(column)};
@@ -186,8 +191,8 @@ Extremes extremes(const SampledDisplacement& displacement, std::span<const doubl
 MotionSummary summarise_motion(const Problem& problem, const RepresentedLaw& law, const Trajectory& answer,
                                const Motion& motion, const SummaryRequest& request) {
   MotionSummary summary;
-  summary.x = contact_displacements(answer, motion, request.harmonics);
-  take_coordinates(problem, motion, request, summary);
+  summary.x = contact_displacements(answer, motion, law, request.harmonics);
+  take_coordinates(problem, motion, law, request, summary);
   take_contact(law, motion, summary);
   return summary;
 }

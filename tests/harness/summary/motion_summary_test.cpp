@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include "methods/discretisation/trajectories.hpp"
 #include "tests/harness/fake_method.hpp"
@@ -61,6 +64,34 @@ TEST(SummariseMotion, OfAnImpactingMassHasItsLargestDisplacementAtTheStop) {
   EXPECT_NEAR(summary.x[0].max, scene.oscillator.gap, 1e-12);
   EXPECT_EQ(summary.x[0].amplitude, 0.5 * (summary.x[0].max - summary.x[0].min));
   EXPECT_TRUE(summary.u.empty());
+}
+
+/// min(sin t, 1/2), as a massless contact that is held at its stop moves.
+class Held final : public Trajectory {
+ public:
+  [[nodiscard]] int contact_count() const override { return 1; }
+  [[nodiscard]] double period() const override { return kTurn; }
+  [[nodiscard]] Samples sample(int count) const override { return motion_.sample(count); }
+  [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override {
+    return {{{.kind = ContactEvent::Kind::close, .contact = 0, .time = kTurn / 12.0},
+             {.kind = ContactEvent::Kind::open, .contact = 0, .time = 5.0 * kTurn / 12.0}}};
+  }
+
+ private:
+  FormulaMotion motion_{kTurn, [](double t) { return std::min(std::sin(t), 0.5); },
+                        [](double t) { return std::sin(t) < 0.5 ? std::cos(t) : 0.0; },
+                        [](double t) { return std::min(0.0, 0.5 - std::sin(t)); }};
+};
+
+// The kink where the contact closes is no turning point beyond the stop.
+TEST(SummariseMotion, OfAMasslessContactHasItsLargestDisplacementAtTheStop) {
+  const Held answer;
+  Problem problem = test::to_problem({.frequency = 1.0, .gap = 0.5});
+  problem.law = Massless{};
+  const MotionSummary summary =
+      summarise_motion(problem, Massless{}, answer, sample_motion(problem, answer), {});
+  EXPECT_NEAR(summary.x[0].max, 0.5, 1e-10);
+  EXPECT_NEAR(summary.x[0].min, -1.0, 1e-10);
 }
 
 TEST(SummariseMotion, TellsTheImpactAsTheClosedFormHasIt) {
