@@ -11,6 +11,14 @@ HarmonicWeights scheme_weights(HatScheme scheme, double theta, double step) {
     const std::complex<double> s = (1.0 - std::polar(1.0, -theta)) / step;
     return {s * s, s, 1.0, 1.0};
   }
+  if (scheme == HatScheme::bdf2) {
+    // 3 - 4 z + z^2 = (1 - z) (3 - z); 1 - z by the half angle, as below.
+    const std::complex<double> z = std::polar(1.0, -theta);
+    const double half = std::sin(0.5 * theta);
+    const std::complex<double> s =
+        std::complex<double>(2.0 * half * half, std::sin(theta)) * (3.0 - z) / (2.0 * step);
+    return {s * s, s, 1.0, 1.0};
+  }
   // 2 - 2 cos theta = 4 sin^2(theta / 2): the half angle keeps its digits at low harmonics, where the
   // difference would lose those that the inertia of a fine grid needs.
   const double half = std::sin(0.5 * theta);

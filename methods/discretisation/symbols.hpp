@@ -32,19 +32,22 @@ HarmonicWeights exact_weights(double w);
 ///     galerkin   -(2 - 2 cos theta) / dt^2  i sin(theta) / dt   (2 + cos theta) / 3
 ///     nodal      -(2 - 2 cos theta) / dt^2  i sin(theta) / dt   1
 ///     backward   s^2                        s                   1,   s = (1 - e^{-i theta}) / dt
+///     bdf2       s^2                        s                   1,   s = (3 - 4 z + z^2) / (2 dt), z = e^{-i
+///     theta}
 ///
-/// All tend to the exact weights as theta -> 0: the first two with error O(theta^2), the last with O(theta).
+/// All tend to the exact weights as theta -> 0: with error O(theta^2), backward with O(theta).
 enum class HatScheme {
   galerkin,  ///< hat functions as ansatz and test functions; the load is interpolated by them
   nodal,     ///< the same with K and the load lumped at the nodes: central differences
   backward,  ///< backward differences; represents restitution 0
+  bdf2,      ///< backward differences of second order; for stops without an impact law
 };
 
 /// The values of the option `scheme`.
 template <>
 struct EnumNames<HatScheme> {
   /// In the order of the enumerators.
-  static constexpr std::array<std::string_view, 3> values{"galerkin", "nodal", "backward"};
+  static constexpr std::array<std::string_view, 4> values{"galerkin", "nodal", "backward", "bdf2"};
 };
 
 /// Weights of a scheme at theta = 2 pi n / N. \param step  dt > 0 [s]

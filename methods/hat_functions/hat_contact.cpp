@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "methods/complementarity/forms.hpp"
-#include "methods/discretisation/real_fft.hpp"
 #include "methods/discretisation/trajectories.hpp"
+#include "methods/hat_functions/marched_contact.hpp"
 #include "methods/hat_functions/period_marching.hpp"
 #include "methods/solvers/complementarity_solver.hpp"
 #include "methods/structure/periodic_response.hpp"
@@ -128,6 +128,21 @@ bool cheap_on_the_next_grid(const Solution& solution) {
   return kGrowth * static_cast<double>(solution.work.pivots.value_or(0)) * pressed * pressed <= kOperations;
 }
 
+/// What the march steps where the settings leave the solver open; null where there is nothing to march.
+std::shared_ptr<const ContactReduction> reduction_for(const Problem& problem, const HatSettings& settings) {
+  const bool open = settings.scheme == HatScheme::bdf2 &&
+                    settings.solver == ComplementaritySolver::automatic && settings.max_iterations == 0;
+  return open ? marched_reduction(problem) : nullptr;
+}
+
+/// One grid, marched where there is a reduction.
+std::unique_ptr<PreparedMethod> prepared_grid(const Problem& problem, const HatSettings& settings,
+                                              std::optional<double> restitution,
+                                              std::shared_ptr<const ContactReduction> reduction) {
+  if (reduction) return marched_contact(problem, settings.samples, settings.tolerance, std::move(reduction));
+  return std::make_unique<PreparedHat>(problem, settings, restitution);
+}
+
 /// A motion smaller than this part of the static deflection is rounding [-].
 constexpr double kAtRest = 1e-6;
 
@@ -147,21 +162,15 @@ ContactReceptance grid_receptance(const Problem& problem, HatScheme scheme, int 
 
 std::shared_ptr<const Trajectory> nodal_motion(const ContactReceptance& receptance,
                                                const Eigen::VectorXd& pressure, int samples) {
-  const int contacts = receptance.contacts();
-  RealFft fft(samples);
-  Eigen::MatrixXcd spectrum(fft.coefficients(), contacts);
-  Eigen::MatrixXd force = -pressure.reshaped(samples, contacts);
-  for (int c = 0; c < contacts; ++c) fft.forward(force.col(c), spectrum.col(c));
-  if (contacts > 0) spectrum = contact_motion(receptance, spectrum);
-  Eigen::MatrixXd x(samples, contacts);
-  for (int c = 0; c < contacts; ++c) fft.inverse(spectrum.col(c), x.col(c));
+  Eigen::MatrixXd force = -pressure.reshaped(samples, receptance.contacts());
+  Eigen::MatrixXd x = nodal_response(receptance, force);
   if (!x.allFinite() || !force.allFinite()) return nullptr;
   return std::make_shared<NodalTrajectory>(receptance.period, std::move(x), std::move(force));
 }
 
 std::unique_ptr<PreparedMethod> hat_contact(const Problem& problem, const HatSettings& settings,
                                             std::optional<double> restitution) {
-  return std::make_unique<PreparedHat>(problem, settings, restitution);
+  return prepared_grid(problem, settings, restitution, reduction_for(problem, settings));
 }
 
 Support grid_support(const Problem& problem, int samples) {
@@ -183,10 +192,10 @@ Resolutions hat_grids(const Problem& problem, const HatSettings& settings,
                       std::optional<double> restitution) {
   constexpr int kFactor = 4;
   return {rising_resolutions(coarsest_hat_grid(problem), kFactor, kFinestHatGrid),
-          [&problem, settings, restitution](int samples) {
+          [&problem, settings, restitution, reduction = reduction_for(problem, settings)](int samples) {
             HatSettings grid = settings;
             grid.samples = samples;
-            return hat_contact(problem, grid, restitution);
+            return prepared_grid(problem, grid, restitution, reduction);
           }};
 }
 

@@ -37,6 +37,9 @@ struct HatSettings {
 ///      nodes in contact repeat, and Newton's method from there;
 ///   4. pivoting to the end, 100 pivots per unknown.
 ///
+/// With HatScheme::bdf2, `automatic` and no limit on iterations, massless and spring stops of structures with
+/// proportional damping are marched instead (`marched_contact`), on a reduction that the grids share.
+///
 /// An answer on one grid may still be wrong by its numerical dissipation: `refined_hat_contact` compares
 /// grids. `problem` must outlive the result.
 /// \throws std::runtime_error if the structure cannot be factorised

@@ -24,6 +24,8 @@ int HatLcp::first_samples(const Problem& problem) const {
 }
 
 Support HatLcp::supports(const Problem& problem) const {
+  if (options_.scheme == Scheme::bdf2 && std::holds_alternative<Restitution>(problem.law))
+    return {false, "scheme = bdf2 represents no impact law: massless contacts and spring stops only"};
   return grid_support(problem, first_samples(problem));
 }
 

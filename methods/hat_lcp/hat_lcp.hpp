@@ -26,6 +26,10 @@ namespace signorini {
 /// samples = auto grids of 256, 1024 and 4096 nodes are tried until two agree within 5 %; an answer that they
 /// contradict is not claimed (docs/decisions/0014).
 ///
+/// `scheme = bdf2`, for massless and spring stops: backward differences of second order. With solver = auto
+/// the structure is reduced to what its contacts feel and marched to its period (`marched_contact`), which
+/// takes hundreds of contacts that stay closed, where paths of pivots end nowhere.
+///
 /// `plain`: the source paper's problem, complementarity on the nodal gaps, by one path of pivots (Lemke's
 /// method) without restarts or marching. It sets what is left at `auto`.
 class HatLcp final : public Method, public CurveMethod {
@@ -54,7 +58,9 @@ class HatLcp final : public Method, public CurveMethod {
           "samples", samples, "[-]",
           "nodes N per period, 4..10000000; auto: 256 or what the load needs, and four times as many, up to "
           "4096, until two grids agree");
-      field("scheme", scheme, "[-]", "galerkin | nodal | backward (represents restitution 0)");
+      field("scheme", scheme, "[-]",
+            "galerkin | nodal | backward (represents restitution 0) | bdf2 (massless and spring stops; "
+            "marched)");
       field("restitution", restitution, "[-]",
             "scene: the scene's law; none: nodal gaps, no impact law; auto: scene, none if plain");
       field("solver", solver, "[-]", "auto (pivoting with restarts; pivoting if plain) | pivoting | newton");

@@ -80,6 +80,8 @@ ContactMarch::ContactMarch(const ContactReduction& reduction, MarchGrid grid)
       contacts_(step_compliance(reduction, grid_)),
       next_(Eigen::VectorXd::Zero(part_)),
       xi_(Eigen::VectorXd::Zero(reduction.contacts())),
+      no_load_(Eigen::VectorXd::Zero(modes_)),
+      no_shift_(xi_),
       motion_(Eigen::MatrixXd::Zero(grid_.samples, reduction.contacts())),
       force_(motion_),
       sets_(static_cast<std::size_t>(grid_.samples)) {}
@@ -146,7 +148,9 @@ Eigen::VectorXd ContactMarch::period(const Eigen::VectorXd& state) {
       shift += c * reduction_.shift.col(h).real() - s * reduction_.shift.col(h).imag();
     }
     advance_freely(history, load, shift);
+    const int node = k % grid_.samples;
     room.noalias() = grid_.gap - xi_ - reduction_.rows.transpose() * next_.head(modes_);
+    if (moved_.size() > 0) room -= moved_.row(node).transpose();
     if (!contacts_.solve(room)) {
       contacts_.restart();
       return Eigen::VectorXd::Constant(size(), std::numeric_limits<double>::quiet_NaN());
@@ -155,10 +159,8 @@ Eigen::VectorXd ContactMarch::period(const Eigen::VectorXd& state) {
     push_.resize(static_cast<Eigen::Index>(set.size()));
     for (std::size_t j = 0; j < set.size(); ++j) push_[static_cast<Eigen::Index>(j)] = -contacts_.z()[set[j]];
     press(set);
-    next_.segment(modes_, modes_) = sigma_ * next_.head(modes_) - history_part_.head(modes_);
-    if (relaxing_ > 0) next_.tail(relaxing_) = xi_;
+    complete_next();
     sets_[static_cast<std::size_t>(k - 1)] = set;
-    const int node = k % grid_.samples;
     // x = g - w - k_p^-1 lambda, w what the conditions leave of the gap.
     motion_.row(node) =
         (grid_.gap - contacts_.w() + grid_.compliance.cwiseProduct(contacts_.z())).transpose();
@@ -168,28 +170,52 @@ Eigen::VectorXd ContactMarch::period(const Eigen::VectorXd& state) {
   return scaled(history);
 }
 
+void ContactMarch::complete_next() {
+  next_.segment(modes_, modes_) = sigma_ * next_.head(modes_) - history_part_.head(modes_);
+  if (relaxing_ > 0) next_.tail(relaxing_) = xi_;
+}
+
+void ContactMarch::advance_on(const std::vector<int>& set, const History& history,
+                              const Eigen::VectorXd& moved) {
+  advance_freely(history, no_load_, no_shift_);
+  if (!set.empty()) {
+    push_.resize(static_cast<Eigen::Index>(set.size()));
+    for (std::size_t j = 0; j < set.size(); ++j) {
+      push_[static_cast<Eigen::Index>(j)] =
+          moved[set[j]] + xi_[set[j]] + reduction_.rows.col(set[j]).dot(next_.head(modes_));
+    }
+    // 0 = dx + G dlambda on the set.
+    push_ = contacts_.on_set(set, push_);
+    press(set);
+  }
+  complete_next();
+}
+
 Eigen::VectorXd ContactMarch::tangent(const Eigen::VectorXd& change) {
   History history = unscaled(change);
-  const Eigen::VectorXd no_load = Eigen::VectorXd::Zero(modes_);
-  const Eigen::VectorXd no_shift = Eigen::VectorXd::Zero(reduction_.contacts());
   for (const std::vector<int>& set : sets_) {
     ++tangent_steps_;
-    advance_freely(history, no_load, no_shift);
-    if (!set.empty()) {
-      push_.resize(static_cast<Eigen::Index>(set.size()));
-      for (std::size_t j = 0; j < set.size(); ++j) {
-        push_[static_cast<Eigen::Index>(j)] =
-            xi_[set[j]] + reduction_.rows.col(set[j]).dot(next_.head(modes_));
-      }
-      // 0 = dx + G dlambda on the set.
-      push_ = contacts_.on_set(set, push_);
-      press(set);
-    }
-    next_.segment(modes_, modes_) = sigma_ * next_.head(modes_) - history_part_.head(modes_);
-    if (relaxing_ > 0) next_.tail(relaxing_) = xi_;
+    advance_on(set, history, no_shift_);
     shift_history(history);
   }
   return scaled(history);
+}
+
+ContactMarch::Change ContactMarch::change(const Eigen::VectorXd& state, const Eigen::MatrixXd& moved) {
+  History history = unscaled(state);
+  Change result{.state = {}, .motion = moved, .force = Eigen::MatrixXd::Zero(moved.rows(), moved.cols())};
+  for (int k = 1; k <= grid_.samples; ++k) {
+    ++tangent_steps_;
+    const std::vector<int>& set = sets_[static_cast<std::size_t>(k - 1)];
+    const int node = k % grid_.samples;
+    advance_on(set, history, moved.row(node).transpose());
+    result.motion.row(node) += (xi_ + reduction_.rows.transpose() * next_.head(modes_)).transpose();
+    for (std::size_t j = 0; j < set.size(); ++j)
+      result.force(node, set[j]) = push_[static_cast<Eigen::Index>(j)];
+    shift_history(history);
+  }
+  result.state = scaled(history);
+  return result;
 }
 
 Eigen::VectorXd ContactMarch::free_state() const {

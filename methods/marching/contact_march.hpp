@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "methods/solvers/active_set_lcp.hpp"
@@ -68,6 +69,20 @@ class ContactMarch {
   /// of state: exact but at states where a contact is about to open or to close.
   [[nodiscard]] Eigen::VectorXd tangent(const Eigen::VectorXd& change);
 
+  /// Adds a given displacement to x from the next period on. \param moved  at nodes 0..N-1, N x Nc [m]
+  void move(Eigen::MatrixXd moved) { moved_ = std::move(moved); }
+
+  /// How a period changes with its state and with displacements added to x, contacts staying in their sets:
+  /// dx = dx_free + G dlambda, dx = -k_p^-1 dlambda on the sets, dlambda = 0 elsewhere.
+  struct Change {
+    Eigen::VectorXd state;   ///< after the period
+    Eigen::MatrixXd motion;  ///< dx at nodes 0..N-1, the displacement added included, N x Nc [m]
+    Eigen::MatrixXd force;   ///< dlambda likewise [N]
+  };
+  /// \param state  change of the state before the period
+  /// \param moved  displacement added at nodes 0..N-1, N x Nc [m]
+  [[nodiscard]] Change change(const Eigen::VectorXd& state, const Eigen::MatrixXd& moved);
+
   /// x at nodes 0 to N-1 of the last period, N x Nc [m]. Node 0 is its last step.
   [[nodiscard]] const Eigen::MatrixXd& motion() const { return motion_; }
   /// lambda likewise, N x Nc [N].
@@ -89,6 +104,9 @@ class ContactMarch {
   void advance_freely(const History& history, const Eigen::VectorXd& load, const Eigen::VectorXd& shift);
   /// Adds what forces of the given contacts do to next_; they are in push_, one per member.
   void press(const std::vector<int>& set);
+  /// A linear step under `moved`: next_ with the forces that keep the set where it is, which push_ then has.
+  void advance_on(const std::vector<int>& set, const History& history, const Eigen::VectorXd& moved);
+  void complete_next();
   void shift_history(History& history);
 
   const ContactReduction& reduction_;
@@ -101,7 +119,8 @@ class ContactMarch {
   Eigen::VectorXd scale_;                 // of y
   ActiveSetLcp contacts_;
   Eigen::VectorXd next_, xi_, history_part_, push_;  // xi_ also where it is no state
-  Eigen::MatrixXd motion_, force_;
+  Eigen::VectorXd no_load_, no_shift_;
+  Eigen::MatrixXd motion_, force_, moved_;
   std::vector<std::vector<int>> sets_;
   long steps_ = 0, tangent_steps_ = 0;
 };

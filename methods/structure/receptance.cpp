@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "methods/discretisation/real_fft.hpp"
 #include "methods/structure/block_lanczos.hpp"
 #include "methods/structure/harmonic_pencil.hpp"
 #include "problems/matrix_properties.hpp"
@@ -163,6 +164,16 @@ Eigen::MatrixXcd contact_motion(const ContactReceptance& receptance, const Eigen
   Eigen::MatrixXcd x = receptance.free_response;
   for (Eigen::Index n = 0; n < x.rows(); ++n)
     x.row(n) += (receptance.receptance[static_cast<std::size_t>(n)] * lambda.row(n).transpose()).transpose();
+  return x;
+}
+
+Eigen::MatrixXd nodal_response(const ContactReceptance& receptance, const Eigen::MatrixXd& force) {
+  RealFft fft(static_cast<int>(force.rows()));
+  Eigen::MatrixXcd spectrum(fft.coefficients(), force.cols());
+  for (Eigen::Index c = 0; c < force.cols(); ++c) fft.forward(force.col(c), spectrum.col(c));
+  if (force.cols() > 0) spectrum = contact_motion(receptance, spectrum);
+  Eigen::MatrixXd x(force.rows(), force.cols());
+  for (Eigen::Index c = 0; c < force.cols(); ++c) fft.inverse(spectrum.col(c), x.col(c));
   return x;
 }
 

@@ -29,6 +29,12 @@ struct ContactReceptance {
 /// \param lambda  coefficients of the contact forces, n = 0..H at least, Nc columns [N]
 Eigen::MatrixXcd contact_motion(const ContactReceptance& receptance, const Eigen::MatrixXcd& lambda);
 
+/// The same at N equidistant nodes of a period under nodal forces: x_n = free_n + C_n lambda_n, n = 0..N/2,
+/// lambda_n the discrete Fourier coefficients of the forces; N x Nc [m].
+/// \param receptance  with harmonics 0..N/2 at least
+/// \param force       lambda, N x Nc [N]
+Eigen::MatrixXd nodal_response(const ContactReceptance& receptance, const Eigen::MatrixXd& force);
+
 /// `contact_receptance` by factorising Z_n for every n = 0..H, O(Nd^3) each if `dense`, else as sparse LU
 /// allows. Right-hand sides are solved for a few at a time, so that memory is that of the factors.
 /// \throws SingularStiffness

@@ -67,6 +67,12 @@ TEST(SchemeWeights, OfNodalAndBackwardAreTheirDifferenceQuotients) {
     expect_near(backward.mass, (x(0) - 2.0 * x(-1) + x(-2)) / (kStep * kStep), 1e-14 / (kStep * kStep));
     expect_near(backward.damping, (x(0) - x(-1)) / kStep, 1e-14);
     expect_near(backward.stiffness, 1.0, 0.0);
+    const HarmonicWeights second = scheme_weights(HatScheme::bdf2, theta, kStep);
+    const auto slope = [&](int k) { return (3.0 * x(k) - 4.0 * x(k - 1) + x(k - 2)) / (2.0 * kStep); };
+    expect_near(second.damping, slope(0), 1e-13);
+    expect_near(second.mass, (3.0 * slope(0) - 4.0 * slope(-1) + slope(-2)) / (2.0 * kStep), 1e-12);
+    expect_near(second.stiffness, 1.0, 0.0);
+    EXPECT_EQ(second.load, 1.0);
     EXPECT_EQ(nodal.load, 1.0);
     EXPECT_EQ(backward.load, 1.0);
   }
@@ -74,7 +80,8 @@ TEST(SchemeWeights, OfNodalAndBackwardAreTheirDifferenceQuotients) {
 
 TEST(SchemeWeights, ApproachTheExactOnesWithTheirOrder) {
   constexpr double kFrequency = 2.0;
-  for (const HatScheme scheme : {HatScheme::galerkin, HatScheme::nodal, HatScheme::backward}) {
+  for (const HatScheme scheme :
+       {HatScheme::galerkin, HatScheme::nodal, HatScheme::backward, HatScheme::bdf2}) {
     std::vector<double> steps;
     std::vector<double> errors;
     for (double step = 0.1; step > 0.005; step /= 2.0) {

@@ -7,6 +7,7 @@
 #include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/massless_scenes.hpp"
 #include "tests/support/population.hpp"
 
 namespace signorini {
@@ -70,6 +71,26 @@ TEST(HatLcp, BackwardDifferencesRepresentRestitutionZero) {
   }
   EXPECT_GE(observed_order(steps, errors), 0.8);
   EXPECT_LE(errors.back(), 2e-2);
+}
+
+TEST(HatLcp, BackwardDifferencesOfSecondOrderTakeNoImpactLaw) {
+  const HatLcp method({.scheme = HatLcp::Scheme::bdf2});
+  const Support support = method.supports(test::to_problem({.damping = 0.1, .frequency = 1.5, .gap = 0.2}));
+  EXPECT_FALSE(support.ok);
+  EXPECT_EQ(support.reason,
+            "scheme = bdf2 represents no impact law: massless contacts and spring stops only");
+}
+
+// Left to itself it refines its grid until two agree, on one reduction of the structure.
+TEST(HatLcp, MarchesMasslessContactsUnderBackwardDifferencesOfSecondOrder) {
+  const Problem problem = test::massless_node();
+  const Solution solution = solve<HatLcp>(problem, {.scheme = HatLcp::Scheme::bdf2});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  EXPECT_FALSE(solution.work.pivots);
+  const Solution galerkin = solve<HatLcp>(problem, {.samples = 1024});
+  ASSERT_EQ(galerkin.verdict, Verdict::converged) << galerkin.message;
+  const Eigen::MatrixXd x = solution.trajectory->sample(256).x, other = galerkin.trajectory->sample(256).x;
+  EXPECT_LE((x - other).norm(), 0.02 * other.norm());
 }
 
 TEST(HatLcp, IsSecondOrderWhereNothingTouches) {

@@ -172,6 +172,30 @@ TEST_F(MarchOfTheBlock, HasTheDifferenceQuotientAsItsTangent) {
   }
 }
 
+// Displacements added to x: their linear effect is the difference of two marches, on the sets of one.
+TEST_F(MarchOfTheBlock, ChangesWithDisplacementsAsTheDifferenceQuotient) {
+  Eigen::VectorXd state = Eigen::VectorXd::Zero(march_.size());
+  for (int period = 0; period < 12; ++period) state = march_.period(state);
+  const Eigen::VectorXd image = march_.period(state);
+  const Eigen::MatrixXd motion = march_.motion(), force = march_.force();
+  const auto sets = march_.sets();
+  std::srand(7);
+  const Eigen::MatrixXd shape = Eigen::MatrixXd::Random(128, 9);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(march_.size());
+  const ContactMarch::Change change = march_.change(none, shape);
+  const double length = 1e-7 * motion.cwiseAbs().maxCoeff();
+  march_.move(length * shape);
+  const Eigen::VectorXd there = march_.period(state);
+  ASSERT_EQ(march_.sets(), sets);
+  EXPECT_LE(((there - image) / length - change.state).norm(), 1e-5 * change.state.norm());
+  EXPECT_LE(((march_.motion() - motion) / length - change.motion).norm(), 1e-5 * change.motion.norm());
+  EXPECT_LE(((march_.force() - force) / length - change.force).norm(), 1e-5 * change.force.norm());
+  for (int k = 1; k <= 128; ++k) {
+    for (const int c : sets[static_cast<std::size_t>(k - 1)])
+      EXPECT_NEAR(change.motion(k % 128, c), 0.0, 1e-10);
+  }
+}
+
 TEST_F(MarchOfTheBlock, LeavesTheFreeMotionAloneWithoutContact) {
   MarchGrid far = march_grid(problem_, 128);
   far.gap.setConstant(1e3);
