@@ -42,7 +42,8 @@ FlowStructure::FlowStructure(const Problem& problem, CondensedStructure condense
   if (factors->info() != Eigen::Success)
     throw std::runtime_error("the mass matrix is singular on the coordinates with mass");
   if (const auto* law = std::get_if<Penalty>(&problem.law)) {
-    if (relaxation > 0.0) throw std::runtime_error(flow_obstacle(problem));
+    if (relaxation > 0.0)
+      throw std::runtime_error("a spring acts on a coordinate without mass that is damped");
     const auto k = Eigen::VectorXd::Map(law->stiffness.data(), contact_count());
     compliance.diagonal() += k.cwiseInverse();
   }
