@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/hat_functions/hat_contact.hpp"
@@ -113,18 +114,16 @@ bool SeriesCurve::evaluate(const Eigen::VectorXd& x) {
   return residual_.allFinite();
 }
 
-Eigen::VectorXd SeriesCurve::frequency_column() const {
-  // y' of the frequency; the edges of contact move where y = 0.
+// y' of the frequency [N s].
+Eigen::MatrixXcd SeriesCurve::pressure_rate() const {
   Eigen::MatrixXcd clearance = motion_;
   clearance.row(0) -= gap_.transpose();
   Eigen::MatrixXcd motion_rate = receptance_.free_response;
   for (Eigen::Index n = 0; n <= harmonics_; ++n)
     motion_rate.row(n) +=
         (receptance_.receptance[static_cast<std::size_t>(n)] * lambda_.row(n).transpose()).transpose();
-  const Eigen::MatrixXcd rate = clearance * law_rate_.constant.asDiagonal() +
-                                motion_rate * law_.constant.asDiagonal() -
-                                lambda_ * law_rate_.multiplier_weight.asDiagonal();
-  return pack_harmonics(pressing_->pressed(rate));
+  return clearance * law_rate_.constant.asDiagonal() + motion_rate * law_.constant.asDiagonal() -
+         lambda_ * law_rate_.multiplier_weight.asDiagonal();
 }
 
 Eigen::MatrixXd SeriesCurve::jacobian() const {
@@ -133,15 +132,39 @@ Eigen::MatrixXd SeriesCurve::jacobian() const {
   for (Eigen::Index c = 0; c < gap_.size(); ++c) scale.segment(c * stride, stride) *= pressing_->root()[c];
   Eigen::MatrixXd J(n, n + 1);
   J.leftCols(n) = scale.asDiagonal() * pressing_->jacobian() * scale.cwiseInverse().asDiagonal();
-  J.col(n) = family_.frequency_unit * weight_.cwiseProduct(frequency_column());
+  // The edges of contact move where y = 0.
+  J.col(n) =
+      family_.frequency_unit * weight_.cwiseProduct(pack_harmonics(pressing_->pressed(pressure_rate())));
   return J;
 }
 
-Eigen::VectorXcd SeriesCurve::force_of(Eigen::Index contact, const ContactInterval& interval) const {
+Eigen::VectorXcd SeriesCurve::pressure(Eigen::Index contact) const {
   Eigen::VectorXcd y =
       law_.constant[contact] * motion_.col(contact) - law_.multiplier_weight[contact] * lambda_.col(contact);
   y[0] -= law_.constant[contact] * gap_[contact];
-  return -ContactIndicator({interval}, harmonics_).restrict(y);
+  return y;
+}
+
+Eigen::VectorXd SeriesCurve::pressure_gradient(Eigen::Index contact, double time) const {
+  const Eigen::Index stride = 2 * harmonics_ + 1;
+  Eigen::VectorXd gradient(size() + 1);
+  for (Eigen::Index j = 0; j < gap_.size(); ++j) {
+    for (Eigen::Index n = 0; n <= harmonics_; ++n) {
+      Complex b =
+          law_.constant[contact] * receptance_.value.receptance[static_cast<std::size_t>(n)](contact, j);
+      if (j == contact) b -= law_.multiplier_weight[contact];
+      if (n == 0) {
+        gradient[j * stride] = b.real();
+        continue;
+      }
+      b *= std::numbers::sqrt2 * std::polar(1.0, 2.0 * std::numbers::pi * static_cast<double>(n) * time);
+      gradient[j * stride + 2 * n - 1] = b.real();
+      gradient[j * stride + 2 * n] = -b.imag();
+    }
+  }
+  gradient.head(size()) = gradient.head(size()).cwiseQuotient(weight_).eval();
+  gradient[size()] = family_.frequency_unit * trigonometric_jet(pressure_rate().col(contact), time).value;
+  return gradient;
 }
 
 Eigen::MatrixXd SeriesCurve::doubled_jacobian() const {

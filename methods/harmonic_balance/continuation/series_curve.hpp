@@ -73,8 +73,10 @@ class SeriesCurve {
     return pressing_->contacts();
   }
 
-  /// The part of lambda that one interval of contact carries, n = 0..H [N].
-  [[nodiscard]] Eigen::VectorXcd force_of(Eigen::Index contact, const ContactInterval& interval) const;
+  /// y_n of one contact, n = 0..H [N].
+  [[nodiscard]] Eigen::VectorXcd pressure(Eigen::Index contact) const;
+  /// dy/dx of one contact at an instant, by all unknowns, size() + 1 [N]. \param time  share of the period
+  [[nodiscard]] Eigen::VectorXd pressure_gradient(Eigen::Index contact, double time) const;
 
   /// 1 + P chi B on the harmonics n + 1/2, n = 0..H-1, packed as (Re, Im) contact by contact, in units of
   /// sqrt(c): the derivative of R towards motions of twice the period, of which it is a block of its own. It
@@ -83,7 +85,7 @@ class SeriesCurve {
 
  private:
   [[nodiscard]] ContactReceptance of_scenes_order(const ContactReceptance& receptance) const;
-  [[nodiscard]] Eigen::VectorXd frequency_column() const;
+  [[nodiscard]] Eigen::MatrixXcd pressure_rate() const;
 
   const SeriesFamily& family_;
   int multiple_;

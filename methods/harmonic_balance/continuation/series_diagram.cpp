@@ -83,7 +83,7 @@ class SeriesDiagram {
                          [](const SeriesStart& a, const SeriesStart& b) { return a.multiple < b.multiple; });
     const SeriesStart start = std::move(*next);
     starts_.erase(next);
-    if (!start.leaves_repetition && !start.crosses && known(start.multiple, start.x)) return;
+    if (!start.leaves_repetition && start.crossed.size() == 0 && known(start.multiple, start.x)) return;
     if (static_cast<int>(diagram_.branches.size()) >= limits_.max_branches) {
       diagram_.unfinished = fmt::format("limit of {} branches", limits_.max_branches);
       return;
@@ -94,7 +94,8 @@ class SeriesDiagram {
                       .doublings = allowed(2 * start.multiple),
                       .phases = limits_.phases,
                       .at = limits_.at,
-                      .known = [&](const Eigen::VectorXd& x) { return known(start.multiple, x); },
+                      .known = [&](const Eigen::VectorXd& x,
+                                   std::size_t intervals) { return known(start.multiple, x, intervals); },
                       .deadline = limits_.deadline});
     if (std::chrono::steady_clock::now() > limits_.deadline) diagram_.unfinished = "the time is up";
     if (!traced.rejected.empty()) {
@@ -122,14 +123,16 @@ class SeriesDiagram {
 
   [[nodiscard]] Eigen::Index contacts() const { return family_.problem.contact_count(); }
 
-  // Whether unknowns lie on a branch that was followed, at any of the periods that they may be shifted by.
-  [[nodiscard]] bool known(int multiple, const Eigen::VectorXd& x) const {
-    constexpr double kRounding = 1e-7;  // of the units
+  // Whether unknowns lie on a branch that was followed, at any of the periods that they may be shifted by,
+  // where it has so many intervals of contact.
+  [[nodiscard]] bool known(int multiple, const Eigen::VectorXd& x,
+                           std::optional<std::size_t> intervals = {}) const {
     for (int shift = 0; shift < multiple; ++shift) {
       const double share = static_cast<double>(shift) / multiple;
       const Eigen::VectorXd later = begun_later(x, multiple * family_.harmonics, share);
       for (const TracedSeries& traced : traced_)
-        if (traced.multiple == multiple && traced.points.pass_by(later, kRounding)) return true;
+        if (traced.multiple == multiple && traced.points.pass_by(later, rounding_of(later), intervals))
+          return true;
     }
     return false;
   }

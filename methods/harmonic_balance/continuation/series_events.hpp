@@ -6,22 +6,34 @@
 #include <optional>
 #include <vector>
 
+#include "methods/harmonic_balance/continuation/depth_curve.hpp"
 #include "methods/harmonic_balance/continuation/series_switching.hpp"
 #include "methods/orbit/continuation/branch.hpp"
 
 namespace signorini {
 
-/// Where a step begins or ends: the point, its tangent, and the test functions.
+/// Where a step begins or ends: the point, its tangents, and the test functions.
 struct SeriesStation {
-  Eigen::VectorXd x, tangent;
+  Eigen::VectorXd z, tangent;               ///< with the depths, see DepthCurve
+  Eigen::VectorXd x, slope;                 ///< without them; the unit tangent of the curve of x
+  std::vector<ContactDepth> depths = {};    ///< that are followed
   std::vector<std::size_t> intervals = {};  ///< of contact, per contact
   Eigen::MatrixXcd motion = {};             ///< x_n, (H+1) x Nc [m]
-  double crossing = 0.0;                    ///< zero at branch points: signed_pivots of [R_x; tangent^T]
+  double crossing = 0.0;                    ///< zero at branch points: signed_pivots of [R_x; slope^T]
   std::optional<double> doubling = {};      ///< zero at doublings: signed_pivots of doubled_jacobian
 };
 
-/// That of the point at which the curve is evaluated. \param doublings  whether these are looked for
-SeriesStation series_station(SeriesCurve& curve, const Eigen::VectorXd& tangent, bool doublings);
+/// That of the point at which the curve is evaluated. Its short contacts are the depths from then on.
+/// \param slope  unit tangent of the curve of x \param doublings  whether these are looked for
+SeriesStation series_station(DepthCurve& curve, const Eigen::VectorXd& slope, bool doublings);
+
+/// Intervals of contact of the motion at which the curve is evaluated, per contact. Those shorter than
+/// kNoPhase, and those so near to the next one, do not count.
+std::vector<std::size_t> interval_counts(const SeriesCurve& curve);
+
+/// Unknowns beside a grazing of a motion without contact, at which the curve is evaluated, on the side from
+/// which `slope` comes: there it does not touch.
+Eigen::VectorXd before_grazing(const SeriesCurve& curve, const Eigen::VectorXd& slope);
 
 /// The special points of a step in the order they are met, and what begins there.
 struct SeriesEvents {
@@ -34,9 +46,10 @@ struct SeriesEvents {
 /// tangent and of the test functions that change their signs, and the first instant at which the number of
 /// intervals of contact changes.
 ///
-/// \param length  of the step along here.tangent, which ends at `next`
+/// \param length  of the step along here.tangent, which ends at `next`; the curve follows the depths of
+///        `here` afterwards
 /// \param leaving  the step leaves a motion of half the period, at which the other tests vanish too
-SeriesEvents events_on_step(SeriesCurve& curve, const SeriesStation& here, double length,
+SeriesEvents events_on_step(DepthCurve& curve, const SeriesStation& here, double length,
                             const SeriesStation& next, bool leaving);
 
 }  // namespace signorini

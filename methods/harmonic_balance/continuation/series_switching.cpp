@@ -62,17 +62,32 @@ std::size_t intervals_of(const SeriesCurve& curve) {
   return count;
 }
 
-/// The shortest interval of contact, with its contact.
-std::optional<std::pair<Eigen::Index, ContactInterval>> shortest_interval(const SeriesCurve& curve) {
-  std::optional<std::pair<Eigen::Index, ContactInterval>> shortest;
-  for (std::size_t c = 0; c < curve.contacts().size(); ++c) {
-    for (const ContactInterval& interval : curve.contacts()[c]) {
-      const double length = interval.end - interval.begin;
-      if (!shortest || length < shortest->second.end - shortest->second.begin)
-        shortest = {static_cast<Eigen::Index>(c), interval};
+/// Leads the curve to a motion beside `x` of so many intervals of contact: a small force at the nearest
+/// approach of a contact to its stop where it does not press, then the equations with the size of that force
+/// prescribed; the four nearest approaches. \return whether there is one, at which the curve is then left
+bool press_further(SeriesCurve& curve, const Eigen::VectorXd& x, std::size_t intervals) {
+  constexpr std::size_t kNearest = 4;
+  constexpr double kReach = 40.0;  // of the size prescribed
+  if (!curve.evaluate(x)) return false;
+  std::vector<Approach> found = approaches(curve);
+  if (found.size() > kNearest) found.resize(kNearest);
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(curve.jacobian().leftCols(curve.size()));
+  for (const Approach& approach : found) {
+    Eigen::MatrixXcd push = Eigen::MatrixXcd::Zero(curve.harmonics() + 1, curve.motion().cols());
+    for (Eigen::Index n = 0; n < push.rows(); ++n)
+      push(n, approach.contact) =
+          -std::polar(1.0, -2.0 * std::numbers::pi * static_cast<double>(n) * approach.time);
+    Eigen::VectorXd direction = Eigen::VectorXd::Zero(x.size());
+    direction.head(curve.size()) = lu.solve(curve.weight().cwiseProduct(pack_harmonics(push)));
+    if (!direction.allFinite() || direction.isZero(0.0)) continue;
+    direction.normalize();
+    for (const double size : {1e-4, -1e-4, 3e-4, -3e-4, 1e-3, -1e-3, 3e-3, -3e-3}) {
+      if (!correct(curve, x + size * direction, direction, {.iterations = 25})) continue;
+      if ((curve.x() - x).norm() > kReach * std::abs(size)) continue;
+      if (intervals_of(curve) == intervals) return true;
     }
   }
-  return shortest;
+  return false;
 }
 
 }  // namespace
@@ -87,6 +102,11 @@ Eigen::VectorXd begun_later(const Eigen::VectorXd& x, int harmonics, double shar
     }
   }
   return later;
+}
+
+double rounding_of(const Eigen::VectorXd& x) {
+  constexpr double kRounding = 1e-7, kShare = 1e-3;
+  return std::min(kRounding, kShare * x.head(x.size() - 1).norm());
 }
 
 Eigen::VectorXd unrepeated_part(const Eigen::VectorXd& x, const SeriesCurve& curve, int p) {
@@ -130,7 +150,7 @@ std::vector<SeriesStart> crossing_branches(const SeriesCurve& curve, const Eigen
                       .tangent = sign * direction,
                       .origin = fmt::format("branch point at {:.10g} rad/s", curve.frequency()),
                       .leaves_repetition = false,
-                      .crosses = true});
+                      .crossed = tangent});
   return starts;
 }
 
@@ -139,7 +159,7 @@ std::optional<SeriesStart> grazing_branch(const SeriesFamily& family, const Eige
   SeriesCurve one(family, 1), curve(family, multiple);
   if (!one.evaluate(x)) return std::nullopt;
   const Eigen::VectorXd start = curve.unknowns(repeated(one.force(x), multiple), one.frequency());
-  if (!press_further(curve, start, [&] { return intervals_of(curve) == 1; })) return std::nullopt;
+  if (!press_further(curve, start, 1)) return std::nullopt;
   const Eigen::VectorXd pressed = curve.x();
   const auto tangent = tangent_of(curve, Eigen::VectorXd((pressed - start).normalized()));
   if (!tangent) return std::nullopt;
@@ -148,51 +168,6 @@ std::optional<SeriesStart> grazing_branch(const SeriesFamily& family, const Eige
                      .tangent = *tangent,
                      .origin = fmt::format("grazing of motions of order {}", one.order()),
                      .leaves_repetition = false};
-}
-
-bool press_further(SeriesCurve& curve, const Eigen::VectorXd& x, const std::function<bool()>& accept) {
-  constexpr std::size_t kNearest = 4;
-  constexpr double kReach = 40.0;  // of the size prescribed
-  if (!curve.evaluate(x)) return false;
-  const std::size_t least = intervals_of(curve);
-  std::vector<Approach> found = approaches(curve);
-  if (found.size() > kNearest) found.resize(kNearest);
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(curve.jacobian().leftCols(curve.size()));
-  for (const Approach& approach : found) {
-    Eigen::MatrixXcd push = Eigen::MatrixXcd::Zero(curve.harmonics() + 1, curve.motion().cols());
-    for (Eigen::Index n = 0; n < push.rows(); ++n)
-      push(n, approach.contact) =
-          -std::polar(1.0, -2.0 * std::numbers::pi * static_cast<double>(n) * approach.time);
-    Eigen::VectorXd direction = Eigen::VectorXd::Zero(x.size());
-    direction.head(curve.size()) = lu.solve(curve.weight().cwiseProduct(pack_harmonics(push)));
-    if (!direction.allFinite() || direction.isZero(0.0)) continue;
-    direction.normalize();
-    for (const double size : {1e-4, -1e-4, 3e-4, -3e-4, 1e-3, -1e-3, 3e-3, -3e-3}) {
-      if (!correct(curve, x + size * direction, direction, {.iterations = 25})) continue;
-      if ((curve.x() - x).norm() > kReach * std::abs(size) || intervals_of(curve) < least) continue;
-      if (accept()) return true;
-    }
-  }
-  return false;
-}
-
-bool press_less(SeriesCurve& curve, const Eigen::VectorXd& x, const std::function<bool()>& accept) {
-  constexpr double kReach = 30.0;  // of the change of the frequency
-  if (!curve.evaluate(x)) return false;
-  const std::size_t before = intervals_of(curve);
-  Eigen::MatrixXcd force = curve.force(x);
-  const auto shortest = shortest_interval(curve);
-  if (!shortest) return false;
-  force.col(shortest->first) -= curve.force_of(shortest->first, shortest->second);
-  const Eigen::VectorXd rest = curve.unknowns(force, curve.frequency());
-  for (const double size : {1e-4, -1e-4, 3e-4, -3e-4, 1e-3, -1e-3, 3e-3, -3e-3}) {
-    Eigen::VectorXd predicted = rest;
-    predicted[curve.size()] += size;
-    if (!correct_at_parameter(curve, predicted)) continue;
-    if ((curve.x() - x).norm() > kReach * std::abs(size) || intervals_of(curve) >= before) continue;
-    if (accept()) return true;
-  }
-  return false;
 }
 
 }  // namespace signorini

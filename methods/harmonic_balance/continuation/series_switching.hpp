@@ -2,7 +2,6 @@
 // Points of a curve of harmonic balance from which another one leaves.
 
 #include <Eigen/Core>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,12 +18,17 @@ struct SeriesStart {
   std::string origin;       ///< why there, one clause
   /// The start is a motion of a smaller period, and the curve is to leave it.
   bool leaves_repetition = false;
-  /// The start is a branch point of a curve that is followed, and the curve is to leave that.
-  bool crosses = false;
+  /// Where the start is a branch point of a curve that is followed, and the curve is to leave that: its
+  /// tangent.
+  Eigen::VectorXd crossed = {};
 };
 
 /// The unknowns of the same motion, begun a share of its period later. \param harmonics  H of the unknowns
 Eigen::VectorXd begun_later(const Eigen::VectorXd& x, int harmonics, double share);
+
+/// How near two points of unknowns count as one, in their units: 1e-7, or 1e-3 of the force where that is
+/// less, as where contacts begin.
+double rounding_of(const Eigen::VectorXd& x);
 
 /// The harmonics of the unknowns x that a motion of 1 / p of the period does not have, those that p does not
 /// divide: zero exactly where the motion repeats. \param p  a divisor of the curve's multiple
@@ -39,20 +43,9 @@ SeriesStart doubled_branch(const SeriesCurve& curve);
 std::vector<SeriesStart> crossing_branches(const SeriesCurve& curve, const Eigen::VectorXd& tangent);
 
 /// The motions of `multiple` periods that press once in that time, where the contact-free motion of one
-/// period grazes. Empty where the equations have none beside it.
-/// \param x  unknowns at the grazing, on the curve of one period
+/// period grazes: on from a small force in one passage, of 1e-4 to 3e-3 of the unknowns' units and either
+/// sign. Empty where the equations have none there. \param x  unknowns at the grazing, on the curve of one
+/// period
 std::optional<SeriesStart> grazing_branch(const SeriesFamily& family, const Eigen::VectorXd& x, int multiple);
-
-/// Points of the curve beside `x`, where it turns too sharply for any step, at which no less intervals press
-/// than at x: a small force in a short interval about the highest approach of a contact to its stop where it
-/// does not press, then the equations with the size of that force prescribed. Sizes from 1e-4 to 3e-3 of the
-/// unknowns' units, of either sign; the four nearest approaches.
-///
-/// \param accept  is asked of each, the curve evaluated there; true ends the search
-/// \return whether one was accepted, at which the curve is then left
-bool press_further(SeriesCurve& curve, const Eigen::VectorXd& x, const std::function<bool()>& accept);
-
-/// The same without the shortest interval of contact, at a frequency 1e-4 to 3e-3 of its unit to either side.
-bool press_less(SeriesCurve& curve, const Eigen::VectorXd& x, const std::function<bool()>& accept);
 
 }  // namespace signorini

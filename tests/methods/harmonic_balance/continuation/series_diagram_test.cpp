@@ -11,6 +11,7 @@
 #include "methods/aft_hbm/aft_hbm.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
+#include "problems/scene/scene_file.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
 namespace signorini {
@@ -187,6 +188,34 @@ TEST(SeriesDiagram, FollowsTheBranchesThatCrossAtABranchPoint) {
   ASSERT_EQ(means.size(), 2U);
   EXPECT_GT(std::abs(means[0]), 1e-4);
   EXPECT_NEAR(means[0], -means[1], 1e-3 * std::abs(means[0]));
+}
+
+// The contact-free motion of two masses grazes at 1.862898513, leaves the stop at 1.536077381 and meets it
+// again at 1.185080523 (exact orbits): each is a corner of the curve, from either side. At the last one the
+// exact curve turns back to a fold at 1.185610.
+TEST(SeriesDiagram, PassesEveryGrazingOfTwoMasses) {
+  const Problem problem = load_scene(find_scene("chain2-stop"));
+  for (const int harmonics : {10, 20}) {
+    const BranchDiagram diagram =
+        with_harmonics<FourierLipschitz>(harmonics).follow(problem, 2.5, 1.0, {.max_order = 1});
+    ASSERT_EQ(diagram.branches.size(), 1U) << harmonics << ": one curve from one end to the other";
+    const Branch& branch = diagram.branches.front();
+    EXPECT_EQ(branch.ended, "end of the interval");
+    EXPECT_NEAR(branch.points.back().parameter, 1.0, 1e-12);
+    for (const double grazing : {1.862898513, 1.536077381, 1.185080523})
+      EXPECT_NEAR(*nearest(diagram, SpecialKind::grazing, 1, grazing), grazing, 1e-8);
+  }
+}
+
+// Where the motions of one impact a period begin, those of one impact in two periods branch off on the
+// corner.
+TEST(SeriesDiagram, MotionsOfTwoPeriodsBranchOffWhereContactBegins) {
+  const BranchDiagram diagram =
+      with_harmonics<FourierLipschitz>(20).follow(test::to_problem(kStop), 2.4, 4.2, {});
+  const auto doubling = nearest(diagram, SpecialKind::period_doubling, 1, kGrazing);
+  ASSERT_TRUE(doubling);
+  EXPECT_NEAR(*doubling, kGrazing, 1e-4);
+  EXPECT_LT(*doubling, kGrazing);
 }
 
 TEST(SeriesDiagram, LimitsAreSaid) {

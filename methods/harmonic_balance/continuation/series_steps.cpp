@@ -1,0 +1,243 @@
+#include "methods/harmonic_balance/continuation/series_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace signorini {
+
+namespace {
+
+// The length of a step, at whose end the curve is evaluated, up to where the frequency takes a value.
+std::optional<double> length_to(DepthCurve& curve, const CurveStep& step, double value) {
+  const double unit = curve.series().family().frequency_unit;
+  const auto distance = [&](DepthCurve& at) { return std::optional((at.frequency() - value) / unit); };
+  return locate(curve, step, distance, step.x[step.x.size() - 1] - value / unit, *distance(curve));
+}
+
+}  // namespace
+
+bool SeriesSteps::begin(const SeriesStart& start) {
+  if (!series_.evaluate(start.x)) return false;
+  here_ = series_station(curve_, start.tangent.normalized(), options_.doublings);
+  if (start.crossed.size() == 0) return true;
+  // In the plane of both branches along the direction in which the one that is left stands still: in z, whose
+  // lengths differ from those of x.
+  const Eigen::VectorXd left = curve_.lifted(start.crossed).normalized();
+  const Eigen::VectorXd across = curve_.lifted(start.tangent);
+  here_.tangent = (across - across.dot(left) * left).normalized();
+  return true;
+}
+
+std::optional<SeriesStep> SeriesSteps::attempt() {
+  outside_ = false;
+  auto iterations = try_step();
+  if (iterations && gains_contact()) {
+    // The other side of the corner may be another branch.
+    if (auto step = begin_contact()) return step;
+    iterations = try_step();
+  }
+  if (!iterations) return refuse(0.4);
+  if (!stop_where_contact_ceases()) return refuse(0.5);
+  const bool leaves = leaves_interval();
+  if (leaves && !return_to_bound()) return outside_ ? std::nullopt : refuse(0.5);
+  const auto value = leaves ? std::nullopt : value_passed();
+  const double planned = length_;
+  if (value && !shorten_to(*value)) return refuse(0.5);
+  auto step = arrive(*iterations);
+  if (!step) return refuse(0.5);
+  step->leaves = leaves;
+  if (value) planned_ = planned;
+  return step;
+}
+
+bool SeriesSteps::take(SeriesStep step) {
+  curve_.follow(step.next.depths);
+  if (!curve_.evaluate(step.next.z)) return false;
+  here_ = std::move(step.next);
+  length_ = std::max(next_step(length_, step.iterations - 1, step.turn, options_.largest_step), planned_);
+  planned_ = 0.0;
+  if (step.beginning) turn_along_depths(*step.beginning);
+  return true;
+}
+
+bool SeriesSteps::repeats(int p) const {
+  constexpr double kSame = 1e-7;  // in the units of the unknowns
+  if (!(unrepeated_part(series_.x(), series_, p).norm() < kSame)) return false;
+  for (Eigen::Index i = 0; i < curve_.count(); ++i) {
+    ContactDepth later = curve_.depths()[static_cast<std::size_t>(i)];
+    later.time += 1.0 / p;
+    bool same = false;
+    for (Eigen::Index j = 0; j < curve_.count(); ++j)
+      same = same || (same_extremum(later, curve_.depths()[static_cast<std::size_t>(j)]) &&
+                      std::abs(curve_.w()[i] - curve_.w()[j]) < kSame);
+    if (!same) return false;
+  }
+  return true;
+}
+
+CurveStep SeriesSteps::whole_step() const {
+  return {.x = here_.z, .tangent = here_.tangent, .length = length_};
+}
+
+// Newton steps to the end of the step, at which the curve is then evaluated.
+std::optional<int> SeriesSteps::try_step() {
+  constexpr double kFar = 2.0;  // of the step's length
+  curve_.follow(here_.depths);
+  const auto iterations = correct(curve_, here_.z + length_ * here_.tangent, here_.tangent,
+                                  {.iterations = 10, .tolerance = 2e-13});
+  return iterations && (curve_.z() - here_.z).norm() <= kFar * length_ ? iterations : std::nullopt;
+}
+
+// Where a step is refused: up to where a contact begins, if one does; else shorter.
+std::optional<SeriesStep> SeriesSteps::refuse(double factor) {
+  auto step = begin_contact();
+  if (!step) shorten(factor);
+  return step;
+}
+
+// Whether a contact presses once more often where the curve is evaluated than at the last point.
+bool SeriesSteps::gains_contact() const {
+  const std::vector<std::size_t> now = interval_counts(series_);
+  return !std::equal(now.begin(), now.end(), here_.intervals.begin(), std::less_equal<>());
+}
+
+// Ends a step on which contacts cease where the first of them does.
+bool SeriesSteps::stop_where_contact_ceases() {
+  constexpr double kZero = 1e-9;  // of w
+  ceasing_.reset();
+  for (Eigen::Index tries = 0; tries <= curve_.count(); ++tries) {
+    Eigen::Index least = 0;
+    if (curve_.count() == 0 || curve_.w().minCoeff(&least) >= 0.0) return true;
+    const auto depth = [least](DepthCurve& at) { return std::optional(at.w()[least]); };
+    const double before = here_.z[series_.size() + least];
+    const auto length = locate(curve_, whole_step(), depth, before, curve_.w()[least]);
+    if (!length) return false;
+    length_ = *length;
+    ceasing_ = curve_.depths()[static_cast<std::size_t>(least)];
+    if (curve_.w().minCoeff() > -kZero) return true;
+  }
+  return false;
+}
+
+bool SeriesSteps::leaves_interval() const {
+  return curve_.frequency() < series_.family().low || curve_.frequency() > series_.family().high;
+}
+
+bool SeriesSteps::return_to_bound() {
+  const SeriesFamily& family = series_.family();
+  const double bound = curve_.frequency() < family.low ? family.low : family.high;
+  constexpr double kAtBound = 1e-13;
+  outside_ = std::abs(here_.x[series_.size()] - bound / family.frequency_unit) < kAtBound;
+  if (outside_) return false;
+  ceasing_.reset();
+  return shorten_to(bound);
+}
+
+bool SeriesSteps::shorten_to(double frequency) {
+  const auto length = length_to(curve_, whole_step(), frequency);
+  if (length) length_ = *length;
+  ceasing_.reset();
+  return length.has_value();
+}
+
+// The first of the frequencies at which the curve is to have a point between the last point and here.
+std::optional<double> SeriesSteps::value_passed() const {
+  const double before = here_.x[series_.size()] * series_.family().frequency_unit;
+  return first_passed(options_.at, before, curve_.frequency());
+}
+
+// A branch of few unknown changes, as without contact, still has neighbours for points.
+bool SeriesSteps::moves_too_far() const {
+  constexpr double kShare = 0.1, kSmall = 0.05;  // of the motion; of the unit of displacement
+  const double size = std::max(here_.motion.norm(), kSmall * series_.family().displacement_unit);
+  return (series_.motion() - here_.motion).norm() > kShare * size;
+}
+
+// The step whose end the curve is evaluated at; empty where it may not be taken.
+std::optional<SeriesStep> SeriesSteps::arrive(int iterations) {
+  SeriesStep step{.next = {}, .length = length_, .iterations = iterations};
+  const auto slope = next_slope(step.turn);
+  if (!slope || moves_too_far()) return std::nullopt;
+  step.next = series_station(curve_, *slope, options_.doublings);
+  return step;
+}
+
+// The slope of the curve of x where it is evaluated; empty where the curve has turned too far.
+std::optional<Eigen::VectorXd> SeriesSteps::next_slope(double& turn) {
+  constexpr double kTurned = 0.35;  // rad
+  const auto tangent = tangent_of(curve_, here_.tangent);
+  if (!tangent) return std::nullopt;
+  turn = std::acos(std::clamp(tangent->dot(here_.tangent), -1.0, 1.0));
+  if (turn > kTurned) return std::nullopt;
+  if (!ceasing_) return curve_.without_depths(*tangent).normalized();
+  // Where a depth is zero all else stands still: on along the curve on which that contact is open.
+  const Eigen::VectorXd slope = first_tangent(series_);
+  return square_rate(series_, *ceasing_, slope) < 0.0 ? slope : Eigen::VectorXd(-slope);
+}
+
+// A step to where the next contact, or gap in one, begins.
+std::optional<SeriesStep> SeriesSteps::begin_contact() {
+  constexpr double kReach = 2.0;  // of the step
+  if (series_.family().integral != ContactIntegral::exact) return std::nullopt;
+  curve_.follow(here_.depths);
+  if (!curve_.evaluate(here_.z)) return std::nullopt;
+  const double share = curve_.without_depths(here_.tangent).norm();
+  for (const NascentContact& nascent : nascent_contacts(series_, here_.slope, kReach * length_ * share)) {
+    const bool followed = std::any_of(here_.depths.begin(), here_.depths.end(),
+                                      [&](const auto& depth) { return same_extremum(depth, nascent.depth); });
+    if (followed) continue;
+    if (auto step = begin_contact(nascent, nascent.distance / share)) return step;
+  }
+  return std::nullopt;
+}
+
+std::optional<SeriesStep> SeriesSteps::begin_contact(const NascentContact& nascent, double distance) {
+  constexpr double kReach = 2.0;   // of the distance expected
+  constexpr int kIterations = 15;  // at most
+  constexpr int kUsual = 3;        // after which the length of a step stays about the same
+  std::vector<ContactDepth> depths = here_.depths;
+  depths.push_back(nascent.depth);
+  curve_.follow(depths);
+  const Eigen::Index last = series_.size() + curve_.count() - 1;  // place of the new depth
+  const Eigen::VectorXd end = here_.z + distance * here_.tangent;
+  Eigen::VectorXd predicted(last + 2);
+  predicted << end.head(last), 0.0, end[last];
+  if (!correct(curve_, predicted, Eigen::VectorXd::Unit(last + 2, last), {.iterations = kIterations}))
+    return std::nullopt;
+  const Eigen::VectorXd z = curve_.with_depths(series_.x(), curve_.w().head(curve_.count() - 1));
+  const bool beyond = (z - here_.z).norm() > kReach * distance;
+  if (beyond || !(here_.slope.dot(series_.x() - here_.x) > 0.0)) return std::nullopt;
+  curve_.follow(here_.depths);
+  if (!curve_.evaluate(z) || leaves_interval() || value_passed()) return std::nullopt;
+  ceasing_.reset();
+  auto step = arrive(kUsual);
+  if (!step) return std::nullopt;
+  length_ = step->length = here_.tangent.dot(z - here_.z);
+  step->beginning = nascent.depth;
+  return step;
+}
+
+// Takes the depths of all contacts that begin here for unknowns, and the direction in which they grow: each
+// square as fast as along the curve on which they are open.
+void SeriesSteps::turn_along_depths(const ContactDepth& first) {
+  std::vector<ContactDepth> beginning{first};
+  for (const NascentContact& other : nascent_contacts(series_, here_.slope, 0.0))
+    if (!same_extremum(first, other.depth)) beginning.push_back(other.depth);
+  const auto before = static_cast<Eigen::Index>(here_.depths.size());
+  const auto count = before + static_cast<Eigen::Index>(beginning.size());
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(count), rates = w;
+  w.head(before) = here_.z.segment(series_.size(), before);
+  for (Eigen::Index i = before; i < count; ++i) {
+    const ContactDepth& depth = beginning[static_cast<std::size_t>(i - before)];
+    rates[i] = std::sqrt(std::max(0.0, square_rate(series_, depth, here_.slope)));
+    here_.depths.push_back(depth);
+  }
+  curve_.follow(here_.depths);
+  here_.z = curve_.with_depths(here_.x, w);
+  here_.tangent = curve_.with_depths(Eigen::VectorXd::Zero(here_.x.size()), rates).normalized();
+  length_ = options_.first_step;
+}
+
+}  // namespace signorini

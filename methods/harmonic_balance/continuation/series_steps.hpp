@@ -1,0 +1,102 @@
+#pragma once
+// Steps along a curve of harmonic balance, and where contacts begin and cease on them.
+
+#include <Eigen/Core>
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "methods/continuation/arc_length.hpp"
+#include "methods/harmonic_balance/continuation/series_events.hpp"
+
+namespace signorini {
+
+/// How far and how finely a curve is followed. Lengths are in the units of DepthCurve.
+struct SeriesCurveOptions {
+  double first_step = 0.01;     ///< length of the first step, and of the first where a contact begins
+  double largest_step = 0.1;    ///< and of any
+  double smallest_step = 1e-6;  ///< below, the curve has broken
+  double largest_motion = 60;   ///< |x| beyond which a branch counts as unbounded
+  int max_points = 2000;        ///< per branch
+  bool doublings = true;        ///< look for motions of twice the period
+  int phases = 0;               ///< of a forcing period at which the points keep their motion
+  std::vector<double> at = {};  ///< frequencies at which the curve has points [rad/s]
+  /// Whether unknowns, with so many intervals of contact, lie on a branch followed before, which ends the
+  /// curve.
+  std::function<bool(const Eigen::VectorXd& x, std::size_t intervals)> known = {};
+  /// The end of the time budget.
+  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+};
+
+/// A step that may be taken.
+struct SeriesStep {
+  SeriesStation next;                          ///< its end
+  double length = 0.0;                         ///< along the tangent at its beginning
+  int iterations = 0;                          ///< of Newton's method
+  double turn = 0.0;                           ///< of the tangent [rad]
+  bool leaves = false;                         ///< it ends at an end of the interval
+  std::optional<ContactDepth> beginning = {};  ///< of a contact that begins at its end
+};
+
+/// Takes steps by pseudo-arclength from station to station, the depths of short contacts among the unknowns.
+///
+/// A step is refused, and the next one shorter, where the tangent turns by more than .35 rad, where Newton's
+/// method leads farther than twice its length, or where the motion itself changes by more than a tenth.
+/// Before that, and where a contact is gained on a step, the step is led to where an extremum of y becomes
+/// zero, if one does within twice its length. From there the curve goes on along the depth of that contact. A
+/// contact whose depth falls to zero has ceased: the step ends there, and the curve goes on along that on
+/// which it is open. With a sampled contact integral, which is not smooth, no depths are followed.
+class SeriesSteps {
+ public:
+  /// \param family, options  kept by the caller \throws as SeriesCurve
+  SeriesSteps(const SeriesFamily& family, int multiple, const SeriesCurveOptions& options)
+      : options_(options), curve_(family, multiple), series_(curve_.series()), length_(options.first_step) {}
+
+  /// Goes to a start. False where the structure resonates undamped.
+  bool begin(const SeriesStart& start);
+  /// One attempt; empty where it is refused. The curve is left evaluated at its end.
+  std::optional<SeriesStep> attempt();
+  /// Goes on from the end of a step, at which the curve is left evaluated. False as begin().
+  bool take(SeriesStep step);
+  /// The next attempt is this share as long.
+  void shorten(double factor) { length_ *= factor; }
+
+  [[nodiscard]] DepthCurve& curve() { return curve_; }
+  [[nodiscard]] SeriesCurve& series() { return series_; }
+  [[nodiscard]] const SeriesCurve& series() const { return series_; }
+  [[nodiscard]] const SeriesStation& here() const { return here_; }
+  [[nodiscard]] double length() const { return length_; }  ///< of the next attempt
+  /// Whether the last attempt began at an end of the interval and led out of it.
+  [[nodiscard]] bool outside() const { return outside_; }
+  /// Whether the motion at which the curve is evaluated has 1 / p of the period: its force to 1e-7 of the
+  /// units, and its short contacts, of which forces tell little.
+  [[nodiscard]] bool repeats(int p) const;
+
+ private:
+  [[nodiscard]] CurveStep whole_step() const;
+  std::optional<int> try_step();
+  std::optional<SeriesStep> refuse(double factor);
+  [[nodiscard]] bool gains_contact() const;
+  bool stop_where_contact_ceases();
+  [[nodiscard]] bool leaves_interval() const;
+  bool return_to_bound();
+  bool shorten_to(double frequency);
+  [[nodiscard]] std::optional<double> value_passed() const;
+  [[nodiscard]] bool moves_too_far() const;
+  std::optional<SeriesStep> arrive(int iterations);
+  std::optional<Eigen::VectorXd> next_slope(double& turn);
+  std::optional<SeriesStep> begin_contact();
+  std::optional<SeriesStep> begin_contact(const NascentContact& nascent, double distance);
+  void turn_along_depths(const ContactDepth& first);
+
+  const SeriesCurveOptions& options_;
+  DepthCurve curve_;
+  SeriesCurve& series_;  // of curve_
+  SeriesStation here_;
+  double length_, planned_ = 0.0;        // the latter of a step that ended at a frequency asked for
+  std::optional<ContactDepth> ceasing_;  // at the end of the step at hand
+  bool outside_ = false;
+};
+
+}  // namespace signorini
