@@ -113,6 +113,12 @@ Eigen::VectorXd DepthCurve::with_depths(const Eigen::VectorXd& x, const Eigen::V
   return z;
 }
 
+ContactDepth DepthCurve::depth_here(Eigen::Index i) const {
+  ContactDepth depth = depths_[static_cast<std::size_t>(i)];
+  depth.time = times_[static_cast<std::size_t>(i)];
+  return depth;
+}
+
 Eigen::VectorXd DepthCurve::depths_here() const {
   Eigen::VectorXd w(count());
   for (Eigen::Index i = 0; i < count(); ++i) {

@@ -50,6 +50,8 @@ class DepthCurve {
   /// z of x and w.
   [[nodiscard]] Eigen::VectorXd with_depths(const Eigen::VectorXd& x, const Eigen::VectorXd& w) const;
   [[nodiscard]] const Eigen::VectorXd& w() const { return w_; }  ///< of the last evaluation
+  /// One of the depths, its instant that of the motion evaluated last.
+  [[nodiscard]] ContactDepth depth_here(Eigen::Index i) const;
   /// z of the last evaluation.
   [[nodiscard]] Eigen::VectorXd z() const { return with_depths(series_.x(), w_); }
   /// w as the motion evaluated last has them.

@@ -115,7 +115,7 @@ bool SeriesSteps::stop_where_contact_ceases() {
     const auto length = locate(curve_, whole_step(), depth, before, curve_.w()[least]);
     if (!length) return false;
     length_ = *length;
-    ceasing_ = curve_.depths()[static_cast<std::size_t>(least)];
+    ceasing_ = curve_.depth_here(least);
     if (curve_.w().minCoeff() > -kZero) return true;
   }
   return false;
@@ -209,13 +209,15 @@ std::optional<SeriesStep> SeriesSteps::begin_contact(const NascentContact& nasce
   const Eigen::VectorXd z = curve_.with_depths(series_.x(), curve_.w().head(curve_.count() - 1));
   const bool beyond = (z - here_.z).norm() > kReach * distance;
   if (beyond || !(here_.slope.dot(series_.x() - here_.x) > 0.0)) return std::nullopt;
+  const ContactDepth beginning = curve_.depth_here(curve_.count() - 1);
   curve_.follow(here_.depths);
   if (!curve_.evaluate(z) || leaves_interval() || value_passed()) return std::nullopt;
   ceasing_.reset();
   auto step = arrive(kUsual);
-  if (!step) return std::nullopt;
+  // Where the square falls again the contact began before.
+  if (!step || !(square_rate(series_, beginning, step->next.slope) > 0.0)) return std::nullopt;
   length_ = step->length = here_.tangent.dot(z - here_.z);
-  step->beginning = nascent.depth;
+  step->beginning = beginning;
   return step;
 }
 
