@@ -23,6 +23,17 @@ bool contains(const std::vector<OrbitMark>& marks, const OrbitMark& mark, bool l
                      [&](const OrbitMark& other) { return mark.same(other, loosely); });
 }
 
+// A branch ends where another one is to start.
+bool is_among(const std::vector<OrbitMark>& ends, const OrbitMark& mark, const CurveStart& start) {
+  // The branch that was left ends at this very orbit, with its events the other way round.
+  if (start.exchanges)
+    return std::any_of(ends.begin(), ends.end(), [&](const OrbitMark& end) {
+      return mark.same(end) && mark.order_of_events == end.order_of_events;
+    });
+  // A doubled branch ends beside its doubling, not at it.
+  return contains(ends, mark, start.leaves == LeftBranch::repetition);
+}
+
 // The two halves of a curve from the same orbit as one branch: the first backwards, then the second.
 Branch joined(const Branch& backward, const Branch& forward) {
   Branch result{.sequence = forward.sequence, .began = backward.ended, .ended = forward.ended};
@@ -142,15 +153,7 @@ class DiagramTracer {
   // A branch that has been traced ends here, or began.
   bool is_an_end(const CurveStart& start) {
     ExtendedEquations equations(family_, start.orbit);
-    if (!equations.evaluate(start.orbit.x)) return false;
-    const OrbitMark mark = mark_of(equations);
-    // The branch that was left ends at this very orbit, with its events the other way round.
-    if (start.exchanges)
-      return std::any_of(ends_.begin(), ends_.end(), [&](const OrbitMark& end) {
-        return mark.same(end) && mark.order_of_events == end.order_of_events;
-      });
-    // A doubled branch ends beside its doubling, not at it.
-    return contains(ends_, mark, start.leaves == LeftBranch::repetition);
+    return equations.evaluate(start.orbit.x) && is_among(ends_, mark_of(equations), start);
   }
   void end_here(const SequencedOrbit& orbit) {
     ExtendedEquations equations(family_, orbit);

@@ -168,24 +168,16 @@ TEST(ClaimIfBorneOut, KeepsASeriesThatNoGridCarries) {
 }
 
 TEST(ClaimIfBorneOut, WithdrawsEveryOtherClaimAndSaysWhy) {
-  const struct {
-    bool exact;
-    HatAgreement agreement;
-    std::string message;
-  } cases[] = {
-      {false,
-       {.asked = true, .distance = 0.3},
-       "solved; impacts not compensated, nor the contact integral exact"},
-      {true,
-       {.asked = true, .distance = 0.75},
-       "solved; impacts not compensated and 0.75 away from the motion on hat functions"},
-      {true, {.asked = true}, "solved; impacts not compensated, nor borne out by hat functions"},
-  };
-  for (const auto& [exact, agreement, message] : cases) {
+  const auto expect_withdrawn = [](bool exact, const HatAgreement& agreement, const std::string& message) {
     const Solution withdrawn = claim_if_borne_out(claimed(), exact, agreement, 0.5);
     EXPECT_EQ(withdrawn.verdict, Verdict::not_converged);
     EXPECT_EQ(withdrawn.message, message);
-  }
+  };
+  expect_withdrawn(false, {.asked = true, .distance = 0.3},
+                   "solved; impacts not compensated, nor the contact integral exact");
+  expect_withdrawn(true, {.asked = true, .distance = 0.75},
+                   "solved; impacts not compensated and 0.75 away from the motion on hat functions");
+  expect_withdrawn(true, {.asked = true}, "solved; impacts not compensated, nor borne out by hat functions");
 }
 
 TEST(ClaimIfBorneOut, SaysNothingOfAnAnswerThatIsNotClaimed) {
