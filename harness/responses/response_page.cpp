@@ -154,10 +154,11 @@ std::string contents(const std::vector<std::string>& scenes) {
 
 /// What each kind of scenes recommends.
 std::string verdict_section_of(const Section& verdict) {
+  const std::string table = verdict.table.rows.empty() ? "" : html_table(verdict.table, "Which method?");
   return fmt::format(
       "<section id=\"verdict\"><h2>Which method?</h2>\n{}<p class=\"note\">{}</p>\n"
       "<p class=\"note\">{}</p>\n</section>\n",
-      html_table(verdict.table, "Which method?"), html_text(verdict.text), html_text(verdict.note));
+      table, html_text(verdict.text), html_text(verdict.note));
 }
 
 }  // namespace

@@ -28,6 +28,8 @@ Cell error_cell(std::optional<double> error) {
   return error ? Cell(fmt::format("{:.1e}", *error), *error) : Cell("-");
 }
 
+constexpr const char* kNothingCompared = "No method was compared with an exact response.";
+
 /// The names and figures of a standing, or dashes.
 void add_standing(std::vector<Cell>& row, const ResponseStanding* standing) {
   if (standing == nullptr) {
@@ -64,6 +66,7 @@ Section verdict_section(std::span<const ResponseGroup> groups) {
   section.table.header = {"responses",    "method",          "found",
                           "false",        "time per length", "best other",
                           "other, found", "other, false",    "other, time per length"};
+  if (groups.empty()) section.text = kNothingCompared;
   for (const ResponseGroup& group : groups) {
     std::vector<Cell>& row = section.table.rows.emplace_back();
     row.emplace_back(group_title(group));
@@ -79,8 +82,7 @@ Section overview_section(std::span<const ResponseGroup> groups) {
       .title = "How much of the exact frequency responses each method finds",
       .text =
           "By kinds of scenes, for the methods that represent their law, sums of length: `found` is the "
-          "share "
-          "of the exact branches within 2 % of the method's, `false` the share of the method's own branches "
+          "share of the exact branches within 2 % of the method's, `false` that of the method's own branches "
           "that is farther than 5 % from every exact one; `located` are folds, doublings and beginnings of "
           "contact that it located itself, with the largest error of their frequency, `invented` those "
           "that are not there; time is that of the processor, per unit of right length."};
@@ -202,6 +204,7 @@ std::string response_screen(std::span<const ResponseRecord> records) {
   constexpr std::size_t kName = 42;
   constexpr std::size_t kRows = 28;  // of titles and methods together
   const std::vector<ResponseGroup> groups = response_groups(records);
+  if (groups.empty()) return std::string(kNothingCompared) + "\n";
   const std::size_t most = std::max<std::size_t>(3, kRows / std::max<std::size_t>(1, groups.size())) - 1;
   std::string text;
   const auto add = [&](std::string words) {
