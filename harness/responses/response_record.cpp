@@ -8,6 +8,7 @@
 #include "harness/records/json_fields.hpp"
 #include "harness/records/line_file.hpp"
 #include "harness/records/record_check.hpp"
+#include "harness/records/record_json.hpp"
 #include "harness/sweep/branch_json.hpp"
 #include "problems/scene/kebab_case.hpp"
 

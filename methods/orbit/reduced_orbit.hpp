@@ -20,7 +20,8 @@ struct ReducedPair {
   /// \throws std::runtime_error with the obstacle of the reduction
   explicit ReducedPair(const Problem& problem, int vectors = 0);
 
-  ContactReduction coarse, fine;
+  ContactReduction coarse;  ///< of so many vectors
+  ContactReduction fine;    ///< of half as many again
 };
 
 /// An orbit of the finer reduction.

@@ -55,7 +55,7 @@ enum class ReductionBasis {
 
 /// What `reduce_to_contacts` keeps.
 struct ReductionSettings {
-  ReductionBasis basis = ReductionBasis::automatic;
+  ReductionBasis basis = ReductionBasis::automatic;  ///< of which space
   /// m at least (krylov: whole powers are taken) or exactly (modes), where the structure has that many; 0:
   /// six powers and at least 60 vectors (krylov), 100 (modes) [-]
   int vectors = 0;

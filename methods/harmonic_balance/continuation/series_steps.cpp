@@ -227,10 +227,19 @@ void SeriesSteps::turn_along_depths(const ContactDepth& first) {
   std::vector<ContactDepth> beginning{first};
   for (const NascentContact& other : nascent_contacts(series_, here_.slope, 0.0))
     if (!same_extremum(first, other.depth)) beginning.push_back(other.depth);
+  // Rounding may have the contact that begins for one that is there already, short as it is.
+  std::vector<ContactDepth> lasting;
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < here_.depths.size(); ++i) {
+    if (same_extremum(first, here_.depths[i])) continue;
+    lasting.push_back(here_.depths[i]);
+    lengths.push_back(here_.z[series_.size() + static_cast<Eigen::Index>(i)]);
+  }
+  here_.depths = std::move(lasting);
   const auto before = static_cast<Eigen::Index>(here_.depths.size());
   const auto count = before + static_cast<Eigen::Index>(beginning.size());
   Eigen::VectorXd w = Eigen::VectorXd::Zero(count), rates = w;
-  w.head(before) = here_.z.segment(series_.size(), before);
+  w.head(before) = Eigen::Map<const Eigen::VectorXd>(lengths.data(), before);
   for (Eigen::Index i = before; i < count; ++i) {
     const ContactDepth& depth = beginning[static_cast<std::size_t>(i - before)];
     rates[i] = std::sqrt(std::max(0.0, square_rate(series_, depth, here_.slope)));

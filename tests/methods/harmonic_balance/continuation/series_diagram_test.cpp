@@ -209,6 +209,16 @@ TEST(SeriesDiagram, PassesEveryGrazingOfTwoMasses) {
 
 // Where the motions of one impact a period begin, those of one impact in two periods branch off on the
 // corner.
+// Where the located contact is there already by rounding, it must not be followed twice.
+TEST(SeriesDiagram, GoesOnWhereContactBeginsOnASpring) {
+  const BranchDiagram diagram = with_harmonics<FourierLipschitz>(20).follow(
+      load_scene(find_scene("rod-penalty@4")), 57000.0, 75000.0, {.max_order = 1});
+  ASSERT_FALSE(diagram.branches.empty());
+  EXPECT_EQ(diagram.branches.front().ended, "end of the interval");
+  EXPECT_DOUBLE_EQ(diagram.branches.front().points.back().parameter, 75000.0);
+  EXPECT_GT(diagram.branches.front().points.size(), 200U);
+}
+
 TEST(SeriesDiagram, MotionsOfTwoPeriodsBranchOffWhereContactBegins) {
   const BranchDiagram diagram =
       with_harmonics<FourierLipschitz>(20).follow(test::to_problem(kStop), 2.4, 4.2, {});
