@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""Makes docs/pictures/responses.svg, whole frequency responses in the README, from the records of a run:
+
+    python3 docs/pictures/responses.py [FOLDER [FILE]]
+
+Four scenes of results/responses: the exact branches, and those that two methods follow by arc length, where they represent
+the scene's law. Needs Python alone."""
+
+import json
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from overview import HEIGHT, ROOT, WIDTH, Panel
+
+SCENES = {"sdof-stop": "Rigid stop, e = 1", "sdof-stop-e05": "Rigid stop, e = 0.5", "rod-penalty@4": "Rod before a spring",
+          "beam20-three-stops": "Beam, three massless contacts"}
+METHODS = {"fourier-lipschitz[harmonics=20]": ("m0", "#009e73", "#2fd3a5"), "hat-lcp[samples=128]": ("m1", "#d55e00", "#ff9c57")}
+
+
+def style():
+    light = "".join(f"--{name}:{day};" for name, day, _ in METHODS.values())
+    dark = "".join(f"--{name}:{night};" for name, _, night in METHODS.values())
+    return (f"<style>svg{{--ink:#1b1f24;--sheet:#ffffff;--exact:#b8bec6;{light}font-family:sans-serif}}"
+            f"@media (prefers-color-scheme:dark){{svg{{--ink:#d6dbe1;--sheet:#15181c;--exact:#5d6670;{dark}}}}}"
+            "path{fill:none}path.note{stroke:var(--ink)}text.note,text.heading{fill:var(--ink)}text.heading{font-weight:600}"
+            "rect.sheet{fill:var(--sheet)}path.exact{stroke:var(--exact)}"
+            + "".join(f"path.{name}{{stroke:var(--{name})}}text.{name}{{fill:var(--{name})}}" for name, _, _ in METHODS.values())
+            + "</style>")
+
+
+def lines(branch, stable):
+    """Runs of a branch that are stable, or are not; each takes the point where it meets the next."""
+    points = list(zip(branch["omega"], branch["amplitude"], branch["stable"]))
+    found, run_of = [], []
+    for before, after in zip(points, points[1:]):
+        if (before[2] == 1) == stable:
+            run_of = (run_of or [before]) + [after]
+        elif run_of:
+            found.append(run_of)
+            run_of = []
+    return found + ([run_of] if run_of else [])
+
+
+def panel_of(scene, title, records):
+    exact = next(r for r in records if r["scene"] == scene and "method" not in r)
+    amplitudes = [a for branch in exact["branches"] for a in branch["amplitude"]]
+    metre, metre_name = (1e3, "mm") if max(amplitudes) < 1e-2 else (1.0, "m")
+    rate, rate_name = (1e-3, "krad/s") if exact["to"] > 1e4 else (1.0, "rad/s")
+    low, high = sorted((rate * exact["from"], rate * exact["to"]))
+    panel = Panel(title, (low, high), (0.0, 1.6 * metre * max(amplitudes)), f"frequency of the load ω [{rate_name}]", f"amplitude [{metre_name}]")
+    scaled = lambda points: [(rate * point[0], metre * point[1]) for point in points]
+    for branch in exact["branches"]:
+        for stable in (True, False):
+            for run in lines(branch, stable):
+                panel.curve(scaled(run), "exact", 7 if stable else 4, "" if stable else "7 5")
+    row = 0
+    for label, (name, _, _) in METHODS.items():
+        record = next((r for r in records if r["scene"] == scene and r.get("method") == label and not r["by_steps"]), None)
+        if record is None:
+            continue
+        words = label
+        if record.get("law_matches_scene") is False:
+            words += ": another law"
+        else:
+            for branch in record["branches"]:
+                panel.curve(scaled(zip(branch["omega"], branch["amplitude"])), name, 1.3)
+            found = record.get("comparison", {}).get("within_0.02", {}).get("covered")
+            words += f": {100 * found:.0f} % found" if found is not None else ""
+        x, y = panel.at(high, panel.y[1])
+        panel.text(x - 4, y + 16 + 18 * row, words, "end", name)
+        row += 1
+    return panel
+
+
+def picture(records):
+    width, height = 2 * WIDTH, 2 * HEIGHT
+    svg = (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" '
+           f'font-size="12.9" role="img">\n<title>Amplitude over the frequency of the load on four scenes: the exact branches, '
+           f"dashed where unstable, and those of two methods</title>\n{style()}"
+           f'<rect class="sheet" width="{width}" height="{height}"/>\n')
+    for i, (scene, title) in enumerate(SCENES.items()):
+        svg += panel_of(scene, f"{title} ({scene})", records).svg(WIDTH * (i % 2), HEIGHT * (i // 2))
+    return svg + "</svg>\n"
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "results/responses"
+    target = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else pathlib.Path(__file__).parent / "responses.svg"
+    records = [json.loads(line) for line in (folder / "responses.jsonl").read_text().splitlines()]
+    target.write_text(picture(records))
+
+
+if __name__ == "__main__":
+    main()
