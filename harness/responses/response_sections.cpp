@@ -205,7 +205,7 @@ std::string response_screen(std::span<const ResponseRecord> records) {
   constexpr std::size_t kRows = 28;  // of titles and methods together
   const std::vector<ResponseGroup> groups = response_groups(records);
   if (groups.empty()) return std::string(kNothingCompared) + "\n";
-  const std::size_t most = std::max<std::size_t>(3, kRows / std::max<std::size_t>(1, groups.size())) - 1;
+  const std::size_t most = std::max<std::size_t>(3, kRows / groups.size()) - 1;
   std::string text;
   const auto add = [&](std::string words) {
     for (const std::string& line : wrapped_lines(words, kScreenWidth)) text += line + "\n";

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "harness/report/document/cells.hpp"
 #include "harness/report/formats/screen_groups.hpp"
@@ -114,17 +116,17 @@ ResponseGroup group_of_responses(std::optional<SceneKind> kind, const Responses&
 }  // namespace
 
 std::vector<ResponseGroup> response_groups(std::span<const ResponseRecord> records) {
-  std::map<std::string, bool> compared;  // scenes
+  std::set<std::string> compared;  // scenes
   for (const ResponseRecord& record : records)
-    if (record.comparison) compared[record.scene] = true;
+    if (record.comparison) compared.insert(record.scene);
   std::map<std::optional<SceneKind>, Responses> by_kind;
   for (const ResponseRecord& record : records) {
     if (is_exact(record) || !compared.contains(record.scene)) continue;
     by_kind[kind_of_scene(record.scene_law, record.coordinates, record.contacts)].push_back(&record);
   }
+  const std::vector<std::string> labels = labels_of(records);
   std::vector<ResponseGroup> groups;
-  for (const auto& [kind, responses] : by_kind)
-    groups.push_back(group_of_responses(kind, responses, labels_of(records)));
+  for (const auto& [kind, responses] : by_kind) groups.push_back(group_of_responses(kind, responses, labels));
   return groups;
 }
 

@@ -34,15 +34,7 @@ void CompliantEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) 
   // Gaps and forces of the undecided are zero here: their speeds are the first to tell them apart.
   decide(flow.time, flow.state, {orders_[1], orders_[2]}, std::move(undecided), closed);
   flow.closed = closed;
-  const auto change = [&](std::size_t j) {
-    return closed[j] ? ContactEvent::Kind::close : ContactEvent::Kind::open;
-  };
-  for (std::size_t j = 0; j < closed.size(); ++j) {
-    if (closed[j] != before[j])
-      record.events.push_back({.kind = change(j), .contact = static_cast<int>(j), .time = flow.time});
-  }
-  record.sequence.push_back(
-      {.kind = change(changing), .contact = trigger, .time = flow.time, .closed = closed});
+  log_changes(before, flow, trigger, record);
 }
 
 }  // namespace signorini

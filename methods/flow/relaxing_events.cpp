@@ -98,15 +98,7 @@ void RelaxingEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) c
   decide(flow.time, flow.state, orders_, std::move(undecided), closed);
   flow.closed = closed;
   hold(flow.state, dynamics_.mode(closed));
-  const auto change = [&](std::size_t j) {
-    return closed[j] ? ContactEvent::Kind::close : ContactEvent::Kind::open;
-  };
-  for (std::size_t j = 0; j < closed.size(); ++j) {
-    if (closed[j] != before[j])
-      record.events.push_back({.kind = change(j), .contact = static_cast<int>(j), .time = flow.time});
-  }
-  record.sequence.push_back(
-      {.kind = change(changing), .contact = trigger, .time = flow.time, .closed = closed});
+  log_changes(before, flow, trigger, record);
   if (record.tangent) pass(flow, rates_before, trigger, record.derivative);
 }
 

@@ -47,4 +47,19 @@ void StopEvents::decide(double time, const State& state, const std::vector<Order
   }
 }
 
+void StopEvents::log_changes(const std::vector<bool>& before, const FlowState& after, int trigger,
+                             FlowRecord& record) {
+  const auto change = [&](std::size_t j) {
+    return after.closed[j] ? ContactEvent::Kind::close : ContactEvent::Kind::open;
+  };
+  for (std::size_t j = 0; j < before.size(); ++j) {
+    if (after.closed[j] != before[j])
+      record.events.push_back({.kind = change(j), .contact = static_cast<int>(j), .time = after.time});
+  }
+  record.sequence.push_back({.kind = change(static_cast<std::size_t>(trigger)),
+                             .contact = trigger,
+                             .time = after.time,
+                             .closed = after.closed});
+}
+
 }  // namespace signorini

@@ -46,6 +46,10 @@ class StopEvents {
   void decide(double time, const State& state, const std::vector<Order>& orders, std::vector<bool> undecided,
               std::vector<bool>& closed) const;
 
+  /// Logs an event at which the contacts that are closed change, and nothing else does.
+  static void log_changes(const std::vector<bool>& before, const FlowState& after, int trigger,
+                          FlowRecord& record);
+
   const ContactDynamics& dynamics_;  ///< of the scene
 };
 

@@ -164,8 +164,9 @@ TEST(RelaxingEvents, EqualContactsCloseAndOpenTogether) {
       flow.advance(state, 20.0, record);
       reference.advance(expected, 20.0, alone_record);
       ASSERT_GE(alone_record.events.size(), 6U);
-      if (problem == &many)
+      if (problem == &many) {
         EXPECT_EQ(record.events.size(), alone_record.events.size() * many.contacts.size());
+      }
       EXPECT_EQ(record.sequence.size(), alone_record.sequence.size());
       EXPECT_NEAR(state.state.u[0], expected.state.u[0], 1e-9);
       EXPECT_NEAR(state.state.v[0], expected.state.v[0], 1e-9);

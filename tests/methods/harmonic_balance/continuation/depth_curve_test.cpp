@@ -7,6 +7,7 @@
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/discretisation/fourier_series.hpp"
+#include "tests/methods/harmonic_balance/continuation/series_families.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
 namespace signorini {
@@ -17,16 +18,7 @@ const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2,
 constexpr double kGrazing = 2.448265181813;
 constexpr int kHarmonics = 20;
 
-SeriesFamily stop_family() {
-  const Problem problem = test::to_problem(kStop);
-  SeriesFamily family = series_family(problem, 1.5, 4.5);
-  family.harmonics = kHarmonics;
-  family.samples = 16 * kHarmonics;
-  family.law_at = [problem](const ContactReceptance& receptance) {
-    return lipschitz_law(problem, {}, receptance);
-  };
-  return family;
-}
+SeriesFamily stop_family() { return test::family_of(test::to_problem(kStop), kHarmonics); }
 
 /// Unknowns of the contact-free motion.
 Eigen::VectorXd free_at(const SeriesFamily& family, double frequency) {

@@ -7,23 +7,15 @@
 #include <random>
 
 #include "methods/discretisation/fourier_series.hpp"
+#include "tests/methods/harmonic_balance/continuation/series_families.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
 namespace signorini {
 namespace {
 
-const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 1.0};
+using test::family_of;
 
-/// The family of the Lipschitz or of the penalty form.
-SeriesFamily family_of(const Problem& problem, int harmonics, bool penalty = false) {
-  SeriesFamily family = series_family(problem, 1.5, 4.5);
-  family.harmonics = harmonics;
-  family.samples = 16 * harmonics;
-  family.law_at = [problem, penalty](const ContactReceptance& receptance) {
-    return penalty ? penalty_law(problem, {}, receptance) : lipschitz_law(problem, {}, receptance);
-  };
-  return family;
-}
+const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 1.0};
 
 Eigen::MatrixXcd random_force(int harmonics, std::mt19937& random) {
   std::normal_distribution<double> normal;

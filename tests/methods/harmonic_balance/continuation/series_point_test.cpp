@@ -8,22 +8,13 @@
 #include <numbers>
 
 #include "methods/discretisation/fourier_series.hpp"
+#include "tests/methods/harmonic_balance/continuation/series_families.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
 namespace signorini {
 namespace {
 
 using Complex = std::complex<double>;
-
-SeriesFamily lipschitz_family(const Problem& problem, int harmonics) {
-  SeriesFamily family = series_family(problem, 1.5, 4.5);
-  family.harmonics = harmonics;
-  family.samples = 16 * harmonics;
-  family.law_at = [problem](const ContactReceptance& receptance) {
-    return lipschitz_law(problem, {}, receptance);
-  };
-  return family;
-}
 
 /// e^{s T} and its conjugate, s the eigenvalues of m s^2 + c s + k, m = 1.
 void expect_multipliers_of_oscillator(const Eigen::VectorXcd& found, double damping, double stiffness,
@@ -62,7 +53,7 @@ TEST(ExtremesOf, BoundTheSeriesAndAreReached) {
 
 TEST(BranchPointOfSeries, WithoutContactIsTheLinearResponse) {
   const Problem problem = test::to_problem({.damping = 0.1, .gap = 5.0});
-  const SeriesFamily family = lipschitz_family(problem, 6);
+  const SeriesFamily family = test::family_of(problem, 6);
   SeriesCurve curve(family, 1);
   ASSERT_TRUE(curve.evaluate(curve.unknowns(Eigen::MatrixXcd::Zero(7, 1), 2.0)));
   const BranchPoint point = branch_point(curve);
@@ -78,7 +69,7 @@ TEST(BranchPointOfSeries, OfASpringPressedThroughoutIsOfTheStifferOscillator) {
   // A preload of 9 on a stop at -0.5 with stiffness 5 never opens under a load of 1.
   Problem problem = test::to_problem({.damping = 0.1, .gap = -0.5, .static_load = 9.0});
   problem.law = Penalty{{5.0}};
-  const SeriesFamily family = lipschitz_family(problem, 4);
+  const SeriesFamily family = test::family_of(problem, 4);
   SeriesCurve curve(family, 1);
   // lambda = -5 (x + 1/2) with x under P0 and under cos(omega t).
   const double omega = 2.0, mean = (9.0 - 5.0 * 0.5) / 6.0;
@@ -94,7 +85,7 @@ TEST(BranchPointOfSeries, OfASpringPressedThroughoutIsOfTheStifferOscillator) {
 
 TEST(BranchPointOfSeries, StabilityOfImpactsOnARigidStopIsNotKnown) {
   const Problem problem = test::to_problem({.damping = 0.1, .gap = 0.2});
-  const SeriesFamily family = lipschitz_family(problem, 6);
+  const SeriesFamily family = test::family_of(problem, 6);
   SeriesCurve curve(family, 1);
   ASSERT_TRUE(curve.evaluate(curve.unknowns(Eigen::MatrixXcd::Zero(7, 1), 1.6)));
   const BranchPoint point = branch_point(curve);
@@ -105,7 +96,7 @@ TEST(BranchPointOfSeries, StabilityOfImpactsOnARigidStopIsNotKnown) {
 
 TEST(BranchPointOfSeries, WithoutDampingIsElliptic) {
   const Problem problem = test::to_problem({.damping = 0.0, .gap = 5.0});
-  const SeriesFamily family = lipschitz_family(problem, 4);
+  const SeriesFamily family = test::family_of(problem, 4);
   SeriesCurve curve(family, 1);
   ASSERT_TRUE(curve.evaluate(curve.unknowns(Eigen::MatrixXcd::Zero(5, 1), 2.1)));
   EXPECT_EQ(branch_point(curve).stability, OrbitStability::elliptic);
