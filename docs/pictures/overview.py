@@ -128,19 +128,28 @@ def motion(program):
     return panel, len(impacts)
 
 
-def pieces(points, stable):
-    """Runs of a branch that are stable, or are not; each takes the point where it meets the next."""
+def pieces(points, belongs):
+    """Runs of points whose steps belong together, belongs(before, after); each takes the point where it meets the next."""
     found, run_of = [], []
     for before, after in zip(points, points[1:]):
-        kind = after["stability"] if before["stability"] == "undefined" else before["stability"]
-        if (kind == "stable") == stable:
-            if not run_of:
-                run_of = [before]
-            run_of.append(after)
+        if belongs(before, after):
+            run_of = (run_of or [before]) + [after]
         elif run_of:
             found.append(run_of)
             run_of = []
     return found + ([run_of] if run_of else [])
+
+
+def is_stable(before, after):
+    return (after if before["stability"] == "undefined" else before)["stability"] == "stable"
+
+
+def document(title, styles, body):
+    """Four panels as one SVG on a sheet."""
+    width, height = 2 * WIDTH, 2 * HEIGHT
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" '
+            f'font-size="12.9" role="img">\n<title>{title}</title>\n{styles}'
+            f'<rect class="sheet" width="{width}" height="{height}"/>\n{body}</svg>\n')
 
 
 def response(program):
@@ -150,7 +159,7 @@ def response(program):
     for branch in branches:
         order = branch["points"][0]["order"]
         for stable in (True, False):
-            for piece in pieces(branch["points"], stable):
+            for piece in pieces(branch["points"], lambda before, after: is_stable(before, after) == stable):
                 panel.curve([(p["omega"], p["amplitude"][0]) for p in piece], f"c{0 if order == 1 else 2}",
                             2.2 if stable else 1.3, "" if stable else "4 3")
         for special in branch["special"]:
@@ -187,14 +196,11 @@ def errors():
 
 def overview(program):
     own_style, body, size = schematic(program)
-    head = (f'<svg xmlns="http://www.w3.org/2000/svg" width="{2 * WIDTH}" height="{2 * HEIGHT}" '
-            f'viewBox="0 0 {2 * WIDTH} {2 * HEIGHT}" font-size="12.9" role="img">\n'
-            f"<title>{SCENE}: an oscillator before a stop, its motion, its response, and the error of methods against time</title>\n")
-    svg = head + own_style + style() + f'<rect class="sheet" width="{2 * WIDTH}" height="{2 * HEIGHT}"/>\n'
-    svg += f'<text class="heading" x="{LEFT}" y="18">An oscillator before a stop</text>\n'
+    svg = f'<text class="heading" x="{LEFT}" y="18">An oscillator before a stop</text>\n'
     svg += f'<g transform="translate({(WIDTH - size[0]) / 2:.0f} {30 + (HEIGHT - 30 - size[1]) / 2:.0f})">{body}</g>\n'
     panels = [motion(program)[0].svg(WIDTH, 0), response(program)[0].svg(0, HEIGHT), errors()[0].svg(WIDTH, HEIGHT)]
-    return svg + "".join(panels) + "</svg>\n"
+    return document(f"{SCENE}: an oscillator before a stop, its motion, its response, and the error of methods against time",
+                    own_style + style(), svg + "".join(panels))
 
 
 def main():

@@ -11,7 +11,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from overview import HEIGHT, ROOT, WIDTH, Panel
+from overview import HEIGHT, ROOT, WIDTH, Panel, document, pieces
 
 SCENES = {"sdof-stop": "Rigid stop, e = 1", "sdof-stop-e05": "Rigid stop, e = 0.5", "rod-penalty@4": "Rod before a spring",
           "beam20-three-stops": "Beam, three massless contacts"}
@@ -29,19 +29,6 @@ def style():
             + "</style>")
 
 
-def lines(branch, stable):
-    """Runs of a branch that are stable, or are not; each takes the point where it meets the next."""
-    points = list(zip(branch["omega"], branch["amplitude"], branch["stable"]))
-    found, run_of = [], []
-    for before, after in zip(points, points[1:]):
-        if (before[2] == 1) == stable:
-            run_of = (run_of or [before]) + [after]
-        elif run_of:
-            found.append(run_of)
-            run_of = []
-    return found + ([run_of] if run_of else [])
-
-
 def panel_of(scene, title, records):
     exact = next(r for r in records if r["scene"] == scene and "method" not in r)
     amplitudes = [a for branch in exact["branches"] for a in branch["amplitude"]]
@@ -52,10 +39,10 @@ def panel_of(scene, title, records):
     scaled = lambda points: [(rate * point[0], metre * point[1]) for point in points]
     for branch in exact["branches"]:
         for stable in (True, False):
-            for run in lines(branch, stable):
+            points = list(zip(branch["omega"], branch["amplitude"], branch["stable"]))
+            for run in pieces(points, lambda before, after: (before[2] == 1) == stable):
                 panel.curve(scaled(run), "exact", 7 if stable else 4, "" if stable else "7 5")
-    row = 0
-    for label, (name, _, _) in METHODS.items():
+    for row, (label, (name, _, _)) in enumerate(METHODS.items()):
         record = next((r for r in records if r["scene"] == scene and r.get("method") == label and not r["by_steps"]), None)
         if record is None:
             continue
@@ -69,19 +56,15 @@ def panel_of(scene, title, records):
             words += f": {100 * found:.0f} % found" if found is not None else ""
         x, y = panel.at(high, panel.y[1])
         panel.text(x - 4, y + 16 + 18 * row, words, "end", name)
-        row += 1
     return panel
 
 
 def picture(records):
-    width, height = 2 * WIDTH, 2 * HEIGHT
-    svg = (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" '
-           f'font-size="12.9" role="img">\n<title>Amplitude over the frequency of the load on four scenes: the exact branches, '
-           f"dashed where unstable, and those of two methods</title>\n{style()}"
-           f'<rect class="sheet" width="{width}" height="{height}"/>\n')
+    svg = ""
     for i, (scene, title) in enumerate(SCENES.items()):
         svg += panel_of(scene, f"{title} ({scene})", records).svg(WIDTH * (i % 2), HEIGHT * (i // 2))
-    return svg + "</svg>\n"
+    return document("Amplitude over the frequency of the load on four scenes: the exact branches, dashed where unstable, and those of "
+                    "two methods", style(), svg)
 
 
 def main():
