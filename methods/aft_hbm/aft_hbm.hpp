@@ -52,7 +52,7 @@ class AftHbm final : public Method, public CurveMethod {
         field("law", law, "[-]", "dlft (dynamic Lagrangian) | penalty");
         field("c", c, "[-]",
               "dlft: constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H, "
-              "compensated 32x; plain 1x the static one");
+              "compensated 32x, in series with a spring of the scene; plain 1x the static one");
         field("penalty", penalty, "[N/m]",
               "penalty: stiffness of the stop, 1e6 or 100x; auto: the scene's, else 8x (compensated 64x) the "
               "dynamic one near H, stiffer if massless; plain 100x the static one");

@@ -59,9 +59,10 @@ ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& 
                    : Eigen::VectorXd(kConstantMultiple * highest_dynamic_stiffness(receptance));
   law.multiplier_weight = Eigen::VectorXd::Ones(law.constant.size());
   if (const auto* stop = std::get_if<Penalty>(&problem.law)) {
-    for (Eigen::Index j = 0; j < law.constant.size(); ++j) {
-      law.multiplier_weight[j] -= law.constant[j] / stop->stiffness[static_cast<std::size_t>(j)];
-    }
+    const Eigen::Map<const Eigen::VectorXd> spring(stop->stiffness.data(), law.constant.size());
+    // A larger constant than the spring's stiffness would have y made of the truncated part of lambda.
+    if (!c) law.constant = law.constant.cwiseProduct(spring).cwiseQuotient(law.constant + spring).eval();
+    law.multiplier_weight -= law.constant.cwiseQuotient(spring);
   }
   return law;
 }

@@ -45,7 +45,8 @@ ProjectedLaw with_stiffness_factor(const ProjectedLaw& law, double factor);
 Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance);
 
 /// Signorini's condition, or the scene's spring stop behind it, with the constant c asked for (times
-/// contact_stiffness_scale), else 4 times the highest dynamic stiffness kept.
+/// contact_stiffness_scale), else 4 times the highest dynamic stiffness kept, in series with the spring's:
+/// 0 < alpha <= 1 then, and for a soft spring c is nearly its stiffness and alpha nearly 0.
 ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& c,
                            const ContactReceptance& receptance);
 

@@ -18,8 +18,11 @@ struct CurvePoints {
   /// \param label  cubics without an end of this label do not count; empty: all count
   [[nodiscard]] bool pass_by(const Eigen::VectorXd& point, double distance,
                              std::optional<std::size_t> label = {}) const;
-  /// All but the last points.
-  [[nodiscard]] CurvePoints before_last(std::size_t count) const;
+  /// The same of the curve up to its end, of which a point is the last or the same motion begun later: a
+  /// cubic counts from where the curve has gone on for more than twice its length. Of steps that become a
+  /// thousand times as short, as at corners, any number ends within the tolerance of the cubics before.
+  [[nodiscard]] bool passed_before(const Eigen::VectorXd& point, double distance,
+                                   std::optional<std::size_t> label = {}) const;
 };
 
 }  // namespace signorini

@@ -42,8 +42,7 @@ class FourierLipschitz final : public Method, public CurveMethod {
       const auto law = [&] {
         field("c", c, "[-]",
               "constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H, compensated "
-              "32x; plain "
-              "1x the static one");
+              "32x, in series with a spring of the scene; plain 1x the static one");
       };
       const auto own_solver = [&] {
         field("solver", solver, "[-]", "auto (pivoting with restarts; newton if plain) | pivoting | newton");

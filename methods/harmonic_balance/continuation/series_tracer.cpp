@@ -129,15 +129,14 @@ class SeriesTracer {
 
   // Whether the branch has come to itself, perhaps a period of the scene later, or to another one.
   void meets() {
-    constexpr std::size_t kNear = 5;  // points, of which the last are neighbours anyway
-    if (result_.points.x.size() <= 2 * kNear) return;
-    const CurvePoints earlier = result_.points.before_last(kNear);
     for (int shift = 0; shift < start_.multiple; ++shift) {
       const double share = static_cast<double>(shift) / start_.multiple;
       const Eigen::VectorXd later = begun_later(here().x, series_.harmonics(), share);
-      if (earlier.pass_by(later, rounding_of(later), intervals())) return finish("the branch meets itself");
+      if (result_.points.passed_before(later, rounding_of(later), intervals()))
+        return finish("the branch meets itself");
     }
-    if (options_.known && options_.known(here().x, intervals()))
+    constexpr std::size_t kLeft = 10;  // points, after which a branch has left the one on which it began
+    if (result_.points.x.size() > kLeft && options_.known && options_.known(here().x, intervals()))
       finish("the branch meets one that was followed before");
   }
 

@@ -301,13 +301,13 @@ class HatTracer {
   }
 
   void meets() {
-    constexpr std::size_t kNear = 5;    // points
     constexpr double kRounding = 1e-9;  // in the units of the unknowns
-    const std::size_t count = result_.points.x.size();
-    if (count <= 2 * kNear || done_) return;
+    constexpr std::size_t kLeft = 10;   // points, after which a branch has left the one on which it began
+    if (done_) return;
     const Eigen::VectorXd& here = result_.points.x.back();
-    if (result_.points.before_last(kNear).pass_by(here, kRounding)) return finish("the branch meets itself");
-    if (options_.known && options_.known(here)) finish("the branch meets one that was followed before");
+    if (result_.points.passed_before(here, kRounding)) return finish("the branch meets itself");
+    if (result_.points.x.size() > kLeft && options_.known && options_.known(here))
+      finish("the branch meets one that was followed before");
   }
 
   static constexpr CorrectorLimits kTight{.iterations = 14, .tolerance = 1e-14};

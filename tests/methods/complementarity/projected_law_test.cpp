@@ -30,6 +30,21 @@ TEST(LipschitzLaw, OfASpringStopWeighsTheMultiplierByItsCompliance) {
   EXPECT_DOUBLE_EQ(law.multiplier_weight[0], 1.0 - 40.0 / 100.0);
 }
 
+// With c0 = 4 times the highest dynamic stiffness 1/c = 1/c0 + 1/k_p.
+TEST(LipschitzLaw, OfASpringStopHasAConstantInSeriesWithTheSpring) {
+  Problem problem = test::to_problem({.stiffness = 4.0, .frequency = 3.0, .gap = 0.1});
+  const ContactReceptance receptance = fourier_receptance(problem, 20);
+  const double c0 = lipschitz_law(problem, {}, receptance).constant[0];
+  EXPECT_DOUBLE_EQ(c0, 4.0 * highest_dynamic_stiffness(receptance)[0]);
+  for (const double spring : {1e-6, 1.0, 1e6}) {
+    problem.law = Penalty{{spring * c0}};
+    const ProjectedLaw law = lipschitz_law(problem, {}, receptance);
+    EXPECT_NEAR(law.constant[0] * (1.0 / c0 + 1.0 / (spring * c0)), 1.0, 1e-14);
+    // In contact -lambda = c (x - g) - alpha lambda is the spring.
+    EXPECT_NEAR(law.constant[0] / (1.0 - law.multiplier_weight[0]) / (spring * c0), 1.0, 1e-9);
+  }
+}
+
 TEST(PenaltyLaw, IsTheScenesSpringOrTheStiffnessAskedFor) {
   Problem problem = test::to_problem({.stiffness = 4.0, .frequency = 3.0, .gap = 0.1});
   const ContactReceptance receptance = fourier_receptance(problem, 3);

@@ -6,6 +6,8 @@
 #include <complex>
 
 #include "methods/discretisation/trajectories.hpp"
+#include "methods/exact_orbit/exact_orbit_method.hpp"
+#include "methods/penalty_hbm/penalty_hbm.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
@@ -171,6 +173,25 @@ TEST(FourierLipschitz, OnASpringStopWithTheSpringsOwnConstantIsThePenaltySolutio
   }
   // Another constant solves the same law another way: equal in the limit, near here.
   EXPECT_LE(test::relative_distance(*spring.trajectory, *other.trajectory), 2e-2);
+}
+
+// A spring that the highest harmonics kept do not feel: the error is that of the spring's own law, x of order
+// H^-3.5, whatever the form.
+TEST(FourierLipschitz, OnASoftSpringStopConvergesAsThePenaltyForm) {
+  Problem problem = test::to_problem(kStop);
+  problem.law = Penalty{{50.0}};
+  const Solution exact = solve<ExactOrbitMethod>(problem, {});
+  ASSERT_EQ(exact.verdict, Verdict::converged);
+  std::vector<double> steps, errors;
+  for (const int harmonics : {40, 80, 160}) {
+    const Solution ours = solve<FourierLipschitz>(problem, {.common = {.harmonics = harmonics}});
+    const Solution penalty = solve<PenaltyHbm>(problem, {.common = {.harmonics = harmonics}});
+    ASSERT_EQ(ours.verdict, Verdict::converged);
+    steps.push_back(1.0 / harmonics);
+    errors.push_back(test::relative_distance(*ours.trajectory, *exact.trajectory));
+    EXPECT_LE(errors.back(), 1.2 * test::relative_distance(*penalty.trajectory, *exact.trajectory));
+  }
+  EXPECT_GE(test::observed_order(steps, errors), 3.0);
 }
 
 TEST(FourierLipschitz, NewtonReachesTheSameSolutionFromTheAnswer) {

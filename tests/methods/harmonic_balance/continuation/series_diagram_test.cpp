@@ -207,17 +207,27 @@ TEST(SeriesDiagram, PassesEveryGrazingOfTwoMasses) {
   }
 }
 
+// The tip of a rod meets a spring: the contact begins on a corner, and is there already by rounding where it
+// is located. Steps after a corner are short and must not be taken for a curve that meets itself.
+TEST(SeriesDiagram, IsOneCurveWhereContactBeginsOnASpring) {
+  for (const char* level : {"0.4", "4", "20"}) {
+    const Problem problem = load_scene(find_scene(std::string("rod-penalty@") + level));
+    for (const int harmonics : {10, 20}) {
+      const BranchDiagram diagram =
+          with_harmonics<FourierLipschitz>(harmonics).follow(problem, 57000.0, 75000.0, {.max_order = 1});
+      ASSERT_EQ(diagram.branches.size(), 1U) << level << ", H = " << harmonics;
+      const Branch& branch = diagram.branches.front();
+      EXPECT_EQ(branch.ended, "end of the interval");
+      EXPECT_DOUBLE_EQ(branch.points.back().parameter, 75000.0);
+      const auto folds = std::count_if(branch.special.begin(), branch.special.end(),
+                                       [](const auto& special) { return special.kind == SpecialKind::fold; });
+      EXPECT_EQ(folds, 2) << level << ", H = " << harmonics;
+    }
+  }
+}
+
 // Where the motions of one impact a period begin, those of one impact in two periods branch off on the
 // corner.
-// Where the located contact is there already by rounding, it must not be followed twice.
-TEST(SeriesDiagram, GoesOnWhereContactBeginsOnASpring) {
-  const BranchDiagram diagram = with_harmonics<FourierLipschitz>(20).follow(
-      load_scene(find_scene("rod-penalty@4")), 57000.0, 75000.0, {.max_order = 1});
-  ASSERT_FALSE(diagram.branches.empty());
-  EXPECT_EQ(diagram.branches.front().ended, "end of the interval");
-  EXPECT_DOUBLE_EQ(diagram.branches.front().points.back().parameter, 75000.0);
-  EXPECT_GT(diagram.branches.front().points.size(), 200U);
-}
 
 TEST(SeriesDiagram, MotionsOfTwoPeriodsBranchOffWhereContactBegins) {
   const BranchDiagram diagram =
