@@ -23,7 +23,11 @@ Support AftHbm::supports(const Problem& problem) const {
 }
 
 RepresentedLaw AftHbm::law(const Problem& problem) const {
-  return options_.common.represented(problem, projected_method_law(problem, options_.penalty));
+  return options_.common.represented(problem, curve_law(problem));
+}
+
+RepresentedLaw AftHbm::curve_law(const Problem& problem) const {
+  return projected_method_law(problem, options_.penalty);
 }
 
 LawAt AftHbm::law_at(const Problem& problem) const {

@@ -20,8 +20,8 @@ namespace signorini {
 ///
 /// Globalisation: Newton with GMRES, a harmonic-wise preconditioner and a line search; where that fails, the
 /// gap homotopy of the same equations on the same samples is followed by pivoting
-/// (complementarity_solver.hpp), and Newton finishes. On a rigid stop that carries mass, impacts are
-/// compensated as in fourier-lipschitz.
+/// (complementarity_solver.hpp), and Newton finishes. On a rigid stop that carries mass, impacts are closed
+/// as in fourier-lipschitz, before any of that.
 ///
 /// `plain`: alternating frequency/time on 32 H samples and Newton from the contact-free response, or by
 /// `continuation=frequency` from where nothing touches, with the constants of fourier-lipschitz and
@@ -32,7 +32,7 @@ class AftHbm final : public Method, public CurveMethod {
 
   static constexpr std::string_view kName = "aft-hbm";
   static constexpr std::string_view kTitle = "Alternating frequency/time harmonic balance, Newton-Krylov";
-  static constexpr std::string_view kLaws = "restitution 1, penalty, massless";
+  static constexpr std::string_view kLaws = "restitution 0..1, penalty, massless; plain: 1";
   static constexpr std::string_view kLadder = "harmonics=10|40|160";
   static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 
@@ -74,6 +74,7 @@ class AftHbm final : public Method, public CurveMethod {
   /// Of the equations above, impacts not compensated (series_diagram).
   [[nodiscard]] BranchDiagram follow(const Problem& problem, double from, double to,
                                      const CurveLimits& limits) const override;
+  [[nodiscard]] RepresentedLaw curve_law(const Problem& problem) const override;
 
  private:
   [[nodiscard]] LawAt law_at(const Problem& problem) const;

@@ -17,6 +17,7 @@ HarmonicOptions AugmentedLagrangian::common() const {
   return {.harmonics = options_.harmonics,
           .quadrature = Quadrature::exact,
           .compensate = options_.compensate.value_or(!options_.plain),
+          .restitution = ClosedRestitution::none,  // its own solver finds all that it claims
           .tolerance = options_.tolerance,
           .max_iterations = options_.max_iterations};
 }

@@ -187,12 +187,13 @@ Eigen::VectorXd ImpactMotion::residual(const PeriodicImpacts& impacts) const {
   return ImpactMotionSystem(*this, impacts.contacts).residual(impacts.moments.reshaped());
 }
 
-std::optional<SettledImpacts> ImpactMotion::settle(const PeriodicImpacts& from, double tolerance) const {
+std::optional<SettledImpacts> ImpactMotion::settle(const PeriodicImpacts& from, double tolerance,
+                                                   int max_steps) const {
   if (from.count() == 0) return SettledImpacts{};
   const double scale = size(from);
   ImpactMotionSystem system(*this, from.contacts);
   const NewtonKrylovResult newton = solve_newton_krylov(system, from.moments.reshaped(), tolerance * scale,
-                                                        {.max_steps = 50, .max_halvings = 12});
+                                                        {.max_steps = max_steps, .max_halvings = 12});
   if (newton.end == NewtonEnd::singular ||
       !(newton.residual <= std::max(tolerance, kSettledRounding) * scale))
     return std::nullopt;

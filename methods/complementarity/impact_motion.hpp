@@ -48,6 +48,8 @@ struct SettledImpacts {
 /// (W^T M^-1 W)_kl = 0: else a law of joint impact is needed (`are_separate`).
 class ImpactMotion {
  public:
+  static constexpr int kSettlingSteps = 50;  ///< of Newton's method, more than any motion has needed
+
   /// Refers to `response` and `gap`.
   /// \param response     C_n, n = 0..L, L >= 1
   /// \param free         x_f, n = 0..L at most, Nc columns [m]
@@ -59,8 +61,10 @@ class ImpactMotion {
   /// X(t_k) - g and (mean X'(t_k) - kappa_k J_k) T / (2 pi), alternating, 2 K [m].
   [[nodiscard]] Eigen::VectorXd residual(const PeriodicImpacts& impacts) const;
   /// Impacts that solve the equations to `tolerance`, or to 1e-9 where Newton's method does not get that far,
-  /// both relative to `size`; nothing if it does not get there either. Impulses stay positive.
-  [[nodiscard]] std::optional<SettledImpacts> settle(const PeriodicImpacts& from, double tolerance) const;
+  /// both relative to `size`; nothing if it does not get there either, or not in so many steps. Impulses stay
+  /// positive.
+  [[nodiscard]] std::optional<SettledImpacts> settle(const PeriodicImpacts& from, double tolerance,
+                                                     int max_steps = kSettlingSteps) const;
   /// Whether no two impacts whose contacts depend on each other fall on one instant, to 1e-9 of the period.
   [[nodiscard]] bool are_separate(const PeriodicImpacts& impacts) const;
   /// Velocity of an impact's contact per period before (first) and after it, X'_- and X'_+ [m].

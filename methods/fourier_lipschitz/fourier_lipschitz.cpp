@@ -17,7 +17,11 @@ Support FourierLipschitz::supports(const Problem& problem) const {
 }
 
 RepresentedLaw FourierLipschitz::law(const Problem& problem) const {
-  return options_.common.represented(problem, projected_method_law(problem));
+  return options_.common.represented(problem, curve_law(problem));
+}
+
+RepresentedLaw FourierLipschitz::curve_law(const Problem& problem) const {
+  return projected_method_law(problem);
 }
 
 LawAt FourierLipschitz::law_at(const Problem& problem) const {

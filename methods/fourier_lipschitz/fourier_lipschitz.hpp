@@ -13,12 +13,13 @@
 namespace signorini {
 
 /// lambda + P max(0, c (x - g) - lambda) = 0 with x = x_f + C lambda, |n| <= H [shi2015, eq. 14-23 and
-/// 29-36, corrected], the same equations as DLFT [nacivet2003]. Represents restitution 1: the projected
-/// contact force does no net work (docs/theory.md, section 3). A stop that is a spring k_p is represented
-/// exactly, the condition then being imposed on x + lambda / k_p.
+/// 29-36, corrected], the same equations as DLFT [nacivet2003]. By themselves they represent restitution 1:
+/// the projected contact force does no net work (docs/theory.md, section 3). A stop that is a spring k_p is
+/// represented exactly, the condition then being imposed on x + lambda / k_p.
 ///
-/// On a rigid stop that carries mass, impacts are compensated (impact_compensation.hpp): the law holds for
-/// the motion with all harmonics, which the equations above miss by 1/H.
+/// On a rigid stop that carries mass, impacts are closed (closed_answer.hpp): the scene's law of impact, of
+/// any restitution, holds for the motion with all harmonics, which the equations above miss by 1/H. What is
+/// not closed is refused below restitution 1, and compensated at 1 (impact_compensation.hpp).
 ///
 /// `plain`: the equations alone, the contact integral on 32 H samples, solved by the source paper's
 /// semi-smooth Newton iteration from the contact-free response, or by `continuation=frequency` from where
@@ -29,7 +30,7 @@ class FourierLipschitz final : public Method, public CurveMethod {
   static constexpr std::string_view kName = "fourier-lipschitz";
   static constexpr std::string_view kTitle =
       "Harmonic balance on the Lipschitz form of Signorini's condition";
-  static constexpr std::string_view kLaws = "restitution 1, penalty, massless";
+  static constexpr std::string_view kLaws = "restitution 0..1, penalty, massless; plain: 1";
   static constexpr std::string_view kLadder = "harmonics=10|40|160";
   static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 
@@ -60,6 +61,7 @@ class FourierLipschitz final : public Method, public CurveMethod {
   /// Of the equations above, impacts not compensated (series_diagram).
   [[nodiscard]] BranchDiagram follow(const Problem& problem, double from, double to,
                                      const CurveLimits& limits) const override;
+  [[nodiscard]] RepresentedLaw curve_law(const Problem& problem) const override;
 
  private:
   [[nodiscard]] LawAt law_at(const Problem& problem) const;

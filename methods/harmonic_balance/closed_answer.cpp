@@ -64,7 +64,8 @@ class ImpactClosing {
     if (seeds.impacts.count() == 0) return contact_free();
     if (!all_have_mass(seeds.impacts))
       return failed("a contact that is struck has no mass beyond the harmonics");
-    const auto settled = motion_->settle(seeds.impacts, 0.01 * setup_.options.tolerance);
+    const auto settled = motion_->settle(seeds.impacts, 0.01 * setup_.options.tolerance,
+                                         steps_left(ImpactMotion::kSettlingSteps));
     if (!settled) return failed("instants and impulses of the impacts do not settle");
     count_iterations(settled->steps, work_);
     if (!motion_->are_separate(settled->impacts)) return failed("two contacts are struck at once");
@@ -109,9 +110,10 @@ class ImpactClosing {
            });
   }
 
-  [[nodiscard]] int steps_left() const {
+  /// Steps that may be taken, of so many where there is no limit.
+  [[nodiscard]] int steps_left(int most) const {
     const int limit = setup_.options.max_iterations;
-    return limit == 0 ? kClosureSteps : std::min(kClosureSteps, limit - static_cast<int>(steps_spent(work_)));
+    return limit == 0 ? most : std::clamp(limit - static_cast<int>(steps_spent(work_)), 0, most);
   }
 
   std::optional<Solution> closed(const PeriodicImpacts& impacts, const std::string& how) {
@@ -122,7 +124,7 @@ class ImpactClosing {
       const ImpactClosure closure = close_impacts(
           {setup_.receptance, setup_.gap, law}, impacts,
           {.samples = samples, .tolerance = setup_.options.tolerance, .deadline = start_.deadline},
-          steps_left());
+          steps_left(kClosureSteps));
       count_iterations(closure.steps, work_);
       if (closure.converged) return answer(law, closure, impacts.count(), how);
       failed(closure.failure);
@@ -160,10 +162,11 @@ std::optional<Solution> close_from_hat_functions(HarmonicSetup& setup, const Sta
     return closing.failed("no contact has mass beyond the harmonics, or they are too many");
   Resolutions& grids = *setup.hat_grids;
   grids.forget_from(0);  // preparing them is part of this solve
+  const std::size_t count = setup.options.max_iterations > 0 ? 1 : grids.count();  // within a limit on steps
   int lasting = 0;
   // Where two grids show contact that lasts, finer ones will: they are for impacts that a coarse one runs
   // together.
-  for (std::size_t grid = 0; grid < grids.count() && lasting < 2 && !start.expired(); ++grid) {
+  for (std::size_t grid = 0; grid < count && lasting < 2 && !start.expired(); ++grid) {
     const int nodes = grids.value(grid);
     if (static_cast<long>(nodes) * setup.receptance.contacts() > kMostHatUnknowns) break;
     const Solution hat = grids.solve_at(grid, {.deadline = start.deadline});

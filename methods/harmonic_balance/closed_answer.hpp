@@ -31,7 +31,10 @@ struct ClosedAnswer {
 ///
 ///   1. the guess;
 ///   2. the motion without contact, or with contacts that press throughout: there no impact is;
-///   3. the scene on hat functions with restitution e, on 256, 1024 and 4096 nodes,
+///   3. the scene on hat functions with restitution e, on 256, 1024 and 4096 nodes (on 256 alone where
+///      `max_iterations` limits pivots and steps),
+///   limits
+///      the steps,
 ///
 /// instants and impulses of impacts are read off (`impact_seeds`), settled on the motion X with all harmonics
 /// (ImpactMotion), and X judged: no impact pulls, X passes no stop by more than 1e-6 of its size, no two

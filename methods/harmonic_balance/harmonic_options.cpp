@@ -24,7 +24,9 @@ bool HarmonicOptions::compensates_impacts() const {
 
 std::optional<double> HarmonicOptions::closed_restitution(const Problem& problem) const {
   const auto* law = std::get_if<Restitution>(&problem.law);
-  if (restitution == ClosedRestitution::none || law == nullptr) return std::nullopt;
+  const bool closes = !plain && compensates_impacts();
+  const auto unasked = closes ? ClosedRestitution::scene : ClosedRestitution::none;
+  if (law == nullptr || restitution.value_or(unasked) == ClosedRestitution::none) return std::nullopt;
   return law->e;
 }
 
@@ -71,7 +73,7 @@ void validate(const HarmonicOptions& options) {
                  "must be at most 10000000");
   require_option(options.continuation == Continuation::none || options.plain, "continuation",
                  options.continuation, "must be none unless plain = true");
-  require_option(options.restitution == ClosedRestitution::none || options.compensates_impacts(),
+  require_option(options.restitution != ClosedRestitution::scene || options.compensates_impacts(),
                  "restitution", options.restitution,
                  "must be none if plain = true, compensate = false or quadrature = sampled");
   require_option(options.tolerance > 0.0 && options.tolerance <= 1e-2, "tolerance", options.tolerance,

@@ -50,12 +50,12 @@ inline constexpr int kMostHarmonics = 160;
 
 /// Options of every method of harmonic balance. A method adds those of its contact law and of its solver.
 struct HarmonicOptions {
-  std::optional<int> harmonics = {};                        ///< H >= 1 [-]
-  std::optional<int> samples = {};                          ///< N >= 2 H + 1 [-]
-  std::optional<Quadrature> quadrature = {};                ///< of the contact integral
-  std::optional<bool> compensate = {};                      ///< impacts right with all harmonics
-  ClosedRestitution restitution = ClosedRestitution::none;  ///< of impacts on rigid stops
-  Continuation continuation = Continuation::none;           ///< of the plain form
+  std::optional<int> harmonics = {};                  ///< H >= 1 [-]
+  std::optional<int> samples = {};                    ///< N >= 2 H + 1 [-]
+  std::optional<Quadrature> quadrature = {};          ///< of the contact integral
+  std::optional<bool> compensate = {};                ///< impacts right with all harmonics
+  std::optional<ClosedRestitution> restitution = {};  ///< of impacts on rigid stops
+  Continuation continuation = Continuation::none;     ///< of the plain form
   double tolerance = 1e-10;  ///< on the relative residual of the method's equations [-]
   int max_iterations = 0;    ///< pivots and Newton steps in all; 0: the solver's own limit [-]
   bool plain = false;        ///< as the literature does it
@@ -73,7 +73,8 @@ struct HarmonicOptions {
     field("compensate", compensate, "[-]",
           "impacts right with all harmonics, the integral being exact: true | false; auto: unless plain");
     field("restitution", restitution, "[-]",
-          "of impacts on rigid stops: none (restitution 1) | scene: the scene's, by impact closure");
+          "of impacts on rigid stops: none (restitution 1) | scene: the scene's, by impact closure; auto: "
+          "scene unless plain, or impacts are not compensated");
     solver();
     field("continuation", continuation, "[-]",
           "if plain: none | frequency: in steps of the load's frequency, from where nothing touches");
@@ -87,8 +88,8 @@ struct HarmonicOptions {
   /// Whether impacts are compensated: as asked for, else unless `plain`; only with the exact contact
   /// integral.
   [[nodiscard]] bool compensates_impacts() const;
-  /// The restitution to close impacts at: the scene's, where that is asked for and its stops are rigid with
-  /// mass behind them.
+  /// The restitution to close impacts at: the scene's, where its stops are rigid with mass behind them, and
+  /// that is asked for or, nothing being asked, impacts are compensated and the form is not plain.
   [[nodiscard]] std::optional<double> closed_restitution(const Problem& problem) const;
   /// The law represented on a scene, `projected` being that of the projected equations alone.
   [[nodiscard]] RepresentedLaw represented(const Problem& problem, const RepresentedLaw& projected) const;

@@ -17,9 +17,10 @@ constexpr int kClosedResponse = 128;
 
 /// The scene on hat functions with this restitution. Empty where it has too many contacts for as many nodes.
 /// `problem` must outlive the result.
-std::optional<Resolutions> affordable_hat_grids(const Problem& problem, double restitution) {
+std::optional<Resolutions> affordable_hat_grids(const Problem& problem, double restitution,
+                                                int max_iterations) {
   if (coarsest_hat_grid(problem) * problem.contact_count() > kMostHatUnknowns) return std::nullopt;
-  return hat_grids(problem, HatSettings{}, restitution);
+  return hat_grids(problem, {.max_iterations = max_iterations}, restitution);
 }
 
 }  // namespace
@@ -39,7 +40,8 @@ HarmonicSetup harmonic_setup(const Problem& problem, int harmonics, const Harmon
   if (options.compensates_impacts())
     setup.compensation = response_to_impacts(problem, setup.receptance, beyond);
   if (setup.compensation && (method.solver_is_open || setup.restitution))
-    setup.hat_grids = affordable_hat_grids(problem, setup.restitution.value_or(kConservative));
+    setup.hat_grids =
+        affordable_hat_grids(problem, setup.restitution.value_or(kConservative), options.max_iterations);
   return setup;
 }
 

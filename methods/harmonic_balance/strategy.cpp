@@ -93,11 +93,14 @@ std::optional<Solution> continuation_in_frequency(const HarmonicSetup& setup, co
 
 /// One solve with the harmonics of the setup. Each attempt is asked only where those before it gave nothing.
 Solution solve_with_harmonics(HarmonicSetup& setup, const Start& start, Work& work) {
-  // The scene's own law of impact. Nothing below represents a restitution other than 1.
+  // The scene's own law of impact, with all harmonics. Nothing below represents a restitution other than 1.
   if (setup.restitution) {
     ClosedAnswer closed = close_answer(setup, start, work);
     if (closed.answer) return *std::move(closed.answer);
-    if (*setup.restitution < 1.0) return {.message = std::move(closed.reason)};
+    const int limit = setup.options.max_iterations;
+    if (limit > 0 && steps_spent(work) >= limit) return {.message = "the limit of max_iterations is reached"};
+    if (*setup.restitution < 1.0)
+      return {.message = fmt::format("{}; restitution = none solves under restitution 1", closed.reason)};
   }
 
   // A guess whose impacts are compensated already needs Newton's method alone.

@@ -18,7 +18,11 @@ Support PenaltyHbm::supports(const Problem& problem) const {
 }
 
 RepresentedLaw PenaltyHbm::law(const Problem& problem) const {
-  return options_.common.represented(problem, projected_method_law(problem, options_.penalty));
+  return options_.common.represented(problem, curve_law(problem));
+}
+
+RepresentedLaw PenaltyHbm::curve_law(const Problem& problem) const {
+  return projected_method_law(problem, options_.penalty);
 }
 
 LawAt PenaltyHbm::law_at(const Problem& problem) const {

@@ -14,8 +14,9 @@ namespace signorini {
 
 /// lambda = -P eps max(0, x - g) with x = x_f + C lambda, |n| <= H [shi2015, eq. 46-55, corrected]. A scene
 /// whose stop is a spring is represented exactly; on a rigid one eps is a regularisation whose error
-/// falls like eps^{-1/2}, and the law represented is restitution 1. There impacts are compensated
-/// (impact_compensation.hpp), which takes back both the truncation and the penetration of the spring.
+/// falls like eps^{-1/2}, and the law represented is restitution 1. There impacts are closed, as in
+/// fourier-lipschitz, under the scene's restitution, which takes back both the truncation and the penetration
+/// of the spring.
 ///
 /// `plain`: the equations alone, the contact integral on 32 H samples, solved by Newton's method from the
 /// contact-free response, or by `continuation=frequency` from where nothing touches; eps is a hundred times
@@ -24,7 +25,8 @@ class PenaltyHbm final : public Method, public CurveMethod {
  public:
   static constexpr std::string_view kName = "penalty-hbm";
   static constexpr std::string_view kTitle = "Harmonic balance with a penalty spring for the stop";
-  static constexpr std::string_view kLaws = "penalty; restitution 1 and massless by regularisation";
+  static constexpr std::string_view kLaws =
+      "penalty; restitution 0..1 (plain: 1) and massless by regularisation";
   static constexpr std::string_view kLadder = "harmonics=10|40|160";
   static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 
@@ -56,6 +58,7 @@ class PenaltyHbm final : public Method, public CurveMethod {
   /// Of the equations above, impacts not compensated (series_diagram).
   [[nodiscard]] BranchDiagram follow(const Problem& problem, double from, double to,
                                      const CurveLimits& limits) const override;
+  [[nodiscard]] RepresentedLaw curve_law(const Problem& problem) const override;
 
  private:
   [[nodiscard]] LawAt law_at(const Problem& problem) const;

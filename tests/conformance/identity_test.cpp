@@ -22,10 +22,7 @@ const KnownFailures& known_failures(std::string_view check) {
   // x -> -x half a period later maps the scene on itself. What breaks the tie (the irregular part of the
   // covering vector, the state in which marching begins) is fixed to t = 0.
   static const std::map<std::string, KnownFailures, std::less<>> known{
-      {"time-shift",
-       {{"FourierLipschitz_sdof_two_sided", "the mirrored solution"},
-        {"AftHbm_sdof_two_sided", "the mirrored solution"},
-        {"EventDriven_sdof_two_sided_e08", "another of several attractors"}}},
+      {"time-shift", {{"EventDriven_sdof_two_sided_e08", "another of several attractors"}}},
       // Rest at another origin is another state to march from.
       {"origin-shift",
        {{"EventDriven_chain10_stop_e06", "another of several attractors"},

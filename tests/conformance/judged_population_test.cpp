@@ -18,6 +18,8 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -208,6 +210,37 @@ INSTANTIATE_TEST_SUITE_P(Methods, HardPopulation,
                          testing::Values("exact-orbit", "hat-lcp", "fourier-lipschitz", "penalty-hbm",
                                          "aft-hbm"),
                          parameter_name);
+
+/// Whether the exact orbit of a scene has no contact that lasts; empty where none is found.
+std::optional<bool> has_separate_impacts(const Problem& problem) {
+  constexpr int kInstants = 4096;
+  const std::unique_ptr<Method> method = find_method("exact-orbit").make({});
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kSolveSeconds);
+  const Solution orbit = method->prepare(problem)->solve(
+      {.deadline = std::chrono::time_point_cast<std::chrono::steady_clock::duration>(end)});
+  if (orbit.verdict != Verdict::converged) return std::nullopt;
+  return (orbit.trajectory->sample(kInstants).force.array() == 0.0).all();
+}
+
+/// One mass with restitutions below 1: harmonic balance has the scene's own law wherever impacts are
+/// separate.
+class SeparateImpacts : public testing::TestWithParam<std::string> {};
+
+TEST_P(SeparateImpacts, AreCertifiedUnderTheScenesRestitution) {
+  const unsigned long seed = seeds().front();
+  std::vector<Problem> separate, others;
+  for (const Problem& problem : test::restitution_population(5 * scenes_per_population() / 4, seed)) {
+    if (std::get<Restitution>(problem.law).e == 1.0) continue;
+    (has_separate_impacts(problem).value_or(false) ? separate : others).push_back(problem);
+  }
+  const std::string name = "one mass, e < 1, seed " + std::to_string(seed);
+  const Tally closed = judge_into_table(GetParam(), name + ", separate impacts", separate);
+  EXPECT_GE(closed.count(Claim::certified) + 1, 0.95 * closed.scenes);
+  judge_into_table(GetParam(), name + ", contact that lasts", others);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, SeparateImpacts,
+                         testing::Values("fourier-lipschitz", "penalty-hbm", "aft-hbm"), parameter_name);
 
 /// Not the processor time of the solve, which is the method's own.
 TEST(JudgedCatalogue, IsJudgedWithinTheTimeGiven) {

@@ -161,7 +161,12 @@ BranchDiagram series_diagram(const Problem& problem, double from, double to, con
   family.samples = sampled ? method.options.fixed_samples(family.harmonics).value_or(32 * family.harmonics)
                            : kResolvingSamples * std::max(family.harmonics, kFewestOnGrid);
   try {
-    return SeriesDiagram(std::move(family), method, limits).run(from, to);
+    BranchDiagram diagram = SeriesDiagram(std::move(family), method, limits).run(from, to);
+    const auto* law = std::get_if<Restitution>(&problem.law);
+    if (law != nullptr && law->e < 1.0)
+      diagram.notes.push_back(
+          fmt::format("curves of harmonic balance have restitution 1, the scene has {:g}", law->e));
+    return diagram;
   } catch (const std::runtime_error& error) {  // of a structure that cannot be factorised
     return {.unfinished = error.what()};
   }

@@ -32,12 +32,13 @@ BranchDiagram series_diagram(const Problem& problem, double from, double to, con
 
 /// series_diagram of a method of harmonic balance with these options, impacts not compensated.
 /// \tparam Method  with HarmonicOptions as `Options::common`
-/// \throws InvalidOption  if the impacts of a restitution below 1 are to be closed: curves have e = 1
+/// \throws InvalidOption  if the impacts of a restitution below 1 were asked to be closed: curves have e = 1
 template <class Method>
 BranchDiagram uncompensated_diagram(typename Method::Options options, LawAt law_at, const Problem& problem,
                                     double from, double to, const CurveLimits& limits) {
-  require_option(options.common.closed_restitution(problem).value_or(1.0) == 1.0, "restitution",
-                 options.common.restitution, "must be none: curves are those of restitution 1");
+  const bool asked = options.common.restitution == ClosedRestitution::scene;
+  require_option(!asked || options.common.closed_restitution(problem).value_or(1.0) == 1.0, "restitution",
+                 options.common.restitution, "must be none or auto: curves are those of restitution 1");
   options.common.compensate = false;
   options.common.restitution = ClosedRestitution::none;
   const auto prepare = [method = Method(options)](const Problem& scene) { return method.prepare(scene); };

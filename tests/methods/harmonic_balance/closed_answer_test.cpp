@@ -73,11 +73,21 @@ TEST_P(ClosedAnswerAt, IsTheOrbitOfTheScenesRestitutionInEachMethod) {
 
 INSTANTIATE_TEST_SUITE_P(OneMass, ClosedAnswerAt, testing::Values(1.0, 0.8, 0.5, 0.2, 0.0));
 
-TEST(ClosedAnswer, IsNotGivenUnasked) {
+TEST(ClosedAnswer, IsNotGivenWhereNoneIsAskedFor) {
   const Problem problem = test::to_problem(oscillator(0.5));
-  EXPECT_FALSE(law_matches(FourierLipschitz({}).law(problem), problem.law));
-  const Solution found = solve<FourierLipschitz>(problem, {});
+  const FourierLipschitz::Options none{{.restitution = ClosedRestitution::none}};
+  EXPECT_FALSE(law_matches(FourierLipschitz(none).law(problem), problem.law));
+  const Solution found = solve<FourierLipschitz>(problem, none);
   EXPECT_EQ(found.message.find("closed"), std::string::npos) << found.message;
+}
+
+TEST(ClosedAnswer, KeepsWithinALimitOnSteps) {
+  const Problem problem = test::to_problem(oscillator(0.5));
+  const Solution short_of = solve<FourierLipschitz>(problem, {{.max_iterations = 4}});
+  EXPECT_EQ(short_of.verdict, Verdict::not_converged);
+  const Solution found = solve<FourierLipschitz>(problem, {{.max_iterations = 100}});
+  EXPECT_EQ(found.verdict, Verdict::converged) << found.message;
+  EXPECT_LE(found.work.iterations.value() + found.work.pivots.value_or(0), 100);
 }
 
 /// The answer's distance from the exact orbit that it leads to, under the scene's own law.

@@ -18,12 +18,14 @@
 namespace signorini {
 namespace {
 
+constexpr auto kNone = ClosedRestitution::none;  // compensation alone
+
 /// A scene with ten harmonics and its series, impacts as they come.
 struct Solved {
   explicit Solved(const test::ImpactOscillator& oscillator)
       : problem(test::to_problem(oscillator)),
         setup(harmonic_setup(
-            problem, 10, {.harmonics = 10},
+            problem, 10, {.harmonics = 10, .restitution = kNone},
             {.law_at = [this](const ContactReceptance& level) { return lipschitz_law(problem, {}, level); },
              .grid_solver = lcp_grid_solver({})})) {
     Work work;
@@ -118,12 +120,12 @@ double error_of(const Problem& problem, const Solution& solution) {
 // compensated.
 TEST(HatAgreement, FindsByHatFunctionsWhatFewHarmonicsMiss) {
   const Problem problem = hard_scene(139);
-  const Solution alone = solve<FourierLipschitz>(
-      problem, {.common = {.harmonics = 20}, .solver = ComplementaritySolver::pivoting});
+  const Solution alone = solve<FourierLipschitz>(problem, {.common = {.harmonics = 20, .restitution = kNone},
+                                                           .solver = ComplementaritySolver::pivoting});
   ASSERT_TRUE(says(alone, "impacts not compensated")) << alone.message;
-  const Solution lipschitz = solve<FourierLipschitz>(problem, {{.harmonics = 20}});
-  const Solution penalty = solve<PenaltyHbm>(problem, {{.harmonics = 20}});
-  const Solution aft = solve<AftHbm>(problem, {{.harmonics = 20}});
+  const Solution lipschitz = solve<FourierLipschitz>(problem, {{.harmonics = 20, .restitution = kNone}});
+  const Solution penalty = solve<PenaltyHbm>(problem, {{.harmonics = 20, .restitution = kNone}});
+  const Solution aft = solve<AftHbm>(problem, {{.harmonics = 20, .restitution = kNone}});
   for (const Solution* solution : {&lipschitz, &penalty, &aft}) {
     ASSERT_EQ(solution->verdict, Verdict::converged) << solution->message;
     EXPECT_TRUE(says(*solution, "hat functions first")) << solution->message;
@@ -133,25 +135,26 @@ TEST(HatAgreement, FindsByHatFunctionsWhatFewHarmonicsMiss) {
 
 // The same by AFT with Newton alone, for which hat functions would be another homotopy.
 TEST(HatAgreement, LeavesNewtonAlone) {
-  const Solution newton = solve<AftHbm>(hard_scene(139), {.common = {.harmonics = 20}, .homotopy = false});
+  const Solution newton =
+      solve<AftHbm>(hard_scene(139), {.common = {.harmonics = 20, .restitution = kNone}, .homotopy = false});
   EXPECT_FALSE(says(newton, "hat functions")) << newton.message;
 }
 
 TEST(HatAgreement, DoesNotClaimWhatHatFunctionsContradict) {
   const Problem problem = hard_scene(414);
-  const Solution few = solve<FourierLipschitz>(problem, {{.harmonics = 20}});
+  const Solution few = solve<FourierLipschitz>(problem, {{.harmonics = 20, .restitution = kNone}});
   EXPECT_EQ(few.verdict, Verdict::not_converged);
   EXPECT_TRUE(says(few, "away from the motion on hat functions")) << few.message;
   // Left to the method, more harmonics are tried.
-  const Solution more = solve<FourierLipschitz>(problem, {});
+  const Solution more = solve<FourierLipschitz>(problem, {{.restitution = kNone}});
   ASSERT_EQ(more.verdict, Verdict::converged) << more.message;
   EXPECT_TRUE(says(more, "; H = ")) << more.message;
   EXPECT_LE(error_of(problem, more), 0.1);
 }
 
 TEST(HatAgreement, IsNotAskedUnderALimitOnIterations) {
-  const Solution limited =
-      solve<FourierLipschitz>(hard_scene(139), {{.harmonics = 20, .max_iterations = 100000}});
+  const Solution limited = solve<FourierLipschitz>(
+      hard_scene(139), {{.harmonics = 20, .restitution = kNone, .max_iterations = 100000}});
   EXPECT_FALSE(says(limited, "hat functions")) << limited.message;
 }
 

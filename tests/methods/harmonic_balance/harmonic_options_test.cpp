@@ -74,16 +74,21 @@ TEST(HarmonicOptions, CompensateOnlyWhereTheContactIntegralIsExact) {
       (HarmonicOptions{.quadrature = Quadrature::sampled, .compensate = true}.compensates_impacts()));
 }
 
-TEST(HarmonicOptions, CloseImpactsAtTheRestitutionOfRigidStopsWhereThatIsAsked) {
+TEST(HarmonicOptions, CloseImpactsAtTheRestitutionOfRigidStops) {
   Problem problem = test::to_problem({.frequency = 2.2, .gap = 0.2, .restitution = 0.5});
-  const HarmonicOptions asked{.restitution = ClosedRestitution::scene};
-  EXPECT_FALSE(HarmonicOptions{}.closed_restitution(problem));
+  const HarmonicOptions left_open, asked{.restitution = ClosedRestitution::scene},
+      plain{.quadrature = Quadrature::exact, .compensate = true, .plain = true},
+      none{.restitution = ClosedRestitution::none};
+  EXPECT_EQ(left_open.closed_restitution(problem), 0.5);
   EXPECT_EQ(asked.closed_restitution(problem), 0.5);
-  EXPECT_TRUE(law_matches(asked.represented(problem, Restitution{1.0}), problem.law));
-  EXPECT_FALSE(law_matches(HarmonicOptions{}.represented(problem, Restitution{1.0}), problem.law));
+  EXPECT_TRUE(law_matches(left_open.represented(problem, Restitution{1.0}), problem.law));
+  for (const HarmonicOptions& projected : {plain, none, HarmonicOptions{.compensate = false}}) {
+    EXPECT_FALSE(projected.closed_restitution(problem));
+    EXPECT_FALSE(law_matches(projected.represented(problem, Restitution{1.0}), problem.law));
+  }
   problem.law = Penalty{{300.0}};
-  EXPECT_FALSE(asked.closed_restitution(problem));
-  EXPECT_TRUE(law_matches(asked.represented(problem, as_represented(problem.law)), problem.law));
+  EXPECT_FALSE(left_open.closed_restitution(problem));
+  EXPECT_TRUE(law_matches(left_open.represented(problem, as_represented(problem.law)), problem.law));
 }
 
 TEST(HarmonicOptions, AGridIsFixedByEachOfItsOptions) {

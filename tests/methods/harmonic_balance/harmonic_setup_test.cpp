@@ -10,6 +10,8 @@ namespace {
 
 const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2};
 
+const HarmonicOptions kNone{.restitution = ClosedRestitution::none};  // impacts compensated, not closed
+
 HarmonicSetup setup_of(const Problem& problem, const HarmonicOptions& options, bool solver_is_open = true,
                        bool constant_is_chosen = false) {
   const LawAt law = [&problem](const ContactReceptance& level) { return lipschitz_law(problem, {}, level); };
@@ -42,8 +44,8 @@ TEST(HarmonicSetup, CompensatesImpactsOfAMassOnARigidStop) {
 
 TEST(HarmonicSetup, AsksHatFunctionsOnlyWhereTheSolverIsOpenAndImpactsAreCompensated) {
   const Problem problem = test::to_problem(kStop);
-  EXPECT_TRUE(setup_of(problem, {}).hat_grids);
-  EXPECT_FALSE(setup_of(problem, {}, false).hat_grids);
+  EXPECT_TRUE(setup_of(problem, kNone).hat_grids);
+  EXPECT_FALSE(setup_of(problem, kNone, false).hat_grids);
   EXPECT_FALSE(setup_of(problem, {.compensate = false}).hat_grids);
 }
 
@@ -62,8 +64,8 @@ TEST(HarmonicSetup, ClosesImpactsAtTheScenesRestitutionFromHatFunctionsThatHaveI
   test::ImpactOscillator scene = kStop;
   scene.restitution = 0.5;
   const Problem problem = test::to_problem(scene);
-  EXPECT_FALSE(setup_of(problem, {}).restitution);
-  HarmonicSetup setup = setup_of(problem, {.restitution = ClosedRestitution::scene}, false);
+  EXPECT_FALSE(setup_of(problem, {.restitution = ClosedRestitution::none}).restitution);
+  HarmonicSetup setup = setup_of(problem, {}, false);
   EXPECT_EQ(setup.restitution, 0.5);
   ASSERT_TRUE(setup.hat_grids) << "whatever the solver";
   EXPECT_GE(setup.compensation->receptance().harmonics(), 128);

@@ -22,6 +22,11 @@
 namespace signorini {
 namespace {
 
+/// Compensation alone, not the closure that comes before it.
+HarmonicOptions compensating(int harmonics) {
+  return {.harmonics = harmonics, .restitution = ClosedRestitution::none};
+}
+
 using test::ImpactOscillator;
 using test::relative_distance;
 using test::solve;
@@ -57,7 +62,7 @@ class Compensation : public testing::TestWithParam<OneImpact> {
   double gain(int harmonics) {
     const Problem problem = test::to_problem(GetParam().oscillator);
     const Solution plain = solve<Method>(problem, {{.harmonics = harmonics, .compensate = false}});
-    const Solution found = solve<Method>(problem, {{.harmonics = harmonics}});
+    const Solution found = solve<Method>(problem, {compensating(harmonics)});
     EXPECT_EQ(plain.verdict, Verdict::converged) << plain.message;
     EXPECT_EQ(found.verdict, Verdict::converged) << found.message;
     EXPECT_TRUE(compensated(found)) << found.message;
@@ -77,7 +82,7 @@ TEST_P(Compensation, MakesTheErrorEightTimesSmallerAtEveryOrder) {
 
 TEST_P(Compensation, LeavesLittleMoreThanWhatTheSeriesCutsOff) {
   const ImpactOscillator& oscillator = GetParam().oscillator;
-  const Solution found = solve<FourierLipschitz>(test::to_problem(oscillator), {{.harmonics = 40}});
+  const Solution found = solve<FourierLipschitz>(test::to_problem(oscillator), {compensating(40)});
   ASSERT_EQ(found.verdict, Verdict::converged) << found.message;
   double best = HUGE_VAL;
   for (const auto& orbit : test::single_impact_orbits(oscillator)) {
@@ -105,22 +110,22 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Compensated, ImpulseIsTheExactOne) {
   const auto orbit = test::single_impact_orbits(kStop).front();
-  const Solution found = solve<FourierLipschitz>(test::to_problem(kStop), {{.harmonics = 20}});
+  const Solution found = solve<FourierLipschitz>(test::to_problem(kStop), {compensating(20)});
   const double impulse = -found.trajectory->force_coefficients()(0, 0).real() * orbit.period;
   EXPECT_NEAR(impulse, orbit.impulse, 1e-4 * orbit.impulse);
 }
 
 TEST(Compensated, SolutionsOfTheTwoSolversAreOne) {
   const Problem problem = test::to_problem(kStop);
-  const Solution a = solve<FourierLipschitz>(problem, {{.harmonics = 20}});
-  const Solution b = solve<AftHbm>(problem, {{.harmonics = 20}});
+  const Solution a = solve<FourierLipschitz>(problem, {compensating(20)});
+  const Solution b = solve<AftHbm>(problem, {compensating(20)});
   EXPECT_LE(relative_distance(*a.trajectory, *b.trajectory), 1e-8);
 }
 
 /// Distance from the exact orbit behind `answer`, with and without compensation, for a multi-impact scene.
 void expect_nearer(const Problem& problem, int harmonics, double gain) {
   const Solution plain = solve<FourierLipschitz>(problem, {{.harmonics = harmonics, .compensate = false}});
-  const Solution found = solve<FourierLipschitz>(problem, {{.harmonics = harmonics}});
+  const Solution found = solve<FourierLipschitz>(problem, {compensating(harmonics)});
   ASSERT_EQ(found.verdict, Verdict::converged) << found.message;
   ASSERT_TRUE(compensated(found)) << found.message;
   const Solution orbit = solve<ExactOrbitMethod>(problem, {}, found.trajectory);
@@ -133,7 +138,7 @@ void expect_nearer(const Problem& problem, int harmonics, double gain) {
 TEST(Compensated, EachOfTwoImpactsOnOneStopHasItsOwnShift) {
   const Problem problem = test::to_problem({.damping = 0.207321, .frequency = 1.0777, .gap = -0.277671});
   expect_nearer(problem, 20, 8.0);
-  const Solution found = solve<FourierLipschitz>(problem, {{.harmonics = 20}});
+  const Solution found = solve<FourierLipschitz>(problem, {compensating(20)});
   const auto& shifts = dynamic_cast<const FourierTrajectory&>(*found.trajectory).data().shifts;
   ASSERT_EQ(shifts.size(), 1U);
   ASSERT_EQ(shifts[0].size(), 2U) << found.message;
@@ -150,7 +155,7 @@ TEST(Compensated, TwoStopsAreShiftedEach) {
 // by 4 % of the motion between them: no orbit is nearer than the whole motion.
 TEST(Compensated, ImpactsOfAMotionThroughTheStopAreNotClaimed) {
   const Problem problem = test::to_problem({.damping = 0.0739778, .frequency = 0.5074165, .gap = 0.7264461});
-  EXPECT_NE(solve<FourierLipschitz>(problem, {{.harmonics = 20}}).verdict, Verdict::converged);
+  EXPECT_NE(solve<FourierLipschitz>(problem, {compensating(20)}).verdict, Verdict::converged);
 }
 
 TEST(Compensated, ContactThatLastsIsLeftAlone) {
@@ -162,7 +167,7 @@ TEST(Compensated, ContactThatLastsIsLeftAlone) {
         problem.period(), [](double) { return -1.5; }, [](double) { return -1.5; });
     const auto start = problem.contacts[0].gap < 0.0 ? guess : nullptr;
     const Solution plain = solve<FourierLipschitz>(problem, {{.harmonics = 20, .compensate = false}}, start);
-    const Solution found = solve<FourierLipschitz>(problem, {{.harmonics = 20}}, start);
+    const Solution found = solve<FourierLipschitz>(problem, {compensating(20)}, start);
     EXPECT_EQ(relative_distance(*plain.trajectory, *found.trajectory), 0.0) << found.message;
     EXPECT_EQ(plain.message, found.message);
   }
@@ -175,7 +180,7 @@ TEST(Compensated, AMotionThatTouchesNowhereIsLeftAlone) {
 
 // The stop of the series' own force moves with the compensation: force and lambda belong together.
 TEST(Compensated, ForceProjectsToTheCoefficients) {
-  const Solution found = solve<FourierLipschitz>(test::to_problem(kStop), {{.harmonics = 20}});
+  const Solution found = solve<FourierLipschitz>(test::to_problem(kStop), {compensating(20)});
   const double mean = found.trajectory->sample(1 << 18).force.col(0).mean();
   const double expected = found.trajectory->force_coefficients()(0, 0).real();
   EXPECT_NEAR(mean, expected, 1e-6 * std::abs(expected));

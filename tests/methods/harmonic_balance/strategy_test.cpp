@@ -109,7 +109,8 @@ TEST(Strategy, AsksNoSolverWhereContactIsPermanentOrAbsent) {
 TEST(Strategy, TakesAGuessUpByNewtonAtOnce) {
   const Problem problem = test::to_problem(kStop);
   for (const bool compensate : {false, true}) {
-    const FourierLipschitz::Options options{{.harmonics = 40, .compensate = compensate}};
+    const FourierLipschitz::Options options{
+        {.harmonics = 40, .compensate = compensate, .restitution = ClosedRestitution::none}};
     const Solution cold = test::solve<FourierLipschitz>(problem, options);
     EXPECT_TRUE(begins(cold, "20 harmonics first, Newton from there")) << cold.message;
     const Solution warm = test::solve<FourierLipschitz>(problem, options, cold.trajectory);
