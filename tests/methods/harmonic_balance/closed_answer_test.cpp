@@ -81,6 +81,18 @@ TEST(ClosedAnswer, IsNotGivenWhereNoneIsAskedFor) {
   EXPECT_EQ(found.message.find("closed"), std::string::npos) << found.message;
 }
 
+// The contact-free motion passes the stop by 1e-7 of its amplitude, between any two of 1024 instants.
+TEST(ClosedAnswer, IsNotTheContactFreeMotionWhereThatTouchesForAnInstant) {
+  ImpactOscillator scene = oscillator(0.8);
+  const double amplitude = 1.0 / std::hypot(1.0 - 2.2 * 2.2, 0.1 * 2.2);
+  scene.gap = amplitude * (1.0 - 1e-7);
+  const Solution touching = solve<FourierLipschitz>(test::to_problem(scene), {{.harmonics = 20}});
+  EXPECT_EQ(touching.message.find("nothing touches"), std::string::npos) << touching.message;
+  scene.gap = amplitude * (1.0 + 1e-9);
+  const Solution beside = solve<FourierLipschitz>(test::to_problem(scene), {{.harmonics = 20}});
+  EXPECT_NE(beside.message.find("nothing touches"), std::string::npos) << beside.message;
+}
+
 TEST(ClosedAnswer, KeepsWithinALimitOnSteps) {
   const Problem problem = test::to_problem(oscillator(0.5));
   const Solution short_of = solve<FourierLipschitz>(problem, {{.max_iterations = 4}});
