@@ -22,8 +22,12 @@ HarmonicWeights scheme_weights(HatScheme scheme, double theta, double step) {
   // 2 - 2 cos theta = 4 sin^2(theta / 2): the half angle keeps its digits at low harmonics, where the
   // difference would lose those that the inertia of a fine grid needs.
   const double half = std::sin(0.5 * theta);
-  const double gram = scheme == HatScheme::galerkin ? 1.0 - 2.0 * half * half / 3.0 : 1.0;
+  const double gram = scheme == HatScheme::nodal ? 1.0 : 1.0 - 2.0 * half * half / 3.0;
   return {-4.0 * half * half / (step * step), std::complex<double>(0.0, std::sin(theta) / step), gram, gram};
+}
+
+double contact_force_weight(HatScheme scheme, double theta) {
+  return scheme == HatScheme::consistent ? (2.0 + std::cos(theta)) / 3.0 : 1.0;
 }
 
 std::complex<double> restitution_shift(const std::optional<double>& e, double theta) {

@@ -62,7 +62,9 @@ class PreparedHat final : public PreparedMethod {
     const LcpResult first = follow_path(form.lcp, within_limit ? asked : pivots(kShortPath), start, guess);
     if (first.status != LcpStatus::limit || within_limit) return first;
 
-    LcpResult result = march(form, start);
+    // A force that hat functions interpolate at one node is felt at the node before: no recurrence has it.
+    const bool marches = options_.scheme != HatScheme::consistent;
+    LcpResult result = marches ? march(form, start) : LcpResult{};
     if (result.status != LcpStatus::solved)
       result = follow_path(form.lcp, asked > 0 ? asked : pivots(kLongPath), start, {});
     result.pivots += first.pivots;
@@ -155,9 +157,13 @@ double static_deflection(const Problem& problem) {
 }
 
 ContactReceptance grid_receptance(const Problem& problem, HatScheme scheme, int samples) {
-  return contact_receptance(problem, samples / 2, [&](int n) {
-    return scheme_weights(scheme, 2.0 * std::numbers::pi * n / samples, problem.period() / samples);
+  const auto angle = [samples](int n) { return 2.0 * std::numbers::pi * n / samples; };
+  ContactReceptance receptance = contact_receptance(problem, samples / 2, [&](int n) {
+    return scheme_weights(scheme, angle(n), problem.period() / samples);
   });
+  for (int n = 0; n <= receptance.harmonics(); ++n)
+    receptance.receptance[static_cast<std::size_t>(n)] *= contact_force_weight(scheme, angle(n));
+  return receptance;
 }
 
 std::shared_ptr<const Trajectory> nodal_motion(const ContactReceptance& receptance,

@@ -11,12 +11,16 @@ HatLcp::HatLcp(const Options& options) : options_(options) {
                  options_.samples, "must be from 4 to 10000000, or auto");
   require_option(options_.tolerance > 0.0 && options_.tolerance <= 1e-2, "tolerance", options_.tolerance,
                  "must be in (0, 1e-2]");
+  const bool of_the_scene = options_.restitution == ImpactLaw::scene;
+  require_option(!of_the_scene || options_.scheme != Scheme::consistent, "restitution", options_.restitution,
+                 "must be none or auto if scheme = consistent");
   require_option(options_.max_iterations >= 0, "max_iterations", options_.max_iterations,
                  "must be 0 or more");
 }
 
 HatLcp::ImpactLaw HatLcp::impact_law() const {
-  return options_.restitution.value_or(options_.plain ? ImpactLaw::none : ImpactLaw::scene);
+  const bool none = options_.plain || options_.scheme == Scheme::consistent;
+  return options_.restitution.value_or(none ? ImpactLaw::none : ImpactLaw::scene);
 }
 
 int HatLcp::first_samples(const Problem& problem) const {

@@ -60,9 +60,10 @@ class HatLcp final : public Method, public CurveMethod {
           "4096, until two grids agree");
       field("scheme", scheme, "[-]",
             "galerkin | nodal | backward (represents restitution 0) | bdf2 (massless and spring stops; "
-            "marched)");
+            "marched) | consistent (galerkin with the contact force in hat functions too)");
       field("restitution", restitution, "[-]",
-            "scene: the scene's law; none: nodal gaps, no impact law; auto: scene, none if plain");
+            "scene: the scene's law; none: nodal gaps, no impact law; auto: scene, none if plain or "
+            "consistent");
       field("solver", solver, "[-]", "auto (pivoting with restarts; pivoting if plain) | pivoting | newton");
       field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
       field("max_iterations", max_iterations, "[-]", "limit on pivots or Newton steps; 0: the solver's own");

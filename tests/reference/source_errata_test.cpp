@@ -98,11 +98,12 @@ class SourceHatEquations : public testing::Test {
     for (int i = 0; i < kNodes; ++i) f[i] = oscillator_.load * std::cos(oscillator_.frequency * i * step_);
     return f;
   }
-  [[nodiscard]] Samples solved(double gap) const {
+  [[nodiscard]] Samples solved(double gap, HatScheme scheme = HatScheme::galerkin) const {
     auto oscillator = oscillator_;
     oscillator.gap = gap;
-    const Solution solution = test::solve<HatLcp>(
-        test::to_problem(oscillator), {.samples = kNodes, .restitution = HatLcp::ImpactLaw::none});
+    const Solution solution =
+        test::solve<HatLcp>(test::to_problem(oscillator),
+                            {.samples = kNodes, .scheme = scheme, .restitution = HatLcp::ImpactLaw::none});
     EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
     return solution.trajectory->sample(kNodes);
   }
@@ -123,6 +124,20 @@ TEST_F(SourceHatEquations, Equation7IsAlgebraicAndWeighsTheLoad) {
   const VectorXd u = solved(0.2 + 10.0).x.col(0);  // nothing touches
   EXPECT_LE((structure() * u - weight() * load()).norm(), 1e-10 * load().norm());
   EXPECT_GE((structure() * u - step_ * load()).norm(), 1e-5 * load().norm());
+}
+
+// A u = B (f + lambda): with scheme=consistent the contact force has the Gram matrix before it as the load
+// has.
+TEST_F(SourceHatEquations, Equation7HoldsWithTheContactForceInHatFunctions) {
+  const Samples motion = solved(0.2, HatScheme::consistent);
+  const VectorXd u = motion.x.col(0), lambda = motion.force.col(0);
+  ASSERT_LT(lambda.minCoeff(), 0.0);
+  EXPECT_LE((structure() * u - weight() * (load() + lambda)).norm(), 1e-10 * load().norm());
+  for (int i = 0; i < kNodes; ++i) {
+    EXPECT_LE(u[i], 0.2 + 1e-10);
+    EXPECT_LE(lambda[i], 0.0);
+    EXPECT_NEAR(lambda[i] * (u[i] - 0.2), 0.0, 1e-9);
+  }
 }
 
 // A force with the displacement's coefficients pulls wherever u < 0, and holds no balance.

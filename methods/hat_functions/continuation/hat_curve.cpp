@@ -18,8 +18,14 @@ double angle_of(int n, int samples) { return 2.0 * std::numbers::pi * n / sample
 
 ReceptanceRate scheme_receptance(const Problem& problem, HatScheme scheme, int samples) {
   const double step = problem.period() / samples;
-  return receptance_with_rate(problem, samples / 2,
-                              [&](int n) { return scheme_weights(scheme, angle_of(n, samples), step); });
+  ReceptanceRate result = receptance_with_rate(
+      problem, samples / 2, [&](int n) { return scheme_weights(scheme, angle_of(n, samples), step); });
+  for (std::size_t n = 0; n < result.receptance.size(); ++n) {
+    const double weight = contact_force_weight(scheme, angle_of(static_cast<int>(n), samples));
+    result.value.receptance[n] *= weight;
+    result.receptance[n] *= weight;
+  }
+  return result;
 }
 
 }  // namespace

@@ -78,6 +78,15 @@ TEST(SchemeWeights, OfNodalAndBackwardAreTheirDifferenceQuotients) {
   }
 }
 
+TEST(ContactForceWeight, IsTheGramMatrixOfHatFunctionsWhereTheyInterpolateTheForce) {
+  for (const double theta : kAngles) {
+    const HarmonicWeights consistent = scheme_weights(HatScheme::consistent, theta, kStep);
+    EXPECT_EQ(contact_force_weight(HatScheme::galerkin, theta), 1.0);
+    EXPECT_NEAR(contact_force_weight(HatScheme::consistent, theta), consistent.load, 1e-15);
+    EXPECT_EQ(consistent.mass, scheme_weights(HatScheme::galerkin, theta, kStep).mass);
+  }
+}
+
 TEST(SchemeWeights, ApproachTheExactOnesWithTheirOrder) {
   constexpr double kFrequency = 2.0;
   for (const HatScheme scheme :
