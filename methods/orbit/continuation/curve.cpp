@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "methods/orbit/continuation/dips.hpp"
 #include "methods/orbit/continuation/orbit_section.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/family/chatter.hpp"
@@ -136,20 +137,14 @@ class Tracer {
     const auto tangent = tangent_of(*equations_, here_.tangent);
     if (!tangent || (tangent->dot(here_.tangent) < std::cos(kTurned) && step_ > kShort)) return shorten(0.5);
     Station next = station_at(*equations_, *tangent);
-    if (result_.branch.points.size() == 1 && rejects(next)) {
-      // At a stiff stop a phase of contact may be shorter than the first step.
-      constexpr double kShortest = 1e-5;
-      if (equations_->model().dynamics.rigid() || step_ < kShortest) return finish(result_.rejected);
-      result_.rejected.clear();
-      return shorten(0.2);
-    }
+    if (rejects(next)) return reject();
     if (leaves_out_too_much(*equations_)) return step_ > kShort ? shorten(0.5) : finish(kChatterLimit);
+    const auto crossing = end_within(next);
+    if (crossing && rejects(next)) return reject();
+    if (violates(next) && !crossing) return shorten(0.5);  // its zero is not to be found on so long a step
     const auto halved = half_period_on_step(
         *equations_, {.x = here_.x, .tangent = here_.tangent, .length = step_}, half_way_);
     if (halved && *halved == 0.0 && step_ > kShort) return shorten(0.5);  // to end nearer to it
-    const auto crossing =
-        violates(next) ? first_crossing(*equations_, here_, step_, next) : std::optional<GuardCrossing>();
-    if (violates(next) && !crossing) return shorten(0.5);  // its zero is not to be found on so long a step
     // Of a step. Next to orbits of half the period all determinants vanish; where a phase of contact of no
     // length begins the curve is that of lengths below 0 in a mirror, and the parameter turns.
     constexpr double kBefore = 1.0 - 1e-6;
@@ -194,9 +189,43 @@ class Tracer {
     return true;
   }
 
+  // Whether the first step leads to what is no orbit of the scene, or back.
   bool rejects(const Station& next) {
+    if (result_.branch.points.size() > 1) return false;
     result_.rejected = why_rejected(*equations_, start_, here_, next);
     return !result_.rejected.empty();
+  }
+  // At a stiff stop a phase of contact may be shorter than the first step.
+  void reject() {
+    constexpr double kShortest = 1e-5;
+    if (equations_->model().dynamics.rigid() || step_ < kShortest) return finish(result_.rejected);
+    result_.rejected.clear();
+    shorten(0.2);
+  }
+
+  // The first zero of a guard on the step, if the orbit is not admissible at its end or somewhere before: the
+  // step then ends where it is not. Leaves the equations at the end.
+  std::optional<GuardCrossing> end_within(Station& next) {
+    constexpr int kTimes = 8;  // a zero before the dip that was found
+    std::optional<GuardCrossing> crossing;
+    if (violates(next)) {
+      crossing = first_crossing(*equations_, here_, step_, next);
+      if (!crossing) return std::nullopt;
+    }
+    for (int k = 0; k < kTimes; ++k) {
+      auto zero = crossing ? guards_at(*equations_, here_, crossing->length) : std::optional<Station>();
+      if (crossing && !zero) break;
+      auto hidden =
+          hidden_violation(*equations_, here_, crossing ? crossing->length : step_, zero ? *zero : next);
+      if (!hidden) break;
+      step_ = hidden->length;
+      next = std::move(hidden->station);
+      equations_->evaluate(next.x);
+      crossing = first_crossing(*equations_, here_, step_, next);
+      if (!crossing) return std::nullopt;
+    }
+    equations_->evaluate(next.x);
+    return crossing;
   }
 
   // Moves to a located point of the step.

@@ -14,11 +14,18 @@ namespace signorini {
 /// Of a guard below which an orbit is not admissible: kAdmissible of the scales [-]
 inline constexpr double kViolated = -1e-11;
 
+/// A guard, or one maximum of a guard, with its derivative along the curve.
+struct TrackedGuard {
+  GuardMaximum guard;
+  double rate = 0.0;  ///< d value / d arc length [-]
+};
+
 /// A point with its test functions.
 struct Station {
-  Eigen::VectorXd x, tangent;   ///< in CurveUnits
-  BifurcationTests tests = {};  ///< there
-  OrbitSurvey survey = {};      ///< there
+  Eigen::VectorXd x, tangent;              ///< in CurveUnits
+  BifurcationTests tests = {};             ///< there
+  OrbitSurvey survey = {};                 ///< there
+  std::vector<TrackedGuard> tracked = {};  ///< there, once `hidden_violation` has asked for them
 };
 
 /// The orbit at which the equations are evaluated.

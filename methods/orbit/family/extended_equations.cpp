@@ -178,11 +178,11 @@ void ExtendedEquations::settle(Eigen::VectorXd& x) {
   }
 }
 
-bool ExtendedEquations::evaluate(const Eigen::VectorXd& x) {
+bool ExtendedEquations::take(const Eigen::VectorXd& x, bool derivatives) {
   if (!x.allFinite()) return false;
   try {
     const auto model = family_.model(x[x.size() - 1] * family_.units().parameter);
-    auto equations = evaluated(*model, x);
+    auto equations = evaluated(*model, x, derivatives);
     if (!equations) return false;
     model_ = model;
     equations_ = std::move(equations);
@@ -192,13 +192,20 @@ bool ExtendedEquations::evaluate(const Eigen::VectorXd& x) {
   orbit_.x = x;
   orbit_.events = events_of(orbit_, model_->dynamics);
   residual_ = residual_of(*equations_, *model_, x);
+  return residual_.allFinite();
+}
+
+bool ExtendedEquations::evaluate_motion(const Eigen::VectorXd& x) { return take(x, false); }
+
+bool ExtendedEquations::evaluate(const Eigen::VectorXd& x) {
+  if (!take(x, true)) return false;
   const Eigen::VectorXd factors = state_factors(*model_);
   const Eigen::Index states = factors.size();
   auto square = jacobian_.leftCols(size());
   square = equations_->jacobian();
   square.leftCols(states) *= factors.asDiagonal();
   square.topRows(states).array().colwise() /= factors.array();
-  return divide_rows(x) && residual_.allFinite();
+  return divide_rows(x);
 }
 
 const Eigen::MatrixXd& ExtendedEquations::jacobian() {

@@ -32,6 +32,8 @@ class ExtendedEquations {
   /// Evaluates R and its derivative but for dR/dp at x; false where anything is not finite or a flow cannot
   /// be formed.
   bool evaluate(const Eigen::VectorXd& x);
+  /// Evaluates R and the arcs alone; `jacobian` and `monodromy` are then undefined until the next `evaluate`.
+  bool evaluate_motion(const Eigen::VectorXd& x);
   /// Of sequences that end a complete chatter: puts the instants of x where `event_instants` has them, before
   /// an evaluation within Newton's method; leaves x as it is where they are not to be had.
   void settle(Eigen::VectorXd& x);
@@ -65,6 +67,7 @@ class ExtendedEquations {
   [[nodiscard]] Eigen::MatrixXd monodromy() const;
 
  private:
+  bool take(const Eigen::VectorXd& x, bool derivatives);
   // The equations of the sequence at a value of the parameter, evaluated at x; empty where they are not
   // finite.
   std::unique_ptr<OrbitEquations> evaluated(OrbitModel& model, const Eigen::VectorXd& x,

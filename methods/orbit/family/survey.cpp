@@ -25,15 +25,20 @@ class Surveyor {
   }
 
   OrbitSurvey run() {
-    for (Eigen::Index i = 0; i < orbit_.count(); ++i) event(i);
+    events(true);
     for (int j = 0; j < dynamics_.contact_count(); ++j) arcs(j);
     return std::move(result_);
+  }
+
+  std::vector<OrbitGuard> of_events() {
+    events(false);
+    return std::move(result_.guards);
   }
 
   std::optional<OrbitGuard> guard(GuardKind kind, int index) {
     const bool of_contact = kind == GuardKind::clearance || kind == GuardKind::pressure;
     if (of_contact) arcs(index);
-    for (Eigen::Index i = 0; i < orbit_.count() && !of_contact; ++i) event(i);
+    if (!of_contact) events(kind == GuardKind::corner);
     const OrbitGuard* found = result_.find(kind, index);
     return found == nullptr ? std::nullopt : std::optional(*found);
   }
@@ -43,13 +48,22 @@ class Surveyor {
     result_.guards.push_back({.kind = kind, .index = index, .value = value, .phase = phase});
   }
   // Of several maxima of one contact the largest is the guard.
-  void lower(GuardKind kind, int index, double value, double phase) {
+  void lower(GuardKind kind, int index, double value, double phase, Eigen::Index part) {
+    result_.maxima.push_back(
+        {.guard = {.kind = kind, .index = index, .value = value, .phase = phase}, .part = part});
     for (OrbitGuard& guard : result_.guards) {
       if (guard.kind != kind || guard.index != index) continue;
       if (value < guard.value) guard = {.kind = kind, .index = index, .value = value, .phase = phase};
       return;
     }
     add(kind, index, value, phase);
+  }
+
+  void events(bool with_corners) {
+    for (Eigen::Index i = 0; i < orbit_.count(); ++i) {
+      event(i);
+      if (with_corners) corners(i);
+    }
   }
 
   void event(Eigen::Index i) {
@@ -63,7 +77,6 @@ class Surveyor {
     }
     if (event.kind != ContactEvent::Kind::open)
       add(GuardKind::approach, number, equations_.equations().crossings()[index].approach / V_, phase);
-    const LinearArc& before = *equations_.equations().arcs()[index];
     const LinearArc& after = *equations_.equations().arcs()[index + 1];
     const double time = equations_.time_of(phase);
     if (event.kind == ContactEvent::Kind::close && dynamics_.rigid())
@@ -74,17 +87,22 @@ class Surveyor {
         event.pushed.size() == 1)
       add(GuardKind::release, number,
           -after.displacement(event.contact, time, 2) / (V_ * equations_.frequency()), phase);
-    corners(event, before, after, time, phase);
   }
 
   // Local maxima of other contacts that the jump of their velocity makes.
-  void corners(const SequenceEvent& event, const LinearArc& before, const LinearArc& after, double time,
-               double phase) {
+  void corners(Eigen::Index i) {
+    const auto index = static_cast<std::size_t>(i);
+    const SequenceEvent& event = orbit_.events[index];
+    if (event.kind != ContactEvent::Kind::impact) return;
+    const LinearArc& before = *equations_.equations().arcs()[index];
+    const LinearArc& after = *equations_.equations().arcs()[index + 1];
+    const double phase = orbit_.phase(i), time = equations_.time_of(phase);
     for (int j = 0; j < dynamics_.contact_count(); ++j) {
       if (j == event.contact || before.mode().closed(j) || after.mode().closed(j)) continue;
       if (dynamics_.structure().delassus(j, event.contact) == 0.0) continue;
       if (!(before.displacement(j, time, 1) > 0.0 && after.displacement(j, time, 1) <= 0.0)) continue;
-      lower(GuardKind::corner, j, (dynamics_.structure().gaps[j] - before.displacement(j, time)) / X_, phase);
+      lower(GuardKind::corner, j, (dynamics_.structure().gaps[j] - before.displacement(j, time)) / X_, phase,
+            i);
     }
   }
 
@@ -94,11 +112,12 @@ class Surveyor {
     for (Eigen::Index i = 0; i <= m; ++i) {
       const double begin = equations_.time_of(i == 0 ? 0.0 : orbit_.phase(i - 1));
       const double end = equations_.time_of(i == m ? orbit_.end() : orbit_.phase(i));
-      arc(*equations_.equations().arcs()[static_cast<std::size_t>(i)], contact, begin, end);
+      arc(i, contact, begin, end);
     }
   }
 
-  void arc(const LinearArc& arc, int j, double begin, double end) {
+  void arc(Eigen::Index part, int j, double begin, double end) {
+    const LinearArc& arc = *equations_.equations().arcs()[static_cast<std::size_t>(part)];
     constexpr double kUnseen = 1e-13;  // share of X: modes below do not move an extreme
     const std::vector<FadingRate> terms = arc.fading_rates(kUnseen);
     const bool closed = arc.mode().closed(j);
@@ -107,13 +126,14 @@ class Surveyor {
     for (const LimitedSample& at : extremes(x, begin, end, terms)) {
       result_.highest[j] = std::max(result_.highest[j], gap + X_ * at.value);
       result_.lowest[j] = std::min(result_.lowest[j], gap + X_ * at.value);
-      if (at.maximum && !closed) lower(GuardKind::clearance, j, -at.value, equations_.phase_of(at.time));
+      if (at.maximum && !closed)
+        lower(GuardKind::clearance, j, -at.value, equations_.phase_of(at.time), part);
     }
     if (!closed) return;
     const LimitedOutput force{
         .arc = arc, .contact = j, .of_force = true, .offset = 0.0, .unit = dynamics_.force_scale(j)};
     for (const LimitedSample& at : extremes(force, begin, end, terms)) {
-      if (at.maximum) lower(GuardKind::pressure, j, -at.value, equations_.phase_of(at.time));
+      if (at.maximum) lower(GuardKind::pressure, j, -at.value, equations_.phase_of(at.time), part);
     }
   }
 
@@ -137,6 +157,22 @@ OrbitSurvey survey(const ExtendedEquations& equations) { return Surveyor(equatio
 
 std::optional<OrbitGuard> guard_of(const ExtendedEquations& equations, GuardKind kind, int index) {
   return Surveyor(equations).guard(kind, index);
+}
+
+std::vector<OrbitGuard> event_guards(const ExtendedEquations& equations) {
+  return Surveyor(equations).of_events();
+}
+
+double value_at(const ExtendedEquations& equations, const GuardMaximum& maximum) {
+  const auto part = static_cast<std::size_t>(maximum.part);
+  const LinearArc& arc = *equations.equations().arcs()[part];
+  const int j = maximum.guard.index;
+  const bool corner = maximum.guard.kind == GuardKind::corner;
+  const double time = equations.time_of(corner ? equations.orbit().phase(maximum.part) : maximum.guard.phase);
+  const ContactDynamics& dynamics = equations.model().dynamics;
+  if (maximum.guard.kind == GuardKind::pressure) return -arc.force(j, time) / dynamics.force_scale(j);
+  const double gap = dynamics.structure().gaps[j];
+  return (gap - arc.displacement(j, time)) / equations.family().units().displacement;
 }
 
 std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, bool rigid) {

@@ -34,10 +34,17 @@ struct OrbitGuard {
   }
 };
 
+/// One of the maxima of which OrbitGuard has the largest: of clearance, corner or pressure.
+struct GuardMaximum {
+  OrbitGuard guard;       ///< as if it were the only one
+  Eigen::Index part = 0;  ///< the arc that it lies on, after `part` events; of a corner its event
+};
+
 /// All test functions of an orbit, and its extremes.
 struct OrbitSurvey {
   std::vector<OrbitGuard> guards;
-  Eigen::VectorXd highest, lowest;  ///< of x_j over the period, exact, Nc [m]
+  std::vector<GuardMaximum> maxima;  ///< all of them, part by part of each contact
+  Eigen::VectorXd highest, lowest;   ///< of x_j over the period, exact, Nc [m]
 
   [[nodiscard]] const OrbitGuard* find(GuardKind kind, int index) const;
 };
@@ -47,6 +54,13 @@ OrbitSurvey survey(const ExtendedEquations& equations);
 
 /// One of these test functions alone; empty where it does not exist.
 std::optional<OrbitGuard> guard_of(const ExtendedEquations& equations, GuardKind kind, int index);
+
+/// Those of `guards` that belong to events alone, for one phase is all that they take.
+std::vector<OrbitGuard> event_guards(const ExtendedEquations& equations);
+
+/// A maximum of a neighbouring orbit of the same sequence, at its phase (a corner: at its event), as the
+/// equations have it where they are evaluated [-].
+double value_at(const ExtendedEquations& equations, const GuardMaximum& maximum);
 
 /// What happens where a guard becomes zero, one clause: "contact 0 grazes its stop", ...
 std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, bool rigid);
