@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include "methods/orbit/continuation/dips.hpp"
@@ -125,7 +126,7 @@ class Tracer {
   void advance() {
     constexpr double kTurned = 0.35, kShort = 1e-4;  // rad; a step at which every turn is taken
     if (options_.expired && options_.expired()) return finish("the time is up");
-    if (step_ < options_.smallest_step) return finish("the corrector fails");
+    if (step_ < options_.smallest_step && !unsteered_) return finish("the corrector fails");
     const auto iterations = correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent);
     if (!iterations) return shorten(0.4);
     if (clearance_of_section(equations_->orbit()) <= 0.0) return shorten(0.5);
@@ -169,7 +170,52 @@ class Tracer {
     if (beyond && !done_) finish(std::string(kEndOfInterval));
   }
 
-  void shorten(double factor) { step_ *= factor; }
+  void shorten(double factor) {
+    if (unsteered_) {
+      std::tie(here_, step_) = *std::exchange(unsteered_, std::nullopt);
+      return;
+    }
+    if (!steer()) step_ *= factor;
+  }
+
+  // Takes the step along the length L of the shortest phase of contact, or break of one, that is about to
+  // end: the parameter turns there, being even in L, at a stiff stop on a radius below any step; in L the
+  // curve is straight. The step prescribes -L/2, so that the end of the phase lies on it.
+  bool steer() {
+    constexpr double kBrief = 5e-5, kReach = 4.0, kBeyond = 1.5;  // rad; of the step refused; of L
+    const SequencedOrbit orbit = orbit_here();
+    if (steering_failed_ || here_.tracked.empty() || equations_->model().dynamics.rigid()) return false;
+    double shortest = kBrief;
+    Eigen::Index ends = 0;
+    for (Eigen::Index i = 1; i < orbit.count(); ++i) {
+      const auto later = static_cast<std::size_t>(i);
+      const Eigen::Index row = orbit.states() + i;
+      const double length = orbit.phase(i) - orbit.phase(i - 1);
+      const double rate = here_.tangent[row] - here_.tangent[row - 1];
+      const bool one = orbit.events[later].contact == orbit.events[later - 1].contact;
+      if (!one || !(length < shortest) || !(-rate * kReach * step_ > length)) continue;
+      shortest = length;
+      ends = i;
+    }
+    if (ends == 0) return false;
+    steering_failed_ = true;  // until a point is accepted
+    unsteered_ = {here_, step_};
+    Eigen::VectorXd along = Eigen::VectorXd::Zero(here_.x.size());
+    along[orbit.states() + ends - 1] = 1.0;
+    along[orbit.states() + ends] = -1.0;
+    along.normalize();
+    for (TrackedGuard& guard : here_.tracked) guard.rate /= along.dot(here_.tangent);
+    here_.tangent = along;
+    step_ = kBeyond * shortest / std::sqrt(2.0);
+    return true;
+  }
+
+  // The last point taken: the equations may have been left elsewhere.
+  [[nodiscard]] SequencedOrbit orbit_here() const {
+    SequencedOrbit orbit = equations_->orbit();
+    orbit.x = here_.x;
+    return orbit;
+  }
 
   // Shortens the step to where the parameter takes a value.
   bool shorten_to(double value) {
@@ -273,6 +319,8 @@ class Tracer {
       return finish("the corrector fails");
     const double turn = std::acos(std::min(1.0, next.tangent.dot(here_.tangent)));
     here_ = std::move(next);
+    unsteered_.reset();
+    steering_failed_ = false;
     half_way_ = half_way(*equations_);
     append();
     travelled_ += step_;
@@ -303,6 +351,8 @@ class Tracer {
   Eigen::VectorXd half_way_;     // at here_
   double step_, planned_ = 0.0;  // the latter of a step that ended at a value asked for
   double travelled_ = 0.0;       // along the curve
+  std::optional<std::pair<Station, double>> unsteered_;  // the point and the step before steer()
+  bool steering_failed_ = false;
   bool done_ = false;
   TracedCurve result_;
 };

@@ -130,6 +130,19 @@ TEST(PastChange, EndsAnInterruptionWhicheverOfItsGuardsIsMet) {
   EXPECT_LT(equations.residual().norm(), 1e-9);
 }
 
+// A break of contact 0 ends at 4.50326 rad/s, where the frequency turns on a radius of 1e-6 of its unit: no
+// step along the curve is as short. In this interval; in a longer one, of coarser units, the break was
+// stepped over.
+TEST(PastChange, EndsABreakOfContactOnAStiffStopInItsLength) {
+  const ParametrisedScene scene = over_frequency(load_scene(find_scene("beam20-three-stops")), 4.4, 4.52);
+  OrbitFamily family(scene);
+  const BranchDiagram diagram =
+      trace_diagram(family, {contact_free_orbit(family, 4.52).value()}, {.max_branches = 24});
+  EXPECT_NEAR(nearest(diagram, SpecialKind::contact_change, 4.5032556595), 4.5032556595, 5e-10);
+  for (const Branch& branch : diagram.branches)
+    EXPECT_NE(branch.ended, "the corrector fails") << branch.sequence;
+}
+
 // Without restitution the impact turns into a phase of sticking, which ends as the closed form says.
 TEST(PastChange, GoesOnWhereAContactBeginsToStick) {
   const Problem problem = test::to_problem({.damping = 0.02, .gap = 0.2, .restitution = 0.0});
