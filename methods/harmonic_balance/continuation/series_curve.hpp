@@ -19,9 +19,10 @@ struct SeriesFamily {
   int harmonics = 20;                                 ///< H of the motions of the scene's order [-]
   LawAt law_at = {};                                  ///< the contact law as the method imposes it
   ContactIntegral integral = ContactIntegral::exact;  ///< as the method takes it
-  int samples = 0;                 ///< per period of the scene's order, as of ProjectedResidual
-  double frequency_unit = 1.0;     ///< of the frequency in the unknowns [rad/s]
-  double displacement_unit = 1.0;  ///< of the response to the contact force in the unknowns [m]
+  int samples = 0;                          ///< per period of the scene's order, as of ProjectedResidual
+  double frequency_unit = 1.0;              ///< of the frequency in the unknowns [rad/s]
+  double displacement_unit = 1.0;           ///< of the response to the contact force in the unknowns [m]
+  std::vector<Eigen::Index> opposite = {};  ///< opposite_contacts of the scene; empty: none
 };
 
 /// A family with its units: a third of the interval for the frequency; the static deflection of the softest

@@ -12,6 +12,7 @@
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/discretisation/fourier_series.hpp"
+#include "methods/harmonic_balance/continuation/series_symmetry.hpp"
 #include "methods/harmonic_balance/series_solution.hpp"
 #include "methods/structure/periodic_response.hpp"
 
@@ -161,6 +162,7 @@ BranchDiagram series_diagram(const Problem& problem, double from, double to, con
   family.samples = sampled ? method.options.fixed_samples(family.harmonics).value_or(32 * family.harmonics)
                            : kResolvingSamples * std::max(family.harmonics, kFewestOnGrid);
   try {
+    family.opposite = opposite_contacts(family.problem);
     BranchDiagram diagram = SeriesDiagram(std::move(family), method, limits).run(from, to);
     const auto* law = std::get_if<Restitution>(&problem.law);
     if (law != nullptr && law->e < 1.0)

@@ -9,6 +9,7 @@
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/harmonic_balance/continuation/series_point.hpp"
+#include "methods/harmonic_balance/continuation/series_symmetry.hpp"
 
 namespace signorini {
 
@@ -29,6 +30,8 @@ class StepSearch {
   }
 
   void branch_points() {
+    SeriesCurve& series = curve_.series();
+    if (is_symmetric(series, here_.x) && is_symmetric(series, next_.x)) return pitchforks();
     // One row for the whole step: the slope itself is not defined at a branch point.
     const Eigen::VectorXd slope = (here_.slope + next_.slope).normalized();
     const auto pivots = [&](DepthCurve& at) {
@@ -36,6 +39,23 @@ class StepSearch {
     };
     if (!along(SpecialKind::branch_point, here_.crossing, next_.crossing, pivots)) return;
     for (SeriesStart& other : crossing_branches(curve_.series(), slope))
+      events_.others.push_back(std::move(other));
+  }
+
+  // Where all that can branch off has its own block, and the corrector stays on motions for which R_x is
+  // regular.
+  void pitchforks() {
+    SymmetricMotions motions(curve_.series());
+    const CurveStep step{here_.x, here_.slope, here_.slope.dot(next_.x - here_.x)};
+    const auto test = [](SymmetricMotions& at) { return std::optional(pitchfork_test(at.series())); };
+    const auto at_end = [&](const Eigen::VectorXd& x) { return motions.evaluate(x) ? *test(motions) : 0.0; };
+    const double first = at_end(here_.x), last = at_end(next_.x);
+    if (!(first * last < 0.0)) return;
+    const auto length = locate(motions, step, test, first, last);
+    if (!length) return;
+    add(step_.length * *length / step.length, SpecialKind::branch_point, {});
+    const Eigen::VectorXd slope = (here_.slope + next_.slope).normalized();
+    for (SeriesStart& other : pitchfork_branches(curve_.series(), slope))
       events_.others.push_back(std::move(other));
   }
 

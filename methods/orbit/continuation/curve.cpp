@@ -8,7 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include "methods/orbit/continuation/dips.hpp"
 #include "methods/orbit/continuation/orbit_section.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/family/chatter.hpp"
@@ -84,6 +83,55 @@ std::optional<OtherUnknowns> with_chatter_resolved(const ExtendedEquations& here
   return other;
 }
 
+// A step along the length L of the shortest phase of contact, or break of one, that is about to end: the
+// parameter turns there, being even in L, at a stiff stop on a radius below any step; in L the curve is
+// straight. The step prescribes -L/2, so that the end of the phase lies on it. With its point, the length of
+// L as tangent. Empty unless the step refused came near such an end.
+std::optional<std::pair<Station, double>> along_ending_phase(const ExtendedEquations& equations,
+                                                             const Station& here, double refused) {
+  constexpr double kBrief = 5e-5, kReach = 4.0, kBeyond = 1.5;  // rad; of the step refused; of L
+  SequencedOrbit orbit = equations.orbit();
+  orbit.x = here.x;  // the equations may have been left elsewhere
+  if (here.tracked.empty() || equations.model().dynamics.rigid()) return std::nullopt;
+  double shortest = kBrief;
+  Eigen::VectorXd along;
+  for (Eigen::Index i = 1; i < orbit.count(); ++i) {
+    const auto later = static_cast<std::size_t>(i);
+    const Eigen::Index row = orbit.states() + i;
+    const double length = orbit.phase(i) - orbit.phase(i - 1);
+    const double rate = here.tangent[row] - here.tangent[row - 1];
+    const bool one = orbit.events[later].contact == orbit.events[later - 1].contact;
+    if (!one || !(length < shortest) || !(-rate * kReach * refused > length)) continue;
+    shortest = length;
+    along = Eigen::VectorXd::Unit(here.x.size(), row - 1) - Eigen::VectorXd::Unit(here.x.size(), row);
+  }
+  if (along.size() == 0) return std::nullopt;
+  Station steered = here;
+  steered.tangent = along.normalized();
+  for (TrackedGuard& guard : steered.tracked) guard.rate /= steered.tangent.dot(here.tangent);
+  return std::pair(std::move(steered), kBeyond * shortest / along.norm());
+}
+
+// The end of a curve at the zero of a guard.
+SpecialPoint change_at(const ExtendedEquations& equations, const OrbitGuard& guard,
+                       const BranchPoint& point) {
+  const bool rigid = equations.model().dynamics.rigid();
+  const bool grazes = rigid && is_grazing(guard, equations.orbit());
+  const std::string limit = ends_chatter(equations, guard) ? std::string(kChatterLimit) + ": " : "";
+  return {.kind = grazes ? SpecialKind::grazing : SpecialKind::contact_change,
+          .point = point,
+          .text = limit + describe(guard, equations.orbit(), rigid)};
+}
+
+// Why a curve goes on no further than its last point; else empty.
+std::string why_over(const SequencedOrbit& last, std::size_t points, const CurveOptions& options) {
+  if (last.x.head(last.states()).lpNorm<Eigen::Infinity>() > options.largest_state)
+    return "the motion grows without bound";
+  if (static_cast<int>(points) >= options.max_points)
+    return fmt::format("limit of {} points", options.max_points);
+  return {};
+}
+
 class Tracer {
  public:
   Tracer(OrbitFamily& family, const CurveStart& start, const CurveOptions& options)
@@ -140,14 +188,13 @@ class Tracer {
     Station next = station_at(*equations_, *tangent);
     if (rejects(next)) return reject();
     if (leaves_out_too_much(*equations_)) return step_ > kShort ? shorten(0.5) : finish(kChatterLimit);
-    const auto crossing = end_within(next);
+    const auto crossing = cut_at_violation(*equations_, here_, step_, next);
     if (crossing && rejects(next)) return reject();
     if (violates(next) && !crossing) return shorten(0.5);  // its zero is not to be found on so long a step
     const auto halved = half_period_on_step(
         *equations_, {.x = here_.x, .tangent = here_.tangent, .length = step_}, half_way_);
     if (halved && *halved == 0.0 && step_ > kShort) return shorten(0.5);  // to end nearer to it
-    // Of a step. Next to orbits of half the period all determinants vanish; where a phase of contact of no
-    // length begins the curve is that of lengths below 0 in a mirror, and the parameter turns.
+    // Of a step: next to half the period, and where a phase of contact of no length begins, tests vanish too.
     constexpr double kBefore = 1.0 - 1e-6;
     const double inside =
         std::min({step_, crossing ? kBefore * crossing->length : step_, halved ? kBefore * *halved : step_});
@@ -173,48 +220,13 @@ class Tracer {
   void shorten(double factor) {
     if (unsteered_) {
       std::tie(here_, step_) = *std::exchange(unsteered_, std::nullopt);
-      return;
+    } else if (auto steered =
+                   steered_before_ ? std::nullopt : along_ending_phase(*equations_, here_, step_)) {
+      steered_before_ = true;
+      unsteered_ = {std::exchange(here_, std::move(steered->first)), std::exchange(step_, steered->second)};
+    } else {
+      step_ *= factor;
     }
-    if (!steer()) step_ *= factor;
-  }
-
-  // Takes the step along the length L of the shortest phase of contact, or break of one, that is about to
-  // end: the parameter turns there, being even in L, at a stiff stop on a radius below any step; in L the
-  // curve is straight. The step prescribes -L/2, so that the end of the phase lies on it.
-  bool steer() {
-    constexpr double kBrief = 5e-5, kReach = 4.0, kBeyond = 1.5;  // rad; of the step refused; of L
-    const SequencedOrbit orbit = orbit_here();
-    if (steering_failed_ || here_.tracked.empty() || equations_->model().dynamics.rigid()) return false;
-    double shortest = kBrief;
-    Eigen::Index ends = 0;
-    for (Eigen::Index i = 1; i < orbit.count(); ++i) {
-      const auto later = static_cast<std::size_t>(i);
-      const Eigen::Index row = orbit.states() + i;
-      const double length = orbit.phase(i) - orbit.phase(i - 1);
-      const double rate = here_.tangent[row] - here_.tangent[row - 1];
-      const bool one = orbit.events[later].contact == orbit.events[later - 1].contact;
-      if (!one || !(length < shortest) || !(-rate * kReach * step_ > length)) continue;
-      shortest = length;
-      ends = i;
-    }
-    if (ends == 0) return false;
-    steering_failed_ = true;  // until a point is accepted
-    unsteered_ = {here_, step_};
-    Eigen::VectorXd along = Eigen::VectorXd::Zero(here_.x.size());
-    along[orbit.states() + ends - 1] = 1.0;
-    along[orbit.states() + ends] = -1.0;
-    along.normalize();
-    for (TrackedGuard& guard : here_.tracked) guard.rate /= along.dot(here_.tangent);
-    here_.tangent = along;
-    step_ = kBeyond * shortest / std::sqrt(2.0);
-    return true;
-  }
-
-  // The last point taken: the equations may have been left elsewhere.
-  [[nodiscard]] SequencedOrbit orbit_here() const {
-    SequencedOrbit orbit = equations_->orbit();
-    orbit.x = here_.x;
-    return orbit;
   }
 
   // Shortens the step to where the parameter takes a value.
@@ -235,43 +247,16 @@ class Tracer {
     return true;
   }
 
-  // Whether the first step leads to what is no orbit of the scene, or back.
   bool rejects(const Station& next) {
     if (result_.branch.points.size() > 1) return false;
     result_.rejected = why_rejected(*equations_, start_, here_, next);
     return !result_.rejected.empty();
   }
-  // At a stiff stop a phase of contact may be shorter than the first step.
   void reject() {
-    constexpr double kShortest = 1e-5;
+    constexpr double kShortest = 1e-5;  // a phase of contact at a stiff stop
     if (equations_->model().dynamics.rigid() || step_ < kShortest) return finish(result_.rejected);
     result_.rejected.clear();
     shorten(0.2);
-  }
-
-  // The first zero of a guard on the step, if the orbit is not admissible at its end or somewhere before: the
-  // step then ends where it is not. Leaves the equations at the end.
-  std::optional<GuardCrossing> end_within(Station& next) {
-    constexpr int kTimes = 8;  // a zero before the dip that was found
-    std::optional<GuardCrossing> crossing;
-    if (violates(next)) {
-      crossing = first_crossing(*equations_, here_, step_, next);
-      if (!crossing) return std::nullopt;
-    }
-    for (int k = 0; k < kTimes; ++k) {
-      auto zero = crossing ? guards_at(*equations_, here_, crossing->length) : std::optional<Station>();
-      if (crossing && !zero) break;
-      auto hidden =
-          hidden_violation(*equations_, here_, crossing ? crossing->length : step_, zero ? *zero : next);
-      if (!hidden) break;
-      step_ = hidden->length;
-      next = std::move(hidden->station);
-      equations_->evaluate(next.x);
-      crossing = first_crossing(*equations_, here_, step_, next);
-      if (!crossing) return std::nullopt;
-    }
-    equations_->evaluate(next.x);
-    return crossing;
   }
 
   // Moves to a located point of the step.
@@ -300,16 +285,11 @@ class Tracer {
 
   void end_at(const GuardCrossing& crossing) {
     if (!move_to(crossing.length)) return finish("the corrector fails");
-    const SequencedOrbit& orbit = equations_->orbit();
-    const bool rigid = equations_->model().dynamics.rigid();
     const OrbitGuard* there = here_.survey.find(crossing.guard.kind, crossing.guard.index);
     result_.guard = there != nullptr ? *there : crossing.guard;
-    finish((ends_chatter(*equations_, *result_.guard) ? std::string(kChatterLimit) + ": " : std::string()) +
-           describe(*result_.guard, orbit, rigid));
-    add({.kind =
-             rigid && is_grazing(*result_.guard, orbit) ? SpecialKind::grazing : SpecialKind::contact_change,
-         .point = result_.branch.points.back(),
-         .text = result_.branch.ended});
+    SpecialPoint end = change_at(*equations_, *result_.guard, result_.branch.points.back());
+    finish(end.text);
+    add(std::move(end));
     result_.branch.special.back().after = result_.branch.points.size() - 1;
   }
 
@@ -320,17 +300,14 @@ class Tracer {
     const double turn = std::acos(std::min(1.0, next.tangent.dot(here_.tangent)));
     here_ = std::move(next);
     unsteered_.reset();
-    steering_failed_ = false;
+    steered_before_ = false;
     half_way_ = half_way(*equations_);
     append();
     travelled_ += step_;
     step_ = std::max(next_step(step_, iterations, turn, options_.largest_step), planned_);
     planned_ = 0.0;
-    const SequencedOrbit& orbit = equations_->orbit();
-    if (here_.x.head(orbit.states()).lpNorm<Eigen::Infinity>() > options_.largest_state)
-      return finish("the motion grows without bound");
-    if (static_cast<int>(result_.branch.points.size()) >= options_.max_points)
-      return finish(fmt::format("limit of {} points", options_.max_points));
+    std::string over = why_over(equations_->orbit(), result_.branch.points.size(), options_);
+    if (!over.empty()) return finish(std::move(over));
     if (auto moved = with_section_clear(*equations_, here_.tangent)) go_on_with(std::move(*moved));
     if (auto resolved = with_chatter_resolved(*equations_, here_.tangent)) go_on_with(std::move(*resolved));
   }
@@ -352,8 +329,7 @@ class Tracer {
   double step_, planned_ = 0.0;  // the latter of a step that ended at a value asked for
   double travelled_ = 0.0;       // along the curve
   std::optional<std::pair<Station, double>> unsteered_;  // the point and the step before steer()
-  bool steering_failed_ = false;
-  bool done_ = false;
+  bool done_ = false, steered_before_ = false;
   TracedCurve result_;
 };
 

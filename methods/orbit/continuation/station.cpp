@@ -170,4 +170,139 @@ std::vector<LocatedBifurcation> bifurcations(ExtendedEquations& equations, const
   return found;
 }
 
+std::optional<Station> guards_at(ExtendedEquations& equations, const Station& begin, double length) {
+  if (!correct(equations, begin.x + length * begin.tangent, begin.tangent,
+               {.iterations = 14, .tolerance = 1e-14}))
+    return std::nullopt;
+  const auto tangent = tangent_of(equations, begin.tangent);
+  if (!tangent) return std::nullopt;
+  std::optional<Station> station(std::in_place);
+  station->x = equations.orbit().x;
+  station->tangent = *tangent;
+  station->survey = survey(equations);
+  return station;
+}
+
+namespace {
+
+class DipSearch {
+ public:
+  DipSearch(ExtendedEquations& equations, Station& begin, double length)
+      : equations_(equations), begin_(begin), step_(length) {}
+
+  std::optional<StepPoint> run(Station& end) {
+    search({.length = 0.0, .station = &begin_}, {.length = step_, .station = &end});
+    return std::move(found_);
+  }
+
+ private:
+  struct End {
+    double length;
+    Station* station;
+  };
+
+  void track(Station& station) {
+    if (station.tracked.empty())
+      station.tracked = tracked_guards(equations_, station.x, station.tangent, station.survey);
+  }
+
+  // The derivative of a guard by the length in the plane of the step.
+  double slope(const TrackedGuard& guard, const Station& station) const {
+    return guard.rate / begin_.tangent.dot(station.tangent);
+  }
+
+  // A maximum that an impact leaves behind as it fades, and that is gone where it has a speed.
+  static bool left_by_an_event(double value) {
+    constexpr double kTouching = 1e-8;
+    return value < kTouching;
+  }
+
+  // The least bound of those guards between two points that may be lower there than at both of them.
+  GuardCubic::Lowest lowest(const End& a, const End& b) const {
+    const double h = b.length - a.length;
+    GuardCubic::Lowest least{.at = 0.5, .bound = 0.0};
+    const auto consider = [&](const GuardCubic& cubic, const GuardCubic::Lowest& here) {
+      if (here.bound < std::min({0.0, cubic.value, cubic.last}) + kViolated && here.bound < least.bound)
+        least = here;
+    };
+    const auto &first = a.station->tracked, &second = b.station->tracked;
+    for (const TrackedGuard& guard : first) {
+      GuardCubic cubic{.value = guard.guard.guard.value, .slope = h * slope(guard, *a.station)};
+      if (const TrackedGuard* other = counterpart(guard, first, second)) {
+        cubic.last = other->guard.guard.value;
+        cubic.last_slope = h * slope(*other, *b.station);
+        consider(cubic, cubic.lowest());
+      } else if (!left_by_an_event(cubic.value)) {
+        consider(cubic, {.at = 0.5, .bound = cubic.value + cubic.slope});
+      }
+    }
+    for (const TrackedGuard& guard : second) {
+      const double value = guard.guard.guard.value;
+      if (left_by_an_event(value) || counterpart(guard, second, first) != nullptr) continue;
+      consider({.last = value}, {.at = 0.5, .bound = value - h * slope(guard, *b.station)});
+    }
+    return least;
+  }
+
+  // Leaves a violation in found_.
+  void search(const End& a, const End& b) {
+    constexpr int kChecks = 24;
+    constexpr double kNarrow = 1e-6;  // of the step
+    const double h = b.length - a.length;
+    if (found_ || checks_ >= kChecks || h < kNarrow * step_) return;
+    track(*a.station);
+    track(*b.station);
+    const GuardCubic::Lowest least = lowest(a, b);
+    if (least.bound >= 0.0) return;
+    ++checks_;
+    const double length = a.length + least.at * h;
+    auto between = guards_at(equations_, begin_, length);
+    if (!between) return;
+    if (violates(*between)) {
+      found_ = {.length = length, .station = station_at(equations_, between->tangent)};
+      return;
+    }
+    const End middle{.length = length, .station = &*between};
+    search(a, middle);
+    search(middle, b);
+  }
+
+  ExtendedEquations& equations_;
+  Station& begin_;
+  double step_;
+  int checks_ = 0;
+  std::optional<StepPoint> found_ = {};
+};
+
+}  // namespace
+
+std::optional<StepPoint> hidden_violation(ExtendedEquations& equations, Station& begin, double length,
+                                          Station& end) {
+  return DipSearch(equations, begin, length).run(end);
+}
+
+std::optional<GuardCrossing> cut_at_violation(ExtendedEquations& equations, Station& begin, double& length,
+                                              Station& end) {
+  constexpr int kTimes = 8;  // a zero before the dip that was found
+  std::optional<GuardCrossing> crossing;
+  if (violates(end)) {
+    crossing = first_crossing(equations, begin, length, end);
+    if (!crossing) return std::nullopt;
+  }
+  for (int k = 0; k < kTimes; ++k) {
+    auto zero = crossing ? guards_at(equations, begin, crossing->length) : std::optional<Station>();
+    if (crossing && !zero) break;
+    auto hidden =
+        hidden_violation(equations, begin, crossing ? crossing->length : length, zero ? *zero : end);
+    if (!hidden) break;
+    length = hidden->length;
+    end = std::move(hidden->station);
+    equations.evaluate(end.x);
+    crossing = first_crossing(equations, begin, length, end);
+    if (!crossing) return std::nullopt;
+  }
+  equations.evaluate(end.x);
+  return crossing;
+}
+
 }  // namespace signorini

@@ -7,18 +7,12 @@
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/orbit/continuation/bifurcations.hpp"
-#include "methods/orbit/family/survey.hpp"
+#include "methods/orbit/family/tracked_guards.hpp"
 
 namespace signorini {
 
 /// Of a guard below which an orbit is not admissible: kAdmissible of the scales [-]
 inline constexpr double kViolated = -1e-11;
-
-/// A guard, or one maximum of a guard, with its derivative along the curve.
-struct TrackedGuard {
-  GuardMaximum guard;
-  double rate = 0.0;  ///< d value / d arc length [-]
-};
 
 /// A point with its test functions.
 struct Station {
@@ -61,5 +55,34 @@ std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const 
 /// own mirror, where a sign has changed twice: signs at `inside` count too.
 std::vector<LocatedBifurcation> bifurcations(ExtendedEquations& equations, const Station& begin,
                                              double length, const Station& end, double inside);
+
+/// The point of a step at a length with its guards, without its tests of bifurcations, at which `equations`
+/// are left evaluated; empty where the corrector fails.
+std::optional<Station> guards_at(ExtendedEquations& equations, const Station& begin, double length);
+
+/// A point within a step.
+struct StepPoint {
+  double length = 0.0;
+  Station station;
+};
+
+/// A point of a step at which the orbit is not admissible, though it is so at both ends: where the cubic of a
+/// guard, or of any of its maxima, less the bound of its error, becomes negative, the orbit there is solved
+/// for and decides; on both sides of it the search goes on with the cubics of the parts. A maximum that has
+/// no counterpart at the other end, being born or gone inside, is followed backwards by its rate alone. Empty
+/// where there is none.
+///
+/// \param begin  of the step; its tracked guards are found if it has none yet, as are those of the end
+/// \param end    station at `length`; `equations` are left evaluated anywhere on the step
+std::optional<StepPoint> hidden_violation(ExtendedEquations& equations, Station& begin, double length,
+                                          Station& end);
+
+/// Where a step leaves the orbits of the scene, at its end or somewhere before: the first zero of a guard.
+/// The step is then cut at a point where the orbit is not admissible.
+///
+/// \param length, end  of the step; of the part, where it is cut. `equations` are left evaluated there
+/// \return empty where it does not, and, though `end` violates a guard, where its zero cannot be located
+std::optional<GuardCrossing> cut_at_violation(ExtendedEquations& equations, Station& begin, double& length,
+                                              Station& end);
 
 }  // namespace signorini
