@@ -22,7 +22,8 @@ struct CertifiedAnswer {
 /// Looks for the orbit of `problem` (under the law that the answer represents) behind an answer, from the
 /// answer and from nothing else:
 ///
-/// 1. the exact orbit that the answer polishes to, confirmed by CVODE
+/// 1. the exact orbit that the answer polishes to, confirmed by CVODE; of large structures on a reduced one,
+///    corrected by the response of the whole (`exact_orbits`)
 /// 2. shooting at 1e-11 from the answer, repeated at 1e-12 for the error bar
 ///
 /// The answer is certified by an orbit whose error bar is at most 1e-6, which lies within kOwnOrbit, and

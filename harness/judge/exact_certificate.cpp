@@ -6,11 +6,13 @@
 #include <cmath>
 #include <complex>
 #include <exception>
+#include <functional>
 #include <new>
 
 #include "harness/judge/orbit.hpp"
 #include "methods/discretisation/periodic_time.hpp"
 #include "methods/orbit/exact_orbit.hpp"
+#include "methods/orbit/reduced_orbit.hpp"
 #include "methods/orbit/return_check.hpp"
 
 namespace signorini {
@@ -52,6 +54,13 @@ std::optional<bool> stability(const ExactOrbit& orbit) {
   const double largest = orbit.largest_multiplier();
   if (std::abs(largest - 1.0) <= std::max(kUndecided, orbit.error_bar)) return std::nullopt;
   return largest < 1.0;
+}
+
+void take_multipliers(const ExactOrbit& found, CertifiedOrbit& orbit) {
+  orbit.floquet.emplace();
+  for (const std::complex<double>& multiplier : found.multipliers)
+    orbit.floquet->emplace_back(multiplier.real(), multiplier.imag());
+  orbit.stable = stability(found);
 }
 
 /// True if two orbits have the same events, each within the error bars of both: times in periods, impulses
@@ -108,11 +117,41 @@ CertifiedOrbit polish(const Problem& problem, const Trajectory& answer,
     }
     orbit.return_distance = check.distance;
   }
-  orbit.floquet.emplace();
-  for (const std::complex<double>& multiplier : found.multipliers)
-    orbit.floquet->emplace_back(multiplier.real(), multiplier.imag());
-  orbit.stable = stability(found);
+  take_multipliers(found, orbit);
   return orbit;
+}
+
+/// From rest, or behind an answer.
+CertifiedOrbit corrected_orbit(const Problem& problem, const Trajectory* answer, Deadline deadline) {
+  const ContactSpace space(problem);
+  if (!space.obstacle().empty()) return {.reason = space.obstacle()};
+  OrbitCorrectionSettings settings;
+  settings.search.expired = [deadline] { return Start{.guess = {}, .deadline = deadline}.expired(); };
+  const CorrectedOrbit found = (answer == nullptr ? find_reduced_orbit(problem, space, settings)
+                                                  : polish_reduced_orbit(problem, space, *answer, settings))
+                                   .corrected;
+  if (!found.bar) {
+    return {.reason = found.refusal.empty() ? describe(found.orbit.outcome) + ": " + found.orbit.reason
+                                            : "an orbit of the reduced structure, but " + found.refusal};
+  }
+  CertifiedOrbit orbit{.motion = found.orbit.trajectory, .residual = found.orbit.residual};
+  orbit.error_bar = *found.bar;
+  orbit.source = fmt::format("exact orbit on {} vectors, corrected by {}", space.small().vectors(),
+                             space.whole().vectors());
+  orbit.events = events_of(*found.orbit.trajectory);
+  take_multipliers(found.orbit, orbit);
+  return orbit;
+}
+
+/// What `work` finds, or why it failed.
+CertifiedOrbit or_reason(const std::function<CertifiedOrbit()>& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw;                                 // the child's memory limit is told apart
+  } catch (const std::exception& error) {  // a singular structure, a flow that fails
+    return {.reason = error.what()};
+  }
 }
 
 }  // namespace
@@ -120,16 +159,23 @@ CertifiedOrbit polish(const Problem& problem, const Trajectory& answer,
 OrbitPolisher exact_orbits() {
   return [](const Problem& problem, const Trajectory& answer, std::span<const Certificate> confirmed,
             Deadline deadline) -> CertifiedOrbit {
-    try {
-      return polish(problem, answer, confirmed, deadline);
-    } catch (const std::bad_alloc&) {
-      throw;                                 // the child's memory limit is told apart
-    } catch (const std::exception& error) {  // a singular structure, a flow that fails
-      return {.reason = error.what()};
-    }
+    return or_reason([&] {
+      return prefers_reduction(problem) ? corrected_orbit(problem, &answer, deadline)
+                                        : polish(problem, answer, confirmed, deadline);
+    });
   };
 }
 
-OrbitTools orbit_tools() { return {flow_orbits(), exact_orbits()}; }
+LargeOrbitFinder reduced_orbits() {
+  return [](const Problem& problem, Deadline deadline) -> CertifiedOrbit {
+    if (!prefers_reduction(problem)) {
+      const std::string obstacle = reduction_obstacle(problem);
+      return {.reason = obstacle.empty() ? "the structure is small" : obstacle};
+    }
+    return or_reason([&] { return corrected_orbit(problem, nullptr, deadline); });
+  };
+}
+
+OrbitTools orbit_tools() { return {flow_orbits(), exact_orbits(), reduced_orbits()}; }
 
 }  // namespace signorini

@@ -8,9 +8,16 @@ namespace signorini {
 /// Polishes an answer to an exact orbit (OrbitFinder), and follows it for one period with CVODE
 /// (cvode_return) unless one with its events is confirmed already. Where there is no such orbit, or CVODE
 /// does not return to it, the reason.
+///
+/// Structures that `prefers_reduction` names are polished on what their contacts feel and corrected to the
+/// orbit of all coordinates (`polish_reduced_orbit`); what stands in for CVODE is the error bar of
+/// `correct_orbit`, which compares with the response of the whole structure. Without a bar, the reason.
 OrbitPolisher exact_orbits();
 
-/// Both ways in which the harness finds orbits.
+/// The same from a march of the reduced structure from rest (`find_reduced_orbit`).
+LargeOrbitFinder reduced_orbits();
+
+/// All ways in which the harness finds orbits.
 OrbitTools orbit_tools();
 
 }  // namespace signorini

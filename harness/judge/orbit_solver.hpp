@@ -45,12 +45,18 @@ using OrbitPolisher =
     std::function<CertifiedOrbit(const Problem& problem, const Trajectory& answer,
                                  std::span<const Certificate> confirmed, Deadline deadline)>;
 
-/// The harness's ways to orbits. Without a polisher, everything is left to the solver at two tolerances.
+/// The orbit of a structure too large for a closed form of all its coordinates, from rest; a reason without a
+/// motion where the scene is none of these, or has none with an error bar.
+using LargeOrbitFinder = std::function<CertifiedOrbit(const Problem& problem, Deadline deadline)>;
+
+/// The harness's ways to orbits. Without a polisher, everything is left to the solver at two tolerances;
+/// without a finder for large structures, these are followed through time as all others are.
 struct OrbitTools {
-  OrbitTools(OrbitSolver flow, OrbitPolisher polisher = {})
-      : solver(std::move(flow)), polish(std::move(polisher)) {}
+  OrbitTools(OrbitSolver flow, OrbitPolisher polisher = {}, LargeOrbitFinder finder = {})
+      : solver(std::move(flow)), polish(std::move(polisher)), large(std::move(finder)) {}
   OrbitSolver solver;
   OrbitPolisher polish;
+  LargeOrbitFinder large;
 };
 
 /// Tolerances of the two computations whose difference is an orbit's error bar.

@@ -8,6 +8,7 @@
 #include "harness/records/record.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/records/sampled_trajectory.hpp"
+#include "methods/orbit/reduced_orbit.hpp"
 
 namespace signorini {
 
@@ -58,6 +59,13 @@ void visit_fields(Either<ReferenceMessage> auto& message, auto&& field) {
 }  // namespace
 
 Reference compute_reference(const Problem& problem, const OrbitTools& tools, Deadline deadline) {
+  std::string of_large;  // why there is no orbit by its own way, where that was tried
+  if (tools.large && prefers_reduction(problem)) {
+    CertifiedOrbit found = tools.large(problem, deadline);
+    if (found.motion && found.error_bar <= kLargeReferenceErrorBar)
+      return as_reference(problem, std::move(found));
+    of_large = (found.motion ? "an orbit that is known too badly" : found.reason) + "; ";
+  }
   const Start from_rest{.guess = {}, .deadline = deadline};
   const Solution marched = tools.solver(problem, marching_options(), from_rest);
   CertifiedOrbit orbit;
@@ -73,7 +81,7 @@ Reference compute_reference(const Problem& problem, const OrbitTools& tools, Dea
   if (!orbit.motion || orbit.error_bar > kReferenceErrorBar) {
     orbit = confirm_orbit(problem, tools.solver, marching_options(), from_rest, marched, kReferenceErrorBar);
   }
-  if (!orbit.motion) return {.reason = orbit.reason};
+  if (!orbit.motion) return {.reason = of_large + orbit.reason};
   return as_reference(problem, std::move(orbit));
 }
 

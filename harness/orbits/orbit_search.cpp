@@ -15,6 +15,7 @@
 #include "harness/orbits/orbit_candidate.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record.hpp"
+#include "methods/orbit/reduced_orbit.hpp"
 #include "methods/structure/condensation.hpp"
 
 namespace signorini {
@@ -94,6 +95,20 @@ class OrbitCollection {
       return;
     }
     take_new(search, motion, candidate);
+  }
+
+  /// The orbit of a large structure that is reached from rest, corrected; its polish has certified it.
+  void add_large(CertifiedOrbit checked) {
+    ++result.searches;
+    if (!checked.motion) {
+      ++result.failures[checked.reason];
+      return;
+    }
+    FoundOrbit found = describe_orbit(problem_, problem_.subharmonic, std::move(checked));
+    found.from_rest = true;
+    found.starts = 1;
+    motions_.push_back(sample_motion(problem_, *found.certified.motion, kCompared));
+    result.orbits.push_back(std::move(found));
   }
 
   SceneOrbits result;
@@ -202,8 +217,9 @@ SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& op
   const Deadline deadline = deadline_after(options.timeout);
   const OrbitPolisher certify = polish ? polish : exact_orbits();
   OrbitCollection collection(problem, certify, deadline);
+  if (prefers_reduction(problem)) collection.add_large(reduced_orbits()(problem, deadline));
   if (problem.size() > kMostInTime) {
-    collection.result.failures[flow_obstacle(problem)] = 1;
+    if (collection.result.orbits.empty()) collection.result.failures[flow_obstacle(problem)] = 1;
     return std::move(collection.result);
   }
   for (int order = 1; order <= options.subharmonics; ++order) {

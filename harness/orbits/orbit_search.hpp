@@ -57,7 +57,9 @@ using SearchProgress = std::function<void(int order)>;
 /// Searches order by order: every start of `candidate_units` in a process of its own, two at a time; each
 /// admissible orbit found is compared with those known (`same_orbit`: shifts by forcing periods and
 /// repetitions at multiples of an order are the same), brought to its least period, and certified by `polish`
-/// (exact, confirmed by CVODE). What is not certified is not listed, but counted in `failures`.
+/// (exact, confirmed by CVODE). What is not certified is not listed, but counted in `failures`. Of structures
+/// too large for a closed form the orbit of `reduced_orbits` comes first; those too large to be followed
+/// through time have no others.
 ///
 /// Deterministic for given options, scene and program as long as no time limit strikes (10 s for a method's
 /// solve, 2 s for a random state, that of the options for all).

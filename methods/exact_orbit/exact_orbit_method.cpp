@@ -194,14 +194,17 @@ class PreparedExactOrbit final : public PreparedMethod {
   Progress progress_;
 };
 
-// Structures too large for a closed form, reduced to what their contacts feel.
+// Structures too large for a closed form, by orbits of what their contacts feel.
 class PreparedReducedOrbit final : public PreparedMethod {
  public:
   PreparedReducedOrbit(const Problem& problem, const ExactOrbitMethod::Options& options)
-      : problem_(problem), options_(options), pair_(problem) {}
+      : problem_(problem), options_(options), space_(problem) {
+    if (!space_.obstacle().empty()) throw std::runtime_error(space_.obstacle());
+  }
 
   Solution solve(const Start& start) override {
-    SearchOptions search;
+    OrbitCorrectionSettings settings;
+    SearchOptions& search = settings.search;
     search.polish.tolerance = options_.tolerance;
     search.polish.max_iterations = options_.max_iterations;
     search.shootings = 15;
@@ -209,7 +212,7 @@ class PreparedReducedOrbit final : public PreparedMethod {
     search.expired = [&start] { return start.expired(); };
     Solution solution;
     try {
-      take(find_reduced_orbit(problem_, pair_, search), solution);
+      take(find_reduced_orbit(problem_, space_, settings), solution);
     } catch (const std::exception& error) {  // a mode whose flow cannot be formed
       solution.message = fmt::format("no exact orbit: {}", error.what());
     }
@@ -218,27 +221,30 @@ class PreparedReducedOrbit final : public PreparedMethod {
 
  private:
   void take(const ReducedOrbit& found, Solution& solution) const {
-    const ExactOrbit& orbit = found.orbit;
-    const long vectors = pair_.fine.vectors();
+    const CorrectedOrbit& corrected = found.corrected;
+    const ExactOrbit& orbit = corrected.orbit;
+    const long vectors = space_.small().vectors();
     solution.work.iterations = found.iterations;
     solution.work.unknowns = 2 * vectors + problem_.contact_count();
     solution.trajectory = orbit.trajectory;
     solution.residual = orbit.residual;
-    solution.message = fmt::format("no exact orbit of the structure reduced to {} vectors: {}, {}", vectors,
-                                   describe(orbit.outcome), orbit.reason);
-    if (!orbit.certified()) return;
+    if (!corrected.bar) {
+      solution.message = fmt::format(
+          "no exact orbit of the structure reduced to {} vectors: {}", vectors,
+          corrected.refusal.empty() ? describe(orbit.outcome) + ", " + orbit.reason : corrected.refusal);
+      return;
+    }
     solution.verdict = Verdict::converged;
     solution.condition = orbit.condition;
     solution.message = fmt::format(
-        "{}, of the structure reduced to {} vectors, by {}; {} vectors change it by {:.1e}; largest "
-        "multiplier {:.6g}",
-        orbit.reason, vectors, found.start, vectors - pair_.coarse.vectors(), found.change,
-        orbit.largest_multiplier());
+        "{}, on {} vectors by {}; {} corrections by {} vectors; error bar {:.1e}, largest multiplier {:.6g}",
+        orbit.reason, vectors, found.start, corrected.defects.size() - 1, space_.whole().vectors(),
+        *corrected.bar, orbit.largest_multiplier());
   }
 
   const Problem& problem_;
   ExactOrbitMethod::Options options_;
-  ReducedPair pair_;
+  ContactSpace space_;
 };
 
 }  // namespace
@@ -257,11 +263,10 @@ ExactOrbitMethod::ExactOrbitMethod(const Options& options) : options_(options) {
 }
 
 Support ExactOrbitMethod::supports(const Problem& problem) const {
+  if (prefers_reduction(problem)) return {.ok = true, .reason = {}};
   if (problem.size() > kMostInDenseFlow) {
-    const std::string obstacle = reduction_obstacle(problem);
-    if (obstacle.empty()) return {.ok = true, .reason = {}};
     return {false, fmt::format("{} coordinates: the closed-form flow is dense, at most {}; {}",
-                               problem.size(), kMostInDenseFlow, obstacle)};
+                               problem.size(), kMostInDenseFlow, reduction_obstacle(problem))};
   }
   if (Support grid = grid_support(problem, options_.samples); !grid.ok) return grid;
   const std::string obstacle = flow_obstacle(problem);
@@ -271,7 +276,7 @@ Support ExactOrbitMethod::supports(const Problem& problem) const {
 RepresentedLaw ExactOrbitMethod::law(const Problem& problem) const { return as_represented(problem.law); }
 
 std::unique_ptr<PreparedMethod> ExactOrbitMethod::prepare(const Problem& problem) const {
-  if (problem.size() > kMostInDenseFlow) return std::make_unique<PreparedReducedOrbit>(problem, options_);
+  if (prefers_reduction(problem)) return std::make_unique<PreparedReducedOrbit>(problem, options_);
   return std::make_unique<PreparedExactOrbit>(problem, options_);
 }
 

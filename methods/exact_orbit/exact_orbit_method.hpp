@@ -17,10 +17,11 @@ namespace signorini {
 /// `tolerance` (or to the round-off stated), does not penetrate, and pulls nowhere (1e-11 of the scales); its
 /// message gives the error bar. Of several orbits it returns the first found: stable or not.
 ///
-/// Structures of more than 300 coordinates, with massless contacts and proportional damping, are reduced to
-/// what their contacts feel (`find_reduced_orbit`): the guarantee is then about the reduced structure, and
-/// the message says of how many vectors it is and what the last third of them changes. `samples`,
-/// `refinements` and `restarts` do not matter then.
+/// Structures of more than 300 coordinates (of more than 100 under ten springs) with massless contacts or
+/// springs and proportional damping are solved on what their contacts feel (`find_reduced_orbit`) and
+/// corrected to the orbit of all coordinates
+/// (`correct_orbit`); without an error bar for that there is no answer. `samples`, `refinements` and
+/// `restarts` do not matter then.
 class ExactOrbitMethod final : public Method {
  public:
   static constexpr std::string_view kName = "exact-orbit";

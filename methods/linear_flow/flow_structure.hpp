@@ -88,6 +88,7 @@ class FlowStructure : public CondensedStructure {
   void measure_rates();
   void set_frequency(double omega);
   void measure_scales(const Problem& problem);
+  [[nodiscard]] double reduced_amplitude() const;
 
   double oscillation_ = 0.0, decay_ = 0.0;  // fastest of the structure alone [rad/s]
 };

@@ -47,6 +47,12 @@ class LinearArc {
   virtual void state(double time, State& state) const = 0;
   /// (u, xi, v)' at a time.
   virtual void rate(double time, Eigen::VectorXd& rate) const = 0;
+  /// Adds the integrals of lambda_j e^{-i n w t} from `begin`, not before the start, to `end`: to row n,
+  /// n = 0..H, column j of `sums`, (H+1) x Nc [N s]. False where the motion is not known as a sum of terms.
+  [[nodiscard]] virtual bool add_force_integrals(double /*begin*/, double /*end*/, double /*w*/,
+                                                 Eigen::MatrixXcd& /*sums*/) const {
+    return false;
+  }
   /// order-th derivative (0..8) of x_j [m / s^order].
   [[nodiscard]] double displacement(int contact, double time, int order = 0) const {
     return output(contact, time, order);

@@ -164,6 +164,8 @@ class ModalFlow::Arc final : public LinearArc {
     differentiate(time, 0, state.u);
     differentiate(time, 1, state.v);
   }
+  [[nodiscard]] bool add_force_integrals(double begin, double end, double w,
+                                         Eigen::MatrixXcd& sums) const override;
   void rate(double time, Eigen::VectorXd& rate) const override {
     rate.resize(flow_.states());
     differentiate(time, 1, rate.head(flow_.positions()));
@@ -296,6 +298,71 @@ void ModalFlow::Arc::differentiate(double time, int order, Eigen::Ref<Eigen::Vec
       derivative[i] += order == 0 ? part.real() : order == 1 ? -r * part.imag() : -r * r * part.real();
     }
   }
+}
+
+namespace {
+
+// (e^z - 1) / z, given e^z.
+Complex mean_growth(Complex z, Complex exponential) {
+  constexpr double kSmall = 0.5;
+  constexpr int kTerms = 16;  // kSmall^16 / 17! is far below rounding
+  if (std::norm(z) > kSmall * kSmall) return (exponential - 1.0) / z;
+  Complex sum = 1.0;
+  for (int k = kTerms; k > 1; --k) sum = 1.0 + sum * z / static_cast<double>(k);
+  return sum;
+}
+
+}  // namespace
+
+// Of each term Re c e^{nu t} = (c e^{nu t} + conj) / 2 the integral is in closed form. Terms by contacts is
+// one matrix, harmonics by terms another, some harmonics at a time.
+bool ModalFlow::Arc::add_force_integrals(double begin, double end, double w, Eigen::MatrixXcd& sums) const {
+  constexpr Eigen::Index kAtOnce = 256;
+  const std::vector<int>& closed = mode().active;
+  if (closed.empty()) return true;
+  const Eigen::Index modes = growth_.size(), half = modes + wave_.size();
+  const double duration = end - begin;
+  Eigen::VectorXcd nu(2 * half);
+  Eigen::MatrixXcd terms(2 * half, static_cast<Eigen::Index>(closed.size()));
+  move_to(begin);
+  nu.head(modes) = flow_.mu();
+  for (Eigen::Index h = 0; h < wave_.size(); ++h) nu[modes + h] = Complex(0.0, rate(h));
+  for (Eigen::Index c = 0; c < terms.cols(); ++c) {
+    const Eigen::Index row = equations_.force_row(closed[static_cast<std::size_t>(c)]);
+    terms.col(c).head(modes) = 0.5 * contribution_.row(row).transpose().cwiseProduct(growth_);
+    terms.col(c).segment(modes, wave_.size()) =
+        0.5 * flow_.row_of_harmonic_.row(row).transpose().cwiseProduct(wave_);
+  }
+  // What relaxes alone pushes nowhere, and most shift harmonics and fast modes are below rounding.
+  constexpr double kUnseen = 1e-17;
+  const double least = kUnseen * terms.topRows(half).cwiseAbs().maxCoeff();
+  Eigen::Index kept = 0;
+  for (Eigen::Index k = 0; k < half; ++k) {
+    if (!(terms.row(k).cwiseAbs().maxCoeff() > least)) continue;
+    nu[kept] = nu[k];
+    terms.row(kept++) = terms.row(k).eval();
+  }
+  nu.conservativeResize(2 * kept);
+  terms.conservativeResize(2 * kept, Eigen::NoChange);
+  nu.tail(kept) = nu.head(kept).conjugate();
+  terms.bottomRows(kept) = terms.topRows(kept).conjugate();
+  const Eigen::VectorXcd grown = (nu * duration).array().exp();
+  Eigen::MatrixXcd integrals(std::min(kAtOnce, sums.rows()), nu.size());
+  for (Eigen::Index first = 0; first < sums.rows(); first += kAtOnce) {
+    const Eigen::Index count = std::min(kAtOnce, sums.rows() - first);
+    for (Eigen::Index n = 0; n < count; ++n) {
+      const double turn = w * static_cast<double>(first + n);
+      const Complex phase = duration * std::polar(1.0, -turn * begin);
+      const Complex turned = std::polar(1.0, -turn * duration);
+      for (Eigen::Index k = 0; k < nu.size(); ++k) {
+        integrals(n, k) = phase * mean_growth((nu[k] - Complex(0.0, turn)) * duration, grown[k] * turned);
+      }
+    }
+    const Eigen::MatrixXcd part = integrals.topRows(count) * terms;
+    for (Eigen::Index c = 0; c < terms.cols(); ++c)
+      sums.col(closed[static_cast<std::size_t>(c)]).segment(first, count) += part.col(c);
+  }
+  return true;
 }
 
 std::unique_ptr<LinearArc> ModalFlow::arc() const { return std::make_unique<Arc>(*this); }

@@ -110,8 +110,9 @@ class OrbitFinder::Search {
 
 OrbitFinder::OrbitFinder(const Problem& problem) : model_(std::make_shared<OrbitModel>(problem)) {}
 
-OrbitFinder::OrbitFinder(const Problem& problem, CondensedStructure condensed)
-    : model_(std::make_shared<OrbitModel>(problem, std::move(condensed))) {}
+OrbitFinder::OrbitFinder(const Problem& problem, CondensedStructure condensed,
+                         std::shared_ptr<SharedModes> shared)
+    : model_(std::make_shared<OrbitModel>(problem, std::move(condensed), std::move(shared))) {}
 
 OrbitSearch OrbitFinder::find(const OrbitGuess& guess, const SearchOptions& options) {
   return Search(model_, options).run(guess);

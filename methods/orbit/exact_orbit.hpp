@@ -123,7 +123,8 @@ class OrbitFinder {
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
   explicit OrbitFinder(const Problem& problem);
   /// `condensed` in place of condense(problem): orbits of a reduced structure.
-  OrbitFinder(const Problem& problem, CondensedStructure condensed);
+  /// \param shared  modes known from other scenes, if any
+  OrbitFinder(const Problem& problem, CondensedStructure condensed, std::shared_ptr<SharedModes> shared = {});
 
   /// Candidates in order, until one polishes to an admissible orbit: the sequence read off the contact force
   /// (`orbit_guess`); the one met in one period's flow from its state (`simulated_sequence`); those from the

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/periodic_time.hpp"
 #include "methods/discretisation/two_point_integral.hpp"
+#include "methods/solvers/constants.hpp"
 
 namespace signorini {
 
@@ -95,6 +97,22 @@ State ExactTrajectory::at(double time) const {
   const LinearArc& arc = arc_at(time);
   arc.state(time, state);
   return state;
+}
+
+Eigen::MatrixXcd ExactTrajectory::force_spectrum(int count) const {
+  const double w = kTwoPi / period();
+  Eigen::MatrixXcd sums = Eigen::MatrixXcd::Zero(count + 1, contact_count());
+  double begin = orbit_.start.time;
+  for (std::size_t i = 0; i < arcs_.size(); ++i) {
+    const double end = i < orbit_.events.size() ? orbit_.events[i].time : orbit_.start.time + period();
+    if (!arcs_[i]->add_force_integrals(begin, end, w, sums)) return {};
+    begin = end;
+  }
+  for (const Impulse& impulse : impulses()) {
+    for (int n = 0; n <= count; ++n)
+      sums(n, impulse.contact) += impulse.value * std::polar(1.0, -n * w * impulse.time);
+  }
+  return sums / period();
 }
 
 Samples ExactTrajectory::sample(int count) const {

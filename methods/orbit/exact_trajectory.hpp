@@ -34,6 +34,11 @@ class ExactTrajectory final : public Trajectory {
   /// Openings with their push.
   [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override;
 
+  /// Fourier coefficients n = 0..count of force and impulses in closed form, (count+1) x Nc [N]; empty where
+  /// the motion between two events is not known as a sum of modes (FlowForm::exponential).
+  [[nodiscard]] Eigen::MatrixXcd force_spectrum(int count) const;
+  /// Units of the scene's motions.
+  [[nodiscard]] const MotionScales& scales() const { return model_->dynamics.scales(); }
   /// State of the coordinates with mass at any time [s].
   [[nodiscard]] State at(double time) const;
   /// Section state and events, times in (start.time, start.time + period).

@@ -24,8 +24,10 @@ struct OrbitModel {
         flows(dynamics, FlowForm::automatic, std::move(shared)),
         period(problem.period()) {}
   /// `condensed` in place of condense(problem), as FlowStructure takes it.
-  OrbitModel(const Problem& problem, CondensedStructure condensed)
-      : dynamics(problem, std::move(condensed)), flows(dynamics), period(problem.period()) {}
+  OrbitModel(const Problem& problem, CondensedStructure condensed, std::shared_ptr<SharedModes> shared = {})
+      : dynamics(problem, std::move(condensed)),
+        flows(dynamics, FlowForm::automatic, std::move(shared)),
+        period(problem.period()) {}
   /// The same scene with another frequency of its load.
   OrbitModel(const OrbitModel& other, double frequency, std::shared_ptr<SharedModes> shared)
       : dynamics(other.dynamics, frequency),

@@ -1,43 +1,40 @@
 #pragma once
 // Exact orbits of structures too large for a closed form, on what their contacts feel of them.
 
-#include <memory>
 #include <string>
 
-#include "methods/orbit/exact_orbit.hpp"
-#include "methods/structure/contact_reduction.hpp"
+#include "methods/orbit/corrected_orbit.hpp"
+#include "methods/reduction/contact_space.hpp"
+#include "methods/solution.hpp"
 
 namespace signorini {
 
 /// Why the orbits of a reduced structure do not stand for those of a scene, one clause; empty if they do:
-/// only massless contacts and springs keep their law in it (march_obstacle), the damping has to be
-/// proportional, and springs on damped coordinates without mass are not followed (flow_obstacle).
+/// only massless contacts and springs keep their law in it (march_obstacle), and the damping has to be
+/// proportional.
 std::string reduction_obstacle(const Problem& problem);
 
-/// Two reductions of a scene, of which one has half as many vectors again.
-struct ReducedPair {
-  /// \param vectors  of the coarse one, ReductionSettings::vectors; 0: as many as it takes by itself
-  /// \throws std::runtime_error with the obstacle of the reduction
-  explicit ReducedPair(const Problem& problem, int vectors = 0);
+/// Whether orbits of a scene are those of a reduced structure, corrected, rather than of a closed form of all
+/// coordinates: of more than kMostInDenseFlow, or of more than 100 under ten springs and more, whose events
+/// make many modes of contact; without a reduction_obstacle.
+bool prefers_reduction(const Problem& problem);
 
-  ContactReduction coarse;  ///< of so many vectors
-  ContactReduction fine;    ///< of half as many again
-};
-
-/// An orbit of the finer reduction.
+/// An orbit of a whole structure.
 struct ReducedOrbit {
-  ExactOrbit orbit = {};  ///< polished in the finer reduction: its error bar is that of the reduced structure
-  std::string start = {};  ///< how the motion was found that it was read off
-  /// max |x - x_coarse| / max |x| over all contacts and 1024 instants, x_coarse of the orbit of the coarse
-  /// reduction: what the last vectors changed. No bound of what further ones would [-].
-  double change = 0.0;
-  long iterations = 0;  ///< Newton steps, of marching and of orbits
+  CorrectedOrbit corrected = {};  ///< with its bar, or why there is none; its orbit may be none at all
+  std::string start = {};         ///< how the motion was found that it was read off
+  long iterations = 0;            ///< Newton steps, of marching and of orbits
 };
 
-/// Marches the coarse reduction to a periodic motion (`march_to_periodic_motion`, 256 nodes per forcing
-/// period), reads an exact orbit off its force (`OrbitFinder`), and polishes that in the finer one. Failures
-/// are outcomes of `orbit`; its trajectory may then be empty.
-ReducedOrbit find_reduced_orbit(const Problem& problem, const ReducedPair& pair,
-                                const SearchOptions& options);
+/// Marches `space.small()` to a periodic motion (`march_to_periodic_motion`, 256 nodes per forcing period),
+/// reads an exact orbit off its force (`OrbitFinder`), and corrects it (`correct_orbit`). Failures are
+/// outcomes of the orbit; its trajectory may then be empty.
+/// \param space  without an obstacle
+ReducedOrbit find_reduced_orbit(const Problem& problem, const ContactSpace& space,
+                                const OrbitCorrectionSettings& settings);
+
+/// The same from a motion of the scene in place of the march: the orbit behind an answer.
+ReducedOrbit polish_reduced_orbit(const Problem& problem, const ContactSpace& space, const Trajectory& motion,
+                                  const OrbitCorrectionSettings& settings);
 
 }  // namespace signorini

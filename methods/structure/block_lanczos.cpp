@@ -158,6 +158,16 @@ Eigen::MatrixXd BlockLanczos::projected(const SparseMatrix& A) const {
   return rows;
 }
 
+Eigen::MatrixXd BlockLanczos::combined(const Eigen::MatrixXd& coefficients) const {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(P_.rows(), coefficients.cols());
+  Eigen::Index first = 0;
+  for (const Eigen::MatrixXd& block : basis_) {
+    result.noalias() += block * coefficients.middleRows(first, block.cols());
+    first += block.cols();
+  }
+  return result;
+}
+
 double BlockLanczos::omitted() const { return std::sqrt(omitted_squares_); }
 
 double BlockLanczos::operations_of_growth() const {

@@ -7,10 +7,11 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <string>
 #include <utility>
 
 #include "methods/structure/block_lanczos.hpp"
-#include "methods/structure/massless_elimination.hpp"
+#include "methods/structure/ritz_reduction.hpp"
 
 namespace signorini {
 
@@ -25,51 +26,6 @@ constexpr int kModes = 100;
 constexpr int kRandomColumns = 15;
 // Solved for at a time.
 constexpr int kColumnsAtOnce = 32;
-// 1 / omega^2 relative to the largest, below which a Ritz value is rounding: its vector moves statically.
-constexpr double kStatic = 1e-13;
-
-/// Real columns F of the load and what they stand for: f_h is the sum of weight * column.
-struct LoadColumns {
-  Eigen::MatrixXd columns;  // |i| x Nf
-  Eigen::MatrixXcd weight;  // Nf x Nh
-};
-
-LoadColumns load_columns(const Eigen::MatrixXcd& load) {
-  LoadColumns result;
-  std::vector<std::pair<Eigen::Index, bool>> parts;  // harmonic; whether the imaginary part
-  for (Eigen::Index h = 0; h < load.cols(); ++h) {
-    if (load.col(h).real().squaredNorm() > 0.0) parts.emplace_back(h, false);
-    if (load.col(h).imag().squaredNorm() > 0.0) parts.emplace_back(h, true);
-  }
-  const auto count = static_cast<Eigen::Index>(parts.size());
-  result.columns.resize(load.rows(), count);
-  result.weight = Eigen::MatrixXcd::Zero(count, load.cols());
-  for (Eigen::Index c = 0; c < count; ++c) {
-    const auto& [h, imaginary] = parts[static_cast<std::size_t>(c)];
-    if (imaginary) {
-      result.columns.col(c) = load.col(h).imag();
-    } else {
-      result.columns.col(c) = load.col(h).real();
-    }
-    result.weight(c, h) = imaginary ? std::complex<double>(0.0, 1.0) : std::complex<double>(1.0, 0.0);
-  }
-  return result;
-}
-
-SparseMatrix side_by_side(const SparseMatrix& A, const SparseMatrix& B) {
-  SparseMatrix both(A.rows(), A.cols() + B.cols());
-  both.reserve(A.nonZeros() + B.nonZeros());
-  for (const SparseMatrix* part : {&A, &B}) {
-    const int first = part == &A ? 0 : static_cast<int>(A.cols());
-    for (int column = 0; column < part->outerSize(); ++column) {
-      both.startVec(first + column);
-      for (SparseMatrix::InnerIterator it(*part, column); it; ++it)
-        both.insertBackByOuterInner(first + column, static_cast<int>(it.row())) = it.value();
-    }
-  }
-  both.finalize();
-  return both;
-}
 
 /// M times columns of uniform numbers: nothing at massless coordinates. The same numbers at every call.
 SparseMatrix random_columns(const SparseMatrix& mass) {
@@ -104,90 +60,41 @@ ReductionSettings chosen(ReductionSettings settings, Eigen::Index contacts, Eige
   return settings;
 }
 
-/// A space, and in its coordinates, V^T K V = 1, the contact directions and the columns of the load.
-struct Projection {
-  RitzPairs pairs;
-  Eigen::MatrixXd contacts;  // V^T N, k x Nc
-  Eigen::MatrixXd loads;     // V^T F, k x Nf
-  Eigen::MatrixXd outside;   // of N^T K^-1 N, what the space does not hold, Nc x Nc
-};
-
-/// Keeps the lowest `most` Ritz vectors and leaves the others to the static residual.
-void keep_lowest(const Projection& space, const LoadColumns& loads, Eigen::Index most,
-                 ContactReduction& result) {
-  const Eigen::VectorXd& theta = space.pairs.values;  // rising
-  const Eigen::Index count = theta.size();
-  Eigen::Index kept = 0;
-  while (kept < std::min(most, count) && theta[count - 1 - kept] > kStatic * theta[count - 1]) ++kept;
-  const Eigen::MatrixXd vectors = space.pairs.vectors.rightCols(kept).rowwise().reverse();
-  const Eigen::VectorXd omega = theta.tail(kept).reverse().cwiseSqrt().cwiseInverse();
-  result.squares = omega.cwiseAbs2();
-  result.rows = omega.asDiagonal() * (vectors.transpose() * space.contacts);
-  const Eigen::MatrixXd modal = omega.asDiagonal() * (vectors.transpose() * space.loads);
-  result.load = modal.cast<std::complex<double>>() * loads.weight;
-  const auto rest = space.pairs.vectors.leftCols(count - kept);
-  const Eigen::MatrixXd left = rest.transpose() * space.contacts;
-  const Eigen::MatrixXd pushed = left.transpose() * (rest.transpose() * space.loads);
-  result.compliance += space.outside + left.transpose() * left;
-  result.shift += pushed.cast<std::complex<double>>() * loads.weight;
-}
-
 }  // namespace
 
 ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSettings& settings) {
   ContactReduction result;
-  const auto damping = proportional_damping(problem.mass(), problem.stiffness(), problem.damping());
-  if (!damping) {
-    result.obstacle = "the damping is not a combination of mass and stiffness";
-    return result;
-  }
-  MasslessElimination seen = eliminate_massless(problem);
-  result.obstacle = seen.obstacle;
+  const ContactColumns columns = contact_columns(problem);
+  result.obstacle = columns.obstacle;
   if (!result.obstacle.empty()) return result;
-  const LoadColumns loads = load_columns(seen.load);
-  const ReductionSettings asked = chosen(settings, seen.normals.cols(), loads.columns.cols());
-  const SparseMatrix i = coordinate_selection(seen.kept, problem.size());
-  const SparseMatrix normals = i * seen.normals;
-  const SparseMatrix pushes = i * SparseMatrix(loads.columns.sparseView());
-  if (normals.cols() + pushes.cols() == 0) {
-    result.obstacle = "nothing acts on the structure";
-    return result;
-  }
+  const SparseMatrix &normals = columns.normals, &pushes = columns.pushes;
+  const ReductionSettings asked = chosen(settings, normals.cols(), pushes.cols());
   const bool krylov = asked.basis == ReductionBasis::krylov;
-  const SparseMatrix start =
-      krylov ? side_by_side(normals, pushes) : side_by_side(pushes, random_columns(problem.mass()));
+  const SparseMatrix start = krylov ? columns.all() : side_by_side(pushes, random_columns(problem.mass()));
   BlockLanczos space(problem.stiffness(), problem.mass(), start);
   if (!space.definite()) {
-    result.obstacle = "the stiffness is not positive definite";
+    result.obstacle = std::string(kNotDefinite);
     return result;
   }
   // Of a Krylov space from random columns the upper half has not converged to modes, nor have the lowest
   // before some powers.
   const Eigen::Index enough = krylov ? asked.vectors : 2 * asked.vectors + kPowers * (kRandomColumns + 1);
   // More vectors than coordinates with mass would be rounding.
-  const auto most = static_cast<Eigen::Index>(seen.kept.size());
+  const Eigen::Index most = columns.most();
   while (space.size() < enough && !space.exhausted() && space.size() + space.width() <= most) space.grow();
-
-  Projection projection{.pairs = ritz_pairs(space), .contacts = {}, .loads = {}, .outside = {}};
-  const Eigen::Index contacts = normals.cols();
   if (krylov) {
-    const Eigen::MatrixXd rows = space.projected_start();
-    projection.contacts = rows.leftCols(contacts);
-    projection.loads = rows.rightCols(pushes.cols());
-    projection.outside = Eigen::MatrixXd::Zero(contacts, contacts);
+    result = reduction_on(columns, projection_from_start(space, normals.cols()), space.size());
   } else {
-    projection.contacts = space.projected(normals);
-    projection.loads = space.projected(pushes);
+    SpaceProjection projection{.pairs = ritz_pairs(space),
+                               .contacts = space.projected(normals),
+                               .loads = space.projected(pushes),
+                               .outside = {}};
     projection.outside =
         static_compliance(space, normals) - projection.contacts.transpose() * projection.contacts;
+    result = reduction_on(columns, projection, asked.vectors);
   }
-  result.damping = *damping;
-  result.compliance = std::move(seen.compliance);
-  result.shift = std::move(seen.shift);
-  result.rates = std::move(seen.rates);
   const bool whole = space.exhausted() || space.size() >= most;
   result.complete = whole && (krylov || space.size() <= asked.vectors);
-  keep_lowest(projection, loads, krylov ? space.size() : asked.vectors, result);
   return result;
 }
 
@@ -242,6 +149,41 @@ ContactReceptance contact_receptance(const ContactReduction& reduction, double p
     }
   }
   return result;
+}
+
+Eigen::MatrixXcd contact_response(const ContactReduction& reduction, double base,
+                                  const Eigen::MatrixXcd& force) {
+  using Complex = std::complex<double>;
+  const auto [alpha, beta] = reduction.damping;
+  const Eigen::Index count = force.rows();
+  // Real matrices by real and imaginary parts: half the work of a complex product.
+  const Eigen::MatrixXcd forces = force.transpose();
+  Eigen::MatrixXcd modal(reduction.vectors(), count), direct(reduction.contacts(), count);
+  modal.real() = reduction.rows * forces.real();
+  modal.imag() = reduction.rows * forces.imag();
+  direct.real() = reduction.compliance * forces.real();
+  direct.imag() = reduction.compliance * forces.imag();
+  for (std::size_t h = 0; h < reduction.rates.size(); ++h) {
+    const auto n = static_cast<Eigen::Index>(std::lround(reduction.rates[h] / base));
+    if (n >= count) continue;
+    const double half = n == 0 ? 1.0 : 0.5;
+    modal.col(n) += half * reduction.load.col(static_cast<Eigen::Index>(h));
+    direct.col(n) += half * reduction.shift.col(static_cast<Eigen::Index>(h));
+  }
+  for (Eigen::Index n = 0; n < count; ++n) {
+    const double rate = static_cast<double>(n) * base;
+    const Complex kappa(1.0, beta * rate), mu(-rate * rate, alpha * rate);
+    const Eigen::VectorXcd z = (kappa * reduction.squares.cast<Complex>()).array() + mu;
+    const double scale = std::abs(mu) + std::abs(kappa) * reduction.squares.maxCoeff();
+    if (!(z.cwiseAbs().minCoeff() > std::numeric_limits<double>::epsilon() * scale))
+      throw SingularStiffness();
+    modal.col(n).array() /= z.array();
+    direct.col(n) /= kappa;
+  }
+  Eigen::MatrixXcd x(count, reduction.contacts());
+  x.real() = modal.real().transpose() * reduction.rows;
+  x.imag() = modal.imag().transpose() * reduction.rows;
+  return x + direct.transpose();
 }
 
 }  // namespace signorini

@@ -2,49 +2,14 @@
 // A structure reduced to what its contacts feel: a few Ritz vectors, and statically all the rest.
 
 #include <Eigen/Core>
-#include <string>
-#include <vector>
 
 #include "methods/discretisation/symbols.hpp"
 #include "methods/structure/condensation.hpp"
 #include "methods/structure/receptance.hpp"
-#include "problems/matrix_properties.hpp"
+#include "methods/structure/reduced_structure.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {
-
-/// A structure with D = alpha M + beta K on m vectors phi_k, phi_k^T M phi_k = 1, phi_k^T K phi_k =
-/// omega_k^2, orthogonal in both. With n_k = W^T phi_k,
-///
-///     q_k'' + (alpha + beta omega_k^2) q_k' + omega_k^2 q_k = phi_k^T f + n_k^T lambda,
-///     x = sum_k n_k q_k + xi,    beta xi' + xi = s_m(t) + C_m lambda,
-///     C_m = W^T K^-1 W - sum_k n_k n_k^T / omega_k^2,    s_m = W^T K^-1 f - sum_k n_k phi_k^T f / omega_k^2.
-///
-/// What the vectors leave out follows statically, as MacNeal's residual flexibility does [macneal1971]; with
-/// damping it relaxes with the time beta, which is right for waves far above omega_m and far below. So no
-/// coordinate of a contact has mass of its own [monjaraz2022], and the motion of massless contacts needs no
-/// impact law. C_m is positive semi-definite, and not smaller than the compliance of the massless
-/// coordinates.
-///
-/// Contacts that have mass and an impact law become another model, whose mass at the contact is that of the
-/// vectors: only a start for one of the whole structure.
-struct ContactReduction {
-  std::string obstacle;         ///< why this cannot be done, one clause; the rest is then empty
-  ProportionalDamping damping;  ///< alpha [1/s], beta [s]
-  Eigen::VectorXd squares;      ///< omega_k^2 > 0, rising, m [1/s^2]
-  Eigen::MatrixXd rows;         ///< row k is n_k^T, m x Nc [kg^-1/2]
-  Eigen::MatrixXd compliance;   ///< C_m, Nc x Nc [m/N]
-  /// h omega of the harmonics in the load, ascending, 0 always the first [rad/s].
-  std::vector<double> rates;
-  Eigen::MatrixXcd load;   ///< phi_k^T f of e^{i h omega t}, its real part to be taken; m x Nh [N kg^-1/2]
-  Eigen::MatrixXcd shift;  ///< s_m likewise, Nc x Nh [m]
-  bool complete = false;   ///< whether the vectors span all that contacts and loads can excite
-
-  /// m.
-  [[nodiscard]] Eigen::Index vectors() const { return squares.size(); }
-  /// Nc.
-  [[nodiscard]] Eigen::Index contacts() const { return compliance.rows(); }
-};
 
 /// Which vectors a reduction keeps.
 enum class ReductionBasis {
@@ -87,5 +52,13 @@ CondensedStructure condensed(const ContactReduction& reduction);
 /// \throws SingularStiffness where some z_k vanishes to rounding
 ContactReceptance contact_receptance(const ContactReduction& reduction, double period, int harmonics,
                                      const WeightsOfHarmonic& weights);
+
+/// x_n of the reduced structure under its load and a contact force, n = 0..H, (H+1) x Nc [m]: what
+/// `contact_receptance` says of exact time, without a matrix per harmonic.
+/// \param base   rate of harmonic 1, a whole part of the load's [rad/s]
+/// \param force  lambda_n, (H+1) x Nc [N]
+/// \throws SingularStiffness where some z_k vanishes to rounding
+Eigen::MatrixXcd contact_response(const ContactReduction& reduction, double base,
+                                  const Eigen::MatrixXcd& force);
 
 }  // namespace signorini

@@ -5,10 +5,14 @@
 #include <cmath>
 #include <complex>
 
+#include "harness/judge/certificate.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
+#include "methods/linear_flow/linear_flow.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/support/accuracy.hpp"
+#include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/structure_scenes.hpp"
 
 namespace signorini {
 namespace {
@@ -79,6 +83,38 @@ TEST(ExactOrbits, SayWhyAStructureHasNone) {
   const CertifiedOrbit orbit = exact_orbits()(loose, *answer, {}, Deadline::max());
   EXPECT_EQ(orbit.motion, nullptr);
   EXPECT_FALSE(orbit.reason.empty());
+}
+
+// A bar that no closed form of all coordinates takes: the orbit reached from rest, and the one that a coarse
+// answer of another method leads to, are the same within both bars.
+TEST(ReducedOrbits, AreTheJudgesOfLargeStructures) {
+  const Problem bar = test::massless_bar({.alpha = 0.2, .beta = 0.005}, kMostInDenseFlow + 20);
+  const CertifiedOrbit from_rest = reduced_orbits()(bar, Deadline::max());
+  ASSERT_NE(from_rest.motion, nullptr) << from_rest.reason;
+  EXPECT_LE(from_rest.error_bar, 1e-7);
+  EXPECT_EQ(from_rest.stable, true);
+  EXPECT_FALSE(from_rest.return_distance.has_value());
+  EXPECT_NE(from_rest.source.find("corrected"), std::string::npos) << from_rest.source;
+  const Reference reference = compute_reference(bar, orbit_tools(), Deadline::max());
+  ASSERT_NE(reference.orbit, nullptr) << reference.reason;
+  EXPECT_LE(reference.error_bar, kLargeReferenceErrorBar);
+  const auto answer = test::solve<HatLcp>(bar, {.samples = 256}).trajectory;
+  ASSERT_NE(answer, nullptr);
+  const CertifiedAnswer judged =
+      certify(bar, answer, sample_motion(bar, *answer), reference, orbit_tools(), Deadline::max());
+  EXPECT_EQ(judged.certificate.status, CertificateStatus::certified) << judged.certificate.reason;
+  EXPECT_EQ(judged.certificate.same_orbit, true);
+  EXPECT_EQ(judged.certificate.orbit, reference.fingerprint);
+  EXPECT_LT(judged.certificate.distance.value(), 0.05);
+  EXPECT_EQ(judged.certificate.events.size(), from_rest.events.size());
+}
+
+// Contacts with mass and an impact law are others in a reduced structure: no certificate, and why.
+TEST(ReducedOrbits, SayWhyAStructureHasNone) {
+  const Problem chain = test::stopped_chain(kMostInDenseFlow + 1, 0.5, 1);
+  const CertifiedOrbit orbit = reduced_orbits()(chain, Deadline::max());
+  EXPECT_EQ(orbit.motion, nullptr);
+  EXPECT_EQ(orbit.reason, "a contact with mass and an impact law is another one in a reduced structure");
 }
 
 }  // namespace

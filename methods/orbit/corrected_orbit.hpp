@@ -1,0 +1,67 @@
+#pragma once
+// The exact orbit of a whole structure by orbits of a reduced one, and an error bar for it.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "methods/orbit/exact_orbit.hpp"
+#include "methods/reduction/contact_space.hpp"
+
+namespace signorini {
+
+/// When corrections end.
+struct OrbitCorrectionSettings {
+  SearchOptions search = {};  ///< of every orbit
+  int corrections = 8;        ///< at most, >= 1 [-]
+  double tolerance =
+      1e-10;             ///< on the part of the bar that corrections reduce, relative to x about its mean [-]
+  int harmonics = 4096;  ///< H, of force and defect, per forcing period >= 64 [-]
+  int shifted = 192;     ///< harmonics of the displacements that are added, per forcing period, <= H [-]
+};
+
+/// An orbit of the reduced structure with displacements added to its contacts, and what the whole structure
+/// makes of its forces. Lengths are root mean squares over contacts and time, relative to that of x about its
+/// mean: after a jump of a force a defect has a peak of short duration, which says little of the motion.
+struct CorrectedOrbit {
+  ExactOrbit orbit = {};  ///< the last one; its x contains the displacements added
+  long iterations = 0;    ///< Newton steps of the corrections
+  /// |x_whole[lambda] - x| after each orbit in the harmonics that can be added: backward errors, as far as
+  /// the whole space knows [-].
+  std::vector<double> defects = {};
+  double unshifted = 0.0;  ///< the last one in all other harmonics up to H [-]
+  double peak = 0.0;       ///< the last defect in all harmonics at its largest instant and contact [-]
+  /// Largest |change of x| / |defect| that a correction made, at least 1; 10 where all defects are rounding
+  /// [-].
+  double amplification = 1.0;
+  double outside = 0.0;   ///< bound of what the whole space leaves out of x_whole [-]
+  double tail = 0.0;      ///< estimate of what harmonics above H do to the defect [-]
+  double rounding = 0.0;  ///< of K, in x [-]
+  /// On |x - x_true|; empty: none can be given [-].
+  std::optional<double> bar = {};
+  std::string refusal = {};  ///< why there is no bar, one clause
+};
+
+/// Deferred correction of exact orbits. With lambda of an orbit, in closed form its Fourier coefficients, and
+/// x_whole = free + C lambda by the many vectors of a ContactSpace, d = x_whole - x is by what the few
+/// vectors are wrong under these forces: x_whole and lambda satisfy the structure's equations against stops
+/// moved by d. Added to x of the next orbit (as a shift that relaxes, d + beta d'), it leads to the orbit of
+/// the whole structure, whatever the few vectors. Each orbit is polished from the one before, and admissible.
+///
+/// The bar is 2 A (d / (1 - theta) + unshifted + tail + outside + rounding) + the orbit's own: d the last
+/// defect, theta <= 1/2 the rate at which defects fell, A the amplification, rounding the measured one of the
+/// factors of K over the distance from resonance. Refused: without the forces in closed form; where a
+/// correction finds no admissible orbit, or another sequence of events in the end; where defects do not fall
+/// by half.
+///
+/// \param first  an orbit of `space.small()` without displacements
+CorrectedOrbit correct_orbit(const Problem& problem, const ContactSpace& space, ExactOrbit first,
+                             const OrbitCorrectionSettings& settings = {});
+
+/// `condensed(reduction)` with displacements added to the contacts.
+/// \param added  d_n, n = 0.., per harmonic and contact [m]
+/// \param base   rate of harmonic 1, a whole part of the load's [rad/s]
+CondensedStructure displaced(const ContactReduction& reduction, const Eigen::MatrixXcd& added, double base);
+
+}  // namespace signorini

@@ -1,0 +1,73 @@
+#pragma once
+// A structure as its contacts feel it twice, few vectors to solve on and many to check with, and what is
+// still outside.
+
+#include <Eigen/Core>
+#include <string>
+
+#include "methods/structure/contact_reduction.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// How large a ContactSpace is.
+struct ContactSpaceSettings {
+  int small = 0;  ///< vectors to solve on, at most; 0: 90, or six powers of up to 20 columns [-]
+  int whole = 0;  ///< vectors at least; 0: twice as many, and two powers [-]
+};
+
+/// Two reductions of one structure from one factorisation of K and one block Krylov space of K^-1 M from
+/// K^-1 [N, F] (`BlockLanczos`, V^T K V = 1): `whole` is the structure projected on all of it; `small` on its
+/// first powers or, where contacts are so many that these would be large, on its lowest Ritz vectors with the
+/// static residual of the others. Both have the same statics, those of the structure; but `small` has no
+/// residual under springs where damping grows with the stiffness, for a spring on a part that relaxes is not
+/// followed (`flow_obstacle`).
+///
+/// With kappa = 1 + i beta w, mu = -w^2 + i alpha w, b = N lambda_n + F phi_n, and y the projected response,
+/// the response outside the space is by energy orthogonal to it, and since Z_n is symmetric
+///
+///     |x_j - x_j^whole| <= rho(e_j) rho(b) / d,   rho(b) = |b - Z_n V y|_{K^-1},   d = min |kappa + mu
+///     theta|,
+///
+/// theta over the spectrum of K^-1 M, 0 to the largest met (`reduced_receptance` has the same bound for
+/// matrices). Without damping at w, d is taken over the Ritz values, which is an estimate.
+class ContactSpace {
+ public:
+  /// \param problem  of proportional damping; contacts of any law
+  explicit ContactSpace(const Problem& problem, const ContactSpaceSettings& settings = {});
+
+  [[nodiscard]] const std::string& obstacle() const { return small_.obstacle; }  ///< one clause; empty: none
+  [[nodiscard]] const ContactReduction& small() const { return small_; }         ///< m vectors
+  [[nodiscard]] const ContactReduction& whole() const { return whole_; }         ///< k vectors
+  /// x_n - x_n^small under load and contact force as far as `whole` knows it, (H+1) x Nc [m].
+  /// \param base   rate of harmonic 1, a whole part of the load's [rad/s]
+  /// \param force  lambda_n, n = 0..H, (H+1) x Nc [N]
+  [[nodiscard]] Eigen::MatrixXcd missing(double base, const Eigen::MatrixXcd& force) const;
+  /// The bound of |x_j - x_j^whole| at harmonics 0..H, the largest over contacts, H+1 [m]. rho(e_j) is
+  /// evaluated at harmonics that grow by a tenth, the larger of the two neighbours taken between them.
+  [[nodiscard]] Eigen::VectorXd bound(double base, const Eigen::MatrixXcd& force) const;
+  /// Rounding of the factors of K, relative to K, that `refine_lowest` leaves: measured. In theory it is eps
+  /// times the condition of K, three digits more for slender structures [-].
+  [[nodiscard]] double rounding() const { return rounding_; }
+  /// The least d over harmonics 0..harmonics: the response to a change of K relative to K is no more than its
+  /// inverse times the response [-].
+  [[nodiscard]] double distance_from_resonance(double base, int harmonics) const;
+
+ private:
+  struct Pencil;
+
+  [[nodiscard]] Eigen::MatrixXcd columns_of(double base, const Eigen::MatrixXcd& force) const;
+  [[nodiscard]] double residual(const Pencil& pencil, const Eigen::VectorXcd& start) const;
+  [[nodiscard]] double contact_residual(const Pencil& pencil) const;
+  [[nodiscard]] Pencil pencil(double rate) const;
+
+  ContactReduction small_, whole_;
+  Eigen::VectorXd theta_;     // of the whole space, k
+  Eigen::MatrixXd contacts_;  // U^T V^T N, k x Nc
+  Eigen::MatrixXd loads_;     // U^T V^T F, k x Nf
+  Eigen::MatrixXcd weight_;   // Nf x Nh
+  Eigen::MatrixXd outside_;   // |K^-1 M V y - V t y|_K = |outside y|, but for what was omitted
+  double omitted_ = 0.0, omitted_start_ = 0.0, rounding_ = 0.0;
+};
+
+}  // namespace signorini

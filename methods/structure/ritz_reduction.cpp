@@ -1,0 +1,177 @@
+#include "methods/structure/ritz_reduction.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace signorini {
+
+namespace {
+
+// 1 / omega^2 relative to the largest, below which a Ritz value is rounding: its vector moves statically.
+constexpr double kStatic = 1e-13;
+
+/// Real columns F of the load and what they stand for: f_h is the sum of weight * column.
+struct LoadColumns {
+  Eigen::MatrixXd columns;  // |i| x Nf
+  Eigen::MatrixXcd weight;  // Nf x Nh
+};
+
+LoadColumns load_columns(const Eigen::MatrixXcd& load) {
+  LoadColumns result;
+  std::vector<std::pair<Eigen::Index, bool>> parts;  // harmonic; whether the imaginary part
+  for (Eigen::Index h = 0; h < load.cols(); ++h) {
+    if (load.col(h).real().squaredNorm() > 0.0) parts.emplace_back(h, false);
+    if (load.col(h).imag().squaredNorm() > 0.0) parts.emplace_back(h, true);
+  }
+  const auto count = static_cast<Eigen::Index>(parts.size());
+  result.columns.resize(load.rows(), count);
+  result.weight = Eigen::MatrixXcd::Zero(count, load.cols());
+  for (Eigen::Index c = 0; c < count; ++c) {
+    const auto& [h, imaginary] = parts[static_cast<std::size_t>(c)];
+    if (imaginary) {
+      result.columns.col(c) = load.col(h).imag();
+    } else {
+      result.columns.col(c) = load.col(h).real();
+    }
+    result.weight(c, h) = imaginary ? std::complex<double>(0.0, 1.0) : std::complex<double>(1.0, 0.0);
+  }
+  return result;
+}
+
+/// A sum in twice the precision of its terms [ogita2005].
+struct LongSum {
+  double high = 0.0, low = 0.0;
+  void add(double a, double b) {
+    const double product = a * b, rounding = std::fma(a, b, -product);
+    const double sum = high + product, part = sum - high;
+    low += ((high - (sum - part)) + (product - part)) + rounding;
+    high = sum;
+  }
+};
+
+/// V^T A V for symmetric A, sums in twice the precision.
+Eigen::MatrixXd long_projection(const SparseMatrix& A, const Eigen::MatrixXd& V) {
+  Eigen::MatrixXd result(V.cols(), V.cols());
+  Eigen::VectorXd high(V.rows()), low(V.rows());
+  for (Eigen::Index j = 0; j < V.cols(); ++j) {
+    for (int row = 0; row < A.outerSize(); ++row) {
+      LongSum sum;
+      for (SparseMatrix::InnerIterator it(A, row); it; ++it) sum.add(it.value(), V(it.row(), j));
+      high[row] = sum.high;
+      low[row] = sum.low;
+    }
+    for (Eigen::Index i = 0; i < V.cols(); ++i) {
+      LongSum sum;
+      for (Eigen::Index row = 0; row < V.rows(); ++row) {
+        sum.add(V(row, i), high[row]);
+        sum.low += V(row, i) * low[row];
+      }
+      result(i, j) = sum.high + sum.low;
+    }
+  }
+  return 0.5 * (result + result.transpose());
+}
+
+}  // namespace
+
+SparseMatrix side_by_side(const SparseMatrix& A, const SparseMatrix& B) {
+  SparseMatrix both(A.rows(), A.cols() + B.cols());
+  both.reserve(A.nonZeros() + B.nonZeros());
+  for (const SparseMatrix* part : {&A, &B}) {
+    const int first = part == &A ? 0 : static_cast<int>(A.cols());
+    for (int column = 0; column < part->outerSize(); ++column) {
+      both.startVec(first + column);
+      for (SparseMatrix::InnerIterator it(*part, column); it; ++it)
+        both.insertBackByOuterInner(first + column, static_cast<int>(it.row())) = it.value();
+    }
+  }
+  both.finalize();
+  return both;
+}
+
+SparseMatrix ContactColumns::all() const { return side_by_side(normals, pushes); }
+
+ContactColumns contact_columns(const Problem& problem) {
+  ContactColumns result;
+  const auto damping = proportional_damping(problem.mass(), problem.stiffness(), problem.damping());
+  if (!damping) {
+    result.obstacle = "the damping is not a combination of mass and stiffness";
+    return result;
+  }
+  result.damping = *damping;
+  result.seen = eliminate_massless(problem);
+  result.obstacle = result.seen.obstacle;
+  if (!result.obstacle.empty()) return result;
+  LoadColumns loads = load_columns(result.seen.load);
+  const SparseMatrix i = coordinate_selection(result.seen.kept, problem.size());
+  result.normals = i * result.seen.normals;
+  result.pushes = i * SparseMatrix(loads.columns.sparseView());
+  result.weight = std::move(loads.weight);
+  if (result.normals.cols() + result.pushes.cols() == 0) result.obstacle = "nothing acts on the structure";
+  return result;
+}
+
+SpaceProjection projection_from_start(const BlockLanczos& space, Eigen::Index contacts) {
+  const Eigen::MatrixXd rows = space.projected_start();
+  return {.pairs = ritz_pairs(space),
+          .contacts = rows.leftCols(contacts),
+          .loads = rows.rightCols(rows.cols() - contacts),
+          .outside = Eigen::MatrixXd::Zero(contacts, contacts)};
+}
+
+double refine_lowest(const Problem& problem, const BlockLanczos& space, const ContactColumns& columns,
+                     SpaceProjection& projection) {
+  constexpr Eigen::Index kRefined = 12;
+  RitzPairs& pairs = projection.pairs;
+  const Eigen::Index count = pairs.values.size(), lowest = std::min(kRefined, count);
+  const Eigen::MatrixXd vectors = space.combined(pairs.vectors.rightCols(lowest));
+  const Eigen::MatrixXd K = long_projection(problem.stiffness(), vectors);
+  const Eigen::MatrixXd M = long_projection(problem.mass(), vectors);
+  projection.contacts = (pairs.vectors.transpose() * projection.contacts).eval();
+  projection.loads = (pairs.vectors.transpose() * projection.loads).eval();
+  pairs.vectors = Eigen::MatrixXd::Identity(count, count);
+  // M x = theta K x, theta rising as in the pairs.
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> refined(M, K);
+  constexpr double kLeast = 4.0 * std::numeric_limits<double>::epsilon();
+  if (refined.info() != Eigen::Success) return 1.0;
+  const Eigen::VectorXd wrong =
+      (pairs.values.tail(lowest).cwiseQuotient(refined.eigenvalues()).array() - 1.0).abs();
+  const Eigen::MatrixXd better = vectors * refined.eigenvectors();
+  pairs.values.tail(lowest) = refined.eigenvalues();
+  projection.contacts.bottomRows(lowest) = (columns.normals.transpose() * better).transpose();
+  projection.loads.bottomRows(lowest) = (columns.pushes.transpose() * better).transpose();
+  const double largest = wrong.maxCoeff();
+  return std::max({kLeast, wrong[0], largest * largest});
+}
+
+ContactReduction reduction_on(const ContactColumns& columns, const SpaceProjection& space,
+                              Eigen::Index most) {
+  ContactReduction result;
+  result.damping = columns.damping;
+  result.compliance = columns.seen.compliance;
+  result.shift = columns.seen.shift;
+  result.rates = columns.seen.rates;
+  const Eigen::VectorXd& theta = space.pairs.values;  // rising
+  const Eigen::Index count = theta.size();
+  Eigen::Index kept = 0;
+  while (kept < std::min(most, count) && theta[count - 1 - kept] > kStatic * theta[count - 1]) ++kept;
+  const Eigen::MatrixXd vectors = space.pairs.vectors.rightCols(kept).rowwise().reverse();
+  const Eigen::VectorXd omega = theta.tail(kept).reverse().cwiseSqrt().cwiseInverse();
+  result.squares = omega.cwiseAbs2();
+  result.rows = omega.asDiagonal() * (vectors.transpose() * space.contacts);
+  const Eigen::MatrixXd modal = omega.asDiagonal() * (vectors.transpose() * space.loads);
+  result.load = modal.cast<std::complex<double>>() * columns.weight;
+  const auto rest = space.pairs.vectors.leftCols(count - kept);
+  const Eigen::MatrixXd left = rest.transpose() * space.contacts;
+  const Eigen::MatrixXd pushed = left.transpose() * (rest.transpose() * space.loads);
+  result.compliance += space.outside + left.transpose() * left;
+  result.shift += pushed.cast<std::complex<double>>() * columns.weight;
+  return result;
+}
+
+}  // namespace signorini

@@ -1,0 +1,106 @@
+#include "methods/reduction/contact_space.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+
+#include "methods/structure/receptance.hpp"
+#include "tests/support/structure_scenes.hpp"
+
+namespace signorini {
+namespace {
+
+/// lambda_n of a force that jumps: it falls as 1 / n, contact by contact with another phase.
+Eigen::MatrixXcd jumping_force(int harmonics, int contacts) {
+  Eigen::MatrixXcd force(harmonics + 1, contacts);
+  for (int n = 0; n <= harmonics; ++n) {
+    for (int j = 0; j < contacts; ++j) force(n, j) = std::polar(-1.0 / (1.0 + n), 0.7 * n * (j + 1));
+  }
+  return force;
+}
+
+/// x_n of the whole structure by factors of every Z_n.
+Eigen::MatrixXcd whole_response(const Problem& problem, const Eigen::MatrixXcd& force) {
+  const auto weights = [&](int n) { return exact_weights(n * problem.base_frequency()); };
+  const auto harmonics = static_cast<int>(force.rows()) - 1;
+  const ContactReceptance exact = factorised_receptance(problem, harmonics, weights, false);
+  Eigen::MatrixXcd x = exact.free_response;
+  for (int n = 0; n <= harmonics; ++n)
+    x.row(n) += (exact.receptance[static_cast<std::size_t>(n)] * force.row(n).transpose()).transpose();
+  return x;
+}
+
+struct SpaceCase {
+  Problem problem;
+  ContactSpaceSettings settings;
+};
+
+std::vector<SpaceCase> space_cases() {
+  const test::PaddedBlock small{.elements = {8, 2, 2}};
+  return {{test::massless_bar({.alpha = 0.2, .beta = 0.005}, 100), {.small = 8, .whole = 24}},
+          {test::massless_bar({.alpha = 0.2, .beta = 0.005}, 100), {.small = 20, .whole = 60}},
+          {test::massless_beam({.alpha = 0.2, .beta = 0.005}, 10), {.small = 11, .whole = 33}},
+          {test::to_problem(small), {.small = 10, .whole = 40}}};
+}
+
+// The response of the larger space is as near to that of all coordinates as the bound says, at low harmonics
+// and at high ones, for force and load together; where the bound says much it is not idle.
+TEST(ContactSpace, BoundsWhatIsOutside) {
+  constexpr int kHarmonics = 60;
+  for (const auto& [problem, settings] : space_cases()) {
+    const ContactSpace space(problem, settings);
+    ASSERT_EQ(space.obstacle(), "");
+    const Eigen::MatrixXcd force = jumping_force(kHarmonics, problem.contact_count());
+    const Eigen::MatrixXcd exact = whole_response(problem, force);
+    const double base = problem.base_frequency();
+    const Eigen::MatrixXcd projected =
+        contact_response(space.small(), base, force) + space.missing(base, force);
+    const Eigen::VectorXd bound = space.bound(base, force);
+    // Of the factors of Z_n, which the beam's condition of 1e11 costs most of their digits.
+    const double rounding = 1e-9 * exact.cwiseAbs().maxCoeff();
+    double tightest = 1e300;
+    for (int n = 0; n <= kHarmonics; ++n) {
+      const double error = (projected.row(n) - exact.row(n)).cwiseAbs().maxCoeff();
+      EXPECT_LE(error, bound[n] + rounding) << problem.name << " " << settings.whole << " harmonic " << n;
+      if (error > 10.0 * rounding) tightest = std::min(tightest, bound[n] / error);
+    }
+    if (tightest < 1e300) {
+      EXPECT_LT(tightest, 1e3) << problem.name;
+    }
+  }
+}
+
+// Statics are exact in both reductions, however few the vectors.
+TEST(ContactSpace, IsExactAtRest) {
+  const Problem block = test::to_problem({.elements = {8, 2, 2}});
+  const ContactSpace space(block, {.small = 10, .whole = 30});
+  const Eigen::MatrixXcd force = jumping_force(0, block.contact_count());
+  const Eigen::MatrixXcd exact = whole_response(block, force);
+  const double base = block.base_frequency();
+  EXPECT_LT((contact_response(space.small(), base, force) - exact).norm(), 1e-10 * exact.norm());
+  EXPECT_LT(space.missing(base, force).norm(), 1e-10 * exact.norm());
+  EXPECT_LT(space.bound(base, force).norm(), 1e-6 * exact.norm());
+}
+
+// With all vectors nothing is outside. A beam's condition is 1e11; its rounding, 1e-7 as the factors leave
+// it, is small after the lowest pairs are refined.
+TEST(ContactSpace, MeasuresItsRounding) {
+  const ContactSpace bar(test::massless_bar({.alpha = 0.2, .beta = 0.005}, 41), {.small = 10, .whole = 40});
+  EXPECT_TRUE(bar.whole().complete);
+  const Eigen::MatrixXcd force = jumping_force(20, 1);
+  EXPECT_EQ(bar.bound(1.2, force).norm(), 0.0);
+  EXPECT_LT(bar.rounding(), 1e-12);
+  const ContactSpace beam(test::massless_beam({.alpha = 0.2, .beta = 0.005}, 1), {});
+  EXPECT_GT(beam.rounding(), bar.rounding());
+  EXPECT_LT(beam.rounding(), 1e-8);
+}
+
+TEST(ContactSpace, SaysWhyThereIsNone) {
+  Problem other = test::massless_bar({.beta = 0.01}, 10);
+  other.edit_structure([](Structure& s) { s.damping.coeffRef(0, 0) += 1.0; });
+  EXPECT_EQ(ContactSpace(other).obstacle(), "the damping is not a combination of mass and stiffness");
+}
+
+}  // namespace
+}  // namespace signorini
