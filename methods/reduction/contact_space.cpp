@@ -21,6 +21,9 @@ using Complex = std::complex<double>;
 constexpr int kPowersToSolve = 6;
 constexpr int kFewColumns = 20;
 constexpr int kLeastToSolve = 90;
+constexpr int kLowestToSolve = 60;
+// Coordinates with mass of which a space takes all.
+constexpr int kAllOf = 300;
 constexpr int kCheckedPowers = 2;
 // Growth of the harmonics at which residuals of the contacts are evaluated.
 constexpr double kNextHarmonic = 1.1;
@@ -55,9 +58,10 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
   };
   const auto width = static_cast<int>(start.cols());
   const bool few = width <= kFewColumns;
-  const int small =
-      settings.small > 0 ? settings.small : std::max(kLeastToSolve, few ? kPowersToSolve * width : 0);
-  const int whole = settings.whole > 0 ? settings.whole : std::max(2 * small, kCheckedPowers * width);
+  const int lowest = few ? std::max(kLeastToSolve, kPowersToSolve * width) : kLowestToSolve;
+  const int small = settings.small > 0 ? settings.small : lowest;
+  const int enough = most <= kAllOf ? static_cast<int>(most) : std::max(2 * small, kCheckedPowers * width);
+  const int whole = settings.whole > 0 ? settings.whole : enough;
   if (few) {
     grow_to(small);
     SpaceProjection first = projection_from_start(space, contacts);

@@ -12,8 +12,10 @@ namespace signorini {
 
 /// How large a ContactSpace is.
 struct ContactSpaceSettings {
-  int small = 0;  ///< vectors to solve on, at most; 0: 90, or six powers of up to 20 columns [-]
-  int whole = 0;  ///< vectors at least; 0: twice as many, and two powers [-]
+  /// Vectors to solve on, at most; 0: 90, or six powers of up to 20 columns, or 60 of more columns [-]
+  int small = 0;
+  /// Vectors to check with, at least; 0: all of up to 300, else twice as many and two powers [-]
+  int whole = 0;
 };
 
 /// Two reductions of one structure from one factorisation of K and one block Krylov space of K^-1 M from
