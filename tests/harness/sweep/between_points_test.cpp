@@ -74,7 +74,8 @@ std::optional<SequencedOrbit> in_unknowns_of(const SequencedOrbit& first, OrbitF
 // Five orbits between two neighbours, in planes across their chord.
 void compare(OrbitFamily& family, const Branch& branch, std::size_t i, Seen& seen) {
   constexpr int kInside = 5;
-  constexpr double kPast = -1e-8;  // of a guard: a tenth of the speed below which a polish calls an impact grazing
+  // Of a guard: a tenth of the speed below which a polish calls an impact grazing.
+  constexpr double kPast = -1e-8;
   const BranchPoint& a = branch.points[i];
   const SequencedOrbit first =
       sequenced(family, a.orbit, kTwoPi * a.order / a.frequency, a.frequency, a.parameter);

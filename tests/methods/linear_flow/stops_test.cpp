@@ -41,7 +41,9 @@ TEST(Stops, RigidOnesHoldTheirContactsAndLeaveTheOthers) {
     // M (a - free) is a combination of the directions of closed contacts.
     const MotionDerivatives motion = dynamics.derivatives(dynamics.mode(closed), 0.3, state, 2);
     EXPECT_LT((structure.mass * (a - free) - structure.directions * motion.lambda.col(0)).norm(), 1e-13);
-    if (!closed[1]) EXPECT_EQ(motion.lambda(1, 0), 0.0);
+    if (!closed[1]) {
+      EXPECT_EQ(motion.lambda(1, 0), 0.0);
+    }
   }
 }
 
