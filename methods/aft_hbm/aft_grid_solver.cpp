@@ -38,7 +38,7 @@ class AftGridSolver final : public GridSolver {
                     cold && homotopy_ ? kColdSteps : kNewtonSteps, residual, start, work);
     const auto converged = [&] { return newton.end == NewtonEnd::solved; };
     GridSolution solution{.message = converged() ? "Newton-Krylov" : "Newton-Krylov found no descent"};
-    if (!converged() && homotopy_ && !is_spent(work))
+    if (!converged() && homotopy_ && !is_spent(settings_.max_iterations, work))
       newton = from_homotopy(std::move(newton), residual, equations, start, work, solution.message);
     solution.solved = converged();
     // Newton alone that has lost its way is not helped by more samples.
@@ -89,10 +89,6 @@ class AftGridSolver final : public GridSolver {
     if (!newton.condition) newton.condition = path.condition;  // no step was needed
     message = "gap homotopy and Newton-Krylov";
     return newton;
-  }
-
-  [[nodiscard]] bool is_spent(const Work& work) const {
-    return settings_.max_iterations > 0 && steps_spent(work) >= settings_.max_iterations;
   }
 
   SolverSettings settings_;

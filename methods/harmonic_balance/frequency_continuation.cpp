@@ -68,8 +68,7 @@ PathEnd follow(const HarmonicSetup& setup, double from, const Start& budget, Wor
   PathEnd end{.share = from == to ? 1.0 : 0.0,  // lambda = 0 solves the scene itself
               .lambda = Eigen::MatrixXcd::Zero(setup.receptance.harmonics() + 1, setup.gap.size())};
   const auto within_limits = [&] {
-    const int most = setup.options.max_iterations;
-    return !budget.expired() && (most == 0 || steps_spent(work) < most);
+    return !budget.expired() && !is_spent(setup.options.max_iterations, work);
   };
   double step = kLargestStep;
   for (int trial = 0; trial < kMostTrials && end.share < 1.0 && step >= kSmallestStep && within_limits();

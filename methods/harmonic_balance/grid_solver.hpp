@@ -44,6 +44,9 @@ class GridSolver {
 /// Pivots and Newton steps of a solve so far.
 inline long steps_spent(const Work& work) { return work.pivots.value_or(0) + work.iterations.value_or(0); }
 
+/// Whether a limit on pivots and Newton steps, if there is one, is reached. \param limit  0: none
+inline bool is_spent(int limit, const Work& work) { return limit > 0 && steps_spent(work) >= limit; }
+
 /// Adds Newton steps to the work of a solve.
 inline void count_iterations(int steps, Work& work) { work.iterations = work.iterations.value_or(0) + steps; }
 

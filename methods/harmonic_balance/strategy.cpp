@@ -97,8 +97,8 @@ Solution solve_with_harmonics(HarmonicSetup& setup, const Start& start, Work& wo
   if (setup.restitution) {
     ClosedAnswer closed = close_answer(setup, start, work);
     if (closed.answer) return *std::move(closed.answer);
-    const int limit = setup.options.max_iterations;
-    if (limit > 0 && steps_spent(work) >= limit) return {.message = "the limit of max_iterations is reached"};
+    if (is_spent(setup.options.max_iterations, work))
+      return {.message = "the limit of max_iterations is reached"};
     if (*setup.restitution < 1.0)
       return {.message = fmt::format("{}; restitution = none solves under restitution 1", closed.reason)};
   }

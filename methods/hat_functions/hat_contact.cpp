@@ -157,13 +157,16 @@ double static_deflection(const Problem& problem) {
 }
 
 ContactReceptance grid_receptance(const Problem& problem, HatScheme scheme, int samples) {
-  const auto angle = [samples](int n) { return 2.0 * std::numbers::pi * n / samples; };
   ContactReceptance receptance = contact_receptance(problem, samples / 2, [&](int n) {
-    return scheme_weights(scheme, angle(n), problem.period() / samples);
+    return scheme_weights(scheme, 2.0 * std::numbers::pi * n / samples, problem.period() / samples);
   });
-  for (int n = 0; n <= receptance.harmonics(); ++n)
-    receptance.receptance[static_cast<std::size_t>(n)] *= contact_force_weight(scheme, angle(n));
+  weigh_contact_force(receptance.receptance, scheme, samples);
   return receptance;
+}
+
+void weigh_contact_force(std::vector<Eigen::MatrixXcd>& matrices, HatScheme scheme, int samples) {
+  for (std::size_t n = 0; n < matrices.size(); ++n)
+    matrices[n] *= contact_force_weight(scheme, 2.0 * std::numbers::pi * static_cast<double>(n) / samples);
 }
 
 std::shared_ptr<const Trajectory> nodal_motion(const ContactReceptance& receptance,

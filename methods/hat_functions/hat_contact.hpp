@@ -2,8 +2,10 @@
 // Hat functions in time with a contact condition at the nodes: the problem behind hat-lcp, and the coarse
 // solve that exact-orbit starts from.
 
+#include <Eigen/Core>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "methods/discretisation/symbols.hpp"
 #include "methods/method.hpp"
@@ -49,6 +51,10 @@ std::unique_ptr<PreparedMethod> hat_contact(const Problem& problem, const HatSet
 /// C_n and the free response under a scheme on N nodes, n = 0..N/2: what `hat_form` takes.
 /// \throws std::runtime_error if the structure cannot be factorised
 ContactReceptance grid_receptance(const Problem& problem, HatScheme scheme, int samples);
+
+/// Multiplies matrices in front of the nodal contact force, n = 0, 1, ..., by its weight on N nodes
+/// (contact_force_weight).
+void weigh_contact_force(std::vector<Eigen::MatrixXcd>& matrices, HatScheme scheme, int samples);
 
 /// The motion behind nodal pressures -lambda [N], N Nc one contact after another: x_n = x_free,n + C_n
 /// lambda_n. Null where it is not finite.

@@ -137,12 +137,8 @@ SeriesStart doubled_branch(const SeriesCurve& curve) {
           .leaves_repetition = true};
 }
 
-std::vector<SeriesStart> crossing_branches(const SeriesCurve& curve, const Eigen::VectorXd& tangent) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(curve.jacobian(), Eigen::ComputeFullV);
-  const Eigen::MatrixXd null = svd.matrixV().rightCols(2);
-  Eigen::VectorXd in_plane = null.transpose() * tangent;
-  const Eigen::Vector2d across(-in_plane[1], in_plane[0]);
-  const Eigen::VectorXd direction = (null * across).normalized();
+std::vector<SeriesStart> both_ways(const SeriesCurve& curve, const Eigen::VectorXd& direction,
+                                   const Eigen::VectorXd& crossed) {
   std::vector<SeriesStart> starts;
   for (const double sign : {1.0, -1.0})
     starts.push_back({.multiple = curve.multiple(),
@@ -150,8 +146,17 @@ std::vector<SeriesStart> crossing_branches(const SeriesCurve& curve, const Eigen
                       .tangent = sign * direction,
                       .origin = fmt::format("branch point at {:.10g} rad/s", curve.frequency()),
                       .leaves_repetition = false,
-                      .crossed = tangent});
+                      .crossed = crossed});
   return starts;
+}
+
+std::vector<SeriesStart> crossing_branches(const SeriesCurve& curve, const Eigen::VectorXd& tangent) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(curve.jacobian(), Eigen::ComputeFullV);
+  const Eigen::MatrixXd null = svd.matrixV().rightCols(2);
+  Eigen::VectorXd in_plane = null.transpose() * tangent;
+  const Eigen::Vector2d across(-in_plane[1], in_plane[0]);
+  const Eigen::VectorXd direction = (null * across).normalized();
+  return both_ways(curve, direction, tangent);
 }
 
 std::optional<SeriesStart> grazing_branch(const SeriesFamily& family, const Eigen::VectorXd& x,

@@ -38,6 +38,11 @@ Eigen::VectorXd unrepeated_part(const Eigen::VectorXd& x, const SeriesCurve& cur
 /// evaluated: along its null vector. One direction: the other is the same motion, a period later.
 SeriesStart doubled_branch(const SeriesCurve& curve);
 
+/// The two starts of a branch that leaves a curve at a branch point, where the curve is evaluated: along a
+/// direction and against it. \param crossed  tangent of the curve that is left
+std::vector<SeriesStart> both_ways(const SeriesCurve& curve, const Eigen::VectorXd& direction,
+                                   const Eigen::VectorXd& crossed);
+
 /// The branch that crosses the curve where it is evaluated, both ways: along the null vector of R_x that is
 /// normal to `tangent`.
 std::vector<SeriesStart> crossing_branches(const SeriesCurve& curve, const Eigen::VectorXd& tangent);

@@ -1,7 +1,5 @@
 #include "methods/harmonic_balance/continuation/series_symmetry.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -144,15 +142,7 @@ std::vector<SeriesStart> pitchfork_branches(const SeriesCurve& curve, const Eige
     direction[pairs[r].first] = entry;
     direction[pairs[r].second] = -pairs[r].sign * entry;
   }
-  std::vector<SeriesStart> starts;
-  for (const double sign : {1.0, -1.0})
-    starts.push_back({.multiple = curve.multiple(),
-                      .x = curve.x(),
-                      .tangent = sign * direction,
-                      .origin = fmt::format("branch point at {:.10g} rad/s", curve.frequency()),
-                      .leaves_repetition = false,
-                      .crossed = tangent});
-  return starts;
+  return both_ways(curve, direction, tangent);
 }
 
 }  // namespace signorini

@@ -20,11 +20,8 @@ ReceptanceRate scheme_receptance(const Problem& problem, HatScheme scheme, int s
   const double step = problem.period() / samples;
   ReceptanceRate result = receptance_with_rate(
       problem, samples / 2, [&](int n) { return scheme_weights(scheme, angle_of(n, samples), step); });
-  for (std::size_t n = 0; n < result.receptance.size(); ++n) {
-    const double weight = contact_force_weight(scheme, angle_of(static_cast<int>(n), samples));
-    result.value.receptance[n] *= weight;
-    result.receptance[n] *= weight;
-  }
+  weigh_contact_force(result.value.receptance, scheme, samples);
+  weigh_contact_force(result.receptance, scheme, samples);
   return result;
 }
 

@@ -47,8 +47,6 @@ std::vector<SpaceCase> space_cases() {
           {test::to_problem(small), {.small = 10, .whole = 40}}};
 }
 
-// The response of the larger space is as near to that of all coordinates as the bound says, at low harmonics
-// and at high ones, for force and load together; where the bound says much it is not idle.
 // eps times the condition of K: what both factorisations may lose, 2e-5 for the beam.
 double rounding_of_factors(const Problem& problem) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(problem.stiffness()),
@@ -57,6 +55,8 @@ double rounding_of_factors(const Problem& problem) {
          solver.eigenvalues().minCoeff();
 }
 
+// The response of the larger space is as near to that of all coordinates as the bound says, at low harmonics
+// and at high ones, for force and load together; where the bound says much it is not idle.
 TEST(ContactSpace, BoundsWhatIsOutside) {
   constexpr int kHarmonics = 60;
   for (const auto& [problem, settings] : space_cases()) {
