@@ -54,7 +54,7 @@ std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
 
 BranchDiagram AftHbm::follow(const Problem& problem, double from, double to,
                              const CurveLimits& limits) const {
-  return uncompensated_diagram<AftHbm>(options_, law_at(problem), problem, from, to, limits);
+  return projected_diagram<AftHbm>(options_, law_at(problem), problem, from, to, limits);
 }
 
 }  // namespace signorini

@@ -25,7 +25,7 @@ namespace signorini {
 ///
 /// `plain`: alternating frequency/time on 32 H samples and Newton from the contact-free response, or by
 /// `continuation=frequency` from where nothing touches, with the constants of fourier-lipschitz and
-/// penalty-hbm, without homotopy or compensation. It sets what is left at `auto`.
+/// penalty-hbm, without homotopy, impacts not closed. It sets what is left at `auto`.
 class AftHbm final : public Method, public CurveMethod {
  public:
   enum class ContactLaw { dlft, penalty };
@@ -52,9 +52,10 @@ class AftHbm final : public Method, public CurveMethod {
         field("law", law, "[-]", "dlft (dynamic Lagrangian) | penalty");
         field("c", c, "[-]",
               "dlft: constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H, "
-              "compensated 32x, in series with a spring of the scene; plain 1x the static one");
+              "impacts closed 32x, in series with a spring of the scene; plain 1x the static one");
         field("penalty", penalty, "[N/m]",
-              "penalty: stiffness of the stop, 1e6 or 100x; auto: the scene's, else 8x (compensated 64x) the "
+              "penalty: stiffness of the stop, 1e6 or 100x; auto: the scene's, else 8x (impacts closed 64x) "
+              "the "
               "dynamic one near H, stiffer if massless; plain 100x the static one");
       };
       const auto solver = [&] {
@@ -71,7 +72,7 @@ class AftHbm final : public Method, public CurveMethod {
   [[nodiscard]] Support supports(const Problem& problem) const override;
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
-  /// Of the equations above, impacts not compensated (series_diagram).
+  /// Of the equations above, impacts not closed (series_diagram).
   [[nodiscard]] BranchDiagram follow(const Problem& problem, double from, double to,
                                      const CurveLimits& limits) const override;
   [[nodiscard]] RepresentedLaw curve_law(const Problem& problem) const override;

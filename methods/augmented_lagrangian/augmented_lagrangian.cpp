@@ -41,7 +41,7 @@ std::unique_ptr<PreparedMethod> AugmentedLagrangian::prepare(const Problem& prob
        .grid_solver =
            multiplier_grid_solver({.tolerance = shared.tolerance, .max_iterations = shared.max_iterations},
                                   options_.max_updates, options_.plain),
-       .constant_is_chosen = true,  // as hard as compensation makes that of the others
+       .constant_is_chosen = true,  // as hard as that of the others once impacts are closed
        .solver_is_open = !options_.plain,
        .on_grids_only = true});
 }

@@ -14,8 +14,8 @@ namespace signorini {
 /// lambda until that changes nothing (multiplier_grid_solver) [alart1991, wriggers2006]. The source paper
 /// names it in section 6 and does not write it out. What it converges to solves the Lipschitz form with c =
 /// rho, without the penetration of a penalty, at any rho; rho decides whether and how fast it converges. The
-/// contact integral is exact; impacts are then compensated (impact_compensation.hpp), and an answer is
-/// claimed as those of fourier-lipschitz are. The law represented is restitution 1. A scene whose stop is a
+/// contact integral is exact; the impacts found are then closed at restitution 1, the law represented
+/// (closed_answer.hpp), and what cannot be closed is not claimed. A scene whose stop is a
 /// spring is solved by its own penalty.
 ///
 /// `plain` is the literature's form: updates as they stand, from rising penalties, impacts as the series has
@@ -30,7 +30,7 @@ class AugmentedLagrangian final : public Method {
   struct Options {
     std::optional<int> harmonics = {};    ///< H >= 1 [-]
     std::optional<Scaled> penalty = {};   ///< rho > 0 [N/m], or times contact_stiffness_scale
-    std::optional<bool> compensate = {};  ///< impacts right with all harmonics
+    std::optional<bool> compensate = {};  ///< impacts closed: right with all harmonics
     int max_updates = 150;                ///< of the multiplier [-]
     double tolerance = 1e-10;             ///< on the relative residual of the Lipschitz form [-]
     int max_iterations = 0;               ///< Newton steps; 0: not limited [-]
@@ -42,7 +42,8 @@ class AugmentedLagrangian final : public Method {
       field("penalty", penalty, "[N/m]",
             "rho, 1e6 or 100x the contact's stiffness; auto: 32x the dynamic one near H, a spring's own");
       field("compensate", compensate, "[-]",
-            "impacts right with all harmonics: true | false; auto: unless plain");
+            "impacts closed, their law asked of all harmonics: true | false (the series alone); auto: unless "
+            "plain");
       field("max_updates", max_updates, "[-]", "limit on updates of the multiplier, 1..100000");
       field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
       field("max_iterations", max_iterations, "[-]",

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "methods/complementarity/projected_residual.hpp"
-#include "methods/complementarity/series_impacts.hpp"
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/discretisation/gauss_rule.hpp"
 #include "methods/solvers/condition_estimate.hpp"
@@ -203,6 +202,16 @@ double edge_of_contact(const Eigen::VectorXcd& y, double constant, const ClosedC
   return t;
 }
 
+/// y = c (x - g) - alpha lambda of one contact, its stop in its place, n = 0..H [N].
+Eigen::VectorXcd multiplier_of(const ProjectedEquations& equations, int contact, const Eigen::MatrixXcd& x,
+                               const Eigen::MatrixXcd& lambda) {
+  const ProjectedLaw& law = equations.law;
+  Eigen::VectorXcd y =
+      law.constant[contact] * x.col(contact) - law.multiplier_weight[contact] * lambda.col(contact);
+  y[0] -= law.constant[contact] * equations.gap[contact];
+  return y;
+}
+
 /// Moves the edges of every contact to where y of the new force vanishes, by at most twice the width; where y
 /// is negative at the centre, the contact is halved. Returns the largest way of an edge relative to the
 /// width.
@@ -211,7 +220,7 @@ double move_edges(const ProjectedEquations& equations, const Eigen::MatrixXcd& l
   const Eigen::MatrixXcd x = contact_motion(equations.receptance, lambda);
   double way = 0.0;
   for (ClosedContact& contact : contacts) {
-    const Eigen::VectorXcd y = augmented_multiplier(equations, contact.contact, x, lambda);
+    const Eigen::VectorXcd y = multiplier_of(equations, contact.contact, x, lambda);
     const double constant = equations.law.constant[contact.contact];
     const double width = contact.width();
     double begin = 0.5 * contact.begin;

@@ -30,11 +30,6 @@ Samples FourierTrajectory::sample(int count) const {
   return samples;
 }
 
-StopShifts stop_shifts(const Trajectory& motion) {
-  const auto* series = dynamic_cast<const FourierTrajectory*>(&motion);
-  return series == nullptr ? StopShifts{} : series->data().shifts;
-}
-
 Samples NodalTrajectory::sample(int count) const {
   const auto nodes = static_cast<int>(x_.rows());
   const Eigen::Index contacts = x_.cols();

@@ -25,7 +25,7 @@ class FourierTrajectory final : public Trajectory {
     Eigen::VectorXd stiffness;  ///< Nc, > 0 [N/m]: c, or the penalty
     /// alpha, Nc [-]: 1 for a rigid stop, 1 - c / k_p for a stop of stiffness k_p
     Eigen::VectorXd multiplier_weight;
-    StopShifts shifts = {};  ///< of the stops that the series meets (impact_compensation.hpp)
+    StopShifts shifts = {};  ///< of the stops that the series meets (impact_closure.hpp)
   };
 
   /// Sizes must agree.
@@ -43,10 +43,6 @@ class FourierTrajectory final : public Trajectory {
  private:
   Data data_;
 };
-
-/// The shifts of the stops behind a motion that harmonic balance found with compensated impacts; empty for
-/// any other.
-StopShifts stop_shifts(const Trajectory& motion);
 
 /// Nodal values on N equidistant instants joined by straight lines (periodic hat functions); velocity
 /// is the slope of the element to the right. The force at a node acts over one time step, so that

@@ -41,7 +41,7 @@ std::unique_ptr<PreparedMethod> FourierLipschitz::prepare(const Problem& problem
 
 BranchDiagram FourierLipschitz::follow(const Problem& problem, double from, double to,
                                        const CurveLimits& limits) const {
-  return uncompensated_diagram<FourierLipschitz>(options_, law_at(problem), problem, from, to, limits);
+  return projected_diagram<FourierLipschitz>(options_, law_at(problem), problem, from, to, limits);
 }
 
 }  // namespace signorini

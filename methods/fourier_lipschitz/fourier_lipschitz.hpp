@@ -18,8 +18,8 @@ namespace signorini {
 /// represented exactly, the condition then being imposed on x + lambda / k_p.
 ///
 /// On a rigid stop that carries mass, impacts are closed (closed_answer.hpp): the scene's law of impact, of
-/// any restitution, holds for the motion with all harmonics, which the equations above miss by 1/H. What is
-/// not closed is refused below restitution 1, and compensated at 1 (impact_compensation.hpp).
+/// any restitution, holds for the motion with all harmonics, which the equations above miss by 1/H. What
+/// cannot be closed is refused.
 ///
 /// `plain`: the equations alone, the contact integral on 32 H samples, solved by the source paper's
 /// semi-smooth Newton iteration from the contact-free response, or by `continuation=frequency` from where
@@ -42,8 +42,8 @@ class FourierLipschitz final : public Method, public CurveMethod {
     void visit(auto&& field) {
       const auto law = [&] {
         field("c", c, "[-]",
-              "constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H, compensated "
-              "32x, in series with a spring of the scene; plain 1x the static one");
+              "constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H, impacts "
+              "closed 32x, in series with a spring of the scene; plain 1x the static one");
       };
       const auto own_solver = [&] {
         field("solver", solver, "[-]", "auto (pivoting with restarts; newton if plain) | pivoting | newton");
@@ -58,7 +58,7 @@ class FourierLipschitz final : public Method, public CurveMethod {
   [[nodiscard]] Support supports(const Problem& problem) const override;
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
-  /// Of the equations above, impacts not compensated (series_diagram).
+  /// Of the equations above, impacts not closed (series_diagram).
   [[nodiscard]] BranchDiagram follow(const Problem& problem, double from, double to,
                                      const CurveLimits& limits) const override;
   [[nodiscard]] RepresentedLaw curve_law(const Problem& problem) const override;

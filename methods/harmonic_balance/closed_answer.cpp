@@ -50,11 +50,11 @@ void append(int contact, double turn, double force, std::vector<int>& contacts,
 /// One solve by impact closure.
 class ImpactClosing {
  public:
-  ImpactClosing(HarmonicSetup& setup, const Start& start, Work& work)
+  ImpactClosing(const HarmonicSetup& setup, const Start& start, Work& work)
       : setup_(setup), start_(start), work_(work) {
-    if (setup.compensation)
-      motion_.emplace(setup.compensation->receptance(), setup.receptance.free_response, setup.gap,
-                      *setup.restitution);
+    const ClosureSetup& closure = *setup.closure;
+    if (closure.response)
+      motion_.emplace(*closure.response, setup.receptance.free_response, setup.gap, closure.restitution);
   }
 
   /// The answer that a motion's impacts lead to, found as `how` says.
@@ -116,7 +116,7 @@ class ImpactClosing {
   [[nodiscard]] bool all_have_mass(const PeriodicImpacts& impacts) const {
     const int harmonics = setup_.receptance.harmonics();
     return motion_ && std::ranges::all_of(impacts.contacts, [&](int contact) {
-             return setup_.compensation->is_mass_beyond(contact, harmonics);
+             return is_mass_beyond(*setup_.closure->response, contact, harmonics);
            });
   }
 
@@ -128,7 +128,7 @@ class ImpactClosing {
 
   std::optional<Solution> closed(const PeriodicImpacts& impacts, const std::string& how) {
     const int samples = kResolvingSamples * std::max(setup_.receptance.harmonics(), kFewestOnGrid);
-    const double hard = setup_.compensated_stiffness();
+    const double hard = setup_.closed_stiffness();
     for (const double factor : {hard, 1.0}) {
       const ProjectedLaw law{factor * setup_.law.constant, setup_.law.multiplier_weight};
       const ImpactClosure closure = close_impacts(
@@ -151,14 +151,14 @@ class ImpactClosing {
         .verdict = Verdict::converged,
         .message = fmt::format("{}; {} impact{} closed at restitution {:g}, stops moved by up to {:.1e}, net "
                                "contact work {:.1e}",
-                               how, impacts, impacts == 1 ? "" : "s", *setup_.restitution, closure.largest,
-                               net_work_ratio(data.x, data.lambda)),
+                               how, impacts, impacts == 1 ? "" : "s", setup_.closure->restitution,
+                               closure.largest, net_work_ratio(data.x, data.lambda)),
         .trajectory = std::make_shared<FourierTrajectory>(std::move(data)),
         .residual = closure.residual,
         .condition = closure.condition};
   }
 
-  HarmonicSetup& setup_;
+  const HarmonicSetup& setup_;
   const Start& start_;
   Work& work_;
   std::optional<ImpactMotion> motion_;  // none where no contact has mass
@@ -168,9 +168,9 @@ class ImpactClosing {
 /// From the scene on hat functions, from coarse to fine.
 std::optional<Solution> close_from_hat_functions(HarmonicSetup& setup, const Start& start, Work& work,
                                                  ImpactClosing& closing) {
-  if (!setup.hat_grids)
-    return closing.failed("no contact has mass beyond the harmonics, or they are too many");
-  Resolutions& grids = *setup.hat_grids;
+  std::optional<Resolutions>& affordable = setup.closure->hat_grids;
+  if (!affordable) return closing.failed("no contact has mass beyond the harmonics, or they are too many");
+  Resolutions& grids = *affordable;
   grids.forget_from(0);  // preparing them is part of this solve
   const std::size_t count = setup.options.max_iterations > 0 ? 1 : grids.count();  // within a limit on steps
   int lasting = 0;
@@ -190,6 +190,15 @@ std::optional<Solution> close_from_hat_functions(HarmonicSetup& setup, const Sta
       return answer;
   }
   return std::nullopt;
+}
+
+/// Whether each contact presses throughout the period or never: nothing is struck.
+bool presses_throughout_or_never(const Trajectory& motion) {
+  const int count = seed_sampling(motion).count;
+  const Eigen::MatrixXd force = motion.sample(count).force;
+  const double none = kNoForce * force.cwiseAbs().maxCoeff();
+  const auto pressed = (force.array() < -none).colwise().count();
+  return (pressed == 0 || pressed == count).all();
 }
 
 }  // namespace
@@ -231,6 +240,15 @@ ClosedAnswer close_answer(HarmonicSetup& setup, const Start& start, Work& work) 
   if (!result.answer) result.answer = closing.permanent_contact();
   if (!result.answer) result.answer = close_from_hat_functions(setup, start, work, closing);
   if (!result.answer) result.reason = start.expired() ? "the time is up" : closing.reason();
+  return result;
+}
+
+ClosedAnswer close_series(const HarmonicSetup& setup, const Solution& series, const Start& start,
+                          Work& work) {
+  if (presses_throughout_or_never(*series.trajectory)) return {.answer = series};
+  ImpactClosing closing(setup, start, work);
+  ClosedAnswer result{.answer = closing.from(*series.trajectory, series.message)};
+  if (!result.answer) result.reason = closing.reason();
   return result;
 }
 

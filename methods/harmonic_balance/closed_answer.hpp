@@ -26,15 +26,13 @@ struct ClosedAnswer {
   std::string reason = {};              ///< why there is none, one sentence
 };
 
-/// A periodic motion of the scene under its own restitution e, 0 <= e <= 1, as a series of H harmonics. In
-/// turn from
+/// A periodic motion of the scene under the restitution e of `setup.closure`, 0 <= e <= 1, as a series of H
+/// harmonics. In turn from
 ///
 ///   1. the guess;
 ///   2. the motion without contact, or with contacts that press throughout: there no impact is;
 ///   3. the scene on hat functions with restitution e, on 256, 1024 and 4096 nodes (on 256 alone where
 ///      `max_iterations` limits pivots and steps),
-///   limits
-///      the steps,
 ///
 /// instants and impulses of impacts are read off (`impact_seeds`), settled on the motion X with all harmonics
 /// (ImpactMotion), and X judged: no impact pulls, X passes no stop by more than 1e-6 of its size, no two
@@ -43,7 +41,12 @@ struct ClosedAnswer {
 /// constant itself. So an answer cannot be of another restitution: X'_+ = -e X'_- holds in X at every impact.
 ///
 /// Contacts that last, or stick, are not closed, nor impacts on contacts that do not answer like a mass
-/// beyond H, or nearer than the series resolves. `setup.restitution` must be given.
+/// beyond H, or nearer than the series resolves. `setup.closure` must be given.
 ClosedAnswer close_answer(HarmonicSetup& setup, const Start& start, Work& work);
+
+/// The same from a converged series of the projected equations, whose impacts have restitution 1, as
+/// `setup.closure` must ask for. A series in which each contact presses throughout or never is the answer as
+/// it stands.
+ClosedAnswer close_series(const HarmonicSetup& setup, const Solution& series, const Start& start, Work& work);
 
 }  // namespace signorini

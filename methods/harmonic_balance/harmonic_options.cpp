@@ -18,16 +18,15 @@ Quadrature HarmonicOptions::contact_integral() const {
   return quadrature.value_or(plain ? Quadrature::sampled : Quadrature::exact);
 }
 
-bool HarmonicOptions::compensates_impacts() const {
+bool HarmonicOptions::closes_impacts() const {
   return compensate.value_or(!plain) && contact_integral() == Quadrature::exact;
 }
 
 std::optional<double> HarmonicOptions::closed_restitution(const Problem& problem) const {
   const auto* law = std::get_if<Restitution>(&problem.law);
-  const bool closes = !plain && compensates_impacts();
-  const auto unasked = closes ? ClosedRestitution::scene : ClosedRestitution::none;
-  if (law == nullptr || restitution.value_or(unasked) == ClosedRestitution::none) return std::nullopt;
-  return law->e;
+  if (law == nullptr || !closes_impacts()) return std::nullopt;
+  const auto unasked = plain ? ClosedRestitution::none : ClosedRestitution::scene;
+  return restitution.value_or(unasked) == ClosedRestitution::scene ? law->e : 1.0;
 }
 
 RepresentedLaw HarmonicOptions::represented(const Problem& problem, const RepresentedLaw& projected) const {
@@ -73,8 +72,8 @@ void validate(const HarmonicOptions& options) {
                  "must be at most 10000000");
   require_option(options.continuation == Continuation::none || options.plain, "continuation",
                  options.continuation, "must be none unless plain = true");
-  require_option(options.restitution != ClosedRestitution::scene || options.compensates_impacts(),
-                 "restitution", options.restitution,
+  require_option(options.restitution != ClosedRestitution::scene || options.closes_impacts(), "restitution",
+                 options.restitution,
                  "must be none if plain = true, compensate = false or quadrature = sampled");
   require_option(options.tolerance > 0.0 && options.tolerance <= 1e-2, "tolerance", options.tolerance,
                  "must be in (0, 1e-2]");

@@ -32,8 +32,8 @@ struct EnumNames<Continuation> {
   static constexpr std::array<std::string_view, 2> values{"none", "frequency"};
 };
 
-/// The law of impact on a rigid stop that is asked for: none, what the projected equations represent,
-/// restitution 1; or the scene's own, by impact closure (closed_answer.hpp).
+/// The restitution at which impacts on a rigid stop are closed (closed_answer.hpp): none, 1, as the projected
+/// equations have it; or the scene's own.
 enum class ClosedRestitution { none, scene };
 
 /// The values of the option `restitution`.
@@ -53,7 +53,7 @@ struct HarmonicOptions {
   std::optional<int> harmonics = {};                  ///< H >= 1 [-]
   std::optional<int> samples = {};                    ///< N >= 2 H + 1 [-]
   std::optional<Quadrature> quadrature = {};          ///< of the contact integral
-  std::optional<bool> compensate = {};                ///< impacts right with all harmonics
+  std::optional<bool> compensate = {};                ///< impacts closed: right with all harmonics
   std::optional<ClosedRestitution> restitution = {};  ///< of impacts on rigid stops
   Continuation continuation = Continuation::none;     ///< of the plain form
   double tolerance = 1e-10;  ///< on the relative residual of the method's equations [-]
@@ -71,10 +71,12 @@ struct HarmonicOptions {
           "exact: contact integral between its edges | sampled: on the N samples; auto: exact, sampled if "
           "plain");
     field("compensate", compensate, "[-]",
-          "impacts right with all harmonics, the integral being exact: true | false; auto: unless plain");
+          "impacts closed, their law asked of all harmonics: true | false (the series alone); auto: unless "
+          "plain");
     field("restitution", restitution, "[-]",
-          "of impacts on rigid stops: none (restitution 1) | scene: the scene's, by impact closure; auto: "
-          "scene unless plain, or impacts are not compensated");
+          "at which impacts on rigid stops are closed: scene | none (restitution 1); auto: scene unless "
+          "plain, or "
+          "compensate = false");
     solver();
     field("continuation", continuation, "[-]",
           "if plain: none | frequency: in steps of the load's frequency, from where nothing touches");
@@ -85,11 +87,10 @@ struct HarmonicOptions {
 
   /// The contact integral to take: the one asked for; else exact, sampled if `plain`.
   [[nodiscard]] Quadrature contact_integral() const;
-  /// Whether impacts are compensated: as asked for, else unless `plain`; only with the exact contact
-  /// integral.
-  [[nodiscard]] bool compensates_impacts() const;
-  /// The restitution to close impacts at: the scene's, where its stops are rigid with mass behind them, and
-  /// that is asked for or, nothing being asked, impacts are compensated and the form is not plain.
+  /// Whether impacts are closed: as asked for, else unless `plain`; only with the exact contact integral.
+  [[nodiscard]] bool closes_impacts() const;
+  /// The restitution to close impacts at where the stops are rigid with mass behind them and impacts are
+  /// closed: the scene's or 1, as asked for, else the scene's unless `plain`.
   [[nodiscard]] std::optional<double> closed_restitution(const Problem& problem) const;
   /// The law represented on a scene, `projected` being that of the projected equations alone.
   [[nodiscard]] RepresentedLaw represented(const Problem& problem, const RepresentedLaw& projected) const;

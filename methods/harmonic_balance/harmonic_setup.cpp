@@ -9,11 +9,30 @@ namespace signorini {
 
 namespace {
 
-// The law that the projected force represents whatever the scene's.
-constexpr double kConservative = 1.0;
-// Harmonics that the response to impacts has at least where these are closed: what is neglected beyond the
-// last falls with its third power.
+// Harmonics that the response to impacts has at least: what is neglected beyond the last falls with its third
+// power.
 constexpr int kClosedResponse = 128;
+
+bool any_has_mass(const ContactReceptance& response, int harmonic) {
+  for (int c = 0; c < response.contacts(); ++c) {
+    if (is_mass_beyond(response, c, harmonic)) return true;
+  }
+  return false;
+}
+
+/// The response beyond the harmonics of `kept`; nothing where no contact answers like a mass there.
+std::optional<ContactReceptance> response_to_impacts(const Problem& problem, const ContactReceptance& kept) {
+  const int harmonics = kept.harmonics();
+  // A look at the harmonics at hand spares most structures with higher modes the search for more.
+  if (!any_has_mass(kept, harmonics - std::max(1, harmonics / 8))) return std::nullopt;
+  try {
+    ContactReceptance extended = fourier_receptance(problem, std::max(2 * harmonics, kClosedResponse));
+    if (!any_has_mass(extended, harmonics)) return std::nullopt;
+    return extended;
+  } catch (const SingularStiffness&) {
+    return std::nullopt;  // an undamped mode answers to a harmonic beyond H
+  }
+}
 
 /// The scene on hat functions with this restitution. Empty where it has too many contacts for as many nodes.
 /// `problem` must outlive the result.
@@ -23,25 +42,34 @@ std::optional<Resolutions> affordable_hat_grids(const Problem& problem, double r
   return hat_grids(problem, {.max_iterations = max_iterations}, restitution);
 }
 
+/// Nothing where impacts are not to be closed, or need not be: at restitution 1 a series represents contacts
+/// that do not answer like a mass as they are.
+std::optional<ClosureSetup> closure_setup(const Problem& problem, const ContactReceptance& receptance,
+                                          const HarmonicOptions& options) {
+  const std::optional<double> restitution = options.closed_restitution(problem);
+  if (!restitution) return std::nullopt;
+  std::optional<ContactReceptance> response = response_to_impacts(problem, receptance);
+  if (!response && *restitution == 1.0) return std::nullopt;
+  return ClosureSetup{.restitution = *restitution, .response = std::move(response)};
+}
+
 }  // namespace
 
 HarmonicSetup harmonic_setup(const Problem& problem, int harmonics, const HarmonicOptions& options,
                              const HarmonicMethod& method) {
   ContactReceptance receptance = fourier_receptance(problem, harmonics);
   ProjectedLaw law = method.law_at(receptance);
+  std::optional<ClosureSetup> closure = closure_setup(problem, receptance, options);
   HarmonicSetup setup{.receptance = std::move(receptance),
                       .gap = contact_gaps(problem),
                       .method = method,
                       .options = options,
                       .law = std::move(law),
-                      .restitution = options.closed_restitution(problem),
+                      .closure = std::move(closure),
                       .problem = &problem};
-  const int beyond = std::max(2 * harmonics, setup.restitution ? kClosedResponse : 0);
-  if (options.compensates_impacts())
-    setup.compensation = response_to_impacts(problem, setup.receptance, beyond);
-  if (setup.compensation && (method.solver_is_open || setup.restitution))
-    setup.hat_grids =
-        affordable_hat_grids(problem, setup.restitution.value_or(kConservative), options.max_iterations);
+  if (setup.closure && setup.closure->response && !setup.closes_own_series())
+    setup.closure->hat_grids =
+        affordable_hat_grids(problem, setup.closure->restitution, options.max_iterations);
   return setup;
 }
 

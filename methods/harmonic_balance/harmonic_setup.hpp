@@ -8,7 +8,6 @@
 #include "methods/complementarity/projected_law.hpp"
 #include "methods/harmonic_balance/grid_solver.hpp"
 #include "methods/harmonic_balance/harmonic_options.hpp"
-#include "methods/harmonic_balance/impact_compensation.hpp"
 #include "methods/refinement.hpp"
 #include "methods/structure/receptance.hpp"
 
@@ -27,6 +26,16 @@ struct HarmonicMethod {
   bool on_grids_only = false;     ///< no attempt without a grid comes before its grid solver
 };
 
+/// What closing impacts takes besides the equations (closed_answer.hpp).
+struct ClosureSetup {
+  double restitution = 1.0;  ///< to close impacts at, 0 <= e <= 1 [-]
+  /// C_n, n = 0..L, L > H, of the structure; empty where no contact answers like a mass beyond H.
+  std::optional<ContactReceptance> response = {};
+  /// The same scene on hat functions with that restitution, where impacts are looked for; empty where the
+  /// method's own solver is to find them, or the contacts are too many.
+  std::optional<Resolutions> hat_grids = {};
+};
+
 /// A scene prepared with H harmonics.
 struct HarmonicSetup {
   ContactReceptance receptance;  ///< n = 0..H
@@ -34,13 +43,8 @@ struct HarmonicSetup {
   HarmonicMethod method;         ///< law, solver on a grid, what is left open
   HarmonicOptions options;       ///< as of the method
   ProjectedLaw law;              ///< for H
-  /// With which impacts are compensated; empty: they stay as the series has them.
-  std::optional<PeriodicGreenFunction> compensation = {};
-  /// The restitution to close impacts at; empty: they are not closed, and the law represented is e = 1.
-  std::optional<double> restitution = {};
-  /// The same scene on hat functions with the restitution represented; empty: not to be asked, or too many
-  /// contacts.
-  std::optional<Resolutions> hat_grids = {};
+  /// Where impacts are closed; empty: they stay as the series has them, and the law represented is e = 1.
+  std::optional<ClosureSetup> closure = {};
   /// The scene, for a continuation in frequency; null where the receptance is not that of a scene.
   const Problem* problem = nullptr;
 
@@ -50,10 +54,15 @@ struct HarmonicSetup {
   [[nodiscard]] bool without_grid() const {
     return method.solver_is_open && !method.on_grids_only && options.grid_is_open(receptance.harmonics());
   }
-  /// Factor on the law's constant once impacts are compensated: the harder the law, the nearer the force is
-  /// to an impulse, and the error to that of truncation alone (docs/decisions/0011). A constant that the user
-  /// chose stays [-].
-  [[nodiscard]] double compensated_stiffness() const { return method.constant_is_chosen ? 1.0 : 8.0; }
+  /// Whether the impacts to close are those of the method's own series: at restitution 1, which a series has,
+  /// where its solver is set or is what the method is about.
+  [[nodiscard]] bool closes_own_series() const {
+    return closure && closure->restitution == 1.0 && (!method.solver_is_open || method.on_grids_only);
+  }
+  /// Factor on the law's constant once impacts are closed: the harder the law, the nearer the force is to an
+  /// impulse, and the error to that of truncation alone (docs/decisions/0038). A constant that the user chose
+  /// stays [-].
+  [[nodiscard]] double closed_stiffness() const { return method.constant_is_chosen ? 1.0 : 8.0; }
 };
 
 /// Sets a scene up with H harmonics; `problem` must outlive the result.

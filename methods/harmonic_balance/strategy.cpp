@@ -14,7 +14,6 @@
 
 #include "methods/complementarity/exact_projection.hpp"
 #include "methods/harmonic_balance/closed_answer.hpp"
-#include "methods/harmonic_balance/compensated_answer.hpp"
 #include "methods/harmonic_balance/distinct_stops.hpp"
 #include "methods/harmonic_balance/frequency_continuation.hpp"
 #include "methods/harmonic_balance/harmonic_continuation.hpp"
@@ -91,48 +90,41 @@ std::optional<Solution> continuation_in_frequency(const HarmonicSetup& setup, co
   return continue_in_frequency(setup, start, work);
 }
 
-/// One solve with the harmonics of the setup. Each attempt is asked only where those before it gave nothing.
-Solution solve_with_harmonics(HarmonicSetup& setup, const Start& start, Work& work) {
-  // The scene's own law of impact, with all harmonics. Nothing below represents a restitution other than 1.
-  if (setup.restitution) {
-    ClosedAnswer closed = close_answer(setup, start, work);
-    if (closed.answer) return *std::move(closed.answer);
-    if (is_spent(setup.options.max_iterations, work))
-      return {.message = "the limit of max_iterations is reached"};
-    if (*setup.restitution < 1.0)
-      return {.message = fmt::format("{}; restitution = none solves under restitution 1", closed.reason)};
-  }
-
-  // A guess whose impacts are compensated already needs Newton's method alone.
-  if (std::optional<Solution> answer = compensated_from_guess(setup, start, work)) return *std::move(answer);
-
-  // A solution of the projected equations, its impacts as the series has them.
+/// A solution of the projected equations, its impacts as the series has them: restitution 1 (theory.md,
+/// section 3). Each attempt is asked only where those before it gave nothing.
+Solution solve_series(HarmonicSetup& setup, const Start& start, Work& work) {
   std::optional<Solution> series = newton_from_guess(setup, start, work);
   if (!series) series = permanent_contact(setup, start);
   if (!series) series = continuation_in_harmonics(setup, start, work);
   if (!series) series = continuation_in_frequency(setup, start, work);
   if (!series) series = solve_on_grids(setup, start, work);  // the method's own solver; always ends with one
+  return *std::move(series);
+}
 
-  if (!setup.compensation) return *std::move(series);
-
-  // Its impacts compensated, which brings an error of 1/H down to that of truncation.
-  CompensatedSeries compensated;
-  if (series->verdict == Verdict::converged) compensated = compensate_series(setup, *series, start, work);
-  if (compensated.answer) return *std::move(compensated.answer);
-
-  // Few harmonics have solutions that rattle and are near no orbit; their impacts cannot be compensated. Hat
-  // functions come to their motion by another way: it may lead to an answer, or bear this one out.
-  HatAgreement agreement = compare_with_hat_functions(setup, *series, start, work);
-  if (agreement.answer) return *std::move(agreement.answer);
-  // A coarse answer that was asked for may be off by much; who chooses the harmonics may take more of them.
-  const double nearest = setup.options.harmonics ? kNearOrbit : kOwnMotion;
-  return claim_if_borne_out(*std::move(series), compensated.exact, agreement, nearest);
+/// One solve with the harmonics of the setup: the series, or its impacts closed. A series whose impacts
+/// cannot be closed is not claimed: with few harmonics some rattle and are near no orbit.
+Solution solve_with_harmonics(HarmonicSetup& setup, const Start& start, Work& work) {
+  if (!setup.closure) return solve_series(setup, start, work);
+  ClosedAnswer closed;
+  if (!setup.closes_own_series()) closed = close_answer(setup, start, work);
+  if (closed.answer) return *std::move(closed.answer);
+  Solution series;
+  if (setup.closure->restitution == 1.0 && !is_spent(setup.options.max_iterations, work)) {
+    series = solve_series(setup, start, work);
+    if (series.verdict != Verdict::converged) return series;
+    closed = close_series(setup, series, start, work);
+    if (closed.answer) return *std::move(closed.answer);
+  }
+  series.verdict = Verdict::not_converged;
+  series.message = is_spent(setup.options.max_iterations, work) ? "the limit of max_iterations is reached"
+                                                                : "impacts not closed: " + closed.reason;
+  return series;
 }
 
 class HarmonicBalance final : public PreparedMethod {
  public:
   /// A stop that stands twice makes the equations of its forces singular, and no impact on it could be
-  /// compensated: the scene is solved with each stop once.
+  /// closed: the scene is solved with each stop once.
   HarmonicBalance(const Problem& problem, const HarmonicOptions& options, HarmonicMethod method)
       : stops_(distinct_stops(problem)),
         problem_(stops_ ? stops_->problem : problem),

@@ -12,8 +12,9 @@ namespace signorini {
 /// these and all that depends on them are left to the method, harmonics are doubled, up to 160, until a solve
 /// converges; the first number is prepared at once, the others anew in every solve, whose part they are.
 ///
-/// Every answer that is claimed solves the projected equations of the method to its tolerance. Its impacts
-/// are compensated where there are any that can be; the message says how it was found. `problem` must outlive
+/// Every answer that is claimed solves the projected equations of the method to its tolerance, its impacts
+/// closed (closed_answer.hpp) unless the options leave them as the series has them; the message says how it
+/// was found. `problem` must outlive
 /// the result. \throws std::runtime_error if the structure cannot be factorised
 std::unique_ptr<PreparedMethod> prepare_harmonic_balance(const Problem& problem,
                                                          const HarmonicOptions& options,

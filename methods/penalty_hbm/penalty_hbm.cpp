@@ -41,7 +41,7 @@ std::unique_ptr<PreparedMethod> PenaltyHbm::prepare(const Problem& problem) cons
 
 BranchDiagram PenaltyHbm::follow(const Problem& problem, double from, double to,
                                  const CurveLimits& limits) const {
-  return uncompensated_diagram<PenaltyHbm>(options_, law_at(problem), problem, from, to, limits);
+  return projected_diagram<PenaltyHbm>(options_, law_at(problem), problem, from, to, limits);
 }
 
 }  // namespace signorini

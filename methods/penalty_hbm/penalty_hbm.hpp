@@ -38,9 +38,8 @@ class PenaltyHbm final : public Method, public CurveMethod {
     void visit(auto&& field) {
       const auto law = [&] {
         field("penalty", penalty, "[N/m]",
-              "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x (compensated "
-              "64x) the "
-              "dynamic one near H, stiffer if massless; plain 100x the static one");
+              "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x (impacts "
+              "closed 64x) the dynamic one near H, stiffer if massless; plain 100x the static one");
       };
       const auto own_solver = [&] {
         field("solver", solver, "[-]", "auto (pivoting with restarts; newton if plain) | pivoting | newton");
@@ -55,7 +54,7 @@ class PenaltyHbm final : public Method, public CurveMethod {
   [[nodiscard]] Support supports(const Problem& problem) const override;
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
-  /// Of the equations above, impacts not compensated (series_diagram).
+  /// Of the equations above, impacts not closed (series_diagram).
   [[nodiscard]] BranchDiagram follow(const Problem& problem, double from, double to,
                                      const CurveLimits& limits) const override;
   [[nodiscard]] RepresentedLaw curve_law(const Problem& problem) const override;

@@ -167,6 +167,21 @@ Eigen::MatrixXcd contact_motion(const ContactReceptance& receptance, const Eigen
   return x;
 }
 
+bool is_mass_beyond(const ContactReceptance& receptance, int contact, int harmonic) {
+  constexpr double kLike = 0.5;
+  const int last = receptance.harmonics();
+  const auto inertance = [&](int n) {
+    const double order = n;
+    return -order * order * receptance.receptance[static_cast<std::size_t>(n)](contact, contact);
+  };
+  const double a = inertance(last).real();
+  if (!(a > 0.0)) return false;
+  for (int n = harmonic + 1; n <= last; ++n) {
+    if (!(std::abs(inertance(n) - a) <= kLike * a)) return false;
+  }
+  return true;
+}
+
 Eigen::MatrixXd nodal_response(const ContactReceptance& receptance, const Eigen::MatrixXd& force) {
   RealFft fft(static_cast<int>(force.rows()));
   Eigen::MatrixXcd spectrum(fft.coefficients(), force.cols());

@@ -29,10 +29,13 @@ struct ContactReceptance {
 /// \param lambda  coefficients of the contact forces, n = 0..H at least, Nc columns [N]
 Eigen::MatrixXcd contact_motion(const ContactReceptance& receptance, const Eigen::MatrixXcd& lambda);
 
-/// The same at N equidistant nodes of a period under nodal forces: x_n = free_n + C_n lambda_n, n = 0..N/2,
-/// lambda_n the discrete Fourier coefficients of the forces; N x Nc [m].
-/// \param receptance  with harmonics 0..N/2 at least
-/// \param force       lambda, N x Nc [N]
+/// Whether a contact answers like a mass beyond harmonic n: from there to H its C_n n^2 is -a within a half
+/// of it, a > 0 that of C_H.
+bool is_mass_beyond(const ContactReceptance& receptance, int contact, int harmonic);
+
+/// contact_motion at N equidistant nodes of a period under nodal forces: x_n = free_n + C_n lambda_n, n =
+/// 0..N/2, lambda_n the discrete Fourier coefficients of the forces; N x Nc [m]. \param receptance  with
+/// harmonics 0..N/2 at least \param force       lambda, N x Nc [N]
 Eigen::MatrixXd nodal_response(const ContactReceptance& receptance, const Eigen::MatrixXd& force);
 
 /// `contact_receptance` by factorising Z_n for every n = 0..H, O(Nd^3) each if `dense`, else as sparse LU

@@ -33,7 +33,7 @@ const test::KnownFailures& known_not_to_converge() {
   static const char* const kRay =
       "a path of pivots ends on a ray: damping ratio below 0.002 with few samples";
   static const char* const kRattles =
-      "8 harmonics: the impacts of chatter can neither be compensated nor borne out";
+      "8 harmonics: impacts of chatter, which the motion behind them does not bear out";
   static const char* const kLasts = "contact that lasts is not closed below restitution 1";
   static const char* const kBorn = "contacts of a rattling motion are born and lost as the penalty rises";
   static const test::KnownFailures known{

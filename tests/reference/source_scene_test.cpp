@@ -103,7 +103,7 @@ TEST(SourceScene, IsSolvedByTheMethodsOfTheSourcePaper) {
   };
   // Section 3.1, with the restitution that it lacks. Measured: 1.06e-2.
   EXPECT_LE(error(solve<HatLcp>(scene(), {.samples = 1024})), 1.2e-2);
-  // Section 3.2. Measured: 4.3e-2 as it stands, 1.3e-3 with compensated impacts.
+  // Section 3.2. Measured: 4.3e-2 as it stands, 1.3e-3 with impacts closed.
   EXPECT_LE(error(solve<FourierLipschitz>(scene(), {.common = {.harmonics = 40, .compensate = false}})),
             5e-2);
   EXPECT_LE(error(solve<FourierLipschitz>(scene(), {.common = {.harmonics = 40}})), 1.6e-3);

@@ -16,7 +16,7 @@ namespace signorini {
 struct SeriesMethod {
   HarmonicOptions options;
   LawAt law_at;
-  /// The method itself for a scene at one frequency, its impacts not compensated.
+  /// The method itself for a scene at one frequency, its impacts not closed.
   std::function<std::unique_ptr<PreparedMethod>(const Problem&)> prepare;
 };
 
@@ -30,12 +30,12 @@ struct SeriesMethod {
 BranchDiagram series_diagram(const Problem& problem, double from, double to, const SeriesMethod& method,
                              const CurveLimits& limits);
 
-/// series_diagram of a method of harmonic balance with these options, impacts not compensated.
+/// series_diagram of a method of harmonic balance with these options, impacts not closed.
 /// \tparam Method  with HarmonicOptions as `Options::common`
 /// \throws InvalidOption  if the impacts of a restitution below 1 were asked to be closed: curves have e = 1
 template <class Method>
-BranchDiagram uncompensated_diagram(typename Method::Options options, LawAt law_at, const Problem& problem,
-                                    double from, double to, const CurveLimits& limits) {
+BranchDiagram projected_diagram(typename Method::Options options, LawAt law_at, const Problem& problem,
+                                double from, double to, const CurveLimits& limits) {
   const bool asked = options.common.restitution == ClosedRestitution::scene;
   require_option(!asked || options.common.closed_restitution(problem).value_or(1.0) == 1.0, "restitution",
                  options.common.restitution, "must be none or auto: curves are those of restitution 1");

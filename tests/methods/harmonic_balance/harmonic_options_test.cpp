@@ -39,18 +39,18 @@ TEST(HarmonicOptions, AreEchoedInTheirOrderWithTheMethodsOwnAmongThem) {
 TEST(HarmonicOptions, PlainSetsWhatIsLeftOpen) {
   const HarmonicOptions open;
   EXPECT_EQ(open.contact_integral(), Quadrature::exact);
-  EXPECT_TRUE(open.compensates_impacts());
+  EXPECT_TRUE(open.closes_impacts());
   EXPECT_FALSE(open.fixed_samples(10));
   EXPECT_TRUE(open.grid_is_open(10));
   const HarmonicOptions plain{.plain = true};
   EXPECT_EQ(plain.contact_integral(), Quadrature::sampled);
-  EXPECT_FALSE(plain.compensates_impacts());
+  EXPECT_FALSE(plain.closes_impacts());
   EXPECT_EQ(plain.fixed_samples(10), 320);
   EXPECT_FALSE(plain.grid_is_open(10));
   const HarmonicOptions asked{
       .samples = 64, .quadrature = Quadrature::exact, .compensate = true, .plain = true};
   EXPECT_EQ(asked.contact_integral(), Quadrature::exact);
-  EXPECT_TRUE(asked.compensates_impacts());
+  EXPECT_TRUE(asked.closes_impacts());
   EXPECT_EQ(asked.fixed_samples(10), 64);
 }
 
@@ -69,9 +69,8 @@ TEST(HarmonicOptions, PlainTakesTheLiteraturesConstantsUnlessOneIsGiven) {
   EXPECT_FALSE(plain.penalty({}, spring)) << "the spring's own stiffness";
 }
 
-TEST(HarmonicOptions, CompensateOnlyWhereTheContactIntegralIsExact) {
-  EXPECT_FALSE(
-      (HarmonicOptions{.quadrature = Quadrature::sampled, .compensate = true}.compensates_impacts()));
+TEST(HarmonicOptions, CloseImpactsOnlyWhereTheContactIntegralIsExact) {
+  EXPECT_FALSE((HarmonicOptions{.quadrature = Quadrature::sampled, .compensate = true}.closes_impacts()));
 }
 
 TEST(HarmonicOptions, CloseImpactsAtTheRestitutionOfRigidStops) {
@@ -82,10 +81,11 @@ TEST(HarmonicOptions, CloseImpactsAtTheRestitutionOfRigidStops) {
   EXPECT_EQ(left_open.closed_restitution(problem), 0.5);
   EXPECT_EQ(asked.closed_restitution(problem), 0.5);
   EXPECT_TRUE(law_matches(left_open.represented(problem, Restitution{1.0}), problem.law));
-  for (const HarmonicOptions& projected : {plain, none, HarmonicOptions{.compensate = false}}) {
-    EXPECT_FALSE(projected.closed_restitution(problem));
-    EXPECT_FALSE(law_matches(projected.represented(problem, Restitution{1.0}), problem.law));
-  }
+  EXPECT_EQ(plain.closed_restitution(problem), 1.0);
+  EXPECT_EQ(none.closed_restitution(problem), 1.0);
+  EXPECT_FALSE((HarmonicOptions{.compensate = false}.closed_restitution(problem)));
+  for (const HarmonicOptions& elastic : {plain, none, HarmonicOptions{.compensate = false}})
+    EXPECT_FALSE(law_matches(elastic.represented(problem, Restitution{1.0}), problem.law));
   problem.law = Penalty{{300.0}};
   EXPECT_FALSE(left_open.closed_restitution(problem));
   EXPECT_TRUE(law_matches(left_open.represented(problem, as_represented(problem.law)), problem.law));

@@ -4,13 +4,12 @@
 
 #include "methods/harmonic_balance/grid_solver.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/massless_scenes.hpp"
 
 namespace signorini {
 namespace {
 
 const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2};
-
-const HarmonicOptions kNone{.restitution = ClosedRestitution::none};  // impacts compensated, not closed
 
 HarmonicSetup setup_of(const Problem& problem, const HarmonicOptions& options, bool solver_is_open = true,
                        bool constant_is_chosen = false) {
@@ -32,44 +31,60 @@ TEST(HarmonicSetup, HoldsTheEquationsOfTheScene) {
   EXPECT_EQ(setup.law.constant, setup.method.law_at(setup.receptance).constant);
 }
 
-TEST(HarmonicSetup, CompensatesImpactsOfAMassOnARigidStop) {
+TEST(HarmonicSetup, ClosesImpactsOfAMassOnARigidStop) {
   const Problem rigid = test::to_problem(kStop);
-  EXPECT_TRUE(setup_of(rigid, {}).compensation);
-  EXPECT_FALSE(setup_of(rigid, {.compensate = false}).compensation);
-  EXPECT_FALSE(setup_of(rigid, {.plain = true}).compensation);
+  EXPECT_TRUE(setup_of(rigid, {}).closure);
+  EXPECT_FALSE(setup_of(rigid, {.compensate = false}).closure);
+  EXPECT_FALSE(setup_of(rigid, {.plain = true}).closure);
   Problem spring = rigid;
   spring.law = Penalty{{100.0}};
-  EXPECT_FALSE(setup_of(spring, {}).compensation);
+  EXPECT_FALSE(setup_of(spring, {}).closure);
 }
 
-TEST(HarmonicSetup, AsksHatFunctionsOnlyWhereTheSolverIsOpenAndImpactsAreCompensated) {
-  const Problem problem = test::to_problem(kStop);
-  EXPECT_TRUE(setup_of(problem, kNone).hat_grids);
-  EXPECT_FALSE(setup_of(problem, kNone, false).hat_grids);
-  EXPECT_FALSE(setup_of(problem, {.compensate = false}).hat_grids);
+// At restitution 1, which a series has, a solver that is set finds its impacts itself.
+TEST(HarmonicSetup, AsksHatFunctionsForImpactsUnlessASolverIsSetThatMayFindThem) {
+  Problem problem = test::to_problem(kStop);
+  EXPECT_TRUE(setup_of(problem, {}).closure->hat_grids);
+  EXPECT_FALSE(setup_of(problem, {}).closes_own_series());
+  EXPECT_FALSE(setup_of(problem, {}, false).closure->hat_grids);
+  EXPECT_TRUE(setup_of(problem, {}, false).closes_own_series());
+  problem.law = Restitution{0.5};
+  EXPECT_TRUE(setup_of(problem, {}, false).closure->hat_grids);
+  const HarmonicOptions elastic{.restitution = ClosedRestitution::none};
+  EXPECT_TRUE(setup_of(problem, elastic, false).closes_own_series());
+}
+
+// The contact of this node has no mass: at restitution 1 its force stays as the series has it.
+TEST(HarmonicSetup, ClosesNothingAtRestitutionOneWhereNoMassIsStruck) {
+  Problem problem = test::massless_node();
+  problem.law = Restitution{1.0};
+  EXPECT_FALSE(setup_of(problem, {}).closure);
+  problem.law = Restitution{0.5};
+  ASSERT_TRUE(setup_of(problem, {}).closure);
+  EXPECT_FALSE(setup_of(problem, {}).closure->response);
 }
 
 TEST(HarmonicSetup, AsksHatFunctionsFromCoarseToFineAndNoneForManyContacts) {
   Problem problem = test::to_problem(kStop);
   const HarmonicSetup setup = setup_of(problem, {});
-  ASSERT_EQ(setup.hat_grids->count(), 3U);
-  EXPECT_EQ(setup.hat_grids->value(0), 256);
-  EXPECT_EQ(setup.hat_grids->value(2), 4096);
+  ASSERT_EQ(setup.closure->hat_grids->count(), 3U);
+  EXPECT_EQ(setup.closure->hat_grids->value(0), 256);
+  EXPECT_EQ(setup.closure->hat_grids->value(2), 4096);
   const Contact contact = problem.contacts.front();
   while (problem.contact_count() <= 32) problem.contacts.push_back(contact);
-  EXPECT_FALSE(setup_of(problem, {}).hat_grids);
+  EXPECT_FALSE(setup_of(problem, {}).closure->hat_grids);
 }
 
 TEST(HarmonicSetup, ClosesImpactsAtTheScenesRestitutionFromHatFunctionsThatHaveIt) {
   test::ImpactOscillator scene = kStop;
   scene.restitution = 0.5;
   const Problem problem = test::to_problem(scene);
-  EXPECT_FALSE(setup_of(problem, {.restitution = ClosedRestitution::none}).restitution);
+  EXPECT_EQ(setup_of(problem, {.restitution = ClosedRestitution::none}).closure->restitution, 1.0);
   HarmonicSetup setup = setup_of(problem, {}, false);
-  EXPECT_EQ(setup.restitution, 0.5);
-  ASSERT_TRUE(setup.hat_grids) << "whatever the solver";
-  EXPECT_GE(setup.compensation->receptance().harmonics(), 128);
-  const Solution hat = setup.hat_grids->solve_at(0, {});
+  EXPECT_EQ(setup.closure->restitution, 0.5);
+  ASSERT_TRUE(setup.closure->hat_grids) << "whatever the solver";
+  EXPECT_GE(setup.closure->response->harmonics(), 128);
+  const Solution hat = setup.closure->hat_grids->solve_at(0, {});
   ASSERT_EQ(hat.verdict, Verdict::converged);
   // The velocities about the one impact, from the nodes before and after those that it presses.
   const Samples nodes = hat.trajectory->sample(256);
@@ -89,8 +104,8 @@ TEST(HarmonicSetup, SolvesWithoutAGridOnlyWhereNothingFixesIt) {
 
 TEST(HarmonicSetup, LeavesAConstantThatTheUserChose) {
   const Problem problem = test::to_problem(kStop);
-  EXPECT_EQ(setup_of(problem, {}).compensated_stiffness(), 8.0);
-  EXPECT_EQ(setup_of(problem, {}, true, true).compensated_stiffness(), 1.0);
+  EXPECT_EQ(setup_of(problem, {}).closed_stiffness(), 8.0);
+  EXPECT_EQ(setup_of(problem, {}, true, true).closed_stiffness(), 1.0);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "tests/support/damped_chain.hpp"
 #include "tests/support/elastic_block.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/massless_scenes.hpp"
 
 namespace signorini {
 namespace {
@@ -147,6 +148,15 @@ TEST(ContactReceptance, OfASubharmonicMotionCarriesTheLoadAtItsOwnHarmonic) {
 TEST(ContactReceptance, RefusesAnUndampedResonance) {
   Problem problem = test::to_problem({.damping = 0.0, .frequency = 1.0, .gap = 0.1});
   EXPECT_THROW(fourier_receptance(problem, 2), std::runtime_error);
+}
+
+TEST(IsMassBeyond, TellsAMassFromWhatAnswersOtherwise) {
+  const Problem mass = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2});
+  EXPECT_TRUE(is_mass_beyond(fourier_receptance(mass, 20), 0, 10));
+  EXPECT_FALSE(is_mass_beyond(fourier_receptance(test::massless_node(), 20), 0, 10));
+  // An eigenfrequency among the harmonics beyond.
+  const Problem slow = test::to_problem({.damping = 0.1, .frequency = 0.07, .gap = 0.2});
+  EXPECT_FALSE(is_mass_beyond(fourier_receptance(slow, 20), 0, 10));
 }
 
 }  // namespace
