@@ -112,8 +112,9 @@ Solution solve_with_harmonics(HarmonicSetup& setup, const Start& start, Work& wo
   if (setup.closure->restitution == 1.0 && !is_spent(setup.options.max_iterations, work)) {
     series = solve_series(setup, start, work);
     if (series.verdict != Verdict::converged) return series;
-    closed = close_series(setup, series, start, work);
-    if (closed.answer) return *std::move(closed.answer);
+    ClosedAnswer of_series = close_series(setup, series, start, work);
+    if (of_series.answer) return *std::move(of_series.answer);
+    if (closed.reason.empty()) closed.reason = std::move(of_series.reason);
   }
   series.verdict = Verdict::not_converged;
   series.message = is_spent(setup.options.max_iterations, work) ? "the limit of max_iterations is reached"
