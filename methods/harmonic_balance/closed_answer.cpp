@@ -62,8 +62,10 @@ class ImpactClosing {
     const ImpactSeeds seeds = impact_seeds(motion);
     if (seeds.lasting) return failed("a contact lasts: only separate impacts are closed");
     if (seeds.impacts.count() == 0) return contact_free();
-    if (!all_have_mass(seeds.impacts))
+    if (!all_have_mass(seeds.impacts)) {
+      harmonics_may_help_ = true;
       return failed("a contact that is struck has no mass beyond the harmonics");
+    }
     const auto settled = motion_->settle(seeds.impacts, 0.01 * setup_.options.tolerance,
                                          steps_left(ImpactMotion::kSettlingSteps));
     if (!settled) return failed("instants and impulses of the impacts do not settle");
@@ -92,6 +94,8 @@ class ImpactClosing {
 
   /// Why the last attempt failed.
   [[nodiscard]] const std::string& reason() const { return reason_; }
+  /// Whether some attempt failed for want of harmonics alone.
+  [[nodiscard]] bool harmonics_may_help() const { return harmonics_may_help_; }
 
   /// Takes down why an attempt failed.
   std::nullopt_t failed(std::string_view reason) {
@@ -140,6 +144,7 @@ class ImpactClosing {
       failed(closure.failure);
       if (hard == 1.0) break;
     }
+    harmonics_may_help_ = true;
     return std::nullopt;
   }
 
@@ -163,6 +168,7 @@ class ImpactClosing {
   Work& work_;
   std::optional<ImpactMotion> motion_;  // none where no contact has mass
   std::string reason_;
+  bool harmonics_may_help_ = false;
 };
 
 /// From the scene on hat functions, from coarse to fine.
@@ -240,6 +246,7 @@ ClosedAnswer close_answer(HarmonicSetup& setup, const Start& start, Work& work) 
   if (!result.answer) result.answer = closing.permanent_contact();
   if (!result.answer) result.answer = close_from_hat_functions(setup, start, work, closing);
   if (!result.answer) result.reason = start.expired() ? "the time is up" : closing.reason();
+  result.harmonics_may_help = closing.harmonics_may_help();
   return result;
 }
 
@@ -249,6 +256,7 @@ ClosedAnswer close_series(const HarmonicSetup& setup, const Solution& series, co
   ImpactClosing closing(setup, start, work);
   ClosedAnswer result{.answer = closing.from(*series.trajectory, series.message)};
   if (!result.answer) result.reason = closing.reason();
+  result.harmonics_may_help = closing.harmonics_may_help();
   return result;
 }
 

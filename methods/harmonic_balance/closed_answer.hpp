@@ -24,6 +24,9 @@ ImpactSeeds impact_seeds(const Trajectory& motion);
 struct ClosedAnswer {
   std::optional<Solution> answer = {};  ///< under the scene's restitution; without its work
   std::string reason = {};              ///< why there is none, one sentence
+  /// Whether more harmonics may change that: not where a contact lasts, or no impacts are found that obey the
+  /// law, which is asked of all harmonics whatever H.
+  bool harmonics_may_help = false;
 };
 
 /// A periodic motion of the scene under the restitution e of `setup.closure`, 0 <= e <= 1, as a series of H

@@ -101,25 +101,43 @@ Solution solve_series(HarmonicSetup& setup, const Start& start, Work& work) {
   return *std::move(series);
 }
 
+/// A solve with some number of harmonics.
+struct HarmonicSolve {
+  Solution solution;
+  bool harmonics_may_help = true;  ///< more of them, where this did not converge
+};
+
 /// One solve with the harmonics of the setup: the series, or its impacts closed. A series whose impacts
 /// cannot be closed is not claimed: with few harmonics some rattle and are near no orbit.
-Solution solve_with_harmonics(HarmonicSetup& setup, const Start& start, Work& work) {
-  if (!setup.closure) return solve_series(setup, start, work);
+HarmonicSolve solve_with_harmonics(HarmonicSetup& setup, const Start& start, Work& work) {
+  if (!setup.closure) return {solve_series(setup, start, work)};
   ClosedAnswer closed;
   if (!setup.closes_own_series()) closed = close_answer(setup, start, work);
-  if (closed.answer) return *std::move(closed.answer);
+  if (closed.answer) return {*std::move(closed.answer)};
   Solution series;
   if (setup.closure->restitution == 1.0 && !is_spent(setup.options.max_iterations, work)) {
     series = solve_series(setup, start, work);
-    if (series.verdict != Verdict::converged) return series;
+    if (series.verdict != Verdict::converged) return {std::move(series)};
     ClosedAnswer of_series = close_series(setup, series, start, work);
-    if (of_series.answer) return *std::move(of_series.answer);
+    if (of_series.answer) return {*std::move(of_series.answer)};
     if (closed.reason.empty()) closed.reason = std::move(of_series.reason);
+    closed.harmonics_may_help = true;  // a series may have other impacts with more of them
   }
   series.verdict = Verdict::not_converged;
   series.message = is_spent(setup.options.max_iterations, work) ? "the limit of max_iterations is reached"
                                                                 : "impacts not closed: " + closed.reason;
-  return series;
+  return {std::move(series), closed.harmonics_may_help};
+}
+
+/// The same with its work.
+HarmonicSolve solve_with_work(HarmonicSetup& setup, const Start& start) {
+  const ContactReceptance& receptance = setup.receptance;
+  if (receptance.contacts() == 0) return {contact_free_response(receptance)};
+  Work work = setup.method.grid_solver->initial_counts();
+  work.unknowns = (2L * receptance.harmonics() + 1) * receptance.contacts();
+  HarmonicSolve solve = solve_with_harmonics(setup, start, work);
+  solve.solution.work = work;
+  return solve;
 }
 
 class HarmonicBalance final : public PreparedMethod {
@@ -144,27 +162,27 @@ class HarmonicBalance final : public PreparedMethod {
   }
 
  private:
-  /// With the first number of harmonics, and with twice as many where so many do not converge.
+  /// With the first number of harmonics, and with twice as many where so many do not converge and more may.
   Solution solve_distinct(const Start& start) {
-    Solution solution = solve_by_harmonic_balance(setup_, start);
+    HarmonicSolve solve = solve_with_work(setup_, start);
     for (int harmonics = 2 * first_; harmonics <= most(); harmonics *= 2) {
-      if (solution.verdict == Verdict::converged || start.expired()) break;
-      const Work spent = solution.work;
-      solution = prepare_and_solve(harmonics, start);
-      add_effort(spent, solution.work);
-      solution.message += fmt::format("; H = {}", harmonics);
+      if (solve.solution.verdict == Verdict::converged || !solve.harmonics_may_help || start.expired()) break;
+      const Work spent = solve.solution.work;
+      solve = prepare_and_solve(harmonics, start);
+      add_effort(spent, solve.solution.work);
+      solve.solution.message += fmt::format("; H = {}", harmonics);
     }
-    return solution;
+    return std::move(solve.solution);
   }
 
   /// Where more harmonics cannot be prepared, an undamped resonance lying among them or memory being short,
   /// there is no motion.
-  [[nodiscard]] Solution prepare_and_solve(int harmonics, const Start& start) const {
+  [[nodiscard]] HarmonicSolve prepare_and_solve(int harmonics, const Start& start) const {
     try {
       HarmonicSetup setup = harmonic_setup(problem_, harmonics, options_, method_);
-      return solve_by_harmonic_balance(setup, start);
+      return solve_with_work(setup, start);
     } catch (const std::exception& error) {
-      return {.message = error.what()};
+      return {{.message = error.what()}};
     }
   }
 
@@ -186,13 +204,7 @@ class HarmonicBalance final : public PreparedMethod {
 }  // namespace
 
 Solution solve_by_harmonic_balance(HarmonicSetup& setup, const Start& start) {
-  const ContactReceptance& receptance = setup.receptance;
-  if (receptance.contacts() == 0) return contact_free_response(receptance);
-  Work work = setup.method.grid_solver->initial_counts();
-  work.unknowns = (2L * receptance.harmonics() + 1) * receptance.contacts();
-  Solution solution = solve_with_harmonics(setup, start, work);
-  solution.work = work;
-  return solution;
+  return solve_with_work(setup, start).solution;
 }
 
 std::unique_ptr<PreparedMethod> prepare_harmonic_balance(const Problem& problem,

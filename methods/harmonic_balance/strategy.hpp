@@ -10,7 +10,8 @@ namespace signorini {
 
 /// A scene prepared for a method of harmonic balance, with the harmonics that the options ask for. Where
 /// these and all that depends on them are left to the method, harmonics are doubled, up to 160, until a solve
-/// converges; the first number is prepared at once, the others anew in every solve, whose part they are.
+/// converges or more of them cannot help; the first number is prepared at once, the others anew in every
+/// solve, whose part they are.
 ///
 /// Every answer that is claimed solves the projected equations of the method to its tolerance, its impacts
 /// closed (closed_answer.hpp) unless the options leave them as the series has them; the message says how it

@@ -138,6 +138,15 @@ TEST(Strategy, ClosesTheImpactsThatASolverFindsWhichTheUserSets) {
   }
 }
 
+// Whether a contact lasts is not a matter of harmonics.
+TEST(Strategy, DoublesNoHarmonicsWhereAContactLasts) {
+  const Problem problem =
+      test::to_problem({.damping = 0.1, .frequency = 0.4, .gap = -0.3, .restitution = 0.0});
+  const Solution found = test::solve<FourierLipschitz>(problem, {});
+  EXPECT_EQ(found.verdict, Verdict::not_converged);
+  EXPECT_EQ(found.message, "impacts not closed: a contact lasts: only separate impacts are closed");
+}
+
 // With 20 harmonics the series of this scene rattles and is near no orbit.
 TEST(Strategy, ClaimsNoSeriesWhoseImpactsCannotBeClosed) {
   const Problem problem = test::to_problem(test::hard_population(140).back());
