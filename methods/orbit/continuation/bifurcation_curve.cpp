@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "methods/orbit/continuation/orbit_section.hpp"
 #include "methods/orbit/continuation/special_equations.hpp"
 #include "methods/orbit/continuation/station.hpp"
+#include "methods/orbit/family/orbit_section.hpp"
 
 namespace signorini {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "methods/orbit/continuation/orbit_section.hpp"
 #include "methods/orbit/family/chatter.hpp"
+#include "methods/orbit/family/orbit_section.hpp"
 
 namespace signorini {
 

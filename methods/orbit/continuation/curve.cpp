@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
-#include "methods/orbit/continuation/orbit_section.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/family/chatter.hpp"
+#include "methods/orbit/family/orbit_section.hpp"
 
 namespace signorini {
 
@@ -123,6 +124,28 @@ SpecialPoint change_at(const ExtendedEquations& equations, const OrbitGuard& gua
           .text = limit + describe(guard, equations.orbit(), rigid)};
 }
 
+// What a step did not decide.
+std::string note_of(const StepBifurcations& met, const Station& here, const OrbitFamily& family) {
+  return fmt::format("{} at {:.10g}",
+                     met.undecided ? "a bifurcation is not located" : "two bifurcations may be one",
+                     here.x[here.x.size() - 1] * family.units().parameter);
+}
+
+// A special point before the next point of the branch.
+void add(SpecialPoint special, TracedCurve& result) {
+  special.after = result.branch.points.size();
+  result.branch.special.push_back(std::move(special));
+}
+
+// The same with the orbit at which the branch may be left.
+void record(LocatedBifurcation found, TracedCurve& result) {
+  if (found.special.kind == SpecialKind::period_doubling)
+    result.doublings.push_back(std::move(found.orbit));
+  else if (found.special.kind == SpecialKind::branch_point)
+    result.crossings.emplace_back(std::move(found.orbit), std::move(found.across));
+  add(std::move(found.special), result);
+}
+
 // Why a curve goes on no further than its last point; else empty.
 std::string why_over(const SequencedOrbit& last, std::size_t points, const CurveOptions& options) {
   if (last.x.head(last.states()).lpNorm<Eigen::Infinity>() > options.largest_state)
@@ -161,10 +184,6 @@ class Tracer {
 
  private:
   void append() { result_.branch.points.push_back(branch_point(*equations_, here_, options_.phases)); }
-  void add(SpecialPoint special) {
-    special.after = result_.branch.points.size();
-    result_.branch.special.push_back(std::move(special));
-  }
   void finish(std::string reason) {
     result_.branch.ended = std::move(reason);
     done_ = true;
@@ -198,15 +217,11 @@ class Tracer {
     constexpr double kBefore = 1.0 - 1e-6;
     const double inside =
         std::min({step_, crossing ? kBefore * crossing->length : step_, halved ? kBefore * *halved : step_});
-    for (LocatedBifurcation& found : bifurcations(*equations_, here_, step_, next, inside)) {
-      add(std::move(found.special));
-      const SpecialKind kind = result_.branch.special.back().kind;
-      if (kind == SpecialKind::period_doubling)
-        result_.doublings.push_back(std::move(found.orbit));
-      else if (kind == SpecialKind::branch_point)
-        result_.crossings.emplace_back(std::move(found.orbit),
-                                       here_.tangent + found.length / step_ * (next.tangent - here_.tangent));
-    }
+    StepBifurcations met = bifurcations(*equations_, here_, step_, next, inside);
+    const bool hides = inside == step_ && may_hide_bifurcations(before_, here_.tests, step_, next.tests);
+    if ((met.undecided || hides) && step_ > kShort) return shorten(0.5);
+    if (met.undecided || hides) result_.notes.push_back(note_of(met, here_, family_));
+    for (LocatedBifurcation& found : met.found) record(std::move(found), result_);
     if (halved && !(crossing && crossing->length < *halved)) return end_at_half_period(*halved);
     if (crossing) return end_at(*crossing);
     constexpr double kAway = 1e-2;  // of length: next to the start all orbits are the same to rounding
@@ -289,7 +304,7 @@ class Tracer {
     result_.guard = there != nullptr ? *there : crossing.guard;
     SpecialPoint end = change_at(*equations_, *result_.guard, result_.branch.points.back());
     finish(end.text);
-    add(std::move(end));
+    add(std::move(end), result_);
     result_.branch.special.back().after = result_.branch.points.size() - 1;
   }
 
@@ -298,6 +313,7 @@ class Tracer {
     if (equations_->orbit().x != next.x && !equations_->evaluate(next.x))
       return finish("the corrector fails");
     const double turn = std::acos(std::min(1.0, next.tangent.dot(here_.tangent)));
+    before_ = {std::move(here_.tests), step_};
     here_ = std::move(next);
     unsteered_.reset();
     steered_before_ = false;
@@ -316,6 +332,7 @@ class Tracer {
   void go_on_with(OtherUnknowns other) {
     if (!other.obstacle.empty()) return finish(std::move(other.obstacle));
     equations_ = std::move(other.equations);
+    before_.reset();
     here_ = station_at(*equations_, other.tangent);
     half_way_ = half_way(*equations_);
   }
@@ -325,9 +342,10 @@ class Tracer {
   const CurveStart& start_;
   std::unique_ptr<ExtendedEquations> equations_;
   Station here_;
-  Eigen::VectorXd half_way_;     // at here_
-  double step_, planned_ = 0.0;  // the latter of a step that ended at a value asked for
-  double travelled_ = 0.0;       // along the curve
+  std::optional<TestsBefore> before_;  // none where the unknowns have changed
+  Eigen::VectorXd half_way_;           // at here_
+  double step_, planned_ = 0.0;        // the latter of a step that ended at a value asked for
+  double travelled_ = 0.0;             // along the curve
   std::optional<std::pair<Station, double>> unsteered_;  // the point and the step before steer()
   bool done_ = false, steered_before_ = false;
   TracedCurve result_;

@@ -54,8 +54,9 @@ struct TracedCurve {
   /// clause; `branch` is then to be dropped.
   std::string rejected = {};
   std::vector<SequencedOrbit> doublings = {};  ///< orbits with a multiplier -1
-  /// Branch points, with the tangent of this curve.
+  /// Branch points, with the tangent of the other curve through them.
   std::vector<std::pair<SequencedOrbit, Eigen::VectorXd>> crossings = {};
+  std::vector<std::string> notes = {};   ///< what the steps did not decide, one sentence each
   std::optional<OrbitGuard> guard = {};  ///< that became zero at the end
   bool meets_half_period = false;        ///< the end is next to the doubling of an orbit of half the period
   bool closes = false;                   ///< the end is the start
@@ -66,7 +67,8 @@ struct TracedCurve {
 /// and sized by the number of Newton steps and by that angle. After each, all guards (`survey`) and test
 /// functions
 /// (`bifurcation_tests`) are compared: of the guards that have become negative the first zero ends the curve,
-/// located to round-off; test functions that have changed their sign before it are located likewise. A guard
+/// located to round-off; test functions that have changed their sign before it are located likewise, and
+/// where that fails, or one may have vanished twice (`may_hide_bifurcations`), the step is shortened. A guard
 /// that is zero at the start is armed once it is positive; if it becomes negative first, the start is
 /// rejected. The section moves to the middle of the longest time between two events when an event comes
 /// within .2 rad of it.

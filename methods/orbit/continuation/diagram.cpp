@@ -9,10 +9,10 @@
 
 #include "methods/orbit/continuation/branch_section.hpp"
 #include "methods/orbit/continuation/contact_changes.hpp"
-#include "methods/orbit/continuation/orbit_section.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/continuation/switching.hpp"
 #include "methods/orbit/family/chatter.hpp"
+#include "methods/orbit/family/orbit_section.hpp"
 
 namespace signorini {
 
@@ -166,6 +166,7 @@ class DiagramTracer {
       if (curve.rejected != kEndOfInterval) note(start.origin + ": " + curve.rejected);
       return;
     }
+    for (const std::string& undecided : curve.notes) note(undecided);
     keep(curve.branch);
     end_here(start.orbit);
     leave(curve);
@@ -187,7 +188,7 @@ class DiagramTracer {
   // Queues what begins at the doublings and at the end of a branch.
   void leave(const TracedCurve& curve) {
     for (const SequencedOrbit& orbit : curve.doublings) double_period(orbit);
-    for (const auto& [orbit, tangent] : curve.crossings) cross(orbit, tangent);
+    for (const auto& [orbit, across] : curve.crossings) cross(orbit, across);
     if (curve.meets_half_period) end_here(curve.last);
     if (!curve.guard) return;
     ExtendedEquations equations(family_, curve.last);
@@ -202,13 +203,13 @@ class DiagramTracer {
     queue_.push_back(std::move(*change.start));
   }
 
-  void cross(const SequencedOrbit& orbit, const Eigen::VectorXd& tangent) {
+  void cross(const SequencedOrbit& orbit, const Eigen::VectorXd& across) {
     ExtendedEquations equations(family_, orbit);
     if (!equations.evaluate(orbit.x)) return;
     const OrbitMark mark = mark_of(equations);
     if (contains(crossed_, mark, true)) return;
     crossed_.push_back(mark);
-    for (CurveStart& start : start_crossing(family_, orbit, tangent)) queue_.push_back(std::move(start));
+    for (CurveStart& start : start_crossing(family_, orbit, across)) queue_.push_back(std::move(start));
   }
 
   void graze(const TracedCurve& curve, const OrbitMark& end) {

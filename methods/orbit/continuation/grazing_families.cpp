@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "methods/orbit/continuation/orbit_section.hpp"
+#include "methods/orbit/family/orbit_section.hpp"
 
 namespace signorini {
 

@@ -1,8 +1,13 @@
 #include "methods/orbit/continuation/station.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
+#include <cstddef>
 #include <utility>
+
+#include "methods/orbit/family/branch_point.hpp"
 
 namespace signorini {
 
@@ -121,10 +126,19 @@ std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const 
 
 namespace {
 
+// Of the two curves through a branch point that which the step is not on.
+Eigen::VectorXd crossing_tangent(const BranchPointSolution& point, const Station& begin, double length,
+                                 const Station& end) {
+  const double share = begin.tangent.dot(point.x - begin.x) / length;
+  const Eigen::VectorXd along = begin.tangent + share * (end.tangent - begin.tangent);
+  return std::abs(point.first.dot(along)) < std::abs(point.second.dot(along)) ? point.first : point.second;
+}
+
 // Those whose test functions have different signs at both ends of the step.
-std::vector<LocatedBifurcation> changes_of_sign(ExtendedEquations& equations, const Station& begin,
-                                                double length, const Station& end, double inside) {
-  std::vector<LocatedBifurcation> found;
+StepBifurcations changes_of_sign(ExtendedEquations& equations, const Station& begin, double length,
+                                 const Station& end, double inside) {
+  constexpr double kReach = 0.05;  // of the step: of a branch point located to the root of rounding
+  StepBifurcations result;
   for (const SpecialKind kind : {SpecialKind::fold, SpecialKind::period_doubling, SpecialKind::neimark_sacker,
                                  SpecialKind::branch_point}) {
     const auto &before = begin.tests.of(kind), &after = end.tests.of(kind);
@@ -133,33 +147,89 @@ std::vector<LocatedBifurcation> changes_of_sign(ExtendedEquations& equations, co
       const auto tangent = tangent_of(at, begin.tangent);
       return tangent ? bifurcation_test(at, *tangent, kind) : std::nullopt;
     };
-    const auto zero =
+    auto zero =
         locate(equations, {.x = begin.x, .tangent = begin.tangent, .length = length}, value, before, *after);
+    Eigen::VectorXd across;
+    if (zero && kind == SpecialKind::branch_point) {
+      // On the curve's own equations it is known to the root of rounding.
+      const auto solution = solve_branch_point(equations, equations.orbit().x, kReach * length);
+      zero.reset();
+      if (solution) {
+        zero = begin.tangent.dot(solution->x - begin.x);
+        across = crossing_tangent(*solution, begin, length, end);
+      }
+    }
+    if (!zero) result.undecided = true;
     if (!zero || *zero > inside) continue;
     const Station there = station_at(equations, begin.tangent);
     const bool energy_turns = kind == SpecialKind::fold && !equations.family().driven();
     if (!energy_turns && !confirmed(kind, there.tests.multipliers)) continue;
-    found.push_back({.length = *zero,
-                     .special = {.kind = kind,
-                                 .point = branch_point(equations, there),
-                                 .text = energy_turns ? "the energy turns" : ""},
-                     .orbit = equations.orbit()});
+    result.found.push_back({.length = *zero,
+                            .special = {.kind = kind,
+                                        .point = branch_point(equations, there),
+                                        .text = energy_turns ? "the energy turns" : ""},
+                            .orbit = equations.orbit(),
+                            .across = std::move(across)});
   }
-  return found;
+  return result;
+}
+
+// Real multipliers above 1, those below -1, and pairs outside the circle.
+std::array<std::ptrdiff_t, 3> outside(const Eigen::VectorXcd& multipliers) {
+  constexpr double kReal = 1e-9;
+  std::array<std::ptrdiff_t, 3> counts{};
+  for (const std::complex<double>& mu : multipliers) {
+    const bool real = std::abs(mu.imag()) <= kReal * std::abs(mu);
+    counts[0] += real && mu.real() > 1.0 ? 1 : 0;
+    counts[1] += real && mu.real() < -1.0 ? 1 : 0;
+    counts[2] += !real && mu.imag() > 0.0 && std::abs(mu) > 1.0 ? 1 : 0;
+  }
+  return counts;
+}
+
+// The extremum within (0, length) of the parabola through (-before, a), (0, b), (length, c); empty if none.
+std::optional<double> extremum(double before, double a, double b, double length, double c) {
+  const double backward = (b - a) / before, forward = (c - b) / length;
+  const double curvature = (forward - backward) / (before + length);
+  const double slope = backward + curvature * before;  // at 0
+  const double at = -slope / (2.0 * curvature);
+  if (!(at > 0.0 && at < length)) return std::nullopt;
+  return b + 0.5 * slope * at;
 }
 
 }  // namespace
 
-std::vector<LocatedBifurcation> bifurcations(ExtendedEquations& equations, const Station& begin,
-                                             double length, const Station& end, double inside) {
-  std::vector<LocatedBifurcation> found = changes_of_sign(equations, begin, length, end, inside);
+bool may_hide_bifurcations(const std::optional<TestsBefore>& before, const BifurcationTests& begin,
+                           double length, const BifurcationTests& end) {
+  constexpr double kNear = 0.1, kOneMagnitude = 0.2;  // determinants that fade by decades have no parabola
+  if (begin.multipliers.size() > 0 && end.multipliers.size() > 0) {
+    const auto first = outside(begin.multipliers), last = outside(end.multipliers);
+    for (std::size_t k = 0; k < first.size(); ++k) {
+      if (std::abs(first[k] - last[k]) >= 2) return true;
+    }
+  }
+  for (std::size_t k = 0; before && k < begin.values.size(); ++k) {
+    const auto &a = before->tests.values[k], &b = begin.values[k], &c = end.values[k];
+    if (!a || !b || !c || !(*b * *c > 0.0)) continue;
+    if (std::abs(*b) < kOneMagnitude * std::abs(*a) || std::abs(*c) < kOneMagnitude * std::abs(*b)) continue;
+    const auto least = extremum(before->length, *a, *b, length, *c);
+    if (least && *least * std::copysign(1.0, *b) < kNear * std::min(std::abs(*b), std::abs(*c))) return true;
+  }
+  return false;
+}
+
+StepBifurcations bifurcations(ExtendedEquations& equations, const Station& begin, double length,
+                              const Station& end, double inside) {
+  StepBifurcations result = changes_of_sign(equations, begin, length, end, inside);
+  std::vector<LocatedBifurcation>& found = result.found;
   constexpr double kBefore = 0.999;  // of the part that counts
   const double shorter = kBefore * inside;
   const bool corrected =
       inside < length && correct(equations, begin.x + shorter * begin.tangent, begin.tangent).has_value();
   if (const auto tangent = corrected ? tangent_of(equations, begin.tangent) : std::nullopt) {
     const Station before = station_at(equations, *tangent);
-    for (LocatedBifurcation& other : changes_of_sign(equations, begin, shorter, before, shorter)) {
+    StepBifurcations others = changes_of_sign(equations, begin, shorter, before, shorter);
+    for (LocatedBifurcation& other : others.found) {
       const SpecialKind kind = other.special.kind;
       if (std::none_of(found.begin(), found.end(), [kind](const auto& f) { return f.special.kind == kind; }))
         found.push_back(std::move(other));
@@ -167,7 +237,7 @@ std::vector<LocatedBifurcation> bifurcations(ExtendedEquations& equations, const
   }
   std::sort(found.begin(), found.end(),
             [](const LocatedBifurcation& a, const LocatedBifurcation& b) { return a.length < b.length; });
-  return found;
+  return result;
 }
 
 std::optional<Station> guards_at(ExtendedEquations& equations, const Station& begin, double length) {

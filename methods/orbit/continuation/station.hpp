@@ -39,7 +39,8 @@ struct GuardCrossing {
 struct LocatedBifurcation {
   double length = 0.0;  ///< of the step up to it
   SpecialPoint special;
-  SequencedOrbit orbit;  ///< there
+  SequencedOrbit orbit;         ///< there
+  Eigen::VectorXd across = {};  ///< of a branch point: unit tangent of the other curve through it
 };
 
 /// Whether a guard is negative at a station.
@@ -50,11 +51,32 @@ bool violates(const Station& station);
 std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const Station& begin, double length,
                                             const Station& end);
 
-/// Bifurcations on a step, up to `inside`, in their order: signs of test functions that differ at its ends,
-/// the zero located and `confirmed`. Where the branch ends within the step, at its end the curve may be its
-/// own mirror, where a sign has changed twice: signs at `inside` count too.
-std::vector<LocatedBifurcation> bifurcations(ExtendedEquations& equations, const Station& begin,
-                                             double length, const Station& end, double inside);
+/// The bifurcations on a step.
+struct StepBifurcations {
+  std::vector<LocatedBifurcation> found = {};  ///< in their order
+  bool undecided = false;  ///< a sign changed whose zero was not located: a shorter step may tell
+};
+
+/// Bifurcations on a step, up to `inside`: signs of test functions that differ at its ends, the zero located
+/// and `confirmed`, that of a branch point by `solve_branch_point`. Where the branch ends within the step, at
+/// its end the curve may be its own mirror, where a sign has changed twice: signs at `inside` count too.
+StepBifurcations bifurcations(ExtendedEquations& equations, const Station& begin, double length,
+                              const Station& end, double inside);
+
+/// The tests of bifurcations at a point, and the length of the step from there to the next.
+struct TestsBefore {
+  BifurcationTests tests = {};
+  double length = 0.0;
+};
+
+/// Whether a test function may have vanished twice on a step at whose ends it has one sign: its parabola
+/// through both and the point before, values of one magnitude, comes within a tenth of the smaller of its
+/// values there of zero, or the numbers of real multipliers above 1, of those below -1, or of pairs outside
+/// the circle differ by two or more. Multipliers and tests that are not known say nothing.
+///
+/// \param before  the step before; empty at the first point of a curve, where the multipliers alone are asked
+bool may_hide_bifurcations(const std::optional<TestsBefore>& before, const BifurcationTests& begin,
+                           double length, const BifurcationTests& end);
 
 /// The point of a step at a length with its guards, without its tests of bifurcations, at which `equations`
 /// are left evaluated; empty where the corrector fails.

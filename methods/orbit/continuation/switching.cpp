@@ -10,8 +10,8 @@
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/orbit/continuation/grazing_families.hpp"
-#include "methods/orbit/continuation/orbit_section.hpp"
 #include "methods/orbit/family/chatter.hpp"
+#include "methods/orbit/family/orbit_section.hpp"
 
 namespace signorini {
 
@@ -116,19 +116,14 @@ std::optional<CurveStart> start_doubled(OrbitFamily& family, const SequencedOrbi
                     .leaves = LeftBranch::repetition};
 }
 
-std::vector<CurveStart> start_crossing(OrbitFamily& family, const SequencedOrbit& orbit,
-                                       const Eigen::VectorXd& tangent) {
-  ExtendedEquations equations(family, orbit);
-  if (!equations.evaluate(orbit.x)) return {};
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(equations.jacobian(), Eigen::ComputeFullV);
-  const Eigen::MatrixXd null = svd.matrixV().rightCols(2);
-  const Eigen::Vector2d along = null.transpose() * tangent;
-  const Eigen::VectorXd across = (null * Eigen::Vector2d(-along[1], along[0])).normalized();
+std::vector<CurveStart> start_crossing(const OrbitFamily& family, const SequencedOrbit& orbit,
+                                       const Eigen::VectorXd& across) {
+  const double parameter = orbit.x[orbit.x.size() - 1] * family.units().parameter;
   std::vector<CurveStart> starts;
   for (const double sign : {1.0, -1.0})
     starts.push_back({.orbit = orbit,
                       .tangent = sign * across,
-                      .origin = fmt::format("branch point at {:.10g}", equations.parameter()),
+                      .origin = fmt::format("branch point at {:.10g}", parameter),
                       .leaves = LeftBranch::crossing});
   return starts;
 }

@@ -39,13 +39,11 @@ std::optional<CurveStart> start_where_grows(OrbitFamily& family, const Sequenced
 /// the same orbits, one period later.
 std::optional<CurveStart> start_doubled(OrbitFamily& family, const SequencedOrbit& orbit);
 
-/// At a branch point, where the null space of [R_x] has two dimensions: both ways along the direction in it
-/// that is orthogonal to the tangent of the branch. At a pitchfork, as symmetry makes it, that is the tangent
-/// of the other branch.
+/// At a branch point both ways along the other curve through it.
 ///
-/// \param tangent  of the branch at the orbit
-std::vector<CurveStart> start_crossing(OrbitFamily& family, const SequencedOrbit& orbit,
-                                       const Eigen::VectorXd& tangent);
+/// \param across  its unit tangent
+std::vector<CurveStart> start_crossing(const OrbitFamily& family, const SequencedOrbit& orbit,
+                                       const Eigen::VectorXd& across);
 
 /// An orbit that grazes rigid stops, without the impacts.
 struct GrazingOrbit {

@@ -1,6 +1,7 @@
 #include "methods/orbit/family/extended_equations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -223,6 +224,30 @@ const Eigen::MatrixXd& ExtendedEquations::jacobian() {
     jacobian_.col(size()).setConstant(std::numeric_limits<double>::quiet_NaN());
   }
   return jacobian_;
+}
+
+Eigen::MatrixXd ExtendedEquations::accurate_jacobian() const {
+  constexpr double kStep = 1e-4;  // in units of the curve
+  constexpr std::array<std::pair<double, double>, 4> kWeights{
+      {{1.0, 8.0}, {-1.0, -8.0}, {2.0, -1.0}, {-2.0, 1.0}}};
+  Eigen::MatrixXd J = jacobian_;
+  auto column = J.col(size());
+  column.setZero();
+  for (const auto& [steps, weight] : kWeights) {
+    Eigen::VectorXd beside = orbit_.x;
+    beside[size()] += steps * kStep;
+    try {
+      const auto model = family_.model(beside[size()] * family_.units().parameter);
+      const auto equations = evaluated(*model, beside, false);
+      if (equations)
+        column += weight / (12.0 * kStep) * residual_of(*equations, *model, beside);
+      else
+        column.setConstant(std::numeric_limits<double>::quiet_NaN());
+    } catch (const std::runtime_error&) {  // no scene, or no flow of a mode
+      column.setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  return J;
 }
 
 Eigen::MatrixXd ExtendedEquations::conditions() const {

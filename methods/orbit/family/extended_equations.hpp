@@ -41,6 +41,9 @@ class ExtendedEquations {
   /// [dR/dy, dR/dtheta, dR/dp], (2 Nd + m) x (2 Nd + m + 1) [-]. dR/dp is evaluated anew where x has moved by
   /// more than 1e-6 since.
   const Eigen::MatrixXd& jacobian();
+  /// The same with dR/dp by a central difference of fourth order over 1e-4 P, good to about 1e-10: where the
+  /// rank of [R_x] is the question. NaN where there is no scene beside p.
+  Eigen::MatrixXd accurate_jacobian() const;
 
   /// Free motions (OrbitFamily::driven) have a phase too many and, as energy is kept, an equation too many:
   /// along a step their first event stays at its phase. One row of 2 Nd + m + 1; none of driven motions.

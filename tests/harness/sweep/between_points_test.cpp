@@ -13,8 +13,8 @@
 #include <random>
 
 #include "harness/sweep/branch_response.hpp"
-#include "methods/orbit/continuation/orbit_section.hpp"
 #include "methods/orbit/continuation/station.hpp"
+#include "methods/orbit/family/orbit_section.hpp"
 #include "problems/assembly/chain.hpp"
 
 namespace signorini {

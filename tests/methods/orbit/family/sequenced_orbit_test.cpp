@@ -6,7 +6,7 @@
 
 #include <complex>
 
-#include "methods/orbit/continuation/orbit_section.hpp"
+#include "methods/orbit/family/orbit_section.hpp"
 #include "tests/methods/orbit/closed_form_guess.hpp"
 #include "tests/support/impact_oscillator.hpp"
 

@@ -1,4 +1,4 @@
-#include "methods/orbit/continuation/orbit_section.hpp"
+#include "methods/orbit/family/orbit_section.hpp"
 
 #include <cmath>
 #include <utility>
