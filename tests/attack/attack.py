@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
 """Attacks the built program as a stranger, an accident or a full disk would; counts what it promised and did not keep.
 
-usage: attack.py PROGRAM [--share quick|hour] [--seed N] [--only GLOB] [--sanitized] [--table FILE] [--fuzzed FILE]
-                 [--findings FOLDER]
+usage: attack.py PROGRAM [--share quick|hour] [--seed N] [--only GLOB] [--sanitized] [--table FILE] [--findings FOLDER]
 
 Prints one line per campaign, and each violation with what brings it about; exit code 1 if there is one. The same seed
-makes the same inputs. With --table the lines become a page, results/attack.md; --fuzzed names the fuzz.json of fuzz.py,
-whose lines join it.
+makes the same inputs. With --table the lines become a page, results/attack.md, which what fuzz.py recorded in
+results/fuzz.json joins.
 """
 
 import argparse
@@ -28,6 +27,7 @@ import solve_attacks
 from attack_page import page_of
 from attacked_program import Program
 
+FUZZED = pathlib.Path(__file__).resolve().parents[2] / "results/fuzz.json"
 # How many tests of each campaign make some seconds, and how many an hour with sanitizers.
 CAMPAIGNS = {
     "scenes": (file_attacks.scenes, 60, 6000),
@@ -62,7 +62,6 @@ def parsed():
     parser.add_argument("--only", default="*", help="campaigns by glob")
     parser.add_argument("--sanitized", action="store_true", help="the program is built with sanitizers: slower, larger")
     parser.add_argument("--table", type=pathlib.Path)
-    parser.add_argument("--fuzzed", type=pathlib.Path)
     parser.add_argument("--findings", type=pathlib.Path, help="folder for the inputs of violations")
     return parser.parse_args()
 
@@ -107,7 +106,7 @@ def main():
         sys.exit(f"only = {arguments.only} (must match one of {', '.join(CAMPAIGNS)})")
     if arguments.table:
         version = subprocess.check_output([arguments.program, "--version"], text=True).strip()
-        fuzzed = json.loads(arguments.fuzzed.read_text()) if arguments.fuzzed else []
+        fuzzed = json.loads(FUZZED.read_text()) if FUZZED.exists() else []
         arguments.table.write_text(page_of(campaigns, fuzzed, arguments, version))
     return 1 if any(campaign.violations for campaign in campaigns) else 0
 

@@ -8,14 +8,14 @@ crash, a call that does not end in its time or its memory, an undocumented exit 
 a refusal of more than one line, a raw byte on the terminal, a lost or doubled record, or an answer called converged that
 is none.
 
-This page is made by one command, with a build of the preset `asan` (and `--fuzzed` for the fuzzers of the preset `fuzz`):
+This page is made by one command, with a build of the preset `asan` after the fuzzers of the preset `fuzz` (`fuzz.py`):
 
     {command}
 
 Program: {version}; seed {seed}; share `{share}`{sanitized}.
 """
 WHAT_FUZZERS_DO = """The readers of untrusted text under libFuzzer, with the sanitizers of addresses and undefined behaviour;
-an input may take 25 s and 4 GiB. Time is that of the processor.
+an input may take 25 s and 4 GiB. Time is that of the processor, of all the commits named.
 """
 
 
@@ -34,6 +34,15 @@ def campaign_rows(campaigns):
                f"{campaign.seconds:.1f}" if campaign.seconds else "", f"{campaign.peak_mb:.0f}" if campaign.peak_mb else ""]
 
 
+def fuzzer_rows(entries):
+    """A row for each reader: the sums over the programs that were fuzzed, with their commits."""
+    for reader in dict.fromkeys(entry["reader"] for entry in entries):
+        own = [entry for entry in entries if entry["reader"] == reader]
+        yield [reader, ", ".join(dict.fromkeys(entry["commit"] for entry in own)), sum(entry["executions"] for entry in own),
+               f"{sum(entry['seconds'] for entry in own):.0f}", sum(len(entry["findings"]) for entry in own),
+               max(entry["peak_mb"] for entry in own)]
+
+
 def page_of(campaigns, fuzzed, arguments, version):
     """The page as Markdown."""
     sanitized = ", the program built with sanitizers" if arguments.sanitized else ""
@@ -48,10 +57,9 @@ def page_of(campaigns, fuzzed, arguments, version):
         lines = (text.encode("ascii", "backslashreplace").decode()[:400] for text in found)
         page += "\n## Violations\n\n" + "".join(f"- `{line}`\n" for line in lines)
     if fuzzed:
-        rows = [["reader", "commit", "inputs", "time of the processor [s]", "crashes, hangs and broken promises",
+        rows = [["reader", "commits", "inputs", "time of the processor [s]", "crashes, hangs and broken promises",
                  "largest process [MiB]"]]
-        rows += [[one["reader"], one["commit"], one["executions"], f"{one['seconds']:.0f}", len(one["findings"]),
-                  one["peak_mb"]] for one in fuzzed]
+        rows += fuzzer_rows(fuzzed)
         page += f"\n## Fuzzers\n\n{WHAT_FUZZERS_DO}\n" + table(rows)
     for title, rows in (note for campaign in campaigns for note in campaign.notes):
         page += f"\n## {title}\n\n" + table(rows) if rows else f"\n{title}.\n"

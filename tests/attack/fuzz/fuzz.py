@@ -1,19 +1,21 @@
 #!/usr/bin/env python3
 """Runs the fuzzers of a build with the preset fuzz, one after another, and says what they found.
 
-usage: fuzz.py FOLDER [--seconds N] [--only NAME] [--minimise]
+usage: fuzz.py FOLDER [--seconds N] [--only NAME] [--record FILE] [--minimise]
 
-Each runs for so many seconds of processor time in all, an hour unless told; a run that was stopped is continued as long as
-the program is the same. FOLDER holds the programs fuzz_scene, fuzz_matrix,
-fuzz_records, fuzz_branches and fuzz_answer (build/fuzz/tests/attack). Inputs that broke a promise are kept in FOLDER/findings, what
-reached new code in FOLDER/found. Each ends in one line, and all of them in FOLDER/fuzz.json, from which attack.py makes
-its table. With --minimise the smallest inputs that reach what was reached are added to tests/attack/corpus. Exit code 1
-if something was found.
+FOLDER holds the programs fuzz_scene, fuzz_matrix, fuzz_records, fuzz_branches and fuzz_answer (build/fuzz/tests/attack).
+Inputs that broke a promise are kept in FOLDER/findings, what reached new code in FOLDER/found. The record, results/fuzz.json
+unless told, has one entry for each fuzzer and program, from which attack.py makes its table. Each fuzzer runs for so many
+seconds of processor time, an hour unless told, which are added to the record every ten minutes at most. Several may run at
+once, each with --only. With --minimise the smallest inputs that reach what was reached are added to tests/attack/corpus.
+Exit code 1 if something was found.
 """
 
 import argparse
+import fcntl
 import hashlib
 import json
+import os
 import pathlib
 import re
 import resource
@@ -84,36 +86,58 @@ def commit():
     return named.stdout.strip()
 
 
-def begun(folder, reader, results):
-    """What the program has done so far, if it is the one that did it."""
-    program = hashlib.sha256((folder / f"fuzz_{reader}").read_bytes()).hexdigest()[:16]
-    known = results.get(reader, {})
-    if known.get("program") == program:
-        return known
-    return {"reader": reader, "program": program, "commit": commit(), "seconds": 0.0, "executions": 0, "peak_mb": 0, "findings": []}
+class Record:
+    """The entries of all fuzzers and programs in one file, which several processes may write to."""
+
+    def __init__(self, path):
+        self.path = path
+
+    def entries(self):
+        return json.loads(self.path.read_text()) if self.path.exists() else []
+
+    def begun(self, folder, reader):
+        """What this program has done so far."""
+        program = hashlib.sha256((folder / f"fuzz_{reader}").read_bytes()).hexdigest()[:16]
+        empty = {"reader": reader, "program": program, "commit": commit(), "seconds": 0.0, "executions": 0, "peak_mb": 0,
+                 "findings": []}
+        return next((entry for entry in self.entries() if is_same(entry, empty)), empty)
+
+    def save(self, entry):
+        """In place of what the same program did before."""
+        lock = os.open(self.path.parent, os.O_RDONLY)
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            entries = sorted([*(other for other in self.entries() if not is_same(other, entry)), entry],
+                             key=lambda one: (list(SEEDS).index(one["reader"]), one["commit"], one["program"]))
+            draft = self.path.with_suffix(".draft")
+            draft.write_text(json.dumps(entries, indent=2) + "\n")
+            draft.replace(self.path)
+        finally:
+            os.close(lock)
 
 
-def fuzz(folder, reader, seconds, results):
-    """Runs one fuzzer until it has run for so long, anew after each finding and every ten minutes. Yields the figures of
-    the whole each time."""
+def is_same(one, other):
+    return (one["reader"], one["program"]) == (other["reader"], other["program"])
+
+
+def fuzz(folder, reader, seconds, record):
+    """Runs one fuzzer for so many seconds, anew after each finding and every ten minutes."""
     for path in (folder / "found" / reader, folder / "findings"):
         path.mkdir(parents=True, exist_ok=True)
     write_dictionary(reader, folder / f"{reader}.dict")
-    result = begun(folder, reader, results)
+    entry = record.begun(folder, reader)
     before = set((folder / "findings").iterdir())
-    earlier, findings = result["seconds"] - processor_seconds(), set(result["findings"])
-    while result["seconds"] < seconds - 1:
-        command = command_of(folder, reader, min(600.0, seconds - result["seconds"]))
-        run = subprocess.run(command, cwd=folder, capture_output=True)
+    began, earlier, findings = processor_seconds(), entry["seconds"], set(entry["findings"])
+    while (left := seconds - (processor_seconds() - began)) > 1:
+        run = subprocess.run(command_of(folder, reader, min(600.0, left)), cwd=folder, capture_output=True)
         text = run.stderr.decode(errors="replace")
         (folder / f"{reader}.log").write_text(text[-200000:])
-        result["seconds"] = earlier + processor_seconds()
-        result["executions"] += figure("number_of_executed_units", text)
-        result["peak_mb"] = max(result["peak_mb"], figure("peak_rss_mb", text))
+        entry["seconds"] = round(earlier + processor_seconds() - began, 1)
+        entry["executions"] += figure("number_of_executed_units", text)
+        entry["peak_mb"] = max(entry["peak_mb"], figure("peak_rss_mb", text))
         findings |= set(new_findings(folder, reader, before))
-        result["findings"] = sorted(findings)
-        result["corpus"] = len(list((folder / "found" / reader).iterdir()))
-        yield result
+        entry["findings"] = sorted(findings)
+        record.save(entry)
 
 
 def minimise(folder, reader):
@@ -130,23 +154,23 @@ def minimise(folder, reader):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--seconds", type=float, default=3600.0, help="of processor time, each")
+    parser.add_argument("--seconds", type=float, default=3600.0, help="of processor time, each, beside what the record has")
     parser.add_argument("--only", choices=list(SEEDS))
+    parser.add_argument("--record", type=pathlib.Path, default=TREE / "results/fuzz.json")
     parser.add_argument("--minimise", action="store_true")
     arguments = parser.parse_args()
     folder = arguments.folder.resolve()
-    summary = folder / "fuzz.json"
-    results = {result["reader"]: result for result in json.loads(summary.read_text())} if summary.exists() else {}
+    record = Record(arguments.record)
     for reader in [arguments.only] if arguments.only else SEEDS:
-        result = begun(folder, reader, results)
-        for result in fuzz(folder, reader, arguments.seconds, results):
-            results[reader] = result
-            summary.write_text(json.dumps(list(results.values()), indent=2) + "\n")
-        print(f"{reader}: {result['executions']} inputs in {result['seconds']:.0f} s, {len(result['findings'])} findings, "
-              f"largest {result['peak_mb']} MiB", *result["findings"], sep="\n  ", flush=True)
+        fuzz(folder, reader, arguments.seconds, record)
+        entries = [entry for entry in record.entries() if entry["reader"] == reader]
+        findings = [name for entry in entries for name in entry["findings"]]
+        print(f"{reader}: in all {sum(entry['executions'] for entry in entries)} inputs in "
+              f"{sum(entry['seconds'] for entry in entries):.0f} s, {len(findings)} findings, largest "
+              f"{max((entry['peak_mb'] for entry in entries), default=0)} MiB", *findings, sep="\n  ", flush=True)
         if arguments.minimise:
             minimise(folder, reader)
-    return 1 if any(result["findings"] for result in results.values()) else 0
+    return 1 if any(entry["findings"] for entry in record.entries()) else 0
 
 
 if __name__ == "__main__":
