@@ -22,6 +22,7 @@ import command_attacks
 import file_attacks
 import load
 import method_attacks
+import reproductions
 import run_attacks
 import solve_attacks
 from attack_page import page_of
@@ -50,6 +51,7 @@ CAMPAIGNS = {
     "new": (command_attacks.new, 10, 300),
     "references": (command_attacks.references, 2, 100),
     "starts": (command_attacks.starts, 5, 300),
+    "reproductions": (reproductions.reproductions, 21, 21),
     "load": (load.campaign_of, 40, 2000),
 }
 

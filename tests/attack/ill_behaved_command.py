@@ -141,6 +141,7 @@ DEEDS = {
     "huge-motion": lambda p: say({"verdict": "converged", "trajectory": motion(p, 64, 1e308)}),
     "tiny-motion": lambda p: say({"verdict": "converged", "trajectory": motion(p, 64, 1e-320)}),
     "far-motion": lambda p: say({"verdict": "converged", "trajectory": motion(p, 64, -1e6)}),
+    "stand-before-the-stop": lambda p: say({"verdict": "converged", "trajectory": motion(p, 64, p["contacts"][0]["gap"] - 0.1)}),
     "times-else": lambda p: spoilt(p, t=[0.0] * 64),
     "impulse-elsewhere": lambda p: spoilt(p, impulses=[{"contact": 7, "time": 0.1, "value": -1.0}]),
     "impulse-late": lambda p: spoilt(p, impulses=[{"contact": 0, "time": 1e9, "value": -1.0}]),
