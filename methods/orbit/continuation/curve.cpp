@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "methods/orbit/continuation/hidden_bifurcations.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/family/chatter.hpp"
 #include "methods/orbit/family/orbit_section.hpp"
@@ -124,11 +125,9 @@ SpecialPoint change_at(const ExtendedEquations& equations, const OrbitGuard& gua
           .text = limit + describe(guard, equations.orbit(), rigid)};
 }
 
-// What a step did not decide.
-std::string note_of(const StepBifurcations& met, const Station& here, const OrbitFamily& family) {
-  return fmt::format("{} at {:.10g}",
-                     met.undecided ? "a bifurcation is not located" : "two bifurcations may be one",
-                     here.x[here.x.size() - 1] * family.units().parameter);
+// What the step from a point does not decide.
+std::string note_at(std::string_view what, const Station& here, const OrbitFamily& family) {
+  return fmt::format("{} at {:.10g}", what, here.x[here.x.size() - 1] * family.units().parameter);
 }
 
 // A special point before the next point of the branch.
@@ -184,6 +183,7 @@ class Tracer {
 
  private:
   void append() { result_.branch.points.push_back(branch_point(*equations_, here_, options_.phases)); }
+  void note(std::string_view what) { result_.notes.push_back(note_at(what, here_, family_)); }
   void finish(std::string reason) {
     result_.branch.ended = std::move(reason);
     done_ = true;
@@ -207,9 +207,10 @@ class Tracer {
     Station next = station_at(*equations_, *tangent);
     if (rejects(next)) return reject();
     if (leaves_out_too_much(*equations_)) return step_ > kShort ? shorten(0.5) : finish(kChatterLimit);
-    const auto crossing = cut_at_violation(*equations_, here_, step_, next);
+    const auto [crossing, unseen] = cut_at_violation(*equations_, here_, step_, next);
     if (crossing && rejects(next)) return reject();
-    if (violates(next) && !crossing) return shorten(0.5);  // its zero is not to be found on so long a step
+    if (unseen && (step_ > kShort || (violates(next) && !crossing))) return shorten(0.5);
+    if (unseen) note("whether a contact passes its stop between two points is not decided");
     const auto halved = half_period_on_step(
         *equations_, {.x = here_.x, .tangent = here_.tangent, .length = step_}, half_way_);
     if (halved && *halved == 0.0 && step_ > kShort) return shorten(0.5);  // to end nearer to it
@@ -220,7 +221,8 @@ class Tracer {
     StepBifurcations met = bifurcations(*equations_, here_, step_, next, inside);
     const bool hides = inside == step_ && may_hide_bifurcations(before_, here_.tests, step_, next.tests);
     if ((met.undecided || hides) && step_ > kShort) return shorten(0.5);
-    if (met.undecided || hides) result_.notes.push_back(note_of(met, here_, family_));
+    if (met.undecided) note("a bifurcation is not located");
+    if (hides && !met.undecided) note("two bifurcations may be one");
     for (LocatedBifurcation& found : met.found) record(std::move(found), result_);
     if (halved && !(crossing && crossing->length < *halved)) return end_at_half_period(*halved);
     if (crossing) return end_at(*crossing);
@@ -268,8 +270,8 @@ class Tracer {
     return !result_.rejected.empty();
   }
   void reject() {
-    constexpr double kShortest = 1e-5;  // a phase of contact at a stiff stop
-    if (equations_->model().dynamics.rigid() || step_ < kShortest) return finish(result_.rejected);
+    constexpr double kShortest = 1e-5;  // beside it what begins may end: contact at a stiff stop, a grazing
+    if (step_ < kShortest) return finish(result_.rejected);
     result_.rejected.clear();
     shorten(0.2);
   }
@@ -332,7 +334,7 @@ class Tracer {
   void go_on_with(OtherUnknowns other) {
     if (!other.obstacle.empty()) return finish(std::move(other.obstacle));
     equations_ = std::move(other.equations);
-    before_.reset();
+    if (before_) before_->tests.values = {};  // of other unknowns; multipliers are the orbit's
     here_ = station_at(*equations_, other.tangent);
     half_way_ = half_way(*equations_);
   }
@@ -342,10 +344,10 @@ class Tracer {
   const CurveStart& start_;
   std::unique_ptr<ExtendedEquations> equations_;
   Station here_;
-  std::optional<TestsBefore> before_;  // none where the unknowns have changed
-  Eigen::VectorXd half_way_;           // at here_
-  double step_, planned_ = 0.0;        // the latter of a step that ended at a value asked for
-  double travelled_ = 0.0;             // along the curve
+  std::optional<TestsBefore> before_;
+  Eigen::VectorXd half_way_;     // at here_
+  double step_, planned_ = 0.0;  // the latter of a step that ended at a value asked for
+  double travelled_ = 0.0;       // along the curve
   std::optional<std::pair<Station, double>> unsteered_;  // the point and the step before steer()
   bool done_ = false, steered_before_ = false;
   TracedCurve result_;

@@ -1,9 +1,7 @@
 #include "methods/orbit/continuation/station.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <utility>
 
@@ -174,49 +172,7 @@ StepBifurcations changes_of_sign(ExtendedEquations& equations, const Station& be
   return result;
 }
 
-// Real multipliers above 1, those below -1, and pairs outside the circle.
-std::array<std::ptrdiff_t, 3> outside(const Eigen::VectorXcd& multipliers) {
-  constexpr double kReal = 1e-9;
-  std::array<std::ptrdiff_t, 3> counts{};
-  for (const std::complex<double>& mu : multipliers) {
-    const bool real = std::abs(mu.imag()) <= kReal * std::abs(mu);
-    counts[0] += real && mu.real() > 1.0 ? 1 : 0;
-    counts[1] += real && mu.real() < -1.0 ? 1 : 0;
-    counts[2] += !real && mu.imag() > 0.0 && std::abs(mu) > 1.0 ? 1 : 0;
-  }
-  return counts;
-}
-
-// The extremum within (0, length) of the parabola through (-before, a), (0, b), (length, c); empty if none.
-std::optional<double> extremum(double before, double a, double b, double length, double c) {
-  const double backward = (b - a) / before, forward = (c - b) / length;
-  const double curvature = (forward - backward) / (before + length);
-  const double slope = backward + curvature * before;  // at 0
-  const double at = -slope / (2.0 * curvature);
-  if (!(at > 0.0 && at < length)) return std::nullopt;
-  return b + 0.5 * slope * at;
-}
-
 }  // namespace
-
-bool may_hide_bifurcations(const std::optional<TestsBefore>& before, const BifurcationTests& begin,
-                           double length, const BifurcationTests& end) {
-  constexpr double kNear = 0.1, kOneMagnitude = 0.2;  // determinants that fade by decades have no parabola
-  if (begin.multipliers.size() > 0 && end.multipliers.size() > 0) {
-    const auto first = outside(begin.multipliers), last = outside(end.multipliers);
-    for (std::size_t k = 0; k < first.size(); ++k) {
-      if (std::abs(first[k] - last[k]) >= 2) return true;
-    }
-  }
-  for (std::size_t k = 0; before && k < begin.values.size(); ++k) {
-    const auto &a = before->tests.values[k], &b = begin.values[k], &c = end.values[k];
-    if (!a || !b || !c || !(*b * *c > 0.0)) continue;
-    if (std::abs(*b) < kOneMagnitude * std::abs(*a) || std::abs(*c) < kOneMagnitude * std::abs(*b)) continue;
-    const auto least = extremum(before->length, *a, *b, length, *c);
-    if (least && *least * std::copysign(1.0, *b) < kNear * std::min(std::abs(*b), std::abs(*c))) return true;
-  }
-  return false;
-}
 
 StepBifurcations bifurcations(ExtendedEquations& equations, const Station& begin, double length,
                               const Station& end, double inside) {
@@ -260,9 +216,9 @@ class DipSearch {
   DipSearch(ExtendedEquations& equations, Station& begin, double length)
       : equations_(equations), begin_(begin), step_(length) {}
 
-  std::optional<StepPoint> run(Station& end) {
+  HiddenViolation run(Station& end) {
     search({.length = 0.0, .station = &begin_}, {.length = step_, .station = &end});
-    return std::move(found_);
+    return std::move(result_);
   }
 
  private:
@@ -314,22 +270,24 @@ class DipSearch {
     return least;
   }
 
-  // Leaves a violation in found_.
+  // Leaves what it finds in result_.
   void search(const End& a, const End& b) {
     constexpr int kChecks = 24;
     constexpr double kNarrow = 1e-6;  // of the step
     const double h = b.length - a.length;
-    if (found_ || checks_ >= kChecks || h < kNarrow * step_) return;
+    if (result_.found || h < kNarrow * step_) return;
     track(*a.station);
     track(*b.station);
     const GuardCubic::Lowest least = lowest(a, b);
     if (least.bound >= 0.0) return;
-    ++checks_;
     const double length = a.length + least.at * h;
-    auto between = guards_at(equations_, begin_, length);
-    if (!between) return;
+    auto between = checks_++ < kChecks ? guards_at(equations_, begin_, length) : std::optional<Station>();
+    if (!between) {
+      result_.undecided = true;
+      return;
+    }
     if (violates(*between)) {
-      found_ = {.length = length, .station = station_at(equations_, between->tangent)};
+      result_.found = {.length = length, .station = station_at(equations_, between->tangent)};
       return;
     }
     const End middle{.length = length, .station = &*between};
@@ -341,38 +299,43 @@ class DipSearch {
   Station& begin_;
   double step_;
   int checks_ = 0;
-  std::optional<StepPoint> found_ = {};
+  HiddenViolation result_ = {};
 };
 
 }  // namespace
 
-std::optional<StepPoint> hidden_violation(ExtendedEquations& equations, Station& begin, double length,
-                                          Station& end) {
+HiddenViolation hidden_violation(ExtendedEquations& equations, Station& begin, double length, Station& end) {
   return DipSearch(equations, begin, length).run(end);
 }
 
-std::optional<GuardCrossing> cut_at_violation(ExtendedEquations& equations, Station& begin, double& length,
-                                              Station& end) {
+StepEnd cut_at_violation(ExtendedEquations& equations, Station& begin, double& length, Station& end) {
   constexpr int kTimes = 8;  // a zero before the dip that was found
-  std::optional<GuardCrossing> crossing;
-  if (violates(end)) {
-    crossing = first_crossing(equations, begin, length, end);
-    if (!crossing) return std::nullopt;
-  }
-  for (int k = 0; k < kTimes; ++k) {
-    auto zero = crossing ? guards_at(equations, begin, crossing->length) : std::optional<Station>();
-    if (crossing && !zero) break;
-    auto hidden =
-        hidden_violation(equations, begin, crossing ? crossing->length : length, zero ? *zero : end);
-    if (!hidden) break;
-    length = hidden->length;
-    end = std::move(hidden->station);
+  StepEnd result;
+  bool cut = violates(end);
+  for (int k = 0; k <= kTimes; ++k) {
+    if (cut) {
+      result.crossing = first_crossing(equations, begin, length, end);
+      if (!result.crossing) return {.undecided = true};
+    }
+    auto zero =
+        result.crossing ? guards_at(equations, begin, result.crossing->length) : std::optional<Station>();
+    if (result.crossing && !zero) {
+      result.undecided = true;
+      break;
+    }
+    HiddenViolation hidden = hidden_violation(
+        equations, begin, result.crossing ? result.crossing->length : length, zero ? *zero : end);
+    // What is found ends the step wherever else it came to no end, unless that lies before.
+    result.undecided = hidden.undecided;
+    cut = hidden.found.has_value();
+    if (!cut) break;
+    length = hidden.found->length;
+    end = std::move(hidden.found->station);
     equations.evaluate(end.x);
-    crossing = first_crossing(equations, begin, length, end);
-    if (!crossing) return std::nullopt;
   }
+  result.undecided = result.undecided || cut;
   equations.evaluate(end.x);
-  return crossing;
+  return result;
 }
 
 }  // namespace signorini

@@ -63,21 +63,6 @@ struct StepBifurcations {
 StepBifurcations bifurcations(ExtendedEquations& equations, const Station& begin, double length,
                               const Station& end, double inside);
 
-/// The tests of bifurcations at a point, and the length of the step from there to the next.
-struct TestsBefore {
-  BifurcationTests tests = {};
-  double length = 0.0;
-};
-
-/// Whether a test function may have vanished twice on a step at whose ends it has one sign: its parabola
-/// through both and the point before, values of one magnitude, comes within a tenth of the smaller of its
-/// values there of zero, or the numbers of real multipliers above 1, of those below -1, or of pairs outside
-/// the circle differ by two or more. Multipliers and tests that are not known say nothing.
-///
-/// \param before  the step before; empty at the first point of a curve, where the multipliers alone are asked
-bool may_hide_bifurcations(const std::optional<TestsBefore>& before, const BifurcationTests& begin,
-                           double length, const BifurcationTests& end);
-
 /// The point of a step at a length with its guards, without its tests of bifurcations, at which `equations`
 /// are left evaluated; empty where the corrector fails.
 std::optional<Station> guards_at(ExtendedEquations& equations, const Station& begin, double length);
@@ -88,23 +73,35 @@ struct StepPoint {
   Station station;
 };
 
+/// What the search between two points of a step has come to.
+struct HiddenViolation {
+  std::optional<StepPoint> found = {};  ///< a point at which the orbit is not admissible
+  /// Somewhere it came to no end: too many guards come near zero, or an orbit cannot be had. A shorter step
+  /// may tell.
+  bool undecided = false;
+};
+
 /// A point of a step at which the orbit is not admissible, though it is so at both ends: where the cubic of a
 /// guard, or of any of its maxima, less the bound of its error, becomes negative, the orbit there is solved
-/// for and decides; on both sides of it the search goes on with the cubics of the parts. A maximum that has
-/// no counterpart at the other end, being born or gone inside, is followed backwards by its rate alone. Empty
-/// where there is none.
+/// for and decides; on both sides of it the search goes on with the cubics of the parts, of 24 orbits at
+/// most. A maximum that has no counterpart at the other end, being born or gone inside, is followed backwards
+/// by its rate alone.
 ///
 /// \param begin  of the step; its tracked guards are found if it has none yet, as are those of the end
 /// \param end    station at `length`; `equations` are left evaluated anywhere on the step
-std::optional<StepPoint> hidden_violation(ExtendedEquations& equations, Station& begin, double length,
-                                          Station& end);
+HiddenViolation hidden_violation(ExtendedEquations& equations, Station& begin, double length, Station& end);
 
-/// Where a step leaves the orbits of the scene, at its end or somewhere before: the first zero of a guard.
-/// The step is then cut at a point where the orbit is not admissible.
+/// Where a step leaves the orbits of the scene.
+struct StepEnd {
+  std::optional<GuardCrossing> crossing = {};  ///< the first zero of a guard
+  /// `end` violates a guard whose zero is not located, or the search between came to no end.
+  bool undecided = false;
+};
+
+/// The first zero of a guard on a step, at its end or somewhere before. The step is then cut at a point where
+/// the orbit is not admissible.
 ///
 /// \param length, end  of the step; of the part, where it is cut. `equations` are left evaluated there
-/// \return empty where it does not, and, though `end` violates a guard, where its zero cannot be located
-std::optional<GuardCrossing> cut_at_violation(ExtendedEquations& equations, Station& begin, double& length,
-                                              Station& end);
+StepEnd cut_at_violation(ExtendedEquations& equations, Station& begin, double& length, Station& end);
 
 }  // namespace signorini

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "problems/scene/scene_file.hpp"
 #include "tests/methods/orbit/continuation/diagrams.hpp"
@@ -81,7 +82,7 @@ TEST(PastChange, PassesTheTwoMassesOfNlvib) {
 // Three massless contacts on a beam. Among the first changes after the contact-free motion are interruptions
 // of contact that fade, and two events that exchange their order.
 TEST(PastChange, LeadsThroughTheChangesOfThreeContacts) {
-  constexpr int kBranches = 16;
+  constexpr int kBranches = 18;
   const BranchDiagram diagram = diagram_of(load_scene(find_scene("beam20-three-stops")), 4.0, 5.5,
                                            {.max_order = 1, .max_branches = kBranches});
   EXPECT_TRUE(diagram.notes.empty()) << diagram.notes.front();
@@ -101,6 +102,25 @@ TEST(PastChange, LeadsThroughTheChangesOfThreeContacts) {
   EXPECT_GE(ended_phases, 3);
   EXPECT_EQ(exchanged, 1);
   EXPECT_GT(diagram.branches.back().points.back().parameter, 4.55);
+}
+
+// Between 4.4546 and 4.4554 rad/s contact 0 presses once more, for less than a step: the search between its
+// points, which comes to no end there, shortens it.
+TEST(PastChange, AreTheSameWhateverTheSteps) {
+  const ParametrisedScene scene = over_frequency(load_scene(find_scene("beam20-three-stops")), 4.4, 4.5);
+  const auto ends = [&](double step) {
+    OrbitFamily family(scene);
+    const BranchDiagram diagram =
+        trace_diagram(family, {contact_free_orbit(family, 4.5).value()},
+                      {.curve = {.largest_step = step}, .max_order = 1, .max_branches = 8});
+    std::vector<double> parameters;
+    for (const Branch& branch : diagram.branches) parameters.push_back(branch.points.back().parameter);
+    return parameters;
+  };
+  const std::vector<double> fine = ends(0.03), coarse = ends(0.15);
+  ASSERT_EQ(fine.size(), coarse.size());
+  for (std::size_t i = 0; i < fine.size(); ++i) EXPECT_NEAR(fine[i], coarse[i], 1e-9) << i;
+  EXPECT_TRUE(std::any_of(fine.begin(), fine.end(), [](double p) { return p > 4.4546 && p < 4.4554; }));
 }
 
 // Where an interruption of contact ends, the closing behind it has no speed. Which of the two guards is met

@@ -129,32 +129,5 @@ TEST(HiddenViolation, IsFoundWhereverAStopLiesBetweenThePeaksOfThePointsAndThatB
   EXPECT_GE(hidden, 30);
 }
 
-// (s - 1)^2 - d^2 has its zeros at 1 - d and 1 + d.
-TEST(MayHideBifurcations, WhereATestFunctionTurnsNearZeroBetweenTwoPoints) {
-  const auto tests = [](double value) {
-    BifurcationTests at;
-    at.values[static_cast<std::size_t>(SpecialKind::fold)] = value;
-    return at;
-  };
-  const auto value = [](double s, double height) { return (s - 1.0) * (s - 1.0) + height; };
-  const auto hides = [&](double height) {
-    const TestsBefore before{.tests = tests(value(0.3, height)), .length = 0.3};
-    return may_hide_bifurcations(before, tests(value(0.6, height)), 0.7, tests(value(1.3, height)));
-  };
-  EXPECT_TRUE(hides(-0.01));
-  EXPECT_TRUE(hides(1e-4));
-  EXPECT_FALSE(hides(0.1));
-  EXPECT_FALSE(may_hide_bifurcations({}, tests(0.15), 0.7, tests(0.08))) << "without a point before";
-}
-
-TEST(MayHideBifurcations, WhereTwoMultipliersHaveLeftTheCircleAtOnce) {
-  BifurcationTests before, after;
-  before.multipliers = Eigen::Vector3cd(0.9, 0.8, 0.1);
-  after.multipliers = Eigen::Vector3cd(1.2, 1.1, 0.1);
-  EXPECT_TRUE(may_hide_bifurcations({}, before, 0.1, after));
-  after.multipliers = Eigen::Vector3cd(1.2, -1.1, 0.1);
-  EXPECT_FALSE(may_hide_bifurcations({}, before, 0.1, after)) << "one through 1, one through -1: signs tell";
-}
-
 }  // namespace
 }  // namespace signorini
