@@ -37,6 +37,14 @@ double shortest_phase(const ExtendedEquations& equations, int contact) {
   return shortest;
 }
 
+// The guard of a kind at the first event of a contact that has it.
+double guard_of_event(const ExtendedEquations& at, GuardKind kind, int contact) {
+  for (const OrbitGuard& guard : event_guards(at)) {
+    if (guard.kind == kind && event_of(at.orbit(), guard.index).contact == contact) return guard.value;
+  }
+  return std::nan("");
+}
+
 // The later of event i and that of its contact before or behind it, whichever is nearer; empty where others
 // lie between them.
 std::optional<Eigen::Index> nearer_event(const SequencedOrbit& orbit, Eigen::Index i) {
@@ -49,15 +57,43 @@ std::optional<Eigen::Index> nearer_event(const SequencedOrbit& orbit, Eigen::Ind
   return gap(nearer) < orbit.end() ? std::optional(nearer) : std::nullopt;
 }
 
-ChangeOfSequence begin_phase(OrbitFamily& family, const SequencedOrbit& orbit, const OrbitGuard& guard) {
+ChangeOfSequence begin_phase(OrbitFamily& family, const SequencedOrbit& orbit, const OrbitGuard& guard,
+                             bool rigid) {
   constexpr double kBrief = 1e-3;  // a fold or a doubling can lie next to the beginning
   const int contact = guard.index;
+  SequencedOrbit with_phase = with_contact_phase(orbit, contact, guard.phase);
+  for (SequenceEvent& event : with_phase.events) {
+    if (!rigid || event.kind != ContactEvent::Kind::close || !event.pushed.empty()) continue;
+    event.pushed = {contact};  // a rigid stop takes the speed of what comes to rest on it
+    event.restitution = {0.0};
+  }
   ChangeOfSequence change = begin_at(
-      family, with_contact_phase(orbit, contact, guard.phase),
-      [contact](const ExtendedEquations& at) { return shortest_phase(at, contact); },
+      family, with_phase, [contact](const ExtendedEquations& at) { return shortest_phase(at, contact); },
       fmt::format("a phase of contact {} begins or is interrupted", contact));
   if (change.start) change.start->first_step_share = kBrief;
   return change;
+}
+
+// A closing of no force, e = 0: an impact before it, after which the contact flies for no time.
+ChangeOfSequence begin_flight(OrbitFamily& family, const SequencedOrbit& orbit, Eigen::Index closing) {
+  std::vector<PlacedEvent> placed = placed_events(orbit);
+  PlacedEvent impact = placed[static_cast<std::size_t>(closing)];
+  impact.second.kind = ContactEvent::Kind::impact;
+  placed.insert(placed.begin() + closing, impact);
+  const int contact = impact.second.contact;
+  return begin_at(
+      family, with_modes(with_events(orbit, std::move(placed))),
+      [contact](const ExtendedEquations& at) { return shortest_phase(at, contact); },
+      fmt::format("contact {} closes after a short flight", contact));
+}
+
+// The flight between the impact before a closing and the closing has ended.
+ChangeOfSequence end_flight(OrbitFamily& family, const SequencedOrbit& orbit, Eigen::Index closing) {
+  const int contact = event_of(orbit, closing).contact;
+  return begin_at(
+      family, without_event(orbit, closing - 1),
+      [contact](const ExtendedEquations& at) { return guard_of_event(at, GuardKind::landing, contact); },
+      fmt::format("contact {} closes at once", contact));
 }
 
 // Events i - 1 and i of one contact have met.
@@ -78,10 +114,18 @@ ChangeOfSequence end_phase(OrbitFamily& family, const SequencedOrbit& orbit, Eig
       fmt::format("a phase of contact {} or its interruption has ended", contact));
 }
 
+// Events i - 1 and i of two contacts have met; with them, of a motion with a symmetry, other pairs.
 ChangeOfSequence exchange(OrbitFamily& family, const SequencedOrbit& orbit, Eigen::Index i) {
+  constexpr double kTogether = 1e-9;  // rad: pairs that a symmetry makes meet do so to rounding
   SequencedOrbit exchanged = orbit;
-  const auto later = static_cast<std::size_t>(i);
-  std::swap(exchanged.events[later - 1], exchanged.events[later]);
+  for (Eigen::Index k = 1; k < orbit.count(); ++k) {
+    const auto later = static_cast<std::size_t>(k);
+    const bool meet = std::abs(orbit.phase(k) - orbit.phase(k - 1)) < kTogether &&
+                      event_of(orbit, k).contact != event_of(orbit, k - 1).contact;
+    if (k != i && !meet) continue;
+    std::swap(exchanged.events[later - 1], exchanged.events[later]);
+    ++k;  // three at one instant are no pairs
+  }
   auto start = start_where_grows(
       family, with_modes(std::move(exchanged)),
       [i](const ExtendedEquations& at) { return at.orbit().phase(i) - at.orbit().phase(i - 1); },
@@ -113,15 +157,21 @@ ChangeOfSequence cease_to_stick(OrbitFamily& family, const SequencedOrbit& orbit
   const int contact = event_of(orbit, i).contact;
   return begin_at(
       family, with_modes(std::move(without)),
-      [contact](const ExtendedEquations& at) {
-        const OrbitSurvey found = survey(at);
-        for (const OrbitGuard& guard : found.guards) {
-          if (guard.kind == GuardKind::release && event_of(at.orbit(), guard.index).contact == contact)
-            return guard.value;
-        }
-        return std::nan("");
-      },
+      [contact](const ExtendedEquations& at) { return guard_of_event(at, GuardKind::release, contact); },
       fmt::format("contact {} sticks no more", contact));
+}
+
+// After an impact the contact rests, with no chatter between.
+bool keeps_no_speed(const ContactDynamics& dynamics) { return dynamics.restitution() == 0.0; }
+
+// The event after i where it is of the same contact, of a kind, and at no distance; else empty.
+std::optional<Eigen::Index> followed_at_once(const SequencedOrbit& orbit, Eigen::Index i,
+                                             ContactEvent::Kind kind) {
+  constexpr double kNone = 1e-6;  // rad
+  const bool follows = i + 1 < orbit.count() &&
+                       event_of(orbit, i + 1).contact == event_of(orbit, i).contact &&
+                       event_of(orbit, i + 1).kind == kind && orbit.phase(i + 1) - orbit.phase(i) < kNone;
+  return follows ? std::optional(i + 1) : std::nullopt;
 }
 
 // Events i - 1 and i coincide.
@@ -130,9 +180,13 @@ ChangeOfSequence past_coincidence(OrbitFamily& family, const SequencedOrbit& orb
   const SequenceEvent &a = event_of(orbit, i - 1), &b = event_of(orbit, i);
   const bool one = a.contact == b.contact;
   if (!dynamics.rigid()) return one ? end_phase(family, orbit, i) : exchange(family, orbit, i);
-  if (one && a.kind == ContactEvent::Kind::close && b.kind == ContactEvent::Kind::open &&
-      a.pushed.size() == 1)
+  using Kind = ContactEvent::Kind;
+  if (one && a.kind == Kind::close && b.kind == Kind::open && a.pushed.size() == 1)
     return cease_to_stick(family, orbit, i);
+  if (one && a.kind == Kind::impact && b.kind == Kind::close && keeps_no_speed(dynamics))
+    return end_flight(family, orbit, i);
+  if (one && a.kind == Kind::open && b.kind == Kind::close && keeps_no_speed(dynamics))
+    return end_phase(family, orbit, i);
   const bool impacts = a.kind == ContactEvent::Kind::impact && b.kind == ContactEvent::Kind::impact;
   if (!one && impacts && dynamics.structure().delassus(a.contact, b.contact) == 0.0)
     return exchange(family, orbit, i);
@@ -142,10 +196,9 @@ ChangeOfSequence past_coincidence(OrbitFamily& family, const SequencedOrbit& orb
 // Of changes at rigid stops.
 std::string why_not_followed(const OrbitGuard& guard) {
   switch (guard.kind) {
-    case GuardKind::landing:
-      return "a short flight begins before it, to first order of no length; not followed";
     case GuardKind::pressure:
-      return "sticking is interrupted by a flight, to first order of no length; not followed";
+      return "a flight that ends in a chatter begins; not followed";
+    case GuardKind::landing:
     case GuardKind::release:
       return "it would stick together with others; not followed";
     case GuardKind::corner:
@@ -169,7 +222,8 @@ ChangeOfSequence past_change(OrbitFamily& family, const TracedCurve& curve) {
   switch (guard.kind) {
     case GuardKind::clearance:
     case GuardKind::pressure:
-      if (!rigid) return begin_phase(family, orbit, guard);
+      if (!rigid || (guard.kind == GuardKind::pressure && keeps_no_speed(dynamics)))
+        return begin_phase(family, orbit, guard, rigid);
       break;
     case GuardKind::interval:
       if (guard.index > 0) return past_coincidence(family, orbit, guard.index, dynamics);
@@ -181,10 +235,16 @@ ChangeOfSequence past_change(OrbitFamily& family, const TracedCurve& curve) {
       break;
     }
     case GuardKind::release:
+      if (const auto closing = followed_at_once(orbit, guard.index, ContactEvent::Kind::close))
+        return end_flight(family, orbit, *closing);
       if (event_of(orbit, guard.index).pushed.size() == 1) return begin_to_stick(family, orbit, guard.index);
       break;
-    case GuardKind::corner:
     case GuardKind::landing:
+      if (!keeps_no_speed(dynamics) || event_of(orbit, guard.index).pushed.size() != 1) break;
+      if (const auto opening = followed_at_once(orbit, guard.index, ContactEvent::Kind::open))
+        return cease_to_stick(family, orbit, *opening);
+      return begin_flight(family, orbit, guard.index);
+    case GuardKind::corner:
       break;
   }
   return {.obstacle = why_not_followed(guard)};

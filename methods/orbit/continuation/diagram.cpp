@@ -218,13 +218,6 @@ class DiagramTracer {
     if (contains(grazings_, grazing->mark)) return;
     grazings_.push_back(grazing->mark);
     const std::string where = fmt::format("grazing at {:.10g}", curve.branch.points.back().parameter);
-    const auto sticks = [](const std::vector<bool>& closed) {
-      return std::find(closed.begin(), closed.end(), true) != closed.end();
-    };
-    const SequencedOrbit& base = grazing->base;
-    if (sticks(base.closed) || std::any_of(base.events.begin(), base.events.end(),
-                                           [&](const SequenceEvent& event) { return sticks(event.closed); }))
-      return note(where + ": an orbit that sticks; not followed");
     if (!end.same(grazing->mark)) {
       if (auto start = start_clear(family_, *grazing)) queue_.push_back(std::move(*start));
     }

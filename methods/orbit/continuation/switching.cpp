@@ -218,14 +218,27 @@ std::optional<CurveStart> start_clear(OrbitFamily& family, const GrazingOrbit& g
                            fmt::format("contact {} clears its stop", grazing.touches.front().contact));
 }
 
+namespace {
+
+bool sticks(const SequencedOrbit& orbit) {
+  const auto any = [](const std::vector<bool>& closed) {
+    return std::find(closed.begin(), closed.end(), true) != closed.end();
+  };
+  return any(orbit.closed) || std::any_of(orbit.events.begin(), orbit.events.end(),
+                                          [&](const SequenceEvent& event) { return any(event.closed); });
+}
+
+}  // namespace
+
 std::optional<std::vector<CurveStart>> start_impacting(OrbitFamily& family, const GrazingOrbit& grazing,
                                                        int max_order) {
   const double p = grazing.base.x[grazing.base.x.size() - 1] * family.units().parameter;
   const int most = std::max(1, max_order / grazing.base.order);
   auto families = grazing_families(family, grazing.base, grazing.touches, most);
-  // An orbit that keeps no memory of the impact, as after a stop without restitution: v^2 is as the
-  // penetration, and one impact in each period is all there can be.
-  if (!families && grazing.touches.size() == 1 && family.model(p)->dynamics.restitution() == 0.0)
+  // An orbit that keeps no memory of the impact, being brought to rest on its stop by it or in each period:
+  // v^2 is as the penetration, and one impact in each period is all there can be.
+  const bool forgets = family.model(p)->dynamics.restitution() == 0.0 || sticks(grazing.base);
+  if (!families && grazing.touches.size() == 1 && forgets)
     families = std::vector<GrazingFamily>{{.periods = 1, .hits = {0}, .beyond = true, .impulses = {}}};
   if (!families) return std::nullopt;
   const auto speed_of_new = [](const std::vector<bool>& fresh, const ExtendedEquations& equations) {

@@ -75,26 +75,35 @@ Eigen::VectorXd ExtendedEquations::residual_of(const OrbitEquations& equations, 
   const Eigen::VectorXd factors = state_factors(model);
   residual.head(factors.size()).array() /= factors.array();
   for (Eigen::Index i = 1; i < orbit_.count(); ++i) {
-    if (divided(i)) residual[orbit_.states() + i] = divided_difference(equations, model, x, i);
+    if (divided(x, i) > 0) residual[orbit_.states() + i] = divided_difference(equations, model, x, i);
   }
   return residual;
 }
 
-bool ExtendedEquations::divided(Eigen::Index i) const {
-  if (i == 0 || model_->dynamics.rigid()) return false;
+int ExtendedEquations::divided(const Eigen::VectorXd& x, Eigen::Index i) const {
+  constexpr double kBrief = 0.1;  // rad: longer flights have no double zero to rounding
+  if (i == 0) return 0;
   const auto later = static_cast<std::size_t>(i);
-  return orbit_.events[later].contact == orbit_.events[later - 1].contact;
+  const SequenceEvent &before = orbit_.events[later - 1], &event = orbit_.events[later];
+  if (event.contact != before.contact) return 0;
+  if (!model_->dynamics.rigid()) return 1;
+  const Eigen::Index row = orbit_.states() + i;
+  if (event.kind == ContactEvent::Kind::open || std::abs(x[row] - x[row - 1]) > kBrief) return 0;
+  if (before.kind == ContactEvent::Kind::open) return 3;
+  const bool to_rest = before.kind == ContactEvent::Kind::impact && before.pushed.size() == 1 &&
+                       before.restitution.front() == 0.0;
+  return to_rest ? 2 : 0;
 }
 
-// By Taylor's series where its eighth term is rounding, else as it stands: the difference then loses no more
-// than two digits.
+// By Taylor's series where its last term is rounding, else as it stands: the difference then loses no more
+// than two digits to a simple zero, and six to a threefold one.
 double ExtendedEquations::divided_difference(const OrbitEquations& equations, const OrbitModel& model,
                                              const Eigen::VectorXd& x, Eigen::Index i) const {
   constexpr int kTerms = 8;
   const ContactDynamics& dynamics = model.dynamics;
   const auto index = static_cast<std::size_t>(i);
   const LinearArc& arc = *equations.arcs()[index];
-  const int j = orbit_.events[index].contact;
+  const int j = orbit_.events[index].contact, first = divided(x, i);
   const bool of_force = orbit_.events[index].kind == ContactEvent::Kind::open;
   const double unit = of_force ? dynamics.force_scale(j) : dynamics.scales().displacement;
   const double omega = dynamics.structure().frequency;
@@ -103,15 +112,20 @@ double ExtendedEquations::divided_difference(const OrbitEquations& equations, co
     return of_force ? arc.force(j, t, order) : arc.displacement(j, t, order);
   };
   const double begin = x[orbit_.states() + i - 1], length = x[orbit_.states() + i] - begin;
-  double sum = 0.0, largest = 0.0, term = 0.0, power = 1.0 / omega;
-  for (int k = 1; k <= kTerms; ++k, power *= length / omega) {
-    power /= k;
+  double factor = 1.0, below = z(begin, 0);  // 1 / (k! omega^k); what the terms below `first` are together
+  for (int k = 1; k < first; ++k) {
+    factor /= k * omega;
+    below += factor * std::pow(length, k) * z(begin, k);
+  }
+  double sum = 0.0, largest = 0.0, term = 0.0, power = factor;
+  for (int k = first; k < first + kTerms; ++k, power *= length) {
+    power /= k * omega;
     term = power * z(begin, k);
     largest = std::max(largest, std::abs(term));
     sum += term;
   }
   if (std::abs(term) <= kEpsilon * largest) return sum / unit;
-  return (z(begin + length, 0) - z(begin, 0)) / (length * unit);
+  return (z(begin + length, 0) - below) / (std::pow(length, first) * unit);
 }
 
 // Both are the same function of the state, up to a factor: the one that vanishes at the event.
@@ -131,18 +145,39 @@ double ExtendedEquations::ratio_of_rows(Eigen::Index i) const {
   return of_after.dot(of_before) / of_before.squaredNorm();
 }
 
-// Where a length is below 1e-6 the row is taken at that length: as with dR/dp, the error delays Newton's
-// method and moves no point.
+// Where a stop that was pressed lets go, its contact is accelerated by what the force was: x'' = -G lambda, G
+// of the stop while those that stay closed hold theirs.
+double ExtendedEquations::ratio_at_release(Eigen::Index i) const {
+  const ContactDynamics& dynamics = model_->dynamics;
+  const SequenceEvent& opening = orbit_.events[static_cast<std::size_t>(i - 1)];
+  std::vector<int> held;
+  for (int k = 0; k < dynamics.contact_count(); ++k) {
+    if (opening.closed[static_cast<std::size_t>(k)]) held.push_back(k);
+  }
+  const Eigen::MatrixXd& G = dynamics.structure().delassus;
+  const int j = opening.contact;
+  double own = G(j, j);
+  if (!held.empty()) {
+    const Eigen::VectorXd felt = G(held, j);
+    own -= felt.dot(G(held, held).ldlt().solve(felt));
+  }
+  return -own * dynamics.force_scale(j) / dynamics.scales().displacement;
+}
+
+// Where a length is short of what differences of rows can resolve the row is taken at that length: as with
+// dR/dp, the error delays Newton's method and moves no point.
 bool ExtendedEquations::divide_rows(const Eigen::VectorXd& x) {
-  constexpr double kLeast = 1e-6;
+  constexpr std::array<double, 4> kLeast{0.0, 1e-6, 1e-3, 3e-3};  // rad, by the power
   std::vector<Eigen::Index> rows;
   Eigen::VectorXd apart = x;
   for (Eigen::Index i = 1; i < orbit_.count(); ++i) {
-    if (!divided(i)) continue;
+    const int power = divided(x, i);
+    if (power == 0) continue;
+    const double least = kLeast.at(static_cast<std::size_t>(power));
     const Eigen::Index row = orbit_.states() + i;
     rows.push_back(row);
     const double length = x[row] - x[row - 1];
-    if (std::abs(length) < kLeast) apart[row] = x[row - 1] + std::copysign(kLeast, length);
+    if (std::abs(length) < least) apart[row] = x[row - 1] + std::copysign(least, length);
   }
   if (rows.empty()) return true;
   std::unique_ptr<OrbitEquations> beside;
@@ -155,9 +190,13 @@ bool ExtendedEquations::divide_rows(const Eigen::VectorXd& x) {
   Eigen::MatrixXd J = there.jacobian();
   J.leftCols(factors.size()) *= factors.asDiagonal();
   for (const Eigen::Index row : rows) {
-    const double length = apart[row] - apart[row - 1], ratio = ratio_of_rows(row - orbit_.states());
-    const double slope = divided_difference(there, *model_, apart, row - orbit_.states()) / length;
-    jacobian_.row(row).head(size()) = (J.row(row) - ratio * J.row(row - 1)) / length;
+    const Eigen::Index i = row - orbit_.states();
+    const int power = divided(apart, i);
+    const double length = apart[row] - apart[row - 1];
+    const double omega = frequency(), taken = length * length / (2.0 * omega * omega);
+    const double ratio = power == 3 ? taken * ratio_at_release(i) : ratio_of_rows(i);
+    const double slope = power * divided_difference(there, *model_, apart, i) / length;
+    jacobian_.row(row).head(size()) = (J.row(row) - ratio * J.row(row - 1)) / std::pow(length, power);
     jacobian_(row, row) -= slope;
     jacobian_(row, row - 1) += slope;
   }

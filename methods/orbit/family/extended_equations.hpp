@@ -19,7 +19,11 @@ namespace signorini {
 ///
 /// z = lambda_j of an opening, x_j - g_j of a closing, on the arc between the two: the same solutions, for
 /// z(theta_{i-1}) = 0 is the equation before, and regular where the phase of contact begins, with the length
-/// 0.
+/// 0. At rigid stops likewise where a flight of less than .1 rad begins at rest on the stop and ends at event
+/// i: after an impact without restitution, or an opening, z = x_j - g_j has a double, or threefold, zero at
+/// theta_{i-1}. With l = theta_i - theta_{i-1}, k = 2 or 3, the equation is
+///
+///     (z(theta_i) - sum_{q<k} z^(q)(theta_{i-1}) l^q / q!) / l^k = 0.
 ///
 /// dR/dp is a forward difference of R over 1e-7 P. Its error tilts the tangent by as much and delays Newton's
 /// method by as little; no point of the curve is moved by it.
@@ -79,13 +83,15 @@ class ExtendedEquations {
   [[nodiscard]] Eigen::VectorXd state_factors(const OrbitModel& model) const;
   [[nodiscard]] Eigen::VectorXd residual_of(const OrbitEquations& equations, const OrbitModel& model,
                                             const Eigen::VectorXd& x) const;
-  // Whether the equation of event i is a divided difference.
-  [[nodiscard]] bool divided(Eigen::Index i) const;
+  // By which power k of the length since event i - 1 the equation of event i at x is divided; 0 where it is
+  // not.
+  [[nodiscard]] int divided(const Eigen::VectorXd& x, Eigen::Index i) const;
   // Left side of it, where `equations` are evaluated at x.
   [[nodiscard]] double divided_difference(const OrbitEquations& equations, const OrbitModel& model,
                                           const Eigen::VectorXd& x, Eigen::Index i) const;
-  // z(theta_{i-1}) over the left side of equation i - 1.
+  // z(theta_{i-1}) over the left side of equation i - 1; of an opening of a rigid stop z''(theta_{i-1}).
   [[nodiscard]] double ratio_of_rows(Eigen::Index i) const;
+  [[nodiscard]] double ratio_at_release(Eigen::Index i) const;
   // Puts the rows of divided differences into the Jacobian; false where it cannot be evaluated.
   bool divide_rows(const Eigen::VectorXd& x);
 

@@ -116,6 +116,18 @@ class Surveyor {
     }
   }
 
+  // Whether contact j rests on its stop where a part begins, let go by an opening or by an impact without
+  // restitution: x - g and its first derivatives are zero to rounding there, and so is a maximum beside it.
+  [[nodiscard]] bool leaves_rest(Eigen::Index part, int j) const {
+    if (part == 0 || !dynamics_.rigid()) return false;
+    const SequenceEvent& event = orbit_.events[static_cast<std::size_t>(part - 1)];
+    if (event.contact != j) return false;
+    const bool keeps_none =
+        event.kind == ContactEvent::Kind::impact &&
+        std::find(event.restitution.begin(), event.restitution.end(), 0.0) != event.restitution.end();
+    return event.kind == ContactEvent::Kind::open || keeps_none;
+  }
+
   void arc(Eigen::Index part, int j, double begin, double end) {
     const LinearArc& arc = *equations_.equations().arcs()[static_cast<std::size_t>(part)];
     constexpr double kUnseen = 1e-13;  // share of X: modes below do not move an extreme
@@ -123,10 +135,12 @@ class Surveyor {
     const bool closed = arc.mode().closed(j);
     const double gap = dynamics_.structure().gaps[j];
     const LimitedOutput x{.arc = arc, .contact = j, .of_force = false, .offset = gap, .unit = X_};
+    constexpr double kBeside = 1e-4, kRounding = 1e-13;  // rad; of X
+    const double resting = leaves_rest(part, j) ? begin + kBeside / equations_.frequency() : begin;
     for (const LimitedSample& at : extremes(x, begin, end, terms)) {
       result_.highest[j] = std::max(result_.highest[j], gap + X_ * at.value);
       result_.lowest[j] = std::min(result_.lowest[j], gap + X_ * at.value);
-      if (at.maximum && !closed)
+      if (at.maximum && !closed && !(at.time < resting && std::abs(at.value) < kRounding))
         lower(GuardKind::clearance, j, -at.value, equations_.phase_of(at.time), part);
     }
     if (!closed) return;
