@@ -230,8 +230,10 @@ ChangeOfSequence past_change(OrbitFamily& family, const TracedCurve& curve) {
       break;
     case GuardKind::approach: {
       // A closing without a speed: its phase of contact has no length, or the interruption before it.
-      const auto met = rigid ? std::nullopt : nearer_event(orbit, guard.index);
-      if (met) return end_phase(family, orbit, *met);
+      const bool closing = event_of(orbit, guard.index).kind == ContactEvent::Kind::close;
+      const auto met = closing ? nearer_event(orbit, guard.index) : std::nullopt;
+      if (met && !rigid) return end_phase(family, orbit, *met);
+      if (met && keeps_no_speed(dynamics)) return past_coincidence(family, orbit, *met, dynamics);
       break;
     }
     case GuardKind::release:

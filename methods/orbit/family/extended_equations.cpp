@@ -96,14 +96,13 @@ int ExtendedEquations::divided(const Eigen::VectorXd& x, Eigen::Index i) const {
 }
 
 // By Taylor's series where its last term is rounding, else as it stands: the difference then loses no more
-// than two digits to a simple zero, and six to a threefold one.
+// than two digits. Of threefold zeros it loses 1 / length^3, and the series goes as far as it must.
 double ExtendedEquations::divided_difference(const OrbitEquations& equations, const OrbitModel& model,
                                              const Eigen::VectorXd& x, Eigen::Index i) const {
-  constexpr int kTerms = 8;
   const ContactDynamics& dynamics = model.dynamics;
   const auto index = static_cast<std::size_t>(i);
   const LinearArc& arc = *equations.arcs()[index];
-  const int j = orbit_.events[index].contact, first = divided(x, i);
+  const int j = orbit_.events[index].contact, first = divided(x, i), terms = first == 1 ? 8 : 32;
   const bool of_force = orbit_.events[index].kind == ContactEvent::Kind::open;
   const double unit = of_force ? dynamics.force_scale(j) : dynamics.scales().displacement;
   const double omega = dynamics.structure().frequency;
@@ -118,7 +117,7 @@ double ExtendedEquations::divided_difference(const OrbitEquations& equations, co
     below += factor * std::pow(length, k) * z(begin, k);
   }
   double sum = 0.0, largest = 0.0, term = 0.0, power = factor;
-  for (int k = first; k < first + kTerms; ++k, power *= length) {
+  for (int k = first; k < first + terms; ++k, power *= length) {
     power /= k * omega;
     term = power * z(begin, k);
     largest = std::max(largest, std::abs(term));

@@ -45,17 +45,15 @@ std::string continuation_obstacle(const Problem& problem) {
 
 OrbitFamily::OrbitFamily(ParametrisedScene scene, const CurveUnits& units)
     : scene_(std::move(scene)), units_(units) {
-  const double middle = 0.5 * (scene_.from + scene_.to);
-  const Problem problem = scene_.at(middle);
+  const Problem problem = scene_.at(scene_.middle());
   driven_ = is_driven(problem);
   if (scene_.of_frequency) middle_ = std::make_unique<OrbitModel>(problem, modes_);
 }
 
 OrbitFamily::OrbitFamily(ParametrisedScene scene) : OrbitFamily(std::move(scene), CurveUnits{}) {
-  const double middle = 0.5 * (scene_.from + scene_.to);
   units_.parameter = (scene_.high() - scene_.low()) / 3.0;
   units_.displacement = typical_displacement();
-  units_.velocity = units_.displacement * model(middle)->dynamics.structure().frequency;
+  units_.velocity = units_.displacement * model(scene_.middle())->dynamics.structure().frequency;
 }
 
 std::shared_ptr<OrbitModel> OrbitFamily::model(double parameter) {
@@ -75,7 +73,7 @@ std::shared_ptr<OrbitModel> OrbitFamily::model(double parameter) {
 
 // Coarse units do no harm, phases and parameter still bound the steps; fine ones cost points.
 double OrbitFamily::typical_displacement() {
-  const auto middle = model(0.5 * (scene_.from + scene_.to));
+  const auto middle = model(scene_.middle());
   const FlowStructure& structure = middle->dynamics.structure();
   double X = structure.gaps.size() == 0 ? 0.0 : structure.gaps.cwiseAbs().maxCoeff();
   const Eigen::SimplicialLDLT<SparseMatrix> factors(structure.stiffness);

@@ -23,6 +23,8 @@ struct ParametrisedScene {
 
   [[nodiscard]] double low() const { return std::min(from, to); }   ///< lower end
   [[nodiscard]] double high() const { return std::max(from, to); }  ///< upper end
+  /// Its middle, or, as zero is a special value of most numbers, halfway from there to an end.
+  [[nodiscard]] double middle() const { return from + to == 0.0 ? 0.5 * to : 0.5 * (from + to); }
   /// In the interval, both ends included.
   [[nodiscard]] bool contains(double value) const { return value >= low() && value <= high(); }
 };

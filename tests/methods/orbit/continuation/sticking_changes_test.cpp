@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "methods/orbit/continuation/contact_changes.hpp"
+#include "problems/scene/scene_file.hpp"
 #include "tests/methods/orbit/continuation/diagrams.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
@@ -124,6 +125,39 @@ TEST(StickingChanges, ReachTheFlightsOfTheClosedForm) {
     }
   }
   EXPECT_EQ(found, 1);
+}
+
+// The orbits of a chain from the contact-free motion down to sticking, and up again from one of them: two
+// phases of sticking become one where the flight between them ends, and one is interrupted at the same place.
+TEST(StickingChanges, LeadAChainThroughInterruptionsBothWays) {
+  const ParametrisedScene scene = over_frequency(load_scene(find_scene("chain2-stick")), 0.2, 6.0);
+  OrbitFamily family(scene);
+  const BranchDiagram down =
+      trace_diagram(family, {contact_free_orbit(family, 6.0).value()}, {.max_order = 1});
+  EXPECT_TRUE(down.notes.empty()) << down.notes.front();
+  EXPECT_EQ(down.branches.back().points.back().parameter, 0.2);
+  const Branch* merged = nullptr;
+  for (const Branch& branch : down.branches) {
+    EXPECT_NE(branch.ended, "the corrector fails") << branch.sequence;
+    if (branch.began.find("has ended") != std::string::npos) merged = &branch;
+    for (std::size_t i = 1; i + 1 < branch.points.size(); i += 3) {
+      const ExactOrbit orbit = polished(scene, branch.points[i]);
+      EXPECT_TRUE(orbit.certified() || orbit.outcome == OrbitOutcome::grazing)
+          << branch.sequence << " at " << branch.points[i].parameter << ": " << orbit.reason;
+    }
+  }
+  ASSERT_NE(merged, nullptr);
+  const BranchPoint& middle = merged->points[merged->points.size() / 2];
+  const SequencedOrbit seed =
+      sequenced(family, middle.orbit, kTwoPi / middle.frequency, middle.frequency, middle.parameter);
+  const BranchDiagram up = trace_diagram(family, {seed}, {.max_order = 1, .max_branches = 3});
+  const auto interrupted = std::find_if(up.branches.begin(), up.branches.end(), [](const Branch& branch) {
+    return branch.began.find("interrupted") != std::string::npos;
+  });
+  ASSERT_NE(interrupted, up.branches.end());
+  EXPECT_NEAR(interrupted->points.front().parameter, merged->points.front().parameter, 1e-10);
+  EXPECT_GT(interrupted->points.size(), 10U);
+  EXPECT_NE(interrupted->ended, "the corrector fails");
 }
 
 }  // namespace
