@@ -214,10 +214,11 @@ class Tracer {
     const auto halved = half_period_on_step(
         *equations_, {.x = here_.x, .tangent = here_.tangent, .length = step_}, half_way_);
     if (halved && *halved == 0.0 && step_ > kShort) return shorten(0.5);  // to end nearer to it
-    // Of a step: next to half the period, and where a phase of contact of no length begins, tests vanish too.
-    constexpr double kBefore = 1.0 - 1e-6;
-    const double inside =
-        std::min({step_, crossing ? kBefore * crossing->length : step_, halved ? kBefore * *halved : step_});
+    // Where a phase of contact of no length begins tests vanish too; so they do at a doubling, where the
+    // parameter turns and the equations are known to the root of rounding.
+    constexpr double kBefore = 1.0 - 1e-6, kAtDoubling = 1e-3;  // of the step; of length
+    const double inside = std::min({step_, crossing ? kBefore * crossing->length : step_,
+                                    halved ? std::max(0.0, *halved - kAtDoubling) : step_});
     StepBifurcations met = bifurcations(*equations_, here_, step_, next, inside);
     const bool hides = inside == step_ && may_hide_bifurcations(before_, here_.tests, step_, next.tests);
     if ((met.undecided || hides) && step_ > kShort) return shorten(0.5);
