@@ -34,6 +34,13 @@ void add_branch_options(CLI::App& command, SweepArguments& arguments) {
       .add_option("--total-time", arguments.branches.timeout, "by arc length: wall time of all branches [s]")
       ->check(positive_seconds)
       ->capture_default_str();
+  command
+      .add_option(
+          "--search", arguments.branches.searches,
+          "by arc length, of exact-orbit: begin also at all orbits that `signorini orbits` finds at so "
+          "many values inside, for isolated branches")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
   command.add_flag(
       "--bifurcation", arguments.bifurcation,
       "with --plot, by arc length: a bifurcation diagram, the displacement at t = 0 of every forcing period");
@@ -133,6 +140,7 @@ nlohmann::ordered_json question_of(const SweepArguments& arguments, const Scene&
           {"max-branches", branches.max_branches},
           {"max-points", branches.max_points},
           {"total-time", branches.timeout},
+          {"search", branches.searches},
           {"bifurcation", arguments.bifurcation}};
 }
 

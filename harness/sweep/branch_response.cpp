@@ -10,6 +10,7 @@
 
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
+#include "harness/orbits/orbit_search.hpp"
 #include "harness/sweep/branch_json.hpp"
 #include "methods/curve_method.hpp"
 #include "methods/orbit/continuation/one_impact_orbits.hpp"
@@ -43,8 +44,33 @@ std::optional<SequencedOrbit> found_orbit(const OrbitFamily& family, double para
   return sequenced(family, orbit->orbit(), orbit->period(), problem.frequency, parameter);
 }
 
+// The share `i` of `count` of the interval: no fraction that its ends or a resonance would make a special
+// one.
+double value_inside(const ParametrisedScene& scene, int i, int count) {
+  return scene.from + (i + 0.47) / count * (scene.to - scene.from);
+}
+
+// All orbits that a search finds at values spread over the interval.
+void add_searched(const OrbitFamily& family, const BranchLimits& limits, Clock::time_point deadline,
+                  std::vector<SequencedOrbit>& seeds) {
+  constexpr int kStarts = 24;
+  for (int i = 0; i < limits.searches && family.driven(); ++i) {
+    const std::chrono::duration<double> left = (deadline - Clock::now()) / (limits.searches - i);
+    if (left.count() <= 0.0 || interrupted()) break;
+    const double value = value_inside(family.scene(), i, limits.searches);
+    const Problem problem = family.scene().at(value);
+    const SceneOrbits found = find_all_orbits(
+        problem, {.starts = kStarts, .subharmonics = limits.max_order, .timeout = left.count()});
+    for (const FoundOrbit& one : found.orbits) {
+      if (one.order > limits.max_order) continue;
+      if (const auto orbit = std::dynamic_pointer_cast<const ExactTrajectory>(one.certified.motion))
+        seeds.push_back(sequenced(family, orbit->orbit(), orbit->period(), problem.frequency, value));
+    }
+  }
+}
+
 // Orbits on the branches: contact-free motions, answers of exact-orbit, as many as a tenth of the time
-// allows, and orbits of one impact. The latter two find isolated branches too.
+// allows, orbits of one impact, and those of searches. All but the first find isolated branches too.
 std::vector<SequencedOrbit> seeds_of(OrbitFamily& family, const BranchLimits& limits,
                                      Clock::time_point deadline) {
   constexpr int kValues = 11;
@@ -54,17 +80,15 @@ std::vector<SequencedOrbit> seeds_of(OrbitFamily& family, const BranchLimits& li
     if (!family.driven()) break;  // at rest
     if (auto free = contact_free_orbit(family, end)) seeds.push_back(std::move(*free));
   }
-  // No fraction that the ends or a resonance would make a special one.
-  const auto value_of = [&](int i) { return scene.from + (i + 0.47) / kValues * (scene.to - scene.from); };
   const Clock::time_point enough = deadline - seconds_of(0.9 * limits.timeout);
   for (int i = -2; i < kValues && family.driven(); ++i) {
     if (i >= 0 && Clock::now() > enough) break;
-    const double value = i == -2 ? scene.from : i == -1 ? scene.to : value_of(i);
+    const double value = i == -2 ? scene.from : i == -1 ? scene.to : value_inside(scene, i, kValues);
     if (auto found = found_orbit(family, value, deadline)) seeds.push_back(std::move(*found));
   }
   const int contacts = scene.at(scene.from).contact_count();
   for (int i = 0; i < kValues && Clock::now() < deadline; ++i) {
-    const double value = value_of(i);
+    const double value = value_inside(scene, i, kValues);
     for (int order = 1; order <= (family.driven() ? limits.max_order : 1); ++order) {
       for (int contact = 0; contact < contacts; ++contact) {
         for (SequencedOrbit& orbit : one_impact_orbits(family, value, contact, order))
@@ -72,6 +96,7 @@ std::vector<SequencedOrbit> seeds_of(OrbitFamily& family, const BranchLimits& li
       }
     }
   }
+  add_searched(family, limits, deadline - seconds_of(0.5 * limits.timeout), seeds);
   return seeds;
 }
 
@@ -147,7 +172,7 @@ ParametrisedScene over_place(const SceneSource& source, const std::string& place
 }
 
 BranchDiagram exact_branches(const ParametrisedScene& scene, const BranchLimits& limits) {
-  const Problem middle = scene.at(0.5 * (scene.from + scene.to));
+  const Problem middle = scene.at(scene.middle());
   if (const std::string obstacle = continuation_obstacle(middle); !obstacle.empty())
     throw UsageError(fmt::format("methods = {} (must be followed with --natural here: {})",
                                  kFollowedByArcLength, obstacle));

@@ -29,13 +29,15 @@ struct BranchLimits {
   int phases = 0;               ///< of a forcing period at which points keep their motion; 0: they do not
   std::vector<double> at = {};  ///< values of the parameter at which every branch has points
   TakeBranch take = {};
+  int searches = 0;  ///< values of the parameter at which exact_branches begins at all orbits of a search
   double largest_step = CurveOptions{}.largest_step;  ///< of exact orbits, in CurveUnits
 };
 
 /// Every branch of exact orbits that hangs together with the contact-free motions or the answers of
 /// exact-orbit at both ends of an interval of a parameter, with its answers at up to eleven values inside, a
-/// tenth of the time at most, or at a rigid stop with an orbit of one impact at one of these
-/// (`trace_diagram`). \throws UsageError where continuation_obstacle names a reason
+/// tenth of the time at most, at a rigid stop with an orbit of one impact at one of these, or, where searches
+/// are asked for, with an orbit that `find_all_orbits` finds, in half of the time at most (`trace_diagram`).
+/// \throws UsageError where continuation_obstacle names a reason
 BranchDiagram exact_branches(const ParametrisedScene& scene, const BranchLimits& limits);
 
 /// A scene with the number at a place of its file left free between two values. \throws UsageError unless

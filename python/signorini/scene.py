@@ -137,14 +137,15 @@ class Scene:
             answer = json.loads(program.run(words, (program.DONE, program.FAILED)))
         return Response.from_steps(self, method_name(method), answer)
 
-    def branches(self, start: float, stop: float, *, orders: int = 2, most: int = 40, timeout: float = 60.0) -> Response:
+    def branches(self, start: float, stop: float, *, orders: int = 2, most: int = 40, search: int = 0, timeout: float = 60.0) -> Response:
         """Branches of exact orbits between two frequencies [rad/s], by arc length: through folds, with their unstable parts.
 
         orders: longest period, in periods of the load.  most: branches in all.  timeout: wall time of all of them [s].
+        search: begin also at all orbits that a search finds at so many frequencies, for isolated branches.
         What is followed, and what is not: docs/responses.md. Raises BadInput for scenes of more than 300 coordinates.
         """
         words = ["sweep", self._source, "--methods", "exact-orbit", "--from", repr(float(start)), "--to", repr(float(stop)),
-                 "--max-order", str(orders), "--max-branches", str(most), "--total-time", str(timeout), "--format", "json"]
+                 "--max-order", str(orders), "--max-branches", str(most), "--search", str(search), "--total-time", str(timeout), "--format", "json"]
         answer = json.loads(program.run(words, (program.DONE, program.FAILED)))
         return Response.from_branches(self, "exact-orbit", answer)
 
