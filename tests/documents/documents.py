@@ -7,7 +7,6 @@ import re
 CITED_IN = (".hpp", ".cpp", ".md", ".toml", ".py", ".in")
 ENTRY = re.compile(r"^@\w+\{([^,\s]+),", re.M)
 CITATION = re.compile(r"\[([a-z]+\d{4}[a-z]?)(?:, [^\]]*)?\]")
-NUMBERED = re.compile(r"\((\d+)\)\s*$", re.M)
 MEMBERS = re.compile(r"\b(?:TEST|TEST_F|TEST_P)\((\w+),\s*(\w+)\)")
 
 
@@ -63,9 +62,9 @@ def citation_offences(citation, cmake, licence):
 
 
 def numbers_of(theory):
-    """The numbers at the right of the displayed equations and in the tables of docs/theory.md, in their order."""
-    return [int(number) for line in theory.splitlines() if line.startswith(("    ", "| ("))
-            for number in (re.findall(r"^\| \((\d+)\) \|", line) or NUMBERED.findall(line))]
+    """The numbers of the displayed equations and in the tables of docs/theory.md, in their order."""
+    found = (re.search(r"\\tag\{(\d+)\}|^\| \((\d+)\) \|", line) for line in theory.splitlines())
+    return [int(match[1] or match[2]) for match in found if match]
 
 
 def theory_offences(theory):

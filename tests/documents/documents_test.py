@@ -89,7 +89,7 @@ class Planted(unittest.TestCase):
                     "CITATION.cff: version is 0.2.0: must be 0.1.0")
 
     def test_an_equation_that_is_skipped(self):
-        self.expect(documents.theory_offences("    a = b    (1)\n| (3) | x |\n"),
+        self.expect(documents.theory_offences("```math\na = b \\tag{1}\n```\n| (3) | x |\n"),
                     "docs/theory.md: equations are numbered [1, 3]: must be 1, 2, 3, ..")
 
     def test_a_count_that_is_not_that_of_the_orbits_kept(self):
@@ -107,7 +107,7 @@ class Planted(unittest.TestCase):
                 for n in range(1, 56)]
         page = "## Crosswalk\n" + "\n".join(change(rows)) + "\n## Misprints\n" + misprint + "\n"
         files = {"methods/a.hpp": "void solve();", "tests/a_test.cpp": "TEST(Suite, Name) {}"}
-        return documents.crosswalk_offences(page, "    a = b  (1)\n", files)
+        return documents.crosswalk_offences(page, "```math\na = b \\tag{1}\n```\n", files)
 
     def test_a_crosswalk_without_offence(self):
         self.expect(self.crosswalk(lambda rows: rows))
