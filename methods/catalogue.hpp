@@ -24,10 +24,11 @@ struct SameEquations {
 
 /// A method as the harness sees it before any scene: how to name it, describe it, make one.
 struct MethodEntry {
-  std::string name;    ///< lower-kebab-case
-  std::string title;   ///< one line for people
-  std::string laws;    ///< laws it can represent, for `list`
-  std::string ladder;  ///< resolutions a benchmark runs, "key=v1|v2|v3"
+  std::string name;         ///< lower-kebab-case
+  std::string title;        ///< one line for people
+  std::string laws;         ///< laws it can represent, for `list`
+  std::string ladder;       ///< resolutions a benchmark runs, "key=v1|v2|v3"
+  std::string limits = {};  ///< what it cannot do, in sentences for people; empty: nothing is said
   /// Settings, "key=v1|v2", from which cold starts lead to orbits that no step of the ladder leads to: tried
   /// in searches for all orbits of a scene only; empty: none
   std::string starts = {};
@@ -60,6 +61,13 @@ constexpr std::optional<double> claimed_order() {
   return std::nullopt;
 }
 
+/// The limits that a method class states by a member `kLimits`, if it has one.
+template <class M>
+constexpr std::string_view stated_limits() {
+  if constexpr (requires { M::kLimits; }) return M::kLimits;
+  return {};
+}
+
 /// The further starts of a method class, its member `kStarts`, if it has one.
 template <class M>
 constexpr std::string_view further_starts() {
@@ -85,6 +93,7 @@ MethodEntry method_entry() {
           .title = std::string(M::kTitle),
           .laws = std::string(M::kLaws),
           .ladder = std::string(M::kLadder),
+          .limits = std::string(stated_limits<M>()),
           .starts = std::string(further_starts<M>()),
           .order = claimed_order<M>(),
           .same_equations = named_equations<M>(),

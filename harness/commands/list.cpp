@@ -8,6 +8,7 @@
 #include "harness/failure.hpp"
 #include "harness/glob.hpp"
 #include "harness/plan/suite.hpp"
+#include "harness/report/document/lines.hpp"
 #include "methods/catalogue.hpp"
 #include "problems/scene/scene_file.hpp"
 
@@ -15,10 +16,14 @@ namespace signorini {
 
 namespace {
 
+constexpr std::size_t kListColumns = 80, kListIndent = 22;
+
 void list_methods() {
   for (const MethodEntry& entry : method_catalogue()) {
-    fmt::print("{:<20} {}\n{:<20} laws: {}; runs {}\n", entry.name, entry.title, "", entry.laws,
-               entry.ladder);
+    std::string text = named_lines(entry.name, kListIndent, entry.title, kListColumns) +
+                       named_lines("  laws", kListIndent, entry.laws, kListColumns);
+    if (!entry.limits.empty()) text += named_lines("  limits", kListIndent, entry.limits, kListColumns);
+    fmt::print("{}", text);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "harness/plots/schematic_plot.hpp"
 #include "harness/records/record.hpp"
 #include "harness/report/document/cells.hpp"
+#include "harness/report/document/lines.hpp"
 #include "harness/schematic/schematic.hpp"
 #include "methods/catalogue.hpp"
 #include "problems/scene/scene_file.hpp"
@@ -24,6 +25,8 @@ namespace {
 /// Largest number of coordinates for which eigenfrequencies are shown: the eigenproblem is solved dense.
 constexpr int kMostEigen = 1000;
 constexpr std::ptrdiff_t kMostShown = 12;
+constexpr std::size_t kMostContacts = 12;
+constexpr std::size_t kShownColumns = 80, kShowIndent = 18, kOptionIndent = 38;
 
 /// Undamped angular eigenfrequencies, ascending [rad/s]; empty text says why there are none.
 std::string eigenfrequencies(const Problem& problem) {
@@ -54,38 +57,63 @@ std::string eigenfrequencies(const Problem& problem) {
   return text + " rad/s";
 }
 
+/// "contact 0: u[6] - u[8] <= 0.01 m", without a coefficient of 1.
 std::string contact_text(const Contact& contact) {
-  std::string normal;
+  std::string text;
   for (const auto& [dof, coefficient] : contact.normal) {
-    normal += fmt::format("{}{:g} u[{}]", normal.empty() ? "" : " + ", coefficient, dof);
+    const double size = std::abs(coefficient);
+    text += text.empty() ? (coefficient < 0.0 ? "-" : "") : (coefficient < 0.0 ? " - " : " + ");
+    text += (size == 1.0 ? "" : fmt::format("{:g} ", size)) + fmt::format("u[{}]", dof);
   }
-  return fmt::format("{} <= {:g} m", normal, contact.gap);
+  return fmt::format("{} <= {:g} m", text, contact.gap);
+}
+
+std::string law_words(const Law& law) {
+  const char* stops = std::holds_alternative<Restitution>(law) ? "rigid stops, "
+                      : std::holds_alternative<Penalty>(law)   ? "springs as stops, "
+                                                               : "";
+  return stops + law_text(as_represented(law));
+}
+
+void show_line(const std::string& name, const std::string& text) {
+  fmt::print("{}", named_lines(name, kShowIndent, text, kShownColumns));
+}
+
+void show_contacts(const std::vector<Contact>& contacts) {
+  const std::size_t shown = contacts.size() <= kMostContacts ? contacts.size() : kMostContacts - 1;
+  for (std::size_t i = 0; i < shown; ++i) show_line(fmt::format("contact {}", i), contact_text(contacts[i]));
+  if (shown < contacts.size()) show_line("", fmt::format("and {} more", contacts.size() - shown));
 }
 
 void show_scene(const Problem& problem) {
-  fmt::print("{}: {}\n", problem.name, problem.title);
-  if (!problem.reference.empty()) fmt::print("reference         {}\n", problem.reference);
-  fmt::print("tags              {}\n", fmt::join(problem.tags, ", "));
-  fmt::print("system            {}, {} coordinates; entries in M {}, D {}, K {}\n", problem.kind,
-             problem.size(), problem.mass().nonZeros(), problem.damping().nonZeros(),
-             problem.stiffness().nonZeros());
-  fmt::print("eigenfrequencies  {}\n", eigenfrequencies(problem));
-  fmt::print("forcing           omega {:g} rad/s, {} terms; motion of period {:.6g} s{}\n", problem.frequency,
-             problem.force.size(), problem.period(),
-             problem.subharmonic > 1 ? fmt::format(" (subharmonic {})", problem.subharmonic) : "");
-  for (const Contact& contact : problem.contacts) fmt::print("contact           {}\n", contact_text(contact));
-  fmt::print("law               {}\n", law_text(as_represented(problem.law)));
+  fmt::print("{}{}{}\n", problem.name, problem.title.empty() ? "" : ": ", problem.title);
+  if (!problem.reference.empty()) show_line("reference", problem.reference);
+  if (!problem.tags.empty()) show_line("tags", fmt::format("{}", fmt::join(problem.tags, ", ")));
+  show_line("system", fmt::format("{}, {}; entries in M {}, D {}, K {}", problem.kind,
+                                  plural(problem.size(), "coordinate"), problem.mass().nonZeros(),
+                                  problem.damping().nonZeros(), problem.stiffness().nonZeros()));
+  show_line("eigenfrequencies", eigenfrequencies(problem));
+  show_line("forcing", fmt::format("omega {:g} rad/s, {}; motion of period {:.6g} s{}", problem.frequency,
+                                   plural(std::ssize(problem.force), "term"), problem.period(),
+                                   problem.subharmonic > 1
+                                       ? fmt::format(" ({} periods of the load)", problem.subharmonic)
+                                       : ""));
+  show_contacts(problem.contacts);
+  show_line("law", law_words(problem.law));
 }
 
 void show_method(const MethodEntry& entry) {
-  fmt::print("{}: {}\nlaws              {}\nladder            {}\n", entry.name, entry.title, entry.laws,
-             entry.ladder);
-  if (!entry.plugin.empty()) fmt::print("plugin            {}\n", entry.plugin);
-  if (entry.order) fmt::print("order             {:g}, of the error of x along the ladder\n", *entry.order);
+  fmt::print("{}: {}\n", entry.name, entry.title);
+  show_line("laws", entry.laws);
+  if (!entry.limits.empty()) show_line("limits", entry.limits);
+  show_line("ladder", entry.ladder + ", the resolutions of `run`");
+  if (!entry.plugin.empty()) show_line("plugin", entry.plugin);
+  if (entry.order) show_line("order", fmt::format("{:g}, of the error of x along the ladder", *entry.order));
   fmt::print("options\n");
   for (const OptionEcho& option : entry.make({})->options()) {
-    fmt::print("  {:<16}{:<12} {:<6} {}\n", option.name, print_option(option.value), option.unit,
-               option.meaning);
+    const std::string name =
+        fmt::format("  {:<16}{:<12} {:<6} ", option.name, print_option(option.value), option.unit);
+    fmt::print("{}", named_lines(name, kOptionIndent, option.meaning, kShownColumns));
   }
 }
 

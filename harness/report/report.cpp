@@ -10,6 +10,7 @@
 #include "harness/records/manifest_check.hpp"
 #include "harness/records/run_folder.hpp"
 #include "harness/report/document/cells.hpp"
+#include "harness/report/document/lines.hpp"
 #include "harness/report/figures/figures.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 #include "harness/report/formats/formats.hpp"

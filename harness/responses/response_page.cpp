@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "harness/report/formats/screen_groups.hpp"
+#include "harness/report/document/lines.hpp"
 #include "harness/report/page/html.hpp"
 #include "harness/report/page/page_parts.hpp"
 #include "harness/report/page/page_shell.hpp"

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "harness/report/document/cells.hpp"
+#include "harness/report/document/lines.hpp"
 #include "harness/report/formats/screen_groups.hpp"
 #include "harness/sweep/branch_response.hpp"
 

@@ -24,12 +24,9 @@ std::string named_line(const std::string& name, const std::string& text) {
   return fmt::format("{:<{}}{}\n", name, kNameWidth, text);
 }
 
-/// Text that is too long goes on in lines of its own.
+/// The same with a text that may be too long for one line.
 std::string named_text(const std::string& name, const std::string& text) {
-  std::string lines;
-  for (const std::string& line : wrapped_lines(text, kSolveColumns - kNameWidth))
-    lines += named_line(lines.empty() ? name : "", line);
-  return lines;
+  return named_lines(name, kNameWidth, text, kSolveColumns);
 }
 
 std::string row(const std::string& name, const std::vector<Measure>& values) {
@@ -137,7 +134,7 @@ std::string certificate_words(const Certificate& certificate) {
   if (certificate.same_orbit)
     return orbit + (*certificate.same_orbit ? ", which is also reached from rest"
                                             : ", another than the one reached from rest");
-  return fmt::format("{} (no reference: {})", orbit,
+  return fmt::format("{} (motion from rest: {})", orbit,
                      certificate.reference_reason.empty() ? "not computed" : certificate.reference_reason);
 }
 
@@ -175,7 +172,8 @@ std::string orbit_lines(const Certificate& certificate, bool verbose) {
 
 std::string error_lines(const Record& record) {
   const Errors& errors = record.errors;
-  std::string text = named_line("error of x", error_text(record));
+  std::string text =
+      named_text("error of x", error_text(record) + " (relative, root mean square over a period)");
   for (const auto& [name, value] :
        {std::pair{"  largest", errors.x_max}, std::pair{"error of u", errors.u_l2},
         std::pair{"error of velocity", errors.velocity_l2}, std::pair{"error of impulse", errors.impulse}}) {

@@ -25,6 +25,8 @@ class AugmentedLagrangian final : public Method {
   static constexpr std::string_view kName = "augmented-lagrangian";
   static constexpr std::string_view kTitle = "Harmonic balance with a penalty and updates of a multiplier";
   static constexpr std::string_view kLaws = "restitution 1; penalty; massless";
+  static constexpr std::string_view kLimits =
+      "On a rigid stop restitution 1 and separate impacts alone. Follows no curve in sweep.";
   static constexpr std::string_view kLadder = "harmonics=10|40|160";
 
   struct Options {

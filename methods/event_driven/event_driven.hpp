@@ -29,6 +29,9 @@ class EventDriven final : public Method {
   static constexpr std::string_view kTitle =
       "CVODE or closed-form flow between events, impact law at events, to the steady state";
   static constexpr std::string_view kLaws = "restitution 0..1, penalty, massless";
+  static constexpr std::string_view kLimits =
+      "Finds the stable motion that the start leads to (with steady=shooting others too); light damping "
+      "takes thousands of periods. flow=modal: at most 300 coordinates.";
   static constexpr std::string_view kLadder = "flow=cvode|modal,tolerance=1e-6|1e-9";
 
   struct Options {

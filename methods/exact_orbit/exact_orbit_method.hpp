@@ -27,6 +27,9 @@ class ExactOrbitMethod final : public Method {
   static constexpr std::string_view kName = "exact-orbit";
   static constexpr std::string_view kTitle = "Coarse pivoting, then Newton on the exact flow between events";
   static constexpr std::string_view kLaws = "restitution 0..1, penalty, massless";
+  static constexpr std::string_view kLimits =
+      "At most 300 coordinates, beyond that only massless contacts or springs with proportional damping. A "
+      "coarse solve must show the sequence of events: it may fail near grazing and at many short contacts.";
   static constexpr std::string_view kLadder = "samples=64|256";
   static constexpr std::string_view kStarts = "samples=16|32|128|1024";
 

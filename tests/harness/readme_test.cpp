@@ -17,11 +17,11 @@ namespace {
 
 TEST(Readme, ShowsTheTablesOfTheCommittedRecords) {
   const std::filesystem::path root = test::data_folder() / "../..";
-  for (const std::string run : {"article", "hard", "quick"}) {
+  for (const std::string run : {"article", "hard", "quick", "structures"}) {
     const std::filesystem::path folder = root / "results" / run;
     const Evaluation evaluation(read_records(folder / "records.jsonl"), limits_of_run(folder));
     const std::vector<Section> sections = document_sections(run, evaluation);
-    for (const char* page : {"README.md", "docs/results.md"}) {
+    for (const char* page : {"README.md", "docs/results.md", "docs/methods.md"}) {
       const std::string text = read_file(root / page);
       if (text.find("<!-- table " + run + "/") == std::string::npos) continue;
       EXPECT_EQ(with_tables(text, run, sections), text)

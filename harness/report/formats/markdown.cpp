@@ -36,6 +36,8 @@ std::string table_for(const std::string& words, std::span<const Section> section
     if (table.rows.empty())
       throw NothingMatched(fmt::format("table = {} {} (must name the first cell of a row)", id, first_cell));
   }
+  for (auto& row : table.rows)
+    for (Cell& cell : row) cell.text = with_unit_signs(cell.text);
   return to_narrow_markdown(table);
 }
 

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "harness/cluster/scripts.hpp"
+#include "harness/report/document/cells.hpp"
 #include "harness/report/document/lines.hpp"
+#include "harness/report/evaluation/hand_over.hpp"
 #include "harness/report/formats/screen_groups.hpp"
 
 namespace signorini {
@@ -24,6 +26,33 @@ std::string counts_text(const OutcomeCounts& counts) {
   return text;
 }
 
+/// `text` and as many of the items, joined by commas, as three lines hold; the rest are counted.
+ScreenLines listed(std::string text, const std::vector<std::string>& items) {
+  constexpr std::size_t kMostLines = 3;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::string item = " " + items[i];
+    const std::string rest = i + 1 == items.size() ? "" : fmt::format(" and {} more", items.size() - i - 1);
+    if (i > 0 && wrapped_lines(text + "," + item + rest, kScreenWidth).size() > kMostLines) {
+      text += fmt::format(" and {} more", items.size() - i);
+      break;
+    }
+    text += (i == 0 ? "" : ",") + item;
+  }
+  return wrapped_text(text);
+}
+
+constexpr std::size_t kLongestListed = 60;
+
+/// What the times of commands leave out.
+ScreenLines hand_over_lines(const Evaluation& evaluation) {
+  std::vector<std::string> items;
+  for (const HandOver& one : hand_overs(evaluation))
+    items.push_back(
+        fmt::format("{} {} a solve", clipped(one.configuration, kLongestListed), time_text(one.beside)));
+  return items.empty() ? ScreenLines()
+                       : listed("Not in these times, to hand over problem and answer:", items);
+}
+
 /// Failed and refuted cases of each configuration, those with the most first.
 ScreenLines failure_lines(const Evaluation& evaluation) {
   std::vector<std::pair<std::string, OutcomeCounts>> counts;
@@ -35,19 +64,11 @@ ScreenLines failure_lines(const Evaluation& evaluation) {
   std::erase_if(counts, [&](const auto& entry) { return wrong(entry) == 0; });
   if (counts.empty()) return {};
   std::ranges::stable_sort(counts, [&](const auto& a, const auto& b) { return wrong(a) > wrong(b); });
-  constexpr std::size_t kMostLines = 3, kLongestName = 60;
-  std::string text = "Failed or refuted:";
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    const std::string item = fmt::format(" {} {} of {}", clipped(counts[i].first, kLongestName),
-                                         wrong(counts[i]), counts[i].second.cases);
-    const std::string rest = i + 1 == counts.size() ? "" : fmt::format(" and {} more", counts.size() - i - 1);
-    if (i > 0 && wrapped_lines(text + "," + item + rest, kScreenWidth).size() > kMostLines) {
-      text += fmt::format(" and {} more", counts.size() - i);
-      break;
-    }
-    text += (i == 0 ? "" : ",") + item;
-  }
-  return wrapped_text(text);
+  std::vector<std::string> items;
+  for (const auto& entry : counts)
+    items.push_back(
+        fmt::format("{} {} of {}", clipped(entry.first, kLongestListed), wrong(entry), entry.second.cases));
+  return listed("Failed or refuted:", items);
 }
 
 ScreenLines unexpected_lines(const Evaluation& evaluation, const std::vector<std::string>& cases) {
@@ -92,8 +113,10 @@ ScreenLines opening_lines(const Evaluation& evaluation, const ScreenContext& con
 
 ScreenLines closing_lines(const Evaluation& evaluation, const ScreenContext& context) {
   ScreenLines lines{{}};
+  append(lines, hand_over_lines(evaluation));
   append(lines, failure_lines(evaluation));
   append(lines, unexpected_lines(evaluation, context.unexpected));
+  append(lines, command_lines("Limits of the methods:", shell_word(context.program) + " list methods"));
   append(lines, command_lines("All tables, and why cases failed:", context.folder + "/table.md"));
   append(lines, command_lines("A page with figures:",
                               fmt::format("{} report {} --format html", shell_word(context.program),

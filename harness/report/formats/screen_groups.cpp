@@ -107,10 +107,6 @@ ScreenLines wrapped_text(const std::string& text, Emphasis emphasis) {
   return lines;
 }
 
-std::string plural(std::ptrdiff_t count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::string verdict_title(const SceneGroup& group) {
   std::string names;
   for (const Standing& standing : group.standings) {

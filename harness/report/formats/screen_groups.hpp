@@ -29,9 +29,6 @@ void append(ScreenLines& lines, ScreenLines more);
 /// Broken into lines of kScreenWidth.
 ScreenLines wrapped_text(const std::string& text, Emphasis emphasis = Emphasis::none);
 
-/// "1 case", "2 cases".
-std::string plural(std::ptrdiff_t count, const char* noun);
-
 /// The rule by which a method is recommended, as reports print it above their groups.
 inline constexpr std::string_view kVerdictRule =
     "* has an error of at most 1 % on most scenes of its group and, of several, the least median time to it, "

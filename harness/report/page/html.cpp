@@ -9,6 +9,8 @@
 #include <regex>
 #include <utility>
 
+#include "harness/report/document/lines.hpp"
+
 namespace signorini {
 
 namespace {
@@ -64,11 +66,6 @@ std::string html_escaped(std::string text) {
 std::string html_text(const std::string& text) {
   static const std::regex code("`([^`]*)`");
   return std::regex_replace(html_escaped(text), code, "<code>$1</code>");
-}
-
-std::string with_unit_signs(std::string text) {
-  if (text.ends_with(" us")) text.replace(text.size() - 2, 1, "µ");
-  return text;
 }
 
 std::string breakable(const std::string& title) {

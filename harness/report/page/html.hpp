@@ -16,9 +16,6 @@ std::string html_text(const std::string& text);
 /// Text that may be broken where a method's settings begin and where one ends.
 std::string breakable(const std::string& title);
 
-/// A time of time_text as it is printed here: "59.4 µs".
-std::string with_unit_signs(std::string text);
-
 /// The anchor of the record at this place.
 std::string record_anchor(std::size_t place);
 

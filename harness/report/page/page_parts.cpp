@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/report/document/cells.hpp"
+#include "harness/report/document/lines.hpp"
 #include "harness/report/formats/screen_groups.hpp"
 #include "harness/report/page/html.hpp"
 #include "harness/report/page/page_shell.hpp"

@@ -19,6 +19,9 @@ Sections sections_of(const Evaluation& evaluation);
 /// other laws.
 Sections summary_sections(const Evaluation& evaluation);
 
+/// What the methods of the run cannot do, of those that this program knows and that say so.
+Sections limit_sections(const Evaluation& evaluation);
+
 /// How many runs of each configuration ended how: claims certified, unproven and refuted.
 Sections outcome_sections(const Evaluation& evaluation);
 
@@ -45,6 +48,9 @@ Sections switch_sections(const Evaluation& evaluation);
 
 /// How many repeated solves gave the same bits.
 Sections repeat_sections(const Evaluation& evaluation);
+
+/// Of methods that are commands and tell their own time, what passes beside it. Empty where there is none.
+Sections hand_over_sections(const Evaluation& evaluation);
 
 // Rankings: one section per group of configurations that are compared.
 

@@ -17,6 +17,9 @@ TEST(CommandList, ListsMethodsScenesAndSuites) {
   EXPECT_NE(run("list methods").out.find("fourier-lipschitz"), std::string::npos);
   EXPECT_NE(run("list scenes").out.find("sdof-stop"), std::string::npos);
   EXPECT_NE(run("list suites").out.find("quick"), std::string::npos);
+  EXPECT_NE(run("list methods").out.find("\n  limits              First order in the step"),
+            std::string::npos)
+      << run("list methods").out;
   const Outcome all = run("list");
   EXPECT_EQ(all.code, 0);
   for (const char* name : {"hat-lcp", "sdof-stop", "smoke"}) EXPECT_NE(all.out.find(name), std::string::npos);

@@ -78,6 +78,16 @@ A page with figures: signorini report out --format html
 )");
 }
 
+TEST(Screen, SaysWhatTheTimesOfCommandsLeaveOut) {
+  std::vector<Record> records = records_with_known_winners();
+  records[0].seconds->exchange = 2e-3;
+  const std::string screen = screen_report(Evaluation(records), kContext);
+  EXPECT_NE(screen.find("\nNot in these times, to hand over problem and answer: fast 2 ms a solve\n"),
+            std::string::npos)
+      << screen;
+  expect_one_screen(screen);
+}
+
 TEST(Screen, OfAnEmptyRunSaysThatThereIsNothing) {
   const std::string screen = screen_report(Evaluation({}), kContext);
   EXPECT_NE(screen.find("\n0 scenes, 0 cases\n"), std::string::npos) << screen;

@@ -1,0 +1,29 @@
+#include "harness/report/evaluation/hand_over.hpp"
+
+#include <utility>
+
+#include "harness/statistics.hpp"
+
+namespace signorini {
+
+std::vector<HandOver> hand_overs(const Evaluation& evaluation) {
+  std::vector<std::pair<std::vector<double>, std::vector<double>>> times(evaluation.configurations().size());
+  for (const Record& record : evaluation.records()) {
+    if (!record.seconds || !record.seconds->exchange) continue;
+    auto& [own, beside] = times[evaluation.place_of(configuration_of(record))];
+    own.push_back(record.seconds->median);
+    beside.push_back(*record.seconds->exchange);
+  }
+  std::vector<HandOver> found;
+  for (std::size_t place = 0; place < times.size(); ++place) {
+    const auto& [own, beside] = times[place];
+    if (own.empty()) continue;
+    found.push_back({.configuration = evaluation.configurations()[place],
+                     .cases = static_cast<int>(own.size()),
+                     .own = median(own),
+                     .beside = median(beside)});
+  }
+  return found;
+}
+
+}  // namespace signorini
