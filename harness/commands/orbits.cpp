@@ -13,11 +13,15 @@
 #include "harness/plots/orbit_plot.hpp"
 #include "harness/plots/plot_file.hpp"
 #include "harness/progress.hpp"
+#include "harness/report/document/lines.hpp"
+#include "harness/summary/motion_summary.hpp"
 #include "harness/table.hpp"
 
 namespace signorini {
 
 namespace {
+
+constexpr std::size_t kOrbitColumns = 80;
 
 struct OrbitsArguments {
   std::string scene;
@@ -35,28 +39,52 @@ std::string method_names(const std::vector<std::string>& labels) {
     const std::string name = parse_method_label(label).method;
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
-  return names.empty() ? "-" : fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{}", fmt::join(names, ", "));
 }
+
+Cell orbit_number(double value) { return {fmt::format("{:.6g}", value), value}; }
 
 Table orbit_table(const std::vector<FoundOrbit>& orbits) {
   Table table;
-  table.header = {"orbit",     "order",     "impacts", "contact phases", "amplitude [m]", "multiplier",
-                  "stability", "error bar", "starts",  "found cold by",  "from rest"};
+  table.header = {"orbit",         "order",      "impacts",   "phases",
+                  "amplitude [m]", "multiplier", "stability", "starts"};
   for (const FoundOrbit& orbit : orbits) {
-    const CertifiedOrbit& certified = orbit.certified;
     const std::optional<double> multiplier = orbit.largest_multiplier();
-    const bool chatter = certified.source.find("chatter") != std::string::npos;
-    table.rows.push_back({orbit.fingerprint, std::to_string(orbit.order),
-                          std::to_string(orbit.impacts()) + (chatter ? ", then chatter" : ""),
-                          std::to_string(orbit.contact_phases()), fmt::format("{:.6g}", orbit.amplitude),
-                          multiplier ? fmt::format("{:.6g}", *multiplier) : "-",
-                          !certified.stable   ? "-"
-                          : *certified.stable ? "stable"
-                                              : "unstable",
-                          fmt::format("{:.1e}", certified.error_bar), std::to_string(orbit.starts),
-                          method_names(orbit.cold), orbit.from_rest ? "yes" : "-"});
+    const std::optional<bool>& stable = orbit.certified.stable;
+    table.rows.push_back({orbit.fingerprint + (orbit.from_rest ? " *" : ""), orbit_number(orbit.order),
+                          orbit_number(orbit.impacts()), orbit_number(orbit.contact_phases()),
+                          orbit_number(orbit.amplitude), multiplier ? orbit_number(*multiplier) : Cell("-"),
+                          !stable   ? "-"
+                          : *stable ? "stable"
+                                    : "unstable",
+                          orbit_number(orbit.starts)});
   }
   return table;
+}
+
+/// What does not fit into the table, a line per orbit of which there is something to say.
+std::string orbit_notes(const std::vector<FoundOrbit>& orbits) {
+  std::string text;
+  const auto note = [&](const std::string& line) {
+    for (const std::string& part : wrapped_lines(line, kOrbitColumns)) text += part + "\n";
+  };
+  if (std::ranges::any_of(orbits, &FoundOrbit::from_rest)) note("* the motion reached from rest");
+  for (const FoundOrbit& orbit : orbits) {
+    if (orbit.certified.source.find("chatter") != std::string::npos)
+      note(orbit.fingerprint + ": after these impacts complete chatter, infinitely many");
+    if (!orbit.cold.empty())
+      note(orbit.fingerprint + ": from a cold start also by " + method_names(orbit.cold));
+  }
+  return text;
+}
+
+/// Half of largest less least displacement, between the samples of the search too.
+double exact_amplitude(const Problem& problem, const Trajectory& motion) {
+  const MotionSummary summary = summarise_motion(problem, as_represented(problem.law), motion,
+                                                 sample_motion(problem, motion), {.harmonics = 0});
+  double largest = 0.0;
+  for (const DisplacementSummary& one : summary.x) largest = std::max(largest, one.amplitude);
+  return largest;
 }
 
 void print_remarks(const SceneOrbits& found, const OrbitSearchOptions& options) {
@@ -75,16 +103,18 @@ int list_orbits(const OrbitsArguments& arguments) {
   OrbitSearchOptions options = arguments.options;
   options.subharmonics = arguments.subharmonics.value_or(default_subharmonics(scene.problem));
   watch_interrupts();
-  const SceneOrbits found = [&] {
+  SceneOrbits found = [&] {
     const Waiting waiting("searching orbits of " + scene.problem.name);
     return find_all_orbits(scene.problem, options);
   }();
+  for (FoundOrbit& orbit : found.orbits)
+    orbit.amplitude = exact_amplitude(scene.problem, *orbit.certified.motion);
   if (arguments.json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const FoundOrbit& orbit : found.orbits) list.push_back(to_json(orbit));
     fmt::print("{}\n", list.dump());
   } else if (!found.orbits.empty()) {
-    fmt::print("{}", to_markdown(orbit_table(found.orbits)));
+    fmt::print("{}{}", to_columns(orbit_table(found.orbits)), orbit_notes(found.orbits));
   }
   print_remarks(found, options);
   if (!arguments.plot.empty() && !found.orbits.empty())
@@ -114,7 +144,8 @@ void add_search_options(CLI::App& command, OrbitSearchOptions& options, std::opt
 void add_orbits_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand(
       "orbits",
-      "All certified orbits of a scene under its own law, stable or not; exit code 1 if none is found.");
+      "Searches the coexisting orbits of a scene under its own law, stable or not, each of them certified; "
+      "exit code 1 if none is found.");
   const auto arguments = std::make_shared<OrbitsArguments>();
   command->add_option("scene", arguments->scene, "a scene of the catalogue, or a scene file")->required();
   add_search_options(*command, arguments->options, arguments->subharmonics);

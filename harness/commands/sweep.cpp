@@ -23,6 +23,7 @@
 #include "harness/sweep/frequency_response.hpp"
 #include "harness/sweep/response_folder.hpp"
 #include "harness/sweep/response_stream.hpp"
+#include "harness/terminal/sweep_output.hpp"
 
 namespace signorini {
 
@@ -41,6 +42,13 @@ void tell_interrupted(const SweepArguments& arguments) {
                *arguments.out);
 }
 
+// Every row, in one of the formats of tables.
+void print_table(const SweepArguments& arguments, const Table& table) {
+  fmt::print("{}", arguments.format == "csv"  ? to_csv(table)
+                   : arguments.format == "md" ? to_markdown(table)
+                                              : to_columns(table));
+}
+
 void print(const SweepArguments& arguments, const std::vector<SweepPoint>& points) {
   if (arguments.format == "jsonl") return;  // each as it came
   if (arguments.format == "json") {
@@ -49,8 +57,7 @@ void print(const SweepArguments& arguments, const std::vector<SweepPoint>& point
     fmt::print("{}\n", json_line(list));
     return;
   }
-  const Table table = response_table(points, arguments.limits.certified);
-  fmt::print("{}", arguments.format == "csv" ? to_csv(table) : to_markdown(table));
+  print_table(arguments, response_table(points, arguments.limits.certified));
 }
 
 // Points of one method, each solved from the one before.
@@ -175,6 +182,7 @@ void print(const SweepArguments& arguments, const std::vector<MethodResponse>& r
     return;
   }
   if (arguments.format == "md") fmt::print("{}", to_markdown(branch_table(responses)));
+  if (arguments.format == "text") fmt::print("{}", sweep_text(responses));
   for (const MethodResponse& response : responses) {
     for (const std::string& note : response.diagram.notes) fmt::print(stderr, "{}\n", note);
     if (!response.diagram.unfinished.empty()) fmt::print(stderr, "{}\n", response.diagram.unfinished);
@@ -251,8 +259,7 @@ int sweep_special_points(const SweepArguments& arguments) {
   if (arguments.format == "json" || arguments.format == "jsonl") {
     fmt::print("{}\n", json_line(to_json(response)));
   } else {
-    const Table table = bifurcation_table(response);
-    fmt::print("{}", arguments.format == "csv" ? to_csv(table) : to_markdown(table));
+    print_table(arguments, bifurcation_table(response));
   }
   if (!response.unfinished.empty()) fmt::print(stderr, "{}\n", response.unfinished);
   return response.curves.empty() ? kUnexpectedFailure : kDone;
@@ -277,10 +284,11 @@ int sweep(SweepArguments arguments) {
 void add_sweep_command(CLI::App& app, int& exit_code, const std::vector<std::string>& words) {
   auto* command =
       app.add_subcommand("sweep",
-                         "Frequency response: one method on one scene at one frequency after "
-                         "another, each solve from the answer before; or the branches of several "
-                         "methods, by arc length through folds and grazings where a method has its own. "
-                         "Exit code 1 if a solve did not converge, or no branch was found.");
+                         "The response over the frequency or another number of the scene, and its picture. "
+                         "With --methods the branches of several methods, by arc length through folds and "
+                         "grazings where a method has its own; with --method one method at one frequency "
+                         "after another, each solve from the answer before. Exit code 1 if a solve did not "
+                         "converge, or no branch was found.");
   const auto arguments = std::make_shared<SweepArguments>();
   arguments->words = words;
   add_sweep_options(*command, *arguments);

@@ -91,8 +91,9 @@ void add_sweep_options(CLI::App& command, SweepArguments& arguments) {
       ->capture_default_str();
   command
       .add_option("--format", arguments.format,
-                  "md, csv, json, or jsonl: one JSON object per branch or step; csv and jsonl as they come")
-      ->check(CLI::IsMember({"md", "csv", "json", "jsonl"}))
+                  "text: where branches begin, change and end; md, csv, json: every point; jsonl: one JSON "
+                  "object per branch or step; csv and jsonl as they come")
+      ->check(CLI::IsMember({"text", "md", "csv", "json", "jsonl"}))
       ->capture_default_str();
   add_plot_option(command, arguments.plot, "amplitude over frequency");
   add_column_option(command, arguments.column, "the picture");

@@ -27,7 +27,7 @@ struct SweepArguments {
   bool natural = false;
   std::string follow;
   SecondParameter second;
-  std::string format = "md";
+  std::string format = "text";
   std::string plot;
   Column column = Column::own;
   bool bifurcation = false;

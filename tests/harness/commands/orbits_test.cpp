@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include "tests/harness/program.hpp"
@@ -18,7 +19,10 @@ Outcome run(const std::string& arguments) { return test::run_program(arguments);
 TEST(CommandOrbits, ListsTheOrbitsOfAScene) {
   const Outcome table = run("orbits sdof-subharmonic --starts 8 --subharmonics 2");
   EXPECT_EQ(table.code, 0) << table.err;
-  EXPECT_NE(table.out.find("| orbit"), std::string::npos) << table.out;
+  EXPECT_EQ(table.out.rfind("orbit ", 0), 0U) << table.out;
+  EXPECT_NE(table.out.find("\n* the motion reached from rest\n"), std::string::npos) << table.out;
+  std::istringstream lines(table.out);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
   EXPECT_NE(table.out.find("unstable"), std::string::npos) << table.out;
   const Outcome outcome = run("orbits sdof-subharmonic --starts 8 --subharmonics 2 --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -29,6 +33,13 @@ TEST(CommandOrbits, ListsTheOrbitsOfAScene) {
     EXPECT_TRUE(orbits[0].contains(key)) << key;
   }
   EXPECT_EQ(orbits[0]["order"], 1);
+}
+
+// Between two stops at 0.5 m that are both met the amplitude is 0.5 m, whatever the samples.
+TEST(CommandOrbits, HasExactAmplitudes) {
+  const Outcome outcome = run("orbits sdof-two-sided --starts 0 --subharmonics 1 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NEAR(Json::parse(outcome.out)[0]["amplitude"].get<double>(), 0.5, 1e-11);
 }
 
 TEST(CommandOrbits, ExitsWithOneWhereNoOrbitIsFound) {

@@ -1,0 +1,82 @@
+#include "harness/terminal/sweep_output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/report/document/lines.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr std::size_t kSweepColumns = 80;
+constexpr std::size_t kPointIndent = 32;  // columns of the numbers before the words of a line
+
+/// "     3.855375        1.76251  fold".
+std::string point_line(const BranchPoint& point, const std::string& words) {
+  const double amplitude = point.amplitude.empty() ? 0.0 : *std::ranges::max_element(point.amplitude);
+  return named_lines(fmt::format("{:>14.8g}{:>15.6g}", point.parameter, amplitude), kPointIndent, words,
+                     kSweepColumns);
+}
+
+/// "all stable", "30 stable, 36 unstable": how many points are what.
+std::string stability_counts(const std::vector<BranchPoint>& points) {
+  std::string text;
+  for (const OrbitStability stability : {OrbitStability::stable, OrbitStability::elliptic,
+                                         OrbitStability::unstable, OrbitStability::unknown}) {
+    const auto count = std::ranges::count(points, stability, &BranchPoint::stability);
+    if (count == 0) continue;
+    const std::string word =
+        stability == OrbitStability::unknown ? "of unknown stability" : describe(stability);
+    if (count == std::ssize(points)) return "all " + word;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, word);
+  }
+  return text.empty() ? "none with multipliers" : text;
+}
+
+/// Whether the branch ends at the special point for that reason, which is said once.
+bool is_the_end(const SpecialPoint& special, const Branch& branch) {
+  return special.after + 1 >= branch.points.size() && special.text == branch.ended;
+}
+
+std::string branch_text(std::size_t number, const Branch& branch) {
+  if (branch.points.empty()) return {};
+  const int order = branch.points.front().order;
+  std::string text = fmt::format("branch {}{}: {}, {}\n", number,
+                                 order == 1 ? "" : fmt::format(", motions of {} periods of the load", order),
+                                 plural(std::ssize(branch.points), "point"), stability_counts(branch.points));
+  text += point_line(branch.points.front(), "begins: " + branch.began);
+  for (const SpecialPoint& special : branch.special) {
+    if (is_the_end(special, branch)) continue;
+    text +=
+        point_line(special.point, describe(special.kind) + (special.text.empty() ? "" : ": " + special.text));
+  }
+  return text + point_line(branch.points.back(), "ends: " + branch.ended);
+}
+
+std::string branches_text(const MethodResponse& response) {
+  const std::vector<Branch>& branches = response.diagram.branches;
+  const bool over_frequency = response.parameter == kFrequency;
+  std::string text =
+      fmt::format("{}: {}\n{:>14}{:>15}\n", response.method,
+                  branches.size() == 1 ? "1 branch" : fmt::format("{} branches", branches.size()),
+                  over_frequency ? "omega [rad/s]" : response.parameter, "amplitude [m]");
+  for (std::size_t i = 0; i < branches.size(); ++i) text += branch_text(i, branches[i]);
+  return text;
+}
+
+}  // namespace
+
+std::string sweep_text(const std::vector<MethodResponse>& responses) {
+  std::string text;
+  for (const MethodResponse& response : responses) {
+    if (response.steps.empty() && !response.at_values)
+      text += branches_text(response);
+    else
+      text += to_columns(branch_table({response}));
+  }
+  return text;
+}
+
+}  // namespace signorini

@@ -1,0 +1,66 @@
+// What `sweep` prints of branches made by hand.
+
+#include "harness/terminal/sweep_output.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace signorini {
+namespace {
+
+BranchPoint point(double omega, double amplitude, OrbitStability stability, int order = 1) {
+  return {.parameter = omega,
+          .frequency = omega,
+          .order = order,
+          .x_max = {0.2, amplitude},
+          .amplitude = {0.1, amplitude},
+          .stability = stability};
+}
+
+MethodResponse response_with_a_fold() {
+  MethodResponse response{.method = "exact-orbit"};
+  Branch first{.began = "start at 4", .ended = "grazing"};
+  first.points = {point(4.0, 1.0, OrbitStability::stable), point(3.0, 0.2, OrbitStability::stable)};
+  first.special = {
+      {.kind = SpecialKind::grazing, .point = first.points.back(), .text = "grazing", .after = 1}};
+  Branch second{.began = "a doubling", .ended = "end of the interval"};
+  second.points = {point(3.0, 0.2, OrbitStability::stable, 2), point(3.5, 1.0, OrbitStability::unstable, 2),
+                   point(3.25, 2.0, OrbitStability::unstable, 2)};
+  second.special = {{.kind = SpecialKind::fold, .point = point(3.75, 0.5, OrbitStability::unstable, 2)}};
+  response.diagram.branches = {first, second};
+  return response;
+}
+
+TEST(SweepText, ShowsWhereBranchesBeginChangeAndEnd) {
+  EXPECT_EQ(sweep_text({response_with_a_fold()}),
+            "exact-orbit: 2 branches\n"
+            " omega [rad/s]  amplitude [m]\n"
+            "branch 0: 2 points, all stable\n"
+            "             4              1   begins: start at 4\n"
+            "             3            0.2   ends: grazing\n"
+            "branch 1, motions of 2 periods of the load: 3 points, 1 stable, 2 unstable\n"
+            "             3            0.2   begins: a doubling\n"
+            "          3.75            0.5   fold\n"
+            "          3.25              2   ends: end of the interval\n");
+}
+
+TEST(SweepText, BreaksLongReasons) {
+  MethodResponse response = response_with_a_fold();
+  response.diagram.branches[0].ended = std::string(30, 'a') + " " + std::string(30, 'b');
+  std::istringstream lines(sweep_text({response}));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
+}
+
+TEST(SweepText, HasStepsAndPointsAtValuesAsRows) {
+  MethodResponse steps{.method = "hat-lcp"};
+  steps.steps = {{.frequency = 2.0, .status = Status::timeout}};
+  EXPECT_NE(sweep_text({steps}).find("timeout\n"), std::string::npos) << sweep_text({steps});
+  MethodResponse at = response_with_a_fold();
+  at.at_values = true;
+  const std::string text = sweep_text({at});
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 6) << text;
+}
+
+}  // namespace
+}  // namespace signorini
