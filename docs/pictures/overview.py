@@ -55,7 +55,7 @@ class Panel:
             self.text(LEFT - 7, at + 4, self.number(value), "end", "note")
         self.text((LEFT + right) / 2, HEIGHT - 8, x_label, "middle", "note")
         middle = (TOP + bottom) / 2
-        self.parts.append(f'<text class="note" text-anchor="middle" transform="translate(16 {middle:.0f}) rotate(-90)">{y_label}</text>')
+        self.parts.append(f'<text class="note" text-anchor="middle" transform="translate(13 {middle:.0f}) rotate(-90)">{y_label}</text>')
 
     def ticks(self, low, high):
         if self.log:
@@ -140,8 +140,18 @@ def pieces(points, belongs):
     return found + ([run_of] if run_of else [])
 
 
+def vertices(branch):
+    """The points of a branch and, where they are, its special ones, at which its stability changes."""
+    points = [dict(point, special=False) for point in branch["points"]]
+    for special in reversed(branch["special"]):
+        points.insert(special["after"], dict(special, special=True))
+    return points
+
+
 def is_stable(before, after):
-    return (after if before["stability"] == "undefined" else before)["stability"] == "stable"
+    """Of the piece between two of them: that of its end where it begins at a special point or a grazing."""
+    of_end = (before["special"] or before["stability"] == "undefined") and not after["special"]
+    return (after if of_end else before)["stability"] == "stable"
 
 
 def document(title, styles, body):
@@ -159,13 +169,12 @@ def response(program):
     for branch in branches:
         order = branch["points"][0]["order"]
         for stable in (True, False):
-            for piece in pieces(branch["points"], lambda before, after: is_stable(before, after) == stable):
+            for piece in pieces(vertices(branch), lambda before, after: is_stable(before, after) == stable):
                 panel.curve([(p["omega"], p["amplitude"][0]) for p in piece], f"c{0 if order == 1 else 2}",
                             2.2 if stable else 1.3, "" if stable else "4 3")
         for special in branch["special"]:
             if special["kind"] in ("fold", "grazing") and 1.4 < special["omega"] < 4.2:
-                near = min(branch["points"], key=lambda p: abs(p["omega"] - special["omega"]))
-                panel.dot(special["omega"], near["amplitude"][0], "contact", 3)
+                panel.dot(special["omega"], special["amplitude"][0], "contact", 3)
     panel.text(*panel.at(2.08, 2.6), "period of the load", "start", "c0")
     panel.text(*panel.at(3.2, 1.55), "twice that", "start", "c2")
     panel.text(*panel.at(4.15, 4.25), "dashed: unstable; dots: fold, grazing", "end", "note")

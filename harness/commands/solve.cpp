@@ -105,7 +105,8 @@ int solve(const SolveArguments& arguments) {
   Runner runner({.repetitions = 1,
                  .certificate_timeout = arguments.certificate,
                  .reference_timeout = arguments.reference.value_or(0.0)});
-  if (!arguments.plot.empty()) runner.keep_waveforms();
+  constexpr double kPlotTolerance = 2e-4;  // below what is seen on a page
+  if (!arguments.plot.empty()) runner.keep_waveforms(kPlotTolerance);
   const std::vector<Job> jobs = runner.make_jobs(scene, cases);
   if (interrupted()) return kInterrupted;
   AnswerPrinter printer(arguments.method, {arguments.verbose, takes_colour(STDOUT_FILENO)});
@@ -131,7 +132,8 @@ constexpr int kMostHarmonics = 1000;
 }  // namespace
 
 void add_solve_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("solve", "One run of one method on one scene, judged by the harness.");
+  auto* command = app.add_subcommand(
+      "solve", "One periodic motion, what it does and how good it is, by one method on one scene.");
   const auto arguments = std::make_shared<SolveArguments>();
   command->add_option("scene", arguments->scene, "a scene of the catalogue, or a scene file")->required();
   command->add_option("--method", arguments->method, "method name; see `signorini list methods`")->required();

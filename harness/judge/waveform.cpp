@@ -12,8 +12,6 @@ namespace {
 
 /// Instants per forcing period among which those that are kept are chosen.
 constexpr int kDrawnGrid = 2048;
-/// Largest distance of a polyline from its signal, share of the signal's range.
-constexpr double kDrawnTolerance = 0.002;
 
 enum Signal : Eigen::Index { kX, kVelocity, kForce, kImpulse, kSignals };
 
@@ -69,7 +67,7 @@ std::vector<double> rounded_at(const Eigen::Ref<const Eigen::VectorXd>& values,
 }
 
 /// Impulses are summed over all samples, so that a force between two instants that are drawn is counted once.
-Waveform draw(const Motion& motion, const std::vector<int>& contacts, int periods) {
+Waveform draw(const Motion& motion, const std::vector<int>& contacts, int periods, double tolerance) {
   const int every = std::max(1, rows_per_period(motion) / kDrawnGrid);
   const auto kept = static_cast<Eigen::Index>(contacts.size());
   const Eigen::Index rows = static_cast<Eigen::Index>(periods) * rows_per_period(motion) / every + 1;
@@ -77,7 +75,7 @@ Waveform draw(const Motion& motion, const std::vector<int>& contacts, int period
   for (Eigen::Index c = 0; c < kept; ++c)
     signals.middleCols(c * kSignals, kSignals) = signals_of(motion, contacts[static_cast<std::size_t>(c)],
                                                             periods)(Eigen::seqN(0, rows, every), Eigen::all);
-  const std::vector<int> places = polyline(signals, kDrawnTolerance);
+  const std::vector<int> places = polyline(signals, tolerance);
   Waveform waveform;
   for (const int place : places) waveform.t.push_back(rounded(place * every * motion.step()));
   for (Eigen::Index c = 0; c < kept; ++c) {
@@ -140,11 +138,11 @@ std::vector<int> polyline(const Eigen::MatrixXd& signals, double tolerance) {
   return kept;
 }
 
-Waveforms draw_waveforms(const Motion& answer, const Motion* orbit) {
+Waveforms draw_waveforms(const Motion& answer, const Motion* orbit, double tolerance) {
   Waveforms waveforms{.contacts = contacts_drawn(answer)};
   const int periods = orbit == nullptr ? answer.order : std::lcm(answer.order, orbit->order);
-  waveforms.answer = draw(answer, waveforms.contacts, periods);
-  if (orbit != nullptr) waveforms.orbit = draw(*orbit, waveforms.contacts, periods);
+  waveforms.answer = draw(answer, waveforms.contacts, periods, tolerance);
+  if (orbit != nullptr) waveforms.orbit = draw(*orbit, waveforms.contacts, periods, tolerance);
   return waveforms;
 }
 

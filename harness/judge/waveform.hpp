@@ -14,8 +14,11 @@ inline constexpr int kDrawnContacts = 4;
 /// \param signals  instants x signals, at least two instants
 std::vector<int> polyline(const Eigen::MatrixXd& signals, double tolerance);
 
+/// Distance of a motion's polyline from its signals as records keep it, share of each range.
+inline constexpr double kKeptTolerance = 0.002;
+
 /// An answer and, unless null, the certified orbit behind it, over the least period common to both, at the
-/// contacts that exchange most impulse.
-Waveforms draw_waveforms(const Motion& answer, const Motion* orbit);
+/// contacts that exchange most impulse. \param tolerance  of the polylines, share of each signal's range
+Waveforms draw_waveforms(const Motion& answer, const Motion* orbit, double tolerance = kKeptTolerance);
 
 }  // namespace signorini

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "harness/plots/drawn_stops.hpp"
 #include "harness/report/figures/canvas.hpp"
 #include "harness/report/figures/drawn_waveform.hpp"
 #include "harness/report/figures/gnuplot.hpp"
@@ -31,19 +32,14 @@ std::size_t busiest(const Waveform& motion) {
 }
 
 constexpr int kPortraitTics = 5;
-
-/// With the stop, which is drawn too.
-double range_of_displacement(const std::vector<double>& x, double gap) {
-  const auto [least, largest] = std::ranges::minmax(x);
-  return std::max(largest, gap) - std::min(least, gap);
-}
-
-/// Instants of the impacts of one contact within the motion drawn [s].
-std::string impact_lines(const Record& record, int contact, double gap) {
+/// Instants of the impacts on these stops within the motion drawn [s], and where they are [m].
+std::string impact_lines(const Record& record, const std::vector<DrawnStop>& stops) {
   std::string lines;
-  for (const OrbitEvent& event : record.certificate.events)
-    if (event.contact == contact && event.kind == ContactEvent::Kind::impact)
-      lines += fmt::format("{:.8g} {:.8g}\n", event.time, gap);
+  for (const OrbitEvent& event : record.certificate.events) {
+    const auto stop = std::ranges::find(stops, event.contact, &DrawnStop::contact);
+    if (stop != stops.end() && event.kind == ContactEvent::Kind::impact)
+      lines += fmt::format("{:.8g} {:.8g}\n", event.time, stop->place);
+  }
   return lines;
 }
 
@@ -51,6 +47,7 @@ constexpr std::string_view kMotionFrame = R"(set multiplot layout {},{} title {}
 set grid back lc rgb '#dddddd' lw 0.5
 set border 3
 set tics nomirror font ',8'
+set offsets 0, 0, graph 0.05, graph 0.05
 unset key
 )";
 
@@ -59,14 +56,14 @@ unset key
 Figure motion_plot(const Scene& scene, const Record& record, const Waveforms& waveforms, Column column) {
   const std::size_t place = busiest(waveforms.answer);
   const int contact = waveforms.contacts[place];
-  const double gap = scene.problem.contacts[static_cast<std::size_t>(contact)].gap;
+  const std::vector<DrawnStop> stops = stops_of(scene.problem, contact);
   Canvas canvas;
   const auto answer =
       canvas.add(motion_block(waveforms.answer, place), "t [s], x [m], velocity [m/s], impulse so far [N s]");
   const auto orbit = waveforms.orbit
                          ? canvas.add(motion_block(*waveforms.orbit, place), "the certified orbit")
                          : std::nullopt;
-  const auto impacts = canvas.add(impact_lines(record, contact, gap), "impacts");
+  const auto impacts = canvas.add(impact_lines(record, stops), "impacts");
   const auto portrait = canvas.add(portrait_lines(waveforms.answer, place),
                                    "x [m], velocity [m/s], with points between samples");
   const auto orbit_portrait =
@@ -82,13 +79,15 @@ Figure motion_plot(const Scene& scene, const Record& record, const Waveforms& wa
                 .caption = record.case_id,
                 .width = width_in(column, kUsualWidth),
                 .height = narrow ? kNarrowHeight : kHeight};
-  figure.script = fmt::format(kMotionFrame, narrow ? 4 : 2, narrow ? 1 : 2,
-                              gnuplot_string(fmt::format("{}, contact {}", record.case_id, contact)));
+  const std::string title = fmt::format("{}, contact {}{}", record.case_id, contact,
+                                        orbit && !narrow ? " (broad: the certified orbit)" : "");
+  figure.script = fmt::format(kMotionFrame, narrow ? 4 : 2, narrow ? 1 : 2, gnuplot_string(title));
   figure.script += fmt::format("set xrange [0:{:.8g}]\nset xlabel 't [s]'\nset ylabel 'x [m]'\n",
                                waveforms.answer.t.back());
-  canvas.plot(fmt::format("{:.10g} with lines lc rgb '#D55E00' dt (12,6) lw 1.2", gap));
+  for (const DrawnStop& stop : stops)
+    canvas.plot(fmt::format("{:.10g} with lines {}", stop.place, kStopStyle));
   draw(orbit, answer, 2);
-  canvas.plot(impacts, "with points lc rgb '#D55E00' pt 7 ps 0.6");
+  canvas.plot(impacts, "with points lc rgb '#D55E00' pt 7 ps 0.7");
   figure.script += canvas.panel();
   draw(orbit, answer, 3);
   figure.script += "set ylabel 'velocity [m/s]'\n" + canvas.panel();
@@ -96,11 +95,10 @@ Figure motion_plot(const Scene& scene, const Record& record, const Waveforms& wa
   figure.script += "set ylabel 'impulse so far [N s]'\n" + canvas.panel();
   draw(orbit_portrait, portrait, 2);
   figure.script += fmt::format(
-      "set xrange [*:*]\nset xtics {2:g}\nset xlabel 'x [m]'\nset ylabel 'velocity [m/s]'\nset arrow 1 from "
-      "{0:.10g}, graph 0 "
-      "to {0:.10g}, graph "
-      "1 nohead lc rgb '#D55E00' dt (12,6) lw 1.2\n{1}unset multiplot\n",
-      gap, canvas.panel(), tic_step(range_of_displacement(waveforms.answer.x[place], gap), kPortraitTics));
+      "set xrange [*:*]\nset offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\nset xtics {:g}\n"
+      "set xlabel 'x [m]'\nset ylabel 'velocity [m/s]'\n{}{}unset multiplot\n",
+      tic_step(range_with(waveforms.answer.x[place], stops), kPortraitTics), wall_commands(stops),
+      canvas.panel());
   figure.data = canvas.data();
   return figure;
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "harness/failure.hpp"
+#include "harness/plots/drawn_stops.hpp"
 #include "harness/report/figures/canvas.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 
@@ -48,6 +49,7 @@ set border 3
 set tics nomirror font ',8'
 set title font ',8'
 unset key
+set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
 set xlabel 'x [m]' font ',8'
 set ylabel 'velocity [m/s]' font ',8'
 )";
@@ -91,7 +93,7 @@ std::string basin_panel(const std::vector<FoundOrbit>& orbits, Canvas& canvas) {
     names += fmt::format("{}{} {}", names.empty() ? "" : ", ", gnuplot_string(orbits[i].fingerprint), i);
   }
   return fmt::format(
-      "set title 'starts that end there, hollow: unstable'\nset xlabel 'orbit'\nset ylabel 'share of starts "
+      "set title 'starts (hollow: unstable)'\nset xlabel 'orbit'\nset ylabel 'share of starts "
       "[%]'\nset "
       "xtics rotate by -35 ({}) font ',6'\nset xrange [-0.7:{}.7]\nset yrange [0:*]\n{}",
       names, orbits.size() - 1, canvas.panel());
@@ -115,15 +117,14 @@ Figure orbit_plot(const Problem& problem, const std::vector<FoundOrbit>& orbits,
     const Eigen::Index contact = liveliest(motion);
     canvas.draw(portrait_block(motion, contact), fmt::format("with lines {} lw 1.4", line_colour(i)),
                 "x [m], velocity [m/s]");
+    const std::vector<DrawnStop> stops = stops_of(problem, static_cast<int>(contact));
+    const Eigen::VectorXd x = motion.x.col(contact);
     figure.script += fmt::format(
-        "set title {0} noenhanced\nset xtics {3:g}\nset arrow 1 from {1:.10g}, graph 0 to {1:.10g}, graph 1 "
-        "nohead lc rgb "
-        "'#D55E00' dt (6,3)\n{2}",
-        gnuplot_string(title_of(orbits[i])), problem.contacts[static_cast<std::size_t>(contact)].gap,
-        canvas.panel(), tic_step(motion.x.col(contact).maxCoeff() - motion.x.col(contact).minCoeff(), kTics));
+        "set title {} noenhanced\nset xtics {:g}\n{}{}unset arrow\n", gnuplot_string(title_of(orbits[i])),
+        tic_step(range_with({x.begin(), x.end()}, stops), kTics), wall_commands(stops), canvas.panel());
   }
-  figure.script +=
-      "unset arrow\n" + multiplier_panel(orbits, canvas) + basin_panel(orbits, canvas) + "unset multiplot\n";
+  figure.script += "set offsets 0, 0, 0, 0\n" + multiplier_panel(orbits, canvas) +
+                   basin_panel(orbits, canvas) + "unset multiplot\n";
   figure.data = canvas.data();
   return figure;
 }

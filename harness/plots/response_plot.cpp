@@ -47,19 +47,48 @@ std::vector<double> ordinates(const BranchPoint& point, ResponseOrdinate ordinat
   return found;
 }
 
-/// The pieces of one curve of a branch, its `number`-th ordinate, between neighbours of which the first
-/// belongs to the part.
+/// A point of a curve that is drawn: one of the branch, or a special one between two of these.
+struct Vertex {
+  const BranchPoint* point = nullptr;
+  bool special = false;
+};
+
+/// Those of a branch that have a `number`-th ordinate, in their order.
+std::vector<Vertex> vertices_of(const Branch& branch, ResponseOrdinate ordinate, std::size_t number) {
+  std::vector<Vertex> vertices;
+  const auto add = [&](const BranchPoint& point, bool special) {
+    if (!special || ordinates(point, ordinate).size() > number) vertices.push_back({&point, special});
+  };
+  auto special = branch.special.begin();
+  for (std::size_t i = 0; i < branch.points.size(); ++i) {
+    for (; special != branch.special.end() && special->after <= i; ++special) add(special->point, true);
+    add(branch.points[i], false);
+  }
+  return vertices;
+}
+
+/// What a curve is between two vertices. It changes at special points: a piece that begins at one, or at a
+/// grazing, which has no multipliers, is what its end is.
+Stability part_between(const Vertex& from, const Vertex& to) {
+  const bool of_end = from.special || from.point->stability == OrbitStability::undefined;
+  return part_of(of_end && !to.special ? *to.point : *from.point);
+}
+
+/// The pieces of one curve of a branch, its `number`-th ordinate, that belong to the part.
 std::string pieces_of(const Branch& branch, Stability part, ResponseOrdinate ordinate, std::size_t number) {
   std::string lines;
   bool drawing = false;
-  const auto add = [&](const BranchPoint& point) {
-    lines += fmt::format("{:.10g} {:.8g}\n", point.parameter, ordinates(point, ordinate)[number]);
+  const std::vector<Vertex> vertices = vertices_of(branch, ordinate, number);
+  const auto add = [&](const Vertex& vertex) {
+    lines +=
+        fmt::format("{:.10g} {:.8g}\n", vertex.point->parameter, ordinates(*vertex.point, ordinate)[number]);
   };
-  for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
-    const BranchPoint &from = branch.points[i], &to = branch.points[i + 1];
-    // A grazing has no multipliers: the piece that begins there is what its end is.
-    const bool belongs = part_of(from.stability == OrbitStability::undefined ? to : from) == part &&
-                         std::min(ordinates(from, ordinate).size(), ordinates(to, ordinate).size()) > number;
+  const auto is_drawn = [&](const Vertex& vertex) {
+    return ordinates(*vertex.point, ordinate).size() > number;
+  };
+  for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+    const Vertex &from = vertices[i], &to = vertices[i + 1];
+    const bool belongs = is_drawn(from) && is_drawn(to) && part_between(from, to) == part;
     if (belongs && !drawing) add(from);
     if (belongs) add(to);
     if (drawing && !belongs) lines += "\n";

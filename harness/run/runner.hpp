@@ -10,6 +10,7 @@
 
 #include "harness/build_info.hpp"
 #include "harness/judge/exact_certificate.hpp"
+#include "harness/judge/waveform.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/records/record.hpp"
 #include "harness/run/applicability.hpp"
@@ -73,8 +74,8 @@ class Runner {
   /// record.
   [[nodiscard]] std::optional<Record> run(const Scene& scene, const Job& job, const SolveExtras& extras = {});
 
-  /// Records shall hold the motions as they are drawn.
-  void keep_waveforms() { waveforms_ = true; }
+  /// Records shall hold the motions as they are drawn, to this share of each signal's range.
+  void keep_waveforms(double tolerance = kKeptTolerance) { waveforms_ = tolerance; }
 
   [[nodiscard]] const Limits& limits() const { return limits_; }
   [[nodiscard]] std::string key_of(const Scene& scene, const Case& planned_case) const;
@@ -93,7 +94,7 @@ class Runner {
   Limits limits_;
   OrbitTools orbits_;
   CodeVersion code_version_;
-  bool waveforms_ = false;
+  std::optional<double> waveforms_ = {};
   References references_;
 };
 

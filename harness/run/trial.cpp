@@ -183,7 +183,8 @@ void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory
   record.certificate = certified.certificate;
   if (certified.orbit) record.errors = measure_errors(problem, motion, *certified.orbit);
   if (trial.waveforms)
-    record.waveforms = draw_waveforms(motion, certified.orbit ? &*certified.orbit : nullptr);
+    record.waveforms =
+        draw_waveforms(motion, certified.orbit ? &*certified.orbit : nullptr, *trial.waveforms);
   if (record.law_matches_scene == false && trial.scene_reference.orbit) {
     const Motion scene_orbit = sample_motion(problem, *trial.scene_reference.orbit);
     record.errors.x_l2_scene = distance(motion, scene_orbit, best_shift(motion, scene_orbit)).x_l2;

@@ -27,8 +27,9 @@ struct Trial {
   std::shared_ptr<const Trajectory> start = {};  ///< null: cold
   int samples = 0;                               ///< instants of the trajectory kept in the record; 0: none
   bool timed = true;
-  bool certified = true;                       ///< look for the orbit behind the answer
-  bool waveforms = false;                      ///< keep the answer and its orbit as they are drawn
+  bool certified = true;  ///< look for the orbit behind the answer
+  /// Keep the answer and its orbit as they are drawn, to this share of each signal's range.
+  std::optional<double> waveforms = {};
   std::optional<SummaryRequest> summary = {};  ///< summarise the motion of the answer
 };
 

@@ -187,8 +187,9 @@ std::string drawn(const Figure& figure, std::string_view format) {
   else if (format == "pdf")
     terminal = fmt::format("pdfcairo size {:.1f}cm,{:.1f}cm font 'sans,9'", figure.width, figure.height);
   else
-    terminal = fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,9' fontscale {:g} linewidth {:g}",
-                           kPixels * width, kPixels * height, kPixels, kPixels);
+    terminal =
+        fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,9' fontscale {:g} linewidth {:g} pointscale {:g}",
+                    kPixels * width, kPixels * height, kPixels, kPixels, kPixels);
   write_whole(folder.path() / "figure.dat", figure.data);
   write_whole(
       folder.path() / "figure.gp",

@@ -17,15 +17,15 @@ MethodResponse two_parts() {
                            point(1.2, 0.3, OrbitStability::unstable),
                            point(1.3, 0.4, OrbitStability::unstable)}};
   branch.special.push_back(
-      {.kind = SpecialKind::fold, .point = point(1.15, 0.25, OrbitStability::undefined)});
+      {.kind = SpecialKind::fold, .point = point(1.15, 0.25, OrbitStability::undefined), .after = 2});
   return {.method = "it's'; system('x')", .diagram = {.branches = {branch}}};
 }
 
 TEST(ResponsePlot, DrawsStableAndUnstablePartsThatMeet) {
   const Figure figure = response_plot("scene", {two_parts()});
   EXPECT_EQ(figure.data,
-            "1 0.1\n1.1 0.2\n1.2 0.3\n\n\n\n"  // stable up to the point where it is not
-            "1.2 0.3\n1.3 0.4\n\n\n\n"
+            "1 0.1\n1.1 0.2\n1.15 0.25\n\n\n\n"  // stable up to the fold
+            "1.15 0.25\n1.2 0.3\n1.3 0.4\n\n\n\n"
             "1.15 0.25\n\n\n");
   EXPECT_NE(figure.script.find("title 'it''s''; system(''x'')'"), std::string::npos) << figure.script;
   EXPECT_NE(figure.script.find("title 'fold'"), std::string::npos);

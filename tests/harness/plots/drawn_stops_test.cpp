@@ -1,0 +1,35 @@
+#include "harness/plots/drawn_stops.hpp"
+
+#include <gtest/gtest.h>
+
+namespace signorini {
+namespace {
+
+Problem between_walls() {
+  Problem problem;
+  problem.contacts = {{.normal = {{0, 1.0}}, .gap = 0.5},
+                      {.normal = {{1, 1.0}}, .gap = 0.25},
+                      {.normal = {{0, -1.0}}, .gap = 0.75},
+                      {.normal = {{0, -2.0}}, .gap = 0.75}};
+  return problem;
+}
+
+TEST(DrawnStops, AreThoseOfTheSameDisplacementEitherWay) {
+  const std::vector<DrawnStop> stops = stops_of(between_walls(), 0);
+  ASSERT_EQ(stops.size(), 2U);
+  EXPECT_EQ(stops[0].contact, 0);
+  EXPECT_EQ(stops[0].place, 0.5);
+  EXPECT_EQ(stops[1].contact, 2);
+  EXPECT_EQ(stops[1].place, -0.75);
+  EXPECT_EQ(stops_of(between_walls(), 1).size(), 1U);
+}
+
+TEST(DrawnStops, StretchTheRange) {
+  const std::vector<DrawnStop> stops = stops_of(between_walls(), 0);
+  EXPECT_EQ(range_with({-0.25, 0.25}, stops), 1.25);
+  EXPECT_EQ(range_with({-2.0, 2.0}, stops), 4.0);
+  EXPECT_NE(wall_commands(stops).find("set arrow from -0.75, graph 0 to -0.75, graph 1"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace signorini
