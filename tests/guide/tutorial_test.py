@@ -16,6 +16,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "tutorial.md"
+PICTURE = ROOT / "docs" / "pictures" / "tutorial-response.svg"
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.M | re.S)
 TIME = re.compile(r"\d+(\.\d+)?(e[-+]\d+)? (us|ms|s)\b")
 
@@ -23,6 +24,11 @@ TIME = re.compile(r"\d+(\.\d+)?(e[-+]\d+)? (us|ms|s)\b")
 def comparable(text):
     """Without what differs from run to run: times, and blanks that line them up."""
     return [re.sub(r"[ -]+", " ", TIME.sub("TIME", line)).rstrip() for line in text.strip("\n").splitlines()]
+
+
+def words_of(svg):
+    """The texts of a picture: axes, numbers and names of what is drawn."""
+    return re.findall(r"<tspan[^>]*>([^<]*)</tspan>", svg)
 
 
 def follow(page, folder, program):
@@ -69,6 +75,7 @@ def main():
         print("skipped: gnuplot is not installed")
         sys.exit(77)
     page = PAGE.read_text(encoding="utf-8")
+    commands = [line for kind, text in BLOCK.findall(page) if kind == "sh" for line in text.splitlines()]
     wrong, written, end = [], "", 0
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -82,16 +89,21 @@ def main():
         if not (work / "response.pdf").read_bytes().startswith(b"%PDF"):
             wrong.append("response.pdf is none")
         # Three motions at 90 rad/s, of which one is unstable: the text says so, and the figure shows it.
-        with (work / "response.csv").open() as stream:
-            points = list(csv.DictReader(stream))
+        sweep = [*shlex.split(next(command for command in commands if " sweep " in command))[1:-1], "response.svg", "--format", "csv"]
+        answer = subprocess.run([program, *sweep], cwd=work, capture_output=True, text=True, check=True)
+        points = list(csv.DictReader(answer.stdout.splitlines()))
         unstable = [float(point["omega [rad/s]"]) for point in points if point["stability"] == "unstable"]
         if not min(unstable) < 90.0 < max(unstable):
             wrong.append(f"unstable from {min(unstable)} to {max(unstable)}")
+        drawn = (work / "response.svg").read_text()
+        if update:
+            PICTURE.write_text(drawn)
+        elif words_of(drawn) != words_of(PICTURE.read_text()):
+            wrong.append(f"{PICTURE.name} is not what sweep draws")
         if not (work / "compared" / "table.md").is_file():
             wrong.append("the run has left no tables")
         if not follow_readme(folder, program):
             wrong.append("the scene of the README leaves no response.pdf")
-    commands = [line for kind, text in BLOCK.findall(page) if kind == "sh" for line in text.splitlines()]
     if sum(line.startswith("signorini ") for line in commands) != 5:
         wrong.append("the page promises five commands")
     if update:

@@ -15,10 +15,16 @@ import support
 
 from signorini import find_program
 
+TIME = re.compile(r"\d+(\.\d+)?(e[-+]\d+)? (us|ms|s)\b")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.M | re.S)
 NOTEBOOKS = sorted((support.ROOT / "python" / "notebooks").glob("*.ipynb"))
 PAGE = support.ROOT / "docs" / "python.md"
 ALL = support.installed("matplotlib") and support.installed("pandas")
+
+
+def comparable(text):
+    """Lines without what differs from run to run: times, and blanks that line them up."""
+    return [re.sub(r" +", " ", TIME.sub("TIME", line)).rstrip() for line in text.strip("\n").splitlines()]
 
 
 def blocks_of(page):
@@ -52,11 +58,12 @@ class Pages(support.TemporaryFolder):
             kinds.append(kind)
             name = re.match(r"# (\w+\.py)\n", text)
             if kind == "text":
-                self.assertEqual(printed, text.rstrip("\n"))
+                self.assertEqual(comparable(printed), comparable(text))
             elif kind == "sh":
                 for line in text.splitlines():
                     done = subprocess.run(["sh", "-c", line], capture_output=True, text=True, check=False)
                     self.assertEqual(done.returncode, 0, f"{line}\n{done.stdout}{done.stderr}")
+                    printed = done.stdout
             elif kind == "python" and name:
                 self.write(name[1], text)
             elif kind == "python":
