@@ -75,6 +75,10 @@ std::string law_words(const Law& law) {
   return stops + law_text(as_represented(law));
 }
 
+void show_title(const std::string& name, const std::string& title) {
+  fmt::print("{}", named_lines("", 0, title.empty() ? name : name + ": " + title, kShownColumns));
+}
+
 void show_line(const std::string& name, const std::string& text) {
   fmt::print("{}", named_lines(name, kShowIndent, text, kShownColumns));
 }
@@ -86,7 +90,7 @@ void show_contacts(const std::vector<Contact>& contacts) {
 }
 
 void show_scene(const Problem& problem) {
-  fmt::print("{}{}{}\n", problem.name, problem.title.empty() ? "" : ": ", problem.title);
+  show_title(problem.name, problem.title);
   if (!problem.reference.empty()) show_line("reference", problem.reference);
   if (!problem.tags.empty()) show_line("tags", fmt::format("{}", fmt::join(problem.tags, ", ")));
   show_line("system", fmt::format("{}, {}; entries in M {}, D {}, K {}", problem.kind,
@@ -103,7 +107,7 @@ void show_scene(const Problem& problem) {
 }
 
 void show_method(const MethodEntry& entry) {
-  fmt::print("{}: {}\n", entry.name, entry.title);
+  show_title(entry.name, entry.title);
   show_line("laws", entry.laws);
   if (!entry.limits.empty()) show_line("limits", entry.limits);
   show_line("ladder", entry.ladder + ", the resolutions of `run`");

@@ -73,6 +73,7 @@ Spring, 1 scene: exact
   fast                               1 ms  1        -  0        -  0        -  0
 
 Failed or refuted: fast 1 of 7
+Limits of the methods: signorini list methods
 All tables, and why cases failed: out/table.md
 A page with figures: signorini report out --format html
 )");
