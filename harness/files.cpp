@@ -32,15 +32,29 @@ std::string first_line(const std::filesystem::path& path) {
   }
 }
 
-void write_whole(const std::filesystem::path& file, const std::string& text) {
+void write_whole(const std::filesystem::path& file, std::string_view text) {
+  write_whole(file, [&](const TextSink& sink) { sink(text); });
+}
+
+void write_whole(const std::filesystem::path& file, const std::function<void(const TextSink&)>& write) {
   const std::filesystem::path draft = file.string() + ".new";
   errno = 0;
   std::ofstream stream(draft, std::ios::binary);
-  stream << text;
-  stream.close();
+  int reason = stream ? 0 : errno;
+  write([&](std::string_view piece) {
+    if (!stream) return;
+    errno = 0;
+    stream << piece;
+    if (!stream) reason = errno;  // streams keep that of the system
+  });
+  if (stream) {
+    errno = 0;
+    stream.close();
+    if (!stream) reason = errno;
+  }
   std::error_code failure;
   if (stream) std::filesystem::rename(draft, file, failure);
-  if (!stream) failure = std::error_code(errno, std::generic_category());  // streams keep that of the system
+  if (!stream) failure = std::error_code(reason, std::generic_category());
   if (!stream || failure) {
     throw UsageError(fmt::format("out = {} (must be in a folder that can be written: {})", file.string(),
                                  failure.message()));

@@ -3,12 +3,13 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace signorini {
 
-/// Largest file that is read whole [bytes]: records with waveforms of some 50,000 cases.
+/// Largest file that is read whole [bytes].
 inline constexpr std::size_t kLargestFile = std::size_t{1} << 32U;
 
 /// All bytes of a regular file. \throws UsageError if it cannot be read, or is no regular file of at most
@@ -18,9 +19,15 @@ std::string read_file(const std::filesystem::path& path, std::size_t most = kLar
 /// The first line of a file; empty where there is none.
 std::string first_line(const std::filesystem::path& path);
 
+/// Takes a piece of a text.
+using TextSink = std::function<void(std::string_view piece)>;
+
 /// Writes text to a file in one piece: a reader sees the old contents or the new.
 /// \throws UsageError, with the system's reason, if the folder cannot be written or is full
-void write_whole(const std::filesystem::path& file, const std::string& text);
+void write_whole(const std::filesystem::path& file, std::string_view text);
+
+/// The same of a text that `write` gives piece by piece, which is never in memory as a whole.
+void write_whole(const std::filesystem::path& file, const std::function<void(const TextSink&)>& write);
 
 /// SHA-256 of the bytes, 64 lower-case hexadecimal digits (FIPS 180-4).
 std::string sha256(std::string_view bytes);

@@ -103,17 +103,15 @@ std::string to_columns(const Table& table) {
   return text;
 }
 
-std::string to_csv(const Table& table) {
+std::string csv_line(const std::vector<Cell>& row) {
   std::string text;
-  const auto add = [&](std::size_t column, const std::string& cell) {
-    text += (column == 0 ? "" : ",") + quoted(cell);
-  };
-  for (std::size_t c = 0; c < table.header.size(); ++c) add(c, table.header[c]);
-  text += '\n';
-  for (const auto& row : table.rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) add(c, row[c].text);
-    text += '\n';
-  }
+  for (std::size_t c = 0; c < row.size(); ++c) text += (c == 0 ? "" : ",") + quoted(row[c].text);
+  return text + "\n";
+}
+
+std::string to_csv(const Table& table) {
+  std::string text = csv_line({table.header.begin(), table.header.end()});
+  for (const std::vector<Cell>& row : table.rows) text += csv_line(row);
   return text;
 }
 

@@ -41,6 +41,9 @@ std::string to_narrow_markdown(const Table& table);
 /// blanks at the ends of lines.
 std::string to_columns(const Table& table);
 
+/// A row of comma separated values with its break; quoted where RFC 4180 asks for it.
+std::string csv_line(const std::vector<Cell>& row);
+
 /// Comma separated values, header first; quoted where RFC 4180 asks for it.
 std::string to_csv(const Table& table);
 

@@ -34,7 +34,7 @@ void print_changes(const Comparison& comparison) {
 }
 
 int compare(const std::string& before, const std::string& after) {
-  const Comparison comparison = compare_runs(read_run(before), read_run(after));
+  const Comparison comparison = compare_runs(read_whole_run(before), read_whole_run(after));
   if (comparison.cases == 0)
     throw NothingMatched(fmt::format("dirs = {} {} (have no case in common)", before, after));
   print_methods(comparison.methods);

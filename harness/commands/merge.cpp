@@ -5,12 +5,13 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <span>
 
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
+#include "harness/records/line_file.hpp"
 #include "harness/records/manifest_check.hpp"
-#include "harness/records/record_json.hpp"
 #include "harness/records/status.hpp"
 #include "harness/report/report.hpp"
 
@@ -29,26 +30,35 @@ void require_no_run(const fs::path& out) {
       fmt::format("out = {} (must be a new folder or an earlier merge, not a run)", out.string()));
 }
 
-void write_run(const RunFolder& run, const fs::path& out) {
+/// Manifest, plan and records of a merge; the lines of records as they stand in its parts.
+void write_run(const RunFolder& run, std::span<const std::string> parts, const fs::path& out) {
   std::error_code failure;
   fs::create_directories(out, failure);
-  std::string lines;
-  for (const Record& record : run.records) lines += to_json(record).dump() + "\n";
-  write_whole(out / "records.jsonl", lines);
+  std::vector<StoredLines> files;
+  for (const std::string& part : parts) files.emplace_back(fs::path(part) / "records.jsonl");
+  write_whole(out / "records.jsonl", [&](const TextSink& sink) {
+    for (const RecordEntry& record : run.records) sink(files[record.part].at(record.place) + "\n");
+  });
   write_whole(out / "manifest.json", run.manifest.dump(2) + "\n");
   write_plan(out, run.plan);
-  write_report(out, Evaluation(run.records, limits_of_run(out)), {"md", "csv"});
+}
+
+/// Joins the runs. \return how many records there are, and how many cases have none
+RunStatus write_merge(const std::vector<std::string>& folders, const fs::path& out) {
+  std::vector<RunFolder> parts;
+  for (const std::string& folder : folders) parts.push_back(read_run(folder));
+  RunFolder merged = merge_runs(std::move(parts));
+  write_run(merged, folders, out);
+  merged.path = out;
+  return status_of(merged);
 }
 
 int merge(const std::vector<std::string>& folders, const std::string& out) {
   require_no_run(out);
-  std::vector<RunFolder> parts;
-  for (const std::string& folder : folders) parts.push_back(read_run(folder));
-  RunFolder merged = merge_runs(parts);
-  write_run(merged, out);
-  merged.path = out;
-  fmt::print("{} records of {} runs are in {}\n", merged.records.size(), parts.size(), out);
-  if (const RunStatus status = status_of(merged); status.pending > 0)
+  const RunStatus status = write_merge(folders, out);
+  write_report(out, evaluation_of_run(out, limits_of_run(out)), {"md", "csv"});
+  fmt::print("{} records of {} runs are in {}\n", status.planned - status.pending, folders.size(), out);
+  if (status.pending > 0)
     fmt::print(stderr, "{} cases of the plan have no record yet; see `signorini status`\n", status.pending);
   return kDone;
 }

@@ -59,7 +59,7 @@ void report(const ReportArguments& arguments) {
         fmt::format("dir = {} (must be a folder with records.jsonl or responses.jsonl, as run writes it)",
                     folder.string()));
   }
-  const Evaluation evaluation(read_current_records(folder), limits_of_run(folder));
+  const Evaluation evaluation = evaluation_of_run(folder, limits_of_run(folder));
   if (arguments.document) {
     write_tables_into(*arguments.document, folder, evaluation);
     fmt::print("{}\n", *arguments.document);

@@ -96,7 +96,7 @@ nlohmann::ordered_json manifest_of(const RunArguments& arguments, const Suite& s
 /// resumed
 void describe_run(RunFolder run, bool resume) {
   if (resume && std::filesystem::exists(run.path / "manifest.json")) {
-    const RunFolder before = read_run(run.path);
+    const RunFolder before = read_description(run.path);
     require_same_machine(before, run);
     run.plan = joined_plan(before, run);
     join_plugins(run.manifest, before.manifest);
@@ -179,11 +179,14 @@ int run_suite(const RunArguments& arguments) {
     return kInterrupted;
   }
   // Read as `report` reads them: a run that resumes another reports the records of both.
-  const Evaluation evaluation(read_current_records(folder), runner.limits());
+  const Evaluation evaluation = evaluation_of_run(folder, runner.limits());
   write_report(folder, evaluation, {"md", "csv"});
   if (arguments.verbose)
     fmt::print("{}\n", markdown_report(closing_sections(evaluation, result.present == 0)));
-  const std::vector<std::string> failures = unexpected_failures(evaluation.records(), suite);
+  std::vector<std::string> failures;
+  for (const CaseResult& result : evaluation.results()) {
+    if (is_unexpected(result.case_id, result.outcome.status, suite)) failures.push_back(result.case_id);
+  }
   fmt::print("{}",
              screen_report(evaluation, {.heading = fmt::format("{} cases run, {} already there; records and "
                                                                "manifest are in {}",

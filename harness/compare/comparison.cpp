@@ -118,9 +118,13 @@ std::string_view change_name(ChangeKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-Comparison compare_runs(const RunFolder& before, const RunFolder& after) {
+WholeRun read_whole_run(const std::filesystem::path& folder) {
+  return {.folder = read_description(folder), .records = read_current_records(folder)};
+}
+
+Comparison compare_runs(const WholeRun& before, const WholeRun& after) {
   Comparison result;
-  const std::string no_times = why_no_times(before, after);
+  const std::string no_times = why_no_times(before.folder, after.folder);
   if (!no_times.empty()) result.remarks.push_back(no_times);
   std::map<std::string, const Record*> present;
   for (const Record& record : after.records) present[record.case_id] = &record;

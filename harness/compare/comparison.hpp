@@ -2,6 +2,7 @@
 // What got slower, less accurate or broken between two runs of the same cases, and which differences of times
 // are more than noise.
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -77,11 +78,20 @@ struct Comparison {
   std::vector<std::string> remarks = {};  ///< cases of one run only, work counted, why times are not compared
 };
 
+/// A run with all its records.
+struct WholeRun {
+  RunFolder folder = {};
+  std::vector<Record> records = {};  ///< those that count
+};
+
+/// \throws UsageError if it is no folder that a run wrote, or a file of it is unreadable
+WholeRun read_whole_run(const std::filesystem::path& folder);
+
 /// The first run is the one of before. A case is broken that converged and ends otherwise, or has no record;
 /// it is less accurate where the harness finds it inaccurate, its certificate is lost, or its error grew by
 /// kErrorFactor and is above ten error bars. Times are compared if both runs are of the same machine, one
 /// case at a time.
-Comparison compare_runs(const RunFolder& before, const RunFolder& after);
+Comparison compare_runs(const WholeRun& before, const WholeRun& after);
 
 /// Something is broken, less accurate or slower.
 bool has_regression(const Comparison& comparison);

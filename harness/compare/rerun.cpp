@@ -31,7 +31,7 @@ bool decided_by_time(const Record& kept, const Record& now) {
 }
 
 /// What became of a case: its status, and its certificate where that tells more.
-std::string outcome_of(const Record& record) {
+std::string status_words(const Record& record) {
   const std::string status(status_name(record.status));
   return record.certificate.expired.value_or(false) ? status + ", uncertified for want of time" : status;
 }
@@ -48,7 +48,7 @@ void compare_case(const Record& kept, const Record& now, Rerun& result) {
   ++result.cases;
   if (decided_by_time(kept, now)) {
     result.remarks.push_back(
-        fmt::format("{}: {} became {}", kept.case_id, outcome_of(kept), outcome_of(now)));
+        fmt::format("{}: {} became {}", kept.case_id, status_words(kept), status_words(now)));
   }
   for (const std::string& line : compare_records(kept, now)) result.differences.push_back(line);
   if (kept.seconds && now.seconds && kept.seconds->median > 0.0)

@@ -12,8 +12,8 @@
 namespace signorini {
 
 Case make_case(const Scene& scene, std::size_t index, MethodChoice choice) {
-  Case result{.scene = index, .choice = std::move(choice), .options = {}, .id = {}};
-  result.options = result.choice.options();
+  Case result{.scene = index, .choice = std::move(choice), .id = {}};
+  static_cast<void>(result.choice.options());  // which refuses what is none
   result.id = scene.problem.name + "/" + result.choice.label();
   return result;
 }
@@ -35,7 +35,7 @@ Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const M
 std::string case_key(const Scene& scene, const Case& planned_case, const Limits& limits,
                      std::string_view code_version, std::string_view reference) {
   std::string text = fmt::format("{}\n{}\n", scene.sha256, planned_case.choice.entry->name);
-  for (const OptionEcho& option : planned_case.options)
+  for (const OptionEcho& option : planned_case.choice.options())
     text += option.name + "=" + print_option(option.value) + "\n";
   text += fmt::format("timeout={}\nmemory={}\nrepetitions={}\ncertificate={}\nreference={}\ncode={}\n",
                       limits.timeout, limits.memory_mb, limits.repetitions, limits.certificate_timeout,

@@ -61,8 +61,7 @@ std::vector<MethodChoice> select_methods(std::string_view filter, std::span<cons
 struct Case {
   std::size_t scene = 0;  ///< index into Plan::scenes
   MethodChoice choice = {};
-  std::vector<OptionEcho> options = {};  ///< complete, defaults included
-  std::string id = {};                   ///< "sdof-stop/fourier-lipschitz[harmonics=40]"
+  std::string id = {};  ///< "sdof-stop/fourier-lipschitz[harmonics=40]"
 };
 
 struct Plan {

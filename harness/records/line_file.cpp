@@ -12,7 +12,6 @@
 #include <thread>
 
 #include "harness/failure.hpp"
-#include "harness/files.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_check.hpp"
 
@@ -31,23 +30,113 @@ bool take_lock(int descriptor) {
   return false;
 }
 
+Descriptor open_to_read(const std::filesystem::path& file) {
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(file, failure))
+    throw UsageError(fmt::format("file = {} (must be a readable file)", file.string()));
+  Descriptor descriptor(open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!descriptor.is_open()) {
+    throw UsageError(fmt::format("file = {} (must be a readable file: {})", file.string(),
+                                 std::generic_category().message(errno)));
+  }
+  return descriptor;
+}
+
+/// A file, block by block.
+class Blocks {
+ public:
+  explicit Blocks(const std::filesystem::path& file) : file_(file), descriptor_(open_to_read(file)) {}
+
+  /// The next block; empty at the end.
+  std::string_view next() {
+    ssize_t count = -1;
+    do {
+      count = read(descriptor_.number(), buffer_.data(), buffer_.size());
+    } while (count < 0 && errno == EINTR);
+    if (count < 0) {
+      throw UsageError(fmt::format("file = {} (must be a readable file: {})", file_.string(),
+                                   std::generic_category().message(errno)));
+    }
+    return std::string_view(buffer_).substr(0, static_cast<std::size_t>(count));
+  }
+
+ private:
+  static constexpr std::size_t kBlock = std::size_t{1} << 18U;
+  std::filesystem::path file_;
+  Descriptor descriptor_;
+  std::string buffer_ = std::string(kBlock, '\0');
+};
+
+/// The line that is being read: its beginning comes from earlier blocks, its end from this one.
+class OpenLine {
+ public:
+  void add(std::string_view piece) {
+    size_ += piece.size();
+    if (size_ <= kLongestLine) text_ += piece;
+  }
+
+  /// The whole line, of which `last` is the end. \throws BadRecord if it is too long
+  std::string_view closed(std::string_view last) {
+    if (size_ == 0 && last.size() <= kLongestLine) return last;
+    add(last);
+    if (size_ > kLongestLine)
+      throw BadRecord(fmt::format("line = {} bytes (must be at most {})", size_, kLongestLine));
+    return text_;
+  }
+
+  void clear() {
+    text_.clear();
+    size_ = 0;
+  }
+
+ private:
+  std::string text_;
+  std::uint64_t size_ = 0;  // with what is too much
+};
+
 }  // namespace
 
-std::size_t read_lines(const std::filesystem::path& file, const std::function<void(const std::string&)>& take,
-                       std::string_view remedy) {
-  const std::string text = read_file(file);
-  std::size_t begin = 0;
-  for (std::size_t number = 1; true; ++number) {
-    const std::size_t end = text.find('\n', begin);
-    if (end == std::string::npos) return begin;
-    try {
-      if (end > begin) take(text.substr(begin, end - begin));
-    } catch (const BadRecord& error) {
-      fmt::print(stderr, "{}:{}: {}; this line is left out, and {}\n", as_message(file.string()), number,
-                 as_message(error.what()), remedy);
+std::uint64_t read_lines(const std::filesystem::path& file, const std::function<void(const Line&)>& take,
+                         std::string_view remedy) {
+  Blocks blocks(file);
+  OpenLine open;
+  std::uint64_t begin = 0, number = 0, position = 0;  // of the line, its number, and of the block
+  for (std::string_view block = blocks.next(); !block.empty(); block = blocks.next()) {
+    const std::uint64_t next_block = position + block.size();
+    for (std::size_t end = block.find('\n'); end != std::string_view::npos; end = block.find('\n')) {
+      const std::uint64_t after = position + end + 1;
+      ++number;
+      try {
+        const std::uint64_t size = after - 1 - begin;
+        if (size > 0) take({.text = open.closed(block.substr(0, end)), .place = {begin, size}});
+      } catch (const BadRecord& error) {
+        fmt::print(stderr, "{}:{}: {}; this line is left out, and {}\n", as_message(file.string()), number,
+                   as_message(error.what()), remedy);
+      }
+      open.clear();
+      block.remove_prefix(end + 1);
+      begin = position = after;
     }
-    begin = end + 1;
+    open.add(block);
+    position = next_block;
   }
+  return begin;
+}
+
+StoredLines::StoredLines(const std::filesystem::path& file) : file_(file), descriptor_(open_to_read(file)) {}
+
+std::string StoredLines::at(const LinePlace& place) const {
+  std::string text(place.size, '\0');
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t count = pread(descriptor_.number(), text.data() + done, text.size() - done,
+                                static_cast<off_t>(place.begin + done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0)
+      throw UsageError(fmt::format("file = {} (must not change while it is read)", file_.string()));
+    done += static_cast<std::size_t>(count);
+  }
+  return text;
 }
 
 Descriptor open_to_append(const std::filesystem::path& file) {

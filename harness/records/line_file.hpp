@@ -3,6 +3,7 @@
 // one only.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -12,14 +13,43 @@
 
 namespace signorini {
 
-/// Calls `take` with each line that was written whole and is not empty, in order. A last line without its
-/// break was torn, and is left out. So is, with a warning on stderr that names file and line, one that `take`
-/// refuses with a BadRecord: the others are worth as much as before.
+/// Where a line stands in its file.
+struct LinePlace {
+  std::uint64_t begin = 0;  ///< [bytes]
+  std::uint64_t size = 0;   ///< without its break [bytes]
+};
+
+/// A line, and where it stands.
+struct Line {
+  std::string_view text = {};
+  LinePlace place = {};
+};
+
+/// Longest line that is taken [bytes]; a record with waveforms has some 10^5.
+inline constexpr std::size_t kLongestLine = std::size_t{1} << 26U;
+
+/// Calls `take` with each line that was written whole and is not empty, in order, in memory of a few lines
+/// whatever the size of the file. A last line without its break was torn, and is left out. So is, with a
+/// warning on stderr that names file and line, one that `take` refuses with a BadRecord, or that is longer
+/// than kLongestLine: the others are worth as much as before.
 ///
 /// \param remedy  how what such a line held is had again, a clause for the warning
 /// \return bytes up to the end of the last whole line. \throws UsageError if the file cannot be read
-std::size_t read_lines(const std::filesystem::path& file, const std::function<void(const std::string&)>& take,
-                       std::string_view remedy);
+std::uint64_t read_lines(const std::filesystem::path& file, const std::function<void(const Line&)>& take,
+                         std::string_view remedy);
+
+/// Lines of a file by their places.
+class StoredLines {
+ public:
+  /// \throws UsageError if the file cannot be read
+  explicit StoredLines(const std::filesystem::path& file);
+  /// \throws UsageError if the file has changed so that there is no such line
+  [[nodiscard]] std::string at(const LinePlace& place) const;
+
+ private:
+  std::filesystem::path file_;
+  Descriptor descriptor_;
+};
 
 /// \throws UsageError if the file cannot be written
 Descriptor open_to_append(const std::filesystem::path& file);

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <set>
+#include <string_view>
 #include <unordered_set>
 
 #include "harness/failure.hpp"
@@ -64,17 +64,52 @@ Json merged_manifest(std::span<const RunFolder> parts) {
   return manifest;
 }
 
-/// Adds records that are not there yet. \throws UsageError where one case has two different records
-void add_records(const RunFolder& part, std::map<std::string, std::string>& keys,
-                 std::vector<Record>& records) {
-  for (const Record& record : part.records) {
-    const auto [known, fresh] = keys.try_emplace(record.case_id, record.key);
-    if (fresh) records.push_back(record);
-    if (known->second != record.key) {
+/// Natural order of the names of cases.
+template <class Entry>
+bool by_name(const Entry& a, const Entry& b) {
+  return natural_less(a.case_id, b.case_id);
+}
+
+/// The records of all parts, each case once. \throws UsageError where one case has two different records
+std::vector<RecordEntry> joined_records(std::vector<RunFolder>& parts) {
+  std::vector<RecordEntry> records;
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    for (RecordEntry& record : parts[part].records) {
+      records.push_back(std::move(record));
+      records.back().part = part;
+    }
+    parts[part].records = {};
+  }
+  std::ranges::stable_sort(records, by_name<RecordEntry>);
+  for (std::size_t i = 1; i < records.size(); ++i) {
+    if (records[i].case_id == records[i - 1].case_id && records[i].key != records[i - 1].key) {
       throw UsageError(fmt::format("{}: case = {} (must be of one scene file and one version of the code)",
-                                   part.path.string(), record.case_id));
+                                   parts[records[i].part].path.string(), records[i].case_id));
     }
   }
+  const auto repeated = std::ranges::unique(records, {}, &RecordEntry::case_id);
+  records.erase(repeated.begin(), repeated.end());
+  return records;
+}
+
+/// The cases of all plans, each key once.
+std::vector<PlannedCase> joined_plans(std::vector<RunFolder>& parts) {
+  std::vector<PlannedCase> plan;
+  std::unordered_set<std::string_view> keys;
+  std::size_t count = 0;
+  for (const RunFolder& part : parts) count += part.plan.size();
+  plan.reserve(count);  // so that the texts that `keys` knows stay where they are
+  for (RunFolder& part : parts) {
+    for (PlannedCase& one : part.plan) {
+      if (keys.contains(one.key)) continue;
+      plan.push_back(std::move(one));
+      keys.insert(plan.back().key);
+    }
+    part.plan = {};
+  }
+  keys.clear();
+  std::ranges::stable_sort(plan, by_name<PlannedCase>);
+  return plan;
 }
 
 /// The shard of a run by its manifest; of a merge, the shards of its parts.
@@ -142,24 +177,15 @@ std::optional<std::string> mixture(const RunFolder& a, const RunFolder& b) {
   return plugin_difference(a, b);
 }
 
-RunFolder merge_runs(std::span<const RunFolder> parts) {
+RunFolder merge_runs(std::vector<RunFolder> parts) {
   for (const RunFolder& part : parts) {
     if (const auto found = mixture(parts.front(), part)) throw UsageError(*found);
   }
   require_all_shards(parts);
   RunFolder merged;
   merged.manifest = merged_manifest(parts);
-  std::map<std::string, std::string> keys;
-  std::set<std::string> planned;
-  for (const RunFolder& part : parts) {
-    add_records(part, keys, merged.records);
-    for (const PlannedCase& one : part.plan) {
-      if (planned.insert(one.key).second) merged.plan.push_back(one);
-    }
-  }
-  const auto before = [](const auto& a, const auto& b) { return natural_less(a.case_id, b.case_id); };
-  std::ranges::stable_sort(merged.records, before);
-  std::ranges::stable_sort(merged.plan, before);
+  merged.records = joined_records(parts);
+  merged.plan = joined_plans(parts);
   return merged;
 }
 
@@ -174,7 +200,7 @@ std::vector<PlannedCase> joined_plan(const RunFolder& before, const RunFolder& n
     return !then.is_null() && then == at(now, place);
   };
   if (!same("/limits") || !same("/build/sources") || plugin_difference(before, now)) return plan;
-  std::unordered_set<std::string> cases;
+  std::unordered_set<std::string_view> cases;
   for (const PlannedCase& one : now.plan) cases.insert(one.case_id);
   std::ranges::copy_if(before.plan, std::back_inserter(plan),
                        [&](const PlannedCase& one) { return !cases.contains(one.case_id); });

@@ -25,9 +25,10 @@ std::optional<std::string> plugin_difference(const RunFolder& a, const RunFolder
 /// Adds to a manifest the hashes of plugins that only the other one has.
 void join_plugins(nlohmann::ordered_json& manifest, const nlohmann::ordered_json& other);
 
-/// All records once, in natural order of their names; the plans joined; the first manifest with the date,
-/// command line and load of each part. \throws UsageError if two of them do not mix, or a shard is missing
-RunFolder merge_runs(std::span<const RunFolder> parts);
+/// All records once, in natural order of their names, each with the part that holds it; the plans joined; the
+/// first manifest with the date, command line and load of each part. \throws UsageError if two of them do not
+/// mix, or a shard is missing
+RunFolder merge_runs(std::vector<RunFolder> parts);
 
 /// Refuses to go on with a run on another machine. \throws UsageError, one line that names the difference
 void require_same_machine(const RunFolder& before, const RunFolder& now);

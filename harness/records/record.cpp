@@ -18,10 +18,14 @@ void count_repeat(const std::string& answer, Record& record) {
   record.repeats = repeats;
 }
 
+std::optional<Claim> claim_of(Status status, CertificateStatus certificate) {
+  if (status == Status::inaccurate) return Claim::refuted;
+  if (status != Status::converged) return std::nullopt;
+  return certificate == CertificateStatus::certified ? Claim::certified : Claim::unproven;
+}
+
 std::optional<Claim> claim_of(const Record& record) {
-  if (record.status == Status::inaccurate) return Claim::refuted;
-  if (record.status != Status::converged) return std::nullopt;
-  return record.certificate.status == CertificateStatus::certified ? Claim::certified : Claim::unproven;
+  return claim_of(record.status, record.certificate.status);
 }
 
 double measurable_error(const Record& record) {

@@ -222,6 +222,7 @@ enum class Claim {
 };
 
 /// Nothing where the method claims nothing.
+std::optional<Claim> claim_of(Status status, CertificateStatus certificate);
 std::optional<Claim> claim_of(const Record& record);
 
 /// An error below this is not measured but bounded: ten error bars of the certified orbit, and how far away

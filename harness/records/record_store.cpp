@@ -20,54 +20,66 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-struct Contents {
-  std::vector<Record> records;
-  std::size_t whole_bytes = 0;  // up to the end of the last whole line
-};
-
 /// The record of a line. \throws BadRecord
-Record parse_line(const std::string& line) {
+Record parse_line(std::string_view line) {
   const Json json = Json::parse(line, nullptr, false);
   if (!json.is_object()) throw BadRecord("record = unreadable (must be one JSON object)");
   return checked_record(json);
 }
 
-/// The records of a file. The case of a line that holds none counts as one that has not run.
-Contents read_contents(const fs::path& file) {
-  Contents contents;
-  contents.whole_bytes = read_lines(
-      file, [&](const std::string& line) { contents.records.push_back(parse_line(line)); },
-      "`run --resume` runs its case again");
-  return contents;
-}
-
-/// Cuts off a last line that a kill tore, so that the next record begins a line of its own. Returns the
-/// records that are left; none where there is no file.
-std::vector<Record> repair_file(const fs::path& file) {
-  if (!fs::exists(file)) return {};
-  Contents contents = read_contents(file);
+/// Cuts off a last line that a kill tore, so that the next record begins a line of its own. Takes the records
+/// that are left; none where there is no file.
+void repair_file(const fs::path& file, const std::function<void(Record)>& take) {
+  if (!fs::exists(file)) return;
+  const std::uint64_t whole =
+      for_each_record(file, [&](Record record, const LinePlace&) { take(std::move(record)); });
   std::error_code ignored;  // of a folder that cannot be written opening complains next
-  fs::resize_file(file, contents.whole_bytes, ignored);
-  return std::move(contents.records);
+  fs::resize_file(file, whole, ignored);
 }
 
 std::string line_of(const Record& record) { return json_line(to_json(record)); }
 
 }  // namespace
 
+std::uint64_t for_each_record(const fs::path& file,
+                              const std::function<void(Record, const LinePlace&)>& take) {
+  // The case of a line that holds none counts as one that has not run.
+  return read_lines(
+      file, [&](const Line& line) { take(parse_line(line.text), line.place); },
+      "`run --resume` runs its case again");
+}
+
 std::vector<Record> read_records(const fs::path& file) {
   std::vector<Record> records;
   std::unordered_map<std::string, std::size_t> places;
-  for (Record& record : read_contents(file).records) {
+  for_each_record(file, [&](Record record, const LinePlace&) {
     const auto place = places.find(record.key);
     if (!record.key.empty() && place != places.end()) {
       records[place->second] = std::move(record);
-      continue;
+      return;
     }
     places[record.key] = records.size();
     records.push_back(std::move(record));
-  }
+  });
   return records;
+}
+
+Record StoredRecords::at(const LinePlace& place) const {
+  try {
+    return parse_line(lines_.at(place));
+  } catch (const BadRecord& error) {
+    throw UsageError(fmt::format("record = changed (must not change while it is read: {})", error.what()));
+  }
+}
+
+RecordEntry entry_of(const Record& record, const LinePlace& place, std::size_t ordinal) {
+  return {.key = record.key,
+          .case_id = record.case_id,
+          .method = record.method,
+          .status = record.status,
+          .elapsed = record.elapsed,
+          .place = place,
+          .ordinal = ordinal};
 }
 
 RecordStore::RecordStore(const fs::path& folder, bool resume)
@@ -77,10 +89,10 @@ RecordStore::RecordStore(const fs::path& folder, bool resume)
   lock_ = lock_folder(folder);
   if (fs::exists(file_) && !resume) fs::rename(file_, folder / "records.previous.jsonl", failure);
   if (!resume) fs::remove(unfinished_file_, failure);
-  for (const Record& record : repair_file(file_)) keys_.insert(record.key);
-  for (Record& record : repair_file(unfinished_file_)) {
-    if (!contains(record.key)) unfinished_.insert_or_assign(record.key, record);
-  }
+  repair_file(file_, [&](const Record& record) { keys_.insert(record.key); });
+  repair_file(unfinished_file_, [&](Record record) {
+    if (!contains(record.key)) unfinished_.insert_or_assign(record.key, std::move(record));
+  });
   records_ = open_to_append(file_);
   kept_ = open_to_append(unfinished_file_);
 }

@@ -2,7 +2,10 @@
 // DIR/records.jsonl: one record per line, each written whole and flushed. Beside it, while a run is under
 // way, DIR/unfinished.jsonl: records that lack rounds of timing, the last of a key counts.
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -13,10 +16,44 @@
 
 namespace signorini {
 
-/// Records of a file in order; of several with one key the last. A last line that a kill tore is left out,
-/// and so is, with a warning on stderr that names file and line, one that is no record. \throws UsageError if
-/// the file cannot be read
+/// Calls `take` with each record of a file and the place of its line, in order, one in memory at a time. A
+/// last line that a kill tore is left out, and so is, with a warning on stderr that names file and line, one
+/// that is no record. \return bytes up to the end of the last whole line. \throws UsageError if the file
+/// cannot be read
+std::uint64_t for_each_record(const std::filesystem::path& file,
+                              const std::function<void(Record, const LinePlace&)>& take);
+
+/// Records of a file in order; of several with one key the last. \throws UsageError if the file cannot be
+/// read
 std::vector<Record> read_records(const std::filesystem::path& file);
+
+/// Records of a file by the places of their lines.
+class StoredRecords {
+ public:
+  /// \throws UsageError if the file cannot be read
+  explicit StoredRecords(const std::filesystem::path& file) : lines_(file) {}
+  /// \throws UsageError if the file has changed so that there is no such record
+  [[nodiscard]] Record at(const LinePlace& place) const;
+
+ private:
+  StoredLines lines_;
+};
+
+/// What is kept in memory of a record of a folder: whether it counts, what became of its case and how long
+/// that took, and where the rest of it stands.
+struct RecordEntry {
+  std::string key = {};
+  std::string case_id = {};
+  std::string method = {};
+  Status status = Status::not_converged;
+  Measure elapsed = {};     ///< Record::elapsed [s]
+  LinePlace place = {};     ///< of its line in records.jsonl
+  std::size_t ordinal = 0;  ///< among all records of the file
+  std::size_t part = 0;     ///< of runs that are merged: which of them holds it
+};
+
+/// The entry of a record. \param place, ordinal  of its line
+RecordEntry entry_of(const Record& record, const LinePlace& place = {}, std::size_t ordinal = 0);
 
 class RecordStore {
  public:

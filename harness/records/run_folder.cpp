@@ -8,8 +8,10 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <sstream>
+#include <string_view>
 #include <thread>
 #include <unordered_map>
 #include <unordered_set>
@@ -20,7 +22,6 @@
 #include "harness/records/json_fields.hpp"
 #include "harness/records/manifest_check.hpp"
 #include "harness/records/record_check.hpp"
-#include "harness/records/record_store.hpp"
 #include "problems/scene/toml_tree.hpp"
 
 namespace signorini {
@@ -44,18 +45,53 @@ std::vector<PlannedCase> read_plan(const fs::path& file) {
   return plan;
 }
 
-void read_plan_and_records(RunFolder& run) {
-  if (fs::exists(run.path / "plan.txt")) run.plan = read_plan(run.path / "plan.txt");
-  run.records = read_records(run.path / "records.jsonl");
-  set_stale_aside(run);
+/// \throws UsageError if it is no folder that a run wrote
+Json manifest_of(const fs::path& folder) {
+  if (!fs::exists(folder / "manifest.json") || !fs::exists(folder / "records.jsonl")) {
+    throw UsageError(
+        fmt::format("dir = {} (must be a folder with manifest.json and records.jsonl, as run writes it)",
+                    folder.string()));
+  }
+  return read_manifest(folder / "manifest.json");
 }
 
-std::unordered_set<std::string> keys_that_count(const RunFolder& run) {
-  std::unordered_set<std::string> keys;
+/// Entries in the order of their first record, each key once. Names are not copied: a set of places compares
+/// the keys where they stand.
+class EntriesByKey {
+ public:
+  void add(RecordEntry entry) {
+    const bool has_key = !entry.key.empty();
+    entries_.push_back(std::move(entry));
+    if (!has_key) return;  // of records that are nobody's
+    const auto [place, fresh] = places_.insert(entries_.size() - 1);
+    if (fresh) return;
+    entries_[*place] = std::move(entries_.back());
+    entries_.pop_back();
+  }
+
+  std::vector<RecordEntry> take() { return std::move(entries_); }
+
+ private:
+  struct Hash {
+    const std::vector<RecordEntry>& entries;
+    std::size_t operator()(std::size_t place) const { return std::hash<std::string>{}(entries[place].key); }
+  };
+  struct Equal {
+    const std::vector<RecordEntry>& entries;
+    bool operator()(std::size_t a, std::size_t b) const { return entries[a].key == entries[b].key; }
+  };
+
+  std::vector<RecordEntry> entries_;
+  std::unordered_set<std::size_t, Hash, Equal> places_{0, Hash{entries_}, Equal{entries_}};
+};
+
+/// Keys of a run's plan; where there is none, those of the last record of each case.
+std::unordered_set<std::string_view> keys_that_count(const RunFolder& run) {
+  std::unordered_set<std::string_view> keys;
   for (const PlannedCase& one : run.plan) keys.insert(one.key);
   if (!keys.empty()) return keys;
-  std::unordered_map<std::string, std::string> last;  // by case
-  for (const Record& record : run.records) last[record.case_id] = record.key;
+  std::unordered_map<std::string_view, std::string_view> last;  // by case
+  for (const RecordEntry& record : run.records) last[record.case_id] = record.key;
   for (const auto& [case_id, key] : last) keys.insert(key);
   return keys;
 }
@@ -116,29 +152,50 @@ void visit_fields(Either<Limits> auto& limits, auto&& field) {
 }
 
 void set_stale_aside(RunFolder& run) {
-  const std::unordered_set<std::string> keys = keys_that_count(run);
-  const auto counts = [&](const Record& record) { return keys.contains(record.key); };
-  const auto stale = std::stable_partition(run.records.begin(), run.records.end(), counts);
-  run.stale.insert(run.stale.end(), std::move_iterator(stale), std::move_iterator(run.records.end()));
-  run.records.erase(stale, run.records.end());
+  std::vector<RecordEntry> current, stale;
+  std::vector<bool> counts;
+  {
+    const std::unordered_set<std::string_view> keys = keys_that_count(run);  // into what is moved below
+    for (const RecordEntry& record : run.records) counts.push_back(keys.contains(record.key));
+  }
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    (counts[i] ? current : stale).push_back(std::move(run.records[i]));
+  run.records = std::move(current);
+  std::ranges::move(stale, std::back_inserter(run.stale));
+}
+
+RunFolder read_description(const fs::path& folder) {
+  RunFolder run{.path = folder, .manifest = manifest_of(folder)};
+  if (fs::exists(folder / "plan.txt")) run.plan = read_plan(folder / "plan.txt");
+  return run;
 }
 
 RunFolder read_run(const fs::path& folder) {
-  if (!fs::exists(folder / "manifest.json") || !fs::exists(folder / "records.jsonl")) {
-    throw UsageError(
-        fmt::format("dir = {} (must be a folder with manifest.json and records.jsonl, as run writes it)",
-                    folder.string()));
-  }
+  Json manifest = manifest_of(folder);
+  RunFolder run = read_entries(folder, [](const Record&) {});
+  run.manifest = std::move(manifest);
+  return run;
+}
+
+RunFolder read_entries(const fs::path& folder, const RecordObserver& observe) {
   RunFolder run{.path = folder};
-  run.manifest = read_manifest(folder / "manifest.json");
-  read_plan_and_records(run);
+  if (fs::exists(folder / "plan.txt")) run.plan = read_plan(folder / "plan.txt");
+  EntriesByKey entries;
+  std::size_t count = 0;
+  for_each_record(folder / "records.jsonl", [&](Record record, const LinePlace& place) {
+    entries.add(entry_of(record, place, count++));
+    observe(std::move(record));
+  });
+  run.records = entries.take();
+  set_stale_aside(run);
   return run;
 }
 
 std::vector<Record> read_current_records(const fs::path& folder) {
-  RunFolder run{.path = folder};
-  read_plan_and_records(run);
-  return std::move(run.records);
+  std::vector<Record> all, current;
+  const RunFolder run = read_entries(folder, [&](Record record) { all.push_back(std::move(record)); });
+  for (const RecordEntry& entry : run.records) current.push_back(std::move(all[entry.ordinal]));
+  return current;
 }
 
 void write_plan(const fs::path& folder, const std::vector<PlannedCase>& plan) {

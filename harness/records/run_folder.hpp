@@ -2,13 +2,16 @@
 // The folder of a run: manifest.json, the build, machine and limits that records come from; plan.txt; and
 // records.jsonl.
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "harness/plan/plan.hpp"
 #include "harness/records/record.hpp"
+#include "harness/records/record_store.hpp"
 
 namespace signorini {
 
@@ -19,22 +22,36 @@ struct PlannedCase {
   std::string method = {};
 };
 
+/// A run without the contents of its records: some 300 bytes of each, so that runs of millions are read.
 struct RunFolder {
   std::filesystem::path path = {};
   nlohmann::ordered_json manifest = {};
-  std::vector<PlannedCase> plan = {};  ///< empty for runs of before there was a plan.txt
-  std::vector<Record> records = {};    ///< those that count
-  std::vector<Record> stale = {};      ///< left over from other code, limits, options or scenes
+  std::vector<PlannedCase> plan = {};     ///< empty for runs of before there was a plan.txt
+  std::vector<RecordEntry> records = {};  ///< those that count
+  std::vector<RecordEntry> stale = {};    ///< left over from other code, limits, options or scenes
 };
+
+/// Takes each record of a file as it is read, in the order of RecordEntry::ordinal.
+using RecordObserver = std::function<void(Record)>;
 
 /// Moves to `stale` what does not count: records of no case of the plan; where there is no plan, all but the
 /// last of each case.
 void set_stale_aside(RunFolder& run);
 
-/// \throws UsageError if it is no folder that a run wrote, or a file of it is unreadable
+/// Manifest and plan of a run, without any record. \throws UsageError if it is no folder that a run wrote, or
+/// a file of it is unreadable
+RunFolder read_description(const std::filesystem::path& folder);
+
+/// A run, of several records with one key the last. \throws UsageError if it is no folder that a run wrote,
+/// or a file of it is unreadable
 RunFolder read_run(const std::filesystem::path& folder);
 
-/// Records of a folder that count; a manifest is not asked for. \throws UsageError if a file is unreadable
+/// The entries of a folder and its plan, of one pass over its records; a manifest is not asked for.
+/// \throws UsageError if a file is unreadable
+RunFolder read_entries(const std::filesystem::path& folder, const RecordObserver& observe);
+
+/// Records of a folder that count, whole and all in memory; a manifest is not asked for. \throws UsageError
+/// if a file is unreadable
 std::vector<Record> read_current_records(const std::filesystem::path& folder);
 
 /// DIR/plan.txt: one case per line, key and name. \throws UsageError if the folder cannot be written

@@ -32,8 +32,10 @@ Shard parse_shard(const std::string& text) {
   return shard;
 }
 
-Durations::Durations(std::span<const Record> records) {
-  for (const Record& record : records) {
+Durations::Durations(std::span<const RecordEntry> records) { add(records); }
+
+void Durations::add(std::span<const RecordEntry> records) {
+  for (const RecordEntry& record : records) {
     if (!record.elapsed) continue;
     cases_[record.case_id] = *record.elapsed;
     for (Mean* mean : {&methods_[record.method], &all_}) {
@@ -71,14 +73,16 @@ Plan take_shard(const Plan& plan, const Shard& shard, const Durations& durations
   }
   const std::vector<int> part_of = balance(seconds, shard.count);
   Plan part;
+  std::vector<std::size_t> places(plan.scenes.size(), 0);  // in the part
   for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
     if (part_of[i] != shard.index - 1) continue;
-    for (const Case& planned_case : plan.cases) {
-      if (planned_case.scene != i) continue;
-      part.cases.push_back(planned_case);
-      part.cases.back().scene = part.scenes.size();
-    }
+    places[i] = part.scenes.size();
     part.scenes.push_back(plan.scenes[i]);
+  }
+  for (const Case& planned_case : plan.cases) {  // scene by scene, as the part is
+    if (part_of[planned_case.scene] != shard.index - 1) continue;
+    part.cases.push_back(planned_case);
+    part.cases.back().scene = places[planned_case.scene];
   }
   return part;
 }

@@ -10,6 +10,7 @@
 
 #include "harness/plan/plan.hpp"
 #include "harness/records/record.hpp"
+#include "harness/records/record_store.hpp"
 
 namespace signorini {
 
@@ -26,7 +27,10 @@ Shard parse_shard(const std::string& text);
 class Durations {
  public:
   Durations() = default;
-  explicit Durations(std::span<const Record> records);
+  explicit Durations(std::span<const RecordEntry> records);
+
+  /// Of several records of a case the last that was added counts.
+  void add(std::span<const RecordEntry> records);
 
   /// The case's own time if it is known, else the mean of its method, else that of all, else one second.
   [[nodiscard]] double of(const std::string& case_id, std::string_view method) const;

@@ -1,6 +1,7 @@
 #include "harness/records/status.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <unordered_set>
 
 #include "harness/records/record_store.hpp"
@@ -10,7 +11,7 @@ namespace signorini {
 
 namespace {
 
-void count(const Record& record, RunStatus& status) {
+void count(const RecordEntry& record, RunStatus& status) {
   switch (record.status) {
     case Status::converged:
       ++status.converged;
@@ -31,8 +32,8 @@ void count(const Record& record, RunStatus& status) {
 
 RunStatus status_of(const RunFolder& run) {
   RunStatus status;
-  std::unordered_set<std::string> present;
-  for (const Record& record : run.records) {
+  std::unordered_set<std::string_view> present;
+  for (const RecordEntry& record : run.records) {
     present.insert(record.key);
     count(record, status);
   }
@@ -40,10 +41,9 @@ RunStatus status_of(const RunFolder& run) {
   status.planned = run.plan.empty() ? present.size() : run.plan.size();
   status.pending = status.planned - present.size();
   status.running = folder_in_use(run.path);
-  std::vector<Record> known = run.stale;
-  known.insert(known.end(), run.records.begin(), run.records.end());  // the later one of a case counts
-  if (status.pending == 0 || known.empty()) return status;
-  const Durations durations(known);
+  if (status.pending == 0 || run.stale.size() + run.records.size() == 0) return status;
+  Durations durations(run.stale);
+  durations.add(run.records);
   const double jobs = run.manifest.value("jobs", 1.0);
   double seconds = 0.0;
   for (const PlannedCase& one : run.plan) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "harness/files.hpp"
@@ -26,20 +27,55 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every figure of a run as gnuplot draws it.
-std::vector<Figure> figures_of(const Evaluation& evaluation, const std::vector<Section>& sections,
-                               Column column) {
+/// The figures of a scene as gnuplot draws them.
+std::vector<Figure> figures_of(const Evaluation& evaluation, const std::string& scene, Column column) {
+  std::vector<Figure> figures = work_precision_figures(evaluation, scene, column);
+  if (Figure figure = convergence_figure(evaluation, scene, column); !figure.data.empty())
+    figures.push_back(std::move(figure));
+  for (Figure& figure : motion_figures(evaluation, scene, column)) figures.push_back(std::move(figure));
+  return figures;
+}
+
+/// Draws every figure of a run, of many scenes those of some at a time.
+void draw_all_figures(const fs::path& folder, const Evaluation& evaluation,
+                      const std::vector<Section>& sections, Column column) {
+  constexpr std::size_t kAtATime = 500;
   std::vector<Figure> figures;
   for (const Section& section : sections)
     if (const auto group = group_of(section)) figures.push_back(profile_figure(evaluation, *group, column));
   for (const std::string& scene : evaluation.scenes()) {
-    for (Figure& figure : work_precision_figures(evaluation, scene, column))
-      figures.push_back(std::move(figure));
-    if (Figure figure = convergence_figure(evaluation, scene, column); !figure.data.empty())
-      figures.push_back(std::move(figure));
-    for (Figure& figure : motion_figures(evaluation, scene, column)) figures.push_back(std::move(figure));
+    std::ranges::move(figures_of(evaluation, scene, column), std::back_inserter(figures));
+    if (figures.size() < kAtATime) continue;
+    draw_figures(folder, figures);
+    figures.clear();
   }
-  return figures;
+  draw_figures(folder, figures);
+}
+
+/// The manifest; null where there is none.
+nlohmann::ordered_json manifest_in(const fs::path& folder) {
+  const fs::path file = folder / "manifest.json";
+  return fs::exists(file) ? read_manifest(file) : nlohmann::ordered_json();
+}
+
+/// Writes report.html, and where the cases are too many for one page, pages/NUMBER.html, one part of the run
+/// in memory at a time.
+void write_pages(const fs::path& folder, const Evaluation& evaluation, const std::vector<Section>& sections) {
+  const std::string title = run_name(folder);
+  const nlohmann::ordered_json manifest = manifest_in(folder);
+  std::error_code failure;
+  fs::remove_all(folder / "pages", failure);  // of a report of more cases
+  if (evaluation.results().size() <= kMostOfPage)
+    return write_whole(folder / "report.html", html_page(title, manifest, evaluation, sections));
+  fs::create_directories(folder / "pages", failure);
+  const std::vector<PagePart> parts = page_parts(evaluation);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::vector<Record> records;
+    for (const CaseResult& result : parts[i].results) records.push_back(evaluation.record_of(result));
+    const Evaluation part(std::move(records), {.timeout = evaluation.time_limit()});
+    write_whole(folder / parts[i].file, part_page(title, manifest, part, parts, i));
+  }
+  write_whole(folder / "report.html", overview_page(title, manifest, evaluation, sections, parts));
 }
 
 /// The methods that are recommended for each kind of scene, with the median time to each error.
@@ -64,36 +100,32 @@ Section verdict_section(const Evaluation& evaluation) {
   return section;
 }
 
-/// Null where there is none.
-nlohmann::ordered_json manifest_in(const fs::path& folder) {
-  const fs::path file = folder / "manifest.json";
-  return fs::exists(file) ? read_manifest(file) : nlohmann::ordered_json();
-}
-
 }  // namespace
 
 std::vector<fs::path> write_report(const fs::path& folder, const Evaluation& evaluation,
                                    const std::vector<std::string>& formats, Column column) {
   const auto wants = [&](const char* format) { return std::ranges::count(formats, format) > 0; };
-  const std::vector<Section> sections = sections_of(evaluation);
+  const bool tables = wants("md") || wants("tex") || wants("html");
+  const std::vector<Section> sections = tables ? sections_of(evaluation) : std::vector<Section>();
   std::vector<fs::path> files;
-  const auto write = [&](const fs::path& file, const std::string& text) {
+  const auto write = [&](const fs::path& file, const auto& text) {
     write_whole(file, text);
     files.push_back(file);
   };
   if (wants("md")) write(folder / "table.md", markdown_report(sections));
   if (wants("csv")) {
-    write(folder / "table.csv", csv_report(evaluation));
-    write(folder / "measures.csv", measures_csv(evaluation));
+    write(folder / "table.csv", [&](const TextSink& sink) { csv_report(evaluation, sink); });
+    write(folder / "measures.csv", [&](const TextSink& sink) { measures_csv(evaluation, sink); });
   }
   if (wants("tex")) {
-    draw_figures(folder / "figures", figures_of(evaluation, sections, column));
+    draw_all_figures(folder / "figures", evaluation, sections, column);
     fs::create_directories(folder / "tables");
     for (const Section& section : sections)
       write(folder / "tables" / (section.id + ".tex"), to_latex(section));
   }
   if (wants("html")) {
-    write(folder / "report.html", html_page(run_name(folder), manifest_in(folder), evaluation, sections));
+    write_pages(folder, evaluation, sections);
+    files.push_back(folder / "report.html");
   }
   return files;
 }

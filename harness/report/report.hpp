@@ -21,7 +21,7 @@ inline const std::vector<std::string> kReportFormats{"md", "csv", "tex", "html"}
 /// - md: table.md
 /// - csv: table.csv, one row per record; measures.csv, one row per scene and method
 /// - tex: tables/SECTION.tex, and the figures
-/// - html: report.html
+/// - html: report.html; of more than kMostOfPage cases the scenes on pages/NUMBER.html
 /// - figures: figures/NAME.{gp,dat,svg,pdf}, as wide as `column`
 ///
 /// Returns the files that a reader opens. \throws UsageError if the folder cannot be written, or gnuplot,

@@ -104,7 +104,7 @@ std::vector<DrawnBranch> drawn(const ResponseCurve& curve) {
 
 std::string response_line(const ResponseRecord& record) { return json_line(write_fields(record)); }
 
-ResponseRecord response_from_line(const std::string& line) {
+ResponseRecord response_from_line(std::string_view line) {
   try {
     const auto json = nlohmann::ordered_json::parse(line);
     require_plain_texts(json);
@@ -122,7 +122,7 @@ std::vector<ResponseRecord> read_responses(const std::filesystem::path& folder) 
   std::vector<ResponseRecord> records;
   if (!std::filesystem::exists(folder / kResponsesFile)) return records;
   read_lines(
-      folder / kResponsesFile, [&](const std::string& line) { records.push_back(response_from_line(line)); },
+      folder / kResponsesFile, [&](const Line& line) { records.push_back(response_from_line(line.text)); },
       "`run --resume` runs its case again");
   return records;
 }

@@ -58,7 +58,7 @@ std::vector<DrawnBranch> drawn(const ResponseCurve& curve);
 std::string response_line(const ResponseRecord& record);
 /// Of a file that anybody may have written. \throws BadRecord also for control characters in any text of it,
 /// and unless the scene is the name of one
-ResponseRecord response_from_line(const std::string& line);
+ResponseRecord response_from_line(std::string_view line);
 
 /// The name of the file in a results folder.
 inline constexpr const char* kResponsesFile = "responses.jsonl";

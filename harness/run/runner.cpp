@@ -71,9 +71,9 @@ Record Runner::blank(const Scene& scene, const Job& job) const {
   record.family = scene.family;
   record.method = entry.name;
   record.plugin = entry.plugin;
-  for (const OptionEcho& option : planned_case.options)
-    record.options.emplace_back(option.name, option.value);
-  record.same_equations_as = same_equations_as(entry, planned_case.options);
+  const std::vector<OptionEcho> options = planned_case.choice.options();
+  for (const OptionEcho& option : options) record.options.emplace_back(option.name, option.value);
+  record.same_equations_as = same_equations_as(entry, options);
   record.scene_law = as_represented(scene.problem.law);
   record.coordinates = scene.problem.size();
   record.contacts = scene.problem.contact_count();

@@ -48,14 +48,16 @@ std::vector<Record> run_scene(const Scene& scene, const std::vector<const Case*>
   return records;
 }
 
-/// Cases of the plan that the store does not hold, in order.
-std::vector<const Case*> missing_cases(const Plan& plan, const Runner& runner, const RecordStore& store) {
-  std::vector<const Case*> missing;
+/// Cases of the plan that the store does not hold, in order, by scene.
+std::vector<std::vector<const Case*>> missing_cases(const Plan& plan, const Runner& runner,
+                                                    const RecordStore& store) {
+  std::vector<std::vector<const Case*>> missing(plan.scenes.size());
   std::unordered_set<std::string> planned;
   for (const Case& planned_case : plan.cases) {
     // Two spellings of one case ("harmonics=20" and the default) have one key.
     const std::string key = runner.key_of(plan.scenes[planned_case.scene], planned_case);
-    if (!store.contains(key) && planned.insert(key).second) missing.push_back(&planned_case);
+    if (!store.contains(key) && planned.insert(key).second)
+      missing[planned_case.scene].push_back(&planned_case);
   }
   return missing;
 }
@@ -136,13 +138,13 @@ std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner) {
 
 SuiteRunResult run_plan(const Plan& plan, Runner& runner, RecordStore& store, const Schedule& schedule,
                         const SceneDone& scene_done) {
-  const std::vector<const Case*> missing = missing_cases(plan, runner, store);
-  SuiteRunResult result{.present = plan.cases.size() - missing.size()};
-  Progress progress(missing.size());
+  const std::vector<std::vector<const Case*>> missing = missing_cases(plan, runner, store);
+  std::size_t count = 0;
+  for (const std::vector<const Case*>& cases : missing) count += cases.size();
+  SuiteRunResult result{.present = plan.cases.size() - count};
+  Progress progress(count);
   for (std::size_t s = 0; s < plan.scenes.size(); ++s) {
-    std::vector<const Case*> cases;
-    std::ranges::copy_if(missing, std::back_inserter(cases),
-                         [&](const Case* planned_case) { return planned_case->scene == s; });
+    const std::vector<const Case*>& cases = missing[s];
     if (cases.empty()) continue;
     runner.forget_references();
     const std::vector<Record> records = run_scene(plan.scenes[s], cases, schedule, runner, store, progress);
@@ -161,15 +163,11 @@ SuiteRunResult run_plan(const Plan& plan, Runner& runner, RecordStore& store, co
   return result;
 }
 
-std::vector<std::string> unexpected_failures(const std::vector<Record>& records, const Suite& suite) {
-  std::vector<std::string> failures;
-  for (const Record& record : records) {
-    if (record.status == Status::converged || record.status == Status::not_applicable) continue;
-    const auto expected = [&](const ExpectedFailure& e) { return glob_match(e.case_glob, record.case_id); };
-    if (std::ranges::any_of(suite.expected_failures, expected)) continue;
-    failures.push_back(record.case_id);
-  }
-  return failures;
+bool is_unexpected(const std::string& case_id, Status status, const Suite& suite) {
+  if (status == Status::converged || status == Status::not_applicable) return false;
+  return std::ranges::none_of(suite.expected_failures, [&](const ExpectedFailure& expected) {
+    return glob_match(expected.case_glob, case_id);
+  });
 }
 
 std::vector<std::optional<Record>> run_rounds(Runner& runner, const Scene& scene, std::span<const Job> jobs,

@@ -32,9 +32,9 @@ SuiteRunResult run_plan(const Plan& plan, Runner& runner, RecordStore& store, co
 /// Cases of a plan with their keys, each key once.
 std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner);
 
-/// Cases that fail a run, exit code 1: neither converged nor not applicable, nor expected to fail by the
+/// Whether a case fails a run, exit code 1: neither converged nor not applicable, nor expected to fail by the
 /// suite.
-std::vector<std::string> unexpected_failures(const std::vector<Record>& records, const Suite& suite);
+bool is_unexpected(const std::string& case_id, Status status, const Suite& suite);
 
 /// Follows the cases of a scene through their rounds; `index` is that of the job.
 struct RoundObserver {

@@ -116,7 +116,7 @@ void ResponseFolder::read() {
   if (!fs::exists(file_)) return;
   std::map<std::string, Kept> begun;
   read_lines(
-      file_, [&](const std::string& line) { take(line, begun); }, "its method is asked again");
+      file_, [&](const Line& line) { take(std::string(line.text), begun); }, "its method is asked again");
 }
 
 std::optional<MethodResponse> ResponseFolder::complete(const std::string& method,

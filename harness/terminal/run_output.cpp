@@ -20,7 +20,7 @@ SceneLines::~SceneLines() { print(); }
 
 void SceneLines::add(const std::vector<Record>& records) {
   scenes_.push_back(records.front().scene);
-  for (const Record& record : records) counts_.add(record);
+  for (const Record& record : records) counts_.add(outcome_of(record));
   if (scenes_.size() == together_) print();
 }
 

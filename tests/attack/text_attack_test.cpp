@@ -67,7 +67,8 @@ fs::path attacked_run(const std::string& attack) {
                         {"reference_timeout_s", 1.0}};
   std::ofstream(folder / "run" / "manifest.json") << json_line(manifest);
   std::ofstream lines(folder / "run" / "records.jsonl");
-  for (const Record& record : run.records) lines << json_line(to_json(record)) << "\n";
+  for (const char* resolution : {"n=1", "n=2"})
+    lines << json_line(to_json(test::good_record("s", "m", resolution, 0.1, 0.1))) << "\n";
   const Json full = to_json(test::full_record());
   std::vector<std::string> places;
   find_texts(full, "", places);

@@ -1,5 +1,7 @@
 #include "tests/harness/sample_records.hpp"
 
+#include "harness/report/formats/formats.hpp"
+
 namespace signorini::test {
 
 namespace {
@@ -185,10 +187,28 @@ RunFolder part_of_a_run(const std::string& path, const std::vector<std::string>&
                   {"build", {{"commit", "abc"}, {"sources", {{"common", "1"}}}}},
                   {"machine", {{"cpu", "x"}, {"processors", 2}, {"load", {0.0}}}}};
   for (const std::string& resolution : resolutions) {
-    run.records.push_back(good_record("s", "m", resolution, 0.1, 0.1));
+    run.records.push_back(entry_of(good_record("s", "m", resolution, 0.1, 0.1)));
     run.plan.push_back({run.records.back().key, run.records.back().case_id, "m"});
   }
   return run;
+}
+
+CaseResults results_of(const std::vector<Record>& records) {
+  CaseResults results;
+  for (const Record& record : records) results.add(record);
+  return results;
+}
+
+std::string csv_text(const Evaluation& evaluation) {
+  std::string text;
+  csv_report(evaluation, [&](std::string_view piece) { text += piece; });
+  return text;
+}
+
+std::string measures_text(const Evaluation& evaluation) {
+  std::string text;
+  measures_csv(evaluation, [&](std::string_view piece) { text += piece; });
+  return text;
 }
 
 }  // namespace signorini::test

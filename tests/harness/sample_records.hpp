@@ -1,10 +1,12 @@
 #pragma once
 // Records made by hand.
 
+#include <string>
 #include <vector>
 
 #include "harness/records/record.hpp"
 #include "harness/records/run_folder.hpp"
+#include "harness/report/evaluation/evaluation.hpp"
 
 namespace signorini::test {
 
@@ -27,5 +29,12 @@ std::vector<Record> records_of_two_methods();
 
 /// A run in this folder with good records of the scene s and the method m at these resolutions.
 RunFolder part_of_a_run(const std::string& path, const std::vector<std::string>& resolutions);
+
+/// The results of these records, in their order.
+CaseResults results_of(const std::vector<Record>& records);
+
+/// All of csv_report, and of measures_csv.
+std::string csv_text(const Evaluation& evaluation);
+std::string measures_text(const Evaluation& evaluation);
 
 }  // namespace signorini::test

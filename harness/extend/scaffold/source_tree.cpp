@@ -20,11 +20,11 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-using Line = std::vector<std::string>::const_iterator;
+using TextLine = std::vector<std::string>::const_iterator;
 
 /// Before the first include of a method that comes later in the alphabet, else behind the last.
-Line place_of_include(const std::vector<std::string>& lines, const std::string& include) {
-  Line place = lines.end();
+TextLine place_of_include(const std::vector<std::string>& lines, const std::string& include) {
+  TextLine place = lines.end();
   for (auto line = lines.begin(); line != lines.end(); ++line) {
     if (!line->starts_with("#include \"methods/") || *line == "#include \"methods/catalogue.hpp\"") continue;
     if (*line > include) return line;
@@ -34,8 +34,8 @@ Line place_of_include(const std::vector<std::string>& lines, const std::string& 
 }
 
 /// Behind the last entry.
-Line place_of_entry(const std::vector<std::string>& lines) {
-  Line place = lines.end();
+TextLine place_of_entry(const std::vector<std::string>& lines) {
+  TextLine place = lines.end();
   for (auto line = lines.begin(); line != lines.end(); ++line) {
     if (line->find("method_entry<") != std::string::npos && line->ends_with(',')) place = line + 1;
   }
@@ -66,7 +66,7 @@ std::optional<fs::path> header_declaring(const fs::path& tree, const std::string
 std::string with_entry(const std::string& catalogue, const std::string& folder, const std::string& type) {
   std::vector<std::string> lines = lines_of(catalogue);
   const std::string include = fmt::format("#include \"methods/{0}/{0}.hpp\"", folder);
-  const Line entry_place = place_of_entry(lines);
+  const TextLine entry_place = place_of_entry(lines);
   if (entry_place == lines.end())
     throw UsageError(
         "catalogue = methods/catalogue.cpp (must list methods as method_entry<Class>(), one per line)");

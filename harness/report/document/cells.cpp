@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "harness/report/evaluation/outcome.hpp"
-
 namespace signorini {
 
 namespace {
@@ -26,7 +24,9 @@ Cell count_cell(std::ptrdiff_t count, std::ptrdiff_t all) {
   return {fmt::format("{} of {}", count, all), static_cast<double>(count)};
 }
 
-std::string in_place(const Record& record) { return fmt::format("({})", status_name(record.status)); }
+std::string in_place(Status status) { return fmt::format("({})", status_name(status)); }
+
+std::string in_place(const Record& record) { return in_place(record.status); }
 
 std::string law_text(const RepresentedLaw& law) {
   struct Printer {
@@ -48,7 +48,7 @@ std::string error_text(const Record& record) {
   if (!claim_of(record)) return in_place(record);
   if (record.certificate.status != CertificateStatus::certified)
     return record.errors.x_l2 ? fmt::format("near: {:.1e}", *record.errors.x_l2) : "uncertified";
-  const Measure error = recorded_error(record);
+  const Measure& error = record.errors.x_l2 ? record.errors.x_l2 : record.errors.u_l2;
   if (!error) return "no scale";
   return bounded_text(*error, record) + (record.errors.x_l2 ? "" : " (u)");
 }

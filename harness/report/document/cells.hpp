@@ -16,6 +16,7 @@ Cell count_cell(std::ptrdiff_t count);
 Cell count_cell(std::ptrdiff_t count, std::ptrdiff_t all);
 
 /// The status in parentheses, for cells of a run without an answer: "(timeout)".
+std::string in_place(Status status);
 std::string in_place(const Record& record);
 
 /// "e = 0.8", "k = 1e+06 N/m", "massless", "undetermined", "no contact".

@@ -1,7 +1,9 @@
 #pragma once
 // A report is a list of sections, each with its table and its figures; every format prints the same ones.
 
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "harness/table.hpp"
@@ -38,6 +40,32 @@ struct Section {
   Table table = {};
   std::string note = {};  ///< below it
   std::vector<Figure> figures = {};
+};
+
+/// Rows that a table has at most where it has one per case or study: more are read by programs alone, which
+/// have files of comma separated values, and would fill the memory.
+inline constexpr std::size_t kMostRows = 20'000;
+
+/// Fills the table of a section with rows of which there may be very many.
+class Rows {
+ public:
+  /// \param elsewhere  where the rows are that find no room, a clause for the note of the section
+  Rows(Section& section, std::string elsewhere) : section_(section), elsewhere_(std::move(elsewhere)) {}
+
+  /// Adds the row that `make` returns, which is not asked where the table is full.
+  template <class Make>
+  void add(const Make& make) {
+    if (section_.table.rows.size() < kMostRows) section_.table.rows.push_back(make());
+    ++count_;
+  }
+
+  /// Says in the note of the section how many rows found no room, if any.
+  void close();
+
+ private:
+  Section& section_;
+  std::string elsewhere_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace signorini

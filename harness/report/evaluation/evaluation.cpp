@@ -1,7 +1,10 @@
 #include "harness/report/evaluation/evaluation.hpp"
 
 #include <algorithm>
+#include <memory>
 
+#include "harness/records/record_store.hpp"
+#include "harness/records/run_folder.hpp"
 #include "harness/report/evaluation/outcome.hpp"
 #include "harness/table.hpp"
 
@@ -9,20 +12,48 @@ namespace signorini {
 
 namespace {
 
-bool before(const Record& a, const Record& b) {
-  if (a.scene != b.scene) return natural_less(a.scene, b.scene);
-  if (a.method != b.method) return a.method < b.method;
-  if (a.case_id != b.case_id) return natural_less(a.case_id, b.case_id);
-  return a.key < b.key;
+bool before(const CaseResult& a, const CaseResult& b) {
+  if (a.scene->name != b.scene->name) return natural_less(a.scene->name, b.scene->name);
+  if (a.choice->method != b.choice->method) return a.choice->method < b.choice->method;
+  return natural_less(a.case_id, b.case_id);
+}
+
+CaseResults results_of_records(const std::vector<Record>& records) {
+  CaseResults results;
+  for (const Record& record : records) results.add(record);
+  return results;
+}
+
+/// Records sorted by their keys, so that records of one name have one order.
+std::vector<Record> by_key(std::vector<Record> records) {
+  std::ranges::stable_sort(records, {}, &Record::key);
+  return records;
+}
+
+/// Reads from records that it keeps.
+RecordReader reader_of(std::shared_ptr<const std::vector<Record>> records) {
+  return [records = std::move(records)](std::size_t source) { return (*records)[source]; };
+}
+
+/// The part of a list in the order of its scenes that is of this one.
+template <class List, class SceneOf>
+auto part_of_scene(const List& list, const std::string& scene, const SceneOf& scene_of) {
+  return std::span(std::ranges::equal_range(list, scene, natural_less, scene_of));
 }
 
 }  // namespace
 
 Evaluation::Evaluation(std::vector<Record> records, const Limits& limits)
-    : records_(std::move(records)), time_limit_(limits.timeout) {
-  std::ranges::stable_sort(records_, before);
-  repeated_ = repeated_problems(records_);
-  studies_ = resolution_studies(records_);
+    : Evaluation(std::make_shared<const std::vector<Record>>(by_key(std::move(records))), limits) {}
+
+Evaluation::Evaluation(const std::shared_ptr<const std::vector<Record>>& records, const Limits& limits)
+    : Evaluation(results_of_records(*records), reader_of(records), limits) {}
+
+Evaluation::Evaluation(CaseResults results, RecordReader read, const Limits& limits)
+    : results_(std::move(results)), read_(std::move(read)), time_limit_(limits.timeout) {
+  std::ranges::stable_sort(results_.all, before);
+  repeated_ = repeated_problems(results_.all);
+  studies_ = resolution_studies(results_.all);
   groups_ = ranking_groups(studies_);
   for (const ResolutionStudy& study : studies_) {
     configurations_.push_back(study.configuration);
@@ -32,18 +63,49 @@ Evaluation::Evaluation(std::vector<Record> records, const Limits& limits)
   configurations_.erase(std::unique(configurations_.begin(), configurations_.end()), configurations_.end());
 }
 
-bool Evaluation::is_repeated(const ResolutionStudy& study) const {
-  return std::ranges::all_of(study.runs, [&](const ScoredRun& run) { return is_repeated(*run.record); });
+std::span<const CaseResult> Evaluation::results_of(const std::string& scene) const {
+  return part_of_scene(results_.all, scene,
+                       [](const CaseResult& result) -> const std::string& { return result.scene->name; });
 }
 
-std::size_t Evaluation::place_of(const Record& record) const {
-  return static_cast<std::size_t>(&record - records_.data());
+std::span<const ResolutionStudy> Evaluation::studies_of(const std::string& scene) const {
+  return part_of_scene(studies_, scene, &ResolutionStudy::scene);
+}
+
+bool Evaluation::is_repeated(const ResolutionStudy& study) const {
+  return std::ranges::all_of(study.runs, [&](const ScoredRun& run) { return is_repeated(*run.result); });
+}
+
+std::size_t Evaluation::place_of(const CaseResult& result) const {
+  return static_cast<std::size_t>(&result - results_.all.data());
 }
 
 std::size_t Evaluation::place_of(const std::string& configuration) const {
   return static_cast<std::size_t>(
       std::lower_bound(configurations_.begin(), configurations_.end(), configuration) -
       configurations_.begin());
+}
+
+Evaluation evaluation_of_run(const std::filesystem::path& folder, const Limits& limits) {
+  CaseResults results;
+  std::vector<LinePlace> places;
+  {
+    RunFolder run = read_entries(folder, [&](const Record& record) { results.add(record); });
+    run.plan = {};
+    std::ranges::stable_sort(run.records, {}, &RecordEntry::key);
+    std::vector<std::size_t> sources;
+    for (const RecordEntry& entry : run.records) {
+      sources.push_back(entry.ordinal);
+      places.resize(std::max(places.size(), entry.ordinal + 1));
+      places[entry.ordinal] = entry.place;
+    }
+    results.keep(sources);
+  }
+  const auto records = std::make_shared<StoredRecords>(folder / "records.jsonl");
+  return Evaluation(
+      std::move(results),
+      [records, places = std::move(places)](std::size_t source) { return records->at(places[source]); },
+      limits);
 }
 
 }  // namespace signorini

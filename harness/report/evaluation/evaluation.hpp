@@ -1,6 +1,10 @@
 #pragma once
 // The records of a run with everything that reports derive from them.
 
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,42 +14,62 @@
 
 namespace signorini {
 
+/// Reads a whole record by CaseResult::source.
+using RecordReader = std::function<Record(std::size_t source)>;
+
 /// The same whatever the order of the records.
 class Evaluation {
  public:
+  /// Of records that are in memory.
   /// \param limits  those of the run: its time limit stands for failures in means
   explicit Evaluation(std::vector<Record> records, const Limits& limits = {});
-  // Studies and groups point into the records.
+  /// Of results alone; `read` has the record of each.
+  Evaluation(CaseResults results, RecordReader read, const Limits& limits = {});
+  // Studies and groups point into the results.
   Evaluation(const Evaluation&) = delete;
   Evaluation& operator=(const Evaluation&) = delete;
 
   /// By scene, method and case.
-  [[nodiscard]] const std::vector<Record>& records() const { return records_; }
+  [[nodiscard]] const std::vector<CaseResult>& results() const { return results_.all; }
+  /// Those of a scene of this evaluation.
+  [[nodiscard]] std::span<const CaseResult> results_of(const std::string& scene) const;
+  /// The whole record of a result of this evaluation; it may have to be read from its file.
+  [[nodiscard]] Record record_of(const CaseResult& result) const { return read_(result.source); }
+  /// By scene.
   [[nodiscard]] const std::vector<ResolutionStudy>& studies() const { return studies_; }
+  /// Those of a scene of this evaluation.
+  [[nodiscard]] std::span<const ResolutionStudy> studies_of(const std::string& scene) const;
   [[nodiscard]] const std::vector<RankingGroup>& groups() const { return groups_; }
   /// Time limit of set-up and first solve [s].
   [[nodiscard]] double time_limit() const { return time_limit_; }
 
   /// All configurations, sorted.
   [[nodiscard]] const std::vector<std::string>& configurations() const { return configurations_; }
-  /// All scenes, sorted.
+  /// All scenes, in natural order.
   [[nodiscard]] const std::vector<std::string>& scenes() const { return scenes_; }
-  /// Whether a record of this evaluation counts by another one: see `repeated_problems`.
-  [[nodiscard]] bool is_repeated(const Record& record) const { return repeated_[place_of(record)]; }
+  /// Whether a result of this evaluation counts by another one: see `repeated_problems`.
+  [[nodiscard]] bool is_repeated(const CaseResult& result) const { return repeated_[place_of(result)]; }
   /// The same of all runs of a study.
   [[nodiscard]] bool is_repeated(const ResolutionStudy& study) const;
-  /// Where a record of this evaluation stands among its records.
-  [[nodiscard]] std::size_t place_of(const Record& record) const;
+  /// Where a result of this evaluation stands among its results.
+  [[nodiscard]] std::size_t place_of(const CaseResult& result) const;
   /// Where a configuration stands among all.
   [[nodiscard]] std::size_t place_of(const std::string& configuration) const;
 
  private:
-  std::vector<Record> records_;
+  Evaluation(const std::shared_ptr<const std::vector<Record>>& records, const Limits& limits);
+
+  CaseResults results_;
+  RecordReader read_;
   double time_limit_;
-  std::vector<bool> repeated_;  // by record
+  std::vector<bool> repeated_;  // by result
   std::vector<ResolutionStudy> studies_;
   std::vector<RankingGroup> groups_;
   std::vector<std::string> configurations_, scenes_;
 };
+
+/// The evaluation of the records of a folder that count, in memory of some 400 bytes per record: of the
+/// records themselves one at a time is in memory. \throws UsageError if a file is unreadable
+Evaluation evaluation_of_run(const std::filesystem::path& folder, const Limits& limits);
 
 }  // namespace signorini

@@ -2,55 +2,55 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace signorini {
 
-bool has_another_law(const Record& record) { return record.law_matches_scene == false; }
-
-bool is_solved(const Record& record) {
-  return claim_of(record) == Claim::certified && !has_another_law(record);
+std::optional<Claim> claim_of(const CaseOutcome& outcome) {
+  return claim_of(outcome.status, outcome.certificate);
 }
 
-std::vector<bool> repeated_problems(const std::vector<Record>& records) {
-  std::vector<bool> repeated(records.size(), false);
-  std::set<std::pair<std::string, std::string>> seen;  // resolution and problem
+bool has_another_law(const CaseOutcome& outcome) { return outcome.law_matches_scene == false; }
+
+bool is_solved(const CaseOutcome& outcome) {
+  return claim_of(outcome) == Claim::certified && !has_another_law(outcome);
+}
+
+std::vector<bool> repeated_problems(const std::vector<CaseResult>& results) {
+  std::vector<bool> repeated(results.size(), false);
+  std::set<std::pair<std::string_view, std::string_view>> seen;  // resolution and problem
   for (const bool another_law : {false, true}) {
-    for (std::size_t i = 0; i < records.size(); ++i) {
-      const Record& record = records[i];
-      if (record.problem.empty() || has_another_law(record) != another_law) continue;
-      repeated[i] = !seen.emplace(resolution_of(record), record.problem).second;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      const CaseResult& result = results[i];
+      if (result.problem == nullptr || has_another_law(result.outcome) != another_law) continue;
+      repeated[i] = !seen.emplace(result.choice->resolution, *result.problem).second;
     }
   }
   return repeated;
 }
 
-Measure recorded_error(const Record& record) {
-  return record.errors.x_l2 ? record.errors.x_l2 : record.errors.u_l2;
+Measure bounded_error(const CaseResult& result) {
+  return result.error ? std::max(*result.error, result.measurable) : result.error;
 }
 
-Measure bounded_error(const Record& record) {
-  const Measure error = recorded_error(record);
-  return error ? std::max(*error, measurable_error(record)) : error;
+Measure certified_error(const CaseResult& result) {
+  return claim_of(result.outcome) == Claim::certified ? bounded_error(result) : std::nullopt;
 }
 
-Measure certified_error(const Record& record) {
-  return claim_of(record) == Claim::certified ? bounded_error(record) : std::nullopt;
-}
-
-void OutcomeCounts::add(const Record& record) {
-  const std::optional<Claim> claim = claim_of(record);
-  const bool refused = record.status == Status::not_applicable;
+void OutcomeCounts::add(const CaseOutcome& outcome) {
+  const std::optional<Claim> claim = claim_of(outcome);
+  const bool refused = outcome.status == Status::not_applicable;
   ++cases;
   not_applicable += refused ? 1 : 0;
   failed += !claim && !refused ? 1 : 0;
   refuted += claim == Claim::refuted ? 1 : 0;
   unproven += claim == Claim::unproven ? 1 : 0;
-  another_law += !refused && has_another_law(record) ? 1 : 0;
-  solved += is_solved(record) ? 1 : 0;
+  another_law += !refused && has_another_law(outcome) ? 1 : 0;
+  solved += is_solved(outcome) ? 1 : 0;
   if (claim != Claim::certified) return;
   ++certified;
-  if (const auto same = record.certificate.same_orbit) ++(*same ? same_orbit : other_orbit);
+  if (const auto same = outcome.same_orbit) ++(*same ? same_orbit : other_orbit);
 }
 
 }  // namespace signorini

@@ -5,32 +5,33 @@
 // method represents is the scene's. Which of the scene's orbits the answer is plays no part. What is
 // certified under another law is counted apart, and a problem that a method is given twice counts once.
 
+#include <optional>
 #include <vector>
 
-#include "harness/records/record.hpp"
+#include "harness/report/evaluation/case_result.hpp"
 
 namespace signorini {
 
+/// claim_of the record.
+std::optional<Claim> claim_of(const CaseOutcome& outcome);
+
 /// Whether the case states another problem than its scene: the method represents another law.
-bool has_another_law(const Record& record);
+bool has_another_law(const CaseOutcome& outcome);
 
 /// Whether the case is solved: certified, under the law of the scene.
-bool is_solved(const Record& record);
+bool is_solved(const CaseOutcome& outcome);
 
-/// For each record, whether it states a problem (Record::problem) that the same method with the same settings
-/// is given in another record too, which counts for both: one under its scene's law before others, else the
-/// first. False of records that do not know their problem.
-std::vector<bool> repeated_problems(const std::vector<Record>& records);
+/// For each result, whether it states a problem (Record::problem) that the same method with the same settings
+/// is given in another one too, which counts for both: one under its scene's law before others, else the
+/// first. False of results that do not know their problem.
+std::vector<bool> repeated_problems(const std::vector<CaseResult>& results);
 
-/// Relative L2 error of x, of u where the scene has no contact. Whether its orbit certifies the answer is not
-/// asked.
-Measure recorded_error(const Record& record);
-
-/// recorded_error, but not below ten error bars of the orbit.
-Measure bounded_error(const Record& record);
+/// The error of x, of u where the scene has no contact, but not below ten error bars of the orbit. Whether
+/// its orbit certifies the answer is not asked.
+Measure bounded_error(const CaseResult& result);
 
 /// bounded_error of a certified answer; empty for all others.
-Measure certified_error(const Record& record);
+Measure certified_error(const CaseResult& result);
 
 /// How many cases ended how.
 struct OutcomeCounts {
@@ -39,7 +40,7 @@ struct OutcomeCounts {
   int another_law = 0;                  ///< applicable cases of another law than the scene's
   int solved = 0;                       ///< certified cases of the scene's law
 
-  void add(const Record& record);
+  void add(const CaseOutcome& outcome);
   [[nodiscard]] int applicable() const { return cases - not_applicable; }
   /// Applicable cases of the scene's law.
   [[nodiscard]] int own_law() const { return applicable() - another_law; }

@@ -1,13 +1,12 @@
 #include "harness/report/evaluation/resolution_study.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 
-#include "harness/plan/plan.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/report/evaluation/outcome.hpp"
 
@@ -16,9 +15,11 @@ namespace signorini {
 namespace {
 
 Eligibility eligibility_of(const std::vector<ScoredRun>& runs) {
-  const auto other = [](const ScoredRun& run) { return has_another_law(*run.record); };
+  const auto other = [](const ScoredRun& run) { return has_another_law(run.result->outcome); };
   if (std::ranges::any_of(runs, other)) return Eligibility::another_law;
-  const auto refuses = [](const ScoredRun& run) { return run.record->status == Status::not_applicable; };
+  const auto refuses = [](const ScoredRun& run) {
+    return run.result->outcome.status == Status::not_applicable;
+  };
   return std::ranges::all_of(runs, refuses) ? Eligibility::not_applicable : Eligibility::ranked;
 }
 
@@ -26,7 +27,7 @@ Eligibility eligibility_of(const std::vector<ScoredRun>& runs) {
 /// would have it here too.
 void take_laws_from_other_scenes(std::vector<ResolutionStudy>& studies) {
   const auto key_of = [](const ResolutionStudy& study) {
-    const std::optional<RepresentedLaw>& law = study.runs.front().record->scene_law;
+    const std::optional<RepresentedLaw>& law = study.runs.front().result->scene->law;
     return std::pair(study.configuration, law ? JsonForm<RepresentedLaw>::write(*law).dump() : std::string());
   };
   std::set<std::pair<std::string, std::string>> other;
@@ -41,24 +42,10 @@ void take_laws_from_other_scenes(std::vector<ResolutionStudy>& studies) {
 
 }  // namespace
 
-bool is_numeric(const std::string& value) {
-  char* end = nullptr;
-  std::strtod(value.c_str(), &end);
-  return !value.empty() && end == value.c_str() + value.size();
-}
-
-std::string configuration_of(const Record& record) {
-  Settings words = record.settings;
-  std::erase_if(words, [](const OptionSetting& setting) {
-    return setting.first != kStartSetting && is_numeric(setting.second);
-  });
-  return method_label(record.method, words);
-}
-
-ScoredRun scored_run(const Record& record) {
-  ScoredRun run{.record = &record};
-  run.error = certified_error(record);
-  run.bounded = run.error && *recorded_error(record) < *run.error;
+ScoredRun scored_run(const CaseResult& result) {
+  ScoredRun run{.result = &result};
+  run.error = certified_error(result);
+  run.bounded = run.error && *result.error < *run.error;
   return run;
 }
 
@@ -66,14 +53,14 @@ std::ptrdiff_t solved_runs(const ResolutionStudy& study) {
   return std::ranges::count_if(study.runs, [](const ScoredRun& run) { return run.error.has_value(); });
 }
 
-std::vector<ResolutionStudy> resolution_studies(const std::vector<Record>& records) {
+std::vector<ResolutionStudy> resolution_studies(const std::vector<CaseResult>& results) {
   std::vector<ResolutionStudy> studies;
-  std::map<std::pair<std::string, std::string>, std::size_t> places;
-  for (const Record& record : records) {
-    const std::string configuration = configuration_of(record);
-    const auto [place, fresh] = places.try_emplace({record.scene, configuration}, studies.size());
-    if (fresh) studies.push_back({.scene = record.scene, .configuration = configuration});
-    studies[place->second].runs.push_back(scored_run(record));
+  std::map<std::pair<std::string_view, std::string_view>, std::size_t> places;  // names that the results hold
+  for (const CaseResult& result : results) {
+    const std::string &scene = result.scene->name, &configuration = result.choice->configuration;
+    const auto [place, fresh] = places.try_emplace({scene, configuration}, studies.size());
+    if (fresh) studies.push_back({.scene = scene, .configuration = configuration});
+    studies[place->second].runs.push_back(scored_run(result));
   }
   for (ResolutionStudy& study : studies) study.eligibility = eligibility_of(study.runs);
   take_laws_from_other_scenes(studies);

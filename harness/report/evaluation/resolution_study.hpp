@@ -7,20 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/records/record.hpp"
+#include "harness/report/evaluation/case_result.hpp"
 
 namespace signorini {
 
-/// Whether the value of a setting is a number.
-bool is_numeric(const std::string& value);
-
-/// "event-driven[flow=cvode]": the method with those of its settings that are words, and kStartSetting, as a
-/// solve that starts at the orbit is compared with no other. Settings that are numbers are its resolution.
-std::string configuration_of(const Record& record);
-
 /// One run of a study with its error.
 struct ScoredRun {
-  const Record* record = nullptr;
+  const CaseResult* result = nullptr;
   Measure error = {};    ///< certified_error
   bool bounded = false;  ///< below ten error bars: never ranked by its error
 };
@@ -44,17 +37,17 @@ struct EnumNames<Eligibility> {
 struct ResolutionStudy {
   std::string scene = {}, configuration = {};
   Eligibility eligibility = Eligibility::ranked;
-  std::vector<ScoredRun> runs = {};  ///< in the order of the records
+  std::vector<ScoredRun> runs = {};  ///< in the order of the results
 };
 
-/// Studies of all records, by scene and configuration in the order of their first record. They point into
-/// `records`.
-std::vector<ResolutionStudy> resolution_studies(const std::vector<Record>& records);
+/// Studies of all results, by scene and configuration in the order of their first result. They point into
+/// `results`.
+std::vector<ResolutionStudy> resolution_studies(const std::vector<CaseResult>& results);
 
 /// How many of its runs have an error.
 std::ptrdiff_t solved_runs(const ResolutionStudy& study);
 
-/// The run of a record with its error.
-ScoredRun scored_run(const Record& record);
+/// A result with its error.
+ScoredRun scored_run(const CaseResult& result);
 
 }  // namespace signorini

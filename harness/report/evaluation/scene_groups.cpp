@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string_view>
 #include <variant>
 
 #include "harness/table.hpp"
@@ -76,14 +77,15 @@ std::optional<SceneKind> kind_of_scene(const std::optional<RepresentedLaw>& law,
   return by_law;
 }
 
-std::optional<SceneKind> kind_of(const Record& record) {
-  return kind_of_scene(record.scene_law, record.coordinates, record.contacts);
+std::optional<SceneKind> kind_of(const CaseScene& scene) {
+  return kind_of_scene(scene.law, scene.coordinates, scene.contacts);
 }
 
 std::vector<SceneGroup> scene_groups(const Evaluation& evaluation) {
-  std::map<std::string, SceneKind> kinds;  // by scene
-  for (const Record& record : evaluation.records()) {
-    if (const std::optional<SceneKind> kind = kind_of(record)) kinds.try_emplace(record.scene, *kind);
+  std::map<std::string_view, SceneKind> kinds;  // by scene
+  for (const CaseResult& result : evaluation.results()) {
+    if (const std::optional<SceneKind> kind = kind_of(*result.scene))
+      kinds.try_emplace(result.scene->name, *kind);
   }
   std::map<SceneKind, SceneGroup> groups;
   for (const std::string& scene : evaluation.scenes()) {
@@ -99,7 +101,7 @@ std::vector<SceneGroup> scene_groups(const Evaluation& evaluation) {
     auto standing = std::ranges::find(standings, study.configuration, &Standing::configuration);
     if (standing == standings.end()) {
       standing = standings.insert(standings.end(), {.configuration = study.configuration,
-                                                    .method = study.runs.front().record->method});
+                                                    .method = study.runs.front().result->choice->method});
     }
     for (std::size_t i = 0; i < kGroupErrors.size(); ++i) standing->reach[i].add(study, kGroupErrors[i]);
   }

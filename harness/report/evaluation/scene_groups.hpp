@@ -26,8 +26,8 @@ inline constexpr int kManyContacts = 5, kLargeStructure = 100;
 /// the law.
 std::optional<SceneKind> kind_of_scene(const std::optional<RepresentedLaw>& law,
                                        std::optional<int> coordinates, std::optional<int> contacts);
-/// The kind of a record's scene.
-std::optional<SceneKind> kind_of(const Record& record);
+/// The kind of a scene.
+std::optional<SceneKind> kind_of(const CaseScene& scene);
 
 /// Errors of x that scene groups tell the times to [-].
 inline constexpr std::array kGroupErrors{1e-1, 1e-2, 1e-3, 1e-6};

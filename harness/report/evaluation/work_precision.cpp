@@ -7,28 +7,26 @@
 namespace signorini {
 
 const CostAxis& time_axis() {
-  static const CostAxis axis{"time", [](const Record& record) -> std::optional<double> {
-                               if (!record.seconds) return std::nullopt;
-                               return record.seconds->median;
-                             }};
+  static const CostAxis axis{
+      "time", [](const CaseResult& result) -> std::optional<double> { return result.seconds; }};
   return axis;
 }
 
 std::span<const CostAxis> work_axes() {
   using Cost = std::optional<double>;
   static const std::array<CostAxis, 5> axes{
-      {{"pivots", [](const Record& r) -> Cost { return r.work.counts.pivots; }},
-       {"iterations", [](const Record& r) -> Cost { return r.work.counts.iterations; }},
-       {"right-hand sides", [](const Record& r) -> Cost { return r.work.counts.rhs_evaluations; }},
-       {"factorisations", [](const Record& r) -> Cost { return r.work.counts.factorisations; }},
-       {"unknowns", [](const Record& r) -> Cost { return r.work.counts.unknowns; }}}};
+      {{"pivots", [](const CaseResult& r) -> Cost { return r.work.pivots; }},
+       {"iterations", [](const CaseResult& r) -> Cost { return r.work.iterations; }},
+       {"right-hand sides", [](const CaseResult& r) -> Cost { return r.work.rhs_evaluations; }},
+       {"factorisations", [](const CaseResult& r) -> Cost { return r.work.factorisations; }},
+       {"unknowns", [](const CaseResult& r) -> Cost { return r.work.unknowns; }}}};
   return axes;
 }
 
 std::vector<CurvePoint> pareto_curve(const ResolutionStudy& study, const CostAxis& axis) {
   std::vector<CurvePoint> points;
   for (const ScoredRun& run : study.runs) {
-    const std::optional<double> cost = axis.cost(*run.record);
+    const std::optional<double> cost = axis.cost(*run.result);
     if (run.error && cost) points.push_back({*cost, &run});
   }
   std::stable_sort(points.begin(), points.end(), [](const CurvePoint& a, const CurvePoint& b) {

@@ -15,7 +15,7 @@ namespace signorini {
 /// A cost by which runs are compared: seconds, or a count of work.
 struct CostAxis {
   std::string_view name = {};  ///< "time", "pivots"
-  std::optional<double> (*cost)(const Record&) = nullptr;
+  std::optional<double> (*cost)(const CaseResult&) = nullptr;
 };
 
 /// Median time of set-up and solve [s].

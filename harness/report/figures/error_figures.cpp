@@ -61,9 +61,9 @@ struct ErrorFigure {
 };
 
 /// The numbers of a resolution without their names: "40", "1e-6".
-std::string resolution_text(const Record& record) {
+std::string resolution_text(const CaseChoice& choice) {
   std::string text;
-  for (const auto& [key, value] : record.settings)
+  for (const auto& [key, value] : choice.settings)
     if (key != kStartSetting && is_numeric(value)) text += (text.empty() ? "" : ", ") + value;
   return text;
 }
@@ -79,12 +79,12 @@ void add_study(const ResolutionStudy& study, std::size_t place, const std::strin
   if (curve.empty()) return;
   NamedCurve named{.name = label, .colour = line_colour(place), .style = style.line + " " + style.mark};
   for (const ScoredRun& run : study.runs) {
-    const std::optional<double> cost = axis.cost(*run.record);
+    const std::optional<double> cost = axis.cost(*run.result);
     if (!run.error || !cost) continue;
     figure.extremes.stretch(*cost, *run.error);
     std::string& list = run.bounded ? bounds : runs;
-    list += fmt::format("{:.6e} {:.6e}  # {}\n", *cost, *run.error, resolution_of(*run.record));
-    figure.name_mark(*cost, *run.error, resolution_text(*run.record), named.colour);
+    list += fmt::format("{:.6e} {:.6e}  # {}\n", *cost, *run.error, run.result->choice->resolution);
+    figure.name_mark(*cost, *run.error, resolution_text(*run.result->choice), named.colour);
     if (*cost >= named.cost) {
       named.cost = *cost;
       named.error = *run.error;
@@ -132,16 +132,16 @@ double floor_of(const std::vector<const ResolutionStudy*>& studies) {
   double floor = 0.0;
   for (const ResolutionStudy* study : studies) {
     for (const ScoredRun& run : study->runs) {
-      if (run.error) floor = std::max(floor, measurable_error(*run.record));
+      if (run.error) floor = std::max(floor, run.result->measurable);
     }
   }
   return floor;
 }
 
 std::string label_of(const ResolutionStudy& study) {
-  const Record& record = *study.runs.front().record;
-  if (study.eligibility != Eligibility::another_law || !record.law) return study.configuration;
-  return fmt::format("{} ({})", study.configuration, law_text(*record.law));
+  const RepresentedLaw* law = study.runs.front().result->law;
+  if (study.eligibility != Eligibility::another_law || law == nullptr) return study.configuration;
+  return fmt::format("{} ({})", study.configuration, law_text(*law));
 }
 
 constexpr std::string_view kAxes = R"(set logscale xy
@@ -234,9 +234,10 @@ Figure figure_of(const Evaluation& evaluation, const std::vector<const Resolutio
 
 /// The number of harmonics, samples, elements: whatever single whole number above 1 was asked for.
 const CostAxis& resolution_axis() {
-  static const CostAxis axis{.name = "resolution", .cost = [](const Record& record) -> std::optional<double> {
+  static const CostAxis axis{.name = "resolution",
+                             .cost = [](const CaseResult& result) -> std::optional<double> {
                                std::optional<double> found;
-                               for (const auto& [key, value] : record.settings) {
+                               for (const auto& [key, value] : result.choice->settings) {
                                  if (key == kStartSetting || !is_numeric(value)) continue;
                                  const double number = std::strtod(value.c_str(), nullptr);
                                  if (found || number < 2.0 || number != std::floor(number))
@@ -253,10 +254,8 @@ const CostAxis& resolution_axis() {
 std::vector<Figure> work_precision_figures(const Evaluation& evaluation, const std::string& scene,
                                            Column column) {
   std::vector<const ResolutionStudy*> competing, others;
-  for (const ResolutionStudy& study : evaluation.studies()) {
-    if (study.scene == scene)
-      (study.eligibility == Eligibility::another_law ? others : competing).push_back(&study);
-  }
+  for (const ResolutionStudy& study : evaluation.studies_of(scene))
+    (study.eligibility == Eligibility::another_law ? others : competing).push_back(&study);
   constexpr const char* kTime = "time, set-up and solve [s]";
   std::vector<Figure> figures{
       figure_of(evaluation, competing, scene + "-work-precision",
@@ -276,11 +275,11 @@ std::vector<Figure> work_precision_figures(const Evaluation& evaluation, const s
 
 Figure convergence_figure(const Evaluation& evaluation, const std::string& scene, Column column) {
   std::vector<const ResolutionStudy*> studies;
-  for (const ResolutionStudy& study : evaluation.studies()) {
-    if (study.scene != scene || study.eligibility == Eligibility::another_law) continue;
+  for (const ResolutionStudy& study : evaluation.studies_of(scene)) {
+    if (study.eligibility == Eligibility::another_law) continue;
     std::set<double> resolutions;
     for (const ScoredRun& run : study.runs)
-      if (const auto number = resolution_axis().cost(*run.record); number && run.error && !run.bounded)
+      if (const auto number = resolution_axis().cost(*run.result); number && run.error && !run.bounded)
         resolutions.insert(*number);
     if (resolutions.size() < 2) continue;
     studies.push_back(&study);

@@ -9,11 +9,9 @@ namespace signorini {
 namespace {
 
 /// The coarsest answer of a study with a certified orbit whose motion is kept; null if there is none.
-const Record* coarsest_kept(const ResolutionStudy& study) {
-  for (const ScoredRun& run : study.runs) {
-    const auto& waveforms = run.record->waveforms;
-    if (run.error && waveforms && waveforms->orbit && !waveforms->contacts.empty()) return run.record;
-  }
+const CaseResult* coarsest_kept(const ResolutionStudy& study) {
+  for (const ScoredRun& run : study.runs)
+    if (run.error && run.result->keeps_motion) return run.result;
   return nullptr;
 }
 
@@ -33,21 +31,22 @@ std::size_t place_of_contact(const Waveforms& waveforms, int contact) {
 
 KeptMotions kept_motions(const Evaluation& evaluation, const std::string& scene) {
   KeptMotions kept;
-  for (const ResolutionStudy& study : evaluation.studies()) {
-    if (study.scene != scene || study.eligibility != Eligibility::ranked) continue;
-    const Record* record = coarsest_kept(study);
-    if (record == nullptr) continue;
-    const Waveforms& own = *record->waveforms;
-    if (kept.leader == nullptr) {
+  for (const ResolutionStudy& study : evaluation.studies_of(scene)) {
+    if (study.eligibility != Eligibility::ranked) continue;
+    const CaseResult* result = coarsest_kept(study);
+    if (result == nullptr) continue;
+    const Record record = evaluation.record_of(*result);
+    const Waveforms& own = *record.waveforms;
+    if (!kept.leader) {
       kept.leader = record;
       kept.place = place_of_most_impulse(*own.orbit);
       kept.contact = own.contacts[kept.place];
     }
     const std::size_t place = place_of_contact(own, kept.contact);
-    kept.answers.push_back({.record = record,
+    kept.answers.push_back({.result = result,
                             .place = place,
                             .motion = in_phase_with(kept.orbit(), kept.place, own, place,
-                                                    record->certificate.order.value_or(1))});
+                                                    record.certificate.order.value_or(1))});
   }
   return kept;
 }

@@ -2,6 +2,7 @@
 // The motions that records of a scene keep, chosen to be drawn beside each other.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace signorini {
 
 /// An answer as it is drawn.
 struct KeptAnswer {
-  const Record* record = nullptr;
+  const CaseResult* result = nullptr;
   std::size_t place =
       0;                 ///< of the drawn contact among those that it keeps; the first if it does not keep it
   Waveform motion = {};  ///< in phase with the orbit
@@ -19,9 +20,9 @@ struct KeptAnswer {
 
 /// What is drawn of a scene, at the contact that exchanges most impulse.
 struct KeptMotions {
-  const Record* leader = nullptr;  ///< whose certified orbit is drawn; it keeps one
-  std::size_t place = 0;           ///< of the contact among those that it keeps
-  int contact = 0;                 ///< in [0, Nc)
+  std::optional<Record> leader = {};  ///< whose certified orbit is drawn; it keeps one
+  std::size_t place = 0;              ///< of the contact among those that it keeps
+  int contact = 0;                    ///< in [0, Nc)
   std::vector<KeptAnswer> answers = {};
 
   /// The certified orbit.
@@ -29,7 +30,7 @@ struct KeptMotions {
 };
 
 /// Of each ranked study of a scene the coarsest answer that has an error, with a certified orbit, as far as
-/// records keep motions; no answers where none does. Records point into the evaluation.
+/// records keep motions; no answers where none does. Results point into the evaluation.
 KeptMotions kept_motions(const Evaluation& evaluation, const std::string& scene);
 
 }  // namespace signorini

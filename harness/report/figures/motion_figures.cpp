@@ -31,7 +31,7 @@ constexpr std::string_view kImpactStyle = "lc rgb '#D55E00' pt 6 ps 0.9 lw 1.5";
 constexpr int kDisplacement = 2;  // column of the waveforms
 
 LineStyle style_of(const Evaluation& evaluation, const KeptAnswer& answer) {
-  return line_style(evaluation.place_of(configuration_of(*answer.record)));
+  return line_style(evaluation.place_of(answer.result->choice->configuration));
 }
 
 /// What is drawn of a scene at one contact: blocks of the certified orbit, then of each answer.
@@ -91,7 +91,7 @@ Figure waveform_figure(const Evaluation& evaluation, DrawnMotions& drawn, const 
   std::vector<KeyEntry> keys{{std::string(kOrbitStyle) + " pt -1", "certified orbit"}};
   if (drawn.impacts) keys.push_back({std::string(kImpactStyle), "its impacts", "points"});
   for (const KeptAnswer& answer : drawn.kept.answers)
-    keys.push_back({style_of(evaluation, answer).line + " pt -1", resolution_of(*answer.record)});
+    keys.push_back({style_of(evaluation, answer).line + " pt -1", answer.result->choice->resolution});
   constexpr std::size_t kFitsTwice = 36;  // letters
   const bool wide = is_narrow(column_of_page) || std::ranges::any_of(keys, [](const KeyEntry& entry) {
                       return entry.title.size() > kFitsTwice;
@@ -156,7 +156,7 @@ DrawnMotions motions_drawn(KeptMotions kept) {
         portrait_lines(waveform, at), name + ": x [m], velocity [m/s], with points between samples"));
   };
   add("certified orbit", kept.orbit(), kept.place);
-  for (const auto& [record, place, motion] : kept.answers) add(record->case_id, motion, place);
+  for (const auto& [result, place, motion] : kept.answers) add(result->case_id, motion, place);
   if (drawn.stop)
     drawn.impacts =
         drawn.canvas.add(impact_lines_of(*kept.leader, kept.contact, drawn.end, *drawn.stop), "impacts");

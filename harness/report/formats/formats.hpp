@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "harness/files.hpp"
 #include "harness/report/document/section.hpp"
 #include "harness/report/evaluation/evaluation.hpp"
 
@@ -28,11 +29,12 @@ std::string to_latex(const Section& section);
 /// out.
 std::string latex_escaped(const std::string& text);
 
-/// One row per record with all measures as plain numbers. An empty cell is explained in the last column.
-std::string csv_report(const Evaluation& evaluation);
+/// One row per record with all measures as plain numbers. An empty cell is explained in the last column. Row
+/// by row: of a run of a million cases no more than one is in memory.
+void csv_report(const Evaluation& evaluation, const TextSink& sink);
 
 /// One row per scene and configuration: its eligibility (competes, another-law, not-applicable), how many of
 /// its runs are solved, and seconds to each error of kErrorLevels; `inf` where it is not reached.
-std::string measures_csv(const Evaluation& evaluation);
+void measures_csv(const Evaluation& evaluation, const TextSink& sink);
 
 }  // namespace signorini

@@ -135,21 +135,22 @@ std::vector<Cell> csv_row(const Record& record) {
 
 }  // namespace
 
-std::string csv_report(const Evaluation& evaluation) {
-  Table table;
-  for (const CsvColumn& column : kColumns) table.header.emplace_back(column.title);
-  for (const Record& record : evaluation.records()) table.rows.push_back(csv_row(record));
-  return to_csv(table);
+void csv_report(const Evaluation& evaluation, const TextSink& sink) {
+  std::vector<Cell> header;
+  for (const CsvColumn& column : kColumns) header.emplace_back(std::string(column.title));
+  sink(csv_line(header));
+  for (const CaseResult& result : evaluation.results()) sink(csv_line(csv_row(evaluation.record_of(result))));
 }
 
-std::string measures_csv(const Evaluation& evaluation) {
-  Table table{{"scene", "method", "law", "standing", "runs", "solved"}, {}};
-  for (const double error : kErrorLevels) table.header.push_back(fmt::format("seconds_to_{:.0e}", error));
+void measures_csv(const Evaluation& evaluation, const TextSink& sink) {
+  std::vector<Cell> header{"scene", "method", "law", "standing", "runs", "solved"};
+  for (const double error : kErrorLevels) header.emplace_back(fmt::format("seconds_to_{:.0e}", error));
+  sink(csv_line(header));
   for (const ResolutionStudy& study : evaluation.studies()) {
-    const Record& first = *study.runs.front().record;
+    const RepresentedLaw* law = study.runs.front().result->law;
     std::vector<Cell> row{study.scene,
                           study.configuration,
-                          first.law ? law_text(*first.law) : "not recorded",
+                          law != nullptr ? law_text(*law) : "not recorded",
                           std::string(enum_name(study.eligibility)),
                           count_cell(std::ssize(study.runs)),
                           count_cell(solved_runs(study))};
@@ -157,9 +158,8 @@ std::string measures_csv(const Evaluation& evaluation) {
       const double seconds = cost_to_error(study, time_axis(), error).cost;
       row.emplace_back(std::isfinite(seconds) ? fmt::format("{:.9e}", seconds) : "inf");
     }
-    table.rows.push_back(std::move(row));
+    sink(csv_line(row));
   }
-  return to_csv(table);
 }
 
 }  // namespace signorini

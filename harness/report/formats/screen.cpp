@@ -58,8 +58,8 @@ ScreenLines failure_lines(const Evaluation& evaluation) {
   std::vector<std::pair<std::string, OutcomeCounts>> counts;
   for (const std::string& configuration : evaluation.configurations())
     counts.emplace_back(configuration, OutcomeCounts{});
-  for (const Record& record : evaluation.records())
-    counts[evaluation.place_of(configuration_of(record))].second.add(record);
+  for (const CaseResult& result : evaluation.results())
+    counts[evaluation.place_of(result.choice->configuration)].second.add(result.outcome);
   const auto wrong = [](const auto& entry) { return entry.second.failed + entry.second.refuted; };
   std::erase_if(counts, [&](const auto& entry) { return wrong(entry) == 0; });
   if (counts.empty()) return {};
@@ -80,9 +80,9 @@ ScreenLines unexpected_lines(const Evaluation& evaluation, const std::vector<std
                      Emphasis::bad}};
   const std::size_t shown = cases.size() <= kMostCases ? cases.size() : kMostCases - 1;
   for (std::size_t i = 0; i < shown; ++i) {
-    const auto record = std::ranges::find(evaluation.records(), cases[i], &Record::case_id);
+    const auto result = std::ranges::find(evaluation.results(), cases[i], &CaseResult::case_id);
     const std::string status =
-        record == evaluation.records().end() ? "" : ": " + std::string(status_name(record->status));
+        result == evaluation.results().end() ? "" : ": " + std::string(status_name(result->outcome.status));
     lines.push_back({clipped("  " + cases[i], kScreenWidth - status.size()) + status});
   }
   if (shown < cases.size()) lines.push_back({fmt::format("  and {} more", cases.size() - shown)});
@@ -101,8 +101,8 @@ ScreenLines command_lines(const std::string& words, const std::string& command) 
 
 /// What happened, in one or two sentences.
 ScreenLines opening_lines(const Evaluation& evaluation, const ScreenContext& context) {
-  const bool together = std::ranges::any_of(
-      evaluation.records(), [](const Record& record) { return record.seconds && record.seconds->jobs; });
+  const bool together =
+      std::ranges::any_of(evaluation.results(), [](const CaseResult& result) { return result.together; });
   ScreenLines lines;
   if (!context.heading.empty()) append(lines, wrapped_text(context.heading));
   append(lines, wrapped_text(counts_line(evaluation)));
@@ -136,7 +136,7 @@ std::string painted(const ScreenLine& line, bool colour) {
 
 std::string counts_line(const Evaluation& evaluation) {
   OutcomeCounts counts;
-  for (const Record& record : evaluation.records()) counts.add(record);
+  for (const CaseResult& result : evaluation.results()) counts.add(result.outcome);
   const auto scenes = static_cast<std::ptrdiff_t>(evaluation.scenes().size());
   return plural(scenes, "scene") + ", " + counts_text(counts);
 }

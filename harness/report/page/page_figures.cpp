@@ -21,6 +21,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Of a profile over more scenes than this, steps below this share of them are drawn with the next one: they
+/// are less than a pixel.
+constexpr std::size_t kManySteps = 2000;
+constexpr double kLeastStep = 1.0 / kManySteps;
+
 /// With as many digits as a figure shows.
 double rounded(double value) { return std::stod(fmt::format("{:.4g}", value)); }
 
@@ -31,9 +36,9 @@ Json rounded(const std::vector<double>& values) {
 }
 
 std::string label_of_study(const ResolutionStudy& study) {
-  const Record& record = *study.runs.front().record;
-  if (study.eligibility != Eligibility::another_law || !record.law) return study.configuration;
-  return fmt::format("{} ({})", study.configuration, law_text(*record.law));
+  const RepresentedLaw* law = study.runs.front().result->law;
+  if (study.eligibility != Eligibility::another_law || law == nullptr) return study.configuration;
+  return fmt::format("{} ({})", study.configuration, law_text(*law));
 }
 
 /// A study's part of work_precision_data; null without a run that has both error and time.
@@ -41,15 +46,15 @@ Json study_data(const Evaluation& evaluation, const ResolutionStudy& study) {
   Json marks = Json::array(), curve = Json::array();
   std::vector<const ScoredRun*> marked;
   for (const ScoredRun& run : study.runs) {
-    const std::optional<double> seconds = time_axis().cost(*run.record);
+    const std::optional<double> seconds = time_axis().cost(*run.result);
     if (!run.error || !seconds) continue;
     marked.push_back(&run);
-    marks.push_back({rounded(*seconds), rounded(*run.error), evaluation.place_of(*run.record),
-                     run.bounded ? 1 : 0, resolution_of(*run.record)});
+    marks.push_back({rounded(*seconds), rounded(*run.error), evaluation.place_of(*run.result),
+                     run.bounded ? 1 : 0, run.result->choice->resolution});
   }
   if (marked.empty()) return {};
   for (const CurvePoint& point : pareto_curve(study, time_axis())) {
-    const auto found = std::ranges::find(marked, point.run->record, &ScoredRun::record);
+    const auto found = std::ranges::find(marked, point.run->result, &ScoredRun::result);
     if (found != marked.end()) curve.push_back(found - marked.begin());
   }
   return {{"c", evaluation.place_of(study.configuration)},
@@ -71,13 +76,12 @@ Json signals(const Waveform& motion, std::size_t place) {
 Json work_precision_data(const Evaluation& evaluation, const std::string& scene) {
   Json own = Json::array(), other = Json::array();
   double floor = 0.0;
-  for (const ResolutionStudy& study : evaluation.studies()) {
-    if (study.scene != scene) continue;
+  for (const ResolutionStudy& study : evaluation.studies_of(scene)) {
     const bool another_law = study.eligibility == Eligibility::another_law;
     Json data = study_data(evaluation, study);
     if (data.is_null()) continue;
     for (const ScoredRun& run : study.runs)
-      if (run.error && !another_law) floor = std::max(floor, measurable_error(*run.record));
+      if (run.error && !another_law) floor = std::max(floor, run.result->measurable);
     (another_law ? other : own).push_back(std::move(data));
   }
   if (own.empty() && other.empty()) return {};
@@ -88,10 +92,10 @@ Json motion_data(const Evaluation& evaluation, const std::string& scene) {
   const KeptMotions kept = kept_motions(evaluation, scene);
   if (kept.answers.empty()) return {};
   Json answers = Json::array();
-  for (const auto& [record, place, motion] : kept.answers) {
-    Json answer{{"c", evaluation.place_of(configuration_of(*record))},
-                {"record", evaluation.place_of(*record)},
-                {"label", resolution_of(*record)}};
+  for (const auto& [result, place, motion] : kept.answers) {
+    Json answer{{"c", evaluation.place_of(result->choice->configuration)},
+                {"record", evaluation.place_of(*result)},
+                {"label", result->choice->resolution}};
     answer.update(signals(motion, place));
     answers.push_back(std::move(answer));
   }
@@ -104,18 +108,17 @@ Json motion_data(const Evaluation& evaluation, const std::string& scene) {
 }
 
 Json schematic_data(const Evaluation& evaluation, const std::string& scene) {
-  const auto record = std::ranges::find(evaluation.records(), scene, &Record::scene);
+  const std::span<const CaseResult> results = evaluation.results_of(scene);
   // A name of the catalogue, and no path: records may come from anywhere.
   const bool is_name =
       std::ranges::all_of(
           scene, [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '@' || c == '.'; }) &&
       !scene.ends_with(".toml");
-  if (record == evaluation.records().end() || !is_name || record->coordinates.value_or(0) > kMostDrawn)
-    return {};
+  if (results.empty() || !is_name || results.front().scene->coordinates.value_or(0) > kMostDrawn) return {};
   try {
     const SceneSource source = find_scene(scene);
     const Scene found = read_scene(source);
-    if (found.sha256 != record->scene_sha256) return {};
+    if (found.sha256 != evaluation.record_of(results.front()).scene_sha256) return {};
     return svg_of(schematic(found.problem, load_layout(source)));
   } catch (const SceneError&) {
     return {};
@@ -127,12 +130,18 @@ Json profile_data(const Evaluation& evaluation, std::size_t number) {
   Json panels = Json::array();
   for (const double error : kProfileErrors) {
     const PerformanceProfile profile = performance_profile(costs_to_error(group, time_axis(), error));
+    const bool many = profile.scenes > kManySteps;
     Json curves = Json::array();
     for (std::size_t c = 0; c < group.configurations.size(); ++c) {
       if (profile.ratios[c].empty()) continue;
       Json steps = Json::array();
-      for (const double ratio : profile.ratios[c])
-        steps.push_back({rounded(ratio), rounded(profile.share(c, ratio))});
+      double drawn = 0.0;
+      for (const double ratio : profile.ratios[c]) {
+        const double share = profile.share(c, ratio);
+        if (many && share - drawn < kLeastStep && ratio < profile.ratios[c].back()) continue;
+        drawn = share;
+        steps.push_back({rounded(ratio), rounded(share)});
+      }
       curves.push_back({{"c", evaluation.place_of(group.configurations[c])},
                         {"label", group.configurations[c]},
                         {"steps", std::move(steps)}});

@@ -38,14 +38,15 @@ std::string standing_row(const Standing& standing) {
 
 /// The orbit reached from rest, from the first record that found it.
 std::string orbit_facts(const Evaluation& evaluation, const std::string& scene) {
-  const auto& records = evaluation.records();
-  const auto found = std::find_if(records.begin(), records.end(), [&](const Record& record) {
-    return record.scene == scene && record.law_matches_scene == true && record.certificate.same_orbit == true;
+  const std::span<const CaseResult> results = evaluation.results_of(scene);
+  const auto found = std::ranges::find_if(results, [](const CaseResult& result) {
+    return result.outcome.law_matches_scene == true && result.outcome.same_orbit == true;
   });
-  if (found == records.end()) return "No record of the orbit reached from rest.";
-  const Certificate& orbit = found->certificate;
+  if (found == results.end()) return "No record of the orbit reached from rest.";
+  const Record record = evaluation.record_of(*found);
+  const Certificate& orbit = record.certificate;
   std::string text = fmt::format("The orbit reached from rest, {}", orbit.orbit.value_or("unnamed"));
-  if (found->period) text += fmt::format(", repeats after {:.6g} s", *found->period);
+  if (record.period) text += fmt::format(", repeats after {:.6g} s", *record.period);
   text += fmt::format("; events per period: {}", orbit.events.size());
   if (orbit.stable) text += *orbit.stable ? "; stable" : "; unstable";
   if (orbit.error_bar) text += fmt::format("; known to {:.1e}", *orbit.error_bar);
@@ -53,9 +54,8 @@ std::string orbit_facts(const Evaluation& evaluation, const std::string& scene) 
 }
 
 std::string law_of_scene(const Evaluation& evaluation, const std::string& scene) {
-  for (const Record& record : evaluation.records()) {
-    if (record.scene == scene && record.scene_law) return law_text(*record.scene_law);
-  }
+  for (const CaseResult& result : evaluation.results_of(scene))
+    if (result.scene->law) return law_text(*result.scene->law);
   return "not recorded";
 }
 

@@ -43,23 +43,23 @@ bool has_start(const Settings& settings) {
   return std::ranges::find(settings, kStartSetting, &OptionSetting::first) != settings.end();
 }
 
-FormPlace place_of(const Record& record) {
-  const bool plain = is_plain(record.settings);
-  const auto additions = std::ssize(record.settings);
-  return {!plain, plain ? additions : -additions, method_label(record.method, record.settings)};
+FormPlace place_of(const CaseChoice& choice) {
+  const bool plain = is_plain(choice.settings);
+  const auto additions = std::ssize(choice.settings);
+  return {!plain, plain ? additions : -additions, choice.resolution};
 }
 
 /// The method with the settings that are numbers: its resolution, and constants that are given.
-std::string level_of(const Record& record) {
-  Settings numbers = record.settings;
+std::string level_of(const CaseChoice& choice) {
+  Settings numbers = choice.settings;
   std::erase_if(numbers, [](const OptionSetting& setting) { return !is_numeric(setting.second); });
-  return method_label(record.method, numbers);
+  return method_label(choice.method, numbers);
 }
 
-void add(const Record& record, Form& form) {
-  form.counts.add(record);
-  if (const Measure error = certified_error(record)) form.errors.push_back(*error);
-  if (claim_of(record) == Claim::certified && record.seconds) form.seconds.push_back(record.seconds->median);
+void add(const CaseResult& result, Form& form) {
+  form.counts.add(result.outcome);
+  if (const Measure error = certified_error(result)) form.errors.push_back(*error);
+  if (claim_of(result.outcome) == Claim::certified && result.seconds) form.seconds.push_back(*result.seconds);
 }
 
 std::vector<Cell> row_of(const FormPlace& place, const Form& form) {
@@ -81,8 +81,9 @@ std::vector<Cell> row_of(const FormPlace& place, const Form& form) {
 
 Sections ablation_sections(const Evaluation& evaluation) {
   std::map<std::string, std::map<FormPlace, Form>> levels;
-  for (const Record& record : evaluation.records()) {
-    if (!has_start(record.settings)) add(record, levels[level_of(record)][place_of(record)]);
+  for (const CaseResult& result : evaluation.results()) {
+    const CaseChoice& choice = *result.choice;
+    if (!has_start(choice.settings)) add(result, levels[level_of(choice)][place_of(choice)]);
   }
   Section section{.id = "ablation", .title = "From the literature's forms to ours"};
   section.text = kText;

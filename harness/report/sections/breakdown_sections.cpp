@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "harness/report/document/cells.hpp"
+#include "harness/report/evaluation/outcome.hpp"
 #include "harness/report/sections/sections.hpp"
 
 namespace signorini {
@@ -24,7 +25,7 @@ using Families = std::map<std::string, std::map<std::size_t, Levels>>;
 
 /// The family level of a study's scene; nothing where the scene is none of a family.
 const std::optional<FamilyLevel>& level_of(const ResolutionStudy& study) {
-  return study.runs.front().record->family;
+  return study.runs.front().result->scene->family;
 }
 
 Families families_of(const Evaluation& evaluation) {
@@ -114,10 +115,11 @@ Section breakdown_section(const Evaluation& evaluation, const Families& families
 Section parameter_section(const Evaluation& evaluation) {
   std::map<std::string, std::string> parameters;             // by family
   std::map<std::string, std::map<int, std::string>> labels;  // and severity
-  for (const Record& record : evaluation.records()) {
-    if (!record.family) continue;
-    parameters[record.family->family] = record.family->parameter;
-    labels[record.family->family][record.family->severity] = level_label(record.family->level);
+  for (const CaseResult& result : evaluation.results()) {
+    const std::optional<FamilyLevel>& family = result.scene->family;
+    if (!family) continue;
+    parameters[family->family] = family->parameter;
+    labels[family->family][family->severity] = level_label(family->level);
   }
   Section section{.id = "families", .title = "Families"};
   section.table.header = {"family", "parameter", "levels, easiest first"};
@@ -134,8 +136,8 @@ Cell condition_cell(const Levels& levels) {
   double largest = 0.0;
   for (const auto& [severity, study] : levels) {
     for (const ScoredRun& run : study->runs) {
-      if (claim_of(*run.record) == Claim::certified)
-        largest = std::max(largest, run.record->condition.value_or(0.0));
+      if (claim_of(run.result->outcome) == Claim::certified)
+        largest = std::max(largest, run.result->condition.value_or(0.0));
     }
   }
   return largest > 0.0 ? Cell(fmt::format("{:.0e}", largest), largest) : Cell("none");

@@ -19,35 +19,38 @@ namespace {
 Cell reached_cell(const Evaluation& evaluation, const ResolutionStudy& study, double error) {
   const CurvePoint point = cost_to_error(study, time_axis(), error);
   if (point.run != nullptr)
-    return {time_text(point.cost), point.cost, evaluation.place_of(*point.run->record)};
+    return {time_text(point.cost), point.cost, evaluation.place_of(*point.run->result)};
   const bool reached = std::any_of(study.runs.begin(), study.runs.end(),
                                    [&](const ScoredRun& run) { return run.error && *run.error <= error; });
   return {reached ? "not timed" : "not reached", kNeverReached};
 }
 
 std::vector<Cell> study_row(const Evaluation& evaluation, const ResolutionStudy& study) {
-  const Record& first = *study.runs.front().record;
-  const std::string law = first.law ? law_text(*first.law) : in_place(first);
+  const CaseResult& first = *study.runs.front().result;
+  const std::string law = first.law != nullptr ? law_text(*first.law) : in_place(first.outcome.status);
   std::vector<Cell> row{study.scene, study.configuration, law,
                         count_cell(solved_runs(study), std::ssize(study.runs))};
   for (const double error : kErrorLevels) row.push_back(reached_cell(evaluation, study, error));
   return row;
 }
 
-Table study_table(const Evaluation& evaluation, bool another_law) {
-  Table table{{"scene", "method", "represents", "solved"}, {}};
-  for (const double error : kErrorLevels) table.header.push_back(fmt::format("{:.0e}", error));
+/// Fills the table of a section with the studies of the scene's law, or of others.
+Section with_studies(const Evaluation& evaluation, bool another_law, Section section) {
+  section.table.header = {"scene", "method", "represents", "solved"};
+  for (const double error : kErrorLevels) section.table.header.push_back(fmt::format("{:.0e}", error));
+  Rows rows(section, "all are in measures.csv");
   for (const ResolutionStudy& study : evaluation.studies()) {
     if ((study.eligibility == Eligibility::another_law) == another_law)
-      table.rows.push_back(study_row(evaluation, study));
+      rows.add([&] { return study_row(evaluation, study); });
   }
-  return table;
+  rows.close();
+  return section;
 }
 
 /// The law that the method represents, marked where it is not the scene's.
 std::string represented_text(const Record& record) {
   if (!record.law) return in_place(record);
-  return law_text(*record.law) + (has_another_law(record) ? " ≠ scene" : "");
+  return law_text(*record.law) + (has_another_law(outcome_of(record)) ? " ≠ scene" : "");
 }
 
 /// Two digits, or why there is none.
@@ -99,14 +102,15 @@ std::string work_text(const Record& record) {
   return claim_of(record) ? "not counted" : in_place(record);
 }
 
-std::vector<Cell> case_row(const Evaluation& evaluation, const Record& record) {
+std::vector<Cell> case_row(const Evaluation& evaluation, const CaseResult& result) {
+  const Record record = evaluation.record_of(result);
   return {
       record.scene,
       record.scene_law ? law_text(*record.scene_law) : "not recorded",
       resolution_of(record),
       represented_text(record),
       std::string(status_name(record.status)),
-      Cell(error_text(record), bounded_error(record).value_or(kNeverReached), evaluation.place_of(record)),
+      Cell(error_text(record), bounded_error(result).value_or(kNeverReached), evaluation.place_of(result)),
       measure_cell(record, record.errors.x_l2_scene),
       force_error_cell(record),
       measure_cell(record, record.physics.penetration),
@@ -133,34 +137,32 @@ polished from each answer and followed by CVODE for a period; where there is non
 method by shooting at tolerance 1e-12. These two methods are judged by related computations: exact-orbit by a second
 evaluation of its orbit, and by CVODE to about 1e-10.)";
 
-/// Why a run did not converge or is not certified; empty for the others.
+/// Why a run did not converge or is not certified.
 std::string remark(const Record& record) {
-  const std::optional<Claim> claim = claim_of(record);
-  if (claim == Claim::certified) return {};
-  const std::string& why = claim == Claim::unproven ? record.certificate.reason : record.message;
+  const std::string& why = claim_of(record) == Claim::unproven ? record.certificate.reason : record.message;
   return why.empty() ? "no message" : why;
 }
 
 }  // namespace
 
 Sections scene_sections(const Evaluation& evaluation) {
-  return {{.id = "scenes",
-           .kind = SectionKind::scenes,
-           .title = "Time to error, scene by scene",
-           .text =
-               "The time of the cheapest run whose error is at most that of the column. Solved: resolutions "
-               "whose answer is certified.",
-           .table = study_table(evaluation, false)}};
+  return {with_studies(
+      evaluation, false,
+      {.id = "scenes",
+       .kind = SectionKind::scenes,
+       .title = "Time to error, scene by scene",
+       .text = "The time of the cheapest run whose error is at most that of the column. Solved: resolutions "
+               "whose answer is certified."})};
 }
 
 Sections other_law_sections(const Evaluation& evaluation) {
-  return {{.id = "other-laws",
-           .kind = SectionKind::scenes,
-           .title = "Methods that represent another law",
-           .text =
-               "They solve another problem than the scene states: errors are those against the motion under "
-               "their own law; they are in no ranking.",
-           .table = study_table(evaluation, true)}};
+  return {with_studies(
+      evaluation, true,
+      {.id = "other-laws",
+       .kind = SectionKind::scenes,
+       .title = "Methods that represent another law",
+       .text = "They solve another problem than the scene states: errors are those against the motion under "
+               "their own law; they are in no ranking."})};
 }
 
 Sections case_sections(const Evaluation& evaluation) {
@@ -181,22 +183,28 @@ Sections case_sections(const Evaluation& evaluation) {
                           "time",
                           "pivots, iterations",
                           "orbit"};
-  for (const Record& record : evaluation.records())
-    section.table.rows.push_back(case_row(evaluation, record));
-  return {section};
+  Rows rows(section, "all are in table.csv");
+  for (const CaseResult& result : evaluation.results())
+    rows.add([&] { return case_row(evaluation, result); });
+  rows.close();
+  return {std::move(section)};
 }
 
 Sections remark_sections(const Evaluation& evaluation) {
   Section section{.id = "otherwise", .kind = SectionKind::remarks, .title = "Failures and other outcomes"};
   section.table.header = {"case", "status", "why"};
-  for (const Record& record : evaluation.records()) {
-    const std::string why = remark(record);
-    if (why.empty()) continue;
-    const bool unproven = claim_of(record) == Claim::unproven;
-    const std::string status = unproven ? "uncertified" : std::string(status_name(record.status));
-    section.table.rows.push_back({record.case_id, status, why});
+  Rows rows(section, "all are in table.csv");
+  for (const CaseResult& result : evaluation.results()) {
+    const std::optional<Claim> claim = claim_of(result.outcome);
+    if (claim == Claim::certified) continue;
+    rows.add([&] {
+      const std::string status =
+          claim == Claim::unproven ? "uncertified" : std::string(status_name(result.outcome.status));
+      return std::vector<Cell>{result.case_id, status, remark(evaluation.record_of(result))};
+    });
   }
-  return {section};
+  rows.close();
+  return {std::move(section)};
 }
 
 }  // namespace signorini

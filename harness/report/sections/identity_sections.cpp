@@ -19,7 +19,7 @@ namespace signorini {
 namespace {
 
 /// Whether every option that both runs have has the same value.
-bool have_equal_options(const Record& a, const Record& b) {
+bool have_equal_options(const CaseChoice& a, const CaseChoice& b) {
   return std::ranges::all_of(a.options, [&](const auto& option) {
     const auto other = std::ranges::find(b.options, option.first, &RecordedOptions::value_type::first);
     return other == b.options.end() || other->second == option.second;
@@ -33,12 +33,12 @@ struct Pairs {
 };
 
 /// |a - b| / max(a, b) of the errors of two certified answers of one orbit.
-void compare(const Record& a, const Record& b, Pairs& pairs) {
+void compare(const CaseResult& a, const CaseResult& b, Pairs& pairs) {
   ++pairs.cases;
   const Measure of_a = certified_error(a), of_b = certified_error(b);
   if (!of_a || !of_b) {
     pairs.one_alone += of_a || of_b ? 1 : 0;
-  } else if (a.certificate.orbit != b.certificate.orbit) {
+  } else if (a.orbit != b.orbit) {
     ++pairs.other_orbits;
   } else {
     const double larger = std::max(*of_a, *of_b);
@@ -55,11 +55,12 @@ Cell difference_cell(const Pairs& pairs, double difference) {
 
 Sections identity_sections(const Evaluation& evaluation) {
   std::map<std::pair<std::string, std::string>, Pairs> found;  // by configuration
-  for (const Record& a : evaluation.records()) {
-    if (a.same_equations_as.empty() || a.status == Status::not_applicable) continue;
-    for (const Record& b : evaluation.records()) {
-      if (b.scene == a.scene && b.method == a.same_equations_as && have_equal_options(a, b))
-        compare(a, b, found[{configuration_of(a), configuration_of(b)}]);
+  for (const CaseResult& a : evaluation.results()) {
+    const std::string& same = a.choice->same_equations_as;
+    if (same.empty() || a.outcome.status == Status::not_applicable) continue;
+    for (const CaseResult& b : evaluation.results_of(a.scene->name)) {
+      if (b.choice->method == same && have_equal_options(*a.choice, *b.choice))
+        compare(a, b, found[{a.choice->configuration, b.choice->configuration}]);
     }
   }
   Section section{.id = "equal-equations", .title = "Equal equations"};

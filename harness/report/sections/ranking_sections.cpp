@@ -28,9 +28,9 @@ std::string error_title(double error) { return fmt::format("{:.0e}", error); }
 /// "rigid stop (e = 1), spring, 8 scenes".
 std::string contest_title(const Evaluation& evaluation, const RankingGroup& group) {
   std::set<SceneKind> kinds;
-  for (const Record& record : evaluation.records()) {
-    if (std::ranges::count(group.scenes, record.scene) == 0) continue;
-    if (const std::optional<SceneKind> kind = kind_of(record)) kinds.insert(*kind);
+  for (const std::string& scene : group.scenes) {
+    for (const CaseResult& result : evaluation.results_of(scene))
+      if (const std::optional<SceneKind> kind = kind_of(*result.scene)) kinds.insert(*kind);
   }
   std::string title;
   for (const SceneKind kind : kinds) {
@@ -58,7 +58,7 @@ std::string contestants_text(const Evaluation& evaluation, const RankingGroup& g
 /// Whether any run of a group has a time: runs of a build that may not be timed have none, and cannot be
 /// ranked.
 bool is_timed(const RankingGroup& group) {
-  const auto timed = [](const ScoredRun& run) { return run.record->seconds.has_value(); };
+  const auto timed = [](const ScoredRun& run) { return run.result->seconds.has_value(); };
   for (const std::vector<const ResolutionStudy*>& row : group.studies) {
     for (const ResolutionStudy* study : row) {
       if (std::any_of(study->runs.begin(), study->runs.end(), timed)) return true;
@@ -94,7 +94,7 @@ Cell reached_cell(const std::vector<double>& costs) {
 
 std::ptrdiff_t runs_on_another_orbit(const std::vector<const ResolutionStudy*>& studies) {
   const auto on_another = [](const ScoredRun& run) {
-    return run.record->status == Status::converged && run.record->certificate.same_orbit == false;
+    return run.result->outcome.status == Status::converged && run.result->outcome.same_orbit == false;
   };
   std::ptrdiff_t runs = 0;
   for (const ResolutionStudy* study : studies) runs += std::ranges::count_if(study->runs, on_another);
@@ -160,7 +160,7 @@ Cell work_cell(const std::vector<const ResolutionStudy*>& studies, const CostAxi
   for (const ResolutionStudy* study : studies) {
     costs.push_back(cost_to_error(*study, axis, error).cost);
     counted = counted || std::any_of(study->runs.begin(), study->runs.end(), [&](const ScoredRun& run) {
-                return axis.cost(*run.record).has_value();
+                return axis.cost(*run.result).has_value();
               });
   }
   if (!counted) return {"not counted", kNeverReached};

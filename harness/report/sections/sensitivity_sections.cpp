@@ -23,10 +23,10 @@ namespace {
 /// A method with all its settings but one: "fourier-lipschitz[harmonics=40]", and the key of that one.
 using Varied = std::pair<std::string, std::string>;
 
-/// Records by the value of the varied option, values in the order in which they ran.
+/// Results by the value of the varied option, values in the order in which they ran.
 struct Variation {
   std::vector<std::string> values = {};
-  std::map<std::string, std::vector<const Record*>> records = {};
+  std::map<std::string, std::vector<const CaseResult*>> results = {};
 };
 
 constexpr std::size_t kFewestValues = 3;
@@ -35,35 +35,37 @@ constexpr std::size_t kFewestValues = 3;
 /// resolution.
 std::map<Varied, Variation> variations_of(const Evaluation& evaluation) {
   std::map<Varied, Variation> variations;
-  for (const Record& record : evaluation.records()) {
-    for (std::size_t varied = 0; varied < record.settings.size(); ++varied) {
-      Settings others = record.settings;
+  for (const CaseResult& result : evaluation.results()) {
+    const CaseChoice& choice = *result.choice;
+    for (std::size_t varied = 0; varied < choice.settings.size(); ++varied) {
+      Settings others = choice.settings;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(varied));
       const auto numeric = [](const OptionSetting& setting) { return is_numeric(setting.second); };
       if (std::none_of(others.begin(), others.end(), numeric)) continue;
-      const auto& [option, value] = record.settings[varied];
-      Variation& variation = variations[{method_label(record.method, others), option}];
-      std::vector<const Record*>& records = variation.records[value];
-      if (records.empty()) variation.values.push_back(value);
-      records.push_back(&record);
+      const auto& [option, value] = choice.settings[varied];
+      Variation& variation = variations[{method_label(choice.method, others), option}];
+      std::vector<const CaseResult*>& results = variation.results[value];
+      if (results.empty()) variation.values.push_back(value);
+      results.push_back(&result);
     }
   }
   return variations;
 }
 
-/// The record of a scene; null if there is none.
-const Record* record_of(const std::vector<const Record*>& records, const std::string& scene) {
-  const auto found = std::ranges::find(records, scene, &Record::scene);
-  return found == records.end() ? nullptr : *found;
+/// The results by scene, of several the first.
+std::map<std::string_view, const CaseResult*> by_scene(const std::vector<const CaseResult*>& results) {
+  std::map<std::string_view, const CaseResult*> scenes;
+  for (const CaseResult* result : results) scenes.try_emplace(result->scene->name, result);
+  return scenes;
 }
 
 /// The error of x with a switch off over that with it on; empty unless both answers are certified, of the
 /// same orbit, and neither error is below what is known of that.
-std::optional<double> gain_of(const Record& off, const Record& on) {
-  const auto known = [](const Record& record) {
-    return certified_error(record).value_or(0.0) > measurable_error(record);
+std::optional<double> gain_of(const CaseResult& off, const CaseResult& on) {
+  const auto known = [](const CaseResult& result) {
+    return certified_error(result).value_or(0.0) > result.measurable;
   };
-  if (!known(off) || !known(on) || off.certificate.orbit != on.certificate.orbit) return std::nullopt;
+  if (!known(off) || !known(on) || off.orbit != on.orbit) return std::nullopt;
   return *certified_error(off) / *certified_error(on);
 }
 
@@ -91,12 +93,13 @@ struct Results {
   std::vector<double> errors = {};  ///< of applicable cases of the scene's law, infinite where not solved
 };
 
-Results results_of(const std::vector<const Record*>& records) {
+Results results_of(const std::vector<const CaseResult*>& cases) {
   Results results;
-  for (const Record* record : records) {
-    if (record->status == Status::not_applicable) continue;
-    results.counts.add(*record);
-    if (!has_another_law(*record)) results.errors.push_back(certified_error(*record).value_or(kNeverReached));
+  for (const CaseResult* one : cases) {
+    if (one->outcome.status == Status::not_applicable) continue;
+    results.counts.add(one->outcome);
+    if (!has_another_law(one->outcome))
+      results.errors.push_back(certified_error(*one).value_or(kNeverReached));
   }
   return results;
 }
@@ -122,7 +125,7 @@ Sections sensitivity_sections(const Evaluation& evaluation) {
   for (const auto& [varied, variation] : variations_of(evaluation)) {
     if (variation.values.size() < kFewestValues) continue;
     for (const std::string& value : in_order(variation.values)) {
-      const auto& [counts, errors] = results_of(variation.records.at(value));
+      const auto& [counts, errors] = results_of(variation.results.at(value));
       if (counts.cases == 0) continue;
       section.table.rows.push_back({varied.first, varied.second, value,
                                     count_cell(counts.solved, counts.own_law()),
@@ -145,20 +148,28 @@ Sections switch_sections(const Evaluation& evaluation) {
       "least gain", "median gain", "largest gain"};
   Section scenes{.id = "switches-scenes", .title = "One switch off and on, scene by scene"};
   scenes.table.header = {"scene", "method", "switch", "error of x, off", "error of x, on", "gain"};
+  Rows rows(scenes, "what the others say is in table.csv");
   for (const auto& [varied, variation] : variations_of(evaluation)) {
-    const auto& records = variation.records;
-    if (records.size() != 2 || !records.contains("false") || !records.contains("true")) continue;
+    const auto& results = variation.results;
+    if (results.size() != 2 || !results.contains("false") || !results.contains("true")) continue;
     std::vector<double> gains;
-    for (const Record* off : records.at("false")) {
-      const Record* on = record_of(records.at("true"), off->scene);
-      if (on == nullptr || off->status == Status::not_applicable) continue;
-      const std::optional<double> gain = gain_of(*off, *on);
+    const auto switched_on = by_scene(results.at("true"));
+    for (const CaseResult* off : results.at("false")) {
+      const auto on = switched_on.find(off->scene->name);
+      if (on == switched_on.end() || off->outcome.status == Status::not_applicable) continue;
+      const std::optional<double> gain = gain_of(*off, *on->second);
       if (gain) gains.push_back(*gain);
-      scenes.table.rows.push_back({off->scene, varied.first, varied.second, error_text(*off), error_text(*on),
-                                   gain ? gain_cell(*gain) : Cell("none")});
+      rows.add([&] {
+        return std::vector<Cell>{off->scene->name,
+                                 varied.first,
+                                 varied.second,
+                                 error_text(evaluation.record_of(*off)),
+                                 error_text(evaluation.record_of(*on->second)),
+                                 gain ? gain_cell(*gain) : Cell("none")};
+      });
     }
-    const OutcomeCounts off = results_of(records.at("false")).counts,
-                        on = results_of(records.at("true")).counts;
+    const OutcomeCounts off = results_of(results.at("false")).counts,
+                        on = results_of(results.at("true")).counts;
     std::vector<Cell> row{varied.first, varied.second, count_cell(on.cases), count_cell(off.solved),
                           count_cell(on.solved)};
     if (gains.empty()) {
@@ -169,6 +180,7 @@ Sections switch_sections(const Evaluation& evaluation) {
     }
     summary.table.rows.push_back(std::move(row));
   }
+  rows.close();
   return {std::move(summary), std::move(scenes)};
 }
 
@@ -177,12 +189,12 @@ Sections repeat_sections(const Evaluation& evaluation) {
     int cases = 0, identical = 0, solves = 0;
   };
   std::map<std::string, Tally> tallies;
-  for (const Record& record : evaluation.records()) {
-    if (!record.repeats) continue;
-    Tally& tally = tallies[record.method];
+  for (const CaseResult& result : evaluation.results()) {
+    if (!result.repeats) continue;
+    Tally& tally = tallies[result.choice->method];
     ++tally.cases;
-    tally.solves += record.repeats->solves;
-    tally.identical += record.repeats->identical == record.repeats->solves ? 1 : 0;
+    tally.solves += result.repeats->solves;
+    tally.identical += result.repeats->identical == result.repeats->solves ? 1 : 0;
   }
   Section section{.id = "repeats", .kind = SectionKind::origin, .title = "Repeated solves"};
   section.text =

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <string_view>
 
 #include "harness/plan/case_name.hpp"
 #include "harness/report/document/cells.hpp"
@@ -45,13 +46,13 @@ Cell other_law_cell(const Account& account) {
 }
 
 /// The error of the impulse, but not below what is known of the orbit.
-Measure bounded_impulse_error(const Record& record) {
-  const Measure error = record.errors.impulse;
-  return error ? std::max(*error, measurable_error(record)) : error;
+Measure bounded_impulse_error(const CaseResult& result) {
+  const Measure& error = result.impulse_error;
+  return error ? std::max(*error, result.measurable) : error;
 }
 
 /// Counts a scene with its certified answer, null if there is none; without errors if the law is another.
-void add_scene(bool another_law, const Record* certified, Account& account) {
+void add_scene(bool another_law, const CaseResult* certified, Account& account) {
   ++(another_law ? account.other : account.own);
   if (certified != nullptr) ++(another_law ? account.other_solved : account.solved);
   if (another_law) return;
@@ -63,12 +64,14 @@ void add_scene(bool another_law, const Record* certified, Account& account) {
 }
 
 /// The most accurate of the certified runs; null if there is none.
-const Record* best_of(const ResolutionStudy& study) {
-  const Record* best = nullptr;
-  const auto error_of = [](const Record& record) { return bounded_error(record).value_or(kNeverReached); };
+const CaseResult* best_of(const ResolutionStudy& study) {
+  const CaseResult* best = nullptr;
+  const auto error_of = [](const CaseResult& result) {
+    return bounded_error(result).value_or(kNeverReached);
+  };
   for (const ScoredRun& run : study.runs) {
-    if (claim_of(*run.record) != Claim::certified) continue;
-    if (best == nullptr || error_of(*run.record) < error_of(*best)) best = run.record;
+    if (claim_of(run.result->outcome) != Claim::certified) continue;
+    if (best == nullptr || error_of(*run.result) < error_of(*best)) best = run.result;
   }
   return best;
 }
@@ -118,28 +121,29 @@ Medians take failures as infinite. Methods of other laws have other scenes, so t
 equal error and on equal scenes is in the sections on time to error.)";
 
 /// Time of a certified answer; infinite for any other.
-double solved_time(const Record& record) {
-  return is_solved(record) && record.seconds ? record.seconds->median : kNeverReached;
+double solved_time(const CaseResult& result) {
+  return is_solved(result.outcome) ? result.seconds.value_or(kNeverReached) : kNeverReached;
 }
 
 /// By name of the resolution, in natural order.
 std::vector<std::pair<std::string, Account>> accounts_by_resolution(const Evaluation& evaluation) {
-  std::map<std::string, double> baseline;  // by scene
-  for (const Record& r : evaluation.records()) {
-    if (resolution_of(r) == kTimeBaseline && std::isfinite(solved_time(r)))
-      baseline[r.scene] = solved_time(r);
+  std::map<std::string_view, double> baseline;  // by scene
+  for (const CaseResult& r : evaluation.results()) {
+    if (r.choice->resolution == kTimeBaseline && std::isfinite(solved_time(r)))
+      baseline[r.scene->name] = solved_time(r);
   }
   std::vector<std::pair<std::string, Account>> result;
   std::map<std::string, std::size_t> places;
-  for (const Record& r : evaluation.records()) {
-    if (r.status == Status::not_applicable || evaluation.is_repeated(r)) continue;
-    const auto [place, fresh] = places.try_emplace(resolution_of(r), result.size());
+  for (const CaseResult& r : evaluation.results()) {
+    if (r.outcome.status == Status::not_applicable || evaluation.is_repeated(r)) continue;
+    const auto [place, fresh] = places.try_emplace(r.choice->resolution, result.size());
     if (fresh) result.push_back({place->first, {}});
     Account& account = result[place->second].second;
-    add_scene(has_another_law(r), claim_of(r) == Claim::certified ? &r : nullptr, account);
-    if (has_another_law(r)) continue;
+    const bool another_law = has_another_law(r.outcome);
+    add_scene(another_law, claim_of(r.outcome) == Claim::certified ? &r : nullptr, account);
+    if (another_law) continue;
     account.seconds.push_back(solved_time(r));
-    if (const auto found = baseline.find(r.scene); found != baseline.end())
+    if (const auto found = baseline.find(r.scene->name); found != baseline.end())
       account.ratios.push_back(solved_time(r) / found->second);
   }
   std::ranges::stable_sort(result, natural_less, &std::pair<std::string, Account>::first);
@@ -176,8 +180,8 @@ Sections summary_sections(const Evaluation& evaluation) {
 
 Sections outcome_sections(const Evaluation& evaluation) {
   std::vector<OutcomeCounts> counts(evaluation.configurations().size());
-  for (const Record& record : evaluation.records())
-    counts[evaluation.place_of(configuration_of(record))].add(record);
+  for (const CaseResult& result : evaluation.results())
+    counts[evaluation.place_of(result.choice->configuration)].add(result.outcome);
   Section section{.id = "outcomes", .title = "Outcomes of every run"};
   section.text = kOutcomesText;
   section.table.header = {"method",    "runs",     "not applicable", "failed",       "says converged",

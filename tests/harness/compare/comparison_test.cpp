@@ -24,8 +24,8 @@ class Machine {
  public:
   explicit Machine(unsigned seed) : random_(seed) {}
 
-  RunFolder run(int rounds = 3, const Slowdown& slowdown = {}) {
-    RunFolder folder{.manifest = {{"machine", {{"cpu", "x"}}}, {"times_comparable", true}}};
+  WholeRun run(int rounds = 3, const Slowdown& slowdown = {}) {
+    WholeRun whole{.folder = {.manifest = {{"machine", {{"cpu", "x"}}}, {"times_comparable", true}}}};
     const double drift = 1.0 + 0.01 * normal_(random_);
     for (int scene = 0; scene < 36; ++scene) {
       for (int level = 0; level < 17; ++level) {
@@ -34,10 +34,10 @@ class Machine {
                                           fmt::format("n={}", level), 1e-3, seconds);
         const double factor = drift * (slowdown ? slowdown(record) : 1.0);
         record.seconds = measured(factor * seconds, rounds);
-        folder.records.push_back(std::move(record));
+        whole.records.push_back(std::move(record));
       }
     }
-    return folder;
+    return whole;
   }
 
  private:
@@ -117,13 +117,14 @@ TEST(CompareRuns, SeesAProgramThatIsTwentyPercentFaster) {
   EXPECT_FALSE(has_regression(comparison));
 }
 
-RunFolder run_of(std::vector<Record> records) {
-  return {.path = "run", .manifest = {{"machine", {{"cpu", "x"}}}}, .records = std::move(records)};
+WholeRun run_of(std::vector<Record> records) {
+  return {.folder = {.path = "run", .manifest = {{"machine", {{"cpu", "x"}}}}},
+          .records = std::move(records)};
 }
 
 Comparison after(const std::function<void(Record&)>& spoil) {
   Record record = test::good_record("s", "m", "n=1", 1e-3, 0.1);
-  const RunFolder before = run_of({record});
+  const WholeRun before = run_of({record});
   spoil(record);
   return compare_runs(before, run_of({record}));
 }
@@ -154,9 +155,9 @@ TEST(CompareRuns, CountsARecordThatIsGoneAsBroken) {
 TEST(CompareRuns, ComparesNoTimesOfDifferentMachinesOrOfCasesSideBySide) {
   const Record fast = test::good_record("s", "m", "n=1", 1e-3, 0.1);
   Record slow = test::good_record("s", "m", "n=1", 1e-3, 10.0);
-  RunFolder other = run_of({slow});
+  WholeRun other = run_of({slow});
   EXPECT_EQ(compare_runs(run_of({fast}), other).timed, 1U);
-  other.manifest["machine"]["cpu"] = "y";
+  other.folder.manifest["machine"]["cpu"] = "y";
   EXPECT_EQ(compare_runs(run_of({fast}), other).timed, 0U);
   EXPECT_EQ(compare_runs(run_of({fast}), other).remarks.size(), 1U);
   slow.seconds->jobs = 2;

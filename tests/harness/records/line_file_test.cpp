@@ -17,18 +17,48 @@ TEST(ReadLines, TakeWholeLinesInOrderAndLeaveOutATornOne) {
   const test::TemporaryFolder folder;
   const auto file = folder.write("lines", "one\n\ntwo\nthr");
   std::vector<std::string> lines;
-  const std::size_t bytes = read_lines(
-      file, [&](const std::string& line) { lines.push_back(line); }, "it comes again");
+  const std::uint64_t bytes = read_lines(
+      file, [&](const Line& line) { lines.emplace_back(line.text); }, "it comes again");
   EXPECT_EQ(lines, (std::vector<std::string>{"one", "two"}));
   EXPECT_EQ(bytes, std::string("one\n\ntwo\n").size());
+}
+
+TEST(ReadLines, TakeLinesThatAreLongerThanABlock) {
+  const test::TemporaryFolder folder;
+  const std::vector<std::string> written{std::string(700'000, 'a'), "b", std::string(300'000, 'c'), "d"};
+  std::string text;
+  for (const std::string& line : written) text += line + "\n";
+  const auto file = folder.write("lines", text);
+  std::vector<std::string> lines;
+  std::vector<LinePlace> places;
+  const auto take = [&](const Line& line) {
+    lines.emplace_back(line.text);
+    places.push_back(line.place);
+  };
+  EXPECT_EQ(read_lines(file, take, "it comes again"), text.size());
+  EXPECT_EQ(lines, written);
+  const StoredLines stored(file);
+  for (std::size_t i = written.size(); i-- > 0;) EXPECT_EQ(stored.at(places[i]), written[i]);
+  EXPECT_THROW((void)stored.at({.begin = text.size() - 1, .size = 2}), UsageError);
+}
+
+TEST(ReadLines, LeaveOutALineThatNoMemoryShouldHold) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("lines", "one\n" + std::string(kLongestLine + 1, 'x') + "\ntwo\n");
+  std::vector<std::string> lines;
+  testing::internal::CaptureStderr();
+  (void)read_lines(
+      file, [&](const Line& line) { lines.emplace_back(line.text); }, "it comes again");
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("lines:2: line = 67108865 bytes"), std::string::npos);
+  EXPECT_EQ(lines, (std::vector<std::string>{"one", "two"}));
 }
 
 TEST(ReadLines, WarnOfALineThatIsRefusedAndGoOn) {
   const test::TemporaryFolder folder;
   const auto file = folder.write("lines", "one\nbad\ntwo\n");
   int taken = 0;
-  const auto take = [&](const std::string& line) {
-    if (line == "bad") throw BadRecord("line = bad\x1b (must be good)");
+  const auto take = [&](const Line& line) {
+    if (line.text == "bad") throw BadRecord("line = bad\x1b (must be good)");
     ++taken;
   };
   testing::internal::CaptureStderr();

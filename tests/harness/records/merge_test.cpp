@@ -29,7 +29,7 @@ TEST(MergeRuns, DoesNotDependOnTheOrderOfTheParts) {
   const std::vector<RunFolder> reversed{parts[1], parts[0]};
   const auto ids = [](const RunFolder& run) {
     std::vector<std::string> found;
-    for (const Record& record : run.records) found.push_back(record.case_id);
+    for (const RecordEntry& record : run.records) found.push_back(record.case_id);
     return found;
   };
   EXPECT_EQ(ids(merge_runs(parts)), ids(merge_runs(reversed)));

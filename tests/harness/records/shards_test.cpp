@@ -55,9 +55,9 @@ TEST(TakeShard, IsEmptyWhereThereAreFewerScenesThanParts) {
 
 TEST(TakeShard, PutsALongSceneAloneWherePastDurationsAreKnown) {
   const Plan plan = plan_of_scenes(5);
-  std::vector<Record> records;
+  std::vector<RecordEntry> records;
   for (const Case& run : plan.cases) {
-    records.push_back(Record{.case_id = run.id, .method = std::string(run.choice.entry->name)});
+    records.push_back(RecordEntry{.case_id = run.id, .method = std::string(run.choice.entry->name)});
     records.back().elapsed = run.scene == 3 ? 100.0 : 1.0;
   }
   const Durations durations(records);
@@ -67,9 +67,9 @@ TEST(TakeShard, PutsALongSceneAloneWherePastDurationsAreKnown) {
 }
 
 TEST(Durations, FallBackToTheMeanOfTheMethodThenOfAll) {
-  std::vector<Record> records{Record{.case_id = "s/m[n=1]", .method = "m"},
-                              Record{.case_id = "s/m[n=2]", .method = "m"},
-                              Record{.case_id = "s/k", .method = "k"}};
+  std::vector<RecordEntry> records{RecordEntry{.case_id = "s/m[n=1]", .method = "m"},
+                                   RecordEntry{.case_id = "s/m[n=2]", .method = "m"},
+                                   RecordEntry{.case_id = "s/k", .method = "k"}};
   records[0].elapsed = 1.0;
   records[1].elapsed = 3.0;
   records[2].elapsed = 8.0;

@@ -95,12 +95,12 @@ TEST(MarkdownReport, IsTheSameWhateverTheOrderOfTheRecords) {
   records.push_back(test::good_record("scene-b", "method-b", "n=10", 0.1, 1.0));
   records.push_back(test::good_record("scene-b", "method-b", "n=9", 0.1, 1.0));
   const std::string markdown = markdown_of(records);
-  const std::string csv = csv_report(Evaluation(records));
+  const std::string csv = test::csv_text(Evaluation(records));
   std::mt19937 random(7);
   for (int i = 0; i < 10; ++i) {
     std::shuffle(records.begin(), records.end(), random);
     EXPECT_EQ(markdown_of(records), markdown);
-    EXPECT_EQ(csv_report(Evaluation(records)), csv);
+    EXPECT_EQ(test::csv_text(Evaluation(records)), csv);
   }
   EXPECT_LT(markdown.find("n=9]"), markdown.find("n=10]"));
 }

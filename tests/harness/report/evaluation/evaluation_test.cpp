@@ -3,7 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
 
+#include "harness/records/record_json.hpp"
+#include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini {
@@ -21,7 +26,7 @@ TEST(Evaluation, SortsRecordsBySceneMethodAndCaseInNaturalOrder) {
   do {
     const Evaluation evaluation(records);
     Names ids;
-    for (const Record& record : evaluation.records()) ids.push_back(record.case_id);
+    for (const CaseResult& result : evaluation.results()) ids.push_back(result.case_id);
     EXPECT_EQ(ids, expected);
     EXPECT_EQ(evaluation.scenes(), (Names{"s9", "s10"}));
     EXPECT_EQ(evaluation.configurations(), (Names{"a", "b"}));
@@ -29,10 +34,10 @@ TEST(Evaluation, SortsRecordsBySceneMethodAndCaseInNaturalOrder) {
                                  [](const Record& a, const Record& b) { return a.case_id < b.case_id; }));
 }
 
-TEST(Evaluation, KnowsThePlacesOfItsRecordsAndConfigurations) {
+TEST(Evaluation, KnowsThePlacesOfItsResultsAndConfigurations) {
   const Evaluation evaluation(test::records_of_two_methods(), {.timeout = 12.0});
-  for (std::size_t i = 0; i < evaluation.records().size(); ++i)
-    EXPECT_EQ(evaluation.place_of(evaluation.records()[i]), i);
+  for (std::size_t i = 0; i < evaluation.results().size(); ++i)
+    EXPECT_EQ(evaluation.place_of(evaluation.results()[i]), i);
   EXPECT_EQ(evaluation.place_of("a"), 0U);
   EXPECT_EQ(evaluation.place_of("b"), 1U);
   EXPECT_EQ(evaluation.time_limit(), 12.0);
@@ -50,17 +55,52 @@ TEST(Evaluation, CountsAStudyElsewhereOnlyIfAllItsRunsDo) {
   EXPECT_FALSE(repeated(0)) << "a on s1: the first";
   EXPECT_TRUE(repeated(2)) << "a on s2";
   EXPECT_FALSE(repeated(3)) << "b on s2 at n=2 is not known to be the same";
-  EXPECT_TRUE(evaluation.is_repeated(*evaluation.studies()[3].runs[0].record));
+  EXPECT_TRUE(evaluation.is_repeated(*evaluation.studies()[3].runs[0].result));
 }
 
-TEST(Evaluation, PointsIntoItsOwnRecords) {
+TEST(Evaluation, PointsIntoItsOwnResults) {
   const Evaluation evaluation(test::records_of_two_methods());
   ASSERT_EQ(evaluation.studies().size(), 4U);
   for (const ResolutionStudy& study : evaluation.studies()) {
-    for (const ScoredRun& run : study.runs) EXPECT_LT(evaluation.place_of(*run.record), 8U);
+    for (const ScoredRun& run : study.runs) EXPECT_LT(evaluation.place_of(*run.result), 8U);
   }
   ASSERT_EQ(evaluation.groups().size(), 1U);
   EXPECT_EQ(evaluation.groups()[0].studies[0][0], &evaluation.studies()[0]);
+}
+
+TEST(Evaluation, HasResultsStudiesAndWholeRecordsOfAScene) {
+  const std::vector<Record> records = test::records_of_two_methods();
+  const Evaluation evaluation(records);
+  ASSERT_EQ(evaluation.results_of("s2").size(), 4U);
+  ASSERT_EQ(evaluation.studies_of("s2").size(), 2U);
+  EXPECT_TRUE(evaluation.results_of("s3").empty());
+  EXPECT_TRUE(evaluation.studies_of("s3").empty());
+  for (const CaseResult& result : evaluation.results_of("s2")) {
+    EXPECT_EQ(result.scene->name, "s2");
+    EXPECT_EQ(evaluation.record_of(result).case_id, result.case_id);
+  }
+}
+
+TEST(EvaluationOfRun, ReadsWholeRecordsAgainWhereTheyStand) {
+  const auto folder = test::fresh_folder("evaluation");
+  std::vector<Record> records = test::records_of_two_methods();
+  std::mt19937 random(5);
+  std::shuffle(records.begin(), records.end(), random);
+  Record older = records[3];
+  older.message = "replaced";
+  {
+    std::ofstream lines(folder / "records.jsonl");
+    lines << json_line(to_json(older)) << "\n";
+    for (const Record& record : records) lines << json_line(to_json(record)) << "\n";
+  }
+  const Evaluation evaluation = evaluation_of_run(folder, {.timeout = 3.0});
+  const Evaluation in_memory(records);
+  ASSERT_EQ(evaluation.results().size(), records.size());
+  EXPECT_EQ(evaluation.time_limit(), 3.0);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    EXPECT_EQ(json_line(to_json(evaluation.record_of(evaluation.results()[i]))),
+              json_line(to_json(in_memory.record_of(in_memory.results()[i]))));
+  }
 }
 
 }  // namespace

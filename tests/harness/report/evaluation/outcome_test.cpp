@@ -10,22 +10,24 @@ namespace {
 TEST(CertifiedError, IsThatOfXOrOfUAndNeverBelowTenErrorBars) {
   Record record = test::good_record("s", "m", "n=1", 1e-15, 1.0);
   record.certificate.error_bar = 1e-12;
-  EXPECT_EQ(recorded_error(record), 1e-15);
-  EXPECT_DOUBLE_EQ(certified_error(record).value(), 1e-11);
+  const auto bounded = [&] { return bounded_error(test::results_of({record}).all[0]); };
+  const auto certified = [&] { return certified_error(test::results_of({record}).all[0]); };
+  EXPECT_EQ(test::results_of({record}).all[0].error, 1e-15);
+  EXPECT_DOUBLE_EQ(certified().value(), 1e-11);
   record.errors = {.u_l2 = 0.5};
-  EXPECT_EQ(certified_error(record), 0.5);
+  EXPECT_EQ(certified(), 0.5);
   record.status = Status::inaccurate;
-  EXPECT_EQ(bounded_error(record), 0.5);
-  EXPECT_FALSE(certified_error(record).has_value());
+  EXPECT_EQ(bounded(), 0.5);
+  EXPECT_FALSE(certified().has_value());
   record.errors = {};
-  EXPECT_FALSE(bounded_error(record).has_value());
+  EXPECT_FALSE(bounded().has_value());
 }
 
 TEST(OutcomeCounts, HoldEveryCaseOnce) {
   OutcomeCounts counts;
   int answers = 0;
   for (const Record& record : test::records_of_every_status()) {
-    counts.add(record);
+    counts.add(outcome_of(record));
     answers += claim_of(record) ? 1 : 0;
   }
   EXPECT_EQ(answers, counts.claims());
@@ -43,25 +45,25 @@ TEST(OutcomeCounts, HoldEveryCaseOnce) {
 
 TEST(IsSolved, AsksForACertificateUnderTheLawOfTheSceneOnAnyOrbit) {
   Record record = test::good_record("s", "m", "n=1", 0.01, 1.0);
-  EXPECT_TRUE(is_solved(record));
+  EXPECT_TRUE(is_solved(outcome_of(record)));
   record.certificate.same_orbit = false;
-  EXPECT_TRUE(is_solved(record)) << "another orbit of the scene";
+  EXPECT_TRUE(is_solved(outcome_of(record))) << "another orbit of the scene";
   record.law_matches_scene = false;
-  EXPECT_FALSE(is_solved(record)) << "another problem";
+  EXPECT_FALSE(is_solved(outcome_of(record))) << "another problem";
   record.law_matches_scene = true;
   record.certificate.status = CertificateStatus::uncertified;
-  EXPECT_FALSE(is_solved(record)) << "unproven";
+  EXPECT_FALSE(is_solved(outcome_of(record))) << "unproven";
 }
 
 TEST(OutcomeCounts, KeepWhatIsSolvedUnderAnotherLawApart) {
   OutcomeCounts counts;
   Record record = test::good_record("s", "m", "n=1", 0.01, 1.0);
-  counts.add(record);
+  counts.add(outcome_of(record));
   record.law_matches_scene = false;
-  counts.add(record);
-  counts.add(record);
+  counts.add(outcome_of(record));
+  counts.add(outcome_of(record));
   record.status = Status::timeout;
-  counts.add(record);
+  counts.add(outcome_of(record));
   EXPECT_EQ(counts.certified, 3);
   EXPECT_EQ(counts.solved, 1);
   EXPECT_EQ(counts.own_law(), 1);
@@ -77,9 +79,10 @@ TEST(RepeatedProblems, CountOncePerMethodAndForTheSceneThatStatesThem) {
   for (Record& record : records) record.problem = "0123456789abcdef";
   for (const std::size_t i : {0U, 4U, 5U}) records[i].law_matches_scene = false;
   records[5].problem = "fedcba9876543210";
-  EXPECT_EQ(repeated_problems(records), (std::vector<bool>{true, false, false, false, true, false}));
+  EXPECT_EQ(repeated_problems(test::results_of(records).all),
+            (std::vector<bool>{true, false, false, false, true, false}));
   for (Record& record : records) record.problem.clear();  // as in records of earlier versions
-  EXPECT_EQ(repeated_problems(records), std::vector<bool>(6, false));
+  EXPECT_EQ(repeated_problems(test::results_of(records).all), std::vector<bool>(6, false));
 }
 
 }  // namespace

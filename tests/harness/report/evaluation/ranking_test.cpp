@@ -105,7 +105,8 @@ std::vector<Record> three_scenes() {
 
 TEST(RankingGroups, NeverRankAMethodWithThoseThatSolveAnotherLaw) {
   const std::vector<Record> records = three_scenes();
-  const std::vector<ResolutionStudy> studies = resolution_studies(records);
+  const CaseResults results = test::results_of(records);
+  const std::vector<ResolutionStudy> studies = resolution_studies(results.all);
   const std::vector<RankingGroup> groups = ranking_groups(studies);
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0].scenes, (Names{"s1", "s2"}));
@@ -119,7 +120,8 @@ TEST(RankingGroups, CountWhatDoesNotApplyAsUnsolvedUnlessItAppliesNowhere) {
   records[7].law_matches_scene = true;
   records[1].status = Status::not_applicable;  // b on s1
   for (const std::size_t c : {2U, 5U, 8U}) records[c].status = Status::not_applicable;
-  const std::vector<ResolutionStudy> studies = resolution_studies(records);
+  const CaseResults results = test::results_of(records);
+  const std::vector<ResolutionStudy> studies = resolution_studies(results.all);
   const std::vector<RankingGroup> groups = ranking_groups(studies);
   ASSERT_EQ(groups.size(), 1U);
   EXPECT_EQ(groups[0].configurations, (Names{"a", "b"}));
@@ -130,7 +132,8 @@ TEST(RankingGroups, CountWhatDoesNotApplyAsUnsolvedUnlessItAppliesNowhere) {
 TEST(RankingGroups, KeepScenesThatNobodySolves) {
   std::vector<Record> records = three_scenes();
   for (const std::size_t i : {0U, 1U, 2U}) records[i].status = Status::timeout;
-  const std::vector<ResolutionStudy> studies = resolution_studies(records);
+  const CaseResults results = test::results_of(records);
+  const std::vector<ResolutionStudy> studies = resolution_studies(results.all);
   EXPECT_EQ(ranking_groups(studies)[0].scenes, (Names{"s1", "s2"}));
 }
 

@@ -7,43 +7,32 @@
 namespace signorini {
 namespace {
 
-Record run(const std::string& case_id) {
-  const CaseName name = parse_case_name(case_id);
-  return {.case_id = case_id, .scene = name.scene, .method = name.method, .settings = name.settings};
-}
-
-TEST(ConfigurationOf, KeepsWordsAndDropsTheNumbersOfTheResolution) {
-  EXPECT_EQ(configuration_of(run("s/event-driven[flow=cvode,tolerance=1e-6]")), "event-driven[flow=cvode]");
-  EXPECT_EQ(configuration_of(run("s/event-driven[tolerance=1e-6,flow=modal]")), "event-driven[flow=modal]");
-  EXPECT_EQ(configuration_of(run("s/hat-lcp[samples=64]")), "hat-lcp");
-  EXPECT_EQ(configuration_of(run("s/penalty-hbm[penalty=100x,plain=true,harmonics=5]")),
-            "penalty-hbm[penalty=100x,plain=true]");
-  EXPECT_EQ(configuration_of(run("s/hat-lcp")), "hat-lcp");
-  EXPECT_EQ(configuration_of(run("s/hat-lcp[samples=64,start=0.1]")), "hat-lcp[start=0.1]");
-}
+/// The error of a record's run.
+Measure error_of(const Record& record) { return scored_run(test::results_of({record}).all[0]).error; }
 
 TEST(ScoredRun, HasAnErrorOnlyIfTheHarnessItselfHasCertifiedIt) {
   const Record good = test::good_record("s", "m", "n=1", 0.1, 1.0);
-  EXPECT_EQ(scored_run(good).error, 0.1);
+  EXPECT_EQ(error_of(good), 0.1);
   // A fast wrong answer: the method says converged, the harness disagrees.
   Record liar = good;
   liar.status = Status::inaccurate;
-  EXPECT_FALSE(scored_run(liar).error);
+  EXPECT_FALSE(error_of(liar));
   Record uncertified = good;
   uncertified.certificate.status = CertificateStatus::uncertified;
-  EXPECT_FALSE(scored_run(uncertified).error);
+  EXPECT_FALSE(error_of(uncertified));
   Record elsewhere = good;
   elsewhere.certificate.same_orbit = false;
-  EXPECT_EQ(scored_run(elsewhere).error, 0.1) << "another orbit of the scene solves it too";
+  EXPECT_EQ(error_of(elsewhere), 0.1) << "another orbit of the scene solves it too";
   Record without_reference = good;
   without_reference.certificate.same_orbit.reset();
-  EXPECT_EQ(scored_run(without_reference).error, 0.1);
+  EXPECT_EQ(error_of(without_reference), 0.1);
 }
 
 TEST(ScoredRun, BoundsErrorsByTenErrorBarsInsteadOfRankingThem) {
   Record record = test::good_record("s", "m", "n=1", 1e-15, 1.0);
   record.certificate.error_bar = 1e-12;
-  const ScoredRun run = scored_run(record);
+  const CaseResults results = test::results_of({record});
+  const ScoredRun run = scored_run(results.all[0]);
   EXPECT_TRUE(run.bounded);
   EXPECT_DOUBLE_EQ(*run.error, 1e-11);
 }
@@ -54,7 +43,8 @@ TEST(ResolutionStudies, SetMethodsOfAnotherLawApart) {
       test::good_record("s", "b", "n=1", 0.1, 1.0), test::good_record("s", "c", "n=1", 0.1, 1.0)};
   records[2].law_matches_scene = false;
   records[3].status = Status::not_applicable;
-  const std::vector<ResolutionStudy> studies = resolution_studies(records);
+  const CaseResults results = test::results_of(records);
+  const std::vector<ResolutionStudy> studies = resolution_studies(results.all);
   ASSERT_EQ(studies.size(), 3U);
   EXPECT_EQ(studies[0].runs.size(), 2U);
   EXPECT_EQ(studies[0].eligibility, Eligibility::ranked);
@@ -73,7 +63,8 @@ TEST(ResolutionStudies, TakeTheLawOfAMethodThatDoesNotApplyFromScenesOfTheSameLa
     records[i].law.reset();
     records[i].law_matches_scene.reset();
   }
-  const std::vector<ResolutionStudy> studies = resolution_studies(records);
+  const CaseResults results = test::results_of(records);
+  const std::vector<ResolutionStudy> studies = resolution_studies(results.all);
   EXPECT_EQ(studies[1].eligibility, Eligibility::another_law);
   EXPECT_EQ(studies[2].eligibility, Eligibility::not_applicable) << "a scene of another law";
 }

@@ -15,27 +15,27 @@ Record with_law(Record record, const RepresentedLaw& law) {
 Record sample() { return test::good_record("s", "m", "n=1", 1e-3, 1.0); }
 
 TEST(KindOf, IsThatOfTheLawUnlessThereAreManyContactsOrCoordinates) {
-  EXPECT_EQ(kind_of(with_law(sample(), Restitution{1.0})), SceneKind::rigid_stop);
-  EXPECT_EQ(kind_of(with_law(sample(), Restitution{0.99})), SceneKind::restitution);
-  EXPECT_EQ(kind_of(with_law(sample(), Restitution{0.0})), SceneKind::restitution);
-  EXPECT_EQ(kind_of(with_law(sample(), Penalty{{1e3}})), SceneKind::spring);
-  EXPECT_EQ(kind_of(with_law(sample(), Massless{})), SceneKind::massless);
+  EXPECT_EQ(kind_of(case_scene_of(with_law(sample(), Restitution{1.0}))), SceneKind::rigid_stop);
+  EXPECT_EQ(kind_of(case_scene_of(with_law(sample(), Restitution{0.99}))), SceneKind::restitution);
+  EXPECT_EQ(kind_of(case_scene_of(with_law(sample(), Restitution{0.0}))), SceneKind::restitution);
+  EXPECT_EQ(kind_of(case_scene_of(with_law(sample(), Penalty{{1e3}}))), SceneKind::spring);
+  EXPECT_EQ(kind_of(case_scene_of(with_law(sample(), Massless{}))), SceneKind::massless);
   Record record = with_law(sample(), Penalty{{1e3}});
   record.contacts = kManyContacts - 1;
   record.coordinates = kLargeStructure - 1;
-  EXPECT_EQ(kind_of(record), SceneKind::spring);
+  EXPECT_EQ(kind_of(case_scene_of(record)), SceneKind::spring);
   record.contacts = kManyContacts;
-  EXPECT_EQ(kind_of(record), SceneKind::many_contacts);
+  EXPECT_EQ(kind_of(case_scene_of(record)), SceneKind::many_contacts);
   record.coordinates = kLargeStructure;
-  EXPECT_EQ(kind_of(record), SceneKind::large_structure);
+  EXPECT_EQ(kind_of(case_scene_of(record)), SceneKind::large_structure);
 }
 
 TEST(KindOf, IsNoneWithoutContactOrLaw) {
   Record record = with_law(sample(), std::monostate{});
   record.coordinates = kLargeStructure;
-  EXPECT_EQ(kind_of(record), std::nullopt);
+  EXPECT_EQ(kind_of(case_scene_of(record)), std::nullopt);
   record.scene_law.reset();
-  EXPECT_EQ(kind_of(record), std::nullopt);
+  EXPECT_EQ(kind_of(case_scene_of(record)), std::nullopt);
 }
 
 /// Names of the standings, a star before those that are recommended.

@@ -12,13 +12,15 @@ namespace {
 /// A study of runs of given errors and seconds.
 struct Runs {
   explicit Runs(const std::vector<std::pair<double, double>>& error_and_time) {
+    std::vector<Record> records;
     for (const auto& [error, time] : error_and_time) {
       records.push_back(test::good_record("s", "m", "n=" + std::to_string(records.size()), error, time));
       records.back().work.counts.pivots = static_cast<long>(100.0 * time);
     }
-    study = resolution_studies(records).front();
+    results = test::results_of(records);
+    study = resolution_studies(results.all).front();
   }
-  std::vector<Record> records;
+  CaseResults results;
   ResolutionStudy study;
 };
 
@@ -79,25 +81,27 @@ TEST(CostToError, DoesNotTakeAFastWrongAnswerForASolution) {
   std::vector<Record> records{test::good_record("s", "m", "n=1", 1e-6, 0.1),
                               test::good_record("s", "m", "n=2", 1e-6, 1.0)};
   records[0].status = Status::inaccurate;
-  const std::vector<ResolutionStudy> studies = resolution_studies(records);
+  const CaseResults results = test::results_of(records);
+  const std::vector<ResolutionStudy> studies = resolution_studies(results.all);
   EXPECT_EQ(cost_to_error(studies[0], time_axis(), 1e-2).cost, 1.0);
 }
 
 TEST(TimeAxis, IsTheMedianTimeIfTheRunWasTimed) {
   Record record = test::good_record("s", "m", "n=1", 0.1, 0.25);
-  EXPECT_EQ(time_axis().cost(record), 0.25);
+  EXPECT_EQ(time_axis().cost(test::results_of({record}).all[0]), 0.25);
   record.seconds.reset();
-  EXPECT_FALSE(time_axis().cost(record).has_value());
+  EXPECT_FALSE(time_axis().cost(test::results_of({record}).all[0]).has_value());
 }
 
 TEST(WorkAxes, AreTheCountsThatAMethodGives) {
-  const Record record = test::full_record();  // counts 1 to 5, each once
+  const CaseResults results = test::results_of({test::full_record()});  // counts 1 to 5, each once
+  const CaseResult& result = results.all[0];
   std::set<double> costs;
-  for (const CostAxis& axis : work_axes()) costs.insert(axis.cost(record).value());
+  for (const CostAxis& axis : work_axes()) costs.insert(axis.cost(result).value());
   EXPECT_EQ(costs, (std::set<double>{1.0, 2.0, 3.0, 4.0, 5.0}));
   EXPECT_EQ(work_axes()[0].name, "pivots");
-  EXPECT_EQ(work_axes()[0].cost(record), 3.0);
-  for (const CostAxis& axis : work_axes()) EXPECT_FALSE(axis.cost(Record{}).has_value()) << axis.name;
+  EXPECT_EQ(work_axes()[0].cost(result), 3.0);
+  for (const CostAxis& axis : work_axes()) EXPECT_FALSE(axis.cost(CaseResult{}).has_value()) << axis.name;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace signorini {
 namespace {
 
 TEST(CsvReport, HasAReasonInEveryRowThatIsNotCertifiedAndNoFootnoteInTheOthers) {
-  std::istringstream stream(csv_report(Evaluation(test::records_of_every_status())));
+  std::istringstream stream(test::csv_text(Evaluation(test::records_of_every_status())));
   std::string header;
   std::getline(stream, header);
   EXPECT_EQ(header.rfind("case,scene,", 0), 0U);
@@ -30,7 +30,7 @@ TEST(CsvReport, HasAReasonInEveryRowThatIsNotCertifiedAndNoFootnoteInTheOthers) 
 TEST(MeasuresCsv, HasOneRowPerSceneAndConfiguration) {
   std::vector<Record> records{test::good_record("s", "m", "n=1", 0.05, 0.5),
                               test::good_record("s", "m", "n=2", 0.005, 1.0)};
-  EXPECT_EQ(measures_csv(Evaluation(records)),
+  EXPECT_EQ(test::measures_text(Evaluation(records)),
             "scene,method,law,standing,runs,solved,seconds_to_1e-01,seconds_to_1e-02,seconds_to_1e-03,"
             "seconds_to_1e-06,seconds_to_1e-09\n"
             "s,m,e = 1,competes,2,2,5.000000000e-01,1.000000000e+00,inf,inf,inf\n");
@@ -38,7 +38,7 @@ TEST(MeasuresCsv, HasOneRowPerSceneAndConfiguration) {
 
 /// Titles and cells of the single row of a report on this record.
 std::pair<std::vector<std::string>, std::vector<std::string>> columns_of(const Record& record) {
-  std::istringstream lines(csv_report(Evaluation({record})));
+  std::istringstream lines(test::csv_text(Evaluation({record})));
   std::pair<std::vector<std::string>, std::vector<std::string>> columns;
   for (std::vector<std::string>* cells : {&columns.first, &columns.second}) {
     std::string line;

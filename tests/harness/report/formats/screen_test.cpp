@@ -216,7 +216,7 @@ TEST(Screen, SaysThatTimesOfCasesRunTogetherAreNotComparable) {
 
 TEST(SceneLine, CountsWhatBecameOfTheCases) {
   OutcomeCounts counts;
-  for (const Record& record : test::records_of_every_status()) counts.add(record);
+  for (const Record& record : test::records_of_every_status()) counts.add(outcome_of(record));
   EXPECT_EQ(scene_line("s", counts),
             "s: 10 cases, 1 certified, 1 unproven, 1 refuted, 6 failed, 1 not applicable");
   EXPECT_EQ(scene_line(std::string(200, 's'), counts).size(), kScreenWidth);

@@ -32,7 +32,7 @@ TEST(WorkPrecisionData, HasOneMarkForEachRunThatHasErrorAndTime) {
   // The third is slower and worse than the second: a mark, but not on the curve.
   EXPECT_EQ(study["curve"], Json({0, 1}));
   for (const Json& mark : study["marks"]) {
-    const Record& record = evaluation.records().at(mark[2].get<std::size_t>());
+    const Record record = evaluation.record_of(evaluation.results().at(mark[2].get<std::size_t>()));
     EXPECT_EQ(mark[4], resolution_of(record));
     EXPECT_DOUBLE_EQ(mark[0].get<double>(), record.seconds->median);
     EXPECT_DOUBLE_EQ(mark[1].get<double>(), *record.errors.x_l2);

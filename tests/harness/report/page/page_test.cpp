@@ -64,10 +64,10 @@ TEST(HtmlPage, HoldsTheRecordBehindEveryLink) {
   const Evaluation evaluation(test::records_of_a_run());
   const std::string page = page_of(evaluation);
   const Json data = data_in(page);
-  ASSERT_EQ(data["records"].size(), evaluation.records().size());
+  ASSERT_EQ(data["records"].size(), evaluation.results().size());
   for (std::size_t i = 0; i < data["records"].size(); ++i) {
     const Json record = Json::parse(data["records"][i].get<std::string>());
-    EXPECT_EQ(record["case"], evaluation.records()[i].case_id);
+    EXPECT_EQ(record["case"], evaluation.results()[i].case_id);
     EXPECT_EQ(data["cases"][i], record["case"]);
     EXPECT_FALSE(record.contains("waveforms"));  // left to the figures
   }
@@ -76,9 +76,9 @@ TEST(HtmlPage, HoldsTheRecordBehindEveryLink) {
   for (std::sregex_iterator at(page.begin(), page.end(), link), end; at != end; ++at, ++links) {
     const std::size_t number = std::stoul((*at)[1]);
     EXPECT_GE(number, 1U);
-    EXPECT_LE(number, evaluation.records().size());
+    EXPECT_LE(number, evaluation.results().size());
   }
-  EXPECT_GE(links, evaluation.records().size());
+  EXPECT_GE(links, evaluation.results().size());
 }
 
 TEST(HtmlPage, OpensWithTheVerdictOfTheScreen) {

@@ -54,11 +54,11 @@ TEST(CaseSections, HaveARowForEveryRecordWithTheValuesThatItIsSortedBy) {
   const Evaluation evaluation(test::records_of_a_run());
   const Section section = case_sections(evaluation).front();
   EXPECT_EQ(section.kind, SectionKind::cases);
-  ASSERT_EQ(section.table.rows.size(), evaluation.records().size());
+  ASSERT_EQ(section.table.rows.size(), evaluation.results().size());
   for (std::size_t i = 0; i < section.table.rows.size(); ++i) {
     const std::vector<Cell>& row = section.table.rows[i];
     ASSERT_EQ(row.size(), section.table.header.size());
-    EXPECT_EQ(row[0].text + "/" + row[2].text, evaluation.records()[i].case_id);
+    EXPECT_EQ(row[0].text + "/" + row[2].text, evaluation.results()[i].case_id);
     EXPECT_EQ(row[5].record, i) << "the error leads to its record";
   }
 }

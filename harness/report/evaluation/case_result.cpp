@@ -1,0 +1,125 @@
+#include "harness/report/evaluation/case_result.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "harness/plan/plan.hpp"
+#include "harness/records/record_json.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr char kEnd = '\n';  // no text of a record holds one
+
+std::string law_key(const std::optional<RepresentedLaw>& law) {
+  return law ? JsonForm<RepresentedLaw>::write(*law).dump() : std::string();
+}
+
+std::string choice_key(const Record& record) {
+  std::string key = record.method + kEnd + record.same_equations_as + kEnd;
+  for (const auto& [name, value] : record.settings) key += name + "=" + value + kEnd;
+  key += kEnd;
+  // The kind of a value first: 1 and "1" are two.
+  for (const auto& [name, value] : record.options)
+    key += name + std::to_string(value.index()) + print_option(value) + kEnd;
+  return key;
+}
+
+std::string scene_key(const Record& record) {
+  std::string key = record.scene + kEnd + law_key(record.scene_law) + kEnd;
+  for (const std::optional<int>& number : {record.coordinates, record.contacts})
+    key += number ? std::to_string(*number) + kEnd : std::string(1, kEnd);
+  if (record.family) key += write_fields(*record.family).dump();
+  return key;
+}
+
+}  // namespace
+
+bool is_numeric(const std::string& value) {
+  char* end = nullptr;
+  std::strtod(value.c_str(), &end);
+  return !value.empty() && end == value.c_str() + value.size();
+}
+
+std::string configuration_of(const Record& record) {
+  Settings words = record.settings;
+  std::erase_if(words, [](const OptionSetting& setting) {
+    return setting.first != kStartSetting && is_numeric(setting.second);
+  });
+  return method_label(record.method, words);
+}
+
+CaseScene case_scene_of(const Record& record) {
+  return {.name = record.scene,
+          .family = record.family,
+          .law = record.scene_law,
+          .coordinates = record.coordinates,
+          .contacts = record.contacts};
+}
+
+CaseOutcome outcome_of(const Record& record) {
+  return {.status = record.status,
+          .certificate = record.certificate.status,
+          .law_matches_scene = record.law_matches_scene,
+          .same_orbit = record.certificate.same_orbit};
+}
+
+void CaseResults::add(const Record& record) {
+  CaseResult result{.case_id = record.case_id,
+                    .choice = choice_of(record),
+                    .scene = scene_of(record),
+                    .outcome = outcome_of(record),
+                    .law = law_of(record),
+                    .error = record.errors.x_l2 ? record.errors.x_l2 : record.errors.u_l2,
+                    .impulse_error = record.errors.impulse,
+                    .measurable = measurable_error(record),
+                    .condition = record.condition,
+                    .work = record.work.counts,
+                    .repeats = record.repeats,
+                    .source = count_++};
+  if (record.seconds) {
+    result.seconds = record.seconds->median;
+    result.together = record.seconds->jobs.has_value();
+  }
+  if (record.certificate.orbit) result.orbit = name_of(*record.certificate.orbit);
+  if (!record.problem.empty()) result.problem = name_of(record.problem);
+  result.keeps_motion = record.waveforms && record.waveforms->orbit && !record.waveforms->contacts.empty();
+  all.push_back(std::move(result));
+}
+
+void CaseResults::keep(const std::vector<std::size_t>& sources) {
+  std::vector<CaseResult> kept;
+  kept.reserve(sources.size());
+  for (const std::size_t source : sources) kept.push_back(std::move(all[source]));
+  all = std::move(kept);
+}
+
+const CaseChoice* CaseResults::choice_of(const Record& record) {
+  const auto [place, fresh] = choices_.try_emplace(choice_key(record));
+  if (fresh) {
+    place->second = {.method = record.method,
+                     .settings = record.settings,
+                     .options = record.options,
+                     .same_equations_as = record.same_equations_as,
+                     .resolution = resolution_of(record),
+                     .configuration = configuration_of(record)};
+  }
+  return &place->second;
+}
+
+const CaseScene* CaseResults::scene_of(const Record& record) {
+  const auto [place, fresh] = scenes_.try_emplace(scene_key(record));
+  if (fresh) place->second = case_scene_of(record);
+  return &place->second;
+}
+
+const RepresentedLaw* CaseResults::law_of(const Record& record) {
+  if (!record.law) return nullptr;
+  return &laws_.try_emplace(law_key(record.law), *record.law).first->second;
+}
+
+const std::string* CaseResults::name_of(const std::string& text) { return &*names_.insert(text).first; }
+
+}  // namespace signorini

@@ -1,0 +1,100 @@
+#pragma once
+// The result of a case as reports compare it with others: of its record the few figures that rankings, counts
+// and means go by, some 300 bytes, so that runs of millions of cases are evaluated in memory.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "harness/records/record.hpp"
+
+namespace signorini {
+
+/// A method with its options: what the records of one step of a ladder have in common on all scenes.
+struct CaseChoice {
+  std::string method = {};
+  Settings settings = {};
+  RecordedOptions options = {};
+  std::string same_equations_as = {};
+  std::string resolution = {};     ///< resolution_of the record
+  std::string configuration = {};  ///< configuration_of the record
+};
+
+/// What the records of a scene have in common, and what a record says of it.
+struct CaseScene {
+  std::string name = {};
+  std::optional<FamilyLevel> family = {};
+  std::optional<RepresentedLaw> law = {};              ///< Record::scene_law
+  std::optional<int> coordinates = {}, contacts = {};  ///< absent in records of earlier versions
+};
+
+/// Whether the value of a setting is a number.
+bool is_numeric(const std::string& value);
+
+/// "event-driven[flow=cvode]": the method with those of its settings that are words, and kStartSetting, as a
+/// solve that starts at the orbit is compared with no other. Settings that are numbers are its resolution.
+std::string configuration_of(const Record& record);
+
+/// What a record says of its scene.
+CaseScene case_scene_of(const Record& record);
+
+/// What became of a case, as counts go by it.
+struct CaseOutcome {
+  Status status = Status::not_converged;
+  CertificateStatus certificate = CertificateStatus::none;
+  std::optional<bool> law_matches_scene = {};
+  std::optional<bool> same_orbit = {};  ///< Certificate::same_orbit
+};
+
+/// The outcome of a record.
+CaseOutcome outcome_of(const Record& record);
+
+/// The result of a case. Pointers are into the CaseResults that hold it.
+struct CaseResult {
+  std::string case_id = {};
+  const CaseChoice* choice = nullptr;
+  const CaseScene* scene = nullptr;
+  CaseOutcome outcome = {};
+  const RepresentedLaw* law = nullptr;  ///< that the method represents; null where it is not known
+  Measure error = {};                   ///< relative L2 error of x, of u where the scene has no contact
+  Measure impulse_error = {};           ///< Errors::impulse
+  double measurable = 0.0;              ///< measurable_error
+  Measure condition = {};
+  Measure seconds = {};                  ///< median of set-up plus solve [s]
+  bool together = false;                 ///< other cases ran at the same time
+  bool keeps_motion = false;             ///< with its certified orbit
+  Work work = {};                        ///< counts
+  std::optional<Repeats> repeats = {};   ///< solves after the first
+  const std::string* orbit = nullptr;    ///< fingerprint of the certified orbit; null where there is none
+  const std::string* problem = nullptr;  ///< Record::problem; null where it is not known
+  std::size_t source = 0;                ///< where the whole record is had: its number among those added
+};
+
+/// Results and what they share. A result stays valid as long as these do, wherever they are moved.
+class CaseResults {
+ public:
+  /// Adds the result of a record.
+  void add(const Record& record);
+  /// Keeps of all that were added those alone whose numbers these are, in this order.
+  void keep(const std::vector<std::size_t>& sources);
+
+  std::vector<CaseResult> all = {};
+
+ private:
+  const CaseChoice* choice_of(const Record& record);
+  const CaseScene* scene_of(const Record& record);
+  const RepresentedLaw* law_of(const Record& record);
+  const std::string* name_of(const std::string& text);
+
+  // By all that they hold; nodes stay where they are.
+  std::unordered_map<std::string, CaseChoice> choices_;
+  std::unordered_map<std::string, CaseScene> scenes_;
+  std::unordered_map<std::string, RepresentedLaw> laws_;
+  std::unordered_set<std::string> names_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace signorini
