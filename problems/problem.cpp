@@ -60,13 +60,49 @@ Eigen::VectorXd contact_gaps(const Problem& problem) {
   return gaps;
 }
 
+std::complex<double> force_amplitude(const ForceTerm& term, double frequency) {
+  const std::complex<double> amplitude(term.cos, term.harmonic == 0 ? 0.0 : -term.sin);
+  return term.omega_power == 0 ? amplitude : std::pow(frequency, term.omega_power) * amplitude;
+}
+
+bool load_grows(const Problem& problem) {
+  return std::ranges::any_of(problem.force, [](const ForceTerm& term) {
+    return term.omega_power > 0 && (term.cos != 0.0 || term.sin != 0.0);
+  });
+}
+
 Eigen::VectorXcd load_harmonic(const Problem& problem, int harmonic) {
   Eigen::VectorXcd load = Eigen::VectorXcd::Zero(problem.size());
   for (const ForceTerm& term : problem.force) {
-    if (term.harmonic != harmonic) continue;
-    load(term.dof) += std::complex<double>(term.cos, harmonic == 0 ? 0.0 : -term.sin);
+    if (term.harmonic == harmonic) load(term.dof) += force_amplitude(term, problem.frequency);
   }
   return load;
+}
+
+Eigen::VectorXcd load_harmonic_rate(const Problem& problem, int harmonic) {
+  Eigen::VectorXcd rate = Eigen::VectorXcd::Zero(problem.size());
+  for (const ForceTerm& term : problem.force) {
+    if (term.harmonic != harmonic || term.omega_power == 0) continue;
+    rate(term.dof) += term.omega_power / problem.frequency * force_amplitude(term, problem.frequency);
+  }
+  return rate;
+}
+
+Eigen::VectorXcd frame_motion(const Problem& problem, int dof) {
+  int highest = 0;
+  for (const FrameTerm& term : problem.frame) highest = std::max(highest, term.harmonic);
+  Eigen::VectorXcd motion = Eigen::VectorXcd::Zero(highest + 1);
+  for (const FrameTerm& term : problem.frame) {
+    if (term.dof == dof) motion(term.harmonic) += std::complex<double>(term.cos, -term.sin);
+  }
+  return motion;
+}
+
+Eigen::VectorXcd stop_motion(const Problem& problem, int contact) {
+  Eigen::VectorXcd motion = frame_motion(problem, -1);  // of no coordinate: zeros
+  for (const auto& [dof, coefficient] : problem.contacts[static_cast<std::size_t>(contact)].normal)
+    motion += coefficient * frame_motion(problem, dof);
+  return motion;
 }
 
 int highest_load_harmonic(const Problem& problem) {
@@ -83,7 +119,8 @@ Eigen::VectorXd load_at(const Problem& problem, double time) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(problem.size());
   for (const ForceTerm& term : problem.force) {
     const double angle = term.harmonic * problem.frequency * time;
-    load(term.dof) += term.cos * std::cos(angle) + term.sin * std::sin(angle);
+    const std::complex<double> amplitude = force_amplitude(term, problem.frequency);
+    load(term.dof) += amplitude.real() * std::cos(angle) - amplitude.imag() * std::sin(angle);
   }
   return load;
 }

@@ -2,6 +2,7 @@
 // A contact scene as plain data: what every method is given and what the harness judges against.
 
 #include <Eigen/Core>
+#include <complex>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -14,13 +15,23 @@
 namespace signorini {
 
 /// One term of the periodic load on one coordinate:
-/// f_dof(t) += cos * cos(harmonic * omega * t) + sin * sin(harmonic * omega * t).
-/// Harmonic 0 is a constant load of size `cos`.
+/// f_dof(t) += omega^p (cos * cos(harmonic * omega * t) + sin * sin(harmonic * omega * t)), p = omega_power.
+/// Harmonic 0 is a constant load of size `cos`. An unbalance, mass times eccentricity, has p = 2.
 struct ForceTerm {
-  int dof = 0;       ///< coordinate that it acts on
-  int harmonic = 1;  ///< h >= 0, of omega [-]
-  double cos = 0.0;  ///< [N]
-  double sin = 0.0;  ///< [N]
+  int dof = 0;          ///< coordinate that it acts on
+  int harmonic = 1;     ///< h >= 0, of omega [-]
+  double cos = 0.0;     ///< [N s^p]
+  double sin = 0.0;     ///< [N s^p]
+  int omega_power = 0;  ///< p, 0..2 [-]
+};
+
+/// One term of the prescribed motion of one coordinate:
+/// r_dof(t) += cos * cos(harmonic * omega * t) + sin * sin(harmonic * omega * t).
+struct FrameTerm {
+  int dof = 0;       ///< coordinate that is carried along
+  int harmonic = 1;  ///< h >= 1, of omega [-]
+  double cos = 0.0;  ///< [m]
+  double sin = 0.0;  ///< [m]
 };
 
 /// One unilateral contact, x = sum of coefficient * u[dof] <= gap.
@@ -50,7 +61,9 @@ using Law = std::variant<std::monostate, Restitution, Penalty, Massless>;
 ///     M u'' + D u' + K u = f(t) + W lambda,   x = W^T u,
 ///     x_j <= g_j,  lambda_j <= 0,  lambda_j (x_j - g_j) = 0,
 ///
-/// f of period 2 pi / omega. Sought are motions of period `subharmonic` * 2 pi / omega.
+/// f of period 2 pi / omega. Sought are motions of period `subharmonic` * 2 pi / omega. Where stops move, u
+/// and x are those of a frame that moves with them (problems/moving_frame.hpp), in which the stops rest: the
+/// whole displacement of the structure is u + r(t).
 struct Problem {
   std::string name;               ///< catalogue key, lower-kebab-case
   std::string title;              ///< one line for people
@@ -64,6 +77,7 @@ struct Problem {
   double frequency = 1.0;         ///< omega > 0 [rad/s]
   int subharmonic = 1;            ///< order k >= 1 of the motion looked for [-]
   std::vector<ForceTerm> force;   ///< f(t) is the sum of them
+  std::vector<FrameTerm> frame;   ///< r(t) is the sum of them; its loads are in `force`; empty: no stop moves
   std::vector<Contact> contacts;  ///< Nc of them, may be empty
   Law law;                        ///< monostate exactly where there is no contact
 
@@ -105,9 +119,26 @@ SparseMatrix contact_directions(const std::vector<Contact>& contacts, int size);
 /// g, Nc [m].
 Eigen::VectorXd contact_gaps(const Problem& problem);
 
+/// Complex amplitude of one term at a frequency, omega^p (cos - i sin), without the sine at harmonic 0 [N].
+std::complex<double> force_amplitude(const ForceTerm& term, double frequency);
+
+/// Whether the amplitude of some term grows with the frequency: the load is then another one at another
+/// frequency.
+bool load_grows(const Problem& problem);
+
 /// Static and harmonic load vectors at one harmonic of the FORCING frequency,
 /// f(t) = sum_h Re(load_h e^{i h omega t}) with load_h = cos - i sin [N], Nd.
 Eigen::VectorXcd load_harmonic(const Problem& problem, int harmonic);
+
+/// d load_harmonic / d omega, Nd [N s].
+Eigen::VectorXcd load_harmonic_rate(const Problem& problem, int harmonic);
+
+/// Complex amplitudes of the prescribed motion of a coordinate, r_dof(t) = sum_h Re(r_h e^{i h omega t}),
+/// h = 0..highest harmonic of the frame [m].
+Eigen::VectorXcd frame_motion(const Problem& problem, int dof);
+
+/// The same of the stop of a contact, w_j^T r(t) [m].
+Eigen::VectorXcd stop_motion(const Problem& problem, int contact);
 
 /// Highest harmonic of the forcing frequency present in the load; 0 when the load is constant.
 int highest_load_harmonic(const Problem& problem);

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kMaxSubharmonic = 64;
 constexpr int kMaxLoadHarmonic = 10000;
+constexpr int kMostOmegaPower = 2;
 
 void require(bool ok, const std::string& field, const std::string& found, const std::string& requirement) {
   if (!ok) throw InvalidProblem(field, found, requirement);
@@ -136,8 +137,23 @@ void check_forcing(const Problem& problem) {
     require_finite(term.sin, field + ".sin");
     require_magnitude(std::abs(term.cos), field + ".cos");
     require_magnitude(std::abs(term.sin), field + ".sin");
+    require(term.omega_power >= 0 && term.omega_power <= kMostOmegaPower, field + ".omega_power",
+            std::to_string(term.omega_power), fmt::format("must be 0, 1 or {}", kMostOmegaPower));
     require(term.harmonic > 0 || term.sin == 0.0, field + ".sin", fmt::format("{}", term.sin),
             "must be 0 or absent: at harmonic 0 a sine is nothing");
+  }
+}
+
+void check_frame(const Problem& problem) {
+  for (std::size_t i = 0; i < problem.frame.size(); ++i) {
+    const FrameTerm& term = problem.frame[i];
+    const std::string field = fmt::format("frame[{}]", i);
+    require_dof(term.dof, problem, field + ".dof");
+    require(term.harmonic >= 1 && term.harmonic <= kMaxLoadHarmonic, field + ".harmonic",
+            std::to_string(term.harmonic), fmt::format("must be a whole number, 1..{}", kMaxLoadHarmonic));
+    require_finite(term.cos, field + ".cos");
+    require_finite(term.sin, field + ".sin");
+    require_magnitude(std::hypot(term.cos, term.sin), field);
   }
 }
 
@@ -239,6 +255,7 @@ void check_law(const Problem& problem) {
 void validate(const Problem& problem, Definiteness definiteness) {
   check_matrices(problem, definiteness);
   check_forcing(problem);
+  check_frame(problem);
   check_contacts(problem);
   check_law(problem);
 }

@@ -24,9 +24,8 @@ TimeStepping::TimeStepping(const signorini::Problem& problem, double h, double t
 void TimeStepping::add_load(double t, Eigen::VectorXd& rhs) const {
   for (const signorini::ForceTerm& term : problem_.force) {
     const double w = term.harmonic * problem_.frequency;
-    const auto value = [&](double time) {
-      return term.cos * std::cos(w * time) + term.sin * std::sin(w * time);
-    };
+    const std::complex<double> amplitude = signorini::force_amplitude(term, problem_.frequency);
+    const auto value = [&](double time) { return (amplitude * std::polar(1.0, w * time)).real(); };
     rhs[term.dof] += h_ * (theta_ * value(t + h_) + (1.0 - theta_) * value(t));
   }
 }

@@ -4,7 +4,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <memory>
+#include <vector>
 
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
@@ -15,6 +17,7 @@
 #include "harness/report/document/lines.hpp"
 #include "harness/schematic/schematic.hpp"
 #include "methods/catalogue.hpp"
+#include "problems/matrix_properties.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "problems/scene/scene_layout.hpp"
 
@@ -24,9 +27,36 @@ namespace {
 
 /// Largest number of coordinates for which eigenfrequencies are shown: the eigenproblem is solved dense.
 constexpr int kMostEigen = 1000;
+constexpr int kMostGyroscopic = 300;
 constexpr std::ptrdiff_t kMostShown = 12;
 constexpr std::size_t kMostContacts = 12;
 constexpr std::size_t kShownColumns = 80, kShowIndent = 18, kOptionIndent = 38;
+
+/// "1.2, 3.4, ... (20 in all)"
+std::string first_of(const std::vector<double>& found) {
+  const auto shown = std::min(kMostShown, static_cast<std::ptrdiff_t>(found.size()));
+  std::string text = fmt::format("{:.6g}", fmt::join(found.begin(), found.begin() + shown, ", "));
+  if (shown < static_cast<std::ptrdiff_t>(found.size()))
+    text += fmt::format(", ... ({} in all)", found.size());
+  return text + " rad/s";
+}
+
+/// Angular frequencies of the damped free motions of a gyroscopic structure, ascending [rad/s]; empty without
+/// mass everywhere, or beyond kMostGyroscopic coordinates.
+std::vector<double> whirl_frequencies(const Problem& problem) {
+  const Eigen::Index n = problem.size();
+  const Eigen::LLT<Eigen::MatrixXd> mass{Eigen::MatrixXd(problem.mass())};
+  if (n > kMostGyroscopic || mass.info() != Eigen::Success) return {};
+  Eigen::MatrixXd state = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  state.topRightCorner(n, n).setIdentity();
+  state.bottomLeftCorner(n, n) = -mass.solve(Eigen::MatrixXd(problem.stiffness()));
+  state.bottomRightCorner(n, n) = -mass.solve(Eigen::MatrixXd(problem.damping()));
+  std::vector<double> found;
+  for (const std::complex<double>& value : state.eigenvalues())
+    if (value.imag() > 0.0) found.push_back(value.imag());
+  std::ranges::sort(found);
+  return found;
+}
 
 /// Undamped angular eigenfrequencies, ascending [rad/s]; empty text says why there are none.
 std::string eigenfrequencies(const Problem& problem) {
@@ -50,22 +80,31 @@ std::string eigenfrequencies(const Problem& problem) {
   } else {
     return "not computed: mass and stiffness are both singular";
   }
-  const auto shown = std::min(kMostShown, static_cast<std::ptrdiff_t>(found.size()));
-  std::string text = fmt::format("{:.6g}", fmt::join(found.begin(), found.begin() + shown, ", "));
-  if (shown < static_cast<std::ptrdiff_t>(found.size()))
-    text += fmt::format(", ... ({} in all)", found.size());
-  return text + " rad/s";
+  return first_of(found);
 }
 
-/// "contact 0: u[6] - u[8] <= 0.01 m", without a coefficient of 1.
-std::string contact_text(const Contact& contact) {
+/// " + 0.02 cos(2 omega t)" and so on.
+std::string motion_text(const Eigen::VectorXcd& motion) {
+  std::string text;
+  for (Eigen::Index h = 1; h < motion.size(); ++h) {
+    const std::string angle = h == 1 ? "omega t" : fmt::format("{} omega t", h);
+    if (motion(h).real() != 0.0) text += fmt::format(" + {:g} cos({})", motion(h).real(), angle);
+    if (motion(h).imag() != 0.0) text += fmt::format(" + {:g} sin({})", -motion(h).imag(), angle);
+  }
+  return text;
+}
+
+/// "u[6] - u[8] <= 0.01 m", without a coefficient of 1.
+std::string contact_text(const Problem& problem, int number) {
+  const Contact& contact = problem.contacts[static_cast<std::size_t>(number)];
   std::string text;
   for (const auto& [dof, coefficient] : contact.normal) {
     const double size = std::abs(coefficient);
     text += text.empty() ? (coefficient < 0.0 ? "-" : "") : (coefficient < 0.0 ? " - " : " + ");
     text += (size == 1.0 ? "" : fmt::format("{:g} ", size)) + fmt::format("u[{}]", dof);
   }
-  return fmt::format("{} <= {:g} m", text, contact.gap);
+  const std::string motion = problem.frame.empty() ? "" : motion_text(stop_motion(problem, number));
+  return fmt::format("{} <= {:g}{} m", text, contact.gap, motion);
 }
 
 std::string law_words(const Law& law) {
@@ -83,26 +122,49 @@ void show_line(const std::string& name, const std::string& text) {
   fmt::print("{}", named_lines(name, kShowIndent, text, kShownColumns));
 }
 
-void show_contacts(const std::vector<Contact>& contacts) {
-  const std::size_t shown = contacts.size() <= kMostContacts ? contacts.size() : kMostContacts - 1;
-  for (std::size_t i = 0; i < shown; ++i) show_line(fmt::format("contact {}", i), contact_text(contacts[i]));
-  if (shown < contacts.size()) show_line("", fmt::format("and {} more", contacts.size() - shown));
+void show_eigenfrequencies(const Problem& problem) {
+  show_line("eigenfrequencies", eigenfrequencies(problem));
+  if (is_symmetric(problem.damping())) return;
+  const std::vector<double> whirls = whirl_frequencies(problem);
+  if (!whirls.empty()) show_line("", "with damping and gyroscopic moments " + first_of(whirls));
 }
 
-void show_scene(const Problem& problem) {
+void show_forcing(const Scene& scene) {
+  const Problem& problem = scene.problem;
+  show_line("forcing", fmt::format("omega {:g} rad/s, {}; motion of period {:.6g} s{}", problem.frequency,
+                                   plural(std::ssize(problem.force), "term"), problem.period(),
+                                   problem.subharmonic > 1
+                                       ? fmt::format(" ({} periods of the load)", problem.subharmonic)
+                                       : ""));
+  if (load_grows(problem))
+    show_line("", "terms that grow with omega: unbalance, or a base or stop that moves");
+  for (const SampledLoad& load : scene.sampled_loads)
+    show_line(
+        "",
+        fmt::format("{} samples: harmonics 0..{} of the load, which leave out {:.3g} N rms, {:.3g} N at most",
+                    load.samples, load.harmonics(), load.left_out_rms, load.left_out_max));
+}
+
+void show_contacts(const Problem& problem) {
+  const std::size_t count = problem.contacts.size();
+  const std::size_t shown = count <= kMostContacts ? count : kMostContacts - 1;
+  for (std::size_t i = 0; i < shown; ++i)
+    show_line(fmt::format("contact {}", i), contact_text(problem, static_cast<int>(i)));
+  if (shown < count) show_line("", fmt::format("and {} more", count - shown));
+  if (!problem.frame.empty()) show_line("", "x of a contact is measured from its stop, which moves");
+}
+
+void show_scene(const Scene& scene) {
+  const Problem& problem = scene.problem;
   show_title(problem.name, problem.title);
   if (!problem.reference.empty()) show_line("reference", problem.reference);
   if (!problem.tags.empty()) show_line("tags", fmt::format("{}", fmt::join(problem.tags, ", ")));
   show_line("system", fmt::format("{}, {}; entries in M {}, D {}, K {}", problem.kind,
                                   plural(problem.size(), "coordinate"), problem.mass().nonZeros(),
                                   problem.damping().nonZeros(), problem.stiffness().nonZeros()));
-  show_line("eigenfrequencies", eigenfrequencies(problem));
-  show_line("forcing", fmt::format("omega {:g} rad/s, {}; motion of period {:.6g} s{}", problem.frequency,
-                                   plural(std::ssize(problem.force), "term"), problem.period(),
-                                   problem.subharmonic > 1
-                                       ? fmt::format(" ({} periods of the load)", problem.subharmonic)
-                                       : ""));
-  show_contacts(problem.contacts);
+  show_eigenfrequencies(problem);
+  show_forcing(scene);
+  show_contacts(problem);
   show_line("law", law_words(problem.law));
 }
 
@@ -130,7 +192,7 @@ void show(const std::string& name, const std::string& plot) {
   try {
     const SceneSource source = find_scene(name);
     const Scene scene = read_scene(source);
-    show_scene(scene.problem);
+    show_scene(scene);
     if (!plot.empty()) write_schematic(plot, schematic(scene.problem, load_layout(source)));
   } catch (const SceneError& error) {
     const bool is_file = name.find('/') != std::string::npos || name.ends_with(".toml");

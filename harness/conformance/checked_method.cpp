@@ -146,7 +146,8 @@ double displacement_scale(const Problem& problem, const Samples& samples) {
 
 double load_scale(const Problem& problem) {
   double scale = kSmallest;
-  for (const ForceTerm& term : problem.force) scale = std::max(scale, std::hypot(term.cos, term.sin));
+  for (const ForceTerm& term : problem.force)
+    scale = std::max(scale, std::abs(force_amplitude(term, problem.frequency)));
   return scale;
 }
 

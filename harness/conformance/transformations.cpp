@@ -16,6 +16,18 @@ void scale_load(Problem& problem, double factor) {
   }
 }
 
+// cos(h w (t - s)) = cos(h w s) cos(h w t) + sin(h w s) sin(h w t), and so on.
+template <class Term>
+void delay(std::vector<Term>& terms, double turn) {
+  for (Term& term : terms) {
+    const double angle = term.harmonic * turn;
+    const double cosine = term.cos, sine = term.sin;
+    if (term.harmonic == 0) continue;
+    term.cos = cosine * std::cos(angle) - sine * std::sin(angle);
+    term.sin = cosine * std::sin(angle) + sine * std::cos(angle);
+  }
+}
+
 /// Every k-th row, beginning with row `first` of a periodic whole.
 Eigen::MatrixXd every(const Eigen::MatrixXd& rows, Eigen::Index first, Eigen::Index k) {
   Eigen::MatrixXd result(rows.rows() / k, rows.cols());
@@ -28,6 +40,10 @@ Eigen::MatrixXd every(const Eigen::MatrixXd& rows, Eigen::Index first, Eigen::In
 Problem with_load_scaled(Problem problem, double factor) {
   scale_load(problem, factor);
   for (Contact& contact : problem.contacts) contact.gap *= factor;
+  for (FrameTerm& term : problem.frame) {
+    term.cos *= factor;
+    term.sin *= factor;
+  }
   return problem;
 }
 
@@ -50,18 +66,16 @@ Problem with_time_scaled(Problem problem, double factor) {
     s.damping *= factor;
   });
   problem.frequency /= factor;
+  for (ForceTerm& term : problem.force) {  // of the same force
+    term.cos *= std::pow(factor, term.omega_power);
+    term.sin *= std::pow(factor, term.omega_power);
+  }
   return problem;
 }
 
 Problem with_load_delayed(Problem problem, double shift) {
-  for (ForceTerm& term : problem.force) {
-    // cos(h w (t - s)) = cos(h w s) cos(h w t) + sin(h w s) sin(h w t), and so on.
-    const double angle = term.harmonic * problem.frequency * shift;
-    const double cosine = term.cos, sine = term.sin;
-    if (term.harmonic == 0) continue;
-    term.cos = cosine * std::cos(angle) - sine * std::sin(angle);
-    term.sin = cosine * std::sin(angle) + sine * std::cos(angle);
-  }
+  delay(problem.force, problem.frequency * shift);
+  delay(problem.frame, problem.frequency * shift);
   return problem;
 }
 
@@ -75,6 +89,7 @@ Problem with_coordinates_reversed(const Problem& problem) {
     s.stiffness = problem.stiffness().twistedBy(reversal);
   });
   for (ForceTerm& term : result.force) term.dof = last - term.dof;
+  for (FrameTerm& term : result.frame) term.dof = last - term.dof;
   for (Contact& contact : result.contacts) {
     for (auto& [dof, coefficient] : contact.normal) dof = last - dof;
   }

@@ -113,11 +113,12 @@ Scene read_scene(const SceneSource& source) {
   SceneWithSources scene = parse_scene_with_sources(text, name, source.level);
   std::string identity = text;
   if (scene.family) identity += "@" + level_label(scene.family->level);  // however the level was spelt
-  for (const fs::path& matrix : scene.matrix_files) identity += "\n" + sha256_of_file(matrix);
+  for (const fs::path& file : scene.files) identity += "\n" + sha256_of_file(file);
   std::string word = name + (source.level.empty() ? "" : "@" + source.level);
   return {.problem = std::move(scene.problem),
           .sha256 = sha256(identity),
           .family = std::move(scene.family),
+          .sampled_loads = std::move(scene.sampled_loads),
           .word = std::move(word)};
 }
 

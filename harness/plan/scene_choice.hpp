@@ -17,8 +17,10 @@ namespace signorini {
 /// A scene ready to run.
 struct Scene {
   Problem problem;
-  std::string sha256 = {};  ///< of the scene file, the level of one of a family, and its Matrix Market files
+  std::string sha256 =
+      {};  ///< of the scene file, the level of one of a family, its matrices and sampled loads
   std::optional<FamilyLevel> family = {};
+  std::vector<SampledLoad> sampled_loads = {};  ///< loads given by samples
   std::string word = {};  ///< what a command calls it: its name, or the path of a file that does not ship
 };
 

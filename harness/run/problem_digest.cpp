@@ -35,8 +35,12 @@ std::string problem_digest(const Problem& problem, const RepresentedLaw& law) {
     bytes.append(reinterpret_cast<const char*>(product.data()),
                  static_cast<std::size_t>(product.size()) * sizeof(double));
   }
-  for (const ForceTerm& term : problem.force)
-    bytes += fmt::format("f {} {} {:a} {:a}\n", term.dof, term.harmonic, term.cos, term.sin);
+  // At this frequency; what moves with the stops enters by its loads.
+  for (const ForceTerm& term : problem.force) {
+    const double factor = std::pow(problem.frequency, term.omega_power);
+    bytes +=
+        fmt::format("f {} {} {:a} {:a}\n", term.dof, term.harmonic, factor * term.cos, factor * term.sin);
+  }
   for (const Contact& contact : problem.contacts) {
     bytes += fmt::format("g {:a}", contact.gap);
     for (const auto& [dof, coefficient] : contact.normal) bytes += fmt::format(" {} {:a}", dof, coefficient);

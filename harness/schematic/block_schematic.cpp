@@ -73,7 +73,7 @@ std::map<int, NodeGroup> load_groups(const Problem& problem, const BlockMesh& me
   for (const ForceTerm& term : problem.force) {
     NodeGroup& group = groups[mesh.place(term.dof).second];
     group.nodes.push_back(shares_of(mesh, term.dof));
-    group.load[term.harmonic] += std::complex<double>(term.cos, term.sin);
+    group.load[term.harmonic] += std::conj(force_amplitude(term, problem.frequency));
   }
   return groups;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <map>
 #include <set>
 #include <utility>
@@ -124,12 +125,16 @@ std::vector<int> loaded_coordinates(const Problem& problem) {
 
 std::string load_text(const Problem& problem, int dof) {
   constexpr std::size_t kMostTerms = 2;
+  std::map<int, std::complex<double>> amplitudes;
+  for (const ForceTerm& term : problem.force)
+    if (term.dof == dof) amplitudes[term.harmonic] += force_amplitude(term, problem.frequency);
   std::vector<std::string> terms;
-  for (const ForceTerm& term : problem.force) {
-    if (term.dof != dof) continue;
-    if (term.harmonic == 0) terms.push_back(number_text(term.cos));
-    if (term.harmonic > 0 && term.cos != 0.0) terms.push_back(term_text(term.cos, "cos", term.harmonic));
-    if (term.harmonic > 0 && term.sin != 0.0) terms.push_back(term_text(term.sin, "sin", term.harmonic));
+  for (const auto& [harmonic, amplitude] : amplitudes) {
+    if (harmonic == 0) terms.push_back(number_text(amplitude.real()));
+    if (harmonic > 0 && amplitude.real() != 0.0)
+      terms.push_back(term_text(amplitude.real(), "cos", harmonic));
+    if (harmonic > 0 && amplitude.imag() != 0.0)
+      terms.push_back(term_text(-amplitude.imag(), "sin", harmonic));
   }
   if (terms.size() > kMostTerms) return "f(t)";
   return fmt::format("{} N", fmt::join(terms, " + "));
@@ -145,6 +150,7 @@ std::string motion_note(const Problem& problem) {
     const auto [least, largest] = std::ranges::minmax(springs->stiffness);
     note += ", stop of " + range_text(least, largest, "N/m");
   }
+  if (!problem.frame.empty()) note += ", moving stops";
   if (std::holds_alternative<Massless>(problem.law)) note += ", contact without mass";
   return note;
 }

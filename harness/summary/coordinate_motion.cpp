@@ -38,6 +38,7 @@ CoordinateMotion::CoordinateMotion(const Problem& problem, const Motion& motion,
   series.lambda.conservativeResize(Eigen::NoChange, series.lambda.cols() + count);
   series.lambda.rightCols(count).setZero();
   u_ = ContactResponse(watched, std::move(series)).coefficients().rightCols(count);
+  add_frame(problem, motion.order, dofs);
   if (motion.bandwidth || motion.impulses.empty() || !is_definite(problem.mass())) return;
   const Eigen::MatrixXd jumps = velocity_jumps(problem);
   const Eigen::MatrixXd retardations =
@@ -48,6 +49,20 @@ CoordinateMotion::CoordinateMotion(const Problem& problem, const Motion& motion,
                       .jump = impulse.value * jumps(rows, impulse.contact),
                       .retardation = impulse.value * retardations(rows, impulse.contact)});
     take_out(kicks_.back());
+  }
+}
+
+void CoordinateMotion::add_frame(const Problem& problem, int order, std::span<const int> dofs) {
+  for (const FrameTerm& term : problem.frame) {
+    const Eigen::Index n = static_cast<Eigen::Index>(term.harmonic) * order;
+    if (n >= u_.rows()) {
+      const Eigen::Index known = u_.rows();
+      u_.conservativeResize(n + 1, Eigen::NoChange);
+      u_.bottomRows(n + 1 - known).setZero();
+    }
+    for (std::size_t column = 0; column < dofs.size(); ++column)
+      if (dofs[column] == term.dof)
+        u_(n, static_cast<Eigen::Index>(column)) += std::complex<double>(0.5 * term.cos, -0.5 * term.sin);
   }
 }
 

@@ -9,7 +9,8 @@
 
 namespace signorini {
 
-/// u_d over one period, the structure's response to the load and to a motion's contact force, with
+/// u_d over one period, the structure's response to the load and to a motion's contact force, and where stops
+/// move the motion of the frame in which that is told, with
 ///
 ///     u_n = Z_n^{-1} (f_n + W lambda_n),   n = 0..H,   w = 2 pi / T.
 ///
@@ -36,6 +37,8 @@ class CoordinateMotion {
     Eigen::VectorXd retardation;  // M^-1 D M^-1 W p_k [m/s^2]
   };
 
+  // r(t) of the scene's frame (Problem::frame).
+  void add_frame(const Problem& problem, int order, std::span<const int> dofs);
   void take_out(const Kick& kick);
   template <class Add>
   void add_kicks(Eigen::MatrixXd& values, const Add& add) const;

@@ -152,7 +152,7 @@ constexpr double kAtRest = 1e-6;
 
 double static_deflection(const Problem& problem) {
   double load = 0.0;
-  for (const ForceTerm& term : problem.force) load += std::hypot(term.cos, term.sin);
+  for (const ForceTerm& term : problem.force) load += std::abs(force_amplitude(term, problem.frequency));
   return load / contact_stiffness_scale(problem).minCoeff();
 }
 

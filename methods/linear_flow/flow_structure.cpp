@@ -144,7 +144,8 @@ double forced_amplitude(const Problem& problem) {
   const Eigen::VectorXd k = problem.stiffness().diagonal(), m = problem.mass().diagonal();
   for (const ForceTerm& term : problem.force) {
     const double w = std::max(1, term.harmonic) * problem.frequency;
-    amplitude[term.dof] += std::hypot(term.cos, term.sin) / (k[term.dof] + w * w * m[term.dof]);
+    amplitude[term.dof] +=
+        std::abs(force_amplitude(term, problem.frequency)) / (k[term.dof] + w * w * m[term.dof]);
   }
   return amplitude.maxCoeff();
 }

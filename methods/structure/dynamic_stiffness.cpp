@@ -78,10 +78,24 @@ void DynamicStiffness::factorise(const HarmonicWeights& weights) { factors_->fac
 
 Eigen::MatrixXcd DynamicStiffness::solve(const Eigen::MatrixXcd& rhs) const { return factors_->solve(rhs); }
 
-Eigen::VectorXcd load_coefficient(const Problem& problem, int n) {
+namespace {
+
+// Coefficient n of the motion sought out of the amplitude that `of_load` gives for a harmonic of the load.
+template <class OfLoad>
+Eigen::VectorXcd coefficient_of(const Problem& problem, int n, const OfLoad& of_load) {
   if (n % problem.subharmonic != 0) return Eigen::VectorXcd::Zero(problem.size());
-  const Eigen::VectorXcd load = load_harmonic(problem, n / problem.subharmonic);
-  return n == 0 ? load : Eigen::VectorXcd(0.5 * load);
+  const Eigen::VectorXcd amplitude = of_load(problem, n / problem.subharmonic);
+  return n == 0 ? amplitude : Eigen::VectorXcd(0.5 * amplitude);
+}
+
+}  // namespace
+
+Eigen::VectorXcd load_coefficient(const Problem& problem, int n) {
+  return coefficient_of(problem, n, load_harmonic);
+}
+
+Eigen::VectorXcd load_coefficient_rate(const Problem& problem, int n) {
+  return coefficient_of(problem, n, load_harmonic_rate);
 }
 
 }  // namespace signorini

@@ -49,4 +49,7 @@ class DynamicStiffness {
 /// Complex coefficient of the load at harmonic n of the BASE frequency, f(t) = sum_n f_n e^{i n w t}, Nd [N].
 Eigen::VectorXcd load_coefficient(const Problem& problem, int n);
 
+/// d load_coefficient / d omega, Nd [N s].
+Eigen::VectorXcd load_coefficient_rate(const Problem& problem, int n);
+
 }  // namespace signorini

@@ -29,7 +29,7 @@ void take_load(const Problem& problem, MasslessElimination& result) {
     const double rate = term.harmonic * problem.frequency;
     Eigen::VectorXcd& load =
         amplitudes.try_emplace(rate, Eigen::VectorXcd::Zero(problem.size())).first->second;
-    load[term.dof] += std::complex<double>(term.cos, term.harmonic == 0 ? 0.0 : -term.sin);
+    load[term.dof] += force_amplitude(term, problem.frequency);
   }
   result.load.resize(problem.size(), std::ssize(amplitudes));
   for (const auto& [rate, load] : amplitudes) {

@@ -11,6 +11,7 @@ ReceptanceRate receptance_with_rate(const Problem& problem, int harmonics, const
   const Eigen::SparseMatrix<Complex> mass = problem.mass().cast<Complex>();
   const Eigen::SparseMatrix<Complex> damping = problem.damping().cast<Complex>();
   const int loaded = load_bandwidth(problem);
+  const bool grows = load_grows(problem);
   DynamicStiffness stiffness(problem);
   ReceptanceRate result;
   result.value.period = problem.period();
@@ -26,7 +27,9 @@ ReceptanceRate receptance_with_rate(const Problem& problem, int harmonics, const
     const Eigen::MatrixXcd X = stiffness.solve(right);
     const Complex of_mass = 2.0 * weight.mass / problem.frequency;
     const Complex of_damping = weight.damping / problem.frequency;
-    const Eigen::MatrixXcd rate = -stiffness.solve(of_mass * (mass * X) + of_damping * (damping * X));
+    Eigen::MatrixXcd changes = -(of_mass * (mass * X) + of_damping * (damping * X));
+    if (grows && n <= loaded) changes.col(contacts) += weight.load * load_coefficient_rate(problem, n);
+    const Eigen::MatrixXcd rate = stiffness.solve(changes);
     const Eigen::MatrixXcd seen = directions.transpose() * X, changed = directions.transpose() * rate;
     result.value.receptance.emplace_back(seen.leftCols(contacts));
     result.value.free_response.row(n) = seen.col(contacts).transpose();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostSuggestions = 3;
 /// A word that is longer is no slip of the fingers, and is not worth the time.
-constexpr std::size_t kLongestName = 200;
+constexpr std::size_t kLongestCompared = 200;
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -30,7 +30,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::vector<std::string> close_names(std::string_view word, std::span<const std::string> known) {
-  if (word.empty() || word.size() > kLongestName) return {};
+  if (word.empty() || word.size() > kLongestCompared) return {};
   const std::size_t farthest = std::max<std::size_t>(2, word.size() / 4);
   std::vector<std::pair<std::size_t, std::string>> close;
   for (const std::string& name : known) {

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "problems/scene/text_words.hpp"
 #include "problems/scene/toml_tree.hpp"
 
 namespace signorini {
@@ -27,28 +27,6 @@ struct Entry {
   double value = 0.0;
   int line = 0;
 };
-
-std::vector<std::string_view> words_of(std::string_view line) {
-  constexpr std::string_view kBlank = " \t\r\v\f";
-  std::vector<std::string_view> words;
-  while (true) {
-    const std::size_t begin = line.find_first_not_of(kBlank);
-    if (begin == std::string_view::npos) return words;
-    line.remove_prefix(begin);
-    words.push_back(line.substr(0, line.find_first_of(kBlank)));
-    line.remove_prefix(words.back().size());
-  }
-}
-
-// The whole word as a number, or nothing.
-template <class Number>
-std::optional<Number> number_of(std::string_view word) {
-  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-  Number value{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return value;
-}
 
 class Reader {
  public:

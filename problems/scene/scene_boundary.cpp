@@ -1,11 +1,26 @@
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "problems/assembly/rotor.hpp"
 #include "problems/scene/scene_system.hpp"
 
 namespace signorini {
+
+int read_dof(const SceneField& field, int size) {
+  const int last = size - 1;
+  return field.whole(fmt::format("must be a coordinate of the system, 0..{}", last), 0, last);
+}
+
+Face read_face(const SceneField& field, const SystemDescription& system) {
+  if (!std::holds_alternative<BlockMesh>(system.layout))
+    field.refuse("must be absent: only a block has faces");
+  constexpr std::string_view kFace = "must be \"x+\", \"y-\", \"y+\", \"z-\" or \"z+\": x- is clamped";
+  const std::string name = field.text(kFace);
+  const std::size_t axis = name.size() == 2 ? std::string_view("xyz").find(name[0]) : std::string_view::npos;
+  if (axis == std::string_view::npos || name == "x-" || (name[1] != '-' && name[1] != '+')) {
+    field.refuse(kFace);
+  }
+  return {.axis = static_cast<int>(axis), .upper = name[1] == '+'};
+}
 
 namespace {
 
@@ -13,33 +28,6 @@ constexpr int kMostFacets = 1000;              // of one ring
 constexpr std::size_t kMostContacts = 100000;  // of a scene
 constexpr std::string_view kNumber = "must be a finite number";
 constexpr std::string_view kGap = "must be a finite number [m]";
-constexpr std::string_view kAxes = "xyz";
-
-int read_dof(const SceneField& field, int size) {
-  const int last = size - 1;
-  return field.whole(fmt::format("must be a coordinate of the system, 0..{}", last), 0, last);
-}
-
-// "x+", "y-" and so on.
-Face read_face(const SceneField& field, const SystemDescription& system) {
-  if (!std::holds_alternative<BlockMesh>(system.layout))
-    field.refuse("must be absent: only a block has faces");
-  constexpr std::string_view kFace = "must be \"x+\", \"y-\", \"y+\", \"z-\" or \"z+\": x- is clamped";
-  const std::string name = field.text(kFace);
-  const std::size_t axis = name.size() == 2 ? kAxes.find(name[0]) : std::string_view::npos;
-  if (axis == std::string_view::npos || name == "x-" || (name[1] != '-' && name[1] != '+')) {
-    field.refuse(kFace);
-  }
-  return {.axis = static_cast<int>(axis), .upper = name[1] == '+'};
-}
-
-int read_direction(const SceneField& field) {
-  constexpr std::string_view kDirection = "must be \"x\", \"y\" or \"z\"";
-  const std::string name = field.text(kDirection);
-  const std::size_t axis = name.size() == 1 ? kAxes.find(name[0]) : std::string_view::npos;
-  if (axis == std::string_view::npos) field.refuse(kDirection);
-  return static_cast<int>(axis);
-}
 
 // The whole face if absent.
 Patch read_patch(const SceneField& field, const Face& face, const BlockMesh& mesh) {
@@ -104,51 +92,15 @@ std::vector<Contact> read_ring(const SceneField& contact, int size) {
 }
 
 std::vector<Contact> read_contact(const SceneField& contact, const SystemDescription& system) {
-  contact.allow_only({"dof", "normal", "dofs", "facets", "face", "patch", "gap"}, "must be a table");
+  contact.allow_only({"dof", "normal", "dofs", "facets", "face", "patch", "gap", "gap_term", "centre_term"},
+                     "must be a table");
   if (contact["face"].given()) return read_face_contacts(contact, system);
   if (contact["patch"].given()) contact["patch"].refuse("must be absent: no face is given");
   if (contact["facets"].given() || contact["dofs"].given()) return read_ring(contact, system.size);
   return {{.normal = read_normal(contact, system.size), .gap = contact["gap"].number(kGap)}};
 }
 
-// Coordinates that a term acts on, each with its share.
-std::vector<std::pair<int, double>> read_point_of_attack(const SceneField& term,
-                                                         const SystemDescription& system) {
-  const SceneField face = term["face"];
-  const SceneField direction = term["direction"];
-  if (!face.given()) {
-    if (direction.given()) direction.refuse("must be absent: no face is given");
-    return {{read_dof(term["dof"], system.size), 1.0}};
-  }
-  if (term["dof"].given()) face.refuse("must be absent: dof is given");
-  const Face loaded = read_face(face, system);
-  return load_on_face(std::get<BlockMesh>(system.layout), loaded, read_direction(direction));
-}
-
 }  // namespace
-
-int read_int(const SceneField& field, int otherwise) {
-  constexpr int kMost = std::numeric_limits<int>::max();
-  return field.whole_or(otherwise, "must be a whole number", -kMost, kMost);
-}
-
-FromTables<ForceTerm> read_load(const SceneField& terms, const SystemDescription& system) {
-  FromTables<ForceTerm> load;
-  if (!terms.given()) return load;
-  int table = 0;
-  for (const SceneField& term : terms.items("must be [[forcing.term]] tables; left out if there is none")) {
-    term.allow_only({"dof", "face", "direction", "harmonic", "cos", "sin"}, "must be a table");
-    const auto attack = read_point_of_attack(term, system);
-    const int harmonic = read_int(term["harmonic"], 1);
-    const double cos = term["cos"].number_or(0.0, kNumber);
-    const double sin = term["sin"].number_or(0.0, kNumber);
-    for (const auto& [dof, share] : attack) {
-      load.add({.dof = dof, .harmonic = harmonic, .cos = cos * share, .sin = sin * share}, table);
-    }
-    ++table;
-  }
-  return load;
-}
 
 FromTables<Contact> read_contacts(const SceneField& contacts, const SystemDescription& system) {
   FromTables<Contact> made;

@@ -55,8 +55,9 @@ std::vector<double> read_penalty(const SceneField& penalty, std::size_t contacts
 
 SceneHeader read_header(const SceneField& document, std::optional<FamilyLevel> family) {
   std::ignore = document["schema"].whole("must be 1", kSchema, kSchema);  // first: others may have other keys
-  document.allow_only({"schema", "name", "title", "reference", "tags", "system", "forcing", "contact", "law"},
-                      "must be a table");
+  document.allow_only(
+      {"schema", "name", "title", "reference", "tags", "system", "forcing", "base", "contact", "law"},
+      "must be a table");
   SceneHeader header{.name = read_name(document["name"]),
                      .title = read_optional_text(document["title"]),
                      .reference = read_optional_text(document["reference"]),
@@ -90,6 +91,8 @@ Law read_law(const SceneField& law, const Problem& problem) {
 struct ReadScene : SceneWithSources {
   std::vector<int> term_tables = {};
   std::vector<int> contact_tables = {};
+  // Terms of the load that are not written as such: the number of the first, and what they come from.
+  std::vector<std::pair<int, std::string>> derived_terms = {};
   Definiteness definiteness = Definiteness::to_be_checked;
 };
 
@@ -100,15 +103,26 @@ std::string with_table(const std::string& path, std::string_view list, const std
   return fmt::format("{}{}{}", list, tables.at(static_cast<std::size_t>(index)), path.substr(end));
 }
 
+// "forcing.term[3].cos" with the number of the table, or what else in the file the term comes from.
+std::string origin_of_term(const ReadScene& scene, const std::string& path) {
+  constexpr std::string_view kTerm = "forcing.term[";
+  const int term = std::stoi(path.substr(kTerm.size()));
+  if (term < std::ssize(scene.term_tables)) return with_table(path, kTerm, scene.term_tables);
+  std::string origin = "forcing";
+  for (const auto& [first, name] : scene.derived_terms)
+    if (term >= first) origin = name;
+  return origin;
+}
+
 // The place in the file that a path of validate() stands for.
 SceneField as_written(const SceneField& document, const ReadScene& scene, const std::string& path) {
   constexpr std::string_view kContact = "contact[";
-  constexpr std::string_view kTerm = "forcing.term[";
   if (path.starts_with("law.penalty[") && !document["law"]["penalty"].is_array()) {
     return document["law"]["penalty"];
   }
+  if (path.starts_with("frame[")) return document["contact"];
   if (path.starts_with(kContact)) return document.at(with_table(path, kContact, scene.contact_tables));
-  if (path.starts_with(kTerm)) return document.at(with_table(path, kTerm, scene.term_tables));
+  if (path.starts_with("forcing.term[")) return document.at(origin_of_term(scene, path));
   return system_field_as_written(document, path);
 }
 
@@ -123,13 +137,34 @@ std::vector<int> contact_coordinates(const Problem& problem) {
   return {coordinates.begin(), coordinates.end()};
 }
 
+void mark_derived(ReadScene& scene, std::string origin) {
+  scene.derived_terms.emplace_back(static_cast<int>(scene.problem.force.size()), std::move(origin));
+}
+
 void read_forcing(const SceneField& forcing, const SystemDescription& system, ReadScene& scene) {
-  forcing.allow_only({"frequency", "subharmonic", "term"}, "must be a table with the frequency");
-  scene.problem.frequency = forcing["frequency"].number("must be a positive number [rad/s]");
+  forcing.allow_only({"frequency", "subharmonic", "term", "unbalance"}, "must be a table with the frequency");
+  scene.problem.frequency = forcing["frequency"].number("must be a positive number [rad/s]", kLeastPositive);
   scene.problem.subharmonic = read_int(forcing["subharmonic"], 1);
-  FromTables<ForceTerm> load = read_load(forcing["term"], system);
+  ReadLoad load = read_load(forcing["term"], system, scene.problem.frequency);
   scene.problem.force = std::move(load.things);
+  scene.sampled_loads = std::move(load.sampled);
+  scene.files.insert(scene.files.end(), load.files.begin(), load.files.end());
   scene.term_tables = std::move(load.tables);
+  mark_derived(scene, "forcing.unbalance");
+  const FromTables<ForceTerm> unbalance = read_unbalance(forcing["unbalance"], system.size);
+  scene.problem.force.insert(scene.problem.force.end(), unbalance.things.begin(), unbalance.things.end());
+}
+
+// Loads of what moves, which needs the matrices.
+void read_motion(const SceneField& document, const SystemDescription& system,
+                 const FromTables<Contact>& contacts, ReadScene& scene) {
+  const Structure& structure = *scene.problem.structure;
+  for (const SparseMatrix* A : {&structure.mass, &structure.damping, &structure.stiffness})
+    if (A->rows() != system.size || A->cols() != system.size) return;  // validate() will say so
+  mark_derived(scene, "base");
+  read_base(document["base"], system, scene.problem);
+  mark_derived(scene, "contact");
+  move_stops(scene.problem, read_stop_motion(document["contact"], contacts));
 }
 
 // Fills `scene` as far as it comes.
@@ -144,12 +179,13 @@ void read_scene(const SceneField& document, std::optional<FamilyLevel> family, R
   const SystemDescription system = read_system(document["system"]);
   problem.kind = system.kind;
   scene.definiteness = system.definiteness;
-  scene.matrix_files = system.files;
+  scene.files = system.files;
   read_forcing(document["forcing"], system, scene);
-  FromTables<Contact> contacts = read_contacts(document["contact"], system);
-  problem.contacts = std::move(contacts.things);
-  scene.contact_tables = std::move(contacts.tables);
+  const FromTables<Contact> contacts = read_contacts(document["contact"], system);
+  problem.contacts = contacts.things;
+  scene.contact_tables = contacts.tables;
   problem.structure = system.assemble(contact_coordinates(problem));
+  read_motion(document, system, contacts, scene);
   problem.law = read_law(document["law"], problem);
 }
 

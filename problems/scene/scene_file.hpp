@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "problems/problem.hpp"
+#include "problems/scene/load_table.hpp"
 #include "problems/scene/scene_family.hpp"
 
 namespace signorini {
@@ -61,9 +62,10 @@ Problem parse_scene(std::string_view text, const std::string& name, std::string_
 
 /// A scene, and what else makes it that scene.
 struct SceneWithSources {
-  Problem problem = {};                                  ///< validated
-  std::optional<FamilyLevel> family = {};                ///< where it is one of a family
-  std::vector<std::filesystem::path> matrix_files = {};  ///< that its system is read from
+  Problem problem = {};                           ///< validated
+  std::optional<FamilyLevel> family = {};         ///< where it is one of a family
+  std::vector<std::filesystem::path> files = {};  ///< of matrices and samples that it is read from
+  std::vector<SampledLoad> sampled_loads = {};    ///< loads given by samples
 };
 
 /// parse_scene, with the sources of the scene.

@@ -1,6 +1,6 @@
 #pragma once
-// The tables [system], [forcing] and [[contact]] of a scene file: which kind of structure, its matrices and
-// files of matrices, and what acts on it from outside.
+// The tables [system], [forcing], [base] and [[contact]] of a scene file: which kind of structure, its
+// matrices and files of matrices, and what acts on it from outside.
 
 #include <filesystem>
 #include <functional>
@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "problems/assembly/damping.hpp"
+#include "problems/moving_frame.hpp"
+#include "problems/scene/load_table.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/system_layout.hpp"
 #include "problems/structure.hpp"
@@ -64,11 +66,35 @@ struct FromTables {
   }
 };
 
-/// The load: [[forcing.term]] tables, each on a coordinate or spread over a face. \throws SceneError
-FromTables<ForceTerm> read_load(const SceneField& terms, const SystemDescription& system);
+/// The load of [[forcing.term]] tables, and where it was sampled.
+struct ReadLoad : FromTables<ForceTerm> {
+  std::vector<SampledLoad> sampled = {};          ///< terms given by samples
+  std::vector<std::filesystem::path> files = {};  ///< that samples were read from
+};
 
-/// [[contact]] tables, each a contact, a ring of them, or those of a face. \throws SceneError
+/// The load: [[forcing.term]] tables, each on a coordinate or spread over a face, a harmonic or samples over
+/// a period of `frequency`. \throws SceneError
+ReadLoad read_load(const SceneField& terms, const SystemDescription& system, double frequency);
+
+/// [[contact]] tables, each a contact, a ring of them, or those of a face; how their stops move is
+/// read_stop_motion's business. \throws SceneError
 FromTables<Contact> read_contacts(const SceneField& contacts, const SystemDescription& system);
+
+/// [[forcing.unbalance]] tables: discs whose mass turns with the frequency of the load about an axis at right
+/// angles to two coordinates, moment omega^2 (cos(omega t + phase), sin(omega t + phase)). \throws SceneError
+FromTables<ForceTerm> read_unbalance(const SceneField& unbalance, int size);
+
+/// How the stops of [[contact]] tables move: `gap_term` and `centre_term`. \throws SceneError
+std::vector<StopTerm> read_stop_motion(const SceneField& contacts, const FromTables<Contact>& made);
+
+/// The table [base]: adds the load of a base that moves (move_base). \throws SceneError
+void read_base(const SceneField& base, const SystemDescription& system, Problem& problem);
+
+/// A coordinate of a system of `size`. \throws SceneError
+int read_dof(const SceneField& field, int size);
+
+/// A face of a block: "x+", "y-" and so on. \throws SceneError
+Face read_face(const SceneField& field, const SystemDescription& system);
 
 /// A whole number of any size: ranges are validate()'s business.
 int read_int(const SceneField& field, int otherwise);

@@ -37,8 +37,13 @@ Json write_matrix(const SparseMatrix& matrix) {
 
 Json write_problem(const Problem& problem) {
   Json force = Json::array(), contacts = Json::array();
-  for (const ForceTerm& term : problem.force)
-    force.push_back({{"dof", term.dof}, {"harmonic", term.harmonic}, {"cos", term.cos}, {"sin", term.sin}});
+  for (const ForceTerm& term : problem.force) {
+    const std::complex<double> amplitude = force_amplitude(term, problem.frequency);
+    force.push_back({{"dof", term.dof},
+                     {"harmonic", term.harmonic},
+                     {"cos", amplitude.real()},
+                     {"sin", term.harmonic == 0 ? term.sin : -amplitude.imag()}});
+  }
   for (const Contact& contact : problem.contacts)
     contacts.push_back({{"normal", contact.normal}, {"gap", contact.gap}});
   return {{"name", problem.name},

@@ -28,7 +28,7 @@ ParametrisedScene over_frequency(const Problem& problem, double from, double to)
                 changed.frequency = frequency;
                 return changed;
               },
-          .of_frequency = true};
+          .of_frequency = !load_grows(problem)};
 }
 
 std::string continuation_obstacle(const Problem& problem) {

@@ -90,6 +90,14 @@ TEST(WithOriginMoved, KeepsTheEquationsAndTheRoomBeforeEachStop) {
   EXPECT_LE(((W.transpose() * u_0).cwiseAbs().array() - 7.0).abs().maxCoeff(), 1e-13);
 }
 
+// The same force at each phase, however slow.
+TEST(WithTimeScaled, KeepsTheForceOfAnUnbalance) {
+  Problem problem = two_masses_with_two_stops();
+  problem.force.push_back({.dof = 1, .cos = 0.5, .omega_power = 2});
+  const Problem slower = with_time_scaled(problem, 3.0);
+  EXPECT_LE((load_harmonic(slower, 1) - load_harmonic(problem, 1)).norm(), 1e-14);
+}
+
 TEST(MappedMotion, MovesTheOriginAndBack) {
   const MotionMap map{.displacement = 2.0, .origin = Eigen::VectorXd::Constant(1, 5.0)};
   const auto moved = std::make_shared<MappedMotion>(motion(), map);

@@ -64,6 +64,13 @@ TEST(LoadText, HasTheTermsOfOneCoordinate) {
   EXPECT_EQ(load_text(problem, 0), "f(t)");
 }
 
+TEST(LoadText, IsTheForceAtTheFrequencyOfTheScene) {
+  Problem problem;
+  problem.frequency = 2.0;
+  problem.force = {{.dof = 0, .cos = 0.5, .omega_power = 2}, {.dof = 0, .cos = 1.0}};
+  EXPECT_EQ(load_text(problem, 0), "3 cos ωt N");
+}
+
 TEST(MotionNote, TellsFrequencyOrderAndLaw) {
   Problem problem;
   problem.frequency = 2.2;
@@ -72,6 +79,8 @@ TEST(MotionNote, TellsFrequencyOrderAndLaw) {
   EXPECT_EQ(motion_note(problem), "ω = 2.2 rad/s, order 3, e = 0.8");
   problem.law = Penalty{{100.0, 1e5}};
   EXPECT_EQ(motion_note(problem), "ω = 2.2 rad/s, order 3, stop of 100 … 100000 N/m");
+  problem.frame = {{.dof = 0, .cos = 0.1}};
+  EXPECT_EQ(motion_note(problem), "ω = 2.2 rad/s, order 3, stop of 100 … 100000 N/m, moving stops");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <complex>
 
+#include "problems/moving_frame.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
@@ -23,6 +24,22 @@ Motion impulses_of_orbit(const Problem& problem, const test::SingleImpactOrbit& 
   return sample_motion(
       problem, test::FormulaMotion(orbit.period, nothing, nothing, nothing,
                                    {{.contact = 0, .time = orbit.impact_time, .value = -orbit.impulse}}));
+}
+
+// Told at rest, a motion that meets no stop knows nothing of how its stop moves.
+TEST(CoordinateMotion, OfASceneWithAMovingStopIsToldAtRest) {
+  const Problem resting = test::to_problem({.damping = 0.3, .frequency = 2.2, .gap = 50.0});
+  Problem moving = resting;
+  move_stops(moving, {{.contact = 0, .cos = 0.3, .sin = -0.2}, {.contact = 0, .harmonic = 5, .sin = 0.1}});
+  const auto nothing = [](double) { return 0.0; };
+  const test::FormulaMotion open(resting.period(), nothing, nothing, nothing, {});
+  const auto told = [&](const Problem& problem) {
+    return CoordinateMotion(problem, sample_motion(problem, open), std::array{0});
+  };
+  const CoordinateMotion expected = told(resting), found = told(moving);
+  EXPECT_LT((found.displacement(kCoordinateInstants) - expected.displacement(kCoordinateInstants)).norm(),
+            1e-11);
+  EXPECT_LT((found.velocity(kCoordinateInstants) - expected.velocity(kCoordinateInstants)).norm(), 1e-10);
 }
 
 TEST(CoordinateMotion, OfTheImpactOscillatorIsTheClosedFormThroughTheImpact) {

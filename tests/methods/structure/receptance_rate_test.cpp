@@ -47,6 +47,16 @@ TEST(ReceptanceWithRate, AgreesWithDifferencesOnAGridOfEveryScheme) {
   }
 }
 
+// An unbalance: f = 0.4 omega^2 cos(omega t), so that x = 0.2 omega^2 / Z of each sign of n.
+TEST(ReceptanceWithRate, HasThePartOfALoadThatGrows) {
+  Problem problem = test::to_problem({.damping = 0.3, .frequency = 1.7});
+  problem.force = {{.dof = 0, .cos = 0.4, .omega_power = 2}};
+  const ReceptanceRate found = receptance_with_rate(problem, 2, [](int n) { return exact_weights(n * 1.7); });
+  const Complex Z(1.0 - 1.7 * 1.7, 0.3 * 1.7), slope(-2.0 * 1.7, 0.3);
+  EXPECT_LT(std::abs(found.value.free_response(1, 0) - 0.2 * 1.7 * 1.7 / Z), 1e-14);
+  EXPECT_LT(std::abs(found.free_response(1, 0) - (0.4 * 1.7 / Z - 0.2 * 1.7 * 1.7 * slope / (Z * Z))), 1e-14);
+}
+
 TEST(ReceptanceWithRate, OfAnUndampedResonanceIsRefused) {
   const Problem problem = test::to_problem({.damping = 0.0, .frequency = 1.0});
   EXPECT_THROW(receptance_with_rate(problem, 3, [](int n) { return exact_weights(n); }), SingularStiffness);

@@ -75,10 +75,12 @@ inline constexpr Malformed kMalformed[] = {
     {"SchemaAsText", kOscillator, 1, "schema = \"1\"", "1: schema = \"1\" (must be 1)"},
     {"NoSchema", kOscillator, 1, "", "1: schema = missing (must be 1)"},
     {"UnknownTopKey", kOscillator, 3, "titel = \"x\"",
-     "3: titel = \"x\" (unknown key; known: schema, name, title, reference, tags, system, forcing, contact, "
+     "3: titel = \"x\" (unknown key; known: schema, name, title, reference, tags, system, forcing, base, "
+     "contact, "
      "law)"},
     {"KeyWithALineBreak", kOscillator, 3, R"("a\nb" = 1)",
-     "3: a\\nb = 1 (unknown key; known: schema, name, title, reference, tags, system, forcing, contact, "
+     "3: a\\nb = 1 (unknown key; known: schema, name, title, reference, tags, system, forcing, base, "
+     "contact, "
      "law)"},
     // Header
     {"NoName", kOscillator, 2, "",
@@ -184,7 +186,7 @@ inline constexpr Malformed kMalformed[] = {
     {"SubharmonicBeyondInt", kOscillator, 12, "subharmonic = 4294967297",
      "12: forcing.subharmonic = 4294967297 (must be a whole number)"},
     {"UnknownForcingKey", kOscillator, 12, "phase = 0.0",
-     "12: forcing.phase = 0 (unknown key; known: frequency, subharmonic, term)"},
+     "12: forcing.phase = 0 (unknown key; known: frequency, subharmonic, term, unbalance)"},
     {"TermAsTable", kOscillator, 13, "[forcing.term]",
      "13: forcing.term = {dof = 0, harmonic = 1, cos = 1, sin = 0} (must be [[forcing.term]] tables; left "
      "out if there "
@@ -204,7 +206,8 @@ inline constexpr Malformed kMalformed[] = {
     {"LoadNotANumber", kOscillator, 16, "cos = nan",
      "16: forcing.term[0].cos = nan (must be a finite number)"},
     {"UnknownTermKey", kOscillator, 17, "phase = 0.5",
-     "17: forcing.term[0].phase = 0.5 (unknown key; known: dof, face, direction, harmonic, cos, sin)"},
+     "17: forcing.term[0].phase = 0.5 (unknown key; known: dof, face, direction, harmonic, "
+     "frequency, cos, sin, omega_power, samples, file, harmonics)"},
     // Contacts
     {"ContactAsTable", kOscillator, 18, "[contact]",
      "18: contact = {dof = 0, gap = 0.2} (must be [[contact]] tables; left out if there is none)"},
@@ -217,7 +220,8 @@ inline constexpr Malformed kMalformed[] = {
     {"NoGap", kOscillator, 20, "", "18: contact[0].gap = missing (must be a finite number [m])"},
     {"GapInfinite", kOscillator, 20, "gap = inf", "20: contact[0].gap = inf (must be a finite number [m])"},
     {"UnknownContactKey", kOscillator, 20, "gap = 0.2\nfriction = 0.3",
-     "21: contact[0].friction = 0.3 (unknown key; known: dof, normal, dofs, facets, face, patch, gap)"},
+     "21: contact[0].friction = 0.3 (unknown key; known: dof, normal, dofs, facets, face, patch, gap, "
+     "gap_term, centre_term)"},
     {"EmptyNormal", kChain, 11, "normal = []",
      "11: contact[0].normal = [] (must be a list of pairs [dof, coefficient])"},
     {"FlatNormal", kChain, 11, "normal = [2, 1.0]",

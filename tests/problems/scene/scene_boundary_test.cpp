@@ -27,7 +27,7 @@ FromTables<Contact> contacts(const std::string& text, const SystemDescription& s
 
 FromTables<ForceTerm> load(const std::string& text, const SystemDescription& system = points()) {
   const TomlNode tree = parse_toml(text, "file.toml");
-  return read_load(SceneField(tree, kFile)["term"], system);
+  return read_load(SceneField(tree, kFile)["term"], system, 1.0);
 }
 
 std::string refusal(const std::function<void()>& read) {

@@ -1,0 +1,185 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "problems/scene/input_file.hpp"
+#include "problems/scene/scene_system.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr std::string_view kAmplitude = "must be a finite number";
+constexpr std::size_t kLargestTable = std::size_t{1} << 22U;  // [bytes]
+
+int read_direction(const SceneField& field) {
+  constexpr std::string_view kDirection = "must be \"x\", \"y\" or \"z\"";
+  const std::string name = field.text(kDirection);
+  const std::size_t axis = name.size() == 1 ? std::string_view("xyz").find(name[0]) : std::string_view::npos;
+  if (axis == std::string_view::npos) field.refuse(kDirection);
+  return static_cast<int>(axis);
+}
+
+// Coordinates that a term acts on, each with its share.
+std::vector<std::pair<int, double>> read_point_of_attack(const SceneField& term,
+                                                         const SystemDescription& system) {
+  const SceneField face = term["face"];
+  const SceneField direction = term["direction"];
+  if (!face.given()) {
+    if (direction.given()) direction.refuse("must be absent: no face is given");
+    return {{read_dof(term["dof"], system.size), 1.0}};
+  }
+  if (term["dof"].given()) face.refuse("must be absent: dof is given");
+  const Face loaded = read_face(face, system);
+  return load_on_face(std::get<BlockMesh>(system.layout), loaded, read_direction(direction));
+}
+
+// The harmonic that a frequency is, where there is one. A motion that repeats itself needs a common period.
+int harmonic_of(const SceneField& field, double base) {
+  constexpr double kSame = 1e-12;  // of the ratio
+  constexpr int kMostParts = 64;
+  const double frequency = field.number("must be a positive number [rad/s]", kLeastPositive);
+  const double ratio = frequency / base;
+  const auto is_whole = [](double value) { return std::abs(value - std::round(value)) <= kSame * value; };
+  if (is_whole(ratio) && ratio < kMostLoadSamples) return static_cast<int>(std::lround(ratio));
+  for (int q = 2; q <= kMostParts; ++q) {
+    if (is_whole(ratio * q) && ratio * q < kMostLoadSamples)
+      field.refuse(fmt::format(
+          "is {}/{} of forcing.frequency: write forcing.frequency = {:.17g}, and of what was a harmonic h "
+          "harmonic = {} h, here harmonic = {}",
+          std::lround(ratio * q), q, base / q, q, std::lround(ratio * q)));
+  }
+  field.refuse(fmt::format(
+      "must be p/q of forcing.frequency, q <= {}: a load of two frequencies without a common period has no "
+      "periodic motion",
+      kMostParts));
+}
+
+int read_load_harmonic(const SceneField& term, double base) {
+  if (!term["frequency"].given()) return read_int(term["harmonic"], 1);
+  if (term["harmonic"].given()) term["harmonic"].refuse("must be absent: frequency is given");
+  return harmonic_of(term["frequency"], base);
+}
+
+std::vector<double> read_samples(const SceneField& samples) {
+  constexpr std::string_view kSamples =
+      "must be a list of samples of the load over one period, at least 3 [N]";
+  const std::vector<SceneField> items = samples.items(kSamples);
+  if (items.size() < 3 || items.size() > kMostLoadSamples)
+    samples.refuse(fmt::format("{} samples", items.size()), fmt::format("must be 3..{}", kMostLoadSamples));
+  std::vector<double> values;
+  for (const SceneField& item : items) values.push_back(item.number("must be a finite number [N]"));
+  return values;
+}
+
+std::vector<double> read_table(const SceneField& table, double frequency, ReadLoad& load) {
+  constexpr std::string_view kTable =
+      "must be the name of a text file of samples, relative to the scene's folder";
+  const std::string name = table.text(kTable);
+  if (name.empty()) table.refuse(kTable);
+  const std::filesystem::path path = std::filesystem::path(table.file()).parent_path() / name;
+  load.files.push_back(path);
+  try {
+    return parse_load_table(read_input_file(path, kLargestTable), path.string(),
+                            2.0 * std::numbers::pi / frequency);
+  } catch (const UnreadableFile& error) {
+    table.refuse(fmt::format("{}; it is {}", kTable, error.found));
+  }
+}
+
+// A term given by samples, on so many coordinates.
+SampledLoad read_sampled(const SceneField& term, double frequency, std::size_t places, ReadLoad& load) {
+  for (const char* key : {"harmonic", "frequency", "cos", "sin", "omega_power"}) {
+    if (term[key].given()) term[key].refuse("must be absent: the load is given by samples");
+  }
+  if (term["samples"].given() && term["file"].given())
+    term["file"].refuse("must be absent: samples are given");
+  const std::vector<double> values =
+      term["file"].given() ? read_table(term["file"], frequency, load) : read_samples(term["samples"]);
+  std::optional<int> harmonics;
+  if (term["harmonics"].given()) {
+    const int most = (static_cast<int>(values.size()) - 1) / 2;
+    harmonics = term["harmonics"].whole(
+        fmt::format("must be a whole number, 0..{}: {} samples determine no more", most, values.size()), 0,
+        most);
+  }
+  SampledLoad sampled = load_of_samples(values, harmonics);
+  constexpr std::size_t kMostLoads = 10'000'000;
+  if (static_cast<std::size_t>(sampled.harmonics() + 1) * places > kMostLoads)
+    term.refuse(fmt::format("{} harmonics on {} coordinates", sampled.harmonics(), places),
+                fmt::format("must make at most {} loads: give fewer harmonics", kMostLoads));
+  sampled.field = term.path();
+  return sampled;
+}
+
+void add_sampled(const SampledLoad& sampled, const std::vector<std::pair<int, double>>& attack, int table,
+                 ReadLoad& load) {
+  for (int h = 0; h <= sampled.harmonics(); ++h) {
+    const double cos = sampled.cos[static_cast<std::size_t>(h)],
+                 sin = sampled.sin[static_cast<std::size_t>(h)];
+    if (cos == 0.0 && sin == 0.0) continue;
+    for (const auto& [dof, share] : attack)
+      load.add({.dof = dof, .harmonic = h, .cos = cos * share, .sin = sin * share}, table);
+  }
+}
+
+}  // namespace
+
+int read_int(const SceneField& field, int otherwise) {
+  constexpr int kMost = std::numeric_limits<int>::max();
+  return field.whole_or(otherwise, "must be a whole number", -kMost, kMost);
+}
+
+ReadLoad read_load(const SceneField& terms, const SystemDescription& system, double frequency) {
+  ReadLoad load;
+  if (!terms.given()) return load;
+  int table = 0;
+  for (const SceneField& term : terms.items("must be [[forcing.term]] tables; left out if there is none")) {
+    term.allow_only({"dof", "face", "direction", "harmonic", "frequency", "cos", "sin", "omega_power",
+                     "samples", "file", "harmonics"},
+                    "must be a table");
+    const auto attack = read_point_of_attack(term, system);
+    if (term["samples"].given() || term["file"].given()) {
+      load.sampled.push_back(read_sampled(term, frequency, attack.size(), load));
+      add_sampled(load.sampled.back(), attack, table, load);
+    } else {
+      if (term["harmonics"].given()) term["harmonics"].refuse("must be absent: no samples are given");
+      const int harmonic = read_load_harmonic(term, frequency);
+      const double cos = term["cos"].number_or(0.0, kAmplitude);
+      const double sin = term["sin"].number_or(0.0, kAmplitude);
+      const int power = read_int(term["omega_power"], 0);
+      for (const auto& [dof, share] : attack)
+        load.add(
+            {.dof = dof, .harmonic = harmonic, .cos = cos * share, .sin = sin * share, .omega_power = power},
+            table);
+    }
+    ++table;
+  }
+  return load;
+}
+
+FromTables<ForceTerm> read_unbalance(const SceneField& unbalance, int size) {
+  FromTables<ForceTerm> load;
+  if (!unbalance.given()) return load;
+  int table = 0;
+  for (const SceneField& disc :
+       unbalance.items("must be [[forcing.unbalance]] tables; left out if there is none")) {
+    disc.allow_only({"dofs", "moment", "phase"}, "must be a table");
+    constexpr std::string_view kPair =
+        "must be a pair of different coordinates, of the plane in which the disc turns";
+    const std::vector<SceneField> pair = disc["dofs"].items(kPair, 2);
+    const int x = read_dof(pair[0], size), y = read_dof(pair[1], size);
+    if (x == y) disc["dofs"].refuse(kPair);
+    const double moment = disc["moment"].number("must be a finite number [kg m]");
+    const double phase = disc["phase"].number_or(0.0, "must be a finite number [rad]");
+    const double cos = moment * std::cos(phase), sin = moment * std::sin(phase);
+    load.add({.dof = x, .cos = cos, .sin = -sin, .omega_power = 2}, table);
+    load.add({.dof = y, .cos = sin, .sin = cos, .omega_power = 2}, table);
+    ++table;
+  }
+  return load;
+}
+
+}  // namespace signorini
