@@ -84,6 +84,23 @@ SparseMatrix on_nodes(const std::vector<int>& nodes, double value, Eigen::Index 
   return from_entries(entries, size);
 }
 
+// An inertia against the rotation of a node, in one plane.
+SparseMatrix on_rotation(int node, double value, Eigen::Index size) {
+  SparseMatrix A(size, size);
+  if (value != 0.0) A.insert(2 * node + 1, 2 * node + 1) = value;
+  return A;
+}
+
+SparseMatrix gyroscopic(const Shaft& shaft) {
+  const int size = 4 * (shaft.beam.elements + 1), theta = 4 * shaft.disc_node + 1, phi = theta + 2;
+  const double momentum = shaft.polar_inertia * shaft.spin;
+  SparseMatrix G(size, size);
+  if (momentum == 0.0) return G;
+  G.insert(theta, phi) = momentum;
+  G.insert(phi, theta) = -momentum;
+  return G;
+}
+
 }  // namespace
 
 SparseMatrix unclamped_mass(const Bar& bar) {
@@ -153,8 +170,10 @@ Structure assemble(const Beam& beam) {
 Structure assemble(const Shaft& shaft) {
   const SparseMatrix mass = unclamped_mass(shaft.beam);
   const std::vector<int> ends = {0, shaft.beam.elements};
-  return {.mass = in_two_planes(mass + on_nodes({shaft.disc_node}, shaft.disc_mass, mass.rows())),
-          .damping = in_two_planes(on_nodes(ends, shaft.bearing_damping, mass.rows())),
+  const SparseMatrix disc = on_nodes({shaft.disc_node}, shaft.disc_mass, mass.rows()) +
+                            on_rotation(shaft.disc_node, shaft.disc_inertia, mass.rows());
+  return {.mass = in_two_planes(mass + disc),
+          .damping = in_two_planes(on_nodes(ends, shaft.bearing_damping, mass.rows())) + gyroscopic(shaft),
           .stiffness = in_two_planes(unclamped_stiffness(shaft.beam) +
                                      on_nodes(ends, shaft.bearing_stiffness, mass.rows()))};
 }

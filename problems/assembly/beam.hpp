@@ -69,10 +69,17 @@ struct Shaft {
   int disc_node = 0;               ///< 0..elements
   double bearing_stiffness = 1.0;  ///< of each bearing, in any direction, > 0 [N/m]
   double bearing_damping = 0.0;    ///< >= 0 [N s/m]
+  double disc_inertia = 0.0;       ///< about a diameter, >= 0 [kg m^2]
+  double polar_inertia = 0.0;      ///< about the axis, 0..2 disc_inertia [kg m^2]
+  double spin = 0.0;               ///< Omega, angular velocity from the first plane to the second [rad/s]
 };
 
-/// M, K, and D of the bearings alone; Nd = 4 (elements + 1). The planes are not coupled: the shaft is seen
-/// from rest, its disc is thin, gyroscopic moments are left out.
+/// M, K, and D of the bearings and of the disc's gyroscopic moment; Nd = 4 (elements + 1). The shaft is seen
+/// from rest. With the rotations theta = dv/dx and phi = dw/dx of the disc in the two planes, its angular
+/// momentum polar_inertia Omega about the axis adds polar_inertia Omega phi' to the moment balance of theta
+/// and -polar_inertia Omega theta' to that of phi [genta2005, ch. 4]: skew, of no work. It stiffens forward
+/// whirl and softens backward whirl; without it the planes are not coupled. That of the shaft itself is left
+/// out.
 Structure assemble(const Shaft& shaft);
 
 }  // namespace signorini

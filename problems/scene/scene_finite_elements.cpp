@@ -178,10 +178,20 @@ SystemDescription read_block(const SceneField& system) {
   return damped(block.mesh, assembly_of(block), read_damping(system["damping"], size), size);
 }
 
+// No body has more about an axis than about two at right angles to it.
+double read_polar_inertia(const SceneField& field, double diametral) {
+  const std::string requirement =
+      fmt::format("must be in 0..{:g}, twice disc_inertia [kg m^2]", 2.0 * diametral);
+  const double inertia = field.given() ? field.number(requirement, 0.0) : 0.0;
+  if (inertia > 2.0 * diametral) field.refuse(requirement);
+  return inertia;
+}
+
 SystemDescription read_shaft(const SceneField& system) {
-  system.allow_only({"kind", "elements", "length", "area", "inertia", "young", "density", "disc_mass",
-                     "disc_node", "bearing_stiffness", "bearing_damping", "damping"},
-                    "must be a table");
+  system.allow_only(
+      {"kind", "elements", "length", "area", "inertia", "young", "density", "disc_mass", "disc_node",
+       "disc_inertia", "disc_polar_inertia", "spin", "bearing_stiffness", "bearing_damping", "damping"},
+      "must be a table");
   Shaft shaft{.beam = read_section_and_material(system)};
   const int last = shaft.beam.elements;
   shaft.disc_mass = system["disc_mass"].number("must be a number >= 0 [kg]", 0.0);
@@ -189,6 +199,11 @@ SystemDescription read_shaft(const SceneField& system) {
       system["disc_node"].whole(fmt::format("must be a node of the shaft, 0..{}", last), 0, last);
   shaft.bearing_stiffness = read_positive(system["bearing_stiffness"], "[N/m]");
   shaft.bearing_damping = system["bearing_damping"].number("must be a number >= 0 [N s/m]", 0.0);
+  shaft.disc_inertia = system["disc_inertia"].given()
+                           ? system["disc_inertia"].number("must be a number >= 0 [kg m^2]", 0.0)
+                           : 0.0;
+  shaft.polar_inertia = read_polar_inertia(system["disc_polar_inertia"], shaft.disc_inertia);
+  shaft.spin = system["spin"].number_or(0.0, "must be a finite number [rad/s]");
   const int size = 4 * (last + 1);
   return damped(
       shaft, [shaft](const std::vector<int>&) { return assemble(shaft); },

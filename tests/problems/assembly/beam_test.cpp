@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "problems/matrix_properties.hpp"
@@ -192,6 +193,40 @@ TEST(AssembleShaft, SagsUnderItsDiscAsTheBeamDoes) {
     EXPECT_NEAR(sag(disc + plane), 1.0 / 48.0 + 1.0 / (2.0 * kBearing), 1e-12);
     EXPECT_NEAR(sag(plane), 1.0 / (2.0 * kBearing), 1e-12);
     EXPECT_EQ(sag(disc + 2 - plane), 0.0) << "the other plane";
+  }
+}
+
+// With y + i z of each node, forward whirl (cos, sin) is one plane whose disc has omega Omega I_p more
+// stiffness against rotation, backward whirl (cos, -sin) one that has as much less.
+TEST(AssembleShaft, WhirlsForwardAndBackwardAsOneComplexPlaneDoes) {
+  constexpr double kFrequency = 3.0;
+  constexpr int kNode = 1;
+  Shaft whirling = shaft(3, 50.0);
+  whirling.bearing_damping = 0.7;
+  whirling.disc_mass = 2.0;
+  whirling.disc_node = kNode;
+  whirling.disc_inertia = 0.3;
+  const Structure resting = assemble(whirling);
+  whirling.polar_inertia = 0.5;
+  whirling.spin = 8.0;
+  const Structure structure = assemble(whirling);
+  EXPECT_EQ((Eigen::MatrixXd(structure.mass) - Eigen::MatrixXd(resting.mass)).norm(), 0.0);
+  const auto dynamic = [&](const Structure& s) {
+    const std::complex<double> i_w(0.0, kFrequency);
+    return Eigen::MatrixXcd(Eigen::MatrixXd(s.stiffness).cast<std::complex<double>>() +
+                            i_w * Eigen::MatrixXd(s.damping).cast<std::complex<double>>() +
+                            i_w * i_w * Eigen::MatrixXd(s.mass).cast<std::complex<double>>());
+  };
+  const std::vector<int> plane{0, 1, 4, 5, 8, 9, 12, 13};
+  for (const double way : {1.0, -1.0}) {
+    Eigen::MatrixXcd one = dynamic(resting)(plane, plane);
+    one(2 * kNode + 1, 2 * kNode + 1) += way * kFrequency * 8.0 * 0.5;
+    const Eigen::VectorXcd expected = one.fullPivLu().solve(Eigen::VectorXcd::Unit(8, 2 * kNode));
+    Eigen::VectorXcd load = Eigen::VectorXcd::Zero(16);
+    load[4 * kNode] = 1.0;
+    load[4 * kNode + 2] = std::complex<double>(0.0, -way);
+    const Eigen::VectorXcd found = dynamic(structure).fullPivLu().solve(load);
+    EXPECT_LT((found(plane) - expected).norm(), 1e-12 * expected.norm());
   }
 }
 

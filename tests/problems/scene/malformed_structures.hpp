@@ -276,10 +276,15 @@ inline constexpr Malformed kMalformedStructures[] = {
      "13: system.bearing_stiffness = 0 (must be a positive number [N/m])"},
     {"ShaftBearingsThatFeed", kShaft, 14, "bearing_damping = -0.1",
      "14: system.bearing_damping = -0.1 (must be a number >= 0 [N s/m])"},
+    {"ShaftWithMorePolarInertiaThanADisc", kShaft, 14, "bearing_damping = 0.1\ndisc_polar_inertia = 0.5",
+     "15: system.disc_polar_inertia = 0.5 (must be in 0..0, twice disc_inertia [kg m^2])"},
+    {"ShaftWithNegativeDiscInertia", kShaft, 14, "bearing_damping = 0.1\ndisc_inertia = -0.5",
+     "15: system.disc_inertia = -0.5 (must be a number >= 0 [kg m^2])"},
     {"ShaftWithContactMass", kShaft, 14, "bearing_damping = 0.1\ncontact_mass = \"massless\"",
      "15: system.contact_mass = \"massless\" (unknown key; known: kind, elements, length, area, inertia, "
      "young, "
-     "density, disc_mass, disc_node, bearing_stiffness, bearing_damping, damping)"},
+     "density, disc_mass, disc_node, disc_inertia, disc_polar_inertia, spin, bearing_stiffness, "
+     "bearing_damping, damping)"},
     {"ShaftRingBeyondItsEnd", kShaft, 19, "dofs = [18, 20]",
      "19: contact[0].dofs[1] = 20 (must be a coordinate of the system, 0..19)"},
     // Rotors and rings
