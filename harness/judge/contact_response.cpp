@@ -15,6 +15,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
+// Error of what a ContactSpace says, relative to the size of x and to the work of the load: far below any
+// defect of energy that means something [-].
+constexpr double kSpaceTolerance = 1e-8;
+
 // 2 pi n.
 Eigen::ArrayXd turns(Eigen::Index harmonics) {
   return Eigen::ArrayXd::LinSpaced(harmonics, 0.0, kTwoPi * static_cast<double>(harmonics - 1));
@@ -28,51 +32,43 @@ Eigen::VectorXd work(const Eigen::MatrixXcd& force, const Eigen::MatrixXcd& disp
 
 }  // namespace
 
-/// Where forces act. Each column of F has unit length: the projection gives loads and contacts equal weight.
-struct ContactResponse::Ports {
-  Ports(const Problem& problem, const ForceSeries& series)
-      : contacts(problem.contact_count()), load(series.lambda.rows(), 0) {
-    columns = problem.contacts;
-    for (int h = 0; h <= highest_load_harmonic(problem); ++h) {
-      const Eigen::VectorXcd shape = load_harmonic(problem, h);  // cos - i sin
-      const Complex half = h == 0 ? 1.0 : 0.5;
-      add(shape.real(), h * series.order, half);
-      add(shape.imag(), h * series.order, Complex(0.0, 1.0) * half);
-    }
-  }
-
-  void add(const Eigen::VectorXd& shape, int harmonic, Complex unit) {
-    const double length = shape.norm();
-    if (length == 0.0) return;
-    Contact& column = columns.emplace_back();
-    for (int dof = 0; dof < shape.size(); ++dof) {
-      if (shape[dof] != 0.0) column.normal.emplace_back(dof, shape[dof] / length);
-    }
-    load.conservativeResize(Eigen::NoChange, load.cols() + 1);
-    load.rightCols(1).setZero();
-    load(harmonic, load.cols() - 1) = unit * length;
-  }
-
-  int contacts;
-  std::vector<Contact> columns;  // of W, then of F
-  Eigen::MatrixXcd load;         // phi
-};
-
-ContactResponse::ContactResponse(const Problem& problem, ForceSeries series) {
+ContactResponse::ContactResponse(const Problem& problem, ForceSeries series, const ContactSpace* space) {
   base_frequency_ = series.base_frequency;
-  const Ports ports(problem, series);
   lambda_ = std::move(series.lambda);
-  load_ = ports.load;
+  const LoadColumns load = load_columns(problem);
+  load_ = load.coefficients(base_frequency_, static_cast<int>(lambda_.rows()) - 1);
   x_ = free_ = Eigen::MatrixXcd::Zero(lambda_.rows(), lambda_.cols());
   q_ = free_q_ = Eigen::MatrixXcd::Zero(load_.rows(), load_.cols());
-  if (problem.size() <= kMostFactorised || !project(problem, ports)) factorise(problem, ports);
+  if (space != nullptr && space->obstacle().empty() && take(*space)) return;
+  if (problem.size() <= kMostFactorised || !project(problem, load)) factorise(problem, load);
 }
 
-void ContactResponse::factorise(const Problem& problem, const Ports& ports) {
-  const SparseMatrix directions = contact_directions(ports.columns, problem.size());
-  const SparseMatrix W = directions.leftCols(ports.contacts);
-  const SparseMatrix F = directions.rightCols(load_.cols());
+bool ContactResponse::take(const ContactSpace& space) {
+  const Eigen::MatrixXcd none = Eigen::MatrixXcd::Zero(lambda_.rows(), lambda_.cols());
+  ContactSpace::PortMotion moved = space.motion(base_frequency_, lambda_);
+  ContactSpace::PortMotion free = space.motion(base_frequency_, none);
+  const Eigen::VectorXd error = space.bound(base_frequency_, lambda_);
+  const Eigen::VectorXd free_error = space.bound(base_frequency_, none);
+  const double contacts = static_cast<double>(lambda_.cols());
+  const auto known = [&](const Eigen::MatrixXcd& x, const Eigen::VectorXd& bound) {
+    return std::sqrt(contacts) * bound.norm() <= kSpaceTolerance * x.norm();
+  };
+  if (!known(moved.contacts, error) || !known(free.contacts, free_error)) return false;
+  x_ = std::move(moved.contacts);
+  q_ = std::move(moved.loads);
+  free_ = std::move(free.contacts);
+  free_q_ = std::move(free.loads);
+  dissipation_ = work_of_load() + contact_work().sum();
+  const Eigen::VectorXd push = lambda_.cwiseAbs().rowwise().sum();
+  const double missed = 2.0 * (push.array() * turns(push.size()) * error.array()).sum();
+  return missed <= kSpaceTolerance * std::abs(work_of_load());
+}
+
+void ContactResponse::factorise(const Problem& problem, const LoadColumns& load) {
+  const SparseMatrix W = contact_directions(problem);
+  const SparseMatrix F = contact_directions(load.columns, problem.size());
   DynamicStiffness stiffness(problem);
+  dissipation_ = 0.0;
   for (Eigen::Index n = 0; n < x_.rows(); ++n) {
     const double w = static_cast<double>(n) * base_frequency_;
     Eigen::MatrixXcd columns(problem.size(), 2);
@@ -89,18 +85,19 @@ void ContactResponse::factorise(const Problem& problem, const Ports& ports) {
   }
 }
 
-bool ContactResponse::project(const Problem& problem, const Ports& ports) {
-  Problem unloaded;  // what the projection looks at
+bool ContactResponse::project(const Problem& problem, const LoadColumns& load) {
+  Problem unloaded;  // what the projection looks at: contacts first, then the columns of the load
   unloaded.structure = problem.structure;
   unloaded.frequency = problem.frequency;
   unloaded.subharmonic = problem.subharmonic;
-  unloaded.contacts = ports.columns;
+  unloaded.contacts = problem.contacts;
+  unloaded.contacts.insert(unloaded.contacts.end(), load.columns.begin(), load.columns.end());
   const auto weights = [this](int n) { return exact_weights(n * base_frequency_); };
   const auto seen = reduced_receptance(unloaded, harmonics(), weights, kReducedTolerance);
   if (!seen) return false;
   const Eigen::Index contacts = lambda_.cols();
   for (Eigen::Index n = 0; n < x_.rows(); ++n) {
-    const Eigen::MatrixXcd& C = seen->receptance[static_cast<std::size_t>(n)];
+    const Eigen::MatrixXcd& C = seen->value.receptance[static_cast<std::size_t>(n)];
     const Eigen::VectorXcd loaded = C.rightCols(load_.cols()) * load_.row(n).transpose();
     const Eigen::VectorXcd all = C.leftCols(contacts) * lambda_.row(n).transpose() + loaded;
     free_.row(n) = loaded.head(contacts).transpose();
@@ -135,13 +132,15 @@ Eigen::MatrixXd velocity_jumps(const Problem& problem) {
   return SparseCholesky(problem.mass()).solve(Eigen::MatrixXd(contact_directions(problem)));
 }
 
-std::optional<Eigen::MatrixXd> contact_free_motion(const Problem& problem, int count) {
+std::optional<Eigen::MatrixXd> contact_free_motion(const Problem& problem, int count,
+                                                   const ContactSpace* space) {
   const Eigen::Index harmonics = load_bandwidth(problem) + 1;
   try {
     const ContactResponse response(problem,
                                    {.order = problem.subharmonic,
                                     .base_frequency = problem.base_frequency(),
-                                    .lambda = Eigen::MatrixXcd::Zero(harmonics, problem.contact_count())});
+                                    .lambda = Eigen::MatrixXcd::Zero(harmonics, problem.contact_count())},
+                                   space);
     return response.free_displacement(count);
   } catch (const SingularStiffness&) {
     return std::nullopt;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "methods/reduction/contact_space.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "problems/problem.hpp"
 
@@ -13,13 +14,15 @@ namespace signorini {
 /// F phi_n the load of harmonic n. Memory holds (H+1) x (Nc + Nf) numbers and, for one harmonic at a time,
 /// Z_n; Nf, the number of columns of F, is at most twice the number of harmonics in the load.
 ///
-/// Beyond 2000 coordinates x and q come from the receptances of [W, F] by projection (`reduced_receptance`),
-/// with an error of 1e-10 of their norm, unless factorising every Z_n costs less.
+/// Beyond 2000 coordinates x and q come from a ContactSpace where one is given and its bound holds: x, and
+/// the work of the contact force, to 1e-8 of their size. Else from the receptances of [W, F] by projection
+/// (`reduced_receptance`), with an error of 1e-10 of their norm, unless factorising every Z_n costs less.
 class ContactResponse {
  public:
   /// The response to the load and a contact force in H harmonics. \throws SingularStiffness if some Z_n is
   /// singular
-  ContactResponse(const Problem& problem, ForceSeries series);
+  /// \param space  of this problem; null: none is known
+  ContactResponse(const Problem& problem, ForceSeries series, const ContactSpace* space = nullptr);
 
   /// H.
   [[nodiscard]] int harmonics() const { return static_cast<int>(x_.rows()) - 1; }
@@ -42,10 +45,9 @@ class ContactResponse {
   [[nodiscard]] double dissipation() const;
 
  private:
-  struct Ports;
-
-  void factorise(const Problem& problem, const Ports& ports);
-  [[nodiscard]] bool project(const Problem& problem, const Ports& ports);
+  [[nodiscard]] bool take(const ContactSpace& space);
+  void factorise(const Problem& problem, const LoadColumns& load);
+  [[nodiscard]] bool project(const Problem& problem, const LoadColumns& load);
 
   double base_frequency_ = 0.0;
   Eigen::MatrixXcd lambda_;  // (H+1) x Nc
@@ -62,6 +64,8 @@ Eigen::MatrixXd velocity_jumps(const Problem& problem);
 
 /// x under the load alone at count instants of the problem's period, count x Nc [m]; empty where the load
 /// drives an undamped eigenfrequency, or a free structure at rest: no such motion exists.
-std::optional<Eigen::MatrixXd> contact_free_motion(const Problem& problem, int count);
+/// \param space  as of ContactResponse
+std::optional<Eigen::MatrixXd> contact_free_motion(const Problem& problem, int count,
+                                                   const ContactSpace* space = nullptr);
 
 }  // namespace signorini

@@ -8,6 +8,7 @@
 #include <exception>
 #include <functional>
 #include <new>
+#include <utility>
 
 #include "harness/judge/orbit.hpp"
 #include "methods/discretisation/periodic_time.hpp"
@@ -122,8 +123,10 @@ CertifiedOrbit polish(const Problem& problem, const Trajectory& answer,
 }
 
 /// From rest, or behind an answer.
-CertifiedOrbit corrected_orbit(const Problem& problem, const Trajectory* answer, Deadline deadline) {
-  const ContactSpace space(problem);
+CertifiedOrbit corrected_orbit(const Problem& problem, const Trajectory* answer, KeptSpace& spaces,
+                               Deadline deadline) {
+  const std::shared_ptr<const ContactSpace> kept = spaces.of(problem);
+  const ContactSpace& space = *kept;
   if (!space.obstacle().empty()) return {.reason = space.obstacle()};
   OrbitCorrectionSettings settings;
   settings.search.expired = [deadline] { return Start{.guess = {}, .deadline = deadline}.expired(); };
@@ -156,26 +159,30 @@ CertifiedOrbit or_reason(const std::function<CertifiedOrbit()>& work) {
 
 }  // namespace
 
-OrbitPolisher exact_orbits() {
-  return [](const Problem& problem, const Trajectory& answer, std::span<const Certificate> confirmed,
-            Deadline deadline) -> CertifiedOrbit {
+OrbitPolisher exact_orbits(std::shared_ptr<KeptSpace> spaces) {
+  return [spaces = std::move(spaces)](const Problem& problem, const Trajectory& answer,
+                                      std::span<const Certificate> confirmed,
+                                      Deadline deadline) -> CertifiedOrbit {
     return or_reason([&] {
-      return prefers_reduction(problem) ? corrected_orbit(problem, &answer, deadline)
+      return prefers_reduction(problem) ? corrected_orbit(problem, &answer, *spaces, deadline)
                                         : polish(problem, answer, confirmed, deadline);
     });
   };
 }
 
-LargeOrbitFinder reduced_orbits() {
-  return [](const Problem& problem, Deadline deadline) -> CertifiedOrbit {
+LargeOrbitFinder reduced_orbits(std::shared_ptr<KeptSpace> spaces) {
+  return [spaces = std::move(spaces)](const Problem& problem, Deadline deadline) -> CertifiedOrbit {
     if (!prefers_reduction(problem)) {
       const std::string obstacle = reduction_obstacle(problem);
       return {.reason = obstacle.empty() ? "the structure is small" : obstacle};
     }
-    return or_reason([&] { return corrected_orbit(problem, nullptr, deadline); });
+    return or_reason([&] { return corrected_orbit(problem, nullptr, *spaces, deadline); });
   };
 }
 
-OrbitTools orbit_tools() { return {flow_orbits(), exact_orbits(), reduced_orbits()}; }
+OrbitTools orbit_tools() {
+  auto spaces = std::make_shared<KeptSpace>();
+  return {flow_orbits(), exact_orbits(spaces), reduced_orbits(spaces), spaces};
+}
 
 }  // namespace signorini

@@ -1,6 +1,8 @@
 #pragma once
 // The exact orbit behind an answer, and its check by another integrator.
 
+#include <memory>
+
 #include "harness/judge/orbit_solver.hpp"
 
 namespace signorini {
@@ -12,12 +14,13 @@ namespace signorini {
 /// Structures that `prefers_reduction` names are polished on what their contacts feel and corrected to the
 /// orbit of all coordinates (`polish_reduced_orbit`); what stands in for CVODE is the error bar of
 /// `correct_orbit`, which compares with the response of the whole structure. Without a bar, the reason.
-OrbitPolisher exact_orbits();
+/// \param spaces  of large structures; the polisher keeps it
+OrbitPolisher exact_orbits(std::shared_ptr<KeptSpace> spaces = std::make_shared<KeptSpace>());
 
 /// The same from a march of the reduced structure from rest (`find_reduced_orbit`).
-LargeOrbitFinder reduced_orbits();
+LargeOrbitFinder reduced_orbits(std::shared_ptr<KeptSpace> spaces = std::make_shared<KeptSpace>());
 
-/// All ways in which the harness finds orbits.
+/// All ways in which the harness finds orbits, with one KeptSpace.
 OrbitTools orbit_tools();
 
 }  // namespace signorini

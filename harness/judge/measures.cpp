@@ -12,6 +12,7 @@
 #include "harness/judge/contact_response.hpp"
 #include "harness/judge/contact_work.hpp"
 #include "harness/judge/impacts.hpp"
+#include "methods/solvers/constants.hpp"
 #include "methods/structure/condensation.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
@@ -59,16 +60,38 @@ Measure field_error(const Problem& problem, const Motion& answer, const Motion& 
   }
 }
 
+/// The same on a space, in which the difference of two fields is the response to that of their forces.
+Measure field_error_on(const ContactSpace& space, const Problem& problem, const Motion& answer,
+                       const Motion& orbit) {
+  if (answer.order != orbit.order) return std::nullopt;
+  Eigen::MatrixXcd force = force_series(problem, orbit, kFieldHarmonics).lambda;
+  const Eigen::MatrixXcd found = force_series(problem, answer, kFieldHarmonics).lambda;
+  Eigen::MatrixXcd apart = Eigen::MatrixXcd::Zero(std::max(force.rows(), found.rows()), force.cols());
+  apart.topRows(found.rows()) += found;
+  apart.topRows(force.rows()) -= force;
+  const double base = kTwoPi / orbit.period();
+  const auto load = [&](const Eigen::MatrixXcd& lambda) {
+    return space.load().coefficients(base, static_cast<int>(lambda.rows()) - 1);
+  };
+  try {
+    const double size = space.field_size(base, force, load(force), 1);
+    if (!(size > 0.0)) return std::nullopt;
+    return space.field_size(base, apart, 0.0 * load(apart), 0) / size;
+  } catch (const SingularStiffness&) {
+    return std::nullopt;  // as above
+  }
+}
+
 /// The scale of lengths: the amplitude, but at least a tenth of the largest distance of the contact-free
 /// motion from the stop, so that a contact that hardly moves is not judged by its noise.
 double length_scale(const Problem& problem, const Motion& motion, const Eigen::VectorXd& gaps,
-                    const std::optional<ContactResponse>& response) {
+                    const std::optional<ContactResponse>& response, const ContactSpace* space) {
   constexpr int kInstants = 512;
   constexpr double kLeast = 0.1;
   const double moving = amplitude(motion);
   // An answer may have no response where the load alone has one: its harmonics are more.
   const std::optional<Eigen::MatrixXd> free =
-      response ? response->free_displacement(kInstants) : contact_free_motion(problem, kInstants);
+      response ? response->free_displacement(kInstants) : contact_free_motion(problem, kInstants, space);
   if (!free) return moving;
   return std::max(moving, kLeast * (free->rowwise() - gaps.transpose()).cwiseAbs().maxCoeff());
 }
@@ -135,9 +158,9 @@ double dissipation_tail(const Problem& problem, const Motion& answer, int harmon
 
 /// Response to an answer's contact force, or why there is none.
 struct Response {
-  Response(const Problem& problem, const Motion& answer) {
+  Response(const Problem& problem, const Motion& answer, const ContactSpace* space) {
     try {
-      found.emplace(problem, force_series(problem, answer, kEnergyHarmonics));
+      found.emplace(problem, force_series(problem, answer, kEnergyHarmonics), space);
     } catch (const std::bad_alloc&) {
       throw;  // the child's memory limit is told apart
     } catch (const std::exception& error) {
@@ -190,7 +213,8 @@ EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, co
 
 }  // namespace
 
-Errors measure_errors(const Problem& problem, const Motion& answer, const Motion& orbit) {
+Errors measure_errors(const Problem& problem, const Motion& answer, const Motion& orbit,
+                      const ContactSpace* space) {
   const Distance d = distance(answer, orbit);
   Errors errors;
   errors.x_l2 = d.x_l2;
@@ -198,7 +222,9 @@ Errors measure_errors(const Problem& problem, const Motion& answer, const Motion
   errors.velocity_l2 = d.velocity_l2;
   errors.impulse = impulse_error(answer, orbit);
   errors.force_l2 = d.force_l2;
-  errors.u_l2 = field_error(problem, answer, orbit);
+  const bool on_space = space != nullptr && space->obstacle().empty();
+  errors.u_l2 =
+      on_space ? field_error_on(*space, problem, answer, orbit) : field_error(problem, answer, orbit);
   return errors;
 }
 
@@ -230,18 +256,19 @@ double expected_loss(const Motion& motion, double restitution, const Eigen::Matr
 }
 
 EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, const Motion& answer) {
-  return energy_defect(problem, law, answer, Response(problem, answer));
+  return energy_defect(problem, law, answer, Response(problem, answer, nullptr));
 }
 
-Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const Motion& answer) {
+Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const Motion& answer,
+                        const ContactSpace* space) {
   Physics physics;
-  const Response response(problem, answer);
+  const Response response(problem, answer, space);
   EnergyDefect energy = energy_defect(problem, law, answer, response);
   physics.energy_defect = energy.value;
   physics.energy_reason = std::move(energy.reason);
   if (problem.contacts.empty()) return physics;
   const Eigen::VectorXd gaps = contact_gaps(problem);
-  const double scale = length_scale(problem, answer, gaps, response.found);
+  const double scale = length_scale(problem, answer, gaps, response.found, space);
   physics.penetration = penetration(answer, gaps, scale);
   physics.complementarity = complementarity(answer, gaps, law, contact_stiffness_scale(problem), scale);
   physics.contact_ratio = contact_ratio(answer);

@@ -13,9 +13,11 @@ namespace signorini {
 /// Errors of an answer against an orbit: x and x' as `distance` measures them (root mean square, maximum),
 /// the impulse of the worst contact relative to the largest impulse of a contact, the contact force where it
 /// is a function of time (no impulse in either motion) as a root mean square relative to the orbit's, and u
-/// over the whole structure where Nc < Nd <= 10 000, both fields by `PeriodicResponse`. Absent where the unit
-/// is zero.
-Errors measure_errors(const Problem& problem, const Motion& answer, const Motion& orbit);
+/// over the whole structure: on a ContactSpace where one is given, else where Nc < Nd <= 10 000 both fields
+/// by `PeriodicResponse`. Absent where the unit is zero.
+/// \param space  of this problem, for its field; null: none is known
+Errors measure_errors(const Problem& problem, const Motion& answer, const Motion& orbit,
+                      const ContactSpace* space = nullptr);
 
 struct EnergyDefect {
   Measure value = {};
@@ -35,7 +37,9 @@ struct EnergyDefect {
 /// The amplitude is half of (largest - least) x, the largest over contacts, but at least a tenth of the
 /// largest distance of the contact-free motion from the stop (a contact may hardly move). What has no scale,
 /// or cannot be computed on this structure, is absent; of the energy defect it is said why.
-Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const Motion& answer);
+/// \param space  of this problem, for its responses; null: none is known
+Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const Motion& answer,
+                        const ContactSpace* space = nullptr);
 
 /// |W_f - W_D - W_loss| / |W_f|: work of the load, dissipation by damping, and the loss at impacts that the
 /// represented law prescribes for the impulses found:

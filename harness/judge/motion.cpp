@@ -84,10 +84,10 @@ Eigen::Index per_period(const Motion& motion) { return motion.samples.x.rows() /
 /// Root mean square of the contact-free motion about its mean, but at most the largest distance of that mean
 /// from a stop: near resonance the contact-free motion is as large as damping lets it be, and no measure of a
 /// motion between stops [m]; 0 where there is no such motion.
-double scene_length(const Problem& problem) {
+double scene_length(const Problem& problem, const ContactSpace* space) {
   constexpr int kInstants = 512;
   if (problem.contacts.empty()) return 0.0;
-  const std::optional<Eigen::MatrixXd> free = contact_free_motion(problem, kInstants);
+  const std::optional<Eigen::MatrixXd> free = contact_free_motion(problem, kInstants, space);
   if (!free) return 0.0;
   const double room = (contact_gaps(problem) - free->colwise().mean().transpose()).cwiseAbs().maxCoeff();
   return std::min(std::sqrt(Size(*free).mean_square), room);
@@ -125,15 +125,23 @@ Motion sample_motion(const Problem& problem, const Trajectory& trajectory, int p
   return motion;
 }
 
-SampledAnswer sample_answer(const Problem& problem, const Trajectory& answer) {
+double least_size(const Problem& problem, const ContactSpace* space) {
+  return kLeastSize * scene_length(problem, space);
+}
+
+SampledAnswer check_answer(const Problem& problem, const Trajectory& answer) {
   SampledAnswer sampled;
   sampled.defect = trajectory_defect(answer, problem.contact_count(), problem.forcing_period());
   if (!sampled.defect.empty()) return sampled;
   Motion motion = sample_motion(problem, answer);
   sampled.defect = samples_defect(motion.samples, kGrid * motion.order, problem.contact_count());
-  if (!sampled.defect.empty()) return sampled;
-  sampled.motion = std::move(motion);
-  sampled.motion.least = kLeastSize * scene_length(problem);
+  if (sampled.defect.empty()) sampled.motion = std::move(motion);
+  return sampled;
+}
+
+SampledAnswer sample_answer(const Problem& problem, const Trajectory& answer) {
+  SampledAnswer sampled = check_answer(problem, answer);
+  if (sampled.defect.empty()) sampled.motion.least = least_size(problem);
   return sampled;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/reduction/contact_space.hpp"
 #include "methods/solution.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "problems/problem.hpp"
@@ -45,7 +46,14 @@ struct SampledAnswer {
   std::string defect = {};  ///< why it cannot: see `trajectory_defect` and `samples_defect`; else empty
   Motion motion = {};       ///< on kGrid, unless there is a defect
 };
-/// Samples an answer of any method; nothing is taken for granted about it.
+/// Samples an answer of any method; nothing is taken for granted about it. Its `least` is still 0.
+SampledAnswer check_answer(const Problem& problem, const Trajectory& answer);
+
+/// Motion::least of an answer [m]. \param space  of this problem, for its motion without contact; null: none
+/// is known
+double least_size(const Problem& problem, const ContactSpace* space = nullptr);
+
+/// Both.
 SampledAnswer sample_answer(const Problem& problem, const Trajectory& answer);
 
 /// Every `step`-th instant of a motion; `step` divides their number per forcing period.

@@ -13,6 +13,7 @@
 #include "harness/records/record.hpp"
 #include "methods/method.hpp"
 #include "methods/periodic_motion/periodic_motion.hpp"
+#include "methods/reduction/kept_space.hpp"
 
 namespace signorini {
 
@@ -52,11 +53,16 @@ using LargeOrbitFinder = std::function<CertifiedOrbit(const Problem& problem, De
 /// The harness's ways to orbits. Without a polisher, everything is left to the solver at two tolerances;
 /// without a finder for large structures, these are followed through time as all others are.
 struct OrbitTools {
-  OrbitTools(OrbitSolver flow, OrbitPolisher polisher = {}, LargeOrbitFinder finder = {})
-      : solver(std::move(flow)), polish(std::move(polisher)), large(std::move(finder)) {}
+  OrbitTools(OrbitSolver flow, OrbitPolisher polisher = {}, LargeOrbitFinder finder = {},
+             std::shared_ptr<KeptSpace> kept = std::make_shared<KeptSpace>())
+      : solver(std::move(flow)),
+        polish(std::move(polisher)),
+        large(std::move(finder)),
+        spaces(std::move(kept)) {}
   OrbitSolver solver;
   OrbitPolisher polish;
   LargeOrbitFinder large;
+  std::shared_ptr<KeptSpace> spaces;  ///< of large structures: what is found and measured on them
 };
 
 /// Tolerances of the two computations whose difference is an orbit's error bar.

@@ -17,6 +17,7 @@
 #include "harness/records/record_check.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 #include "harness/summary/coordinate_motion.hpp"
+#include "methods/structure/dynamic_stiffness.hpp"
 
 namespace signorini {
 
@@ -71,6 +72,12 @@ std::optional<long> restart_peak_memory() {
   return status_bytes("VmRSS");
 }
 
+/// The judge's own space of a structure that is not factorised harmonic by harmonic; null for others.
+std::shared_ptr<const ContactSpace> space_of_large(const Trial& trial) {
+  const Problem& problem = trial.scene.problem;
+  return problem.size() > kMostFactorised ? trial.orbits.spaces->of(problem) : nullptr;
+}
+
 /// Fills in what the first solve says. Returns the motion of its answer, sampled once for all that is
 /// measured on it; nothing where there is no answer.
 std::optional<Motion> take_solution(const Trial& trial, const Solution& solution, bool expired,
@@ -84,7 +91,7 @@ std::optional<Motion> take_solution(const Trial& trial, const Solution& solution
     return std::nullopt;
   }
   SampledAnswer answer{.defect = "it says converged without a trajectory"};
-  if (solution.trajectory) answer = sample_answer(trial.scene.problem, *solution.trajectory);
+  if (solution.trajectory) answer = check_answer(trial.scene.problem, *solution.trajectory);
   if (!answer.defect.empty()) {
     record.status = Status::invalid_output;
     record.message = answer.defect;
@@ -181,7 +188,8 @@ void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory
   const CertifiedAnswer certified = certify(problem, answer, motion, trial.reference, trial.orbits,
                                             deadline_after(trial.limits.certificate_timeout));
   record.certificate = certified.certificate;
-  if (certified.orbit) record.errors = measure_errors(problem, motion, *certified.orbit);
+  if (certified.orbit)
+    record.errors = measure_errors(problem, motion, *certified.orbit, space_of_large(trial).get());
   if (trial.waveforms)
     record.waveforms =
         draw_waveforms(motion, certified.orbit ? &*certified.orbit : nullptr, *trial.waveforms);
@@ -241,7 +249,7 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   if (const auto peak = status_bytes("VmHWM"); peak && before)
     record.work.peak_memory_bytes = *peak - *before;
   const std::string changed = usual.restore();
-  const std::optional<Motion> motion = take_solution(trial, solution, start.expired(), record);
+  std::optional<Motion> motion = take_solution(trial, solution, start.expired(), record);
   if (!changed.empty()) record.message += fmt::format("; it changed {}, which was restored", changed);
   record.processor.solve = processor.lap();
   if (motion && trial.summary) take_summary(trial, *solution.trajectory, *motion, record);
@@ -259,7 +267,8 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   static_cast<void>(usual.restore());  // said above
   record.processor.timing = processor.lap();
   stage_done(record);
-  record.physics = measure_physics(trial.scene.problem, trial.law, *motion);
+  motion->least = least_size(trial.scene.problem, space_of_large(trial).get());
+  record.physics = measure_physics(trial.scene.problem, trial.law, *motion, space_of_large(trial).get());
   record.processor.measures = processor.lap();
   stage_done(record);
   if (trial.certified) {

@@ -1,3 +1,5 @@
+#include <cblas.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -93,15 +95,10 @@ void ModalFlow::force_relaxing() {
   forced_.col(0).tail(contacts) += relaxing.offset.cast<Complex>();
 }
 
+// Deviations obey the homogeneous equation: Re sum_k w_k (U_k, mu_k U_k) e^{mu_k s} left_k.
 Eigen::MatrixXd ModalFlow::transition(double duration) const {
-  const int n = size();
-  Eigen::MatrixXd result(states(), states());
-  // Deviations obey the homogeneous equation: Re sum_k w_k (U_k, mu_k U_k) e^{mu_k s} left_k.
-  const Eigen::VectorXcd growth = weight().array() * (mu().array() * duration).exp();
-  const Eigen::MatrixXcd scaled = growth.asDiagonal() * basis_->left;
-  result.topRows(positions()) = (basis_->shapes * scaled).real();
-  result.bottomRows(n) = (basis_->shapes.topRows(n) * mu().asDiagonal() * scaled).real();
-  return result;
+  const TransitionFactors factors = transition_factors(duration);
+  return factors.writing * factors.reading;
 }
 
 // Re(s l) = Re s Re l - Im s Im l: two columns of a pair, one of a real mode.
@@ -166,6 +163,7 @@ class ModalFlow::Arc final : public LinearArc {
   }
   [[nodiscard]] bool add_force_integrals(double begin, double end, double w,
                                          Eigen::MatrixXcd& sums) const override;
+  [[nodiscard]] Eigen::MatrixXd outputs(std::span<const double> times, int order) const override;
   void rate(double time, Eigen::VectorXd& rate) const override {
     rate.resize(flow_.states());
     differentiate(time, 1, rate.head(flow_.positions()));
@@ -266,6 +264,25 @@ double ModalFlow::Arc::output(Eigen::Index row, double time, int order) const {
   return sum;
 }
 
+// Re (C G) = Re C Re G - Im C Im G, C the terms of each output, G what becomes of them.
+Eigen::MatrixXd ModalFlow::Arc::outputs(std::span<const double> times, int order) const {
+  const Eigen::Index modes = growth_.size(), terms = modes + wave_.size();
+  const Eigen::Index rows = equations_.outputs();
+  Eigen::MatrixXd terms_real(rows, terms), terms_imaginary(rows, terms);
+  terms_real << contribution_.real(), flow_.row_of_harmonic_.real();
+  terms_imaginary << contribution_.imag(), flow_.row_of_harmonic_.imag();
+  Eigen::MatrixXcd becomes(terms, std::ssize(times));
+  for (Eigen::Index i = 0; i < becomes.cols(); ++i) {
+    move_to(times[static_cast<std::size_t>(i)]);
+    becomes.col(i) << growth_, wave_;
+  }
+  for (int k = 0; k < order; ++k) {
+    becomes.topRows(modes) = flow_.mu().asDiagonal() * becomes.topRows(modes);
+    for (Eigen::Index h = 0; h < wave_.size(); ++h) becomes.row(modes + h) *= Complex(0.0, rate(h));
+  }
+  return terms_real * becomes.real() - terms_imaginary * becomes.imag();
+}
+
 // The sum of the magnitudes of all terms, |z| <= |Re z| + |Im z|: modes fade, harmonics stay.
 double ModalFlow::Arc::curvature_bound(Eigen::Index row, double time) const {
   const auto size = [](const Complex& z) { return std::abs(z.real()) + std::abs(z.imag()); };
@@ -348,6 +365,7 @@ bool ModalFlow::Arc::add_force_integrals(double begin, double end, double w, Eig
   terms.bottomRows(kept) = terms.topRows(kept).conjugate();
   const Eigen::VectorXcd grown = (nu * duration).array().exp();
   Eigen::MatrixXcd integrals(std::min(kAtOnce, sums.rows()), nu.size());
+  Eigen::MatrixXcd part(integrals.rows(), terms.cols());
   for (Eigen::Index first = 0; first < sums.rows(); first += kAtOnce) {
     const Eigen::Index count = std::min(kAtOnce, sums.rows() - first);
     for (Eigen::Index n = 0; n < count; ++n) {
@@ -358,9 +376,14 @@ bool ModalFlow::Arc::add_force_integrals(double begin, double end, double w, Eig
         integrals(n, k) = phase * mean_growth((nu[k] - Complex(0.0, turn)) * duration, grown[k] * turned);
       }
     }
-    const Eigen::MatrixXcd part = integrals.topRows(count) * terms;
+    // By the BLAS, several times faster than generic code.
+    const auto rows = static_cast<int>(integrals.rows()), inner = static_cast<int>(nu.size());
+    const Complex one = 1.0, zero = 0.0;
+    cblas_zgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, static_cast<int>(count),
+                static_cast<int>(terms.cols()), inner, &one, integrals.data(), rows, terms.data(),
+                std::max(1, inner), &zero, part.data(), rows);
     for (Eigen::Index c = 0; c < terms.cols(); ++c)
-      sums.col(closed[static_cast<std::size_t>(c)]).segment(first, count) += part.col(c);
+      sums.col(closed[static_cast<std::size_t>(c)]).segment(first, count) += part.col(c).head(count);
   }
   return true;
 }

@@ -9,6 +9,7 @@
 
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/linear_flow/shared_modes.hpp"
+#include "methods/structure/periodic_response.hpp"
 
 namespace signorini {
 
@@ -22,9 +23,12 @@ constexpr double kSlowestCorrection = 0.5;
 constexpr double kNegligible = 0.05;
 constexpr double kBarSafety = 2.0;
 constexpr int kFewestShifted = 25;
-// Defects below are rounding, and so is what they change; the amplification that is assumed where all are.
+// Defects below are rounding, and so is what they change.
 constexpr double kTellingDefect = 1e-13;
-constexpr double kUnmeasured = 10.0;
+// Displacements by which the amplification is measured, relative to x: as large as what is left, within
+// these.
+constexpr double kLeastProbe = 1e-10, kLargestProbe = 1e-6;
+constexpr int kProbes = 4;
 // Harmonics of the response to a change of K that are looked at for resonances.
 constexpr int kResonanceHarmonics = 32;
 
@@ -75,6 +79,7 @@ class Correction {
     if (!enough() && rate() > kSlowestCorrection)
       return refused("the corrections do not converge: more vectors are needed");
     if (!settled_) return refused("the last correction changed the sequence of events");
+    if (!probe()) return refused("displacements as small as what is left change the sequence of events");
     conclude();
     return std::move(result_);
   }
@@ -100,8 +105,7 @@ class Correction {
     if (!result_.defects.empty()) {
       const double change = std::sqrt((x - x_).array().square().mean()) / size_;
       if (result_.defects.back() > kTellingDefect)
-        measured_ = std::max(measured_.value_or(1.0), change / result_.defects.back());
-      result_.amplification = measured_.value_or(kUnmeasured);
+        result_.amplification = std::max(result_.amplification, change / result_.defects.back());
     }
     result_.peak = sample_series(defect, 2 * harmonics).cwiseAbs().maxCoeff() / size_;
     result_.tail = beyond(defect) / size_;
@@ -126,6 +130,30 @@ class Correction {
     result_.iterations += found.iterations;
     result_.orbit = std::move(found.orbit);
     settled_ = result_.orbit.trajectory && same_sequence(*before, *result_.orbit.trajectory);
+  }
+
+  /// How much more than themselves displacements change x. The first is x itself, as an error of the
+  /// compliance would be; each further one is what the one before has changed, so that they turn to where x
+  /// answers most. False where one of them changes the events.
+  bool probe() {
+    const Eigen::Index instants = x_.rows();
+    const double least = std::clamp(result_.defects.back() + rest(), kLeastProbe, kLargestProbe);
+    Eigen::MatrixXd change = x_.rowwise() - x_.colwise().mean();
+    for (int k = 0; k < kProbes; ++k) {
+      Eigen::MatrixXcd moved = force_spectrum(change, {}, problem_.period(), static_cast<int>(shifted_) - 1);
+      const double norm = series_norm(moved);
+      if (!(norm > 0.0)) return true;
+      moved *= least * size_ / norm;
+      OrbitFinder finder(problem_, displaced(space_.small(), added_ + moved, base_), shared_);
+      const OrbitSearch found = finder.find(result_.orbit.trajectory->orbit(), settings_.search);
+      result_.iterations += found.iterations;
+      if (!found.orbit.certified() || !same_sequence(*found.orbit.trajectory, *result_.orbit.trajectory))
+        return false;
+      change = found.orbit.trajectory->sample(static_cast<int>(instants)).x - x_;
+      const double ratio = std::sqrt(change.array().square().mean()) / (least * size_);
+      result_.amplification = std::max(result_.amplification, ratio);
+    }
+    return true;
   }
 
   /// Harmonics that are added, the constant included: so many that the others are below the rest of the bar.
@@ -173,7 +201,6 @@ class Correction {
   Eigen::MatrixXcd missing_, added_;  // of the present orbit, and in it
   Eigen::MatrixXd x_;
   bool settled_ = true;
-  std::optional<double> measured_;  // amplification
   CorrectedOrbit result_;
 };
 

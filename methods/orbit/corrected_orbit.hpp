@@ -32,8 +32,7 @@ struct CorrectedOrbit {
   std::vector<double> defects = {};
   double unshifted = 0.0;  ///< the last one in all other harmonics up to H [-]
   double peak = 0.0;       ///< the last defect in all harmonics at its largest instant and contact [-]
-  /// Largest |change of x| / |defect| that a correction made, at least 1; 10 where all defects are rounding
-  /// [-].
+  /// Largest |change of x| / |displacement| that corrections and probes made, at least 1 [-].
   double amplification = 1.0;
   double outside = 0.0;   ///< bound of what the whole space leaves out of x_whole [-]
   double tail = 0.0;      ///< estimate of what harmonics above H do to the defect [-]
@@ -51,9 +50,11 @@ struct CorrectedOrbit {
 ///
 /// The bar is 2 A (d / (1 - theta) + unshifted + tail + outside + rounding) + the orbit's own: d the last
 /// defect, theta <= 1/2 the rate at which defects fell, A the amplification, rounding the measured one of the
-/// factors of K over the distance from resonance. Refused: without the forces in closed form; where a
-/// correction finds no admissible orbit, or another sequence of events in the end; where defects do not fall
-/// by half.
+/// factors of K over the distance from resonance. A is the largest that corrections show, and four probes:
+/// orbits with displacements added as large as what is left, the first of them in proportion to x, each other
+/// one to what the one before has changed (power iteration on the response of the orbit). Refused: without
+/// the forces in closed form; where a correction finds no admissible orbit, or another sequence of events in
+/// the end, or a probe does; where defects do not fall by half.
 ///
 /// \param first  an orbit of `space.small()` without displacements
 CorrectedOrbit correct_orbit(const Problem& problem, const ContactSpace& space, ExactOrbit first,

@@ -120,14 +120,26 @@ Samples ExactTrajectory::sample(int count) const {
   Samples samples{.x = Eigen::MatrixXd(count, contacts),
                   .velocity = Eigen::MatrixXd(count, contacts),
                   .force = Eigen::MatrixXd(count, contacts)};
-  for (int i = 0; i < count; ++i) {
-    double time = i * (period() / count);
-    const LinearArc& arc = arc_at(time);
-    for (int j = 0; j < contacts; ++j) {
-      samples.x(i, j) = arc.displacement(j, time);
-      samples.velocity(i, j) = arc.displacement(j, time, 1);
-      samples.force(i, j) = std::min(0.0, arc.force(j, time));
+  samples.force.setZero();
+  // Instants of one arc together, some at a time.
+  constexpr std::size_t kAtOnce = 256;
+  std::vector<double> times;
+  for (int first = 0; first < count; first += static_cast<int>(times.size())) {
+    times.assign(1, first * (period() / count));
+    const LinearArc& arc = arc_at(times.front());
+    for (int i = first + 1; i < count && times.size() < kAtOnce; ++i) {
+      double time = i * (period() / count);
+      if (&arc_at(time) != &arc) break;
+      times.push_back(time);
     }
+    const auto together = std::ssize(times);
+    const Eigen::MatrixXd values = arc.outputs(times, 0);
+    samples.x.middleRows(first, together) = values.topRows(contacts).transpose();
+    samples.velocity.middleRows(first, together) = arc.outputs(times, 1).topRows(contacts).transpose();
+    const std::vector<int>& closed = arc.mode().active;
+    for (std::size_t c = 0; c < closed.size(); ++c)
+      samples.force.col(closed[c]).segment(first, together) =
+          values.row(contacts + static_cast<Eigen::Index>(c)).transpose().cwiseMin(0.0);
   }
   return samples;
 }

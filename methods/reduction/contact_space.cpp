@@ -28,11 +28,24 @@ constexpr int kCheckedPowers = 2;
 // Growth of the harmonics at which residuals of the contacts are evaluated.
 constexpr double kNextHarmonic = 1.1;
 
-Eigen::VectorXcd real_times(const Eigen::MatrixXd& A, const Eigen::VectorXcd& v) {
-  Eigen::VectorXcd result(A.rows());
-  result.real() = A * v.real();
-  result.imag() = A * v.imag();
+// Real matrices by real and imaginary parts: half the work of a complex product.
+Eigen::MatrixXcd real_times(const Eigen::MatrixXd& A, const Eigen::MatrixXcd& B) {
+  Eigen::MatrixXcd result(A.rows(), B.cols());
+  result.real() = A * B.real();
+  result.imag() = A * B.imag();
   return result;
+}
+
+/// B^T B for B = [V U, D], U the Ritz vectors in V and D what follows statically.
+Eigen::MatrixXd gram_of(const BlockLanczos& space, const Eigen::MatrixXd& ritz, const SparseMatrix& D) {
+  const Eigen::Index vectors = ritz.cols();
+  Eigen::MatrixXd gram(vectors + D.cols(), vectors + D.cols());
+  gram.topLeftCorner(vectors, vectors) = ritz.transpose() * space.gram() * ritz;
+  if (D.cols() == 0) return gram;
+  gram.topRightCorner(vectors, D.cols()) = ritz.transpose() * space.projected(D);
+  gram.bottomLeftCorner(D.cols(), vectors) = gram.topRightCorner(vectors, D.cols()).transpose();
+  gram.bottomRightCorner(D.cols(), D.cols()) = Eigen::MatrixXd(SparseMatrix(D.transpose() * D));
+  return gram;
 }
 
 }  // namespace
@@ -73,15 +86,19 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
   const Eigen::MatrixXd newest = projection.pairs.vectors.bottomRows(space.coupling().cols());
   rounding_ = refine_lowest(problem, space, columns, projection);
   if (!few) small_ = reduction_on(columns, projection, small);
-  if (columns.damping.beta > 0.0 && std::holds_alternative<Penalty>(problem.law)) {
-    small_.compliance.setZero();
-    small_.shift.setZero();
-  }
+  residual_ = small_.compliance;
+  residual_shift_ = small_.shift;
+  take_law(problem);
   whole_ = reduction_on(columns, projection, space.size());
   theta_ = projection.pairs.values;
   contacts_ = projection.contacts;
   loads_ = projection.loads;
-  weight_ = std::move(columns.weight);
+  ports_.resize(theta_.size(), contacts_.cols() + loads_.cols());
+  ports_ << contacts_, loads_;
+  gram_ = gram_of(space, projection.ritz, columns.following);
+  coordinates_ = problem.size();
+  load_ = std::move(columns.load);
+  direct_ = std::move(columns.compliance);
   whole_.complete = space.exhausted() || space.size() >= most;
   if (whole_.complete) {
     outside_ = Eigen::MatrixXd::Zero(0, theta_.size());
@@ -90,6 +107,62 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
   outside_ = space.coupling() * newest;
   omitted_ = space.omitted();
   omitted_start_ = space.omitted_start();
+}
+
+// A spring on a part that relaxes is not followed.
+void ContactSpace::take_law(const Problem& problem) {
+  const bool sprung = small_.damping.beta > 0.0 && std::holds_alternative<Penalty>(problem.law);
+  const double kept = sprung ? 0.0 : 1.0;
+  small_.compliance = kept * residual_;
+  small_.shift = kept * residual_shift_;
+}
+
+ContactSpace ContactSpace::of(const Problem& problem) const {
+  ContactSpace result = *this;
+  if (!obstacle().empty()) return result;
+  result.load_.rates = load_columns(problem).rates;
+  result.small_.rates = result.whole_.rates = result.load_.rates;
+  result.take_law(problem);
+  return result;
+}
+
+ContactSpace::Amplitudes ContactSpace::amplitudes(double base, const Eigen::MatrixXcd& acting) const {
+  Amplitudes result{.modal = real_times(ports_, acting), .direct = acting};
+  for (Eigen::Index n = 0; n < acting.cols(); ++n) {
+    const auto [kappa, mu, load] = pencil(static_cast<double>(n) * base).numbers;
+    const Eigen::VectorXcd z = (mu * theta_.cast<Complex>()).array() + kappa;
+    const double scale = std::abs(kappa) + std::abs(mu) * theta_.maxCoeff();
+    if (!(z.cwiseAbs().minCoeff() > std::numeric_limits<double>::epsilon() * scale))
+      throw SingularStiffness();
+    result.modal.col(n).array() /= z.array();
+    result.direct.col(n) /= kappa;
+  }
+  return result;
+}
+
+ContactSpace::PortMotion ContactSpace::motion(double base, const Eigen::MatrixXcd& force) const {
+  const Eigen::Index contacts = contacts_.cols(), loads = loads_.cols();
+  Eigen::MatrixXcd acting(contacts + loads, force.rows());
+  acting.topRows(contacts) = force.transpose();
+  acting.bottomRows(loads) = load_.coefficients(base, static_cast<int>(force.rows()) - 1).transpose();
+  const Amplitudes moved = amplitudes(base, acting);
+  const Eigen::MatrixXcd motion =
+      real_times(ports_.transpose(), moved.modal) + real_times(direct_, moved.direct);
+  return {.contacts = motion.topRows(contacts).transpose(), .loads = motion.bottomRows(loads).transpose()};
+}
+
+double ContactSpace::field_size(double base, const Eigen::MatrixXcd& force, const Eigen::MatrixXcd& load,
+                                int first) const {
+  Eigen::MatrixXcd acting(force.cols() + load.cols(), force.rows());
+  acting << force.transpose(), load.transpose();
+  const Amplitudes moved = amplitudes(base, acting);
+  Eigen::MatrixXcd both(gram_.rows(), acting.cols());
+  both << moved.modal, moved.direct.topRows(gram_.rows() - theta_.size());
+  const Eigen::MatrixXcd weighed = real_times(gram_, both);
+  double sum = 0.0;
+  for (Eigen::Index n = first; n < both.cols(); ++n)
+    sum += (n == 0 ? 1.0 : 2.0) * both.col(n).dot(weighed.col(n)).real();
+  return std::sqrt(std::max(0.0, sum) / static_cast<double>(coordinates_));
 }
 
 Eigen::MatrixXcd ContactSpace::missing(double base, const Eigen::MatrixXcd& force) const {
@@ -107,14 +180,10 @@ ContactSpace::Pencil ContactSpace::pencil(double rate) const {
 // Columns of the start of b at all harmonics, in Ritz coordinates, k x (H+1).
 Eigen::MatrixXcd ContactSpace::columns_of(double base, const Eigen::MatrixXcd& force) const {
   const Eigen::MatrixXcd forces = force.transpose();
+  const Eigen::MatrixXcd loads = load_.coefficients(base, static_cast<int>(force.rows()) - 1).transpose();
   Eigen::MatrixXcd start(theta_.size(), force.rows());
-  start.real() = contacts_ * forces.real();
-  start.imag() = contacts_ * forces.imag();
-  for (std::size_t h = 0; h < whole_.rates.size(); ++h) {
-    const auto n = static_cast<Eigen::Index>(std::lround(whole_.rates[h] / base));
-    if (n >= force.rows()) continue;
-    start.col(n) += (n == 0 ? 1.0 : 0.5) * real_times(loads_, weight_.col(static_cast<Eigen::Index>(h)));
-  }
+  start.real() = contacts_ * forces.real() + loads_ * loads.real();
+  start.imag() = contacts_ * forces.imag() + loads_ * loads.imag();
   return start;
 }
 
@@ -141,6 +210,7 @@ double ContactSpace::contact_residual(const Pencil& pencil) const {
 Eigen::VectorXd ContactSpace::bound(double base, const Eigen::MatrixXcd& force) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(force.rows());
   const Eigen::MatrixXcd start = columns_of(base, force);
+  const Eigen::MatrixXcd loads = load_.coefficients(base, static_cast<int>(force.rows()) - 1);
   Eigen::Index next = 0;
   double before = 0.0, after = 0.0;  // rho of contacts at the evaluated harmonics about n
   for (Eigen::Index n = 0; n < force.rows(); ++n) {
@@ -152,8 +222,8 @@ Eigen::VectorXd ContactSpace::bound(double base, const Eigen::MatrixXcd& force) 
       after = contact_residual(pencil(static_cast<double>(next) * base));
     }
     const double of_contacts = std::max(before, after) + omitted_start_;
-    result[n] =
-        of_contacts * (residual(here, start.col(n)) + omitted_start_ * force.row(n).norm()) / here.least;
+    const double acting = force.row(n).norm() + loads.row(n).norm();
+    result[n] = of_contacts * (residual(here, start.col(n)) + omitted_start_ * acting) / here.least;
   }
   return result;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "methods/structure/contact_reduction.hpp"
+#include "methods/structure/ritz_reduction.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {
@@ -38,9 +39,30 @@ class ContactSpace {
   /// \param problem  of proportional damping; contacts of any law
   explicit ContactSpace(const Problem& problem, const ContactSpaceSettings& settings = {});
 
+  /// The same space under another law or at another frequency of the load: what it holds of structure,
+  /// directions of contact and shapes of the load depends on neither.
+  /// \param problem  with the same structure, the same directions and loads that differ in frequency alone
+  [[nodiscard]] ContactSpace of(const Problem& problem) const;
+
   [[nodiscard]] const std::string& obstacle() const { return small_.obstacle; }  ///< one clause; empty: none
   [[nodiscard]] const ContactReduction& small() const { return small_; }         ///< m vectors
   [[nodiscard]] const ContactReduction& whole() const { return whole_; }         ///< k vectors
+  /// Motion where forces act, n = 0..H.
+  struct PortMotion {
+    Eigen::MatrixXcd contacts;  ///< x_n, (H+1) x Nc [m]
+    Eigen::MatrixXcd loads;     ///< q_n = F^T u_n, (H+1) x Nf [m]
+  };
+  /// The motion of `whole` under load and contact force, at the contacts and at the columns of the load.
+  /// \throws SingularStiffness where an undamped vector resonates to rounding
+  [[nodiscard]] PortMotion motion(double base, const Eigen::MatrixXcd& force) const;
+  /// The size of the field u of all coordinates, root of the mean over time and coordinates of |u|^2, from
+  /// harmonic `first` on; of the first order in what the space leaves out [m].
+  /// \param force  of the contacts, n = 0..H, (H+1) x Nc [N]
+  /// \param load   of the load's columns likewise, (H+1) x Nf [N]
+  [[nodiscard]] double field_size(double base, const Eigen::MatrixXcd& force, const Eigen::MatrixXcd& load,
+                                  int first) const;
+  /// F and its rates.
+  [[nodiscard]] const LoadColumns& load() const { return load_; }
   /// x_n - x_n^small under load and contact force as far as `whole` knows it, (H+1) x Nc [m].
   /// \param base   rate of harmonic 1, a whole part of the load's [rad/s]
   /// \param force  lambda_n, n = 0..H, (H+1) x Nc [N]
@@ -62,13 +84,25 @@ class ContactSpace {
   [[nodiscard]] double residual(const Pencil& pencil, const Eigen::VectorXcd& start) const;
   [[nodiscard]] double contact_residual(const Pencil& pencil) const;
   [[nodiscard]] Pencil pencil(double rate) const;
+  /// Amplitudes of the Ritz vectors, k rows, and of what follows statically, Nc + Nf rows, n = 0..H.
+  struct Amplitudes {
+    Eigen::MatrixXcd modal, direct;
+  };
+  [[nodiscard]] Amplitudes amplitudes(double base, const Eigen::MatrixXcd& acting) const;
+  void take_law(const Problem& problem);
 
   ContactReduction small_, whole_;
+  Eigen::MatrixXd residual_;  // static, of small_ whatever the law
+  Eigen::MatrixXcd residual_shift_;
+  LoadColumns load_;
   Eigen::VectorXd theta_;     // of the whole space, k
   Eigen::MatrixXd contacts_;  // U^T V^T N, k x Nc
   Eigen::MatrixXd loads_;     // U^T V^T F, k x Nf
-  Eigen::MatrixXcd weight_;   // Nf x Nh
+  Eigen::MatrixXd ports_;     // both, k x (Nc + Nf)
+  Eigen::MatrixXd direct_;    // of the massless coordinates, (Nc + Nf) x (Nc + Nf)
+  Eigen::MatrixXd gram_;      // of Ritz vectors and of what follows, over all coordinates
   Eigen::MatrixXd outside_;   // |K^-1 M V y - V t y|_K = |outside y|, but for what was omitted
+  int coordinates_ = 0;
   double omitted_ = 0.0, omitted_start_ = 0.0, rounding_ = 0.0;
 };
 

@@ -158,6 +158,23 @@ Eigen::MatrixXd BlockLanczos::projected(const SparseMatrix& A) const {
   return rows;
 }
 
+Eigen::MatrixXd BlockLanczos::gram() const {
+  Eigen::MatrixXd gram(size_, size_);
+  Eigen::Index row = 0;
+  for (const Eigen::MatrixXd& left : basis_) {
+    Eigen::Index column = 0;
+    for (const Eigen::MatrixXd& right : basis_) {
+      if (column > row) break;
+      gram.block(row, column, left.cols(), right.cols()) = transposed_product(left, right);
+      gram.block(column, row, right.cols(), left.cols()) =
+          gram.block(row, column, left.cols(), right.cols()).transpose();
+      column += right.cols();
+    }
+    row += left.cols();
+  }
+  return gram;
+}
+
 Eigen::MatrixXd BlockLanczos::combined(const Eigen::MatrixXd& coefficients) const {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(P_.rows(), coefficients.cols());
   Eigen::Index first = 0;

@@ -52,6 +52,8 @@ class BlockLanczos {
   [[nodiscard]] double operations_of_growth() const;
   /// V^T A for other columns A, Nd x l; k x l.
   [[nodiscard]] Eigen::MatrixXd projected(const SparseMatrix& A) const;
+  /// V^T V, k x k.
+  [[nodiscard]] Eigen::MatrixXd gram() const;
   /// V times coefficients, k x l; Nd x l.
   [[nodiscard]] Eigen::MatrixXd combined(const Eigen::MatrixXd& coefficients) const;
   /// P^{-1} columns, Nd x l.

@@ -86,6 +86,7 @@ ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSetti
     result = reduction_on(columns, projection_from_start(space, normals.cols()), space.size());
   } else {
     SpaceProjection projection{.pairs = ritz_pairs(space),
+                               .ritz = {},
                                .contacts = space.projected(normals),
                                .loads = space.projected(pushes),
                                .outside = {}};

@@ -72,7 +72,8 @@ MasslessElimination eliminate_massless(const Problem& problem) {
   result.shift = Eigen::MatrixXcd::Zero(problem.contact_count(), result.load.cols());
   if (result.massless.empty()) return result;
   const SparseMatrix W_b = b.transpose() * W;
-  const SparseMatrix moved = stiffness.solve(W_b);  // u_b = moved lambda
+  result.following = stiffness.solve(W_b);
+  const SparseMatrix& moved = result.following;  // u_b = moved lambda
   const Eigen::MatrixXcd loaded = b.transpose().cast<Complex>() * result.load;
   const Eigen::MatrixXd real = stiffness.solve(Eigen::MatrixXd(loaded.real()));
   const Eigen::MatrixXd imag = stiffness.solve(Eigen::MatrixXd(loaded.imag()));

@@ -21,6 +21,7 @@ struct MasslessElimination {
   std::vector<int> kept;       ///< i, ascending: coordinates of the scene
   std::vector<int> massless;   ///< b, ascending
   SparseMatrix normals;        ///< N, |i| x Nc [-]
+  SparseMatrix following;      ///< K_bb^-1 W_b, |b| x Nc [m/N]
   Eigen::MatrixXd compliance;  ///< C, Nc x Nc [m/N]
   /// h omega of the harmonics in the load, ascending, 0 always the first [rad/s].
   std::vector<double> rates;

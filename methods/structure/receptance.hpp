@@ -8,6 +8,7 @@
 
 #include "methods/discretisation/symbols.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
+#include "methods/structure/reduced_structure.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {
@@ -32,6 +33,14 @@ Eigen::MatrixXcd contact_motion(const ContactReceptance& receptance, const Eigen
 /// Whether a contact answers like a mass beyond harmonic n: from there to H its C_n n^2 is -a within a half
 /// of it, a > 0 that of C_H.
 bool is_mass_beyond(const ContactReceptance& receptance, int contact, int harmonic);
+
+/// A receptance, and the structure reduced to what its contacts feel where that was the way to it.
+struct ReducedReceptance {
+  ContactReceptance value;
+  /// The lowest vectors of the space that the receptance was found on, 100 at most, with the static residual
+  /// of all others; with an obstacle where it was factorised, or K is singular.
+  ContactReduction reduction;
+};
 
 /// contact_motion at N equidistant nodes of a period under nodal forces: x_n = free_n + C_n lambda_n, n =
 /// 0..N/2, lambda_n the discrete Fourier coefficients of the forces; N x Nc [m]. \param receptance  with
@@ -59,7 +68,8 @@ inline constexpr double kReducedTolerance = 1e-10;
 /// d_n = min |kappa_n + mu_n theta| over the spectrum of P^{-1} M, 0 <= theta <= the largest eigenvalue of t
 /// [grimme1997]. The error is that of the residual squared because Z_n is symmetric and W is on both of its
 /// sides. The space grows until rho_n^2 <= tolerance d_n |C_n|_F at every harmonic, and likewise for the
-/// loads, whose scale is |f_n^* Z_n^{-1} f_n|.
+/// loads, whose scale is |f_n^* Z_n^{-1} f_n|. While it grows it is looked at harmonics that rise by a tenth;
+/// at the end at all of them.
 ///
 /// With damping this is a bound, up to rounding in P^{-1} and as far as the largest eigenvalue is met, which
 /// Lanczos' method finds first. Without damping at a harmonic, d_n is taken over the eigenvalues of t: an
@@ -71,7 +81,7 @@ inline constexpr double kReducedTolerance = 1e-10;
 /// a
 ///         factorisation of every Z_n would: the direct solution is the better one
 /// \throws SingularStiffness
-std::optional<ContactReceptance> reduced_receptance(const Problem& problem, int harmonics,
+std::optional<ReducedReceptance> reduced_receptance(const Problem& problem, int harmonics,
                                                     const WeightsOfHarmonic& weights, double tolerance);
 
 /// C_n and free response for n = 0..H under the discretisation that gives harmonic n its weights.
@@ -79,6 +89,10 @@ std::optional<ContactReceptance> reduced_receptance(const Problem& problem, int 
 /// factors up to 32 coordinates, to 2000, and where the damping is not proportional or projection turns out
 /// to cost more; else reduced, with an error of at most 1e-10 |C_n|_F. \throws SingularStiffness
 ContactReceptance contact_receptance(const Problem& problem, int harmonics, const WeightsOfHarmonic& weights);
+
+/// The same, with the reduced structure that it was found on.
+ReducedReceptance reduced_contact_receptance(const Problem& problem, int harmonics,
+                                             const WeightsOfHarmonic& weights);
 
 /// C_n and free response of the undiscretised structure for n = 0..H. \throws SingularStiffness
 ContactReceptance fourier_receptance(const Problem& problem, int harmonics);

@@ -15,34 +15,6 @@ namespace {
 // 1 / omega^2 relative to the largest, below which a Ritz value is rounding: its vector moves statically.
 constexpr double kStatic = 1e-13;
 
-/// Real columns F of the load and what they stand for: f_h is the sum of weight * column.
-struct LoadColumns {
-  Eigen::MatrixXd columns;  // |i| x Nf
-  Eigen::MatrixXcd weight;  // Nf x Nh
-};
-
-LoadColumns load_columns(const Eigen::MatrixXcd& load) {
-  LoadColumns result;
-  std::vector<std::pair<Eigen::Index, bool>> parts;  // harmonic; whether the imaginary part
-  for (Eigen::Index h = 0; h < load.cols(); ++h) {
-    if (load.col(h).real().squaredNorm() > 0.0) parts.emplace_back(h, false);
-    if (load.col(h).imag().squaredNorm() > 0.0) parts.emplace_back(h, true);
-  }
-  const auto count = static_cast<Eigen::Index>(parts.size());
-  result.columns.resize(load.rows(), count);
-  result.weight = Eigen::MatrixXcd::Zero(count, load.cols());
-  for (Eigen::Index c = 0; c < count; ++c) {
-    const auto& [h, imaginary] = parts[static_cast<std::size_t>(c)];
-    if (imaginary) {
-      result.columns.col(c) = load.col(h).imag();
-    } else {
-      result.columns.col(c) = load.col(h).real();
-    }
-    result.weight(c, h) = imaginary ? std::complex<double>(0.0, 1.0) : std::complex<double>(1.0, 0.0);
-  }
-  return result;
-}
-
 /// A sum in twice the precision of its terms [ogita2005].
 struct LongSum {
   double high = 0.0, low = 0.0;
@@ -96,6 +68,42 @@ SparseMatrix side_by_side(const SparseMatrix& A, const SparseMatrix& B) {
 
 SparseMatrix ContactColumns::all() const { return side_by_side(normals, pushes); }
 
+Eigen::MatrixXcd LoadColumns::coefficients(double base, int harmonics) const {
+  Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(harmonics + 1, weight.rows());
+  for (std::size_t h = 0; h < rates.size(); ++h) {
+    const long n = std::lround(rates[h] / base);
+    if (n > harmonics) continue;
+    result.row(n) += (n == 0 ? 1.0 : 0.5) * weight.col(static_cast<Eigen::Index>(h)).transpose();
+  }
+  return result;
+}
+
+LoadColumns load_columns(const Problem& problem) {
+  using Complex = std::complex<double>;
+  LoadColumns result;
+  std::vector<std::pair<Eigen::Index, Complex>> entries;  // of weight: the harmonic of each column
+  const auto add = [&](const Eigen::VectorXd& shape, Complex unit) {
+    const double length = shape.norm();
+    if (length == 0.0) return;
+    Contact& column = result.columns.emplace_back();
+    for (int dof = 0; dof < shape.size(); ++dof) {
+      if (shape[dof] != 0.0) column.normal.emplace_back(dof, shape[dof] / length);
+    }
+    entries.emplace_back(std::ssize(result.rates) - 1, unit * length);
+  };
+  for (int h = 0; h <= highest_load_harmonic(problem); ++h) {
+    const Eigen::VectorXcd load = load_harmonic(problem, h);
+    if (h > 0 && load.isZero(0.0)) continue;
+    result.rates.push_back(h * problem.frequency);
+    add(load.real(), 1.0);
+    add(load.imag(), Complex(0.0, 1.0));
+  }
+  result.weight = Eigen::MatrixXcd::Zero(std::ssize(entries), std::ssize(result.rates));
+  for (std::size_t c = 0; c < entries.size(); ++c)
+    result.weight(static_cast<Eigen::Index>(c), entries[c].first) = entries[c].second;
+  return result;
+}
+
 ContactColumns contact_columns(const Problem& problem) {
   ContactColumns result;
   const auto damping = proportional_damping(problem.mass(), problem.stiffness(), problem.damping());
@@ -104,21 +112,32 @@ ContactColumns contact_columns(const Problem& problem) {
     return result;
   }
   result.damping = *damping;
-  result.seen = eliminate_massless(problem);
-  result.obstacle = result.seen.obstacle;
+  result.load = load_columns(problem);
+  // The load's columns are ports as contacts are.
+  Problem ports;
+  ports.structure = problem.structure;
+  ports.contacts = problem.contacts;
+  ports.contacts.insert(ports.contacts.end(), result.load.columns.begin(), result.load.columns.end());
+  MasslessElimination seen = eliminate_massless(ports);
+  result.obstacle = std::move(seen.obstacle);
   if (!result.obstacle.empty()) return result;
-  LoadColumns loads = load_columns(result.seen.load);
-  const SparseMatrix i = coordinate_selection(result.seen.kept, problem.size());
-  result.normals = i * result.seen.normals;
-  result.pushes = i * SparseMatrix(loads.columns.sparseView());
-  result.weight = std::move(loads.weight);
-  if (result.normals.cols() + result.pushes.cols() == 0) result.obstacle = "nothing acts on the structure";
+  const SparseMatrix columns = coordinate_selection(seen.kept, problem.size()) * seen.normals;
+  const Eigen::Index contacts = problem.contact_count();
+  result.normals = columns.leftCols(contacts);
+  result.pushes = columns.rightCols(columns.cols() - contacts);
+  result.compliance = std::move(seen.compliance);
+  if (!seen.massless.empty())
+    result.following = coordinate_selection(seen.massless, problem.size()) * seen.following;
+  result.with_mass = std::ssize(seen.kept);
+  if (columns.cols() == 0) result.obstacle = "nothing acts on the structure";
   return result;
 }
 
 SpaceProjection projection_from_start(const BlockLanczos& space, Eigen::Index contacts) {
   const Eigen::MatrixXd rows = space.projected_start();
-  return {.pairs = ritz_pairs(space),
+  RitzPairs pairs = ritz_pairs(space);
+  return {.pairs = pairs,
+          .ritz = pairs.vectors,
           .contacts = rows.leftCols(contacts),
           .loads = rows.rightCols(rows.cols() - contacts),
           .outside = Eigen::MatrixXd::Zero(contacts, contacts)};
@@ -142,6 +161,7 @@ double refine_lowest(const Problem& problem, const BlockLanczos& space, const Co
   const Eigen::VectorXd wrong =
       (pairs.values.tail(lowest).cwiseQuotient(refined.eigenvalues()).array() - 1.0).abs();
   const Eigen::MatrixXd better = vectors * refined.eigenvectors();
+  projection.ritz.rightCols(lowest) = (projection.ritz.rightCols(lowest) * refined.eigenvectors()).eval();
   pairs.values.tail(lowest) = refined.eigenvalues();
   projection.contacts.bottomRows(lowest) = (columns.normals.transpose() * better).transpose();
   projection.loads.bottomRows(lowest) = (columns.pushes.transpose() * better).transpose();
@@ -153,9 +173,12 @@ ContactReduction reduction_on(const ContactColumns& columns, const SpaceProjecti
                               Eigen::Index most) {
   ContactReduction result;
   result.damping = columns.damping;
-  result.compliance = columns.seen.compliance;
-  result.shift = columns.seen.shift;
-  result.rates = columns.seen.rates;
+  const Eigen::Index contacts = columns.normals.cols();
+  const Eigen::MatrixXcd& weight = columns.load.weight;
+  result.compliance = columns.compliance.topLeftCorner(contacts, contacts);
+  result.shift =
+      columns.compliance.topRightCorner(contacts, weight.rows()).cast<std::complex<double>>() * weight;
+  result.rates = columns.load.rates;
   const Eigen::VectorXd& theta = space.pairs.values;  // rising
   const Eigen::Index count = theta.size();
   Eigen::Index kept = 0;
@@ -165,12 +188,12 @@ ContactReduction reduction_on(const ContactColumns& columns, const SpaceProjecti
   result.squares = omega.cwiseAbs2();
   result.rows = omega.asDiagonal() * (vectors.transpose() * space.contacts);
   const Eigen::MatrixXd modal = omega.asDiagonal() * (vectors.transpose() * space.loads);
-  result.load = modal.cast<std::complex<double>>() * columns.weight;
+  result.load = modal.cast<std::complex<double>>() * weight;
   const auto rest = space.pairs.vectors.leftCols(count - kept);
   const Eigen::MatrixXd left = rest.transpose() * space.contacts;
   const Eigen::MatrixXd pushed = left.transpose() * (rest.transpose() * space.loads);
   result.compliance += space.outside + left.transpose() * left;
-  result.shift += pushed.cast<std::complex<double>>() * columns.weight;
+  result.shift += pushed.cast<std::complex<double>>() * weight;
   return result;
 }
 

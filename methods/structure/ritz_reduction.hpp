@@ -13,20 +13,39 @@
 
 namespace signorini {
 
+/// The load as real columns of unit length, f(t) = Re sum_h F weight_h e^{i rate_h t}.
+struct LoadColumns {
+  std::vector<Contact> columns;  ///< of F, Nf of them: where each acts, as a contact would [-]
+  /// h omega of the harmonics in the load, ascending, 0 always the first [rad/s].
+  std::vector<double> rates;
+  Eigen::MatrixXcd weight;  ///< Nf x Nh [N]
+
+  /// Coefficients phi_n, f(t) = sum_n F phi_n e^{i n base t}, n = 0..H, (H+1) x Nf [N].
+  /// \param base  rate of harmonic 1, a whole part of the load's [rad/s]
+  [[nodiscard]] Eigen::MatrixXcd coefficients(double base, int harmonics) const;
+};
+
+/// Those of a scene: real and imaginary part of each harmonic as far as they are not zero.
+LoadColumns load_columns(const Problem& problem);
+
 /// What acts on the coordinates with mass, those without eliminated: columns of a scene's size, zero at
 /// massless coordinates, so that whatever K^-1 makes of them moves those statically.
 struct ContactColumns {
   std::string obstacle;         ///< why there is no reduction, one clause; the rest is then empty
   ProportionalDamping damping;  ///< alpha [1/s], beta [s]
-  MasslessElimination seen;     ///< contacts and load on the coordinates with mass
-  SparseMatrix normals;         ///< N, Nd x Nc [-]
-  SparseMatrix pushes;          ///< F, real columns of the load, Nd x Nf [N]
-  Eigen::MatrixXcd weight;      ///< f_h = F weight_h, its real part to be taken; Nf x Nh [-]
+  LoadColumns load;             ///< Nf columns
+  SparseMatrix normals;         ///< N, of the contacts, Nd x Nc [-]
+  SparseMatrix pushes;          ///< F likewise, of the load, Nd x Nf [-]
+  /// [W, F]_b^T K_bb^-1 [W, F]_b of the massless coordinates b, (Nc + Nf) x (Nc + Nf) [m/N].
+  Eigen::MatrixXd compliance;
+  /// K_bb^-1 [W, F]_b on the coordinates b, zero elsewhere, Nd x (Nc + Nf) [m/N].
+  SparseMatrix following;
+  Eigen::Index with_mass = 0;  ///< coordinates with mass
 
   /// [N, F].
   [[nodiscard]] SparseMatrix all() const;
-  /// Coordinates with mass: more vectors would be rounding.
-  [[nodiscard]] Eigen::Index most() const { return static_cast<Eigen::Index>(seen.kept.size()); }
+  /// Vectors at most: more than coordinates with mass would be rounding.
+  [[nodiscard]] Eigen::Index most() const { return with_mass; }
 };
 
 /// Those of a scene. An obstacle: damping that is not proportional, massless coordinates that cannot be
@@ -42,6 +61,7 @@ inline constexpr std::string_view kNotDefinite = "the stiffness is not positive 
 /// A space in its Ritz pairs, and in the coordinates of its basis, V^T K V = 1, what acts.
 struct SpaceProjection {
   RitzPairs pairs;           ///< of V
+  Eigen::MatrixXd ritz;      ///< Ritz vectors in V, k x k, whatever coordinates the pairs have since
   Eigen::MatrixXd contacts;  ///< V^T N, k x Nc
   Eigen::MatrixXd loads;     ///< V^T F, k x Nf
   Eigen::MatrixXd outside;   ///< N^T K^-1 N - N^T V V^T N, what the space does not hold, Nc x Nc

@@ -11,6 +11,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/support/elastic_block.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/structure_scenes.hpp"
 
 namespace signorini {
 namespace {
@@ -73,8 +74,9 @@ FieldWork field_work(const Problem& problem, const HarmonicForce& force) {
   return work;
 }
 
-void expect_what_the_field_shows(const Problem& problem, const HarmonicForce& force, double tolerance) {
-  const ContactResponse response(problem, force_series(problem, force, 512));
+void expect_what_the_field_shows(const Problem& problem, const HarmonicForce& force, double tolerance,
+                                 const ContactSpace* space = nullptr) {
+  const ContactResponse response(problem, force_series(problem, force, 512), space);
   const SparseMatrix W = contact_directions(problem);
   const Eigen::MatrixXd x = PeriodicResponse(problem, force).displacement(32) * W;
   EXPECT_LE((response.displacement(32) - x).norm(), tolerance * x.norm());
@@ -107,6 +109,21 @@ TEST(ContactResponse, OfALargeStructureIsThatOfItsField) {
   ASSERT_GT(problem.size(), 2000);
   // Receptances are good to 1e-10 of their norm; dissipation is a difference of two works.
   expect_what_the_field_shows(problem, HarmonicForce(problem.period(), coefficients(5, 4)), 1e-8);
+}
+
+// A space whose bound holds is taken, one whose bound does not is not: the response is right either way, and
+// only the first has the space's own rounding.
+TEST(ContactResponse, TakesASpaceWhereItsBoundHolds) {
+  const Problem problem = test::to_problem(test::PaddedBlock{});
+  const HarmonicForce force(problem.period(), coefficients(5, 9));
+  const ContactSpace large(problem), small(problem, {.small = 10, .whole = 20});
+  expect_what_the_field_shows(problem, force, 1e-7, &large);
+  expect_what_the_field_shows(problem, force, 1e-7, &small);
+  const auto work = [&](const ContactSpace* space) {
+    return ContactResponse(problem, force_series(problem, force, 512), space).work_of_load();
+  };
+  EXPECT_NE(work(&large), work(nullptr));
+  EXPECT_EQ(work(&small), work(nullptr));
 }
 
 TEST(ContactResponse, OfALargeStructureWithOtherDampingIsThatOfItsField) {

@@ -8,6 +8,7 @@
 #include <complex>
 #include <limits>
 
+#include "methods/structure/dynamic_stiffness.hpp"
 #include "methods/structure/receptance.hpp"
 #include "tests/support/structure_scenes.hpp"
 
@@ -78,6 +79,40 @@ TEST(ContactSpace, BoundsWhatIsOutside) {
     if (tightest < 1e300) {
       EXPECT_LT(tightest, 1e3) << problem.name;
     }
+  }
+}
+
+// Contacts and columns of the load against factors of every Z_n of all coordinates, where load and contacts
+// act on massless coordinates too.
+TEST(ContactSpace, HasTheMotionWhereForcesAct) {
+  constexpr int kHarmonics = 12;
+  Problem block = test::to_problem({.elements = {8, 2, 2}});
+  const Contact& padded = block.contacts.front();
+  block.force.push_back({.dof = padded.normal.front().first, .harmonic = 2, .cos = 1e-5, .sin = 3e-5});
+  block.force.push_back({.dof = padded.normal.front().first + 1, .harmonic = 0, .cos = 2e-5});
+  const ContactSpace space(block, {.whole = 180});
+  const Eigen::MatrixXcd force = jumping_force(kHarmonics, block.contact_count());
+  const double base = block.base_frequency();
+  const ContactSpace::PortMotion motion = space.motion(base, force);
+  const SparseMatrix W = contact_directions(block);
+  const SparseMatrix F = contact_directions(space.load().columns, block.size());
+  EXPECT_EQ(F.cols(), 4);
+  DynamicStiffness stiffness(block, true);
+  double squares = 0.0;
+  for (int n = 0; n <= kHarmonics; ++n) {
+    stiffness.factorise(exact_weights(n * base));
+    const Eigen::VectorXcd u = stiffness.solve(load_coefficient(block, n) + W * force.row(n).transpose());
+    const Eigen::VectorXcd x = W.transpose() * u, q = F.transpose() * u;
+    EXPECT_LT((motion.contacts.row(n).transpose() - x).norm(), 1e-9 * x.norm()) << n;
+    EXPECT_LT((motion.loads.row(n).transpose() - q).norm(), 1e-9 * q.norm()) << n;
+    if (n > 0) squares += 2.0 * u.squaredNorm();
+  }
+  const Eigen::MatrixXcd coefficients = space.load().coefficients(base, kHarmonics);
+  // The field is of the first order in what the space leaves out.
+  const double size = std::sqrt(squares / block.size());
+  EXPECT_NEAR(space.field_size(base, force, coefficients, 1), size, 1e-5 * size);
+  for (const int n : {0, 1, 2, 3}) {
+    EXPECT_LT((F * coefficients.row(n).transpose() - load_coefficient(block, n)).norm(), 1e-18) << n;
   }
 }
 
