@@ -204,7 +204,7 @@ int run_command_line(int argc, char** argv) {
   app.set_version_flag("--version", version_text);
   app.require_subcommand(1);
   for (const auto add : {add_list_command, add_show_command, add_solve_command, add_orbits_command,
-                         add_completion_command, add_man_command})
+                         add_reduce_command, add_completion_command, add_man_command})
     add(app, exit_code);
   add_sweep_command(app, exit_code, words);
   add_run_command(app, exit_code, words);

@@ -1,0 +1,76 @@
+#include "methods/reduction/reduced_problem.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace signorini {
+
+namespace {
+
+// Least eigenvalue of C_m scaled to unit diagonal with which its inverse means anything.
+constexpr double kDefinite = 1e-12;
+
+bool is_well_definite(const Eigen::MatrixXd& C) {
+  if (!(C.diagonal().minCoeff() > 0.0)) return false;
+  const Eigen::VectorXd unit = C.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(unit.asDiagonal() * C * unit.asDiagonal(),
+                                                              Eigen::EigenvaluesOnly);
+  return solver.eigenvalues().minCoeff() > kDefinite;
+}
+
+Structure structure_of(const ContactReduction& reduction, const Eigen::MatrixXd& G) {
+  const Eigen::Index vectors = reduction.vectors(), contacts = reduction.contacts();
+  const Eigen::MatrixXd pulled = reduction.rows * G;
+  Eigen::MatrixXd K(vectors + contacts, vectors + contacts);
+  K << pulled * reduction.rows.transpose(), -pulled, -pulled.transpose(), G;
+  K.diagonal().head(vectors) += reduction.squares;
+  const Eigen::MatrixXd symmetric = 0.5 * (K + K.transpose());
+  Structure structure;
+  structure.stiffness = symmetric.sparseView();
+  structure.mass = SparseMatrix(vectors + contacts, vectors + contacts);
+  for (Eigen::Index k = 0; k < vectors; ++k) structure.mass.insert(k, k) = 1.0;
+  structure.mass.makeCompressed();
+  const auto [alpha, beta] = reduction.damping;
+  structure.damping = alpha * structure.mass + beta * structure.stiffness;
+  return structure;
+}
+
+}  // namespace
+
+ReducedProblem reduced_problem(const Problem& scene, const ContactReduction& reduction) {
+  ReducedProblem result{.obstacle = reduction.obstacle};
+  if (result.obstacle.empty() && std::holds_alternative<Restitution>(scene.law))
+    result.obstacle = "a contact with mass and an impact law is another one in a reduced structure";
+  if (result.obstacle.empty() && !is_well_definite(reduction.compliance))
+    result.obstacle = "the static residual at the contacts is not definite: fewer vectors are needed";
+  if (!result.obstacle.empty()) return result;
+  const Eigen::Index contacts = reduction.contacts();
+  const auto vectors = static_cast<int>(reduction.vectors());
+  const Eigen::MatrixXd G = reduction.compliance.llt().solve(Eigen::MatrixXd::Identity(contacts, contacts));
+  Problem& problem = result.problem;
+  problem = scene;
+  problem.kind = "matrices";
+  problem.structure = std::make_shared<const Structure>(structure_of(reduction, G));
+  problem.force.clear();
+  for (std::size_t h = 0; h < reduction.rates.size(); ++h) {
+    const auto column = static_cast<Eigen::Index>(h);
+    Eigen::VectorXcd load(vectors + contacts);
+    const Eigen::VectorXcd shifted = G * reduction.shift.col(column);
+    load << reduction.load.col(column) - reduction.rows * shifted, shifted;
+    const auto harmonic = static_cast<int>(std::lround(reduction.rates[h] / scene.frequency));
+    for (int dof = 0; dof < load.size(); ++dof) {
+      if (load[dof] == 0.0) continue;
+      problem.force.push_back({.dof = dof,
+                               .harmonic = harmonic,
+                               .cos = load[dof].real(),
+                               .sin = harmonic == 0 ? 0.0 : 0.0 - load[dof].imag()});
+    }
+  }
+  for (int j = 0; j < static_cast<int>(contacts); ++j)
+    problem.contacts[static_cast<std::size_t>(j)].normal = {{vectors + j, 1.0}};
+  return result;
+}
+
+}  // namespace signorini

@@ -1,0 +1,30 @@
+#pragma once
+// A reduced structure as a scene of its own.
+
+#include <string>
+
+#include "methods/structure/reduced_structure.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// A scene on few coordinates, or why there is none.
+struct ReducedProblem {
+  std::string obstacle = {};  ///< one clause; empty: none
+  Problem problem = {};       ///< where there is no obstacle
+};
+
+/// The equations of a ContactReduction as matrices of m + Nc coordinates (q, x), the contacts x without mass:
+///
+///     M = [1, 0; 0, 0],   K = [omega^2 + n G n^T, -n G; -G n^T, G],   D = alpha M + beta K,   G = C_m^-1,
+///     f = (phi^T f - n G s_m, G s_m),
+///
+/// so that G (1 + beta d/dt) (x - n^T q) = G s_m + lambda, which is what xi obeys, and n lambda acts on q.
+/// Gaps, stiffness of springs, frequency and order of the motion are those of the scene; coordinate m + j is
+/// contact j.
+///
+/// An obstacle: contacts with mass and an impact law, which the reduced structure does not represent
+/// (march_obstacle); a static residual C_m that is not definite to 1e-12 of its diagonal.
+ReducedProblem reduced_problem(const Problem& scene, const ContactReduction& reduction);
+
+}  // namespace signorini
