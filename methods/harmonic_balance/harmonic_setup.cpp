@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "methods/hat_functions/hat_contact.hpp"
+#include "methods/structure/contact_reduction.hpp"
 
 namespace signorini {
 
@@ -53,11 +54,24 @@ std::optional<ClosureSetup> closure_setup(const Problem& problem, const ContactR
   return ClosureSetup{.restitution = *restitution, .response = std::move(response)};
 }
 
+/// The reduced structure to march, from the receptance's own space where there is one.
+std::optional<ContactReduction> reduction_to_march(const Problem& problem, int harmonics,
+                                                   ContactReduction found) {
+  if (harmonics * problem.contact_count() < kManyUnknowns || !march_obstacle(problem).empty())
+    return std::nullopt;
+  if (!found.obstacle.empty() && problem.size() <= kMostFactorised) found = reduce_to_contacts(problem);
+  if (!found.obstacle.empty()) return std::nullopt;
+  return found;
+}
+
 }  // namespace
 
 HarmonicSetup harmonic_setup(const Problem& problem, int harmonics, const HarmonicOptions& options,
                              const HarmonicMethod& method) {
-  ContactReceptance receptance = fourier_receptance(problem, harmonics);
+  const double base = problem.base_frequency();
+  ReducedReceptance found =
+      reduced_contact_receptance(problem, harmonics, [base](int n) { return exact_weights(n * base); });
+  ContactReceptance receptance = std::move(found.value);
   ProjectedLaw law = method.law_at(receptance);
   std::optional<ClosureSetup> closure = closure_setup(problem, receptance, options);
   HarmonicSetup setup{.receptance = std::move(receptance),
@@ -66,7 +80,8 @@ HarmonicSetup harmonic_setup(const Problem& problem, int harmonics, const Harmon
                       .options = options,
                       .law = std::move(law),
                       .closure = std::move(closure),
-                      .problem = &problem};
+                      .problem = &problem,
+                      .marched = reduction_to_march(problem, harmonics, std::move(found.reduction))};
   if (setup.closure && setup.closure->response && !setup.closes_own_series())
     setup.closure->hat_grids =
         affordable_hat_grids(problem, setup.closure->restitution, options.max_iterations);

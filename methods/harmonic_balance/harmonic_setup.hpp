@@ -8,6 +8,7 @@
 #include "methods/complementarity/projected_law.hpp"
 #include "methods/harmonic_balance/grid_solver.hpp"
 #include "methods/harmonic_balance/harmonic_options.hpp"
+#include "methods/marching/periodic_march.hpp"
 #include "methods/refinement.hpp"
 #include "methods/structure/receptance.hpp"
 
@@ -47,6 +48,9 @@ struct HarmonicSetup {
   std::optional<ClosureSetup> closure = {};
   /// The scene, for a continuation in frequency; null where the receptance is not that of a scene.
   const Problem* problem = nullptr;
+  /// What contacts feel of the structure, to march to a start; empty where few unknowns make pivots cheap, or
+  /// a march does not represent the scene.
+  std::optional<ContactReduction> marched = {};
 
   /// The equations of all attempts; refers to this setup.
   [[nodiscard]] ProjectedEquations equations() const { return {receptance, gap, law}; }
@@ -64,6 +68,9 @@ struct HarmonicSetup {
   /// stays [-].
   [[nodiscard]] double closed_stiffness() const { return method.constant_is_chosen ? 1.0 : 8.0; }
 };
+
+/// Harmonics times contacts from which a path of pivots is longer than a march.
+inline constexpr int kManyUnknowns = 800;
 
 /// Sets a scene up with H harmonics; `problem` must outlive the result.
 /// \throws std::runtime_error if the structure cannot be factorised

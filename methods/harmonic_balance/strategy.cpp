@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "methods/complementarity/exact_projection.hpp"
+#include "methods/complementarity/exact_quadrature.hpp"
 #include "methods/harmonic_balance/closed_answer.hpp"
 #include "methods/harmonic_balance/distinct_stops.hpp"
 #include "methods/harmonic_balance/frequency_continuation.hpp"
@@ -46,6 +47,41 @@ std::optional<Solution> permanent_contact(const HarmonicSetup& setup, const Star
   const ExactProjection closed = solve_permanent_contact(setup.equations(), setup.options.tolerance);
   if (!closed.converged) return std::nullopt;
   return exact_solution(setup.equations(), closed, "permanent contact");
+}
+
+/// The force to which the reduced structure marches, n = 0..H; empty where it finds no periodic motion.
+Eigen::MatrixXcd marched_force(const HarmonicSetup& setup, const Start& start, Work& work) {
+  constexpr int kFewestMarched = 256;
+  const int harmonics = setup.receptance.harmonics();
+  const int samples = std::max(kFewestMarched, kCoarseSampling * harmonics);
+  ContactMarch march(*setup.marched, march_grid(*setup.problem, samples));
+  const PeriodicMarch marched = march_to_periodic_motion(march, {.deadline = start.deadline});
+  count_iterations(marched.newton_steps, work);
+  if (!marched.found()) return {};
+  return force_spectrum(marched.force, {}, setup.receptance.period, harmonics);
+}
+
+/// Newton's method from the motion of the reduced structure (march_to_periodic_motion): at once, or where
+/// that fails with few harmonics first and with more from there (harmonic_continuation). What that costs does
+/// not grow with the nodes in contact, as a path of pivots does.
+std::optional<Solution> newton_from_march(const HarmonicSetup& setup, const Start& start, Work& work) {
+  if (start.guess || !setup.marched || !setup.without_grid()) return std::nullopt;
+  const Eigen::MatrixXcd force = marched_force(setup, start, work);
+  if (force.size() == 0) return std::nullopt;
+  const ExactProjection near = project_exactly(setup.equations(), force,
+                                               {.samples = kResolvingSamples * setup.receptance.harmonics(),
+                                                .tolerance = setup.options.tolerance,
+                                                .deadline = start.deadline});
+  count_iterations(near.iterations, work);
+  if (near.converged) return exact_solution(setup.equations(), near, "Newton from a march");
+  const ContinuationPoint first = continuation_start(setup.receptance);
+  if (first.harmonics == 0) return std::nullopt;
+  const ExactProjection continued = continue_in_harmonics(setup.receptance, setup.gap, setup.method.law_at,
+                                                          first, force, setup.options.tolerance, start);
+  count_iterations(continued.iterations, work);
+  if (!continued.converged) return std::nullopt;
+  return exact_solution(setup.equations(), continued,
+                        fmt::format("a march, {} harmonics first, Newton from there", first.harmonics));
 }
 
 /// The first harmonics alone and a softer law, with nothing that stands beside a solve.
@@ -95,6 +131,7 @@ std::optional<Solution> continuation_in_frequency(const HarmonicSetup& setup, co
 Solution solve_series(HarmonicSetup& setup, const Start& start, Work& work) {
   std::optional<Solution> series = newton_from_guess(setup, start, work);
   if (!series) series = permanent_contact(setup, start);
+  if (!series) series = newton_from_march(setup, start, work);
   if (!series) series = continuation_in_harmonics(setup, start, work);
   if (!series) series = continuation_in_frequency(setup, start, work);
   if (!series) series = solve_on_grids(setup, start, work);  // the method's own solver; always ends with one

@@ -13,6 +13,7 @@
 #include "methods/discretisation/trajectories.hpp"
 #include "methods/hat_functions/marched_contact.hpp"
 #include "methods/hat_functions/period_marching.hpp"
+#include "methods/marching/periodic_march.hpp"
 #include "methods/solvers/complementarity_solver.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
@@ -28,12 +29,22 @@ constexpr int kLongPath = 100;
 // Marching either repeats its contacts soon, or follows a motion that is not periodic.
 constexpr int kMarchedPeriods = 300;
 
+/// C_n under a scheme on N nodes, n = 0..N/2, and the reduced structure that it was found on.
+ReducedReceptance reduced_grid_receptance(const Problem& problem, HatScheme scheme, int samples) {
+  ReducedReceptance found = reduced_contact_receptance(problem, samples / 2, [&](int n) {
+    return scheme_weights(scheme, 2.0 * std::numbers::pi * n / samples, problem.period() / samples);
+  });
+  weigh_contact_force(found.value.receptance, scheme, samples);
+  return found;
+}
+
 class PreparedHat final : public PreparedMethod {
  public:
   PreparedHat(const Problem& problem, const HatSettings& options, std::optional<double> restitution)
       : problem_(problem),
         options_(options),
-        receptance_(grid_receptance(problem, options.scheme, options.samples)),
+        found_(reduced_grid_receptance(problem, options.scheme, options.samples)),
+        receptance_(found_.value),
         stops_(nodal_stops(problem, restitution)) {}
 
   Solution solve(const Start& start) override {
@@ -53,6 +64,9 @@ class PreparedHat final : public PreparedMethod {
         start.guess ? pressure_samples(*start.guess, samples(), form.unit) : Eigen::VectorXd{};
     if (options_.solver != ComplementaritySolver::automatic)
       return follow_path(form.lcp, asked, start, guess);
+    if (asked == 0 && guess.size() == 0) {
+      if (LcpResult near = newton_from_march(form, start); near.status == LcpStatus::solved) return near;
+    }
 
     const auto pivots = [&](long per_unknown) {
       return static_cast<int>(
@@ -82,6 +96,17 @@ class PreparedHat final : public PreparedMethod {
                       .cover_amplitude = options_.cover_amplitude,
                       .cover_phase = options_.cover_phase},
                      guess);
+  }
+
+  /// Attempt 0; not solved where there is no reduced structure, or its motion is not near one of the grid.
+  [[nodiscard]] LcpResult newton_from_march(const HatForm& form, const Start& start) const {
+    if (!found_.reduction.obstacle.empty() || !march_obstacle(problem_).empty()) return {};
+    ContactMarch march(found_.reduction, march_grid(problem_, samples()));
+    const PeriodicMarch marched = march_to_periodic_motion(march, {.deadline = start.deadline});
+    if (!marched.found()) return {};
+    const Eigen::VectorXd pressure = -marched.force.reshaped();
+    return solve_by_newton(form.lcp, {.tolerance = options_.tolerance, .deadline = start.deadline},
+                           form.scaled(pressure));
   }
 
   /// Attempt 3; not solved where no periodic contact is found or Newton's method fails from it.
@@ -116,7 +141,8 @@ class PreparedHat final : public PreparedMethod {
 
   const Problem& problem_;
   HatSettings options_;
-  ContactReceptance receptance_;
+  ReducedReceptance found_;
+  const ContactReceptance& receptance_;
   NodalStops stops_;
 };
 
@@ -157,11 +183,7 @@ double static_deflection(const Problem& problem) {
 }
 
 ContactReceptance grid_receptance(const Problem& problem, HatScheme scheme, int samples) {
-  ContactReceptance receptance = contact_receptance(problem, samples / 2, [&](int n) {
-    return scheme_weights(scheme, 2.0 * std::numbers::pi * n / samples, problem.period() / samples);
-  });
-  weigh_contact_force(receptance.receptance, scheme, samples);
-  return receptance;
+  return reduced_grid_receptance(problem, scheme, samples).value;
 }
 
 void weigh_contact_force(std::vector<Eigen::MatrixXcd>& matrices, HatScheme scheme, int samples) {

@@ -11,6 +11,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 #include "tests/support/population.hpp"
+#include "tests/support/structure_scenes.hpp"
 
 namespace signorini {
 namespace {
@@ -81,7 +82,8 @@ TEST(Strategy, EndsWithItsTimeBudget) {
 
 TEST(Strategy, ThrowsOnlyWhereTheFirstHarmonicsCannotBePrepared) {
   // Undamped, resonant at harmonic 30: the first 20 can be factorised, 40 cannot.
-  Problem problem = test::to_problem({.damping = 0.0, .frequency = 1.0 / 30.0, .gap = 0.2});
+  Problem problem =
+      test::to_problem(test::ImpactOscillator{.damping = 0.0, .frequency = 1.0 / 30.0, .gap = 0.2});
   const auto solver = std::make_shared<FailingSolver>();
   const auto prepared = prepare_harmonic_balance(problem, {.compensate = false}, method_of(solver, true));
   const Solution solution = prepared->solve({});
@@ -154,6 +156,21 @@ TEST(Strategy, ClaimsNoSeriesWhoseImpactsCannotBeClosed) {
       problem, {.common = {.harmonics = 20}, .solver = ComplementaritySolver::pivoting});
   EXPECT_EQ(found.verdict, Verdict::not_converged);
   EXPECT_TRUE(begins(found, "impacts not closed: ")) << found.message;
+}
+
+// From 800 harmonics times contacts on massless contacts begin at a march; what Newton's method finds from
+// there is what the climb in harmonics finds.
+TEST(Strategy, BeginsManyUnknownsAtAMarch) {
+  const Problem block = test::to_problem(test::PaddedBlock{});
+  const FourierLipschitz method({.common = {.harmonics = 90}});
+  const Solution marched = method.prepare(block)->solve({});
+  ASSERT_EQ(marched.verdict, Verdict::converged) << marched.message;
+  EXPECT_TRUE(begins(marched, "Newton from a march")) << marched.message;
+  const Solution few = FourierLipschitz({.common = {.harmonics = 80}}).prepare(block)->solve({});
+  ASSERT_EQ(few.verdict, Verdict::converged) << few.message;
+  EXPECT_FALSE(begins(few, "Newton from a march")) << few.message;
+  const Eigen::MatrixXd x = marched.trajectory->sample(1024).x;
+  EXPECT_LT((x - few.trajectory->sample(1024).x).norm(), 1e-2 * (x.rowwise() - x.colwise().mean()).norm());
 }
 
 }  // namespace

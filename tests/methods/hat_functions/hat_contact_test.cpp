@@ -12,6 +12,7 @@
 #include "methods/structure/receptance.hpp"
 #include "tests/support/damped_chain.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/structure_scenes.hpp"
 
 namespace signorini {
 namespace {
@@ -162,6 +163,21 @@ TEST(RefinedHatContact, AgreesOnTwoGridsBeforeItAnswers) {
   ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
   EXPECT_GE(solution.work.unknowns, 1024);
   EXPECT_NE(solution.message.find("N = "), std::string::npos);
+}
+
+// Above 2000 coordinates the reduced structure marches to a motion so near that Newton's method ends at the
+// solution, without a pivot: the one that pivoting finds cold.
+TEST(HatContact, OfALargeStructureBeginsAtItsMarch) {
+  const Problem block = test::to_problem(test::PaddedBlock{});
+  const Solution marched = hat_contact(block, {.samples = 64}, std::nullopt)->solve({});
+  ASSERT_EQ(marched.verdict, Verdict::converged) << marched.message;
+  EXPECT_EQ(marched.work.pivots, 0);
+  const Solution pivoted =
+      hat_contact(block, {.samples = 64, .solver = ComplementaritySolver::pivoting}, std::nullopt)->solve({});
+  ASSERT_EQ(pivoted.verdict, Verdict::converged) << pivoted.message;
+  EXPECT_GT(pivoted.work.pivots.value_or(0), 0);
+  const Eigen::MatrixXd x = marched.trajectory->sample(64).x;
+  EXPECT_LT((x - pivoted.trajectory->sample(64).x).norm(), 1e-8 * x.norm());
 }
 
 }  // namespace
