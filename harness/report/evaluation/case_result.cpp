@@ -81,6 +81,7 @@ void CaseResults::add(const Record& record) {
                     .source = count_++};
   if (record.seconds) {
     result.seconds = record.seconds->median;
+    result.exchange = record.seconds->exchange;
     result.together = record.seconds->jobs.has_value();
   }
   if (record.certificate.orbit) result.orbit = name_of(*record.certificate.orbit);

@@ -64,6 +64,7 @@ struct CaseResult {
   double measurable = 0.0;              ///< measurable_error
   Measure condition = {};
   Measure seconds = {};                  ///< median of set-up plus solve [s]
+  Measure exchange = {};                 ///< Seconds::exchange [s]
   bool together = false;                 ///< other cases ran at the same time
   bool keeps_motion = false;             ///< with its certified orbit
   Work work = {};                        ///< counts

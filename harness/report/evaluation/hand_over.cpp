@@ -8,11 +8,11 @@ namespace signorini {
 
 std::vector<HandOver> hand_overs(const Evaluation& evaluation) {
   std::vector<std::pair<std::vector<double>, std::vector<double>>> times(evaluation.configurations().size());
-  for (const Record& record : evaluation.records()) {
-    if (!record.seconds || !record.seconds->exchange) continue;
-    auto& [own, beside] = times[evaluation.place_of(configuration_of(record))];
-    own.push_back(record.seconds->median);
-    beside.push_back(*record.seconds->exchange);
+  for (const CaseResult& result : evaluation.results()) {
+    if (!result.seconds || !result.exchange) continue;
+    auto& [own, beside] = times[evaluation.place_of(result.choice->configuration)];
+    own.push_back(*result.seconds);
+    beside.push_back(*result.exchange);
   }
   std::vector<HandOver> found;
   for (std::size_t place = 0; place < times.size(); ++place) {

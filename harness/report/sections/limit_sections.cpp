@@ -16,8 +16,9 @@ Sections limit_sections(const Evaluation& evaluation) {
       "both: `signorini show METHOD`.";
   section.table.header = {"method", "laws", "limits"};
   for (const MethodEntry& entry : method_catalogue()) {
-    if (!entry.limits.empty() && std::ranges::count(evaluation.records(), entry.name, &Record::method) > 0)
-      section.table.rows.push_back({entry.name, entry.laws, entry.limits});
+    const bool is_run = std::ranges::any_of(
+        evaluation.results(), [&](const CaseResult& result) { return result.choice->method == entry.name; });
+    if (is_run && !entry.limits.empty()) section.table.rows.push_back({entry.name, entry.laws, entry.limits});
   }
   return {std::move(section)};
 }
