@@ -127,12 +127,12 @@ TEST(MovingStop, OrbitsAreThoseInCoordinatesAtRest) {
     SCOPED_TRACE(e);
     const auto orbits = orbits_at_rest(e);
     ASSERT_FALSE(orbits.empty());
-    const Solution exact = solve<ExactOrbitMethod>(scene(e), {});
+    const Solution exact = test::solve<ExactOrbitMethod>(scene(e), {});
     ASSERT_EQ(exact.verdict, Verdict::converged) << exact.message;
     EXPECT_LT(distance(*exact.trajectory, orbits), 1e-10);
     const auto impulses = exact.trajectory->impulses();
     ASSERT_EQ(impulses.size(), 1U);
-    const Solution marched = solve<EventDriven>(scene(e), {});
+    const Solution marched = test::solve<EventDriven>(scene(e), {});
     ASSERT_EQ(marched.verdict, Verdict::converged) << marched.message;
     EXPECT_LT(distance(*marched.trajectory, orbits), 1e-6);
   }
@@ -140,12 +140,12 @@ TEST(MovingStop, OrbitsAreThoseInCoordinatesAtRest) {
 
 TEST(MovingStop, IsMetByMethodsOfTimeAndOfFrequency) {
   const auto orbits = orbits_at_rest(0.8);
-  const Solution series = solve<FourierLipschitz>(scene(0.8), {.common = {.harmonics = 80}});
+  const Solution series = test::solve<FourierLipschitz>(scene(0.8), {.common = {.harmonics = 80}});
   ASSERT_EQ(series.verdict, Verdict::converged) << series.message;
   EXPECT_LT(distance(*series.trajectory, orbits), 2e-3) << "what 80 harmonics cut off at a kink";
   std::vector<double> errors;
   for (const int samples : {256, 1024}) {
-    const Solution nodal = solve<HatLcp>(scene(0.8), {.samples = samples});
+    const Solution nodal = test::solve<HatLcp>(scene(0.8), {.samples = samples});
     ASSERT_EQ(nodal.verdict, Verdict::converged) << nodal.message;
     errors.push_back(distance(*nodal.trajectory, orbits));
   }
@@ -164,7 +164,8 @@ TEST(MovingBase, IsTheSameMotionToldAtRest) {
   at_rest.force = {{.dof = 0, .cos = kCos, .sin = kSin},
                    {.dof = 0, .cos = kDamping * kSin, .sin = -kDamping * kCos, .omega_power = 1}};
   move_stops(at_rest, {{.cos = kCos, .sin = kSin}});
-  const Solution a = solve<ExactOrbitMethod>(relative, {}), b = solve<ExactOrbitMethod>(at_rest, {});
+  const Solution a = test::solve<ExactOrbitMethod>(relative, {}),
+                 b = test::solve<ExactOrbitMethod>(at_rest, {});
   ASSERT_EQ(a.verdict, Verdict::converged) << a.message;
   ASSERT_EQ(b.verdict, Verdict::converged) << b.message;
   ASSERT_FALSE(a.trajectory->impulses().empty());
@@ -176,7 +177,7 @@ TEST(MovingStop, OfASpringIsTheSpringsForceAtRest) {
   constexpr double kStiffness = 50.0;
   Problem problem = scene(1.0);
   problem.law = Penalty{{kStiffness}};
-  const Solution solution = solve<ExactOrbitMethod>(problem, {});
+  const Solution solution = test::solve<ExactOrbitMethod>(problem, {});
   ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
   // The equation of motion at rest, by differences of the absolute displacement.
   constexpr int kInstants = 20000;

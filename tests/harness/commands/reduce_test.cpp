@@ -7,6 +7,7 @@
 #include <string>
 
 #include "harness/files.hpp"
+#include "harness/plan/scene_choice.hpp"
 #include "methods/structure/receptance.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/program.hpp"
