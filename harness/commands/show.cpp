@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "harness/commands/command_line.hpp"
@@ -88,8 +89,11 @@ std::string motion_text(const Eigen::VectorXcd& motion) {
   std::string text;
   for (Eigen::Index h = 1; h < motion.size(); ++h) {
     const std::string angle = h == 1 ? "omega t" : fmt::format("{} omega t", h);
-    if (motion(h).real() != 0.0) text += fmt::format(" + {:g} cos({})", motion(h).real(), angle);
-    if (motion(h).imag() != 0.0) text += fmt::format(" + {:g} sin({})", -motion(h).imag(), angle);
+    for (const auto& [size, wave] :
+         {std::pair(motion(h).real(), "cos"), std::pair(-motion(h).imag(), "sin")}) {
+      if (size != 0.0)
+        text += fmt::format(" {} {:g} {}({})", size < 0.0 ? '-' : '+', std::abs(size), wave, angle);
+    }
   }
   return text;
 }
