@@ -4,6 +4,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -106,7 +107,7 @@ Eigen::MatrixX2d carried(const Group& group, const StopMotion& motion) {
     const auto moves = motion.find(group.contacts[row]);
     if (moves != motion.end()) asked.row(static_cast<Eigen::Index>(row)) = moves->second;
   }
-  const Eigen::MatrixX2d r = group.directions.completeOrthogonalDecomposition().solve(asked);
+  Eigen::MatrixX2d r = group.directions.completeOrthogonalDecomposition().solve(asked);
   const Eigen::VectorXd missed = (group.directions * r - asked).rowwise().lpNorm<Eigen::Infinity>();
   Eigen::Index worst = 0;
   if (missed.maxCoeff(&worst) > kRounding * asked.lpNorm<Eigen::Infinity>()) {
@@ -114,7 +115,9 @@ Eigen::MatrixX2d carried(const Group& group, const StopMotion& motion) {
                          "a motion of its own",
                          "stops on the same coordinates must move as one body: none may approach another");
   }
-  return r;
+  constexpr double kNothing = 1e-15;  // of the largest motion: rounding of the decomposition
+  const double least = kNothing * r.lpNorm<Eigen::Infinity>();
+  return r.unaryExpr([least](double value) { return std::abs(value) <= least ? 0.0 : value; });
 }
 
 // Adds amplitudes of cosine and sine as loads.

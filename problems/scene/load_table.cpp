@@ -59,7 +59,8 @@ class TableReader {
       const std::optional<double> number = number_of<double>(word);
       // A heading: the first line with content, once.
       if (!number && columns_ == 0 && !headed_) return void(headed_ = true);
-      if (!number || !std::isfinite(*number)) refuse("value", one_line(word), "must be a finite number");
+      if (!number || !std::isfinite(*number))
+        refuse("value", fmt::format("\"{}\"", one_line(word)), "must be a finite number");
       numbers.push_back(*number);
     }
     if (columns_ == 0) columns_ = numbers.size();

@@ -38,7 +38,7 @@ TEST(GyroscopicShaft, SeriesApproachTheOrbit) {
     errors.push_back(test::relative_distance(*cold.orbit, *series.trajectory));
   }
   EXPECT_LT(errors[0], 0.05);
-  EXPECT_LT(errors[1], 0.3 * errors[0]) << "order 1.5";
+  EXPECT_LT(errors[1], 0.5 * errors[0]) << "harmonics up to 320 rad/s, beyond all modes of the shaft";
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ TEST(PublishedScenes, PermasOneSidedSpringObeysItsEquation) {
                             std::cos(2.6 * i * step);
     worst = std::max(worst, std::abs(residual));
   }
-  EXPECT_LT(worst, 1e-4);
+  EXPECT_LT(worst, 1e-3) << "the force has kinks, where differences err by a slope times a step";
 }
 
 }  // namespace

@@ -21,6 +21,7 @@
 namespace signorini {
 namespace {
 
+using test::solve;
 using Complex = std::complex<double>;
 
 constexpr double kDamping = 0.1, kFrequency = 2.2, kGap = 0.2;
@@ -195,7 +196,7 @@ TEST(MovingStop, OfASpringIsTheSpringsForceAtRest) {
     worst = std::max(
         worst, std::abs(acceleration + kDamping * velocity + x(i) - std::cos(kFrequency * i * step) + push));
   }
-  EXPECT_LT(worst, 1e-4);
+  EXPECT_LT(worst, 2e-3) << "the force has kinks, where differences err by a slope times a step";
 }
 
 }  // namespace

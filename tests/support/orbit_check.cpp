@@ -73,8 +73,9 @@ class Follower {
     for (std::size_t k = 0; k < problem_.force.size(); ++k) {
       const ForceTerm& term = problem_.force[k];
       const auto c = 2 * n_ + 2 * static_cast<Eigen::Index>(k);
-      rate(term.dof, c) += term.cos;
-      rate(term.dof, c + 1) += term.sin;
+      const double size = std::pow(problem_.frequency, term.omega_power);
+      rate(term.dof, c) += size * term.cos;
+      rate(term.dof, c + 1) += size * term.sin;
       generator_(c, c + 1) = -term.harmonic * problem_.frequency;
       generator_(c + 1, c) = term.harmonic * problem_.frequency;
     }

@@ -44,7 +44,7 @@ TEST(LoadOfSamples, FindsTheHarmonicsOfASumOfThem) {
 
 // Of a sawtooth, f = pi - a on (0, 2 pi), the harmonic h is 2 sin(h a) / h, and Parseval's sum is the rest.
 TEST(LoadOfSamples, StatesWhatFewHarmonicsLeaveOut) {
-  constexpr int kCount = 4000, kKept = 10;
+  constexpr int kCount = 20001, kKept = 10;
   const SampledLoad load =
       load_of_samples(sampled(kCount, [](double a) { return a == 0.0 ? 0.0 : std::numbers::pi - a; }), kKept);
   ASSERT_EQ(load.harmonics(), kKept);
