@@ -68,7 +68,8 @@ TEST(RunPlan, LeavesOneRightRecordPerCaseWhateverTheOthersDo) {
     plan.cases.push_back(good);
     healthy.cases.push_back(good);
   }
-  Runner runner({.timeout = 1.0, .memory_mb = 256, .repetitions = 2}, test::free_orbits());
+  // Long enough to touch 256 MiB on a slow machine, which takes a second.
+  Runner runner({.timeout = 5.0, .memory_mb = 256, .repetitions = 2}, test::free_orbits());
   RecordStore store(test::fresh_folder("suite-run"), false);
   const SuiteRunResult result = run_plan(plan, runner, store);
   EXPECT_EQ(result.ran, 14U);
