@@ -221,11 +221,15 @@ CheckResult check_numbering(const CheckedMethod& checked) {
 }
 
 CheckResult check_time_shift(const CheckedMethod& checked) {
+  if (auto no_answer = unless_answered(checked)) return *no_answer;
   const Problem& problem = checked.problem();
+  // Steps are those of the motion, which may repeat after several periods of the scene.
+  const double period = checked.answer().trajectory->period();
   const int grid = checked.settings().grid, steps = 5 * grid / 16 + 1;
-  const Problem delayed = with_load_delayed(problem, steps * problem.period() / grid);
+  const Problem delayed = with_load_delayed(problem, steps * period / grid);
   // A subharmonic motion may come any number of forcing periods later still.
-  return compare(checked, delayed, {.delay = steps, .grid = grid}, problem.subharmonic);
+  const int shifts = static_cast<int>(std::lround(period / problem.period())) * problem.subharmonic;
+  return compare(checked, delayed, {.delay = steps, .grid = grid}, std::max(1, shifts));
 }
 
 CheckResult check_origin_shift(const CheckedMethod& checked) {

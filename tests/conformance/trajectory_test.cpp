@@ -48,6 +48,8 @@ const test::KnownFailures& known_not_to_converge() {
       {"PenaltyHbm_sdof_chatter", kLasts},
       {"PenaltyHbm_sdof_preload_rest", kLasts},
       {"PenaltyHbm_sdof_stick", kLasts},
+      {"AftHbm_chain2_moving_base",
+       "its limit on steps leaves the coarsest hat functions alone to begin with"},
       {"AftHbm_chain2_stick", kLasts},
       {"AftHbm_sdof_chatter", kLasts},
       {"AftHbm_sdof_preload_rest", kLasts},

@@ -165,7 +165,7 @@ class Names(unittest.TestCase):
             scene.solve(instants=0)
 
     def test_show_what_the_program_says(self):
-        self.assertRegex(Scene.load("sdof-stop").show(), r"^sdof-stop: One mass[\s\S]*law +e = 1$")
+        self.assertRegex(Scene.load("sdof-stop").show(), r"^sdof-stop: One mass[\s\S]*law +rigid stops, e = 1$")
 
 
 class Orbits(unittest.TestCase):
