@@ -87,8 +87,10 @@ std::vector<RecordEntry> joined_records(std::vector<RunFolder>& parts) {
                                    parts[records[i].part].path.string(), records[i].case_id));
     }
   }
-  const auto repeated = std::ranges::unique(records, {}, &RecordEntry::case_id);
-  records.erase(repeated.begin(), repeated.end());
+  const auto is_same = [](const RecordEntry& one, const RecordEntry& other) {
+    return one.case_id == other.case_id;
+  };
+  records.erase(std::unique(records.begin(), records.end(), is_same), records.end());
   return records;
 }
 

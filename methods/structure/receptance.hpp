@@ -36,7 +36,7 @@ bool is_mass_beyond(const ContactReceptance& receptance, int contact, int harmon
 
 /// A receptance, and the structure reduced to what its contacts feel where that was the way to it.
 struct ReducedReceptance {
-  ContactReceptance value;
+  ContactReceptance value;  ///< C_n, n = 0..H [m/N]
   /// The lowest vectors of the space that the receptance was found on, 100 at most, with the static residual
   /// of all others; with an obstacle where it was factorised, or K is singular.
   ContactReduction reduction;

@@ -14,12 +14,13 @@ inline constexpr int kMostLoadSamples = 20001;
 /// A load of which only samples f_i = f(i T / N), i = 0..N-1, are known, as the sum over h = 0..H of
 /// cos_h cos(h omega t) + sin_h sin(h omega t), the least squares fit at the samples.
 struct SampledLoad {
-  std::string field = {};                  ///< of the scene file, "forcing.term[0]"
-  int samples = 0;                         ///< N [-]
-  std::vector<double> cos = {}, sin = {};  ///< H + 1 of each, H <= (N - 1) / 2 [N]
-  double rms = 0.0;                        ///< of the samples about their mean [N]
-  double left_out_rms = 0.0;  ///< root mean square, at the samples, of what the harmonics leave out [N]
-  double left_out_max = 0.0;  ///< largest of it [N]
+  std::string field = {};        ///< of the scene file, "forcing.term[0]"
+  int samples = 0;               ///< N [-]
+  std::vector<double> cos = {};  ///< cos_h, H + 1, H <= (N - 1) / 2 [N]
+  std::vector<double> sin = {};  ///< sin_h, H + 1 [N]
+  double rms = 0.0;              ///< of the samples about their mean [N]
+  double left_out_rms = 0.0;     ///< root mean square, at the samples, of what the harmonics leave out [N]
+  double left_out_max = 0.0;     ///< largest of it [N]
 
   [[nodiscard]] int harmonics() const { return static_cast<int>(cos.size()) - 1; }  ///< H
 };

@@ -38,7 +38,9 @@ RecordReader reader_of(std::shared_ptr<const std::vector<Record>> records) {
 /// The part of a list in the order of its scenes that is of this one.
 template <class List, class SceneOf>
 auto part_of_scene(const List& list, const std::string& scene, const SceneOf& scene_of) {
-  return std::span(std::ranges::equal_range(list, scene, natural_less, scene_of));
+  const auto begin = std::ranges::lower_bound(list, scene, natural_less, scene_of);
+  const auto end = std::ranges::upper_bound(begin, list.end(), scene, natural_less, scene_of);
+  return std::span(std::to_address(begin), static_cast<std::size_t>(end - begin));
 }
 
 }  // namespace

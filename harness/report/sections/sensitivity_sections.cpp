@@ -149,8 +149,9 @@ Sections switch_sections(const Evaluation& evaluation) {
   Section scenes{.id = "switches-scenes", .title = "One switch off and on, scene by scene"};
   scenes.table.header = {"scene", "method", "switch", "error of x, off", "error of x, on", "gain"};
   Rows rows(scenes, "what the others say is in table.csv");
-  for (const auto& [varied, variation] : variations_of(evaluation)) {
-    const auto& results = variation.results;
+  for (const auto& entry : variations_of(evaluation)) {
+    const auto& varied = entry.first;
+    const auto& results = entry.second.results;
     if (results.size() != 2 || !results.contains("false") || !results.contains("true")) continue;
     std::vector<double> gains;
     const auto switched_on = by_scene(results.at("true"));
