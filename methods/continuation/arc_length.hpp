@@ -7,6 +7,7 @@
 #include <concepts>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace signorini {
@@ -48,6 +49,12 @@ struct CorrectorLimits {
   double tolerance = 2e-13;  ///< of R, relative to the largest unknown [-]
 };
 
+/// A point of the curve, and the Newton steps that led to it.
+struct CorrectedPoint {
+  Eigen::VectorXd x;
+  int iterations = 0;
+};
+
 /// The matrix [R_x; row; C] of a step: n + 1 square, or higher where conditions are held.
 template <CurveEquations Equations>
 Eigen::MatrixXd bordered_jacobian(Equations& equations, const Eigen::VectorXd& row) {
@@ -78,10 +85,10 @@ inline Eigen::VectorXd solve_bordered(const Eigen::MatrixXd& B, const Eigen::Vec
 /// Converged: |R| <= tolerance max(1, |x|), or no longer falling and either within a hundred times its noise
 /// or after a step of less than 1e-10 max(1, |x|).
 ///
-/// \return the Newton steps taken; `equations` are left evaluated at the point. Empty where it fails.
+/// \return the point, where `equations` are left evaluated. Empty where it fails.
 template <CurveEquations Equations>
-std::optional<int> correct(Equations& equations, const Eigen::VectorXd& predicted,
-                           const Eigen::VectorXd& tangent, const CorrectorLimits& limits = {}) {
+std::optional<CorrectedPoint> corrected(Equations& equations, const Eigen::VectorXd& predicted,
+                                        const Eigen::VectorXd& tangent, const CorrectorLimits& limits = {}) {
   constexpr double kLost = 1e3, kNoise = 100.0;  // of R; of the noise
   constexpr double kSettled = 1e-10;  // of x: a step from one rounding of stiff modes' forces to the next
   Eigen::VectorXd x = predicted, step = Eigen::VectorXd::Ones(x.size());
@@ -92,10 +99,10 @@ std::optional<int> correct(Equations& equations, const Eigen::VectorXd& predicte
     const double residual = equations.residual().template lpNorm<Eigen::Infinity>();
     if (!(residual < kLost)) return std::nullopt;
     const double size = std::max(1.0, x.lpNorm<Eigen::Infinity>());
-    if (residual <= limits.tolerance * size) return k;
+    if (residual <= limits.tolerance * size) return CorrectedPoint{std::move(x), k};
     const bool rounding =
         residual < kNoise * equations.noise() || step.lpNorm<Eigen::Infinity>() < kSettled * size;
-    if (k >= 2 && rounding && residual > 0.5 * before) return k;
+    if (k >= 2 && rounding && residual > 0.5 * before) return CorrectedPoint{std::move(x), k};
     before = residual;
     step = solve_bordered(bordered_jacobian(equations, tangent), -equations.residual(),
                           -tangent.dot(x - predicted));
@@ -103,6 +110,14 @@ std::optional<int> correct(Equations& equations, const Eigen::VectorXd& predicte
     x += step;
   }
   return std::nullopt;
+}
+
+/// The Newton steps of `corrected`.
+template <CurveEquations Equations>
+std::optional<int> correct(Equations& equations, const Eigen::VectorXd& predicted,
+                           const Eigen::VectorXd& tangent, const CorrectorLimits& limits = {}) {
+  const auto point = corrected(equations, predicted, tangent, limits);
+  return point ? std::optional(point->iterations) : std::nullopt;
 }
 
 /// The point of the curve nearby where the parameter is what it is in `predicted`.
@@ -170,10 +185,52 @@ struct CurveStep {
   double length = 0.0;  ///< along the tangent
 };
 
+/// The points of a step that are known: x(s) = x(0) + s x'(0) + s^2 q(s), and q is interpolated between the
+/// nearest of them. As all are in their planes of the step, so is what is predicted.
+class PointsOfStep {
+ public:
+  explicit PointsOfStep(const CurveStep& step) : step_(step) {}
+
+  /// In place of those next to it: differences of q are divided by what lies between.
+  void add(double length, const Eigen::VectorXd& x) {
+    constexpr double kApart = 1e-3;  // of the step
+    if (!(length > kApart * step_.length)) return;
+    std::erase_if(known_,
+                  [&](const Known& one) { return std::abs(one.length - length) <= kApart * step_.length; });
+    known_.push_back({length, (x - step_.x - length * step_.tangent) / (length * length)});
+  }
+
+  /// The point of the curve at a length, by the curve's tangent alone where no other point is known.
+  [[nodiscard]] Eigen::VectorXd at(double length) {
+    constexpr std::size_t kNearest = 3;
+    std::sort(known_.begin(), known_.end(), [length](const Known& one, const Known& other) {
+      return std::abs(one.length - length) < std::abs(other.length - length);
+    });
+    const std::size_t count = std::min(kNearest, known_.size());
+    Eigen::VectorXd x = step_.x + length * step_.tangent;
+    for (std::size_t i = 0; i < count; ++i) {
+      double weight = length * length;  // Lagrange's
+      for (std::size_t k = 0; k < count; ++k) {
+        if (k != i) weight *= (length - known_[k].length) / (known_[i].length - known_[k].length);
+      }
+      x += weight * known_[i].q;
+    }
+    return x;
+  }
+
+ private:
+  struct Known {
+    double length;
+    Eigen::VectorXd q;
+  };
+  const CurveStep& step_;
+  std::vector<Known> known_;
+};
+
 /// The zero of f between the beginning of a step, where it has the value `first`, and its end, where it is
 /// `last` of the other sign: Illinois' rule on the length of the step, each evaluation a corrector of its
-/// own. Where f does not exist at the beginning, the step is halved until f exists with the other sign; where
-/// it never does, the zero is where it begins to exist.
+/// own, which begins at what the ones before predict. Where f does not exist at the beginning, the step is
+/// halved until f exists with the other sign; where it never does, the zero is where it begins to exist.
 ///
 /// \param f  std::optional<double>(Equations&), where the equations are evaluated
 /// \return the length; `equations` are left evaluated there. Empty where it cannot be found.
@@ -184,8 +241,11 @@ std::optional<double> locate(Equations& equations, const CurveStep& step, const 
   constexpr int kHalvings = 50, kIterations = 200;
   constexpr double kZero = 2e-15;                                           // of f
   constexpr double kNarrow = 4.0 * std::numeric_limits<double>::epsilon();  // of the step
+  PointsOfStep points(step);
   const auto value = [&](double length) -> std::optional<double> {
-    if (!correct(equations, step.x + length * step.tangent, step.tangent, kTight)) return std::nullopt;
+    const auto point = corrected(equations, points.at(length), step.tangent, kTight);
+    if (!point) return std::nullopt;
+    points.add(length, point->x);
     return f(equations);
   };
   double a = 0.0, b = step.length, fb = last;
