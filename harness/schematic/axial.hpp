@@ -24,7 +24,8 @@ bool stands_at_end(const SingleStop& stop, const std::vector<SingleStop>& all, c
 
 /// All stops on single coordinates that have a place. Texts that equal the one before are left out.
 void draw_axial_stops(Drawing& drawing, const Problem& problem, const AxialPlaces& places);
-/// All loads on coordinates that have a place, with texts if there are up to two.
+/// All loads on coordinates that have a place, with texts if there are up to two, "f(t)" where those would
+/// overlap.
 void draw_axial_loads(Drawing& drawing, const Problem& problem, const AxialPlaces& places);
 
 }  // namespace signorini

@@ -60,6 +60,8 @@ TEST(LoadText, HasTheTermsOfOneCoordinate) {
   EXPECT_EQ(loaded_coordinates(problem), (std::vector{0, 1}));
   EXPECT_EQ(load_text(problem, 0), "−0.5 + 2 sin 3ωt N");
   EXPECT_EQ(load_text(problem, 1), "1 cos ωt N");
+  problem.force.push_back({.dof = 1, .harmonic = 1, .sin = -0.25});
+  EXPECT_EQ(load_text(problem, 1), "1 cos ωt − 0.25 sin ωt N");
   problem.force.push_back({.dof = 0, .harmonic = 1, .cos = 1.0});
   EXPECT_EQ(load_text(problem, 0), "f(t)");
 }

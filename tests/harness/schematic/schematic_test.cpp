@@ -73,12 +73,29 @@ void expect_on_the_sheet(const Drawing& drawing, const std::string& name) {
   }
 }
 
+/// No two texts of loads upon each other.
+void expect_loads_apart(const Drawing& drawing, const std::string& name) {
+  std::vector<Label> labels;
+  for (const Part& part : drawing.parts)
+    for (const Label& label : part.labels)
+      if (part.kind == "load" && !label.words.empty()) labels.push_back(label);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const Box one = extent(labels[i]), other = extent(labels[k]);
+      const bool apart =
+          (one.low.array() >= other.high.array()).any() || (other.low.array() >= one.high.array()).any();
+      EXPECT_TRUE(apart) << name << ": " << labels[k].words << ", " << labels[i].words;
+    }
+  }
+}
+
 TEST(Schematic, DrawsEverySceneThatShipsWithItsStopsAndGaps) {
   for (const SceneSource& source : shipped_scenes()) {
     if (load_header(source).carries(kLarge)) continue;
     const Problem problem = load_scene(source);
     const Drawing drawing = schematic(problem, load_layout(source));
     expect_on_the_sheet(drawing, problem.name);
+    expect_loads_apart(drawing, problem.name);
     const auto parts = counts(drawing);
     EXPECT_EQ(problem.contacts.empty(), !parts.contains("stop")) << problem.name;
     EXPECT_EQ(problem.contacts.empty(), !parts.contains("gap")) << problem.name;
