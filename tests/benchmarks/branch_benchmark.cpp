@@ -2,7 +2,7 @@
 // response with its stability, what the search for its beginnings costs, how many points are unstable or
 // beyond a fold, where steps do not come; and how the time of a point grows with coordinates and events.
 // Figures of a Release build on a quiet machine are the only ones that count; run as
-// `build/release/tests/branch_benchmark`.
+// `build/release/tests/branch_benchmark [SCENE...]`.
 
 #include <sys/resource.h>
 
@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "harness/plan/plan.hpp"
 #include "harness/sweep/branch_response.hpp"
@@ -131,13 +132,17 @@ void growth() {
 }  // namespace
 }  // namespace signorini
 
-int main() {
+// Of the scenes named, or of all, and then how the time of a point grows.
+int main(int count, char** words) {
+  const std::vector<std::string> named(words + 1, words + count);
   for (const signorini::Response& response :
        {signorini::Response{"sdof-stop", 1.5, 4.5, 60}, signorini::Response{"sdof-stop-e05", 1.5, 4.5, 60},
         signorini::Response{"sdof-penalty-stiff", 0.6, 2.0, 60},
         signorini::Response{"chain3-massless", 0.7, 2.0, 20},
         signorini::Response{"chain10-stop", 0.2, 0.4, 6},
-        signorini::Response{"beam20-three-stops", 3.5, 5.5, 6}})
-    signorini::measure(response);
-  signorini::growth();
+        signorini::Response{"beam20-three-stops", 3.5, 5.5, 6}}) {
+    if (named.empty() || std::find(named.begin(), named.end(), response.scene) != named.end())
+      signorini::measure(response);
+  }
+  if (named.empty()) signorini::growth();
 }
