@@ -20,8 +20,9 @@ constexpr int kAndersonDepth = 15;  // of Anderson's acceleration
 constexpr int kMarchNewtonSteps = 25;
 constexpr int kMarchHalvings = 8;
 constexpr double kMarchDecrease = 1e-2;
-// How much longer the attempts are that are repeated at the very end.
-constexpr int kPatience = 4;
+// How many states of the march are tried where all else failed, and how much longer Anderson's acceleration
+// is at the very end.
+constexpr int kAttempts = 24, kPatience = 4;
 
 double relative_defect(double difference, const Eigen::VectorXd& state) {
   const double scale = state.norm();
@@ -123,13 +124,16 @@ class PeriodicSearch {
 PeriodicMarch searched(PeriodicSearch search, const PeriodicMarchSettings& settings,
                        const Eigen::VectorXd& free) {
   if (search.newton(search.state(), MarchedBy::newton)) return std::move(search).result();
-  for (const int patience : {1, kPatience}) {
-    search.march(patience * settings.further_periods);
-    if (search.newton(search.state(), MarchedBy::more_periods) ||
-        search.anderson(patience * settings.accelerated_periods))
-      break;
-    if (patience == 1 && search.newton(free, MarchedBy::free_start)) break;
+  search.march(settings.further_periods);
+  if (search.newton(search.state(), MarchedBy::more_periods) ||
+      search.anderson(settings.accelerated_periods) || search.newton(free, MarchedBy::free_start))
+    return std::move(search).result();
+  // Where the march does not settle, Newton's method may come from one of its states and not from another.
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    search.march(settings.further_periods);
+    if (search.newton(search.state(), MarchedBy::more_periods)) return std::move(search).result();
   }
+  search.anderson(kPatience * settings.accelerated_periods);
   return std::move(search).result();
 }
 
