@@ -245,7 +245,7 @@ std::optional<double> locate(Equations& equations, const CurveStep& step, const 
   const auto value = [&](double length) -> std::optional<double> {
     const auto point = corrected(equations, points.at(length), step.tangent, kTight);
     if (!point) return std::nullopt;
-    points.add(length, point->x);
+    if (first) points.add(length, point->x);  // none while it is not known whether f exists
     return f(equations);
   };
   double a = 0.0, b = step.length, fb = last;
