@@ -129,7 +129,7 @@ struct AxialLoad {
 // All labels are on one line.
 bool overlap(const std::vector<AxialLoad>& loads) {
   const auto into_next = [](const AxialLoad& one, const AxialLoad& next) {
-    return extent(one.label).high.x() >= extent(next.label).low.x();
+    return extent(one.label).high.x() > extent(next.label).low.x();
   };
   return std::ranges::adjacent_find(loads, into_next) != loads.end();
 }
@@ -139,26 +139,26 @@ bool overlap(const std::vector<AxialLoad>& loads) {
 void draw_axial_loads(Drawing& drawing, const Problem& problem, const AxialPlaces& places) {
   constexpr double kUp = 0.32, kAboveGap = 0.8, kAboveArrow = 0.2;
   constexpr std::size_t kMostTexts = 2;
+  const std::vector<int> loaded = loaded_coordinates(problem);
   const std::vector<SingleStop> stops = single_stops(problem);
   const bool at_end =
       std::ranges::any_of(stops, [&](const SingleStop& stop) { return stands_at_end(stop, stops, places); });
   std::vector<AxialLoad> loads;
-  for (const int dof : loaded_coordinates(problem)) {
+  for (const int dof : loaded) {
     const std::optional<AxialPoint> point = places(dof);
     if (!point) continue;
     const double length = std::min(1.1, 0.75 * point->room);
     const double start = point->x - (point->face == point->x ? 0.9 : 0.55) * length;
     const double y = point->top + (at_end ? kAboveGap : kUp);
-    loads.push_back(
-        {.foot = {start, point->top},
-         .from = {start, y},
-         .to = {start + length, y},
-         .label = {.place = {start + 0.5 * length, y + kAboveArrow}, .words = load_text(problem, dof)}});
+    const std::string words = loaded.size() > kMostTexts ? "" : load_text(problem, dof);
+    loads.push_back({.foot = {start, point->top},
+                     .from = {start, y},
+                     .to = {start + length, y},
+                     .label = {.place = {start + 0.5 * length, y + kAboveArrow}, .words = words}});
   }
-  const bool many = loaded_coordinates(problem).size() > kMostTexts, crowded = overlap(loads);
+  const bool crowded = overlap(loads);
   for (AxialLoad& load : loads) {
     if (crowded) load.label.words = "f(t)";
-    if (many) load.label.words.clear();
     draw_load(drawing, load.from, load.to, load.label);
     draw_line(drawing.parts.back(), {load.foot, load.from}, Ink::load);
   }

@@ -137,14 +137,11 @@ std::string load_text(const Problem& problem, int dof) {
       terms.push_back(term_text(-amplitude.imag(), "sin", harmonic));
   }
   if (terms.size() > kMostTerms) return "f(t)";
-  const std::string minus = "−";  // of a term that is subtracted
-  std::string text;
-  for (const std::string& term : terms) {
-    const bool less = !text.empty() && term.starts_with(minus);
-    if (!text.empty()) text += less ? " − " : " + ";
-    text += less ? term.substr(minus.size()) : term;
-  }
-  return text + " N";
+  std::string text = fmt::format("{} N", fmt::join(terms, " + "));
+  const std::string negative = "+ −";
+  if (const std::size_t at = text.find(negative); at != std::string::npos)  // of two terms at most
+    text.replace(at, negative.size(), "− ");
+  return text;
 }
 
 bool has_compliant_stops(const Problem& problem) { return std::holds_alternative<Penalty>(problem.law); }
