@@ -110,6 +110,8 @@ std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const 
       const auto same = guard_of(at, guard.kind, guard.index);
       return same ? std::optional(same->value) : std::nullopt;
     };
+    // Where another one is zero this one still holds: it comes later.
+    if (first && value(equations).value_or(0.0) > 0.0) continue;
     // What had no maximum before, or is no larger than rounding, gets its sign inside the step.
     const bool positive = before != nullptr && before->value > 0.0;
     const auto zero = locate(equations, {.x = begin.x, .tangent = begin.tangent, .length = length}, value,
