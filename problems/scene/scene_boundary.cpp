@@ -117,4 +117,20 @@ FromTables<Contact> read_contacts(const SceneField& contacts, const SystemDescri
   return made;
 }
 
+std::vector<double> read_stop_constants(const SceneField& field, std::string_view unit,
+                                        std::size_t contacts) {
+  const std::string each = fmt::format("must be a positive number [{}]", unit);
+  const std::string requirement = each + ", or a list of them";
+  if (!field.is_array()) return std::vector<double>(contacts, field.number(requirement));
+  std::vector<double> values;
+  for (const SceneField& item : field.items(requirement)) values.push_back(item.number(each));
+  return values;
+}
+
+std::vector<DampedStop> read_damped_stops(const SceneField& law, const std::vector<Contact>& contacts) {
+  if (contacts.empty() || !law["penalty"].given() || !law["damping"].given()) return {};
+  return damped_stops(contacts, read_stop_constants(law["penalty"], "N/m", contacts.size()),
+                      read_stop_constants(law["damping"], "N s/m", contacts.size()));
+}
+
 }  // namespace signorini

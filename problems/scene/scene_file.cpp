@@ -43,16 +43,6 @@ std::vector<std::string> read_tags(const SceneField& field) {
   return tags;
 }
 
-std::vector<double> read_penalty(const SceneField& penalty, std::size_t contacts) {
-  constexpr std::string_view kRequirement = "must be a positive number [N/m], or a list of them";
-  if (!penalty.is_array()) return std::vector<double>(contacts, penalty.number(kRequirement));
-  std::vector<double> values;
-  for (const SceneField& item : penalty.items(kRequirement)) {
-    values.push_back(item.number("must be a positive number [N/m]"));
-  }
-  return values;
-}
-
 SceneHeader read_header(const SceneField& document, std::optional<FamilyLevel> family) {
   std::ignore = document["schema"].whole("must be 1", kSchema, kSchema);  // first: others may have other keys
   document.allow_only(
@@ -70,19 +60,23 @@ SceneHeader read_header(const SceneField& document, std::optional<FamilyLevel> f
   return header;
 }
 
-Law read_law(const SceneField& law, const Problem& problem) {
+// \param damped  whether the stops have faces
+Law read_law(const SceneField& law, const Problem& problem, bool damped) {
   if (!law.given()) {
     if (problem.contacts.empty() || !contacts_are_massless(problem)) return {};
     return Massless{};
   }
-  law.allow_only({"restitution", "penalty"}, "must be a table with restitution or penalty");
+  law.allow_only({"restitution", "penalty", "damping"}, "must be a table with restitution or penalty");
   if (problem.contacts.empty()) law.refuse("must be absent: the scene has no contact");
   const SceneField restitution = law["restitution"];
   const SceneField penalty = law["penalty"];
   if (penalty.given()) {
     if (restitution.given()) penalty.refuse("must be absent: restitution is given");
-    return Penalty{read_penalty(penalty, problem.contacts.size())};
+    if (damped) return Massless{};
+    return Penalty{read_stop_constants(penalty, "N/m", problem.contacts.size())};
   }
+  if (law["damping"].given())
+    law["damping"].refuse("must be absent: no penalty, a spring beside it, is given");
   if (!restitution.given()) law.refuse("must hold restitution or penalty, or be left out");
   return Restitution{restitution.number("must be in 0..1")};
 }
@@ -117,8 +111,9 @@ std::string origin_of_term(const ReadScene& scene, const std::string& path) {
 // The place in the file that a path of validate() stands for.
 SceneField as_written(const SceneField& document, const ReadScene& scene, const std::string& path) {
   constexpr std::string_view kContact = "contact[";
-  if (path.starts_with("law.penalty[") && !document["law"]["penalty"].is_array()) {
-    return document["law"]["penalty"];
+  for (const char* constant : {"penalty", "damping"}) {
+    if (path.starts_with(fmt::format("law.{}[", constant)) && !document["law"][constant].is_array())
+      return document["law"][constant];
   }
   if (path.starts_with("frame[")) return document["contact"];
   if (path.starts_with(kContact)) return document.at(with_table(path, kContact, scene.contact_tables));
@@ -155,16 +150,19 @@ void read_forcing(const SceneField& forcing, const SystemDescription& system, Re
   scene.problem.force.insert(scene.problem.force.end(), unbalance.things.begin(), unbalance.things.end());
 }
 
-// Loads of what moves, which needs the matrices.
-void read_motion(const SceneField& document, const SystemDescription& system,
-                 const FromTables<Contact>& contacts, ReadScene& scene) {
+// Stops that give way, and loads of what moves, which needs the matrices. Whether stops have faces.
+bool read_stops(const SceneField& document, const SystemDescription& system,
+                const FromTables<Contact>& contacts, ReadScene& scene) {
   const Structure& structure = *scene.problem.structure;
   for (const SparseMatrix* A : {&structure.mass, &structure.damping, &structure.stiffness})
-    if (A->rows() != system.size || A->cols() != system.size) return;  // validate() will say so
+    if (A->rows() != system.size || A->cols() != system.size) return false;  // validate() will say so
   mark_derived(scene, "base");
   read_base(document["base"], system, scene.problem);
   mark_derived(scene, "contact");
+  const std::vector<DampedStop> damped = read_damped_stops(document["law"], contacts.things);
+  if (!damped.empty()) damp_stops(scene.problem, damped);
   move_stops(scene.problem, read_stop_motion(document["contact"], contacts));
+  return !damped.empty();
 }
 
 // Fills `scene` as far as it comes.
@@ -185,8 +183,8 @@ void read_scene(const SceneField& document, std::optional<FamilyLevel> family, R
   problem.contacts = contacts.things;
   scene.contact_tables = contacts.tables;
   problem.structure = system.assemble(contact_coordinates(problem));
-  read_motion(document, system, contacts, scene);
-  problem.law = read_law(document["law"], problem);
+  const bool damped = read_stops(document, system, contacts, scene);
+  problem.law = read_law(document["law"], problem, damped);
 }
 
 }  // namespace

@@ -6,9 +6,11 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "problems/assembly/damping.hpp"
+#include "problems/damped_stops.hpp"
 #include "problems/moving_frame.hpp"
 #include "problems/scene/load_table.hpp"
 #include "problems/scene/scene_field.hpp"
@@ -86,6 +88,13 @@ FromTables<ForceTerm> read_unbalance(const SceneField& unbalance, int size);
 
 /// How the stops of [[contact]] tables move: `gap_term` and `centre_term`. \throws SceneError
 std::vector<StopTerm> read_stop_motion(const SceneField& contacts, const FromTables<Contact>& made);
+
+/// What is the same for every stop, or a list of one per contact, as it stands. \throws SceneError
+std::vector<double> read_stop_constants(const SceneField& field, std::string_view unit, std::size_t contacts);
+
+/// The stops of a table [law] that gives both penalty and damping; none otherwise.
+/// \throws SceneError; InvalidProblem for other numbers of them than contacts
+std::vector<DampedStop> read_damped_stops(const SceneField& law, const std::vector<Contact>& contacts);
 
 /// The table [base]: adds the load of a base that moves (move_base). \throws SceneError
 void read_base(const SceneField& base, const SystemDescription& system, Problem& problem);

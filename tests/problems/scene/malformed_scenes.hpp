@@ -258,7 +258,7 @@ inline constexpr Malformed kMalformed[] = {
     {"PenaltyOfWrongSize", kOscillator, 22, "penalty = [1.0, 2.0]",
      "22: law.penalty = 2 values (must be one number, or one per contact: 1)"},
     {"UnknownLawKey", kOscillator, 22, "friction = 0.3",
-     "22: law.friction = 0.3 (unknown key; known: restitution, penalty)"},
+     "22: law.friction = 0.3 (unknown key; known: restitution, penalty, damping)"},
     {"RestitutionWithoutMass", kChain, 12, "gap = 0.5\n[law]\nrestitution = 0.5",
      "14: law.restitution = 0.5 (must be absent: no contact coordinate carries mass)"},
     {"MassiveWithoutLaw", kChain, 11, "normal = [[1, 1.0]]",

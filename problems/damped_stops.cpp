@@ -1,0 +1,105 @@
+#include "problems/damped_stops.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+
+#include "problems/validation.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+void require_positive(double value, const std::string& field, std::size_t stop, const std::string& unit) {
+  if (std::isfinite(value) && value > 0.0) return;
+  throw InvalidProblem(fmt::format("{}[{}]", field, stop), fmt::format("{}", value),
+                       fmt::format("must be a positive number [{}]", unit));
+}
+
+// What validate() will not see once the contact acts on the face.
+void require_direction(const DampedStop& stop, std::size_t contact) {
+  const std::string field = fmt::format("contact[{}].normal", contact);
+  std::set<int> seen;
+  for (const auto& [dof, coefficient] : stop.normal) {
+    if (!seen.insert(dof).second)
+      throw InvalidProblem(field, fmt::format("coordinate {} twice", dof), "must name each coordinate once");
+  }
+  if (std::ranges::none_of(stop.normal, [](const auto& entry) { return entry.second != 0.0; }))
+    throw InvalidProblem(field, "zero vector", "needs a nonzero coefficient");
+}
+
+// `A`, larger by the faces, and what is added to it.
+SparseMatrix extended(const SparseMatrix& A, int size, Triplets added) {
+  for (int column = 0; column < A.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator it(A, column); it; ++it)
+      added.emplace_back(static_cast<int>(it.row()), column, it.value());
+  }
+  SparseMatrix result(size, size);
+  result.setFromTriplets(added.begin(), added.end());
+  return result;
+}
+
+// factor n n^T of n = (w, -1), the face being coordinate `face`.
+void add_element(Triplets& entries, const DampedStop& stop, int face, double factor) {
+  std::vector<std::pair<int, double>> n = stop.normal;
+  n.emplace_back(face, -1.0);
+  for (const auto& [row, of_row] : n) {
+    for (const auto& [column, of_column] : n) {
+      if (of_row != 0.0 && of_column != 0.0) entries.emplace_back(row, column, factor * of_row * of_column);
+    }
+  }
+}
+
+void require_one_each(const std::vector<double>& values, std::size_t contacts, const std::string& field) {
+  if (values.size() == contacts) return;
+  throw InvalidProblem(field, fmt::format("{} values", values.size()),
+                       fmt::format("must be one number, or one per contact: {}", contacts));
+}
+
+}  // namespace
+
+void damp_stops(Problem& problem, const std::vector<DampedStop>& stops) {
+  const int first = problem.size();
+  Triplets springs, dampers;
+  for (std::size_t j = 0; j < stops.size(); ++j) {
+    const DampedStop& stop = stops[j];
+    require_direction(stop, j);
+    require_positive(stop.stiffness, "law.penalty", j, "N/m");
+    require_positive(stop.damping, "law.damping", j, "N s/m");
+    const int face = first + static_cast<int>(j);
+    add_element(springs, stop, face, stop.stiffness);
+    add_element(dampers, stop, face, stop.damping);
+    problem.contacts[j].normal = {{face, 1.0}};
+  }
+  const int size = first + static_cast<int>(stops.size());
+  problem.edit_structure([&](Structure& s) {
+    s.mass = extended(s.mass, size, {});
+    s.damping = extended(s.damping, size, std::move(dampers));
+    s.stiffness = extended(s.stiffness, size, std::move(springs));
+  });
+}
+
+std::vector<DampedStop> damped_stops(const std::vector<Contact>& contacts,
+                                     const std::vector<double>& stiffness,
+                                     const std::vector<double>& damping) {
+  require_one_each(stiffness, contacts.size(), "law.penalty");
+  require_one_each(damping, contacts.size(), "law.damping");
+  std::vector<DampedStop> stops;
+  for (std::size_t j = 0; j < contacts.size(); ++j)
+    stops.push_back({.normal = contacts[j].normal, .stiffness = stiffness[j], .damping = damping[j]});
+  return stops;
+}
+
+std::vector<Contact> contacts_of_structure(std::vector<Contact> contacts,
+                                           const std::vector<DampedStop>& stops) {
+  for (std::size_t j = 0; j < stops.size(); ++j) contacts[j].normal = stops[j].normal;
+  return contacts;
+}
+
+}  // namespace signorini
