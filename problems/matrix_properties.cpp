@@ -169,7 +169,7 @@ std::optional<ProportionalDamping> proportional_damping(const SparseMatrix& M, c
     fit.beta += part.beta;
     rest = D - fit.alpha * M - fit.beta * K;
   }
-  if (!(largest_entry(rest) <= kProportional * dampers)) return std::nullopt;
+  if (!(largest_entry(rest) <= kProportional * dampers) || !is_symmetric(K)) return std::nullopt;
   return fit;
 }
 

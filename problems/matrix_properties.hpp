@@ -31,7 +31,7 @@ struct ProportionalDamping {
 /// by doubling, and of a large block each is a gigabyte.
 SparseMatrix combination(const ProportionalDamping& factors, const SparseMatrix& M, const SparseMatrix& K);
 
-/// alpha and beta with |D - alpha M - beta K| <= 1e-12 max |d_ij|, entry by entry; nothing for any other D.
+/// alpha, beta with |D - alpha M - beta K| <= 1e-12 max |d_ij|; nothing for any other D or an unsymmetric K.
 std::optional<ProportionalDamping> proportional_damping(const SparseMatrix& M, const SparseMatrix& K,
                                                         const SparseMatrix& D);
 

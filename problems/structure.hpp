@@ -12,7 +12,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 struct Structure {
   SparseMatrix mass;       ///< M, symmetric positive semi-definite [kg]
   SparseMatrix damping;    ///< D [N s/m]
-  SparseMatrix stiffness;  ///< K, symmetric positive semi-definite [N/m]
+  SparseMatrix stiffness;  ///< K, its symmetric part positive semi-definite; a skew part circulates [N/m]
 };
 
 }  // namespace signorini

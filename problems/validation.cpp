@@ -9,6 +9,7 @@
 
 #include "problems/admissible_set.hpp"
 #include "problems/matrix_properties.hpp"
+#include "problems/skew_parts.hpp"
 #include "problems/sparse_cholesky.hpp"
 
 namespace signorini {
@@ -50,10 +51,17 @@ void check_matrix(const SparseMatrix& A, int size, const std::string& field) {
   require_magnitude(largest_entry(A), field);
 }
 
-void check_symmetric(const SparseMatrix& A, const std::string& field, Definiteness definiteness) {
-  require(is_symmetric(A), field, "unsymmetric matrix", "must be symmetric to 1e-12 of its largest entry");
+void check_semidefinite(const SparseMatrix& A, const std::string& field, Definiteness definiteness,
+                        const std::string& requirement) {
   require(definiteness != Definiteness::to_be_checked || is_semidefinite(A), field, "indefinite matrix",
-          "must be positive semi-definite");
+          requirement);
+}
+
+// A itself where it is symmetric, else its symmetric part, which `made` then holds.
+const SparseMatrix& without_skew(const SparseMatrix& A, SparseMatrix& made) {
+  if (is_symmetric(A)) return A;
+  symmetric_part(A).swap(made);
+  return made;
 }
 
 SparseMatrix sum_of(const std::array<const SparseMatrix*, 3>& matrices) {
@@ -106,17 +114,19 @@ void check_matrices(const Problem& problem, Definiteness known) {
   const Definiteness definiteness = known == Definiteness::to_be_checked && !is_judged_in_seconds(problem)
                                         ? Definiteness::not_judged
                                         : known;
-  check_symmetric(problem.mass(), "system.mass", definiteness);
-  check_symmetric(problem.stiffness(), "system.stiffness", definiteness);
-  SparseMatrix symmetric_part;
-  if (!is_symmetric(problem.damping()))
-    symmetric_part = 0.5 * (problem.damping() + SparseMatrix(problem.damping().transpose()));
-  const SparseMatrix& dissipative = symmetric_part.size() > 0 ? symmetric_part : problem.damping();
+  require(is_symmetric(problem.mass()), "system.mass", "unsymmetric matrix",
+          "must be symmetric to 1e-12 of its largest entry");
+  check_semidefinite(problem.mass(), "system.mass", definiteness, "must be positive semi-definite");
+  SparseMatrix of_springs, of_dampers;
+  const SparseMatrix& elastic = without_skew(problem.stiffness(), of_springs);
+  check_semidefinite(elastic, "system.stiffness", definiteness,
+                     of_springs.size() == 0 ? "must be positive semi-definite"
+                                            : "its symmetric part must be positive semi-definite");
+  const SparseMatrix& dissipative = without_skew(problem.damping(), of_dampers);
   require(dissipates(problem, dissipative, definiteness), "system.damping", "matrix that feeds energy",
           "its symmetric part must be positive semi-definite");
-  require(every_motion_is_resisted({&problem.mass(), &dissipative, &problem.stiffness()}, definiteness),
-          "system", "structure with a loose coordinate",
-          "every motion must meet a mass, a damper or a spring");
+  require(every_motion_is_resisted({&problem.mass(), &dissipative, &elastic}, definiteness), "system",
+          "structure with a loose coordinate", "every motion must meet a mass, a damper or a spring");
 }
 
 void check_forcing(const Problem& problem) {

@@ -21,6 +21,7 @@
 #include "problems/matrix_properties.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "problems/scene/scene_layout.hpp"
+#include "problems/skew_parts.hpp"
 
 namespace signorini {
 
@@ -59,12 +60,13 @@ std::vector<double> whirl_frequencies(const Problem& problem) {
   return found;
 }
 
-/// Undamped angular eigenfrequencies, ascending [rad/s]; empty text says why there are none.
+/// Undamped angular eigenfrequencies, ascending [rad/s], without a skew part of K; a text says why there are
+/// none.
 std::string eigenfrequencies(const Problem& problem) {
   if (problem.size() > kMostEigen)
     return fmt::format("not computed for more than {} coordinates", kMostEigen);
   const Eigen::MatrixXd mass(problem.mass());
-  const Eigen::MatrixXd stiffness(problem.stiffness());
+  const Eigen::MatrixXd stiffness(symmetric_part(problem.stiffness()));
   std::vector<double> found;
   if (mass.llt().info() == Eigen::Success) {
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, mass,
@@ -99,8 +101,7 @@ std::string motion_text(const Eigen::VectorXcd& motion) {
 }
 
 /// "u[6] - u[8] <= 0.01 m", without a coefficient of 1.
-std::string contact_text(const Problem& problem, int number) {
-  const Contact& contact = problem.contacts[static_cast<std::size_t>(number)];
+std::string contact_text(const Problem& problem, const Contact& contact, int number) {
   std::string text;
   for (const auto& [dof, coefficient] : contact.normal) {
     const double size = std::abs(coefficient);
@@ -128,9 +129,12 @@ void show_line(const std::string& name, const std::string& text) {
 
 void show_eigenfrequencies(const Problem& problem) {
   show_line("eigenfrequencies", eigenfrequencies(problem));
-  if (is_symmetric(problem.damping())) return;
+  const bool gyroscopic = !is_symmetric(problem.damping()), circulatory = !is_symmetric(problem.stiffness());
+  if (!gyroscopic && !circulatory) return;
   const std::vector<double> whirls = whirl_frequencies(problem);
-  if (!whirls.empty()) show_line("", "with damping and gyroscopic moments " + first_of(whirls));
+  if (!whirls.empty())
+    show_line("", fmt::format("with damping{}{} {}", gyroscopic ? " and gyroscopic moments" : "",
+                              circulatory ? " and circulatory forces" : "", first_of(whirls)));
 }
 
 void show_forcing(const Scene& scene) {
@@ -149,16 +153,27 @@ void show_forcing(const Scene& scene) {
                     load.samples, load.harmonics(), load.left_out_rms, load.left_out_max));
 }
 
-void show_contacts(const Problem& problem) {
+/// ", stop of 100 N/m and 4 N s/m, face u[1]"
+std::string stop_text(const Problem& problem, const std::vector<DampedStop>& damped, std::size_t number) {
+  if (damped.empty()) return "";
+  return fmt::format(", stop of {:g} N/m and {:g} N s/m, face u[{}]", damped[number].stiffness,
+                     damped[number].damping, problem.contacts[number].normal.front().first);
+}
+
+void show_contacts(const Problem& problem, const std::vector<DampedStop>& damped) {
+  const std::vector<Contact> contacts = contacts_of_structure(problem.contacts, damped);
   const std::size_t count = problem.contacts.size();
   const std::size_t shown = count <= kMostContacts ? count : kMostContacts - 1;
   for (std::size_t i = 0; i < shown; ++i)
-    show_line(fmt::format("contact {}", i), contact_text(problem, static_cast<int>(i)));
+    show_line(fmt::format("contact {}", i),
+              contact_text(problem, contacts[i], static_cast<int>(i)) + stop_text(problem, damped, i));
   if (shown < count) show_line("", fmt::format("and {} more", count - shown));
   if (!problem.frame.empty()) show_line("", "x of a contact is measured from its stop, which moves");
+  if (!damped.empty())
+    show_line("", "x of a contact is that of the face, the structure's less what the stop is compressed");
 }
 
-void show_scene(const Scene& scene) {
+void show_scene(const Scene& scene, const std::vector<DampedStop>& damped) {
   const Problem& problem = scene.problem;
   show_title(problem.name, problem.title);
   if (!problem.reference.empty()) show_line("reference", problem.reference);
@@ -168,8 +183,8 @@ void show_scene(const Scene& scene) {
                                   problem.damping().nonZeros(), problem.stiffness().nonZeros()));
   show_eigenfrequencies(problem);
   show_forcing(scene);
-  show_contacts(problem);
-  show_line("law", law_words(problem.law));
+  show_contacts(problem, damped);
+  show_line("law", (damped.empty() ? "" : "springs with dampers as stops, faces ") + law_words(problem.law));
 }
 
 void show_method(const MethodEntry& entry) {
@@ -196,8 +211,9 @@ void show(const std::string& name, const std::string& plot) {
   try {
     const SceneSource source = find_scene(name);
     const Scene scene = read_scene(source);
-    show_scene(scene);
-    if (!plot.empty()) write_schematic(plot, schematic(scene.problem, load_layout(source)));
+    const std::vector<DampedStop> damped = load_damped_stops(source);
+    show_scene(scene, damped);
+    if (!plot.empty()) write_schematic(plot, schematic(scene.problem, load_layout(source), damped));
   } catch (const SceneError& error) {
     const bool is_file = name.find('/') != std::string::npos || name.ends_with(".toml");
     if (is_file || std::string_view(error.what()).find(".toml:") != std::string_view::npos) throw;

@@ -69,6 +69,7 @@ void ContactResponse::factorise(const Problem& problem, const LoadColumns& load)
   const SparseMatrix F = contact_directions(load.columns, problem.size());
   DynamicStiffness stiffness(problem);
   dissipation_ = 0.0;
+  const bool circulates = !is_symmetric(problem.stiffness());
   for (Eigen::Index n = 0; n < x_.rows(); ++n) {
     const double w = static_cast<double>(n) * base_frequency_;
     Eigen::MatrixXcd columns(problem.size(), 2);
@@ -82,6 +83,9 @@ void ContactResponse::factorise(const Problem& problem, const LoadColumns& load)
     q_.row(n) = (F.transpose() * u).transpose();
     const Eigen::VectorXcd drag = problem.damping() * u;
     dissipation_ += 2.0 * kTwoPi * static_cast<double>(n) * w * u.dot(drag).real();
+    if (!circulates) continue;
+    const Eigen::VectorXcd pull = problem.stiffness() * u;
+    dissipation_ += 2.0 * kTwoPi * static_cast<double>(n) * u.dot(pull).imag();
   }
 }
 

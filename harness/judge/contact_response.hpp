@@ -40,8 +40,8 @@ class ContactResponse {
   [[nodiscard]] double largest_work_of_load() const;
   /// Work of the contact force per period and contact, integral of lambda_j x_j' dt [J], Nc.
   [[nodiscard]] Eigen::VectorXd contact_work() const;
-  /// Work dissipated by D per period, integral of u'^T D u' dt >= 0 [J]. Where u is not computed, by
-  /// projection: what load and contacts put in, which is the same at every harmonic of a linear response.
+  /// Work that D takes less what a skew part of K feeds per period, integral of u'^T (D u' + K u) dt [J].
+  /// Where u is not computed, by projection: what load and contacts put in, the same at every harmonic.
   [[nodiscard]] double dissipation() const;
 
  private:

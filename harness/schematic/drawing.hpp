@@ -54,6 +54,7 @@ struct Part {
 struct Drawing {
   std::string title = {};
   std::vector<Part> parts = {};  ///< later ones above earlier ones
+  bool damped_stops = false;     ///< stops with springs have dampers beside them
 
   /// Begins a part, which takes the lines and labels that follow.
   Part& add(std::string kind);

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "harness/schematic/boundary.hpp"
 
 namespace signorini {
@@ -22,14 +25,33 @@ struct DrawModel {
   std::string operator()(const Shaft& shaft) const { return draw_shaft(drawing, problem, shaft); }
 };
 
+/// The springs of damped stops where they meet the structure: what its own model knows how to draw.
+Problem without_faces(Problem problem, const std::vector<DampedStop>& damped) {
+  if (damped.empty()) return problem;
+  problem.contacts = contacts_of_structure(std::move(problem.contacts), damped);
+  Penalty springs;
+  for (const DampedStop& stop : damped) springs.stiffness.push_back(stop.stiffness);
+  problem.law = std::move(springs);
+  return problem;
+}
+
+/// " and 2 N s/m"
+std::string dampers_note(const std::vector<DampedStop>& damped) {
+  if (damped.empty()) return "";
+  const auto [least, most] = std::ranges::minmax_element(damped, {}, &DampedStop::damping);
+  return " and " + range_text(least->damping, most->damping, "N s/m");
+}
+
 }  // namespace
 
-Drawing schematic(const Problem& problem, const SystemLayout& layout) {
-  Drawing drawing{.title = problem.title.empty() ? problem.name : problem.name + ": " + problem.title};
+Drawing schematic(const Problem& scene, const SystemLayout& layout, const std::vector<DampedStop>& damped) {
+  const Problem problem = without_faces(scene, damped);
+  Drawing drawing{.title = problem.title.empty() ? problem.name : problem.name + ": " + problem.title,
+                  .damped_stops = !damped.empty()};
   const std::string remark = std::visit(DrawModel{drawing, problem}, layout);
   const Box box = extent(drawing);
   Place below(box.low.x(), box.low.y() - 2.0 * kTextSize);
-  for (const std::string& line : {remark, motion_note(problem)}) {
+  for (const std::string& line : {remark, motion_note(problem) + dampers_note(damped)}) {
     if (line.empty()) continue;
     drawing.add("note").labels.push_back(
         {.place = below, .words = line, .anchor = Anchor::start, .ink = Ink::note});

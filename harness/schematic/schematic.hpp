@@ -3,8 +3,10 @@
 // loads.
 
 #include <string>
+#include <vector>
 
 #include "harness/schematic/drawing.hpp"
+#include "problems/damped_stops.hpp"
 #include "problems/problem.hpp"
 #include "problems/scene/system_layout.hpp"
 
@@ -13,7 +15,9 @@ namespace signorini {
 /// The schematic of a scene. Not to scale: gaps are drawn large. Long chains leave out masses where nothing
 /// happens, fine meshes elements, many stops side by side become a rail; texts say what is left out.
 /// \param layout  of the same scene
-Drawing schematic(const Problem& problem, const SystemLayout& layout);
+/// \param damped  its stops, if they are springs with dampers
+Drawing schematic(const Problem& scene, const SystemLayout& layout,
+                  const std::vector<DampedStop>& damped = {});
 
 // The parts of it, one function for each kind of system. Each returns what its picture does not show, in
 // words.

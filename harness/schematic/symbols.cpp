@@ -38,6 +38,22 @@ void zigzag(Part& part, const Place& from, const Place& to, double amplitude, In
   part.strokes.push_back(std::move(stroke));
 }
 
+/// A piston in its cylinder between two places, of this half breadth.
+void dashpot(Part& part, const Place& from, const Place& to, double half, Ink ink) {
+  const Along line(from, to);
+  const double middle = 0.5 * line.length, depth = std::min(0.22, 0.2 * line.length);
+  draw_line(part, {from, line.at(middle - depth)}, ink);
+  draw_line(part,
+            {line.at(middle + depth, half), line.at(middle - depth, half), line.at(middle - depth, -half),
+             line.at(middle + depth, -half)},
+            ink);
+  part.strokes.push_back(
+      {.places = {line.at(middle + 0.3 * depth, 0.75 * half), line.at(middle + 0.3 * depth, -0.75 * half)},
+       .ink = ink,
+       .width = kThick});
+  draw_line(part, {line.at(middle + 0.3 * depth), to}, ink);
+}
+
 }  // namespace
 
 void draw_line(Part& part, std::vector<Place> places, Ink ink) {
@@ -82,17 +98,7 @@ void draw_spring(Drawing& drawing, const Place& from, const Place& to) {
 }
 
 void draw_damper(Drawing& drawing, const Place& from, const Place& to) {
-  constexpr double kHalf = 0.15;
-  const Along line(from, to);
-  const double middle = 0.5 * line.length, depth = std::min(0.22, 0.2 * line.length);
-  Part& part = drawing.add("damper");
-  draw_line(part, {from, line.at(middle - depth)});
-  draw_line(part, {line.at(middle + depth, kHalf), line.at(middle - depth, kHalf),
-                   line.at(middle - depth, -kHalf), line.at(middle + depth, -kHalf)});
-  part.strokes.push_back(
-      {.places = {line.at(middle + 0.3 * depth, 0.75 * kHalf), line.at(middle + 0.3 * depth, -0.75 * kHalf)},
-       .width = kThick});
-  draw_line(part, {line.at(middle + 0.3 * depth), to});
+  dashpot(drawing.add("damper"), from, to, 0.15, Ink::structure);
 }
 
 void draw_element(Drawing& drawing, const Place& from, const Place& to, bool spring, bool damper,
@@ -124,11 +130,17 @@ void draw_stop(Drawing& drawing, const Place& face, const Place& direction, cons
     hatch_line(part, middle + look.half * across, middle - look.half * across, Ink::contact);
   };
   if (!look.compliant) return wall(face);
-  const double half = 0.6 * look.half;
+  const bool damped = drawing.damped_stops;
+  const double half = (damped ? 0.9 : 0.6) * look.half;
   part.strokes.push_back(
       {.places = {face - half * across, face + half * across}, .ink = Ink::contact, .width = kThick});
   wall(face + kStopDepth * direction);
-  zigzag(part, face, face + kStopDepth * direction, std::min(0.12, half), Ink::contact);
+  const Place beside = damped ? Place(0.5 * half * across) : Place(0.0, 0.0);
+  zigzag(part, face + beside, face + beside + kStopDepth * direction,
+         std::min(0.12, damped ? 0.4 * half : half), Ink::contact);
+  if (damped)
+    dashpot(part, face - beside, face - beside + kStopDepth * direction, std::min(0.13, 0.4 * half),
+            Ink::contact);
 }
 
 void draw_stop_spring(Part& part, const Place& from, const Place& to) {

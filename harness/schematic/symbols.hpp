@@ -39,7 +39,8 @@ struct StopLook {
 };
 /// Depth of a compliant stop, from its face to its wall [cm].
 inline constexpr double kStopDepth = 0.75;
-/// A stop with its face at `face`, which limits motion along the unit vector `direction`.
+/// A stop with its face at `face`, which limits motion along the unit vector `direction`; a compliant one
+/// with a damper beside its spring where the drawing says so.
 void draw_stop(Drawing& drawing, const Place& face, const Place& direction, const StopLook& look);
 
 /// The spring of a stop alone.

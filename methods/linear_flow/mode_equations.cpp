@@ -21,7 +21,12 @@ EnergyForm::EnergyForm(const ExtendedMatrix& M, const ExtendedMatrix& D, const E
   const ExtendedMatrix stiffness = transformed(K);
   // The shift s^2 keeps E regular where K is not, at a rigid-body motion, and costs nothing elsewhere: s is a
   // rate of motions that matter, so that e and z' stay of one size in them.
-  const Eigen::LLT<ExtendedMatrix> energy(stiffness + s * s * identity);
+  constexpr long double kRounding = 1e-12L;  // of a symmetric K on the way here
+  const ExtendedMatrix skew = 0.5L * (stiffness - stiffness.transpose());
+  const bool circulates = skew.norm() > kRounding * stiffness.norm();
+  ExtendedMatrix elastic = stiffness + s * s * identity;
+  if (circulates) elastic -= skew;
+  const Eigen::LLT<ExtendedMatrix> energy(elastic);
   definite = mass.info() == Eigen::Success && energy.info() == Eigen::Success;
   E = definite ? ExtendedMatrix(energy.matrixL()) : ExtendedMatrix(s * identity);
   z_of_e = E.transpose().triangularView<Eigen::Upper>().solve(identity);
@@ -30,6 +35,7 @@ EnergyForm::EnergyForm(const ExtendedMatrix& M, const ExtendedMatrix& D, const E
   B.topRightCorner(n, n) = E.transpose();
   B.bottomLeftCorner(n, n) =
       definite ? ExtendedMatrix(s * s * z_of_e - E) : ExtendedMatrix(-stiffness * z_of_e);
+  if (definite && circulates) B.bottomLeftCorner(n, n) -= skew * z_of_e;
   B.bottomRightCorner(n, n) = -transformed(D);
 }
 

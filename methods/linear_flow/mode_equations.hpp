@@ -20,7 +20,7 @@ using ExtendedMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic
 ///
 /// With E E^T = K~ + s^2 the lower left block is s^2 E^-T - E: B is nearly skew, no motion grows on its way
 /// however stiff the structure, and rounding of B changes frequencies, not their squares, by that of the
-/// largest. Where M or K~ + s^2 is not definite, `definite` is false and E = s.
+/// largest. Of K~ the symmetric part. Where M or K~ + s^2 is not definite, `definite` is false and E = s.
 struct EnergyForm {
   /// \param rate  s, of a motion that matters [rad/s], > 0
   EnergyForm(const ExtendedMatrix& M, const ExtendedMatrix& D, const ExtendedMatrix& K, double rate);

@@ -52,7 +52,7 @@ Eigen::MatrixXd product(const SparseMatrix& A, const Eigen::MatrixXd& columns) {
   return RowMajor(A * rows);
 }
 
-Eigen::MatrixXd symmetric_part(const Eigen::MatrixXd& A) { return 0.5 * (A + A.transpose()); }
+Eigen::MatrixXd symmetrised(const Eigen::MatrixXd& A) { return 0.5 * (A + A.transpose()); }
 
 }  // namespace
 
@@ -60,7 +60,7 @@ BlockLanczos::BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const S
     : P_(P), M_(M), factors_(P), definite_(factors_.smallest_pivot() > kDefinite) {
   if (!definite_) return;
   const Eigen::MatrixXd columns = factors_.solve(Eigen::MatrixXd(B));
-  const Eigen::MatrixXd gram = symmetric_part(B.transpose() * columns);
+  const Eigen::MatrixXd gram = symmetrised(B.transpose() * columns);
   // Loads and contacts in their own units: each column counts by its own length.
   const Eigen::VectorXd length = gram.diagonal().cwiseMax(0.0).cwiseSqrt();
   const Eigen::VectorXd unit = length.unaryExpr([](double value) { return value > 0.0 ? 1.0 / value : 0.0; });
@@ -103,7 +103,7 @@ void BlockLanczos::polish_next() {
     subtract_product(block, left, next_);
     gram.noalias() -= left.transpose() * left;
   }
-  const Eigen::LLT<Eigen::MatrixXd> factor(symmetric_part(gram));
+  const Eigen::LLT<Eigen::MatrixXd> factor(symmetrised(gram));
   factor.matrixU().solveInPlace<Eigen::OnTheRight>(next_);
   coupling_ = factor.matrixU() * coupling_;
 }
@@ -127,7 +127,7 @@ void BlockLanczos::grow() {
     projected_.back().middleRows(row, block.cols()) = part;
     row += block.cols();
   }
-  const Eigen::MatrixXd gram = symmetric_part(transposed_product(columns, product(P_, columns)));
+  const Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product(P_, columns)));
   omitted_squares_ += orthonormalise(columns, gram, before);
 }
 
@@ -139,7 +139,7 @@ Eigen::MatrixXd BlockLanczos::projected_mass() const {
     mass.block(column, 0, part.cols(), part.rows()) = part.transpose();
     column += part.cols();
   }
-  return symmetric_part(mass);
+  return symmetrised(mass);
 }
 
 Eigen::MatrixXd BlockLanczos::projected_start() const {

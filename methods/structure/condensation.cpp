@@ -34,6 +34,11 @@ std::optional<double> relaxation_at(const Problem& problem, const SparseMatrix& 
   return beta;
 }
 
+// Whether the rows of K at b are its columns there, to the rounding of an assembly.
+bool pulls_back(const SparseMatrix& K, const SparseMatrix& b) {
+  return is_symmetric(K) || !touches(SparseMatrix(K - SparseMatrix(K.transpose())), b, largest_entry(K));
+}
+
 // K_ib K_bb^-1 K_bi: by what the massless coordinates soften the others.
 SparseMatrix softening(const SparseMatrix& K, const SparseMatrix& i, const SparseMatrix& b) {
   const SparseMatrix K_bi = b.transpose() * K * i;
@@ -56,6 +61,10 @@ CondensedStructure condense(const Problem& problem, int most) {
   MasslessElimination seen = eliminate_massless(problem);
   const SparseMatrix i = coordinate_selection(seen.kept, problem.size());
   const SparseMatrix b = coordinate_selection(seen.massless, problem.size());
+  if (!pulls_back(problem.stiffness(), b)) {
+    result.obstacle = "a circulatory force acts on coordinates without mass";
+    return result;
+  }
   const std::optional<double> relaxation = relaxation_at(problem, b);
   if (!relaxation) {
     result.obstacle = "the damping of coordinates without mass is not proportional to their stiffness";

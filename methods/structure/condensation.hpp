@@ -52,8 +52,8 @@ inline constexpr int kMostInTime = 10000;
 /// step of an implicit integrator a dense solve.
 inline constexpr int kMostRelaxing = 1000;
 
-/// Sparse throughout, but for C and the columns of load and shift. More than `most` coordinates are an
-/// obstacle, and so is damping at massless coordinates that is not proportional to the stiffness there.
+/// Sparse throughout, but for C and the columns of load and shift. Obstacles: more than `most` coordinates;
+/// at massless ones, damping that is not proportional to the stiffness, or an unsymmetric stiffness.
 CondensedStructure condense(const Problem& problem, int most = kMostInTime);
 
 /// Why a scene's motion is not followed through time, one clause; empty if it is.

@@ -5,8 +5,18 @@
 #include <limits>
 
 #include "problems/matrix_properties.hpp"
+#include "problems/skew_parts.hpp"
 
 namespace signorini {
+
+namespace {
+
+// K is regular where its symmetric part is definite.
+bool holds(const SparseMatrix& K) {
+  return is_symmetric(K) ? is_definite(K) : is_definite(symmetric_part(K));
+}
+
+}  // namespace
 
 bool prefers_dense(const Problem& problem) { return problem.size() <= 32; }
 
@@ -15,7 +25,7 @@ struct DynamicStiffness::Factors {
 
   // A sparse factorisation goes on over pivots of rounding size: whether K is singular is asked beforehand.
   Factors(const Problem& problem, bool as_dense)
-      : dense(as_dense), held(as_dense || is_definite(problem.stiffness())) {
+      : dense(as_dense), held(as_dense || holds(problem.stiffness())) {
     if (dense) {
       dense_mass = problem.mass();
       dense_damping = problem.damping();

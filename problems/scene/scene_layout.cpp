@@ -6,11 +6,28 @@
 
 namespace signorini {
 
-SystemLayout load_layout(const SceneSource& source) {
-  const std::string name = source.file.string();
+namespace {
+
+TomlNode document_of(const SceneSource& source, const std::string& name) {
   TomlNode document = parse_toml(read_scene_text(source.file), name);
   choose_level(document, name, source.level);
+  return document;
+}
+
+}  // namespace
+
+SystemLayout load_layout(const SceneSource& source) {
+  const std::string name = source.file.string();
+  const TomlNode document = document_of(source, name);
   return read_system(SceneField(document, name)["system"]).layout;
+}
+
+std::vector<DampedStop> load_damped_stops(const SceneSource& source) {
+  const std::string name = source.file.string();
+  const TomlNode document = document_of(source, name);
+  const SceneField root(document, name);
+  if (!root["law"]["damping"].given()) return {};
+  return read_damped_stops(root["law"], read_contacts(root["contact"], read_system(root["system"])).things);
 }
 
 }  // namespace signorini

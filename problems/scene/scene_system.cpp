@@ -152,15 +152,34 @@ SparseMatrix read_matrix_damping(const SceneField& system, const Structure& stru
   return damping_matrix(read_rayleigh(rayleigh), structure.mass, structure.stiffness);
 }
 
+// A part of a matrix that does no work, or feeds it, where it is given.
+void add_skew_matrix(const SceneField& field, SparseMatrix& whole) {
+  constexpr double kRounding = 1e-12;  // of the largest entry
+  if (!field.given()) return;
+  const SparseMatrix skew = read_matrix(field, whole.rows());
+  if (!(largest_entry(SparseMatrix(skew + SparseMatrix(skew.transpose()))) <=
+        kRounding * largest_entry(skew)))
+    field.refuse("matrix with a symmetric part", "must be skew-symmetric to 1e-12 of its largest entry");
+  whole += skew;
+}
+
 SystemDescription read_matrices(const SceneField& system) {
-  system.allow_only({"kind", "mass", "damping", "rayleigh", "modal", "stiffness"}, "must be a table");
+  system.allow_only(
+      {"kind", "mass", "damping", "rayleigh", "modal", "stiffness", "gyroscopic", "circulatory"},
+      "must be a table");
   // Swapped, not moved: these matrices have no moves, and copies of a dense one are large.
   auto structure = std::make_shared<Structure>();
   read_matrix(system["mass"]).swap(structure->mass);
   read_matrix(system["stiffness"], structure->mass.rows()).swap(structure->stiffness);
+  if (!is_symmetric(structure->stiffness))
+    system["stiffness"].refuse("unsymmetric matrix",
+                               "must be symmetric to 1e-12 of its largest entry: a skew part is circulatory");
   read_matrix_damping(system, *structure).swap(structure->damping);
+  add_skew_matrix(system["gyroscopic"], structure->damping);
+  add_skew_matrix(system["circulatory"], structure->stiffness);
   SystemDescription description = independent_of_contacts(std::move(structure));
-  for (const SceneField& matrix : {system["mass"], system["damping"], system["stiffness"]}) {
+  for (const char* key : {"mass", "damping", "stiffness", "gyroscopic", "circulatory"}) {
+    const SceneField matrix = system[key];
     if (matrix.given()) description.files.push_back(matrix_file(matrix, matrix.text("must be a file")));
   }
   return description;

@@ -48,21 +48,22 @@ class Scene:
                       load: Mapping[int, float] | Sequence[Load] = (),
                       contacts: Mapping[int, float] | Sequence[Contact] = (),
                       law: Mapping[str, object] | None = None, subharmonic: int = 1, name: str = "from-matrices",
-                      title: str = "From matrices") -> Scene:
+                      title: str = "From matrices", circulatory: Matrix | None = None) -> Scene:
         """A scene of n coordinates.
 
         M, K: n x n, symmetric and positive semi-definite, arrays or of scipy.sparse [kg] [N/m].
-        D: n x n [N s/m]; or {"alpha": a, "beta": b} for a M + b K [1/s] [s]; or {"modal": z}, damping ratios of the modes by
+        circulatory: N, n x n, skew-symmetric, added to K: what a seal, or damping that turns with a shaft, does [N/m].
+        D: n x n, its skew part gyroscopic [N s/m]; or {"alpha": a, "beta": b} for a M + b K [1/s] [s]; or {"modal": z}, damping ratios of the modes by
         rising frequency, one number or a list [-].
         frequency: omega [rad/s].  load: {dof: amplitude of cos(omega t)} [N], or a list of `Load`.
         contacts: {dof: gap} for u[dof] <= gap [m], or a list of `Contact`.
-        law: {"restitution": e}, 0 <= e <= 1, or {"penalty": k} with one stiffness or one per contact [N/m]; None where no
-        contact carries mass. subharmonic: k, motions of the period 2 pi k / omega are looked for.
+        law: {"restitution": e}, 0 <= e <= 1, or {"penalty": k} with one stiffness or one per contact [N/m], and "damping", c,
+        likewise if a damper stands beside each spring [N s/m]; None where no contact carries mass. subharmonic: k, motions of the period 2 pi k / omega are looked for.
 
         Raises BadInput where the program refuses the scene, and ValueError for matrices of no or unequal shape.
         """
         file = SceneFile.of(M, D, K, frequency=frequency, load=load, contacts=contacts, law=law, subharmonic=subharmonic,
-                            name=name, title=title)
+                            name=name, title=title, circulatory=circulatory)
         folder = tempfile.mkdtemp(prefix="signorini-")
         scene = cls(str(Path(folder, f"{file.name}.toml")), file)
         weakref.finalize(scene, shutil.rmtree, folder, ignore_errors=True)  # it lives as long as the scene

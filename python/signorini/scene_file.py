@@ -16,7 +16,7 @@ Matrix = np.ndarray | Sequence[Sequence[float]] | object  # or a matrix of scipy
 Damping = Mapping[str, float | Sequence[float]]
 Entries = tuple[np.ndarray, np.ndarray, np.ndarray]  # row, column, value
 
-FILES = {"mass": "M.mtx", "damping": "D.mtx", "stiffness": "K.mtx"}
+FILES = {"mass": "M.mtx", "damping": "D.mtx", "stiffness": "K.mtx", "circulatory": "N.mtx"}
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class SceneFile:
     name: str
     title: str
     size: int
-    matrices: Mapping[str, Entries]  # "mass", "stiffness" and, unless it is proportional or modal, "damping"
+    matrices: Mapping[str, Entries]  # "mass", "stiffness", "damping" unless proportional or modal, and "circulatory" if any
     frequency: float
     subharmonic: int
     loads: Sequence[Load]
@@ -35,9 +35,11 @@ class SceneFile:
     damping: Damping = field(default_factory=dict)  # alpha and beta, or modal
 
     @classmethod
-    def of(cls, M, D, K, *, load, contacts, law, **rest) -> SceneFile:
+    def of(cls, M, D, K, *, load, contacts, law, circulatory=None, **rest) -> SceneFile:
         """Of the arguments of `Scene.from_matrices`. Raises ValueError."""
         matrices = {"mass": M, "stiffness": K}
+        if circulatory is not None:
+            matrices["circulatory"] = circulatory
         if not isinstance(D, Mapping):
             matrices["damping"] = D
         elif not D or set(D) - {"alpha", "beta"} and set(D) != {"modal"}:
@@ -58,7 +60,11 @@ class SceneFile:
     def of_problem(cls, problem: Problem) -> SceneFile:
         law = {key: value for key, value in problem.law.items() if key in ("restitution", "penalty")}
         name = re.sub("[^a-z0-9]+", "-", problem.name)  # of a level of a family: grazing@0.1
-        return cls(name=name, title=f"{problem.name}, as matrices", size=problem.size, matrices=problem.entries,
+        matrices = dict(problem.entries)
+        matrices["stiffness"], skew = parts_of(problem.entries["stiffness"])
+        if skew is not None:
+            matrices["circulatory"] = skew
+        return cls(name=name, title=f"{problem.name}, as matrices", size=problem.size, matrices=matrices,
                    frequency=problem.frequency, subharmonic=problem.subharmonic, loads=problem.loads,
                    contacts=problem.contacts, law=law)
 
@@ -120,6 +126,20 @@ def entries_of(matrix) -> Entries:
     dense = np.asarray(matrix, dtype=float)
     rows, columns = np.nonzero(dense)
     return rows, columns, dense[rows, columns]
+
+
+def parts_of(entries: Entries) -> tuple[Entries, Entries | None]:
+    """Symmetric and skew part of a square matrix; as it is, and None, where it is symmetric to 1e-12 of its largest entry."""
+    rows, columns, values = entries
+    found = dict(zip(zip(rows.tolist(), columns.tolist()), values.tolist()))
+    places = sorted(found.keys() | {(column, row) for row, column in found})
+    pairs = np.array([(found.get((row, column), 0.0), found.get((column, row), 0.0)) for row, column in places]).reshape(-1, 2)
+    skew = 0.5 * (pairs[:, 0] - pairs[:, 1])
+    if not np.any(np.abs(skew) > 1e-12 * np.abs(pairs).max(initial=0.0)):
+        return entries, None
+    row, column = np.array(places).T
+    kept = skew != 0.0
+    return (row, column, pairs.mean(axis=1)), (row[kept], column[kept], skew[kept])
 
 
 def write_matrix_market(file: Path, size: int, entries: Entries) -> None:

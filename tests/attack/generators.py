@@ -116,7 +116,8 @@ def random_scene(random, number):
         gap = random.choice([0.0, random.uniform(-0.3, 1.0), magnitude(random, 0.01, 2.0)])
         scene += f"[[contact]]\n{place}\ngap = {gap}\n"
     law = random.choice([f"restitution = {random.uniform(0, 1)}", "restitution = 1", "restitution = 0.0",
-                         f"penalty = {magnitude(random, 1.0, 1e4)}", None])
+                         f"penalty = {magnitude(random, 1.0, 1e4)}",
+                         f"penalty = {magnitude(random, 1.0, 1e4)}\ndamping = {magnitude(random, 0.1, 1e2)}", None])
     return (scene + (f"[law]\n{law}\n" if law and "[[contact]]" in scene else "")).encode()
 
 

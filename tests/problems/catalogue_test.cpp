@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "problems/scene/scene_file.hpp"
+#include "problems/scene/scene_layout.hpp"
 #include "problems/validation.hpp"
 
 namespace signorini {
@@ -114,7 +114,8 @@ TEST(Catalogue, TagsSayWhatTheSceneIs) {
     if (has_tag(scene, "sticking")) {
       EXPECT_LT(std::get<Restitution>(scene.law).e, 1.0) << "an elastic stop lets go";
     }
-    if (scene.kind == "sdof") {
+    EXPECT_EQ(has_tag(scene, "damped-stop"), !load_damped_stops(find_scene(scene.name)).empty());
+    if (scene.kind == "sdof" && scene.size() == 1) {  // without the face of a damped stop
       EXPECT_EQ(has_tag(scene, "light-damping"), damping_ratio(scene) <= 0.01 + 1e-12);
       EXPECT_EQ(has_tag(scene, "near-resonance"), std::abs(frequency_ratio(scene) - 1.0) <= 0.1 + 1e-12);
       EXPECT_EQ(has_tag(scene, "below-resonance"), frequency_ratio(scene) < 0.9 - 1e-12);

@@ -116,8 +116,27 @@ class Matrices(support.TemporaryFolder):
         modal = Scene.from_matrices(M, {"modal": [0.1, 0.2]}, K, frequency=1.0).problem.damping
         np.testing.assert_allclose(modal, np.diag([2 * 0.1 * np.sqrt(3.0), 2 * 0.2 * 2.0 * 2.0]), rtol=1e-12, atol=1e-15)
 
+    def test_may_have_a_circulatory_part(self):
+        N = 0.12 * np.array([[0.0, 1.0], [-1.0, 0.0]])
+        scene = Scene.from_matrices(np.eye(2), np.diag([0.3, 0.3]), np.eye(2), frequency=1.7, circulatory=N,
+                                    load=[Load(0, 1.0), Load(1, sin=1.0)], contacts={0: 9.0}, law={"restitution": 1.0})
+        np.testing.assert_array_equal(scene.problem.stiffness, np.eye(2) + N)
+        solution = scene.solve("fourier-lipschitz", instants=16)
+        whirl = 1.0 / (1.0 - 1.7**2 + 1j * (0.3 * 1.7 - 0.12))
+        np.testing.assert_allclose(solution.x[0], (whirl * np.exp(1.7j * solution.t)).real, atol=1e-12)
+        with self.assertRaisesRegex(BadInput, "must be skew-symmetric"):
+            Scene.from_matrices(np.eye(2), np.eye(2), np.eye(2), frequency=1.0, circulatory=np.eye(2))
+
+    def test_take_stops_with_dampers(self):
+        scene = Scene.from_matrices([[1.0]], [[0.1]], [[1.0]], frequency=2.2, load={0: 1.0}, contacts={0: 0.2},
+                                    law={"penalty": 100.0, "damping": 4.0})
+        catalogue = Scene.load("sdof-damped-stop").problem
+        for key in ("mass", "damping", "stiffness", "normals"):
+            np.testing.assert_array_equal(getattr(scene.problem, key), getattr(catalogue, key))
+
     def test_saved_and_loaded_are_the_same_scene(self):
-        for scene in (linear_scene(subharmonic=3)[0], Scene.load("rotor-12-facets"), Scene.load("grazing@0.1")):
+        for scene in (linear_scene(subharmonic=3)[0], Scene.load("rotor-12-facets"), Scene.load("grazing@0.1"),
+                      Scene.load("matrices-seal-rotor"), Scene.load("sdof-damped-stop")):
             again = Scene.load(scene.save(self.folder / "saved"))
             for key in ("mass", "damping", "stiffness", "normals", "gap"):
                 np.testing.assert_array_equal(getattr(again.problem, key), getattr(scene.problem, key))

@@ -6,6 +6,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <functional>
+#include <numbers>
 #include <string>
 #include <variant>
 #include <vector>
@@ -114,13 +117,12 @@ TEST(PublishedScenes, CocosImpactOscillatorHasItsFold) {
   }
 }
 
-// The published equation, at every instant of the motion found.
-TEST(PublishedScenes, PermasOneSidedSpringObeysItsEquation) {
-  const Problem problem = shipped("sdof-permas-039");
-  EXPECT_EQ(std::get<Penalty>(problem.law).stiffness, std::vector<double>{15.0});
+// Largest residual of x'' + c x' + F(x) - f(t) over a period of the motion found, by differences.
+double residual_of(const Problem& problem, double c, const std::function<double(double)>& spring,
+                   const std::function<double(double)>& load) {
   const Solution solution = test::solve<ExactOrbitMethod>(problem, {});
-  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
-  // The equation of motion as published, by differences.
+  EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  if (!solution.trajectory) return 1e300;
   constexpr int kInstants = 20000;
   const Eigen::VectorXd x = solution.trajectory->sample(kInstants).x.col(0);
   const double step = solution.trajectory->period() / kInstants;
@@ -128,11 +130,85 @@ TEST(PublishedScenes, PermasOneSidedSpringObeysItsEquation) {
   for (int i = 0; i < kInstants; ++i) {
     const double before = x[(i + kInstants - 1) % kInstants], after = x[(i + 1) % kInstants];
     const double residual = (after - 2.0 * x[i] + before) / (step * step) +
-                            0.25 * (after - before) / (2.0 * step) + x[i] + 15.0 * std::max(0.0, x[i]) -
-                            std::cos(2.6 * i * step);
+                            c * (after - before) / (2.0 * step) + spring(x[i]) - load(i * step);
     worst = std::max(worst, std::abs(residual));
   }
-  EXPECT_LT(worst, 1e-3) << "the force has kinks, where differences err by a slope times a step";
+  return worst;
+}
+
+// The published equations, at every instant of the motions found; their forces have kinks, where differences
+// err by a slope times a step.
+TEST(PublishedScenes, PermasOneSidedSpringObeysItsEquation) {
+  const Problem problem = shipped("sdof-permas-039");
+  EXPECT_EQ(std::get<Penalty>(problem.law).stiffness, std::vector<double>{15.0});
+  const auto spring = [](double x) { return x + 15.0 * std::max(0.0, x); };
+  EXPECT_LT(residual_of(problem, 0.25, spring, [](double t) { return std::cos(2.6 * t); }), 1e-3);
+}
+
+// F(x) = x + (1 - alpha)/2 ((x - b) sign(x - b) - (x + b) sign(x + b)), alpha 1/4, b 4; the example has
+// tanh(10 x) for the sign.
+TEST(PublishedScenes, PermasClearanceObeysItsEquation) {
+  const Problem problem = shipped("sdof-permas-046");
+  const auto spring = [](double x) { return x + 0.375 * (std::abs(x - 4.0) - std::abs(x + 4.0)); };
+  const auto load = [](double t) { return 1.2 + std::sin(1.7 * t); };
+  EXPECT_LT(residual_of(problem, 0.04, spring, load), 1e-3);
+}
+
+// Its picture has the orbit of the first mass between -0.8 and 0.2 and between -0.6 and 0.6 in velocity, with
+// lines every 0.2: the axes are those of the motion.
+TEST(PublishedScenes, PermasTwoMassesMoveAsTheirPictureHasThem) {
+  const Solution solution = test::solve<ExactOrbitMethod>(shipped("chain-permas-008"), {});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  constexpr int kInstants = 20000;
+  const Samples samples = solution.trajectory->sample(kInstants);
+  EXPECT_GT(samples.x.minCoeff(), -0.8);
+  EXPECT_LT(samples.x.minCoeff(), -0.6);
+  EXPECT_GT(samples.x.maxCoeff(), 0.0);
+  EXPECT_LT(samples.x.maxCoeff(), 0.2);
+  EXPECT_GT(samples.velocity.maxCoeff(), 0.4);
+  EXPECT_LT(samples.velocity.cwiseAbs().maxCoeff(), 0.6);
+  // q1'' + 0.1 q1' + 5 max(q1, 0) + q1 - q2 = 0 gives q2, which then must obey
+  // q2'' + 0.1 q2' + 2 q2 - q1 = 0.375 cos(1.44 t), of which the first harmonics:
+  const double w = 1.44;
+  std::complex<double> q1 = 0.0, push = 0.0;
+  for (int i = 0; i < kInstants; ++i) {
+    const std::complex<double> wave = std::polar(2.0 / kInstants, -2.0 * std::numbers::pi * i / kInstants);
+    q1 += samples.x(i, 0) * wave;
+    push += 5.0 * std::max(0.0, samples.x(i, 0)) * wave;
+  }
+  const std::complex<double> drag(-w * w, 0.1 * w);
+  const std::complex<double> q2 = (drag + 1.0) * q1 + push;
+  EXPECT_LT(std::abs((drag + 2.0) * q2 - q1 - 0.375), 1e-6);
+}
+
+// A disc goes round on a bed of springs of k N / (2 pi) per radian in a circle of radius r, where
+// ((K - m w^2) r + F(r))^2 + (d w r)^2 = (m e w^2)^2, F(r) = k N / (2 pi) (r (a + sin a cos a) - 2 g sin a),
+// cos a = g / r. So many facets are such a bed up to the ripple of their number.
+TEST(RotorScenes, AnnularRubIsTheCircleOnABedOfSprings) {
+  const Problem problem = shipped("rotor-annular-rub");
+  constexpr double kGap = 0.3, kFrequency = 1.2, kDamping = 0.05, kMoment = 0.1;
+  const double bed = 5.0 * problem.contact_count() / (2.0 * std::numbers::pi);
+  double low = kGap, high = 0.4;
+  for (int i = 0; i < 60; ++i) {
+    const double r = 0.5 * (low + high), a = std::acos(kGap / r);
+    const double push = bed * (r * (a + std::sin(a) * std::cos(a)) - 2.0 * kGap * std::sin(a));
+    const double w = kFrequency;
+    const double lags = std::hypot((1.0 - w * w) * r + push, kDamping * w * r) - kMoment * w * w;
+    (lags < 0.0 ? low : high) = r;
+  }
+  const Solution solution = test::solve<ExactOrbitMethod>(problem, {});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  constexpr int kInstants = 4096;
+  const Samples samples = solution.trajectory->sample(kInstants);
+  for (const int contact : {0, 4, 7}) {  // forward whirl: each facet sees the same, later
+    const double angle = 2.0 * std::numbers::pi * contact / problem.contact_count();
+    std::complex<double> first = 0.0;
+    for (int i = 0; i < kInstants; ++i)
+      first +=
+          samples.x(i, contact) * std::polar(2.0 / kInstants, angle - 2.0 * std::numbers::pi * i / kInstants);
+    EXPECT_NEAR(std::abs(first), low, 2e-5 * low);
+    EXPECT_NEAR(std::arg(first), -std::asin(kDamping * low / (kMoment * kFrequency)), 1e-4);
+  }
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ Json schematic_data(const Evaluation& evaluation, const std::string& scene) {
     const SceneSource source = find_scene(scene);
     const Scene found = read_scene(source);
     if (found.sha256 != evaluation.record_of(results.front()).scene_sha256) return {};
-    return svg_of(schematic(found.problem, load_layout(source)));
+    return svg_of(schematic(found.problem, load_layout(source), load_damped_stops(source)));
   } catch (const SceneError&) {
     return {};
   }

@@ -147,6 +147,27 @@ TEST(ContactResponse, WithoutContactDissipatesWhatTheLoadPutsIn) {
   EXPECT_NEAR(response.contact_work()[0], 0.0, 1e-15);
 }
 
+// A disc that whirls on a circle z = Z e^{i w t}, z'' + d z' + (k - i s) z = F e^{i w t}: per period, D takes
+// d w^2 |Z|^2 T and the circulatory force feeds s w |Z|^2 T.
+TEST(ContactResponse, CountsWhatACirculatoryForceFeeds) {
+  constexpr double kDamping = 0.3, kCirculatory = 0.2, kFrequency = 1.7;
+  Problem problem;
+  problem.frequency = kFrequency;
+  problem.edit_structure([&](Structure& s) {
+    s.mass = Eigen::Matrix2d::Identity().sparseView();
+    s.damping = Eigen::Matrix2d(kDamping * Eigen::Matrix2d::Identity()).sparseView();
+    s.stiffness = Eigen::Matrix2d{{1.0, kCirculatory}, {-kCirculatory, 1.0}}.sparseView();
+  });
+  problem.force = {{.dof = 0, .cos = 1.0}, {.dof = 1, .sin = 1.0}};
+  const ContactResponse response(
+      problem, {.order = 1, .base_frequency = kFrequency, .lambda = Eigen::MatrixXcd::Zero(3, 0)});
+  const double size =
+      std::norm(1.0 / Complex(1.0 - kFrequency * kFrequency, kDamping * kFrequency - kCirculatory));
+  const double expected = (kDamping * kFrequency - kCirculatory) * kFrequency * size * problem.period();
+  EXPECT_NEAR(response.dissipation(), expected, 1e-12 * expected);
+  EXPECT_NEAR(response.work_of_load(), expected, 1e-12 * expected);
+}
+
 TEST(ContactResponse, BalancesItsEnergyOverAnImpact) {
   const Problem problem = test::to_problem(kStop);
   const auto orbit = test::single_impact_orbits(kStop).front();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -13,7 +14,9 @@
 namespace signorini {
 namespace {
 
-Drawing drawn(const SceneSource& source) { return schematic(load_scene(source), load_layout(source)); }
+Drawing drawn(const SceneSource& source) {
+  return schematic(load_scene(source), load_layout(source), load_damped_stops(source));
+}
 Drawing drawn(const std::string& name) { return drawn(find_scene(name)); }
 
 /// A scene of these tables, driven at its first coordinate.
@@ -93,7 +96,7 @@ TEST(Schematic, DrawsEverySceneThatShipsWithItsStopsAndGaps) {
   for (const SceneSource& source : shipped_scenes()) {
     if (load_header(source).carries(kLarge)) continue;
     const Problem problem = load_scene(source);
-    const Drawing drawing = schematic(problem, load_layout(source));
+    const Drawing drawing = drawn(source);
     expect_on_the_sheet(drawing, problem.name);
     expect_loads_apart(drawing, problem.name);
     const auto parts = counts(drawing);
@@ -114,6 +117,22 @@ TEST(Schematic, OfAnOscillatorHasItsParts) {
   EXPECT_EQ(texts(drawing, "load"), std::vector<std::string>{"1 cos ωt N"});
   EXPECT_EQ(texts(drawing, "mass"), std::vector<std::string>{"1 kg"});
   EXPECT_EQ(texts(drawing, "note"), std::vector<std::string>{"ω = 2.2 rad/s, e = 1"});
+}
+
+TEST(Schematic, OfADampedStopHasItsSpringAndItsDamperAtTheMass) {
+  const Drawing drawing = drawn("sdof-damped-stop");
+  EXPECT_EQ(counts(drawing).at("mass"), 1);
+  EXPECT_EQ(counts(drawing).at("stop"), 1);
+  EXPECT_EQ(texts(drawing, "gap"), std::vector<std::string>{"g = 0.2 m"});
+  EXPECT_EQ(texts(drawing, "note"), std::vector<std::string>{"ω = 2.2 rad/s, stop of 100 N/m and 4 N s/m"});
+  const auto stop_strokes = [](const Drawing& of) {
+    const auto stop = std::ranges::find(of.parts, std::string("stop"), &Part::kind);
+    return stop->strokes.size();
+  };
+  const std::size_t spring = stop_strokes(
+      drawn_text("[system]\nkind = \"sdof\"\nmass = 1\ndamping = 0.1\nstiffness = 1\n[[contact]]\ndof = 0\n"
+                 "gap = 0.2\n[law]\npenalty = 100\n"));
+  EXPECT_EQ(stop_strokes(drawing), spring + 4) << "rod, cylinder, piston and rod";
 }
 
 TEST(Schematic, OfTwoSidedStopsHasOneOnEachSideOfAPin) {

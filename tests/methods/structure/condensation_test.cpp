@@ -112,6 +112,10 @@ TEST(Condense, SaysWhereItCannotBeDone) {
   tied.edit_structure([&](Structure& s) { s.mass = Eigen::MatrixXd(Eigen::Matrix2d::Ones()).sparseView(); });
   EXPECT_EQ(flow_obstacle(tied), "the mass matrix is singular on the coordinates with mass");
   EXPECT_EQ(flow_obstacle(test::massless_node()), "");
+  Problem circulatory = test::massless_node();
+  circulatory.edit_structure(
+      [&](Structure& s) { s.stiffness.coeffRef(0, 1) += 0.5, s.stiffness.coeffRef(1, 0) -= 0.5; });
+  EXPECT_EQ(flow_obstacle(circulatory), "a circulatory force acts on coordinates without mass");
 }
 
 }  // namespace

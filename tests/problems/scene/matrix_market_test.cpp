@@ -250,7 +250,7 @@ TEST_F(MatrixScene, IsRefusedInOneLineThatNamesTheCulprit) {
             "scene.toml:7: system.modal = \"small\" (must be a damping ratio >= 0 [-], or a list of them)");
   EXPECT_EQ(refusal(7, "young = 1.0"),
             "scene.toml:7: system.young = 1 (unknown key; known: kind, mass, damping, rayleigh, modal, "
-            "stiffness)");
+            "stiffness, gyroscopic, circulatory)");
 }
 
 TEST_F(MatrixScene, IsRefusedForMatricesThatAreNoStructure) {
@@ -266,7 +266,12 @@ TEST_F(MatrixScene, IsRefusedForMatricesThatAreNoStructure) {
   write("skew.mtx", written(K, true, false));
   EXPECT_EQ(refusal(6, "stiffness = \"skew.mtx\""),
             "scene.toml:6: system.stiffness = unsymmetric matrix (must be symmetric to 1e-12 of its largest "
-            "entry)");
+            "entry: a skew part is circulatory)");
+  for (const std::string key : {"gyroscopic", "circulatory"}) {
+    EXPECT_EQ(refusal(7, "rayleigh = { alpha = 0.1 }\n" + key + " = \"skew.mtx\""),
+              "scene.toml:8: system." + key +
+                  " = matrix with a symmetric part (must be skew-symmetric to 1e-12 of its largest entry)");
+  }
   write("model/K.mtx", "%%MatrixMarket matrix coordinate real symmetric\n6 6 1\n7 1 1.0\n");
   EXPECT_EQ(refusal(0, ""), "model/K.mtx:3: entry = \"7 1 1.0\" (row must be in 1..6)");
 }
