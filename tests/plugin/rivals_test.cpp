@@ -121,21 +121,40 @@ TEST(Scipy, GivesUpWhereContactLasts) {
   EXPECT_NE(solve.out.find("not-converged"), std::string::npos) << solve.out;
 }
 
+class Nlvib : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::getenv("NLVIB") == nullptr || !succeeds("octave-cli --version"))
+      GTEST_SKIP() << "NLVIB names no sources of NLvib, or Octave is not installed";
+  }
+};
+
 // Harmonic balance with sampled springs is one set of equations, whoever solves it.
-TEST(Nlvib, SolvesTheEquationsOfPenaltyHarmonicBalance) {
-  if (std::getenv("NLVIB") == nullptr || !succeeds("octave-cli --version"))
-    GTEST_SKIP() << "NLVIB names no sources of NLvib, or Octave is not installed";
+TEST_F(Nlvib, SolvesTheEquationsOfPenaltyHarmonicBalance) {
   const auto records =
       records_of("chain2-penalty",
                  "nlvib-hbm[harmonics=10]:aft-hbm[harmonics=10,quadrature=sampled,samples=1024,"
                  "law=penalty]",
-                 " --plugin " + rival("nlvib/nlvib.toml"));
+                 " --plugin " + rival("nlvib/nlvib-hbm.toml"));
   ASSERT_EQ(records.size(), 2U);
   const Record& theirs = records.at("chain2-penalty/nlvib-hbm[harmonics=10]");
   const Record& ours =
       records.at("chain2-penalty/aft-hbm[harmonics=10,quadrature=sampled,samples=1024,law=penalty]");
   ASSERT_TRUE(theirs.errors.x_l2 && ours.errors.x_l2) << theirs.message << ours.message;
   EXPECT_NEAR(*theirs.errors.x_l2, *ours.errors.x_l2, 1e-4 * *ours.errors.x_l2);
+}
+
+// Newmark's integration is of order two; here instants of contact fall between its steps.
+TEST_F(Nlvib, ShootsForTheOrbitOfASpring) {
+  const auto records = records_of("chain2-penalty", "nlvib-shooting[steps=128|512]",
+                                  " --plugin " + rival("nlvib/nlvib-shooting.toml"));
+  ASSERT_EQ(records.size(), 2U);
+  const Record& few = records.at("chain2-penalty/nlvib-shooting[steps=128]");
+  const Record& many = records.at("chain2-penalty/nlvib-shooting[steps=512]");
+  EXPECT_EQ(claim_of(many), Claim::certified) << many.certificate.reason;
+  ASSERT_TRUE(few.errors.x_l2 && many.errors.x_l2) << few.message << many.message;
+  EXPECT_LT(*many.errors.x_l2, 0.15 * *few.errors.x_l2);
+  EXPECT_LT(*many.errors.x_l2, 2e-3);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-% Harmonic balance of NLvib as a method of signorini: one JSON request per line, one answer per line.
+% Harmonic balance or shooting of NLvib as a method of signorini: one JSON request per line, one answer per line.
+% usage: octave-cli nlvib_method.m harmonic-balance | shooting
 %
 % NLVIB is the folder of its sources (the one with solve_and_continue.m), which the user has fetched.
 % The response curve is followed by NLvib's arc length from the frequency option `from` to the scene's, where one
@@ -47,18 +48,9 @@ function springs = springs_of(problem, K, options)
   end
 end
 
-% Displacement, velocity and force of the contacts at so many instants of a period.
-function trajectory = motion_of(X, system, H, omega, count)
-  n = system.n;
-  t = 2 * pi / omega * (0:count - 1) / count;
-  Q = zeros(n, H + 1);
-  Q(:, 1) = X(1:n);
-  for h = 1:H
-    Q(:, h + 1) = X((2 * h - 1) * n + (1:n)) - 1i * X(2 * h * n + (1:n));
-  end
-  waves = exp(1i * omega * (0:H)' * t);
-  u = real(Q * waves);
-  v = real((Q .* (1i * omega * (0:H))) * waves);
+% Contacts of displacements u and velocities v, n x N, at N instants of a period.
+function trajectory = motion_of(u, v, system, omega)
+  count = columns(u);
   x = []; velocity = []; force = [];
   for j = 1:numel(system.nonlinear_elements)
     spring = system.nonlinear_elements{j};
@@ -67,28 +59,70 @@ function trajectory = motion_of(X, system, H, omega, count)
     force(j, :) = -spring.stiffness * max(0, x(j, :) - spring.gap);
   end
   rows = @(A) arrayfun(@(j) A(j, :), 1:size(A, 1), "UniformOutput", false);
-  trajectory = struct("t", t, "bandwidth", H);
+  trajectory = struct("t", 2 * pi / omega * (0:count - 1) / count);
   trajectory.x = rows(x);
   trajectory.velocity = rows(velocity);
   trajectory.force = rows(force);
 end
 
-% Points of the response curve from the contact-free motion at frequency `begin`, columns [X; omega].
-function [X, iterations] = curve_from(begin, omega, system, residual, options)
+% What both analyses of NLvib are made of: a residual of X = [x; omega] to `follow` the curve with, and those that Newton's
+% method takes one after the other at its end, `start` from amplitudes of a motion without contact, `motion` of a solution,
+% and what a residual is `size`d by.
+function analysis = harmonic_balance(system, options)
   H = options.harmonics;
   n = system.n;
+  analysis.follow = @(X) HB_residual(X, system, H, options.samples, "FRF");
+  analysis.residuals = {analysis.follow};
+  analysis.start = @(linear, omega) [zeros(n, 1); real(linear); -imag(linear); zeros(2 * (H - 1) * n, 1)];
+  analysis.size = @(x) norm(system.Fex1);
+  analysis.motion = @(X) series_motion(X, system, H, max(8192, 16 * H));
+end
+
+function trajectory = series_motion(X, system, H, count)
+  n = system.n;
+  omega = X(end);
+  Q = zeros(n, H + 1);
+  Q(:, 1) = X(1:n);
+  for h = 1:H
+    Q(:, h + 1) = X((2 * h - 1) * n + (1:n)) - 1i * X(2 * h * n + (1:n));
+  end
+  waves = exp(2i * pi * (0:H)' * (0:count - 1) / count);
+  trajectory = motion_of(real(Q * waves), real((Q .* (1i * omega * (0:H))) * waves), system, omega);
+  trajectory.bandwidth = H;
+end
+
+% Its velocities are those of the time omega t. Newton's method of a step ends at 1e-4 of the force scale.
+function analysis = shooting(system, options)
+  at = @(steps) (@(X) shooting_residual(X, system, steps, 1, "FRF", 1, 1e-6 * norm(system.Fex1)));
+  coarse = min(options.steps, options.coarse);
+  analysis.follow = at(coarse);
+  analysis.residuals = arrayfun(at, [coarse * 2 .^ (1:floor(log2((options.steps - 1) / coarse))), options.steps], ...
+                                "UniformOutput", false);
+  analysis.start = @(linear, omega) [real(linear); -imag(linear)];
+  analysis.size = @(x) norm(x);
+  analysis.motion = @(X) stepped_motion(X, system, analysis.residuals{end});
+end
+
+function trajectory = stepped_motion(X, system, residual)
+  [~, ~, ~, Y] = residual(X);
+  n = system.n;
+  trajectory = motion_of(Y(:, 1:n)', X(end) * Y(:, n + (1:n))', system, X(end));
+end
+
+% Points of the response curve from the contact-free motion at frequency `begin`, columns [X; omega].
+function [X, iterations] = curve_from(begin, omega, system, analysis, options)
   linear = (-begin^2 * system.M + 1i * begin * system.D + system.K) \ system.Fex1;
-  start = zeros((2 * H + 1) * n, 1);
-  start(n + (1:2 * n)) = [real(linear); -imag(linear)];
+  start = analysis.start(linear, begin);
+  follow = analysis.follow;
   settings = struct("Dscale", [max(abs(linear)) * ones(size(start)); omega], "dynamicDscale", 1, "stoponerror", 0, ...
                     "reversaltolerance", Inf, "stepmax", 500);  % through folds, however far they lead
   newton = optimset("Display", "off", "Jacobian", "on", "MaxIter", 50);  % its own, in words that Octave takes
-  evalc(["[X, info] = solve_and_continue(start, residual, begin, omega, options.step * omega, ", ...
+  evalc(["[X, info] = solve_and_continue(start, follow, begin, omega, options.step * omega, ", ...
          "settings, {}, newton);"]);  % it prints as it goes
   iterations = sum(info.NIT);
 end
 
-function answer = solve_problem(problem, options)
+function answer = solve_problem(problem, options, kind)
   n = problem.size;
   [load, known] = first_harmonic(problem.force, n);
   if !known || problem.subharmonic != 1
@@ -99,24 +133,28 @@ function answer = solve_problem(problem, options)
   system = MechanicalSystem(full_matrix(problem.mass, n), full_matrix(problem.damping, n), K, ...
                             springs_of(problem, K, options), load);
   omega = problem.frequency;
-  residual = @(X) HB_residual(X, system, options.harmonics, options.samples, "FRF");
-  tight = optimset("Display", "off", "Jacobian", "on", "MaxIter", 100, "TolFun", 1e-12, "TolX", 1e-12);
+  analysis = kind(system, options);
+  tight = optimset("Display", "off", "Jacobian", "on", "MaxIter", 40, "TolFun", 1e-12, "TolX", 1e-12);
   iterations = 0;
   points = 0;
   % From one side the curve may turn back at a fold before it is there: then from the other.
   for begin = omega * [options.from, 1 / options.from]
-    [X, steps] = curve_from(begin, omega, system, residual, options);
+    [X, steps] = curve_from(begin, omega, system, analysis, options);
     iterations += steps;
     points += size(X, 2);
     [gap, nearest] = min(abs(X(end, :) - omega));
     if gap > 10 * options.step * omega, continue; end
     scale = max(abs(X(1:end - 1, nearest)));
-    [x, rest] = fsolve(@(x) residual_at(x, omega, residual, scale), X(1:end - 1, nearest) / scale, tight);
-    if norm(rest) > 1e-8 * norm(load), continue; end
-    answer = struct("verdict", "converged", "residual", norm(rest) / norm(load));
+    x = X(1:end - 1, nearest) / scale;
+    for residual = analysis.residuals
+      [x, rest] = fsolve(@(x) residual_at(x, omega, residual{1}, scale), x, tight);
+    end
+    rest = norm(rest) / analysis.size(x * scale);
+    if !(rest <= 1e-8), continue; end
+    answer = struct("verdict", "converged", "residual", rest);
     answer.message = sprintf("%d points of the response curve from %.4g rad/s", points, begin);
     answer.work = struct("unknowns", numel(x), "iterations", iterations);
-    answer.trajectory = motion_of(x * scale, system, options.harmonics, omega, max(8192, 16 * options.harmonics));
+    answer.trajectory = analysis.motion([x * scale; omega]);
     return
   end
   answer = not_converged(sprintf("%d points of response curves from both sides do not reach %.4g rad/s", points, omega));
@@ -132,6 +170,8 @@ if isempty(sources)
   fprintf(stderr, "NLVIB must name the folder of NLvib's sources\n");
   exit(2);
 end
+kinds = struct("harmonic_balance", @harmonic_balance, "shooting", @shooting);
+kind = kinds.(strrep(argv(){end}, "-", "_"));
 addpath(sources, fullfile(sources, "MechanicalSystems"));
 warning("off", "all");
 while true
@@ -140,7 +180,7 @@ while true
   request = jsondecode(line);
   clock_start = tic;
   try
-    answer = solve_problem(request.problem, request.options);
+    answer = solve_problem(request.problem, request.options, kind);
   catch failure
     answer = not_converged(failure.message);
   end
