@@ -109,8 +109,7 @@ TEST(Validate, TakesForGrantedWhatHoldsByConstructionAndNoMore) {
     validate(problem, Definiteness::by_construction);
   };
   EXPECT_NO_THROW(trusted(to_structure([](Structure& s) { s.stiffness.coeffRef(2, 2) = 10.0; })));
-  EXPECT_THROW(trusted(to_structure([](Structure& s) { s.mass.coeffRef(1, 0) += 1e-9; })),
-               InvalidProblem);
+  EXPECT_THROW(trusted(to_structure([](Structure& s) { s.mass.coeffRef(1, 0) += 1e-9; })), InvalidProblem);
   EXPECT_THROW(trusted(to_structure([](Structure& s) { s.stiffness.coeffRef(0, 0) = kNaN; })),
                InvalidProblem);
   EXPECT_THROW(trusted(to_structure([](Structure& s) { s.damping.coeffRef(0, 0) = -0.1; })), InvalidProblem);

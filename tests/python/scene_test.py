@@ -128,7 +128,7 @@ class Matrices(support.TemporaryFolder):
             Scene.from_matrices(np.eye(2), np.eye(2), np.eye(2), frequency=1.0, circulatory=np.eye(2))
 
     def test_take_stops_with_dampers(self):
-        scene = Scene.from_matrices([[1.0]], [[0.1]], [[1.0]], frequency=2.2, load={0: 1.0}, contacts={0: 0.2},
+        scene = Scene.from_matrices([[1.0]], [[0.1]], [[1.0]], frequency=2.0, load={0: 1.0}, contacts={0: 0.2},
                                     law={"penalty": 100.0, "damping": 4.0})
         catalogue = Scene.load("sdof-damped-stop").problem
         for key in ("mass", "damping", "stiffness", "normals"):

@@ -30,10 +30,10 @@ struct Rotor {
   double damping = 0.3, gyroscopic = 0.4, stiffness = 1.0, circulatory = 0.12;
   double load = 1.0, frequency = 1.7;
 
-  [[nodiscard]] Eigen::Matrix2d D() const {
+  [[nodiscard]] Eigen::Matrix2d dampers() const {
     return Eigen::Matrix2d{{damping, gyroscopic}, {-gyroscopic, damping}};
   }
-  [[nodiscard]] Eigen::Matrix2d K() const {
+  [[nodiscard]] Eigen::Matrix2d springs() const {
     return Eigen::Matrix2d{{stiffness, circulatory}, {-circulatory, stiffness}};
   }
   [[nodiscard]] double period() const { return 2.0 * std::numbers::pi / frequency; }
@@ -50,8 +50,8 @@ Problem scene(const Rotor& rotor, double gap, Law law) {
   problem.frequency = rotor.frequency;
   problem.edit_structure([&](Structure& s) {
     s.mass = Eigen::Matrix2d::Identity().sparseView();
-    s.damping = rotor.D().sparseView();
-    s.stiffness = rotor.K().sparseView();
+    s.damping = rotor.dampers().sparseView();
+    s.stiffness = rotor.springs().sparseView();
   });
   problem.force = {{.dof = 0, .cos = rotor.load}, {.dof = 1, .sin = rotor.load}};
   problem.contacts = {{.normal = {{0, 1.0}}, .gap = gap}, {.normal = {{1, 1.0}}, .gap = 50.0}};
@@ -128,7 +128,7 @@ class Integration {
   [[nodiscard]] Eigen::Vector4d rate(double t, const Eigen::Vector4d& y) const {
     const double angle = rotor_.frequency * t;
     Eigen::Vector2d force = rotor_.load * Eigen::Vector2d(std::cos(angle), std::sin(angle)) -
-                            rotor_.K() * y.head(2) - rotor_.D() * y.tail(2);
+                            rotor_.springs() * y.head(2) - rotor_.dampers() * y.tail(2);
     if (beyond_) force[0] -= spring_ * (y[0] - gap_);
     Eigen::Vector4d result;
     result << y.tail(2), force;

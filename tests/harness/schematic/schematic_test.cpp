@@ -124,7 +124,7 @@ TEST(Schematic, OfADampedStopHasItsSpringAndItsDamperAtTheMass) {
   EXPECT_EQ(counts(drawing).at("mass"), 1);
   EXPECT_EQ(counts(drawing).at("stop"), 1);
   EXPECT_EQ(texts(drawing, "gap"), std::vector<std::string>{"g = 0.2 m"});
-  EXPECT_EQ(texts(drawing, "note"), std::vector<std::string>{"ω = 2.2 rad/s, stop of 100 N/m and 4 N s/m"});
+  EXPECT_EQ(texts(drawing, "note"), std::vector<std::string>{"ω = 2 rad/s, stop of 100 N/m and 4 N s/m"});
   const auto stop_strokes = [](const Drawing& of) {
     const auto stop = std::ranges::find(of.parts, std::string("stop"), &Part::kind);
     return stop->strokes.size();
