@@ -90,6 +90,10 @@ void CaseResults::add(const Record& record) {
   all.push_back(std::move(result));
 }
 
+bool CaseChoice::is_plain() const {
+  return std::ranges::find(settings, OptionSetting{"plain", "true"}) != settings.end();
+}
+
 void CaseResults::keep(const std::vector<std::size_t>& sources) {
   std::vector<CaseResult> kept;
   kept.reserve(sources.size());
@@ -105,7 +109,8 @@ const CaseChoice* CaseResults::choice_of(const Record& record) {
                      .options = record.options,
                      .same_equations_as = record.same_equations_as,
                      .resolution = resolution_of(record),
-                     .configuration = configuration_of(record)};
+                     .configuration = configuration_of(record),
+                     .from_plugin = !record.plugin.empty()};
   }
   return &place->second;
 }

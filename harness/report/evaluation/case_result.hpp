@@ -21,6 +21,10 @@ struct CaseChoice {
   std::string same_equations_as = {};
   std::string resolution = {};     ///< resolution_of the record
   std::string configuration = {};  ///< configuration_of the record
+  bool from_plugin = false;        ///< the method is none of this program's own
+
+  /// Whether it is a method as the literature has it, `plain=true`.
+  [[nodiscard]] bool is_plain() const;
 };
 
 /// What the records of a scene have in common, and what a record says of it.

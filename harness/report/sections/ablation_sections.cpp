@@ -35,16 +35,12 @@ struct Form {
 /// and fewer of them switched off; its name.
 using FormPlace = std::tuple<bool, std::ptrdiff_t, std::string>;
 
-bool is_plain(const Settings& settings) {
-  return std::ranges::find(settings, OptionSetting{"plain", "true"}) != settings.end();
-}
-
 bool has_start(const Settings& settings) {
   return std::ranges::find(settings, kStartSetting, &OptionSetting::first) != settings.end();
 }
 
 FormPlace place_of(const CaseChoice& choice) {
-  const bool plain = is_plain(choice.settings);
+  const bool plain = choice.is_plain();
   const auto additions = std::ssize(choice.settings);
   return {!plain, plain ? additions : -additions, choice.resolution};
 }

@@ -49,6 +49,10 @@ Sections switch_sections(const Evaluation& evaluation);
 /// How many repeated solves gave the same bits.
 Sections repeat_sections(const Evaluation& evaluation);
 
+/// Of methods from plugins the times at equal error, over those of the program's own. Empty where there are
+/// none.
+Sections rival_sections(const Evaluation& evaluation);
+
 /// Of methods that are commands and tell their own time, what passes beside it. Empty where there is none.
 Sections hand_over_sections(const Evaluation& evaluation);
 

@@ -1,0 +1,38 @@
+#pragma once
+// Methods from plugins beside the program's own: their times at equal error.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "harness/report/evaluation/evaluation.hpp"
+
+namespace signorini {
+
+/// Errors of x at which plugins are compared [-].
+inline constexpr std::array kRivalErrors{1e-2, 1e-6};
+
+/// What a configuration from a plugin does at an error, on the scenes that it and own methods are ranked on.
+struct RivalTimes {
+  int scenes = 0;   ///< where it is ranked, whether it solves them or not
+  int reached = 0;  ///< of these, where it has that error
+  /// Its least time over the least of the program's own methods that are not plain, on the scenes where both
+  /// have that error, rising [-].
+  std::vector<double> to_own = {};
+  /// The same over plain forms of the literature.
+  std::vector<double> to_plain = {};
+  int fastest = 0;  ///< where no other method of the run, plugins included, is as fast
+};
+
+/// A configuration from a plugin, at each of kRivalErrors.
+struct Rival {
+  std::string configuration = {};
+  std::array<RivalTimes, kRivalErrors.size()> at = {};
+};
+
+/// Of each configuration from a plugin, in the order of configurations. A scene counts where the
+/// configuration solves the problem that the scene states, and its runs were timed; repeated problems count
+/// once.
+std::vector<Rival> rivals(const Evaluation& evaluation);
+
+}  // namespace signorini

@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+
+#include "harness/report/document/cells.hpp"
+#include "harness/report/evaluation/rivals.hpp"
+#include "harness/report/sections/sections.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr std::string_view kText =
+    R"(On the scenes whose law the plugin represents: how many it solves with an
+error of x of at most 1e-2 and 1e-6. Its least time there, over that of the fastest of the program's own methods
+and over that of the fastest plain form of the literature, on the scenes that both solve: geometric mean (least
+to largest). Fastest: scenes on which no other method of the run is as fast.)";
+
+/// Two digits, without an exponent where it is large: "0.043", "3.1", "4000".
+std::string rounded(double ratio) {
+  if (ratio < 100.0) return fmt::format("{:.2g}", ratio);
+  const double unit = std::pow(10.0, std::floor(std::log10(ratio)) - 1.0);
+  return fmt::format("{:.0f}", std::round(ratio / unit) * unit);
+}
+
+/// "120 (3.1 to 4000)" of ratios that rise; "-" of none.
+Cell ratio_cell(std::span<const double> ratios) {
+  if (ratios.empty()) return {"-", kNeverReached};
+  double sum = 0.0;
+  for (const double ratio : ratios) sum += std::log(ratio);
+  const double mean = std::exp(sum / static_cast<double>(ratios.size()));
+  return {fmt::format("{} ({} to {})", rounded(mean), rounded(ratios.front()), rounded(ratios.back())), mean};
+}
+
+}  // namespace
+
+Sections rival_sections(const Evaluation& evaluation) {
+  Section section{
+      .id = "plugins", .title = "Plugins beside our methods at equal error", .text = std::string(kText)};
+  section.table.header = {"method"};
+  for (const double error : kRivalErrors) {
+    section.table.header.push_back(fmt::format("to {:.0e}", error));
+    for (const char* title : {"time over ours", "over plain forms", "fastest"})
+      section.table.header.emplace_back(title);
+  }
+  for (const Rival& rival : rivals(evaluation)) {
+    std::vector<Cell> row{rival.configuration};
+    for (const RivalTimes& times : rival.at) {
+      row.push_back(count_cell(times.reached, times.scenes));
+      row.push_back(ratio_cell(times.to_own));
+      row.push_back(ratio_cell(times.to_plain));
+      row.push_back(count_cell(times.fastest));
+    }
+    section.table.rows.push_back(std::move(row));
+  }
+  return {std::move(section)};
+}
+
+}  // namespace signorini

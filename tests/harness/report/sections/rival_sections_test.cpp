@@ -1,0 +1,36 @@
+// Methods from plugins beside ours, as reports print them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "harness/report/sections/sections.hpp"
+#include "tests/harness/sample_records.hpp"
+
+namespace signorini {
+namespace {
+
+TEST(RivalSections, TellTheRatioOfTimesWithItsRange) {
+  std::vector<Record> records;
+  for (const auto& [scene, seconds] : {std::pair("a", 2.0), std::pair("b", 200.0)}) {
+    records.push_back(test::good_record(scene, "theirs", "n=1", 1e-3, seconds));
+    records.back().plugin = "of somebody";
+    records.push_back(test::good_record(scene, "ours", "n=1", 1e-8, 1.0));
+  }
+  const Evaluation evaluation(records);
+  const Section section = rival_sections(evaluation).front();
+  ASSERT_EQ(section.table.rows.size(), 1U);
+  std::vector<std::string> texts;
+  for (const Cell& cell : section.table.rows[0]) texts.push_back(cell.text);
+  EXPECT_EQ(texts, (std::vector<std::string>{"theirs", "2 of 2", "20 (2 to 200)", "-", "0", "0 of 2", "-",
+                                             "-", "0"}));
+  EXPECT_EQ(std::ranges::count(sections_of(evaluation), std::string("plugins"), &Section::id), 1);
+}
+
+TEST(RivalSections, AreInReportsWithPluginsAlone) {
+  const Evaluation evaluation(test::records_of_two_methods());
+  EXPECT_EQ(std::ranges::count(sections_of(evaluation), std::string("plugins"), &Section::id), 0);
+}
+
+}  // namespace
+}  // namespace signorini
