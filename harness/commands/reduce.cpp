@@ -98,7 +98,7 @@ int reduce(const ReduceArguments& arguments) {
   const fs::path folder = out.parent_path();
   write_whole(folder / (name + "-M.mtx"), matrix_market(reduced.problem.mass()));
   write_whole(folder / (name + "-K.mtx"), matrix_market(reduced.problem.stiffness()));
-  write_whole(out, scene_text(reduced.problem, name, scene.problem.name, vectors, space.small().damping));
+  write_whole(out, scene_text(reduced.problem, name, scene.problem.name, vectors, space.damping()));
   fmt::print("{}: {} coordinates in place of {}: {} vectors, {} contacts and their static compliance\n",
              out.string(), reduced.problem.size(), scene.problem.size(), vectors,
              scene.problem.contact_count());

@@ -38,6 +38,9 @@ ReducedReceptance reduced_grid_receptance(const Problem& problem, HatScheme sche
   return found;
 }
 
+/// Unknowns from which on a path of pivots, which cost their square each, takes longer than a march.
+constexpr int kLongPathUnknowns = 1024;
+
 class PreparedHat final : public PreparedMethod {
  public:
   PreparedHat(const Problem& problem, const HatSettings& options, std::optional<double> restitution)
@@ -60,12 +63,16 @@ class PreparedHat final : public PreparedMethod {
   /// The list of attempts (hat_contact); pivots are summed over them.
   [[nodiscard]] LcpResult solve(const HatForm& form, const Start& start) const {
     const int asked = options_.max_iterations;  // 0: not limited
-    const Eigen::VectorXd guess =
+    Eigen::VectorXd guess =
         start.guess ? pressure_samples(*start.guess, samples(), form.unit) : Eigen::VectorXd{};
     if (options_.solver != ComplementaritySolver::automatic)
       return follow_path(form.lcp, asked, start, guess);
     if (asked == 0 && guess.size() == 0) {
-      if (LcpResult near = newton_from_march(form, start); near.status == LcpStatus::solved) return near;
+      guess = marched_guess(form, start);
+      if (guess.size() > 0) {
+        LcpResult near = newton_from(form, guess, start);
+        if (near.status == LcpStatus::solved) return near;
+      }
     }
 
     const auto pivots = [&](long per_unknown) {
@@ -98,15 +105,30 @@ class PreparedHat final : public PreparedMethod {
                      guess);
   }
 
-  /// Attempt 0; not solved where there is no reduced structure, or its motion is not near one of the grid.
-  [[nodiscard]] LcpResult newton_from_march(const HatForm& form, const Start& start) const {
-    if (!found_.reduction.obstacle.empty() || !march_obstacle(problem_).empty()) return {};
-    ContactMarch march(found_.reduction, march_grid(problem_, samples()));
+  /// z of the motion that the reduced structure marches to on these nodes; empty where a path of pivots is
+  /// short, the march does not represent the scene, or it finds no periodic motion.
+  [[nodiscard]] Eigen::VectorXd marched_guess(const HatForm& form, const Start& start) const {
+    const bool is_short =
+        receptance_.contacts() * samples() < kLongPathUnknowns && problem_.size() <= kMostFactorised;
+    if (is_short || !march_obstacle(problem_).empty()) return {};
+    std::shared_ptr<const ContactReduction> made;
+    if (!found_.reduction.obstacle.empty()) {
+      made = marched_reduction(problem_);
+      if (!made) return {};
+    }
+    ContactMarch march(made ? *made : found_.reduction, march_grid(problem_, samples()));
     const PeriodicMarch marched = march_to_periodic_motion(march, {.deadline = start.deadline});
     if (!marched.found()) return {};
-    const Eigen::VectorXd pressure = -marched.force.reshaped();
-    return solve_by_newton(form.lcp, {.tolerance = options_.tolerance, .deadline = start.deadline},
-                           form.scaled(pressure));
+    return form.scaled(-marched.force.reshaped());
+  }
+
+  /// Newton's method whose first active set is that of z: of a march it is right where its pressures, of
+  /// another scheme, leave gaps negative.
+  [[nodiscard]] LcpResult newton_from(const HatForm& form, const Eigen::VectorXd& z,
+                                      const Start& start) const {
+    const Eigen::VectorXd w = form.lcp.offset + *form.lcp.matrix * z;
+    return solve_by_newton_from(form.lcp, {.tolerance = options_.tolerance, .deadline = start.deadline},
+                                (z.array() > 0.0).select(z, -w.cwiseMax(0.0)));
   }
 
   /// Attempt 3; not solved where no periodic contact is found or Newton's method fails from it.
@@ -114,8 +136,7 @@ class PreparedHat final : public PreparedMethod {
     const Eigen::VectorXd pressure = march_to_period(
         problem_, options_.scheme, samples(), stops_.restitution.value_or(0.0), kMarchedPeriods, start);
     if (pressure.size() == 0) return {};
-    return solve_by_newton(form.lcp, {.tolerance = options_.tolerance, .deadline = start.deadline},
-                           form.scaled(pressure));
+    return newton_from(form, form.scaled(pressure), start);
   }
 
   /// Nodal motion behind the nodal pressures -lambda >= 0 [N].

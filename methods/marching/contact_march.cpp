@@ -16,14 +16,8 @@ using Complex = std::complex<double>;
 
 double sigma_of(const MarchGrid& grid) { return 1.5 * grid.samples / grid.period; }
 
-Eigen::VectorXd modal_damping(const ContactReduction& reduction) {
-  return (reduction.damping.alpha + reduction.damping.beta * reduction.squares.array()).matrix();
-}
-
 Eigen::VectorXd step_response(const ContactReduction& reduction, double sigma) {
-  return (sigma * sigma + sigma * modal_damping(reduction).array() + reduction.squares.array())
-      .inverse()
-      .matrix();
+  return (sigma * sigma + sigma * reduction.damping.array() + reduction.squares.array()).inverse().matrix();
 }
 
 /// G of a step.
@@ -31,7 +25,7 @@ Eigen::MatrixXd step_compliance(const ContactReduction& reduction, const MarchGr
   const double sigma = sigma_of(grid);
   const Eigen::MatrixXd weighted = step_response(reduction, sigma).asDiagonal() * reduction.rows;
   Eigen::MatrixXd G =
-      reduction.rows.transpose() * weighted + reduction.compliance / (1.0 + reduction.damping.beta * sigma);
+      reduction.rows.transpose() * weighted + reduction.compliance / (1.0 + reduction.relaxation * sigma);
   G.diagonal() += grid.compliance;
   return 0.5 * (G + G.transpose());
 }
@@ -70,11 +64,10 @@ ContactMarch::ContactMarch(const ContactReduction& reduction, MarchGrid grid)
     : reduction_(reduction),
       grid_(std::move(grid)),
       modes_(reduction.vectors()),
-      relaxing_(reduction.damping.beta > 0.0 ? reduction.contacts() : 0),
+      relaxing_(reduction.relaxation > 0.0 ? reduction.contacts() : 0),
       part_(2 * modes_ + relaxing_),
       sigma_(sigma_of(grid_)),
-      relax_(1.0 / (1.0 + reduction.damping.beta * sigma_)),
-      damping_(modal_damping(reduction)),
+      relax_(1.0 / (1.0 + reduction.relaxation * sigma_)),
       response_(step_response(reduction, sigma_)),
       scale_(energy_scale(reduction, relaxing_)),
       contacts_(step_compliance(reduction, grid_)),
@@ -118,9 +111,10 @@ void ContactMarch::advance_freely(const History& history, const Eigen::VectorXd&
   const auto h_q = history_part_.head(modes_), h_p = history_part_.segment(modes_, modes_);
   next_.resize(part_);
   next_.head(modes_) =
-      (response_.array() * (h_p.array() + load.array() + (sigma_ + damping_.array()) * h_q.array())).matrix();
+      (response_.array() * (h_p.array() + load.array() + (sigma_ + reduction_.damping.array()) * h_q.array()))
+          .matrix();
   xi_ = relax_ * shift;
-  if (relaxing_ > 0) xi_ += (relax_ * reduction_.damping.beta) * history_part_.tail(relaxing_);
+  if (relaxing_ > 0) xi_ += (relax_ * reduction_.relaxation) * history_part_.tail(relaxing_);
 }
 
 void ContactMarch::press(const std::vector<int>& set) {
@@ -220,14 +214,15 @@ ContactMarch::Change ContactMarch::change(const Eigen::VectorXd& state, const Ei
 
 Eigen::VectorXd ContactMarch::free_state() const {
   const double step = grid_.period / grid_.samples;
-  const auto [alpha, beta] = reduction_.damping;
+  const double beta = reduction_.relaxation;
   History history{Eigen::VectorXd::Zero(part_), Eigen::VectorXd::Zero(part_)};
   for (std::size_t h = 0; h < reduction_.rates.size(); ++h) {
     const auto column = static_cast<Eigen::Index>(h);
     const Complex turn = std::polar(1.0, -reduction_.rates[h] * step);
     const Complex s = (3.0 - 4.0 * turn + turn * turn) / (2.0 * step);
     const Eigen::VectorXcd z =
-        ((s * (s + alpha)) + (1.0 + beta * s) * reduction_.squares.array().cast<Complex>()).matrix();
+        (s * s + s * reduction_.damping.array().cast<Complex>() + reduction_.squares.array().cast<Complex>())
+            .matrix();
     Eigen::VectorXcd y(part_);
     y.head(modes_) = reduction_.load.col(column).cwiseQuotient(z);
     y.segment(modes_, modes_) = s * y.head(modes_);

@@ -114,7 +114,6 @@ class ContactMarch {
   Eigen::Index modes_, relaxing_, part_;  // m, numbers of xi in a state, of y
   double sigma_;                          // 3 / (2 dt)
   double relax_;                          // 1 / (1 + beta sigma)
-  Eigen::VectorXd damping_;               // alpha + beta omega^2
   Eigen::VectorXd response_;              // 1 / (sigma^2 + damping sigma + omega^2)
   Eigen::VectorXd scale_;                 // of y
   ActiveSetLcp contacts_;

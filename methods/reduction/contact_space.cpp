@@ -97,6 +97,7 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
   ports_ << contacts_, loads_;
   gram_ = gram_of(space, projection.ritz, columns.following);
   coordinates_ = problem.size();
+  damping_ = columns.damping;
   load_ = std::move(columns.load);
   direct_ = std::move(columns.compliance);
   whole_.complete = space.exhausted() || space.size() >= most;
@@ -111,7 +112,7 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
 
 // A spring on a part that relaxes is not followed.
 void ContactSpace::take_law(const Problem& problem) {
-  const bool sprung = small_.damping.beta > 0.0 && std::holds_alternative<Penalty>(problem.law);
+  const bool sprung = small_.relaxation > 0.0 && std::holds_alternative<Penalty>(problem.law);
   const double kept = sprung ? 0.0 : 1.0;
   small_.compliance = kept * residual_;
   small_.shift = kept * residual_shift_;
@@ -170,7 +171,7 @@ Eigen::MatrixXcd ContactSpace::missing(double base, const Eigen::MatrixXcd& forc
 }
 
 ContactSpace::Pencil ContactSpace::pencil(double rate) const {
-  const auto [alpha, beta] = whole_.damping;
+  const auto [alpha, beta] = damping_;
   Pencil result{
       .numbers = {.kappa = Complex(1.0, beta * rate), .mu = Complex(-rate * rate, alpha * rate), .load = {}}};
   result.least = distance_from_singular(result.numbers, theta_);

@@ -47,6 +47,7 @@ class ContactSpace {
   [[nodiscard]] const std::string& obstacle() const { return small_.obstacle; }  ///< one clause; empty: none
   [[nodiscard]] const ContactReduction& small() const { return small_; }         ///< m vectors
   [[nodiscard]] const ContactReduction& whole() const { return whole_; }         ///< k vectors
+  [[nodiscard]] const ProportionalDamping& damping() const { return damping_; }  ///< of both
   /// Motion where forces act, n = 0..H.
   struct PortMotion {
     Eigen::MatrixXcd contacts;  ///< x_n, (H+1) x Nc [m]
@@ -92,6 +93,7 @@ class ContactSpace {
   void take_law(const Problem& problem);
 
   ContactReduction small_, whole_;
+  ProportionalDamping damping_;
   Eigen::MatrixXd residual_;  // static, of small_ whatever the law
   Eigen::MatrixXcd residual_shift_;
   LoadColumns load_;

@@ -32,8 +32,9 @@ Structure structure_of(const ContactReduction& reduction, const Eigen::MatrixXd&
   structure.mass = SparseMatrix(vectors + contacts, vectors + contacts);
   for (Eigen::Index k = 0; k < vectors; ++k) structure.mass.insert(k, k) = 1.0;
   structure.mass.makeCompressed();
-  const auto [alpha, beta] = reduction.damping;
-  structure.damping = alpha * structure.mass + beta * structure.stiffness;
+  structure.damping = reduction.relaxation * structure.stiffness;
+  for (Eigen::Index k = 0; k < vectors; ++k)
+    structure.damping.coeffRef(k, k) += reduction.damping[k] - reduction.relaxation * reduction.squares[k];
   return structure;
 }
 

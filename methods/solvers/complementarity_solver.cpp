@@ -25,7 +25,7 @@ class NormalMap {
   }
 
   /// y - y_new. With the active set S = {y > 0} frozen, F is linear and its zero is A_SS z_S = -q_S, y = z on
-  /// S and y = -w = -(q + A z) off it. Empty where A_SS is singular.
+  /// S and y = -w = -(q + A z) off it. Empty where A_SS is singular, or GMRES fails on it.
   [[nodiscard]] KrylovSolve solve_jacobian(const Eigen::VectorXd& /*r*/) {
     ++factorisations_;
     std::vector<int> active;
@@ -33,14 +33,11 @@ class NormalMap {
       if (y_[i] > 0.0) active.push_back(i);
     }
     if (active.empty()) return {.x = y_ + lcp_.offset, .condition = std::nullopt};
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(lcp_.matrix->submatrix(active, active));
-    const Eigen::VectorXd held = lu.solve(Eigen::VectorXd(-lcp_.offset(active)));
-    if (!held.allFinite()) return {};
-    Eigen::VectorXd z = Eigen::VectorXd::Zero(y_.size());
-    z(active) = held;
-    Eigen::VectorXd zero = -(lcp_.offset + *lcp_.matrix * z);
-    zero(active) = held;
-    return {.x = y_ - zero, .condition = condition_from(lu.rcond())};
+    const KrylovSolve held = solve_held(active, -lcp_.offset(active));
+    if (held.x.size() == 0 || !held.x.allFinite()) return {};
+    Eigen::VectorXd zero = -(lcp_.offset + *lcp_.matrix * spread(active, held.x));
+    zero(active) = held.x;
+    return {.x = y_ - zero, .condition = held.condition};
   }
 
   /// Both the complementarity residual of z = max(0, y) and F itself must be small: F = 0 alone is relative
@@ -57,6 +54,33 @@ class NormalMap {
   [[nodiscard]] long factorisations() const { return factorisations_; }
 
  private:
+  // Unknowns up to which A_SS is factorised: as many as make a factorisation cost what GMRES does.
+  static constexpr std::size_t kMostDense = 600;
+  static constexpr double kKrylovTolerance = 1e-12;
+
+  /// Zero off S.
+  [[nodiscard]] Eigen::VectorXd spread(const std::vector<int>& active, const Eigen::VectorXd& held) const {
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(y_.size());
+    z(active) = held;
+    return z;
+  }
+
+  /// A_SS z = b. By GMRES, (A^{-1})_SS stands for the inverse: exact where S is everything, and elsewhere up
+  /// to a few dimensions for each end of an interval of contact.
+  [[nodiscard]] KrylovSolve solve_held(const std::vector<int>& active, const Eigen::VectorXd& b) const {
+    if (active.size() <= kMostDense) {
+      const Eigen::PartialPivLU<Eigen::MatrixXd> lu(lcp_.matrix->submatrix(active, active));
+      return {.x = lu.solve(b), .condition = condition_from(lu.rcond())};
+    }
+    const auto product = [&](const Eigen::VectorXd& v) {
+      return Eigen::VectorXd((*lcp_.matrix * spread(active, v))(active));
+    };
+    const auto precondition = [&](const Eigen::VectorXd& v) {
+      return Eigen::VectorXd(lcp_.matrix->solve(spread(active, v))(active));
+    };
+    return solve_by_gmres(product, precondition, b, kKrylovTolerance);
+  }
+
   const Lcp& lcp_;
   Eigen::VectorXd y_;  // whose residual was asked for last
   double natural_residual_ = 0.0;

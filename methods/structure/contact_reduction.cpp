@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "methods/structure/block_lanczos.hpp"
+#include "methods/structure/modal_reduction.hpp"
 #include "methods/structure/ritz_reduction.hpp"
 
 namespace signorini {
@@ -64,6 +65,11 @@ ReductionSettings chosen(ReductionSettings settings, Eigen::Index contacts, Eige
 
 ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSettings& settings) {
   ContactReduction result;
+  if (problem.size() <= kMostModal &&
+      !proportional_damping(problem.mass(), problem.stiffness(), problem.damping())) {
+    result = modal_reduction(problem);
+    if (result.obstacle.empty()) return result;
+  }
   const ContactColumns columns = contact_columns(problem);
   result.obstacle = columns.obstacle;
   if (!result.obstacle.empty()) return result;
@@ -103,16 +109,15 @@ CondensedStructure condensed(const ContactReduction& reduction) {
   const auto diagonal = [](const Eigen::VectorXd& entries) {
     return SparseMatrix(Eigen::MatrixXd(entries.asDiagonal()).sparseView());
   };
-  const auto [alpha, beta] = reduction.damping;
   CondensedStructure result;
   result.obstacle = reduction.obstacle;
   if (!result.obstacle.empty()) return result;
   result.mass = diagonal(Eigen::VectorXd::Ones(reduction.vectors()));
-  result.damping = diagonal((alpha + beta * reduction.squares.array()).matrix());
+  result.damping = diagonal(reduction.damping);
   result.stiffness = diagonal(reduction.squares);
   result.normals = reduction.rows.sparseView();
   result.massless_compliance = reduction.compliance;
-  result.relaxation = reduction.compliance.isZero(0.0) ? 0.0 : beta;
+  result.relaxation = reduction.compliance.isZero(0.0) ? 0.0 : reduction.relaxation;
   result.rates = reduction.rates;
   result.load = reduction.load;
   result.shift = reduction.shift;
@@ -122,18 +127,19 @@ CondensedStructure condensed(const ContactReduction& reduction) {
 ContactReceptance contact_receptance(const ContactReduction& reduction, double period, int harmonics,
                                      const WeightsOfHarmonic& weights) {
   using Complex = std::complex<double>;
-  const auto [alpha, beta] = reduction.damping;
   const double base = 2.0 * std::numbers::pi / period;
-  const Eigen::VectorXd& squares = reduction.squares;
+  const Eigen::ArrayXcd squares = reduction.squares.cast<Complex>(),
+                        damping = reduction.damping.cast<Complex>();
   const Eigen::MatrixXcd rows = reduction.rows.cast<Complex>();
   ContactReceptance result;
   result.period = period;
   result.free_response = Eigen::MatrixXcd::Zero(harmonics + 1, reduction.contacts());
   for (int n = 0; n <= harmonics; ++n) {
     const HarmonicWeights w = weights(n);
-    const Complex kappa = w.stiffness + beta * w.damping;
-    const Eigen::VectorXcd z = (kappa * squares.cast<Complex>()).array() + (w.mass + alpha * w.damping);
-    const double scale = std::abs(w.mass) + std::abs(kappa) * squares.maxCoeff();
+    const Complex kappa = w.stiffness + reduction.relaxation * w.damping;
+    const Eigen::VectorXcd z = w.mass + w.damping * damping + w.stiffness * squares;
+    const double scale = std::abs(w.mass) + std::abs(w.damping) * reduction.damping.maxCoeff() +
+                         std::abs(w.stiffness) * reduction.squares.maxCoeff();
     if (!(z.cwiseAbs().minCoeff() > std::numeric_limits<double>::epsilon() * scale))
       throw SingularStiffness();
     const Eigen::MatrixXcd response = z.cwiseInverse().asDiagonal() * rows;
@@ -155,7 +161,8 @@ ContactReceptance contact_receptance(const ContactReduction& reduction, double p
 Eigen::MatrixXcd contact_response(const ContactReduction& reduction, double base,
                                   const Eigen::MatrixXcd& force) {
   using Complex = std::complex<double>;
-  const auto [alpha, beta] = reduction.damping;
+  const Eigen::ArrayXcd squares = reduction.squares.cast<Complex>(),
+                        damping = reduction.damping.cast<Complex>();
   const Eigen::Index count = force.rows();
   // Real matrices by real and imaginary parts: half the work of a complex product.
   const Eigen::MatrixXcd forces = force.transpose();
@@ -173,9 +180,9 @@ Eigen::MatrixXcd contact_response(const ContactReduction& reduction, double base
   }
   for (Eigen::Index n = 0; n < count; ++n) {
     const double rate = static_cast<double>(n) * base;
-    const Complex kappa(1.0, beta * rate), mu(-rate * rate, alpha * rate);
-    const Eigen::VectorXcd z = (kappa * reduction.squares.cast<Complex>()).array() + mu;
-    const double scale = std::abs(mu) + std::abs(kappa) * reduction.squares.maxCoeff();
+    const Complex kappa(1.0, reduction.relaxation * rate);
+    const Eigen::VectorXcd z = squares + Complex(0.0, rate) * damping - rate * rate;
+    const double scale = rate * rate + rate * reduction.damping.maxCoeff() + reduction.squares.maxCoeff();
     if (!(z.cwiseAbs().minCoeff() > std::numeric_limits<double>::epsilon() * scale))
       throw SingularStiffness();
     modal.col(n).array() /= z.array();

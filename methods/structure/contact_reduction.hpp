@@ -5,7 +5,8 @@
 
 #include "methods/discretisation/symbols.hpp"
 #include "methods/structure/condensation.hpp"
-#include "methods/structure/receptance.hpp"
+#include "methods/structure/contact_receptance.hpp"
+#include "methods/structure/dynamic_stiffness.hpp"
 #include "methods/structure/reduced_structure.hpp"
 #include "problems/problem.hpp"
 
@@ -35,17 +36,20 @@ struct ReductionSettings {
 /// The Krylov space is the better one by orders of magnitude where it has six powers and damping grows with
 /// the stiffness; of many contacts it would be too large, and modes converge as the residual does.
 ///
-/// An obstacle: damping that is not proportional, K not positive definite, neither contacts nor loads.
+/// Of 400 coordinates at most, damping that is not proportional but does not couple modes either is taken
+/// too: then all modes are kept, from one dense eigenvalue problem, whatever the settings.
+///
+/// An obstacle: other damping, K not positive definite, neither contacts nor loads.
 ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSettings& settings = {});
 
-/// The reduction in the form of a condensed structure: M = 1, D = alpha + beta omega^2, K = omega^2, N the
-/// rows, relaxing with beta. `kept` is empty, for its coordinates are none of the scene.
+/// The reduction in the form of a condensed structure: M = 1, D = d, K = omega^2, N the rows, relaxing with
+/// beta. `kept` is empty, for its coordinates are none of the scene.
 CondensedStructure condensed(const ContactReduction& reduction);
 
 /// C_n and free response of the reduced structure, n = 0..H:
 ///
 ///     C_n = sum_k n_k n_k^T / z_k + C_m / (w_K + beta w_D),
-///     z_k = w_M + (alpha + beta omega_k^2) w_D + omega_k^2 w_K,
+///     z_k = w_M + d_k w_D + omega_k^2 w_K,
 ///
 /// w the weights of harmonic n. Loads above harmonic H are dropped.
 /// \param period  of the motion, a whole multiple of the load's [s]

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <cstddef>
 #include <vector>
 
 #include "methods/discretisation/symbols.hpp"
@@ -59,6 +60,9 @@ class PencilElimination {
 
   /// Takes up the block by which the space has grown.
   void take_newest_block();
+
+  /// Whether a pencil has not converged yet. \param n  its place among the pencils
+  [[nodiscard]] bool is_open(std::size_t n) const { return !fronts_[n].converged; }
 
  private:
   /// One harmonic's elimination.

@@ -8,11 +8,14 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/structure/block_lanczos.hpp"
+#include "methods/structure/contact_reduction.hpp"
 #include "methods/structure/harmonic_pencil.hpp"
+#include "methods/structure/modal_reduction.hpp"
 #include "methods/structure/ritz_reduction.hpp"
 #include "problems/matrix_properties.hpp"
 
@@ -81,33 +84,43 @@ class ReducedModel {
 
   [[nodiscard]] bool definite() const { return space_->definite(); }
 
-  /// Grows the space until the error of every harmonic is below the tolerance. False if factorising every Z_n
-  /// costs less.
+  /// Grows the space until the error of every harmonic is below the tolerance, but for those that cost less
+  /// to factorise than what was spent so far. False if factorising every Z_n costs less.
   bool refine(double tolerance) {
     diagonalise();
     // The cheap estimate first, block by block; then the bound itself, which needs the modes of t.
     std::vector<HarmonicPencil> sampled;
-    for (const std::size_t n : sampled_harmonics(pencils_.size() - 1)) sampled.push_back(pencils_[n]);
+    const std::vector<std::size_t> numbers = sampled_harmonics(pencils_.size() - 1);
+    for (const std::size_t n : numbers) sampled.push_back(pencils_[n]);
     PencilElimination elimination(*space_, sampled, contacts_);
     while (!elimination.advance(tolerance, theta_) && !space_->exhausted()) {
+      if (are_cheap(harmonics_open(elimination, numbers))) break;
       if (!grow()) return false;
       elimination.take_newest_block();
     }
-    diagonalise();
-    while (!converged(tolerance)) {
-      if (space_->exhausted() || !grow()) return false;
-      diagonalise();
+    for (diagonalise(); !are_cheap(find_open(tolerance)); diagonalise()) {
+      // The modes cost more than a block: several of these at a time.
+      for (Eigen::Index least = space_->size() + space_->size() / kGrowth; space_->size() < least;) {
+        if (space_->exhausted() || !grow()) return false;
+      }
     }
     return true;
   }
 
+  /// Harmonics whose error is above the tolerance, ascending: where damping is next to nothing at a resonance
+  /// a space must hold its modes to the last digit. They are to be factorised.
+  [[nodiscard]] const std::vector<int>& open() const { return open_; }
+
+  /// But for the open harmonics.
   [[nodiscard]] ContactReceptance receptance(const Problem& problem) const {
     ContactReceptance result;
     result.period = problem.period();
     result.free_response = Eigen::MatrixXcd::Zero(std::ssize(pencils_), contacts_);
+    result.receptance.resize(pencils_.size());
     for (std::size_t n = 0; n < pencils_.size(); ++n) {
-      const Eigen::VectorXcd inverse = inverse_of(pencils_[n]);
-      result.receptance.push_back(seen(inverse));
+      if (std::ranges::binary_search(open_, static_cast<int>(n))) continue;
+      const Eigen::VectorXcd inverse = *inverse_of(pencils_[n]);  // the error was found with it
+      result.receptance[n] = seen(inverse);
       if (pencils_[n].load.size() == 0) continue;
       const Eigen::VectorXcd response = inverse.cwiseProduct(load_of(pencils_[n]));
       result.free_response.row(static_cast<Eigen::Index>(n)) =
@@ -140,23 +153,41 @@ class ReducedModel {
   }
 
  private:
-  /// Floating-point operations of complex LU factorisations with the fill of P, and of their solutions for
-  /// every column of W.
-  [[nodiscard]] double direct_operations() const {
+  static constexpr Eigen::Index kGrowth = 20;
+
+  /// Floating-point operations of so many complex LU factorisations with the fill of P, and of their
+  /// solutions for every column of W.
+  [[nodiscard]] double direct_operations(std::size_t harmonics) const {
     const SparseCholesky& real = space_->factors();
-    return static_cast<double>(pencils_.size()) *
-           (8.0 * real.operations() + 16.0 * contacts_ * real.entries());
+    return static_cast<double>(harmonics) * (8.0 * real.operations() + 16.0 * contacts_ * real.entries());
+  }
+
+  /// Whether factorising so many harmonics costs no more than the space so far: at most twice the least
+  /// cost is spent in all.
+  [[nodiscard]] bool are_cheap(std::size_t harmonics) const {
+    return direct_operations(harmonics) <= operations_;
+  }
+
+  /// How many harmonics those stand for that are open among the sampled ones.
+  static std::size_t harmonics_open(const PencilElimination& elimination,
+                                    const std::vector<std::size_t>& numbers) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      if (elimination.is_open(i)) count += i == 0 ? 1 : numbers[i] - numbers[i - 1];
+    return count;
   }
 
   bool grow() {
     operations_ += space_->operations_of_growth();
-    if (operations_ > direct_operations()) return false;
+    if (operations_ > direct_operations(pencils_.size())) return false;
     space_->grow();
     return true;
   }
 
   /// t = U diag(theta) U^T: modes of the projection, in whose coordinates every harmonic is diagonal.
   void diagonalise() {
+    constexpr double kOfModes = 9.0;  // a tridiagonal form and its eigenvectors, times the cube of the size
+    operations_ += kOfModes * std::pow(static_cast<double>(space_->size()), 3);
     RitzPairs modes = ritz_pairs(*space_);
     theta_ = std::move(modes.values);
     vectors_ = std::move(modes.vectors);
@@ -166,13 +197,12 @@ class ReducedModel {
     outside_ = space_->coupling() * vectors_.bottomRows(space_->coupling().cols());
   }
 
-  /// 1 / (kappa + mu theta).
-  [[nodiscard]] Eigen::VectorXcd inverse_of(const HarmonicPencil& pencil) const {
+  /// 1 / (kappa + mu theta); none where the projection is singular.
+  [[nodiscard]] std::optional<Eigen::VectorXcd> inverse_of(const HarmonicPencil& pencil) const {
     const Eigen::VectorXcd z = pencil.kappa + (pencil.mu * theta_.array().cast<Complex>()).array();
     const double scale = std::abs(pencil.kappa) + std::abs(pencil.mu) * theta_.maxCoeff();
-    if (!(z.cwiseAbs().minCoeff() > std::numeric_limits<double>::epsilon() * scale))
-      throw SingularStiffness();
-    return z.cwiseInverse();
+    if (!(z.cwiseAbs().minCoeff() > std::numeric_limits<double>::epsilon() * scale)) return std::nullopt;
+    return Eigen::VectorXcd(z.cwiseInverse());
   }
 
   /// C_n.
@@ -185,16 +215,12 @@ class ReducedModel {
     return rows_.rightCols(pencil.load.size()).cast<Complex>() * pencil.load;
   }
 
-  bool converged(double tolerance) {
-    // Where it failed last it fails first.
-    for (std::size_t i = 0; i < pencils_.size(); ++i) {
-      const std::size_t n = (hardest_ + i) % pencils_.size();
-      if (!(relative_error(pencils_[n]) <= tolerance)) {
-        hardest_ = n;
-        return false;
-      }
-    }
-    return true;
+  /// Fills open_. \return how many
+  std::size_t find_open(double tolerance) {
+    open_.clear();
+    for (std::size_t n = 0; n < pencils_.size(); ++n)
+      if (!(relative_error(pencils_[n]) <= tolerance)) open_.push_back(static_cast<int>(n));
+    return open_.size();
   }
 
   /// |b - Z_n V y|_{P^{-1}} from what y leaves outside of the space, its norm and the number of columns b.
@@ -205,7 +231,9 @@ class ReducedModel {
   }
 
   [[nodiscard]] double relative_error(const HarmonicPencil& pencil) const {
-    const Eigen::VectorXcd inverse = inverse_of(pencil);
+    const std::optional<Eigen::VectorXcd> found = inverse_of(pencil);
+    if (!found) return std::numeric_limits<double>::infinity();
+    const Eigen::VectorXcd& inverse = *found;
     const double nearest = distance_from_singular(pencil, theta_);
     double error = 0.0;
     const auto add = [&](double rho, double scale) {
@@ -232,8 +260,42 @@ class ReducedModel {
   Eigen::MatrixXd seen_;                           // of W, transposed
   Eigen::MatrixXd outside_;                        // of M times each mode, what lies outside the space
   double operations_ = 0.0;
-  std::size_t hardest_ = 0;  // the harmonic whose error was too large last
+  std::vector<int> open_;
 };
+
+/// Whether all modes at once cost less than a factorisation per harmonic: where damping is a full matrix, as
+/// that of damping ratios is, and no factor is sparse.
+bool prefers_modes(const Problem& problem, int harmonics) {
+  constexpr int kHarmonics = 16;
+  constexpr double kFull = 0.25;
+  const double size = problem.size();
+  return !prefers_dense(problem) && problem.size() <= kMostModal && harmonics >= kHarmonics &&
+         static_cast<double>(problem.damping().nonZeros()) > kFull * size * size;
+}
+
+/// C_n and free_n of some harmonics, by factorising their Z_n.
+void factorise_harmonics(const Problem& problem, const std::vector<int>& harmonics,
+                         const WeightsOfHarmonic& weights, bool dense, ContactReceptance& result) {
+  const int contacts = problem.contact_count();
+  const SparseMatrix directions = contact_directions(problem);
+  const int loaded = load_bandwidth(problem);
+  DynamicStiffness stiffness(problem, dense);
+  for (const int n : harmonics) {
+    const HarmonicWeights weight = weights(n);
+    stiffness.factorise(weight);
+    Eigen::MatrixXcd& receptance = result.receptance[static_cast<std::size_t>(n)];
+    receptance.resize(contacts, contacts);
+    for (int first = 0; first < contacts; first += kColumns) {
+      const int count = std::min(kColumns, contacts - first);
+      const Eigen::MatrixXcd columns =
+          Eigen::MatrixXd(directions.middleCols(first, count)).cast<std::complex<double>>();
+      receptance.middleCols(first, count) = directions.transpose() * stiffness.solve(columns);
+    }
+    if (n > loaded) continue;
+    const Eigen::MatrixXcd load = weight.load * load_coefficient(problem, n);
+    result.free_response.row(n) = (directions.transpose() * stiffness.solve(load)).transpose();
+  }
+}
 
 }  // namespace
 
@@ -271,28 +333,13 @@ Eigen::MatrixXd nodal_response(const ContactReceptance& receptance, const Eigen:
 
 ContactReceptance factorised_receptance(const Problem& problem, int harmonics,
                                         const WeightsOfHarmonic& weights, bool dense) {
-  const int contacts = problem.contact_count();
-  const SparseMatrix directions = contact_directions(problem);
-  const int loaded = load_bandwidth(problem);
-  DynamicStiffness stiffness(problem, dense);
   ContactReceptance result;
   result.period = problem.period();
-  result.receptance.assign(static_cast<std::size_t>(harmonics) + 1, Eigen::MatrixXcd(contacts, contacts));
-  result.free_response = Eigen::MatrixXcd::Zero(harmonics + 1, contacts);
-  for (int n = 0; n <= harmonics; ++n) {
-    const HarmonicWeights weight = weights(n);
-    stiffness.factorise(weight);
-    for (int first = 0; first < contacts; first += kColumns) {
-      const int count = std::min(kColumns, contacts - first);
-      const Eigen::MatrixXcd columns =
-          Eigen::MatrixXd(directions.middleCols(first, count)).cast<std::complex<double>>();
-      result.receptance[static_cast<std::size_t>(n)].middleCols(first, count) =
-          directions.transpose() * stiffness.solve(columns);
-    }
-    if (n > loaded) continue;
-    const Eigen::MatrixXcd load = weight.load * load_coefficient(problem, n);
-    result.free_response.row(n) = (directions.transpose() * stiffness.solve(load)).transpose();
-  }
+  result.receptance.resize(static_cast<std::size_t>(harmonics) + 1);
+  result.free_response = Eigen::MatrixXcd::Zero(harmonics + 1, problem.contact_count());
+  std::vector<int> all(static_cast<std::size_t>(harmonics) + 1);
+  std::iota(all.begin(), all.end(), 0);
+  factorise_harmonics(problem, all, weights, dense, result);
   return result;
 }
 
@@ -302,8 +349,10 @@ std::optional<ReducedReceptance> reduced_receptance(const Problem& problem, int 
   if (!damping || problem.contact_count() == 0) return std::nullopt;
   ReducedModel model(problem, *damping, harmonics, weights);
   if (!model.definite() || !model.refine(tolerance)) return std::nullopt;
-  return ReducedReceptance{.value = model.receptance(problem),
+  ReducedReceptance result{.value = model.receptance(problem),
                            .reduction = model.reduction(problem, *damping, weights)};
+  if (!model.open().empty()) factorise_harmonics(problem, model.open(), weights, false, result.value);
+  return result;
 }
 
 ReducedReceptance reduced_contact_receptance(const Problem& problem, int harmonics,
@@ -311,6 +360,13 @@ ReducedReceptance reduced_contact_receptance(const Problem& problem, int harmoni
   if (problem.size() > kMostFactorised) {
     if (auto reduced = reduced_receptance(problem, harmonics, weights, kReducedTolerance))
       return *std::move(reduced);
+  }
+  if (prefers_modes(problem, harmonics)) {
+    ContactReduction modes = modal_reduction(problem);
+    if (modes.obstacle.empty()) {
+      ContactReceptance value = contact_receptance(modes, problem.period(), harmonics, weights);
+      return {.value = std::move(value), .reduction = std::move(modes)};
+    }
   }
   return {.value = factorised_receptance(problem, harmonics, weights, prefers_dense(problem)),
           .reduction = no_reduction("every harmonic was factorised")};

@@ -7,24 +7,12 @@
 #include <vector>
 
 #include "methods/discretisation/symbols.hpp"
+#include "methods/structure/contact_receptance.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
 #include "methods/structure/reduced_structure.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {
-
-/// The structure as its contacts see it: x_n = free_n + C_n lambda_n for each harmonic n of the base
-/// frequency of the motion looked for, n = 0..H.
-struct ContactReceptance {
-  double period = 1.0;                       ///< of the motion looked for [s]
-  std::vector<Eigen::MatrixXcd> receptance;  ///< C_n = W^T Z_n^{-1} W, Nc x Nc, n = 0..H [m/N]
-  Eigen::MatrixXcd free_response;            ///< free_n = W^T Z_n^{-1} f_n, (H+1) x Nc [m]
-
-  /// H, the highest harmonic kept.
-  [[nodiscard]] int harmonics() const { return static_cast<int>(receptance.size()) - 1; }
-  /// Nc.
-  [[nodiscard]] int contacts() const { return static_cast<int>(free_response.cols()); }
-};
 
 /// x_n = free_n + C_n lambda_n, n = 0..H: the motion at the contacts under their forces, (H+1) x Nc [m].
 /// \param lambda  coefficients of the contact forces, n = 0..H at least, Nc columns [N]
@@ -38,7 +26,7 @@ bool is_mass_beyond(const ContactReceptance& receptance, int contact, int harmon
 struct ReducedReceptance {
   ContactReceptance value;  ///< C_n, n = 0..H [m/N]
   /// The lowest vectors of the space that the receptance was found on, 100 at most, with the static residual
-  /// of all others; with an obstacle where it was factorised, or K is singular.
+  /// of all others, or all modes; with an obstacle where it was factorised, or K is singular.
   ContactReduction reduction;
 };
 
@@ -73,13 +61,14 @@ inline constexpr double kReducedTolerance = 1e-10;
 ///
 /// With damping this is a bound, up to rounding in P^{-1} and as far as the largest eigenvalue is met, which
 /// Lanczos' method finds first. Without damping at a harmonic, d_n is taken over the eigenvalues of t: an
-/// estimate, blind to resonances that the contacts and loads have not excited in the space so far.
+/// estimate, blind to resonances that the contacts and loads have not excited in the space so far. A
+/// harmonic between modes that nothing damps, as the highest of a grid, wants a space that holds nearly all
+/// of them: harmonics that cost less to factorise than the space has cost so far are factorised.
 ///
 /// sigma is 0 where K is definite, else the square of the frequency of the lowest harmonic.
 ///
 /// \return nothing where D is not proportional, where P is not definite, or once the space has cost more than
-/// a
-///         factorisation of every Z_n would: the direct solution is the better one
+///         a factorisation of every Z_n would: the direct solution is the better one
 /// \throws SingularStiffness
 std::optional<ReducedReceptance> reduced_receptance(const Problem& problem, int harmonics,
                                                     const WeightsOfHarmonic& weights, double tolerance);
@@ -87,7 +76,8 @@ std::optional<ReducedReceptance> reduced_receptance(const Problem& problem, int 
 /// C_n and free response for n = 0..H under the discretisation that gives harmonic n its weights.
 /// Loads above harmonic H of the base frequency are dropped. Factorised (`factorised_receptance`), by dense
 /// factors up to 32 coordinates, to 2000, and where the damping is not proportional or projection turns out
-/// to cost more; else reduced, with an error of at most 1e-10 |C_n|_F. \throws SingularStiffness
+/// to cost more; else reduced, with an error of at most 1e-10 |C_n|_F. To 400 coordinates, a full damping
+/// matrix that does not couple the modes: by these (`modal_reduction`). \throws SingularStiffness
 ContactReceptance contact_receptance(const Problem& problem, int harmonics, const WeightsOfHarmonic& weights);
 
 /// The same, with the reduced structure that it was found on.

@@ -9,10 +9,10 @@
 
 namespace signorini {
 
-/// A structure with D = alpha M + beta K on m vectors phi_k, phi_k^T M phi_k = 1, phi_k^T K phi_k =
-/// omega_k^2, orthogonal in both. With n_k = W^T phi_k,
+/// A structure on m vectors phi_k that its damping does not couple, phi_k^T M phi_k = 1, phi_k^T D phi_k =
+/// d_k, phi_k^T K phi_k = omega_k^2, orthogonal in all three. With n_k = W^T phi_k,
 ///
-///     q_k'' + (alpha + beta omega_k^2) q_k' + omega_k^2 q_k = phi_k^T f + n_k^T lambda,
+///     q_k'' + d_k q_k' + omega_k^2 q_k = phi_k^T f + n_k^T lambda,
 ///     x = sum_k n_k q_k + xi,    beta xi' + xi = s_m(t) + C_m lambda,
 ///     C_m = W^T K^-1 W - sum_k n_k n_k^T / omega_k^2,    s_m = W^T K^-1 f - sum_k n_k phi_k^T f / omega_k^2.
 ///
@@ -25,16 +25,23 @@ namespace signorini {
 /// Contacts that have mass and an impact law become another model, whose mass at the contact is that of the
 /// vectors: only a start for one of the whole structure.
 struct ContactReduction {
-  std::string obstacle;         ///< why this cannot be done, one clause; the rest is then empty
-  ProportionalDamping damping;  ///< alpha [1/s], beta [s]
-  Eigen::VectorXd squares;      ///< omega_k^2 > 0, rising, m [1/s^2]
-  Eigen::MatrixXd rows;         ///< row k is n_k^T, m x Nc [kg^-1/2]
-  Eigen::MatrixXd compliance;   ///< C_m, Nc x Nc [m/N]
+  std::string obstacle;        ///< why this cannot be done, one clause; the rest is then empty
+  Eigen::VectorXd damping;     ///< d_k >= 0, m [1/s]
+  double relaxation = 0.0;     ///< beta >= 0 [s]
+  Eigen::VectorXd squares;     ///< omega_k^2 > 0, rising, m [1/s^2]
+  Eigen::MatrixXd rows;        ///< row k is n_k^T, m x Nc [kg^-1/2]
+  Eigen::MatrixXd compliance;  ///< C_m, Nc x Nc [m/N]
   /// h omega of the harmonics in the load, ascending, 0 always the first [rad/s].
   std::vector<double> rates;
   Eigen::MatrixXcd load;   ///< phi_k^T f of e^{i h omega t}, its real part to be taken; m x Nh [N kg^-1/2]
   Eigen::MatrixXcd shift;  ///< s_m likewise, Nc x Nh [m]
   bool complete = false;   ///< whether the vectors span all that contacts and loads can excite
+
+  /// Takes d_k = alpha + beta omega_k^2 and beta from D = alpha M + beta K.
+  void damp(const ProportionalDamping& by) {
+    damping = (by.alpha + by.beta * squares.array()).matrix();
+    relaxation = by.beta;
+  }
 
   /// m.
   [[nodiscard]] Eigen::Index vectors() const { return squares.size(); }

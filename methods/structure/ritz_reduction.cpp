@@ -172,7 +172,6 @@ double refine_lowest(const Problem& problem, const BlockLanczos& space, const Co
 ContactReduction reduction_on(const ContactColumns& columns, const SpaceProjection& space,
                               Eigen::Index most) {
   ContactReduction result;
-  result.damping = columns.damping;
   const Eigen::Index contacts = columns.normals.cols();
   const Eigen::MatrixXcd& weight = columns.load.weight;
   result.compliance = columns.compliance.topLeftCorner(contacts, contacts);
@@ -186,6 +185,7 @@ ContactReduction reduction_on(const ContactColumns& columns, const SpaceProjecti
   const Eigen::MatrixXd vectors = space.pairs.vectors.rightCols(kept).rowwise().reverse();
   const Eigen::VectorXd omega = theta.tail(kept).reverse().cwiseSqrt().cwiseInverse();
   result.squares = omega.cwiseAbs2();
+  result.damp(columns.damping);
   result.rows = omega.asDiagonal() * (vectors.transpose() * space.contacts);
   const Eigen::MatrixXd modal = omega.asDiagonal() * (vectors.transpose() * space.loads);
   result.load = modal.cast<std::complex<double>>() * weight;

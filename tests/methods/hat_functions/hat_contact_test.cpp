@@ -49,6 +49,29 @@ TEST(HatContact, RecognisesPermanentContactWithoutAPivot) {
   EXPECT_EQ(pressed.work.pivots, 0);
 }
 
+// A path of pivots and Newton's method from the march lead to one solution. At the spring there are too many
+// unknowns in contact to factorise.
+TEST(HatContact, MarchesToTheContactThatPivotingFindsOnFineGrids) {
+  for (const bool massless : {false, true}) {
+    Problem scene = test::to_problem(test::ImpactOscillator{.damping = 0.1, .frequency = 0.9, .gap = 0.0});
+    scene.law = Penalty{{3.0}};
+    if (massless) scene = test::massless_bar({.alpha = 0.2, .beta = 0.005}, 10);
+    constexpr int kSamples = 4096;
+    const Solution marched = hat_contact(scene, {.samples = kSamples}, {})->solve({});
+    const Solution pivoted =
+        hat_contact(scene, {.samples = kSamples, .solver = ComplementaritySolver::pivoting}, {})->solve({});
+    ASSERT_EQ(marched.verdict, Verdict::converged) << massless << marched.message;
+    ASSERT_EQ(pivoted.verdict, Verdict::converged) << massless;
+    EXPECT_EQ(marched.work.pivots, 0);
+    EXPECT_GT(pivoted.work.pivots.value(), 100);
+    const Eigen::MatrixXd force = pivoted.trajectory->sample(kSamples).force;
+    if (!massless) {
+      EXPECT_GT((force.array() < 0.0).count(), 600) << "the limit of factorisations";
+    }
+    EXPECT_LE((marched.trajectory->sample(kSamples).force - force).norm(), 1e-8 * force.norm());
+  }
+}
+
 // Complete chatter of an inelastic contact: the path is long, marching is not.
 TEST(HatContact, LeavesALongPathForMarching) {
   const Solution chatter =

@@ -54,7 +54,7 @@ ReducedScene random_scene(std::mt19937& random, int samples) {
   const double lowest = std::sqrt(scene.reduction.squares[0]);
   const double frequency = lowest * uniform(0.4, 2.6);
   const double ratio = std::pow(10.0, uniform(-2.3, -1.0));
-  scene.reduction.damping = {ratio * lowest, ratio / lowest * kParts[random() % 3]};
+  scene.reduction.damp({ratio * lowest, ratio / lowest * kParts[random() % 3]});
   scene.reduction.rates[1] = frequency;
   const double gap = kGaps[random() % 6] * free_amplitude(scene.reduction, frequency);
   scene.grid = {.gap = Eigen::VectorXd::Constant(scene.reduction.contacts(), gap),
@@ -112,7 +112,7 @@ ReducedScene conforming(const ContactReduction& reduction, int samples) {
   ReducedScene scene{reduction, {}};
   const double lowest = std::sqrt(reduction.squares[0]);
   const double frequency = 0.9 * lowest;
-  scene.reduction.damping = {0.05 * lowest, 0.02 / lowest};
+  scene.reduction.damp({0.05 * lowest, 0.02 / lowest});
   scene.reduction.rates[1] = frequency;
   const Eigen::MatrixXd statics =
       contact_receptance(scene.reduction, 1.0, 0, [](int) { return exact_weights(0.0); })

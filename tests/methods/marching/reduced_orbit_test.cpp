@@ -27,8 +27,8 @@ ContactReduction all_modes(const Problem& problem) {
   const Eigen::MatrixXd Phi =
       factor.matrixU().solve(Eigen::MatrixXd(modes.eigenvectors().rightCols(count))) * omega.asDiagonal();
   ContactReduction all;
-  all.damping = *proportional_damping(problem.mass(), problem.stiffness(), problem.damping());
   all.squares = omega.cwiseAbs2();
+  all.damp(*proportional_damping(problem.mass(), problem.stiffness(), problem.damping()));
   all.rows = Phi.transpose() * W;
   all.rates = {0.0, problem.frequency};
   all.load = Eigen::MatrixXcd::Zero(count, 2);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "methods/orbit/reduced_orbit.hpp"
+#include "methods/structure/receptance.hpp"
 #include "tests/support/structure_scenes.hpp"
 
 namespace signorini {

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "methods/structure/massless_elimination.hpp"
+#include "methods/structure/receptance.hpp"
 #include "tests/support/elastic_block.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/structure_scenes.hpp"
