@@ -2,8 +2,8 @@
 % usage: octave-cli nlvib_method.m harmonic-balance | shooting
 %
 % NLVIB is the folder of its sources (the one with solve_and_continue.m), which the user has fetched.
-% The response curve is followed by NLvib's arc length from the frequency option `from` to the scene's, where one
-% more Newton solve at fixed frequency ends it.
+% The response curve is followed by NLvib's arc length from a frequency at which nothing touches to the scene's, where
+% one more Newton solve at fixed frequency ends it.
 1;
 
 function answer = not_converged(message)
@@ -109,6 +109,20 @@ function trajectory = stepped_motion(X, system, residual)
   trajectory = motion_of(Y(:, 1:n)', X(end) * Y(:, n + (1:n))', system, X(end));
 end
 
+% On each side of the scene's frequency the nearest of four at which nothing touches, `from` times apart; the nearer one
+% first. Where there is none, the nearest: Newton's method then begins at the motion without contact all the same.
+function begins = contact_free_frequencies(omega, system, options)
+  begins = [];
+  for power = 1:4
+    for begin = omega * options.from .^ [power, -power]
+      linear = (-begin^2 * system.M + 1i * begin * system.D + system.K) \ system.Fex1;
+      is_free = cellfun(@(spring) abs(spring.force_direction' * linear) < spring.gap, system.nonlinear_elements);
+      if all(is_free) && !any((begins > omega) == (begin > omega)), begins(end + 1) = begin; end
+    end
+  end
+  if isempty(begins), begins = omega * [options.from, 1 / options.from]; end
+end
+
 % Points of the response curve from the contact-free motion at frequency `begin`, columns [X; omega].
 function [X, iterations] = curve_from(begin, omega, system, analysis, options)
   linear = (-begin^2 * system.M + 1i * begin * system.D + system.K) \ system.Fex1;
@@ -138,8 +152,12 @@ function answer = solve_problem(problem, options, kind)
   iterations = 0;
   points = 0;
   % From one side the curve may turn back at a fold before it is there: then from the other.
-  for begin = omega * [options.from, 1 / options.from]
-    [X, steps] = curve_from(begin, omega, system, analysis, options);
+  for begin = contact_free_frequencies(omega, system, options)
+    try
+      [X, steps] = curve_from(begin, omega, system, analysis, options);
+    catch
+      continue  % it gives up with an error
+    end
     iterations += steps;
     points += size(X, 2);
     [gap, nearest] = min(abs(X(end, :) - omega));
@@ -157,7 +175,8 @@ function answer = solve_problem(problem, options, kind)
     answer.trajectory = analysis.motion([x * scale; omega]);
     return
   end
-  answer = not_converged(sprintf("%d points of response curves from both sides do not reach %.4g rad/s", points, omega));
+  answer = not_converged(sprintf("%d points of response curves from frequencies without contact do not reach %.4g rad/s", ...
+                                 points, omega));
 end
 
 function [R, J] = residual_at(x, omega, residual, scale)
