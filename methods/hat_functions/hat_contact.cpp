@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -48,7 +49,8 @@ class PreparedHat final : public PreparedMethod {
         options_(options),
         found_(reduced_grid_receptance(problem, options.scheme, options.samples)),
         receptance_(found_.value),
-        stops_(nodal_stops(problem, restitution)) {}
+        stops_(nodal_stops(problem, restitution)),
+        marched_(reduction_to_march()) {}
 
   Solution solve(const Start& start) override {
     if (receptance_.contacts() == 0) return finish(Eigen::VectorXd{}, {.status = LcpStatus::solved});
@@ -67,7 +69,9 @@ class PreparedHat final : public PreparedMethod {
         start.guess ? pressure_samples(*start.guess, samples(), form.unit) : Eigen::VectorXd{};
     if (options_.solver != ComplementaritySolver::automatic)
       return follow_path(form.lcp, asked, start, guess);
-    if (asked == 0 && guess.size() == 0) {
+    if (asked == 0 && guess.size() == 0 && marched_) {
+      if (std::optional<LcpResult> pressed = permanent_contact(form.lcp, options_.tolerance))
+        return *std::move(pressed);
       guess = marched_guess(form, start);
       if (guess.size() > 0) {
         LcpResult near = newton_from(form, guess, start);
@@ -105,25 +109,33 @@ class PreparedHat final : public PreparedMethod {
                      guess);
   }
 
-  /// z of the motion that the reduced structure marches to on these nodes; empty where a path of pivots is
-  /// short, the march does not represent the scene, or it finds no periodic motion.
-  [[nodiscard]] Eigen::VectorXd marched_guess(const HatForm& form, const Start& start) const {
+  /// What attempt 0 marches; null where a path of pivots is short, no solver is left open, or the march does
+  /// not represent the scene.
+  [[nodiscard]] std::shared_ptr<const ContactReduction> reduction_to_march() const {
     const bool is_short =
         receptance_.contacts() * samples() < kLongPathUnknowns && problem_.size() <= kMostFactorised;
-    if (is_short || !march_obstacle(problem_).empty()) return {};
-    std::shared_ptr<const ContactReduction> made;
-    if (!found_.reduction.obstacle.empty()) {
-      made = marched_reduction(problem_);
-      if (!made) return {};
-    }
-    ContactMarch march(made ? *made : found_.reduction, march_grid(problem_, samples()));
-    const PeriodicMarch marched = march_to_periodic_motion(march, {.deadline = start.deadline});
+    const bool open = options_.solver == ComplementaritySolver::automatic && options_.max_iterations == 0;
+    if (is_short || !open || !march_obstacle(problem_).empty()) return nullptr;
+    if (found_.reduction.obstacle.empty()) return std::make_shared<const ContactReduction>(found_.reduction);
+    return marched_reduction(problem_);
+  }
+
+  /// z of the motion that the reduced structure marches to on these nodes, in a quarter of the time that is
+  /// left; empty where it finds no periodic motion.
+  [[nodiscard]] Eigen::VectorXd marched_guess(const HatForm& form, const Start& start) const {
+    using Clock = std::chrono::steady_clock;
+    constexpr int kShare = 4;
+    const bool unlimited = start.deadline == Clock::time_point::max();
+    const auto deadline =
+        unlimited ? start.deadline : Clock::now() + (start.deadline - Clock::now()) / kShare;
+    ContactMarch march(*marched_, march_grid(problem_, samples()));
+    const PeriodicMarch marched = march_to_periodic_motion(march, {.deadline = deadline});
     if (!marched.found()) return {};
     return form.scaled(-marched.force.reshaped());
   }
 
   /// Newton's method whose first active set is that of z: of a march it is right where its pressures, of
-  /// another scheme, leave gaps negative.
+  /// another scheme or not quite periodic, leave gaps negative.
   [[nodiscard]] LcpResult newton_from(const HatForm& form, const Eigen::VectorXd& z,
                                       const Start& start) const {
     const Eigen::VectorXd w = form.lcp.offset + *form.lcp.matrix * z;
@@ -165,6 +177,7 @@ class PreparedHat final : public PreparedMethod {
   ReducedReceptance found_;
   const ContactReceptance& receptance_;
   NodalStops stops_;
+  std::shared_ptr<const ContactReduction> marched_;
 };
 
 /// Whether the next grid is worth its cost. A pivot costs the square of the nodes in contact, and the next

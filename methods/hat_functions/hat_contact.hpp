@@ -34,8 +34,8 @@ struct HatSettings {
 ///
 ///   0. of a structure of more than 2000 coordinates, or 1024 unknowns, whose contacts a march represents
 ///      (march_obstacle), without a guess or a limit on iterations: Newton's method from the motion that the
-///      reduced structure marches to on the same nodes (`march_to_periodic_motion`), which is a guess after
-///      that;
+///      reduced structure marches to on the same nodes (`march_to_periodic_motion`) in a quarter of the time,
+///      after attempt 1; the motion is a guess after that;
 ///   1. permanent contact: w = 0 at all nodes, one linear solve;
 ///   2. pivoting from the guess, then cold, then with other covering vectors where a path ends on a ray
 ///      (`solve_lcp`), as long as the path is short, 4 pivots per unknown;

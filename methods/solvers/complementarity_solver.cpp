@@ -57,6 +57,9 @@ class NormalMap {
   // Unknowns up to which A_SS is factorised: as many as make a factorisation cost what GMRES does.
   static constexpr std::size_t kMostDense = 600;
   static constexpr double kKrylovTolerance = 1e-12;
+  // Vectors of a Krylov space, and unknowns up to which A_SS is factorised where these do not suffice.
+  static constexpr Eigen::Index kMostKrylov = 300;
+  static constexpr std::size_t kMostFactorised = 4000;
 
   /// Zero off S.
   [[nodiscard]] Eigen::VectorXd spread(const std::vector<int>& active, const Eigen::VectorXd& held) const {
@@ -68,17 +71,27 @@ class NormalMap {
   /// A_SS z = b. By GMRES, (A^{-1})_SS stands for the inverse: exact where S is everything, and elsewhere up
   /// to a few dimensions for each end of an interval of contact.
   [[nodiscard]] KrylovSolve solve_held(const std::vector<int>& active, const Eigen::VectorXd& b) const {
-    if (active.size() <= kMostDense) {
-      const Eigen::PartialPivLU<Eigen::MatrixXd> lu(lcp_.matrix->submatrix(active, active));
-      return {.x = lu.solve(b), .condition = condition_from(lu.rcond())};
-    }
+    if (active.size() <= kMostDense) return factorised(active, b);
     const auto product = [&](const Eigen::VectorXd& v) {
       return Eigen::VectorXd((*lcp_.matrix * spread(active, v))(active));
     };
     const auto precondition = [&](const Eigen::VectorXd& v) {
       return Eigen::VectorXd(lcp_.matrix->solve(spread(active, v))(active));
     };
-    return solve_by_gmres(product, precondition, b, kKrylovTolerance);
+    KrylovSolve held = solve_by_gmres(product, precondition, b, kKrylovTolerance, kMostKrylov);
+    if (held.x.size() == 0) return active.size() <= kMostFactorised ? factorised(active, b) : KrylovSolve{};
+    // What GMRES leaves of a badly scaled system Newton's method would leave too: it solves for all of z.
+    const Eigen::VectorXd rest = b - product(held.x);
+    if (rest.norm() > kKrylovTolerance * b.norm()) {
+      const KrylovSolve refined = solve_by_gmres(product, precondition, rest, 1e-4, kMostKrylov);
+      if (refined.x.size() > 0) held.x += refined.x;
+    }
+    return held;
+  }
+
+  [[nodiscard]] KrylovSolve factorised(const std::vector<int>& active, const Eigen::VectorXd& b) const {
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(lcp_.matrix->submatrix(active, active));
+    return {.x = lu.solve(b), .condition = condition_from(lu.rcond())};
   }
 
   const Lcp& lcp_;
@@ -105,8 +118,14 @@ Eigen::VectorXd first_iterate(const Lcp& lcp, const Eigen::VectorXd& guess) {
 constexpr std::array kRestarts{std::pair{0.03, 1.6}, std::pair{0.03, 4.7}, std::pair{0.3, 3.1},
                                std::pair{0.3, 0.0}};
 
-/// The solution with z > 0 everywhere, if there is one: permanent contact, which the path of pivots would
-/// reach last, having met rattling motions on its way.
+/// Whether another covering vector may help. A path that ran out of pivots wanders through many solutions;
+/// with another cover it would wander as long.
+bool worth_a_restart(const LcpResult& result) {
+  return result.status == LcpStatus::ray || result.status == LcpStatus::breakdown;
+}
+
+}  // namespace
+
 std::optional<LcpResult> permanent_contact(const Lcp& lcp, double tolerance) {
   for (int c = 0; c < lcp.contacts(); ++c) {
     // Open on average: no need to solve.
@@ -120,14 +139,6 @@ std::optional<LcpResult> permanent_contact(const Lcp& lcp, double tolerance) {
   result.status = LcpStatus::solved;
   return result;
 }
-
-/// Whether another covering vector may help. A path that ran out of pivots wanders through many solutions;
-/// with another cover it would wander as long.
-bool worth_a_restart(const LcpResult& result) {
-  return result.status == LcpStatus::ray || result.status == LcpStatus::breakdown;
-}
-
-}  // namespace
 
 LcpResult solve_by_newton(const Lcp& lcp, const SolverSettings& settings, const Eigen::VectorXd& guess) {
   return solve_by_newton_from(lcp, settings, first_iterate(lcp, guess));

@@ -3,6 +3,7 @@
 // alone, with restarts; or the source paper's Newton method.
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "methods/solvers/lcp.hpp"
 
@@ -45,8 +46,9 @@ LcpResult solve_by_pivoting(const Lcp& lcp, const SolverSettings& settings = {},
 ///
 /// With y = c (x - g) - lambda this is the source paper's system [shi2015, eq. 23 and 36, corrected]: there
 /// y lies in the Fourier space plus a constant, and so do all Newton iterates here, so that the active set
-/// {y > 0}, the iterates and the full steps are the paper's own. Each step solves one dense |active|
-/// system, A_SS z_S = -q_S. Converges locally only; failure is reported, not repaired.
+/// {y > 0}, the iterates and the full steps are the paper's own. Each step solves one |active| system, A_SS
+/// z_S = -q_S, dense up to 600 unknowns, beyond by at most 300 steps of GMRES. Converges locally only;
+/// failure is reported, not repaired.
 /// \param settings  limit 100 steps unless told
 /// \param guess     z of a nearby problem; empty: the contact-free response
 LcpResult solve_by_newton(const Lcp& lcp, const SolverSettings& settings = {},
@@ -54,6 +56,11 @@ LcpResult solve_by_newton(const Lcp& lcp, const SolverSettings& settings = {},
 
 /// The same from an iterate y, of the size of q. y = -q is the contact-free response.
 LcpResult solve_by_newton_from(const Lcp& lcp, const SolverSettings& settings, Eigen::VectorXd y);
+
+/// The solution with z > 0 everywhere, if there is one: permanent contact, which a path of pivots would reach
+/// last, having met rattling motions on its way. One linear solve, where a contact presses on average.
+/// \param tolerance  on LcpResult::residual [-]
+std::optional<LcpResult> permanent_contact(const Lcp& lcp, double tolerance);
 
 /// Solves the problem as the settings ask, from `guess` (z of a nearby problem) or cold when that is empty.
 /// `automatic` makes these attempts, in this order, until one succeeds:

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -24,14 +25,15 @@ struct KrylovSolve {
 };
 
 /// Solves A x = b from x = 0 by right-preconditioned GMRES, modified Gram-Schmidt and one
-/// reorthogonalisation, until |b - A x|_2 <= tolerance |b|_2 or the Krylov space has the full size of b.
+/// reorthogonalisation, until |b - A x|_2 <= tolerance |b|_2 or the Krylov space has the full size of b, or
+/// `most` vectors.
 /// Right preconditioning keeps the residual that of the system itself.
 /// \param product       v -> A v, an Eigen::VectorXd
 /// \param precondition  v -> M^{-1} v, likewise
 /// Source: [saad1986].
 template <class Product, class Precondition>
 KrylovSolve solve_by_gmres(const Product& product, const Precondition& precondition, const Eigen::VectorXd& b,
-                           double tolerance) {
+                           double tolerance, Eigen::Index most = std::numeric_limits<Eigen::Index>::max()) {
   const double norm = b.norm();
   if (!std::isfinite(norm)) return {};
   if (norm == 0.0) return {.x = Eigen::VectorXd::Zero(b.size())};
@@ -42,7 +44,7 @@ KrylovSolve solve_by_gmres(const Product& product, const Precondition& precondit
   Eigen::VectorXd rhs = Eigen::VectorXd::Zero(size + 1);
   rhs[0] = norm;
   Eigen::Index used = 0;
-  while (used < size && std::abs(rhs[used]) > tolerance * norm) {
+  while (used < std::min(size, most) && std::abs(rhs[used]) > tolerance * norm) {
     // Arnoldi's step, A M^{-1} V_k = V_{k+1} H_k. The second pass restores the orthogonality that
     // cancellation in the first one costs; without it the residual below is no longer that of the recurrence.
     Eigen::VectorXd next = product(precondition(basis.back()));

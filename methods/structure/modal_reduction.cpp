@@ -15,7 +15,7 @@ namespace {
 
 /// Whether a symmetric matrix in modal coordinates is its diagonal, which may not be negative.
 bool is_decoupled(const Eigen::MatrixXd& D) {
-  constexpr double kCoupling = 1e-9, kRounding = 1e-12;
+  constexpr double kCoupling = 1e-9, kRounding = 1e-14;
   const double floor = kRounding * D.diagonal().cwiseAbs().maxCoeff();
   if (!(D.diagonal().minCoeff() >= -floor)) return false;
   const Eigen::VectorXd root = D.diagonal().cwiseMax(0.0).cwiseSqrt();
@@ -37,6 +37,7 @@ ContactReduction refused(std::string_view obstacle) {
 ContactReduction modal_reduction(const Problem& problem) {
   CondensedStructure whole = condense(problem, kMostModal);
   if (!whole.obstacle.empty()) return refused(whole.obstacle);
+  if (whole.normals.cols() == 0 && whole.load.isZero(0.0)) return refused("nothing acts on the structure");
   if (!is_symmetric(whole.damping) || !is_symmetric(whole.stiffness))
     return refused("the matrices are not symmetric");
   const Eigen::MatrixXd K(whole.stiffness), M(whole.mass);

@@ -15,8 +15,8 @@ inline constexpr int kMostModal = 400;
 /// O(Nd^3).
 ///
 /// An obstacle: what `condense` refuses; more than kMostModal coordinates; matrices that are not symmetric or
-/// not definite; damping that couples modes, a term d_jk above 1e-9 sqrt(d_jj d_kk) and the rounding of the
-/// largest [caughey1965].
+/// not definite; damping that couples modes, a term d_jk above 1e-9 sqrt(d_jj d_kk) and 1e-14 of the largest,
+/// its rounding [caughey1965]; neither contacts nor loads.
 ContactReduction modal_reduction(const Problem& problem);
 
 }  // namespace signorini

@@ -100,7 +100,8 @@ class ReducedModel {
     }
     for (diagonalise(); !are_cheap(find_open(tolerance)); diagonalise()) {
       // The modes cost more than a block: several of these at a time.
-      for (Eigen::Index least = space_->size() + space_->size() / kGrowth; space_->size() < least;) {
+      for (Eigen::Index least = space_->size() + std::max<Eigen::Index>(1, space_->size() / kGrowth);
+           space_->size() < least;) {
         if (space_->exhausted() || !grow()) return false;
       }
     }

@@ -46,8 +46,10 @@ void add(const LeastTimes& least, const std::string& configuration, RivalTimes& 
   ++times.scenes;
   if (!std::isfinite(seconds)) return;
   ++times.reached;
-  if (std::isfinite(least.own) && least.own > 0.0) times.to_own.push_back(seconds / least.own);
-  if (std::isfinite(least.plain) && least.plain > 0.0) times.to_plain.push_back(seconds / least.plain);
+  if (std::isfinite(least.own) && least.own > 0.0 && seconds > 0.0)
+    times.to_own.push_back(seconds / least.own);
+  if (std::isfinite(least.plain) && least.plain > 0.0 && seconds > 0.0)
+    times.to_plain.push_back(seconds / least.plain);
   if (least.is_fastest(configuration)) ++times.fastest;
 }
 

@@ -31,8 +31,8 @@ struct Rival {
 };
 
 /// Of each configuration from a plugin, in the order of configurations. A scene counts where the
-/// configuration solves the problem that the scene states, and its runs were timed; repeated problems count
-/// once.
+/// configuration solves the problem that the scene states; repeated problems count once. Without a time an
+/// error is not reached.
 std::vector<Rival> rivals(const Evaluation& evaluation);
 
 }  // namespace signorini

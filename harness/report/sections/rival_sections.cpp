@@ -21,7 +21,7 @@ to largest). Fastest: scenes on which no other method of the run is as fast.)";
 
 /// Two digits, without an exponent where it is large: "0.043", "3.1", "4000".
 std::string rounded(double ratio) {
-  if (ratio < 100.0) return fmt::format("{:.2g}", ratio);
+  if (ratio < 99.5) return fmt::format("{:.2g}", ratio);
   const double unit = std::pow(10.0, std::floor(std::log10(ratio)) - 1.0);
   return fmt::format("{:.0f}", std::round(ratio / unit) * unit);
 }
