@@ -71,7 +71,7 @@ def is_slow(folder, reader, path):
 
 def new_findings(folder, reader, before):
     """What has been found since, without inputs that were slow because the machine was busy."""
-    for path in set((folder / "findings").iterdir()) - before:
+    for path in set((folder / "findings").glob(f"{reader}-*")) - before:  # others may be running
         by_clock = path.name.startswith((f"{reader}-timeout-", f"{reader}-slow-unit-"))
         if by_clock and not is_slow(folder, reader, path):
             path.unlink()
