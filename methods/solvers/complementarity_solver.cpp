@@ -59,7 +59,7 @@ class NormalMap {
   static constexpr double kKrylovTolerance = 1e-12;
   // Vectors of a Krylov space, and unknowns up to which A_SS is factorised where these do not suffice.
   static constexpr Eigen::Index kMostKrylov = 300;
-  static constexpr std::size_t kMostFactorised = 4000;
+  static constexpr std::size_t kMostByFactors = 4000;
 
   /// Zero off S.
   [[nodiscard]] Eigen::VectorXd spread(const std::vector<int>& active, const Eigen::VectorXd& held) const {
@@ -79,7 +79,7 @@ class NormalMap {
       return Eigen::VectorXd(lcp_.matrix->solve(spread(active, v))(active));
     };
     KrylovSolve held = solve_by_gmres(product, precondition, b, kKrylovTolerance, kMostKrylov);
-    if (held.x.size() == 0) return active.size() <= kMostFactorised ? factorised(active, b) : KrylovSolve{};
+    if (held.x.size() == 0) return active.size() <= kMostByFactors ? factorised(active, b) : KrylovSolve{};
     // What GMRES leaves of a badly scaled system Newton's method would leave too: it solves for all of z.
     const Eigen::VectorXd rest = b - product(held.x);
     if (rest.norm() > kKrylovTolerance * b.norm()) {

@@ -65,14 +65,12 @@ ReductionSettings chosen(ReductionSettings settings, Eigen::Index contacts, Eige
 
 ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSettings& settings) {
   ContactReduction result;
-  if (problem.size() <= kMostModal &&
-      !proportional_damping(problem.mass(), problem.stiffness(), problem.damping())) {
-    result = modal_reduction(problem);
-    if (result.obstacle.empty()) return result;
-  }
   const ContactColumns columns = contact_columns(problem);
-  result.obstacle = columns.obstacle;
-  if (!result.obstacle.empty()) return result;
+  if (!columns.obstacle.empty()) {
+    result = modal_reduction(problem);  // it takes other damping
+    if (!result.obstacle.empty()) result.obstacle = columns.obstacle;
+    return result;
+  }
   const SparseMatrix &normals = columns.normals, &pushes = columns.pushes;
   const ReductionSettings asked = chosen(settings, normals.cols(), pushes.cols());
   const bool krylov = asked.basis == ReductionBasis::krylov;

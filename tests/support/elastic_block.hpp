@@ -1,6 +1,7 @@
 #pragma once
 // Contact scenes on the `block` kind, of any size: matrices with the fill of three-dimensional structures.
 
+#include "methods/discretisation/symbols.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini::test {
@@ -17,6 +18,11 @@ struct ElasticBlock {
   double beta = 0.0;   ///< [s]
   double frequency = 1.0;
 };
+
+/// Those of exact time, of the harmonics of a scene's base frequency.
+inline WeightsOfHarmonic harmonics_of(const Problem& problem) {
+  return [base = problem.base_frequency()](int n) { return exact_weights(n * base); };
+}
 
 /// Nd = 3 nx (ny + 1) (nz + 1).
 Problem to_problem(const ElasticBlock& block);

@@ -12,7 +12,7 @@ namespace signorini {
 /// Errors of x at which plugins are compared [-].
 inline constexpr std::array kRivalErrors{1e-2, 1e-6};
 
-/// What a configuration from a plugin does at an error, on the scenes that it and own methods are ranked on.
+/// What a configuration from a plugin does at an error, on the scenes that it is ranked on.
 struct RivalTimes {
   int scenes = 0;   ///< where it is ranked, whether it solves them or not
   int reached = 0;  ///< of these, where it has that error

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 #include <string>
@@ -29,9 +28,7 @@ std::string rounded(double ratio) {
 /// "120 (3.1 to 4000)" of ratios that rise; "-" of none.
 Cell ratio_cell(std::span<const double> ratios) {
   if (ratios.empty()) return {"-", kNeverReached};
-  double sum = 0.0;
-  for (const double ratio : ratios) sum += std::log(ratio);
-  const double mean = std::exp(sum / static_cast<double>(ratios.size()));
+  const double mean = shifted_geometric_mean(ratios, 0.0, kNeverReached);
   return {fmt::format("{} ({} to {})", rounded(mean), rounded(ratios.front()), rounded(ratios.back())), mean};
 }
 

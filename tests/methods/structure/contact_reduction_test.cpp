@@ -17,9 +17,7 @@ namespace {
 
 constexpr ProportionalDamping kStiff{.alpha = 0.2, .beta = 0.005};
 
-WeightsOfHarmonic harmonics_of(const Problem& problem) {
-  return [base = problem.base_frequency()](int n) { return exact_weights(n * base); };
-}
+using test::harmonics_of;
 
 /// |C_n - C_n of the whole structure| / |C_n| at harmonic n, by a factorisation of Z_n.
 class ReceptanceError {

@@ -11,9 +11,7 @@
 namespace signorini {
 namespace {
 
-WeightsOfHarmonic harmonics_of(const Problem& problem) {
-  return [base = problem.base_frequency()](int n) { return exact_weights(n * base); };
-}
+using test::harmonics_of;
 
 /// A block with a damping ratio of its own for each of its lowest modes.
 Problem damped_block() {

@@ -19,9 +19,7 @@ namespace {
 
 constexpr double kTolerance = 1e-10;
 
-std::function<HarmonicWeights(int)> harmonics_of(const Problem& problem) {
-  return [base = problem.base_frequency()](int n) { return exact_weights(n * base); };
-}
+using test::harmonics_of;
 
 /// Largest difference of the receptances of a harmonic, relative to its norm.
 double difference(const ContactReceptance& a, const ContactReceptance& b) {
@@ -30,6 +28,16 @@ double difference(const ContactReceptance& a, const ContactReceptance& b) {
     largest = std::max(largest, (a.receptance[n] - b.receptance[n]).norm() / b.receptance[n].norm());
   }
   return largest;
+}
+
+/// Reduced, receptances and free response are those of every harmonic factorised.
+void expect_tolerance(const Problem& problem, int harmonics, const WeightsOfHarmonic& weights) {
+  const auto reduced = reduced_receptance(problem, harmonics, weights, kTolerance);
+  ASSERT_TRUE(reduced);
+  const ContactReceptance whole = factorised_receptance(problem, harmonics, weights, true);
+  EXPECT_LE(difference(reduced->value, whole), kTolerance);
+  EXPECT_LE((reduced->value.free_response - whole.free_response).norm(),
+            kTolerance * whole.free_response.norm());
 }
 
 /// A uniform bar of length, stiffness and density 1, clamped at one end, in linear elements; its tip may meet
@@ -163,12 +171,7 @@ TEST(ReducedReceptance, TakesTheWeightsOfHatFunctionsAndOfBackwardDifferences) {
   const Problem problem = test::to_problem({.side = 2, .alpha = 0.02, .beta = 0.02, .frequency = 0.2});
   for (const auto scheme : {hat_weights, backward_weights}) {
     const auto weights = [&](int n) { return scheme(n, kNodes, problem.period()); };
-    const auto reduced = reduced_receptance(problem, kNodes / 2, weights, kTolerance);
-    ASSERT_TRUE(reduced);
-    const ContactReceptance dense = factorised_receptance(problem, kNodes / 2, weights, true);
-    EXPECT_LE(difference(reduced->value, dense), kTolerance);
-    EXPECT_LE((reduced->value.free_response - dense.free_response).norm(),
-              kTolerance * dense.free_response.norm());
+    expect_tolerance(problem, kNodes / 2, weights);
   }
 }
 
@@ -194,12 +197,7 @@ TEST(ReducedReceptance, HoldsBetweenModesThatNothingDamps) {
                           problem.period() / kSamples);
   };
   EXPECT_LT(std::abs(weights(kSamples / 2).damping), 1e-12);
-  const auto reduced = reduced_receptance(problem, kSamples / 2, weights, kTolerance);
-  ASSERT_TRUE(reduced);
-  const ContactReceptance whole = factorised_receptance(problem, kSamples / 2, weights, false);
-  EXPECT_LE(difference(reduced->value, whole), kTolerance);
-  EXPECT_LE((reduced->value.free_response - whole.free_response).norm(),
-            kTolerance * whole.free_response.norm());
+  expect_tolerance(problem, kSamples / 2, weights);
 }
 
 TEST(ReducedReceptance, LeavesModalDampingToOthers) {
