@@ -53,6 +53,14 @@ void add_scenes_of(const fs::path& file, std::vector<SceneSource>& sources) {
   for (std::string& level : levels) sources.emplace_back(file, std::move(level));
 }
 
+/// What makes a scene that scene: its text, its level, the contents of its files.
+std::string scene_digest(std::string identity, const std::optional<FamilyLevel>& family,
+                         const std::vector<fs::path>& files) {
+  if (family) identity += "@" + level_label(family->level);  // however the level was spelt
+  for (const fs::path& file : files) identity += "\n" + sha256_of_file(file);
+  return sha256(identity);
+}
+
 /// Whether a scene that ships is one of the suite.
 bool belongs(const Suite& suite, const SceneHeader& scene) {
   const auto named = [&](const std::string& glob) { return scene_glob_match(glob, scene.name); };
@@ -111,15 +119,18 @@ Scene read_scene(const SceneSource& source) {
   const std::string text = read_file(source.file, kLargestScene);
   // Read once, so that the hash is of what was parsed.
   SceneWithSources scene = parse_scene_with_sources(text, name, source.level);
-  std::string identity = text;
-  if (scene.family) identity += "@" + level_label(scene.family->level);  // however the level was spelt
-  for (const fs::path& file : scene.files) identity += "\n" + sha256_of_file(file);
+  std::string digest = scene_digest(text, scene.family, scene.files);
   std::string word = name + (source.level.empty() ? "" : "@" + source.level);
   return {.problem = std::move(scene.problem),
-          .sha256 = sha256(identity),
+          .sha256 = std::move(digest),
           .family = std::move(scene.family),
           .sampled_loads = std::move(scene.sampled_loads),
           .word = std::move(word)};
+}
+
+std::string digest_of(const SceneSource& source) {
+  return scene_digest(read_file(source.file, kLargestScene), load_header(source).family,
+                      load_source_files(source));
 }
 
 bool names_path(const std::string& word) {

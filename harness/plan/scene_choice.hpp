@@ -27,6 +27,9 @@ struct Scene {
 /// Reads a scene. \throws SceneError
 Scene read_scene(const SceneSource& source);
 
+/// Scene::sha256 without the scene: nothing is assembled, however large its system. \throws SceneError
+std::string digest_of(const SceneSource& source);
+
 /// Whether a word for scenes is a path, "own.toml", "own.toml@1e-4", "own/", "own/*.toml", rather than a name
 /// or a glob on names: it contains a slash or ".toml", or is a folder and no scene that ships.
 bool names_path(const std::string& word);

@@ -117,9 +117,9 @@ Json schematic_data(const Evaluation& evaluation, const std::string& scene) {
   if (results.empty() || !is_name || results.front().scene->coordinates.value_or(0) > kMostDrawn) return {};
   try {
     const SceneSource source = find_scene(scene);
-    const Scene found = read_scene(source);
-    if (found.sha256 != evaluation.record_of(results.front()).scene_sha256) return {};
-    return svg_of(schematic(found.problem, load_layout(source), load_damped_stops(source)));
+    // The digest first: the record may name a scene that takes long to assemble, and any number of coordinates.
+    if (digest_of(source) != evaluation.record_of(results.front()).scene_sha256) return {};
+    return svg_of(schematic(load_scene(source), load_layout(source), load_damped_stops(source)));
   } catch (const SceneError&) {
     return {};
   }

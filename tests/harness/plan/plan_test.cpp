@@ -160,6 +160,13 @@ TEST(ReadScene, HashesALevelTheSameHoweverItIsSpelt) {
   EXPECT_NE(read_scene(find_scene("grazing@1e-4")).sha256, read_scene(find_scene("grazing@" + label)).sha256);
 }
 
+TEST(DigestOf, IsThatOfTheSceneThatIsRead) {
+  for (const SceneSource& source : shipped_scenes()) {
+    if (load_header(source).carries(kLarge)) continue;
+    EXPECT_EQ(digest_of(source), read_scene(source).sha256) << source.file << "@" << source.level;
+  }
+}
+
 using Order = std::vector<std::size_t>;
 
 TEST(RoundOrder, HasEveryCaseOnce) {
