@@ -87,16 +87,11 @@ class LinearArc {
   const ModeEquations& equations_;  ///< of the flow
 
  public:
-  /// order-th derivatives (0..8) of x of all contacts and, below, of the forces of the closed ones (`mode`),
-  /// at several times, (Nc + |A|) x times.size() [m / s^order], [N / s^order].
-  [[nodiscard]] virtual Eigen::MatrixXd outputs(std::span<const double> times, int order) const {
-    Eigen::MatrixXd values(equations_.outputs(), std::ssize(times));
-    for (Eigen::Index i = 0; i < values.cols(); ++i) {
-      for (Eigen::Index row = 0; row < values.rows(); ++row)
-        values(row, i) = output(row, times[static_cast<std::size_t>(i)], order);
-    }
-    return values;
-  }
+  /// x of all contacts and, below, the forces of the closed ones (`mode`), at several times, and their
+  /// derivatives up to the highest order (0..8): of each order (Nc + |A|) x times.size() [m / s^order],
+  /// [N / s^order].
+  [[nodiscard]] virtual std::vector<Eigen::MatrixXd> outputs(std::span<const double> times,
+                                                             int highest) const;
 };
 
 /// A transition as writing * reading: what the motion keeps of a state (u, xi, v), Ns numbers, and what it

@@ -7,6 +7,18 @@
 
 namespace signorini {
 
+std::vector<Eigen::MatrixXd> LinearArc::outputs(std::span<const double> times, int highest) const {
+  std::vector<Eigen::MatrixXd> derivatives;
+  for (int order = 0; order <= highest; ++order) {
+    Eigen::MatrixXd& values = derivatives.emplace_back(equations_.outputs(), std::ssize(times));
+    for (Eigen::Index i = 0; i < values.cols(); ++i) {
+      for (Eigen::Index row = 0; row < values.rows(); ++row)
+        values(row, i) = output(row, times[static_cast<std::size_t>(i)], order);
+    }
+  }
+  return derivatives;
+}
+
 std::unique_ptr<const LinearFlow> linear_flow(const ContactDynamics& dynamics, ContactMode mode,
                                               FlowForm form, const std::shared_ptr<SharedModes>& shared) {
   if (dynamics.size() > kMostInDenseFlow) {

@@ -12,6 +12,13 @@ namespace signorini {
 
 using Complex = std::complex<double>;
 
+namespace {
+
+/// Whether e^{mu duration} is below e^-50, so that nothing is left of a mode.
+bool has_faded(Complex mu, double duration) { return mu.real() * duration < -50.0; }
+
+}  // namespace
+
 bool resonates(const ModeEquations& equations, const ComplexModes& modes) {
   // The periodic response to a load near an eigenvalue is 1 / |i rate - mu| as large as the load, the free
   // motion cancels it: at a relative distance of 1e-4 four digits are lost.
@@ -103,12 +110,11 @@ Eigen::MatrixXd ModalFlow::transition(double duration) const {
 
 // Re(s l) = Re s Re l - Im s Im l: two columns of a pair, one of a real mode.
 TransitionFactors ModalFlow::transition_factors(double duration) const {
-  constexpr double kFaded = -50.0;
   const int n = size();
   std::vector<Eigen::Index> alive;
   Eigen::Index columns = 0;
   for (Eigen::Index k = 0; k < mu().size(); ++k) {
-    if (mu()[k].real() * duration < kFaded) continue;
+    if (has_faded(mu()[k], duration)) continue;
     alive.push_back(k);
     columns += mu()[k].imag() > 0.0 ? 2 : 1;
   }
@@ -163,7 +169,8 @@ class ModalFlow::Arc final : public LinearArc {
   }
   [[nodiscard]] bool add_force_integrals(double begin, double end, double w,
                                          Eigen::MatrixXcd& sums) const override;
-  [[nodiscard]] Eigen::MatrixXd outputs(std::span<const double> times, int order) const override;
+  [[nodiscard]] std::vector<Eigen::MatrixXd> outputs(std::span<const double> times,
+                                                     int highest) const override;
   void rate(double time, Eigen::VectorXd& rate) const override {
     rate.resize(flow_.states());
     differentiate(time, 1, rate.head(flow_.positions()));
@@ -242,7 +249,7 @@ void ModalFlow::Arc::move_to(double time) const {
   const double s = time - begin_;
   for (Eigen::Index k = 0; k < growth_.size(); ++k) {
     const Complex mu = flow_.mu()[k];
-    growth_[k] = std::polar(std::exp(mu.real() * s), mu.imag() * s);
+    growth_[k] = has_faded(mu, s) ? Complex(0.0) : std::polar(std::exp(mu.real() * s), mu.imag() * s);
   }
   for (Eigen::Index h = 0; h < wave_.size(); ++h)
     wave_[h] = rate(h) == 0.0 ? Complex(1.0) : std::polar(1.0, rate(h) * time);
@@ -252,6 +259,7 @@ double ModalFlow::Arc::output(Eigen::Index row, double time, int order) const {
   move_to(time);
   double sum = 0.0;
   for (Eigen::Index k = 0; k < growth_.size(); ++k) {
+    if (growth_[k] == Complex(0.0)) continue;
     Complex term = contribution_(row, k) * growth_[k];
     for (int i = 0; i < order; ++i) term *= flow_.mu()[k];
     sum += term.real();
@@ -264,23 +272,31 @@ double ModalFlow::Arc::output(Eigen::Index row, double time, int order) const {
   return sum;
 }
 
-// Re (C G) = Re C Re G - Im C Im G, C the terms of each output, G what becomes of them.
-Eigen::MatrixXd ModalFlow::Arc::outputs(std::span<const double> times, int order) const {
-  const Eigen::Index modes = growth_.size(), terms = modes + wave_.size();
-  const Eigen::Index rows = equations_.outputs();
-  Eigen::MatrixXd terms_real(rows, terms), terms_imaginary(rows, terms);
-  terms_real << contribution_.real(), flow_.row_of_harmonic_.real();
-  terms_imaginary << contribution_.imag(), flow_.row_of_harmonic_.imag();
-  Eigen::MatrixXcd becomes(terms, std::ssize(times));
+// Re (C G) = Re C Re G - Im C Im G, C the terms of each output, G what becomes of them. Modes that have faded
+// by the first of the times are left out.
+std::vector<Eigen::MatrixXd> ModalFlow::Arc::outputs(std::span<const double> times, int highest) const {
+  const double first = times.empty() ? begin_ : *std::ranges::min_element(times);
+  std::vector<Eigen::Index> alive;
+  for (Eigen::Index k = 0; k < growth_.size(); ++k)
+    if (!has_faded(flow_.mu()[k], first - begin_)) alive.push_back(k);
+  const auto modes = std::ssize(alive), harmonics = wave_.size();
+  Eigen::VectorXcd rates(modes + harmonics);
+  rates.head(modes) = flow_.mu()(alive);
+  for (Eigen::Index h = 0; h < harmonics; ++h) rates[modes + h] = Complex(0.0, rate(h));
+  Eigen::MatrixXcd terms(equations_.outputs(), modes + harmonics),
+      becomes(modes + harmonics, std::ssize(times));
+  terms << contribution_(Eigen::all, alive), flow_.row_of_harmonic_;
   for (Eigen::Index i = 0; i < becomes.cols(); ++i) {
     move_to(times[static_cast<std::size_t>(i)]);
-    becomes.col(i) << growth_, wave_;
+    becomes.col(i) << growth_(alive), wave_;
   }
-  for (int k = 0; k < order; ++k) {
-    becomes.topRows(modes) = flow_.mu().asDiagonal() * becomes.topRows(modes);
-    for (Eigen::Index h = 0; h < wave_.size(); ++h) becomes.row(modes + h) *= Complex(0.0, rate(h));
+  const Eigen::MatrixXd real = terms.real(), imaginary = terms.imag();
+  std::vector<Eigen::MatrixXd> derivatives;
+  for (int order = 0; order <= highest; ++order) {
+    if (order > 0) becomes = rates.asDiagonal() * becomes;
+    derivatives.emplace_back(real * becomes.real() - imaginary * becomes.imag());
   }
-  return terms_real * becomes.real() - terms_imaginary * becomes.imag();
+  return derivatives;
 }
 
 // The sum of the magnitudes of all terms, |z| <= |Re z| + |Im z|: modes fade, harmonics stay.
@@ -304,6 +320,7 @@ void ModalFlow::Arc::differentiate(double time, int order, Eigen::Ref<Eigen::Vec
   const Eigen::Index n = derivative.size();
   derivative.setZero();
   for (Eigen::Index k = 0; k < growth_.size(); ++k) {
+    if (growth_[k] == Complex(0.0)) continue;
     Complex a = flow_.weight()[k] * amplitude_[k] * growth_[k];
     for (int i = 0; i < order; ++i) a *= flow_.mu()[k];
     for (Eigen::Index i = 0; i < n; ++i) derivative[i] += (a * flow_.basis_->shapes(i, k)).real();

@@ -11,14 +11,6 @@ namespace signorini {
 
 namespace {
 
-// The largest value from `begin` to `end`, and when.
-LimitedSample largest(const LimitedOutput& f, double begin, double end,
-                      const std::vector<FadingRate>& terms) {
-  const std::vector<LimitedSample> samples = scan(f, begin, end, terms);
-  return *std::max_element(samples.begin(), samples.end(),
-                           [](const LimitedSample& a, const LimitedSample& b) { return a.value < b.value; });
-}
-
 // An orbit under examination.
 struct Check {
   const ContactDynamics& dynamics;
@@ -35,20 +27,25 @@ struct Check {
   void arc(const LinearArc& arc, double begin, double end) {
     constexpr double kUnseen = 0.01;  // of the tolerance: modes below do not move a contact
     const std::vector<FadingRate> terms = arc.fading_rates(kUnseen * kAdmissible);
+    std::vector<LimitedOutput> guards;
     for (int j = 0; j < dynamics.contact_count(); ++j) {
       const bool closed = arc.mode().closed(j);
-      const LimitedOutput f{.arc = arc,
-                            .contact = j,
-                            .of_force = closed,
-                            .offset = closed ? 0.0 : dynamics.structure().gaps[j],
-                            .unit = closed ? dynamics.force_scale(j) : dynamics.scales().displacement};
-      const LimitedSample peak = largest(f, begin, end, terms);
+      guards.push_back({.arc = arc,
+                        .contact = j,
+                        .of_force = closed,
+                        .offset = closed ? 0.0 : dynamics.structure().gaps[j],
+                        .unit = closed ? dynamics.force_scale(j) : dynamics.scales().displacement});
+    }
+    const std::vector<LimitedSample> peaks = largest(guards, begin, end, terms);
+    for (std::size_t j = 0; j < peaks.size(); ++j) {
+      const LimitedSample& peak = peaks[j];
       result.violation = std::max(result.violation, peak.value);
       if (peak.value <= kAdmissible) continue;
-      fail(closed ? fmt::format("contact {} pulls at t = {:.6g} s ({:.2g} of the force scale)", j, peak.time,
-                                peak.value)
-                  : fmt::format("contact {} penetrates at t = {:.6g} s by {:.2g} of the amplitude", j,
-                                peak.time, peak.value));
+      fail(guards[j].of_force
+               ? fmt::format("contact {} pulls at t = {:.6g} s ({:.2g} of the force scale)", j, peak.time,
+                             peak.value)
+               : fmt::format("contact {} penetrates at t = {:.6g} s by {:.2g} of the amplitude", j, peak.time,
+                             peak.value));
     }
   }
 

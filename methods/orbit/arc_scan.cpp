@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "methods/solvers/constants.hpp"
 
@@ -40,35 +42,75 @@ LimitedSample steepest(const LimitedOutput& f, double low, double high) {
   return sample(f, 0.5 * (low + high));
 }
 
-}  // namespace
-
-std::vector<LimitedSample> scan(const LimitedOutput& f, double begin, double end,
-                                const std::vector<FadingRate>& terms) {
+// Instants from `begin` to `end`, both included, a step apart that resolves the fastest rate left.
+std::vector<double> instants(double begin, double end, const std::vector<FadingRate>& terms) {
   constexpr double kAngle = kTwoPi / 16.0;  // a step, in terms of the fastest rate left
-  LimitedSample before = sample(f, begin);
-  std::vector<LimitedSample> samples{before};
-  const auto rise = [&](const LimitedSample& a, const LimitedSample& b) {
-    if (!(a.rate > 0.0 && b.rate < 0.0)) return;
-    const double top = polished_peak(f, a.time, b.time);
-    samples.push_back({.time = top, .value = f.value(top, 0), .maximum = true});
-  };
+  std::vector<double> times{begin};
   for (double t = begin; t < end;) {
     const double next = t + std::min(kAngle / fastest_left(terms, t), 0.5 * (end - begin));
     t = next > t ? std::min(end, next) : end;  // an arc as short as rounding has no middle
-    const LimitedSample here = sample(f, t);
-    samples.push_back(here);
-    if (before.rate > 0.0 && here.rate < 0.0) {
-      rise(before, here);
-    } else if (before.curvature * here.curvature < 0.0) {
-      // The rate turns in between: a bump too short for its signs at the samples, as after an impact at e =
-      // 0.
-      const LimitedSample turn = steepest(f, before.time, t);
-      rise(before, turn);
-      rise(turn, here);
-    }
-    before = here;
+    times.push_back(t);
   }
-  return samples;
+  return times;
+}
+
+// Where an output is among so many rows of LinearArc::outputs.
+Eigen::Index row_of(const LimitedOutput& f, Eigen::Index rows) {
+  if (!f.of_force) return f.contact;
+  const std::vector<int>& closed = f.arc.mode().active;
+  return rows - (closed.end() - std::ranges::find(closed, f.contact));
+}
+
+void raise_to(LimitedSample& peak, const LimitedSample& other) {
+  if (other.value > peak.value) peak = other;
+}
+
+// The maximum between two samples, where there is one.
+void raise_between(const LimitedOutput& f, const LimitedSample& a, const LimitedSample& b,
+                   LimitedSample& peak) {
+  const auto raise = [&](const LimitedSample& low, const LimitedSample& high) {
+    if (!(low.rate > 0.0 && high.rate < 0.0)) return;
+    const double top = polished_peak(f, low.time, high.time);
+    raise_to(peak, {.time = top, .value = f.value(top, 0), .maximum = true});
+  };
+  if (a.rate > 0.0 && b.rate < 0.0) {
+    raise(a, b);
+  } else if (a.curvature * b.curvature < 0.0) {
+    // The rate turns in between: a bump too short for its signs at the samples, as after an impact at e = 0.
+    const LimitedSample turn = steepest(f, a.time, b.time);
+    raise(a, turn);
+    raise(turn, b);
+  }
+}
+
+}  // namespace
+
+std::vector<LimitedSample> largest(std::span<const LimitedOutput> outputs, double begin, double end,
+                                   const std::vector<FadingRate>& terms) {
+  constexpr std::size_t kTogether = 64;  // instants
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  std::vector<LimitedSample> peaks(outputs.size(), {.value = kNone}), before(outputs.size());
+  if (outputs.empty()) return peaks;
+  const std::vector<double> times = instants(begin, end, terms);
+  for (std::size_t first = 0; first < times.size(); first += kTogether) {
+    const std::span<const double> some =
+        std::span(times).subspan(first, std::min(kTogether, times.size() - first));
+    const std::vector<Eigen::MatrixXd> derivatives = outputs.front().arc.outputs(some, 2);
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      const LimitedOutput& f = outputs[i];
+      const Eigen::Index row = row_of(f, derivatives[0].rows());
+      for (Eigen::Index k = 0; k < std::ssize(some); ++k) {
+        const LimitedSample here{.time = some[static_cast<std::size_t>(k)],
+                                 .value = f.limited(derivatives[0](row, k), 0),
+                                 .rate = f.limited(derivatives[1](row, k), 1),
+                                 .curvature = f.limited(derivatives[2](row, k), 2)};
+        raise_to(peaks[i], here);
+        if (first > 0 || k > 0) raise_between(f, before[i], here, peaks[i]);
+        before[i] = here;
+      }
+    }
+  }
+  return peaks;
 }
 
 std::vector<LimitedSample> extremes(const LimitedOutput& f, double begin, double end,

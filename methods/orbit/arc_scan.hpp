@@ -1,8 +1,9 @@
 #pragma once
-// A contact displacement or force along an arc: samples close enough to miss no local maximum, and the
+// Contact displacements and forces along an arc: samples close enough to miss no local maximum, and the
 // maxima.
 
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "methods/linear_flow/linear_flow.hpp"
@@ -20,7 +21,10 @@ struct LimitedOutput {
 
   /// order-th time derivative.
   [[nodiscard]] double value(double t, int order) const {
-    const double raw = of_force ? arc.force(contact, t, order) : arc.displacement(contact, t, order);
+    return limited(of_force ? arc.force(contact, t, order) : arc.displacement(contact, t, order), order);
+  }
+  /// The same of an x_j or a lambda_j, or of their derivative.
+  [[nodiscard]] double limited(double raw, int order) const {
     return (raw - (order == 0 ? offset : 0.0)) / unit;
   }
   /// Bound of the magnitude of its second derivative from a time on.
@@ -39,13 +43,14 @@ struct LimitedSample {
   bool minimum = false;    ///< a local minimum likewise
 };
 
-/// Samples from `begin` to `end` at a sixteenth of the fastest period still alive, both ends included, each
-/// followed by the local maxima before it: polished by Newton's method where the rate changes sign, found by
-/// where the rate turns where it is positive only between two samples.
+/// The largest value of each output from `begin` to `end`, both included, all of one arc: among samples at a
+/// sixteenth of the fastest period still alive and the local maxima between them, polished by Newton's method
+/// where the rate changes sign, found by where the rate turns where it is positive only between two samples.
+/// Samples of all outputs are taken together: the modes are evaluated once for each instant.
 ///
 /// \param terms  LinearArc::fading_rates of the arc
-std::vector<LimitedSample> scan(const LimitedOutput& f, double begin, double end,
-                                const std::vector<FadingRate>& terms);
+std::vector<LimitedSample> largest(std::span<const LimitedOutput> outputs, double begin, double end,
+                                   const std::vector<FadingRate>& terms);
 
 /// The values at both ends and the local extremes between them, in their order, with samples only where there
 /// can be one: as long as |rate| / (bound of the curvature) the rate keeps its sign.

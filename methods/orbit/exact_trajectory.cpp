@@ -133,9 +133,10 @@ Samples ExactTrajectory::sample(int count) const {
       times.push_back(time);
     }
     const auto together = std::ssize(times);
-    const Eigen::MatrixXd values = arc.outputs(times, 0);
+    const std::vector<Eigen::MatrixXd> derivatives = arc.outputs(times, 1);
+    const Eigen::MatrixXd& values = derivatives[0];
     samples.x.middleRows(first, together) = values.topRows(contacts).transpose();
-    samples.velocity.middleRows(first, together) = arc.outputs(times, 1).topRows(contacts).transpose();
+    samples.velocity.middleRows(first, together) = derivatives[1].topRows(contacts).transpose();
     const std::vector<int>& closed = arc.mode().active;
     for (std::size_t c = 0; c < closed.size(); ++c)
       samples.force.col(closed[c]).segment(first, together) =

@@ -107,6 +107,14 @@ TEST(Extremes, BoundDenseSamplesOfABeamThatRings) {
     EXPECT_GE(bottom, lowest - 1e-15 * std::abs(lowest));
     EXPECT_NEAR(top, highest, 1e-4 * (highest - lowest));
     EXPECT_NEAR(bottom, lowest, 1e-4 * (highest - lowest));
+    // The same two among samples of several outputs together.
+    LimitedOutput turned = x;
+    turned.unit = -1.0;
+    const std::vector<LimitedSample> peaks =
+        largest(std::vector{x, turned}, 0.0, end, arc->fading_rates(1e-13));
+    EXPECT_NEAR(peaks[0].value, highest, 1e-12 * (highest - lowest));
+    EXPECT_NEAR(peaks[1].value, -lowest, 1e-12 * (highest - lowest));
+    EXPECT_NEAR(peaks[0].value, arc->displacement(0, peaks[0].time), 1e-12 * (highest - lowest));
   }
 }
 
