@@ -15,9 +15,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Error of what a ContactSpace says, relative to the size of x and to the work of the load: far below any
-// defect of energy that means something [-].
-constexpr double kSpaceTolerance = 1e-8;
+// Error of what a ContactSpace says of x, relative to its size, and of the contact's work, relative to that of
+// the load: far below any defect of energy that means something [-]. The bound of the work is far from sharp:
+// it takes every harmonic of every force on the largest error.
+constexpr double kSpaceTolerance = 1e-8, kWorkTolerance = 1e-6;
 
 // 2 pi n.
 Eigen::ArrayXd turns(Eigen::Index harmonics) {
@@ -61,7 +62,7 @@ bool ContactResponse::take(const ContactSpace& space) {
   dissipation_ = work_of_load() + contact_work().sum();
   const Eigen::VectorXd push = lambda_.cwiseAbs().rowwise().sum();
   const double missed = 2.0 * (push.array() * turns(push.size()) * error.array()).sum();
-  return missed <= kSpaceTolerance * std::abs(work_of_load());
+  return missed <= kWorkTolerance * std::abs(work_of_load());
 }
 
 void ContactResponse::factorise(const Problem& problem, const LoadColumns& load) {
