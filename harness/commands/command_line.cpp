@@ -19,6 +19,7 @@
 #include "harness/commands/command_guide.hpp"
 #include "harness/extend/plugins/plugins.hpp"
 #include "harness/failure.hpp"
+#include "harness/isolation/one_thread.hpp"
 #include "harness/plots/plot_file.hpp"
 #include "harness/terminal/refusal_hint.hpp"
 #include "methods/options.hpp"
@@ -196,6 +197,7 @@ int run_command_line(int argc, char** argv) {
                "signorini"};
   int exit_code = kDone;
   open_standard_files();
+  compute_on_one_thread();
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of the write, which names the file
   // Not argv[0]: local paths stay out of the manifest.
   std::vector<std::string> words{"signorini"};

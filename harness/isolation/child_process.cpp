@@ -14,6 +14,8 @@
 #include <system_error>
 #include <thread>
 
+#include "harness/isolation/one_thread.hpp"
+
 namespace signorini {
 
 namespace {
@@ -81,6 +83,7 @@ ChildProcess::Side ChildProcess::fork_process(const StandardStreams& streams, in
   // Else the child would print what the parent has buffered a second time.
   std::fflush(nullptr);
   std::cout.flush();
+  compute_on_one_thread();  // a plugin may have brought a library with threads
   const pid_t parent = getpid();
   id_ = fork();
   if (id_ < 0) throw_errno("fork");
