@@ -32,6 +32,7 @@ std::vector<Figure> figures_of(const Evaluation& evaluation, const std::string& 
   std::vector<Figure> figures = work_precision_figures(evaluation, scene, column);
   if (Figure figure = convergence_figure(evaluation, scene, column); !figure.data.empty())
     figures.push_back(std::move(figure));
+  for (Figure& figure : option_figures(evaluation, scene, column)) figures.push_back(std::move(figure));
   for (Figure& figure : motion_figures(evaluation, scene, column)) figures.push_back(std::move(figure));
   return figures;
 }

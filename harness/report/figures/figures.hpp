@@ -24,6 +24,11 @@ std::vector<Figure> work_precision_figures(const Evaluation& evaluation, const s
 Figure convergence_figure(const Evaluation& evaluation, const std::string& scene,
                           Column column = Column::own);
 
+/// Error against a constant that was given in units of its scale, "penalty=10x|100x|1e3x": one figure for
+/// each such option with three values, one curve for each resolution.
+std::vector<Figure> option_figures(const Evaluation& evaluation, const std::string& scene,
+                                   Column column = Column::own);
+
 /// x, velocity, force and impulse over a period at one contact, and the phase portrait: the coarsest answer
 /// of each configuration that has one, on the certified orbit. Empty where the records keep no motions.
 std::vector<Figure> motion_figures(const Evaluation& evaluation, const std::string& scene,

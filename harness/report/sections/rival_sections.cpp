@@ -12,14 +12,14 @@ namespace signorini {
 
 namespace {
 
-constexpr std::string_view kText =
+constexpr std::string_view kRivalsText =
     R"(On the scenes whose law the plugin represents: how many it solves with an
 error of x of at most 1e-2 and 1e-6. Its least time there, over that of the fastest of the program's own methods
 and over that of the fastest plain form of the literature, on the scenes that both solve: geometric mean (least
 to largest). Fastest: scenes on which no other method of the run is as fast.)";
 
 /// Two digits, without an exponent where it is large: "0.043", "3.1", "4000".
-std::string rounded(double ratio) {
+std::string ratio_text(double ratio) {
   if (ratio < 99.5) return fmt::format("{:.2g}", ratio);
   const double unit = std::pow(10.0, std::floor(std::log10(ratio)) - 1.0);
   return fmt::format("{:.0f}", std::round(ratio / unit) * unit);
@@ -29,14 +29,14 @@ std::string rounded(double ratio) {
 Cell ratio_cell(std::span<const double> ratios) {
   if (ratios.empty()) return {"-", kNeverReached};
   const double mean = shifted_geometric_mean(ratios, 0.0, kNeverReached);
-  return {fmt::format("{} ({} to {})", rounded(mean), rounded(ratios.front()), rounded(ratios.back())), mean};
+  return {fmt::format("{} ({} to {})", ratio_text(mean), ratio_text(ratios.front()), ratio_text(ratios.back())), mean};
 }
 
 }  // namespace
 
 Sections rival_sections(const Evaluation& evaluation) {
   Section section{
-      .id = "plugins", .title = "Plugins beside our methods at equal error", .text = std::string(kText)};
+      .id = "plugins", .title = "Plugins beside our methods at equal error", .text = std::string(kRivalsText)};
   section.table.header = {"method"};
   for (const double error : kRivalErrors) {
     section.table.header.push_back(fmt::format("to {:.0e}", error));

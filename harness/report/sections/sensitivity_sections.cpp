@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,6 +11,7 @@
 
 #include "harness/report/document/cells.hpp"
 #include "harness/report/evaluation/outcome.hpp"
+#include "harness/report/evaluation/variations.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "harness/statistics.hpp"
@@ -20,37 +20,7 @@ namespace signorini {
 
 namespace {
 
-/// A method with all its settings but one: "fourier-lipschitz[harmonics=40]", and the key of that one.
-using Varied = std::pair<std::string, std::string>;
-
-/// Results by the value of the varied option, values in the order in which they ran.
-struct Variation {
-  std::vector<std::string> values = {};
-  std::map<std::string, std::vector<const CaseResult*>> results = {};
-};
-
 constexpr std::size_t kFewestValues = 3;
-
-/// Every way to single out one setting while another number stands; a number alone is the method's
-/// resolution.
-std::map<Varied, Variation> variations_of(const Evaluation& evaluation) {
-  std::map<Varied, Variation> variations;
-  for (const CaseResult& result : evaluation.results()) {
-    const CaseChoice& choice = *result.choice;
-    for (std::size_t varied = 0; varied < choice.settings.size(); ++varied) {
-      Settings others = choice.settings;
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(varied));
-      const auto numeric = [](const OptionSetting& setting) { return is_numeric(setting.second); };
-      if (std::none_of(others.begin(), others.end(), numeric)) continue;
-      const auto& [option, value] = choice.settings[varied];
-      Variation& variation = variations[{method_label(choice.method, others), option}];
-      std::vector<const CaseResult*>& results = variation.results[value];
-      if (results.empty()) variation.values.push_back(value);
-      results.push_back(&result);
-    }
-  }
-  return variations;
-}
 
 /// The results by scene, of several the first.
 std::map<std::string_view, const CaseResult*> by_scene(const std::vector<const CaseResult*>& results) {
@@ -70,22 +40,6 @@ std::optional<double> gain_of(const CaseResult& off, const CaseResult& on) {
 }
 
 Cell gain_cell(double gain) { return {fmt::format("{:.3g}", gain), gain}; }
-
-/// The number in a value, "1e3" or in units of a scale "1e3x"; nothing in a word.
-std::optional<double> number_in(const std::string& value) {
-  char* end = nullptr;
-  const double number = std::strtod(value.c_str(), &end);
-  const std::string_view rest = end;
-  if (end == value.c_str() || !(rest.empty() || rest == "x")) return std::nullopt;
-  return number;
-}
-
-/// Numbers in rising order; words as they ran.
-std::vector<std::string> in_order(std::vector<std::string> values) {
-  const auto is_number = [](const std::string& value) { return number_in(value).has_value(); };
-  if (std::ranges::all_of(values, is_number)) std::ranges::stable_sort(values, {}, number_in);
-  return values;
-}
 
 /// Results of one method at one value.
 struct Results {
@@ -122,9 +76,9 @@ Sections sensitivity_sections(const Evaluation& evaluation) {
       "from rest, late by this share of its period.";
   section.table.header = {"method",  "option",       "value",         "solved",           "reference orbit",
                           "refuted", "median error", "largest error", "under another law"};
-  for (const auto& [varied, variation] : variations_of(evaluation)) {
+  for (const auto& [varied, variation] : variations_of(evaluation.results())) {
     if (variation.values.size() < kFewestValues) continue;
-    for (const std::string& value : in_order(variation.values)) {
+    for (const std::string& value : variation.values) {
       const auto& [counts, errors] = results_of(variation.results.at(value));
       if (counts.cases == 0) continue;
       section.table.rows.push_back({varied.first, varied.second, value,
@@ -149,7 +103,7 @@ Sections switch_sections(const Evaluation& evaluation) {
   Section scenes{.id = "switches-scenes", .title = "One switch off and on, scene by scene"};
   scenes.table.header = {"scene", "method", "switch", "error of x, off", "error of x, on", "gain"};
   Rows rows(scenes, "what the others say is in table.csv");
-  for (const auto& entry : variations_of(evaluation)) {
+  for (const auto& entry : variations_of(evaluation.results())) {
     const auto& varied = entry.first;
     const auto& results = entry.second.results;
     if (results.size() != 2 || !results.contains("false") || !results.contains("true")) continue;
