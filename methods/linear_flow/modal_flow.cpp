@@ -19,54 +19,6 @@ bool has_faded(Complex mu, double duration) { return mu.real() * duration < -50.
 
 }  // namespace
 
-bool resonates(const ModeEquations& equations, const ComplexModes& modes) {
-  // The periodic response to a load near an eigenvalue is 1 / |i rate - mu| as large as the load, the free
-  // motion cancels it: at a relative distance of 1e-4 four digits are lost.
-  constexpr double kResonance = 1e-4;
-  if (equations.free() == 0) return false;  // nothing moves
-  for (Eigen::Index h = 0; h < equations.harmonics(); ++h) {
-    if (equations.reduced_load(h).isZero(0.0)) continue;
-    const double rate = equations.rates()[static_cast<std::size_t>(h)];
-    if ((modes.mu.array() - Complex(0.0, rate)).abs().minCoeff() <
-        kResonance * std::max(rate, equations.structure().frequency))
-      return true;
-  }
-  return false;
-}
-
-ModalBasis::ModalBasis(const ModeEquations& equations, ComplexModes modes) : reduced(std::move(modes)) {
-  const Eigen::MatrixXd& Q = equations.form.basis;
-  const RelaxingForm& relaxing = equations.form.relaxing;
-  const Eigen::Index n = equations.free(), size = equations.size(), positions = equations.positions();
-  const Eigen::Index moving = reduced.mu.size(), alone = relaxing.of_z.cols();
-  mu = Eigen::VectorXcd::Constant(moving + alone, -1.0 / std::max(equations.structure().relaxation, 1e-300));
-  mu.head(moving) = reduced.mu;
-  weight = Eigen::VectorXd::Ones(moving + alone);
-  weight.head(moving) = reduced.weight;
-  shapes = Eigen::MatrixXcd::Zero(positions, moving + alone);
-  shapes.topLeftCorner(size, moving) = Q * reduced.shapes;
-  left = Eigen::MatrixXcd::Zero(moving + alone, positions + size);
-  left.topLeftCorner(moving, size) = reduced.left.leftCols(n) * Q.transpose();
-  left.topRightCorner(moving, size) = reduced.left.rightCols(n) * Q.transpose();
-  if (positions > size) {
-    shapes.bottomLeftCorner(positions - size, moving) =
-        relaxing.of_u.cast<Complex>() * shapes.topLeftCorner(size, moving);
-    shapes.bottomRightCorner(positions - size, alone) = relaxing.of_z.cast<Complex>();
-    left.block(moving, size, alone, positions - size) = relaxing.of_xi.cast<Complex>();
-  }
-  Eigen::MatrixXcd states(positions + size, moving + alone);
-  states.topRows(positions) = shapes;
-  states.bottomRows(size) = shapes.topRows(size) * mu.asDiagonal();
-  row_of_mode = equations.output_of_state * states * weight.asDiagonal();
-}
-
-std::shared_ptr<const ModalBasis> modal_basis(const ModeEquations& equations) {
-  std::optional<ComplexModes> modes =
-      equations.free() == 0 ? ComplexModes{} : complex_modes(equations.energy());
-  if (!modes) return nullptr;
-  return std::make_shared<const ModalBasis>(equations, *std::move(modes));
-}
-
 ModalFlow::ModalFlow(ModeEquations equations, std::shared_ptr<const ModalBasis> basis)
     : LinearFlow(std::move(equations)), basis_(std::move(basis)) {
   const Eigen::Index harmonics = equations_.harmonics();
