@@ -84,6 +84,7 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
   grow_to(whole);
   SpaceProjection projection = projection_from_start(space, contacts);
   const Eigen::MatrixXd newest = projection.pairs.vectors.bottomRows(space.coupling().cols());
+  const Eigen::MatrixXd left_out = space.left_out() * projection.pairs.vectors;
   rounding_ = refine_lowest(problem, space, columns, projection);
   if (!few) small_ = reduction_on(columns, projection, small);
   residual_ = small_.compliance;
@@ -102,12 +103,12 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
   direct_ = std::move(columns.compliance);
   whole_.complete = space.exhausted() || space.size() >= most;
   if (whole_.complete) {
-    outside_ = Eigen::MatrixXd::Zero(0, theta_.size());
+    outside_ = left_out_ = Eigen::MatrixXd::Zero(0, theta_.size());
     return;
   }
   outside_ = space.coupling() * newest;
-  omitted_ = space.omitted();
-  omitted_start_ = space.omitted_start();
+  left_out_ = left_out;
+  left_out_of_start_ = space.left_out_of_start().norm();
 }
 
 // A spring on a part that relaxes is not followed.
@@ -191,21 +192,16 @@ Eigen::MatrixXcd ContactSpace::columns_of(double base, const Eigen::MatrixXcd& f
 double ContactSpace::residual(const Pencil& pencil, const Eigen::VectorXcd& start) const {
   const auto& [kappa, mu, load] = pencil.numbers;
   const Eigen::VectorXcd y = start.array() / ((mu * theta_.cast<Complex>()).array() + kappa);
-  return std::abs(mu) * (real_times(outside_, y).norm() + omitted_ * y.norm());
+  return std::abs(mu) * (real_times(outside_, y).norm() + real_times(left_out_, y).norm());
 }
 
 double ContactSpace::contact_residual(const Pencil& pencil) const {
   const auto& [kappa, mu, load] = pencil.numbers;
   const Eigen::VectorXcd inverse = ((mu * theta_.cast<Complex>()).array() + kappa).cwiseInverse();
-  const Eigen::MatrixXd real = outside_ * (inverse.real().asDiagonal() * contacts_);
-  const Eigen::MatrixXd imaginary = outside_ * (inverse.imag().asDiagonal() * contacts_);
-  double largest = 0.0;
-  for (Eigen::Index j = 0; j < contacts_.cols(); ++j) {
-    const double left_out = inverse.cwiseProduct(contacts_.col(j)).norm();
-    largest =
-        std::max(largest, std::hypot(real.col(j).norm(), imaginary.col(j).norm()) + omitted_ * left_out);
-  }
-  return std::abs(pencil.numbers.mu) * largest;
+  const Eigen::MatrixXcd moved = inverse.asDiagonal() * contacts_.cast<Complex>();
+  const Eigen::RowVectorXd lengths =
+      real_times(outside_, moved).colwise().norm() + real_times(left_out_, moved).colwise().norm();
+  return std::abs(mu) * lengths.maxCoeff();
 }
 
 Eigen::VectorXd ContactSpace::bound(double base, const Eigen::MatrixXcd& force) const {
@@ -222,9 +218,9 @@ Eigen::VectorXd ContactSpace::bound(double base, const Eigen::MatrixXcd& force) 
       next = std::max(n + 1, static_cast<Eigen::Index>(kNextHarmonic * static_cast<double>(n)));
       after = contact_residual(pencil(static_cast<double>(next) * base));
     }
-    const double of_contacts = std::max(before, after) + omitted_start_;
+    const double of_contacts = std::max(before, after) + left_out_of_start_;
     const double acting = force.row(n).norm() + loads.row(n).norm();
-    result[n] = of_contacts * (residual(here, start.col(n)) + omitted_start_ * acting) / here.least;
+    result[n] = of_contacts * (residual(here, start.col(n)) + left_out_of_start_ * acting) / here.least;
   }
   return result;
 }

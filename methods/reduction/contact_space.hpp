@@ -97,15 +97,15 @@ class ContactSpace {
   Eigen::MatrixXd residual_;  // static, of small_ whatever the law
   Eigen::MatrixXcd residual_shift_;
   LoadColumns load_;
-  Eigen::VectorXd theta_;     // of the whole space, k
-  Eigen::MatrixXd contacts_;  // U^T V^T N, k x Nc
-  Eigen::MatrixXd loads_;     // U^T V^T F, k x Nf
-  Eigen::MatrixXd ports_;     // both, k x (Nc + Nf)
-  Eigen::MatrixXd direct_;    // of the massless coordinates, (Nc + Nf) x (Nc + Nf)
-  Eigen::MatrixXd gram_;      // of Ritz vectors and of what follows, over all coordinates
-  Eigen::MatrixXd outside_;   // |K^-1 M V y - V t y|_K = |outside y|, but for what was omitted
+  Eigen::VectorXd theta_;               // of the whole space, k
+  Eigen::MatrixXd contacts_;            // U^T V^T N, k x Nc
+  Eigen::MatrixXd loads_;               // U^T V^T F, k x Nf
+  Eigen::MatrixXd ports_;               // both, k x (Nc + Nf)
+  Eigen::MatrixXd direct_;              // of the massless coordinates, (Nc + Nf) x (Nc + Nf)
+  Eigen::MatrixXd gram_;                // of Ritz vectors and of what follows, over all coordinates
+  Eigen::MatrixXd outside_, left_out_;  // |K^-1 M V y - V t y|_K <= |outside y| + |left_out y|
   int coordinates_ = 0;
-  double omitted_ = 0.0, omitted_start_ = 0.0, rounding_ = 0.0;
+  double left_out_of_start_ = 0.0, rounding_ = 0.0;
 };
 
 }  // namespace signorini

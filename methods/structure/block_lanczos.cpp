@@ -41,7 +41,7 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 // Squared length of a direction, relative to the longest of its block, below which it is rounding: the Gram
 // matrix knows squared lengths to its own precision only.
 constexpr double kRounding = 1e-14;
-// The same relative to the columns before they were made orthogonal to the basis, whose rounding it is then.
+// The same relative to the column before it was made orthogonal to the basis, whose rounding it is then.
 constexpr double kInvariant = 1e-26;
 // Smallest pivot of P scaled to unit diagonal with which P^{-1} means anything.
 constexpr double kDefinite = 1e-13;
@@ -61,34 +61,48 @@ BlockLanczos::BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const S
   if (!definite_) return;
   const Eigen::MatrixXd columns = factors_.solve(Eigen::MatrixXd(B));
   const Eigen::MatrixXd gram = symmetrised(B.transpose() * columns);
-  // Loads and contacts in their own units: each column counts by its own length.
-  const Eigen::VectorXd length = gram.diagonal().cwiseMax(0.0).cwiseSqrt();
-  const Eigen::VectorXd unit = length.unaryExpr([](double value) { return value > 0.0 ? 1.0 / value : 0.0; });
-  const double left_out =
-      orthonormalise(columns * unit.asDiagonal(), unit.asDiagonal() * gram * unit.asDiagonal(), 1.0);
-  start_ = coupling_ * length.asDiagonal();
-  omitted_start_ = std::sqrt(left_out) * length.maxCoeff();
+  // Loads and contacts in their own units.
+  left_out_of_start_ = orthonormalise(columns, gram, gram.diagonal().cwiseMax(0.0).cwiseSqrt()).extent();
+  start_ = coupling_;
   grow();
 }
 
-double BlockLanczos::orthonormalise(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& gram,
-                                    double before) {
-  // gram = X s^2 X^T: columns X / s is P-orthonormal, and the eigenvalues s^2 tell how much each direction
-  // adds. A Cholesky factor of gram would do as well while the columns are independent; only eigenvectors
-  // order them by length, so that those of rounding size can be left out.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> directions(gram);
+BlockLanczos::Remainder BlockLanczos::orthonormalise(const Eigen::MatrixXd& columns,
+                                                     const Eigen::MatrixXd& gram,
+                                                     const Eigen::VectorXd& length) {
+  // Each column counts by its own length before it was made orthogonal: what one contact alone moves is
+  // shorter by many digits than what the load moves, and as well known. With D the lengths, D^-1 gram D^-1 =
+  // X s^2 X^T: columns D^-1 X / s is P-orthonormal, and the eigenvalues s^2 tell how much each direction
+  // adds. A Cholesky factor would do as well while the columns are independent; only eigenvectors order them
+  // by length, so that those of rounding size can be left out.
+  const Eigen::VectorXd unit = length.unaryExpr([](double value) { return value > 0.0 ? 1.0 / value : 0.0; });
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> directions(unit.asDiagonal() * gram *
+                                                                  unit.asDiagonal());
   const Eigen::VectorXd& squares = directions.eigenvalues();  // rising
   const Eigen::Index count = squares.size();
-  const double least = count > 0 ? std::max(kRounding * squares[count - 1], kInvariant * before) : 0.0;
+  const double least = count > 0 ? std::max(kRounding * squares[count - 1], kInvariant) : 0.0;
   Eigen::Index dropped = 0;
   while (dropped < count && !(squares[dropped] > least)) ++dropped;
   const Eigen::Index kept = count - dropped;
-  const auto vectors = directions.eigenvectors().rightCols(kept);
-  const Eigen::VectorXd length = squares.tail(kept).cwiseSqrt();
-  next_ = columns * (vectors * length.cwiseInverse().asDiagonal());
-  coupling_ = length.asDiagonal() * vectors.transpose();
+  const Eigen::MatrixXd vectors = directions.eigenvectors().rightCols(kept);
+  const Eigen::VectorXd extent = squares.tail(kept).cwiseSqrt();
+  next_ = columns * (unit.asDiagonal() * vectors * extent.cwiseInverse().asDiagonal());
+  coupling_ = extent.asDiagonal() * vectors.transpose() * length.asDiagonal();
   if (kept > 0) polish_next();
-  return dropped > 0 ? std::max(0.0, squares[dropped - 1]) : 0.0;
+  // What is left out, columns D^-1 X_dropped X_dropped^T D. The Gram matrix knows squared lengths to its own
+  // precision alone: these are measured on the vectors themselves.
+  Remainder rest{.vectors = columns * (unit.asDiagonal() * directions.eigenvectors().leftCols(dropped)),
+                 .coefficients = Eigen::MatrixXd(dropped, count),
+                 .lengths = Eigen::VectorXd(dropped)};
+  if (dropped == 0) return rest;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own(
+      symmetrised(transposed_product(rest.vectors, product(P_, rest.vectors))));
+  rest.lengths = own.eigenvalues().cwiseMax(0.0).cwiseSqrt();  // rising
+  rest.coefficients = own.eigenvectors().transpose() *
+                      directions.eigenvectors().leftCols(dropped).transpose() * length.asDiagonal();
+  const Eigen::Index known = (own.eigenvalues().array() > kInvariant).count();
+  rest.vectors = rest.vectors * own.eigenvectors().rightCols(known);
+  return rest;
 }
 
 // Short directions of a block carry the rounding of its long ones, magnified by the ratio of their lengths.
@@ -108,8 +122,14 @@ void BlockLanczos::polish_next() {
   coupling_ = factor.matrixU() * coupling_;
 }
 
+bool BlockLanczos::exhausted() const {
+  return next_.cols() == 0 &&
+         std::ranges::all_of(left_out_, [](const Remainder& part) { return part.vectors.cols() == 0; });
+}
+
 void BlockLanczos::grow() {
   if (exhausted()) return;
+  if (next_.cols() == 0) return grow_by_left_out();
   size_ += next_.cols();
   basis_.push_back(std::move(next_));
   // P^{-1} M V_j against the whole basis. In exact arithmetic two blocks would do; rounding brings converged
@@ -117,7 +137,7 @@ void BlockLanczos::grow() {
   const Eigen::MatrixXd momentum = product(M_, basis_.back());
   Eigen::MatrixXd columns = factors_.solve(momentum);
   // |P^{-1} m|_P^2 = m^T P^{-1} m for each column m of M V_j.
-  const double before = momentum.cwiseProduct(columns).colwise().sum().maxCoeff();
+  const Eigen::VectorXd before = momentum.cwiseProduct(columns).colwise().sum().transpose();
   const Eigen::Index width = momentum.cols();
   projected_.emplace_back(size_, width);
   Eigen::Index row = 0;
@@ -128,7 +148,7 @@ void BlockLanczos::grow() {
     row += block.cols();
   }
   const Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product(P_, columns)));
-  omitted_squares_ += orthonormalise(columns, gram, before);
+  left_out_.push_back(orthonormalise(columns, gram, before.cwiseMax(0.0).cwiseSqrt()));
 }
 
 Eigen::MatrixXd BlockLanczos::projected_mass() const {
@@ -185,12 +205,53 @@ Eigen::MatrixXd BlockLanczos::combined(const Eigen::MatrixXd& coefficients) cons
   return result;
 }
 
-double BlockLanczos::omitted() const { return std::sqrt(omitted_squares_); }
+Eigen::MatrixXd BlockLanczos::left_out() const {
+  Eigen::Index rows = 0;
+  double parts = 0.0;
+  for (const Remainder& part : left_out_) {
+    rows += part.lengths.size();
+    if (part.lengths.size() > 0) parts += 1.0;
+  }
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows, size_);
+  Eigen::Index row = 0, column = 0;
+  for (const Remainder& part : left_out_) {
+    result.block(row, column, part.coefficients.rows(), part.coefficients.cols()) =
+        std::sqrt(parts) * part.extent();
+    row += part.coefficients.rows();
+    column += part.coefficients.cols();
+  }
+  return result;
+}
+
+void BlockLanczos::grow_by_left_out() {
+  Eigen::MatrixXd columns(P_.rows(), width_with_left_out());
+  columns.leftCols(next_.cols()) = next_;
+  Eigen::Index filled = next_.cols();
+  for (Remainder& part : left_out_) {
+    const Eigen::Index known = part.vectors.cols(), unknown = part.lengths.size() - known;
+    columns.middleCols(filled, known) = part.vectors * part.lengths.tail(known).cwiseInverse().asDiagonal();
+    filled += known;
+    part = {.vectors = {},
+            .coefficients = part.coefficients.topRows(unknown).eval(),
+            .lengths = part.lengths.head(unknown).eval()};
+  }
+  // Of unit length, and orthogonal to the basis but for rounding, which polishing takes away. What is left
+  // out now is rounding of rounding.
+  const Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product(P_, columns)));
+  orthonormalise(columns, gram, gram.diagonal().cwiseMax(0.0).cwiseSqrt());
+  if (next_.cols() > 0) grow();
+}
+
+Eigen::Index BlockLanczos::width_with_left_out() const {
+  Eigen::Index width = next_.cols();
+  for (const Remainder& part : left_out_) width += part.vectors.cols();
+  return width;
+}
 
 double BlockLanczos::operations_of_growth() const {
-  const auto width = static_cast<double>(next_.cols());
+  const auto width = static_cast<double>(this->width());
   const auto rows = static_cast<double>(P_.rows());
-  return width * (4.0 * factors_.entries() + 8.0 * rows * static_cast<double>(size_ + next_.cols()));
+  return width * (4.0 * factors_.entries() + 8.0 * rows * (static_cast<double>(size_) + width));
 }
 
 RitzPairs ritz_pairs(const BlockLanczos& space) {

@@ -27,12 +27,15 @@ class BlockLanczos {
   [[nodiscard]] bool definite() const { return definite_; }
   /// Adds the next power; nothing once the space is exhausted.
   void grow();
-  /// True if the space is invariant under P^{-1} M: growing adds nothing.
-  [[nodiscard]] bool exhausted() const { return next_.cols() == 0; }
+  /// Adds the next power and what was left out of blocks so far: it is more than rounding where one contact
+  /// alone moves a stiff part of the structure. The blocks of t are not tridiagonal from then on.
+  void grow_by_left_out();
+  /// True if the space is invariant under P^{-1} M to rounding: growing adds nothing.
+  [[nodiscard]] bool exhausted() const;
   /// Dimension of the space, without the block that would come next.
   [[nodiscard]] Eigen::Index size() const { return size_; }
   /// Vectors by which the next growth enlarges it.
-  [[nodiscard]] Eigen::Index width() const { return next_.cols(); }
+  [[nodiscard]] Eigen::Index width() const { return next_.cols() > 0 ? next_.cols() : width_with_left_out(); }
   /// t = V^T M V, k x k.
   [[nodiscard]] Eigen::MatrixXd projected_mass() const;
   /// r = V^T B, k x m.
@@ -44,10 +47,10 @@ class BlockLanczos {
   [[nodiscard]] Eigen::MatrixXd newest_mass() const {
     return projected_.back().bottomRows(projected_.back().cols());
   }
-  /// omega with |X y|_P <= |coupling() y_newest| + omega |y|: what was left out of blocks so far as rounding.
-  [[nodiscard]] double omitted() const;
-  /// The same of a column of B, |P^{-1} b - V V^T b|_P at most.
-  [[nodiscard]] double omitted_start() const { return omitted_start_; }
+  /// L with |X y|_P <= |coupling() y_newest| + |L y|: what was left out of blocks so far as rounding, r x k.
+  [[nodiscard]] Eigen::MatrixXd left_out() const;
+  /// The same of the start, |(P^{-1} B - V V^T B) y|_P <= |L y|, r x m.
+  [[nodiscard]] const Eigen::MatrixXd& left_out_of_start() const { return left_out_of_start_; }
   /// Floating-point operations of the next growth, roughly.
   [[nodiscard]] double operations_of_growth() const;
   /// V^T A for other columns A, Nd x l; k x l.
@@ -62,11 +65,21 @@ class BlockLanczos {
   [[nodiscard]] const SparseCholesky& factors() const { return factors_; }
 
  private:
+  // What a block leaves out: P-orthogonal vectors of these P-norms, rising, relative to those of the columns,
+  // times coefficients. The last of the vectors are kept, those that are more than rounding.
+  struct Remainder {
+    Eigen::MatrixXd vectors, coefficients;
+    Eigen::VectorXd lengths;
+    [[nodiscard]] Eigen::MatrixXd extent() const { return lengths.asDiagonal() * coefficients; }
+  };
+
   // Splits columns, P-orthogonal to the basis and of P-Gram matrix `gram`, into a P-orthonormal block and its
-  // coefficients, columns = next_ * coupling_; `before` is their squared P-norm before they were made
-  // orthogonal. Returns the squared P-norm of what is left out, at most.
-  double orthonormalise(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& gram, double before);
+  // coefficients, columns = next_ * coupling_; `length` are their P-norms before they were made orthogonal.
+  // Returns what is left out.
+  Remainder orthonormalise(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& gram,
+                           const Eigen::VectorXd& length);
   void polish_next();
+  [[nodiscard]] Eigen::Index width_with_left_out() const;
 
   const SparseMatrix& P_;
   const SparseMatrix& M_;
@@ -75,8 +88,8 @@ class BlockLanczos {
   Eigen::Index size_ = 0;
   std::vector<Eigen::MatrixXd> basis_;
   std::vector<Eigen::MatrixXd> projected_;  // V^T M V_j of block j, rows up to and with its own
-  double omitted_start_ = 0.0;
-  double omitted_squares_ = 0.0;  // of the longest direction left out of each block, summed
+  std::vector<Remainder> left_out_;         // of each block
+  Eigen::MatrixXd left_out_of_start_;
   Eigen::MatrixXd start_;
   Eigen::MatrixXd next_;
   Eigen::MatrixXd coupling_;

@@ -99,6 +99,10 @@ class ReducedModel {
       elimination.take_newest_block();
     }
     for (diagonalise(); !are_cheap(find_open(tolerance)); diagonalise()) {
+      if (left_out_matters_) {
+        if (!grow(&BlockLanczos::grow_by_left_out)) return false;
+        continue;
+      }
       // The modes cost more than a block: several of these at a time.
       for (Eigen::Index least = space_->size() + std::max<Eigen::Index>(1, space_->size() / kGrowth);
            space_->size() < least;) {
@@ -178,10 +182,10 @@ class ReducedModel {
     return count;
   }
 
-  bool grow() {
+  bool grow(void (BlockLanczos::*by)() = &BlockLanczos::grow) {
     operations_ += space_->operations_of_growth();
     if (operations_ > direct_operations(pencils_.size())) return false;
-    space_->grow();
+    (space_.get()->*by)();
     return true;
   }
 
@@ -196,6 +200,7 @@ class ReducedModel {
     contact_rows_ = rows_.leftCols(contacts_);
     seen_ = contact_rows_.transpose();
     outside_ = space_->coupling() * vectors_.bottomRows(space_->coupling().cols());
+    left_out_ = space_->left_out() * vectors_;
   }
 
   /// 1 / (kappa + mu theta); none where the projection is singular.
@@ -219,33 +224,56 @@ class ReducedModel {
   /// Fills open_. \return how many
   std::size_t find_open(double tolerance) {
     open_.clear();
-    for (std::size_t n = 0; n < pencils_.size(); ++n)
-      if (!(relative_error(pencils_[n]) <= tolerance)) open_.push_back(static_cast<int>(n));
+    left_out_matters_ = false;
+    for (std::size_t n = 0; n < pencils_.size(); ++n) {
+      const RelativeError error = relative_error(pencils_[n]);
+      if (error.all <= tolerance) continue;
+      open_.push_back(static_cast<int>(n));
+      left_out_matters_ = left_out_matters_ || error.outside <= tolerance;
+    }
     return open_.size();
   }
 
-  /// |b - Z_n V y|_{P^{-1}} from what y leaves outside of the space, its norm and the number of columns b.
-  [[nodiscard]] double residual(const HarmonicPencil& pencil, double outside, double size,
-                                Eigen::Index columns) const {
-    return std::abs(pencil.mu) * (outside + space_->omitted() * size) +
-           space_->omitted_start() * std::sqrt(static_cast<double>(columns));
+  /// |b - Z_n V y|_{P^{-1}} over the columns b, for y = inverse times their amplitudes: outside of the space,
+  /// and what was left out of it.
+  struct Residual {
+    double outside = 0.0, left_out = 0.0;
+  };
+  [[nodiscard]] Residual residual(const HarmonicPencil& pencil, const Eigen::VectorXcd& inverse,
+                                  const Eigen::MatrixXd& amplitudes) const {
+    const auto length = [&](const Eigen::MatrixXd& rows) {
+      return rows.rows() == 0 ? 0.0 : std::abs(pencil.mu) * scaled_product(rows, inverse, amplitudes).norm();
+    };
+    return {length(outside_), length(left_out_)};
   }
 
-  [[nodiscard]] double relative_error(const HarmonicPencil& pencil) const {
+  /// The bound of the error of a harmonic, relative to its scale.
+  struct RelativeError {
+    double all = 0.0;      ///< [-]
+    double outside = 0.0;  ///< the part that further powers reduce [-]
+  };
+  [[nodiscard]] RelativeError relative_error(const HarmonicPencil& pencil) const {
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
     const std::optional<Eigen::VectorXcd> found = inverse_of(pencil);
-    if (!found) return std::numeric_limits<double>::infinity();
+    if (!found) return {kInfinite, kInfinite};
     const Eigen::VectorXcd& inverse = *found;
     const double nearest = distance_from_singular(pencil, theta_);
-    double error = 0.0;
-    const auto add = [&](double rho, double scale) {
-      if (scale != 0.0) error = std::max(error, rho * rho / (nearest * scale));
+    RelativeError error;
+    const auto add = [&](const Residual& rho, double start, double scale) {
+      if (scale == 0.0) return;
+      const double all = rho.outside + rho.left_out + start;
+      error.all = std::max(error.all, all * all / (nearest * scale));
+      error.outside = std::max(error.outside, rho.outside * rho.outside / (nearest * scale));
     };
-    const double size = std::sqrt(inverse.cwiseAbs2().dot(contact_rows_.rowwise().squaredNorm()));
-    add(residual(pencil, scaled_product(outside_, inverse, contact_rows_).norm(), size, contacts_),
-        seen(inverse).norm());
+    const Eigen::MatrixXd& start = space_->left_out_of_start();
+    add(residual(pencil, inverse, contact_rows_), start.leftCols(contacts_).norm(), seen(inverse).norm());
     if (pencil.load.size() > 0) {
-      const Eigen::VectorXcd load = load_of(pencil), y = inverse.cwiseProduct(load);
-      add(residual(pencil, (outside_ * y).norm(), y.norm(), 1), std::abs(load.dot(y)));
+      // Two real columns of a complex one.
+      const Eigen::VectorXcd load = load_of(pencil);
+      Eigen::MatrixXd parts(load.size(), 2);
+      parts << load.real(), load.imag();
+      add(residual(pencil, inverse, parts), (start.rightCols(pencil.load.size()) * pencil.load).norm(),
+          std::abs(load.dot(inverse.cwiseProduct(load))));
     }
     return error;
   }
@@ -260,8 +288,10 @@ class ReducedModel {
   Eigen::MatrixXd vectors_, rows_, contact_rows_;  // U; U^T V^T [W, F]; its part of W
   Eigen::MatrixXd seen_;                           // of W, transposed
   Eigen::MatrixXd outside_;                        // of M times each mode, what lies outside the space
+  Eigen::MatrixXd left_out_;                       // and what was left out as rounding
   double operations_ = 0.0;
   std::vector<int> open_;
+  bool left_out_matters_ = false;  // some are open because of it alone
 };
 
 /// Whether all modes at once cost less than a factorisation per harmonic: where damping is a full matrix, as

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tests/support/damped_chain.hpp"
+#include "tests/support/structure_scenes.hpp"
 
 namespace signorini {
 namespace {
@@ -99,6 +100,51 @@ TEST_F(BlockLanczosOfChain, LeavesOutWhatOnlyRepeatsADirection) {
   const Eigen::MatrixXd r = space.projected_start();
   const Eigen::MatrixXd exact = Eigen::MatrixXd(twice).transpose() * p_.llt().solve(Eigen::MatrixXd(twice));
   EXPECT_LE((r.transpose() * r - exact).norm(), 1e-12 * exact.norm());
+}
+
+// A slender block over a pad of many nodes: what one node alone moves is of a stiffness by many digits larger
+// than the block's lowest, and most of it is left out of the first powers. Whatever is left out, L bounds it;
+// taken in later, nothing is left.
+TEST(BlockLanczos, BoundsWhatIsLeftOutOfABlockAndTakesItIn) {
+  const Problem block = test::to_problem(
+      {.elements = {100, 2, 2}, .lengths = {20.0, 0.2, 0.2}, .patch = {{{18.0, 20.0}, {0.0, 0.2}}}});
+  ASSERT_GE(block.contact_count(), 15);
+  const SparseMatrix start = contact_directions(block);
+  BlockLanczos space(block.stiffness(), block.mass(), start);
+  ASSERT_TRUE(space.definite());
+  const auto defect = [&](const Eigen::VectorXd& y) {
+    const Eigen::MatrixXd moved =
+        space.solve(block.mass() * space.combined(y)) - space.combined(space.projected_mass() * y);
+    const Eigen::VectorXd x = moved.col(0);
+    return std::sqrt(std::max(0.0, x.dot(block.stiffness() * x)));
+  };
+  const auto bound = [&](const Eigen::VectorXd& y) {
+    return (space.coupling() * y.tail(space.coupling().cols())).norm() + (space.left_out() * y).norm();
+  };
+  for (int k = 0; k < 4; ++k) space.grow();
+  EXPECT_GT(space.left_out().rows(), 0);
+  const double rounding =
+      1e-8 * space.projected_mass().norm();  // of solutions with K, whose condition is 1e9
+  for (const bool taken : {false, true}) {
+    if (taken) space.grow_by_left_out();
+    std::srand(3);
+    for (int i = 0; i < 20; ++i) {
+      const Eigen::VectorXd y = Eigen::VectorXd::Random(space.size());
+      EXPECT_LE(defect(y), bound(y) + rounding * y.norm());
+    }
+    // Of the first block alone: nothing but what was left out of it.
+    const Eigen::Index first = space.projected_start().cols();
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(space.size());
+    y.head(first).setRandom();
+    EXPECT_LE(defect(y), (space.left_out() * y).norm() + rounding * y.norm());
+  }
+  EXPECT_EQ(space.left_out().leftCols(space.projected_start().cols()).norm(), 0.0);
+  const Eigen::MatrixXd basis = space.combined(Eigen::MatrixXd::Identity(space.size(), space.size()));
+  EXPECT_LT(
+      (basis.transpose() * block.stiffness() * basis - Eigen::MatrixXd::Identity(space.size(), space.size()))
+          .cwiseAbs()
+          .maxCoeff(),
+      1e-7);
 }
 
 TEST(BlockLanczos, SaysWherePIsNotDefinite) {
