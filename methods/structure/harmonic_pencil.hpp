@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <complex>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "methods/discretisation/symbols.hpp"
@@ -81,6 +82,42 @@ class PencilElimination {
   const std::vector<HarmonicPencil>& pencils_;
   int contacts_;
   std::vector<Front> fronts_;
+};
+
+/// Every kappa + mu t diagonal in the eigenvectors U of t = V^T M V, and how far the projected responses are
+/// from those of the whole pencil, by the bound of `reduced_receptance`.
+class PencilModes {
+ public:
+  /// Of the space as it is. \param contacts  Nc, the first columns of the start
+  PencilModes(const BlockLanczos& space, int contacts);
+
+  [[nodiscard]] const Eigen::VectorXd& theta() const {
+    return theta_;
+  }  ///< eigenvalues of t, rising, k [s^2]
+  /// 1 / (kappa + mu theta), k; none where the projection is singular.
+  [[nodiscard]] std::optional<Eigen::VectorXcd> inverse_of(const HarmonicPencil& pencil) const;
+  /// C_n of an inverse, Nc x Nc.
+  [[nodiscard]] Eigen::MatrixXcd receptance(const Eigen::VectorXcd& inverse) const;
+  /// The contacts' response to the load of a pencil that has one, Nc.
+  [[nodiscard]] Eigen::VectorXcd free_response(const HarmonicPencil& pencil,
+                                               const Eigen::VectorXcd& inverse) const;
+
+  /// rho_n^2 / (d_n scale), the larger of contacts and load; infinite where the projection is singular.
+  struct Error {
+    double all = 0.0;      ///< [-]
+    double outside = 0.0;  ///< without what blocks left out: the part that further powers reduce [-]
+  };
+  [[nodiscard]] Error relative_error(const HarmonicPencil& pencil) const;
+
+ private:
+  [[nodiscard]] Eigen::VectorXcd load_of(const HarmonicPencil& pencil) const;
+
+  int contacts_;
+  Eigen::VectorXd theta_;
+  Eigen::MatrixXd rows_, contact_rows_, seen_;  // U^T V^T [W, F]; its part of W; that transposed
+  Eigen::MatrixXd outside_;                     // of M times each mode, what lies outside the space
+  Eigen::MatrixXd left_out_;                    // and what was left out as rounding
+  Eigen::MatrixXd left_out_of_start_;
 };
 
 /// V^T W, and V^T f_n where the harmonic is loaded. \param rows  V^T [W, F] in any coordinates

@@ -1,14 +1,12 @@
 #include "methods/structure/receptance.hpp"
 
-#include <cblas.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "methods/discretisation/real_fft.hpp"
@@ -26,29 +24,8 @@ namespace {
 // Right-hand sides solved for at a time: bounds what is kept beside the factors.
 constexpr int kColumns = 32;
 
-using Complex = std::complex<double>;
-
 // Vectors of the reduction that goes with a receptance: a march's grid leaves more than others would.
 constexpr Eigen::Index kMarchedVectors = 100;
-
-/// A diag(d) B for real A and B, by the BLAS: an eighth of a complex product's work.
-Eigen::MatrixXcd scaled_product(const Eigen::MatrixXd& A, const Eigen::VectorXcd& d,
-                                const Eigen::MatrixXd& B) {
-  Eigen::MatrixXcd result(A.rows(), B.cols());
-  const auto rows = static_cast<int>(A.rows()), columns = static_cast<int>(B.cols()),
-             inner = static_cast<int>(B.rows());
-  if (result.size() == 0) return result;
-  Eigen::MatrixXd scaled(inner, columns), part(rows, columns);
-  const auto times = [&](const Eigen::VectorXd& weight) -> const Eigen::MatrixXd& {
-    scaled = weight.asDiagonal() * B;
-    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, rows, columns, inner, 1.0, A.data(), rows,
-                scaled.data(), inner, 0.0, part.data(), rows);
-    return part;
-  };
-  result.real() = times(d.real());
-  result.imag() = times(d.imag());
-  return result;
-}
 
 ContactReduction no_reduction(std::string obstacle) {
   ContactReduction result;
@@ -93,7 +70,7 @@ class ReducedModel {
     const std::vector<std::size_t> numbers = sampled_harmonics(pencils_.size() - 1);
     for (const std::size_t n : numbers) sampled.push_back(pencils_[n]);
     PencilElimination elimination(*space_, sampled, contacts_);
-    while (!elimination.advance(tolerance, theta_) && !space_->exhausted()) {
+    while (!elimination.advance(tolerance, modes_->theta()) && !space_->exhausted()) {
       if (are_cheap(harmonics_open(elimination, numbers))) break;
       if (!grow()) return false;
       elimination.take_newest_block();
@@ -124,12 +101,11 @@ class ReducedModel {
     result.receptance.resize(pencils_.size());
     for (std::size_t n = 0; n < pencils_.size(); ++n) {
       if (std::ranges::binary_search(open_, static_cast<int>(n))) continue;
-      const Eigen::VectorXcd inverse = *inverse_of(pencils_[n]);  // the error was found with it
-      result.receptance[n] = seen(inverse);
+      const Eigen::VectorXcd inverse = *modes_->inverse_of(pencils_[n]);  // the error was found with it
+      result.receptance[n] = modes_->receptance(inverse);
       if (pencils_[n].load.size() == 0) continue;
-      const Eigen::VectorXcd response = inverse.cwiseProduct(load_of(pencils_[n]));
       result.free_response.row(static_cast<Eigen::Index>(n)) =
-          (contact_rows_.transpose() * response).transpose();
+          modes_->free_response(pencils_[n], inverse).transpose();
     }
     return result;
   }
@@ -189,36 +165,10 @@ class ReducedModel {
     return true;
   }
 
-  /// t = U diag(theta) U^T: modes of the projection, in whose coordinates every harmonic is diagonal.
   void diagonalise() {
     constexpr double kOfModes = 9.0;  // a tridiagonal form and its eigenvectors, times the cube of the size
     operations_ += kOfModes * std::pow(static_cast<double>(space_->size()), 3);
-    RitzPairs modes = ritz_pairs(*space_);
-    theta_ = std::move(modes.values);
-    vectors_ = std::move(modes.vectors);
-    rows_ = vectors_.transpose() * space_->projected_start();
-    contact_rows_ = rows_.leftCols(contacts_);
-    seen_ = contact_rows_.transpose();
-    outside_ = space_->coupling() * vectors_.bottomRows(space_->coupling().cols());
-    left_out_ = space_->left_out() * vectors_;
-  }
-
-  /// 1 / (kappa + mu theta); none where the projection is singular.
-  [[nodiscard]] std::optional<Eigen::VectorXcd> inverse_of(const HarmonicPencil& pencil) const {
-    const Eigen::VectorXcd z = pencil.kappa + (pencil.mu * theta_.array().cast<Complex>()).array();
-    const double scale = std::abs(pencil.kappa) + std::abs(pencil.mu) * theta_.maxCoeff();
-    if (!(z.cwiseAbs().minCoeff() > std::numeric_limits<double>::epsilon() * scale)) return std::nullopt;
-    return Eigen::VectorXcd(z.cwiseInverse());
-  }
-
-  /// C_n.
-  [[nodiscard]] Eigen::MatrixXcd seen(const Eigen::VectorXcd& inverse) const {
-    return scaled_product(seen_, inverse, contact_rows_);
-  }
-
-  /// The load in modal coordinates.
-  [[nodiscard]] Eigen::VectorXcd load_of(const HarmonicPencil& pencil) const {
-    return rows_.rightCols(pencil.load.size()).cast<Complex>() * pencil.load;
+    modes_.emplace(*space_, contacts_);
   }
 
   /// Fills open_. \return how many
@@ -226,7 +176,7 @@ class ReducedModel {
     open_.clear();
     left_out_matters_ = false;
     for (std::size_t n = 0; n < pencils_.size(); ++n) {
-      const RelativeError error = relative_error(pencils_[n]);
+      const PencilModes::Error error = modes_->relative_error(pencils_[n]);
       if (error.all <= tolerance) continue;
       open_.push_back(static_cast<int>(n));
       left_out_matters_ = left_out_matters_ || error.outside <= tolerance;
@@ -234,61 +184,13 @@ class ReducedModel {
     return open_.size();
   }
 
-  /// |b - Z_n V y|_{P^{-1}} over the columns b, for y = inverse times their amplitudes: outside of the space,
-  /// and what was left out of it.
-  struct Residual {
-    double outside = 0.0, left_out = 0.0;
-  };
-  [[nodiscard]] Residual residual(const HarmonicPencil& pencil, const Eigen::VectorXcd& inverse,
-                                  const Eigen::MatrixXd& amplitudes) const {
-    const auto length = [&](const Eigen::MatrixXd& rows) {
-      return rows.rows() == 0 ? 0.0 : std::abs(pencil.mu) * scaled_product(rows, inverse, amplitudes).norm();
-    };
-    return {length(outside_), length(left_out_)};
-  }
-
-  /// The bound of the error of a harmonic, relative to its scale.
-  struct RelativeError {
-    double all = 0.0;      ///< [-]
-    double outside = 0.0;  ///< the part that further powers reduce [-]
-  };
-  [[nodiscard]] RelativeError relative_error(const HarmonicPencil& pencil) const {
-    constexpr double kInfinite = std::numeric_limits<double>::infinity();
-    const std::optional<Eigen::VectorXcd> found = inverse_of(pencil);
-    if (!found) return {kInfinite, kInfinite};
-    const Eigen::VectorXcd& inverse = *found;
-    const double nearest = distance_from_singular(pencil, theta_);
-    RelativeError error;
-    const auto add = [&](const Residual& rho, double start, double scale) {
-      if (scale == 0.0) return;
-      const double all = rho.outside + rho.left_out + start;
-      error.all = std::max(error.all, all * all / (nearest * scale));
-      error.outside = std::max(error.outside, rho.outside * rho.outside / (nearest * scale));
-    };
-    const Eigen::MatrixXd& start = space_->left_out_of_start();
-    add(residual(pencil, inverse, contact_rows_), start.leftCols(contacts_).norm(), seen(inverse).norm());
-    if (pencil.load.size() > 0) {
-      // Two real columns of a complex one.
-      const Eigen::VectorXcd load = load_of(pencil);
-      Eigen::MatrixXd parts(load.size(), 2);
-      parts << load.real(), load.imag();
-      add(residual(pencil, inverse, parts), (start.rightCols(pencil.load.size()) * pencil.load).norm(),
-          std::abs(load.dot(inverse.cwiseProduct(load))));
-    }
-    return error;
-  }
-
   int contacts_;
   PencilLoads loads_;
   SparseMatrix shifted_;  // P
   std::unique_ptr<BlockLanczos> space_;
   std::vector<HarmonicPencil> pencils_;
-  Eigen::VectorXd theta_;
+  std::optional<PencilModes> modes_;
   double shift_ = 0.0;
-  Eigen::MatrixXd vectors_, rows_, contact_rows_;  // U; U^T V^T [W, F]; its part of W
-  Eigen::MatrixXd seen_;                           // of W, transposed
-  Eigen::MatrixXd outside_;                        // of M times each mode, what lies outside the space
-  Eigen::MatrixXd left_out_;                       // and what was left out as rounding
   double operations_ = 0.0;
   std::vector<int> open_;
   bool left_out_matters_ = false;  // some are open because of it alone
