@@ -83,7 +83,7 @@ ChildProcess::Side ChildProcess::fork_process(const StandardStreams& streams, in
   // Else the child would print what the parent has buffered a second time.
   std::fflush(nullptr);
   std::cout.flush();
-  compute_on_one_thread();  // a plugin may have brought a library with threads
+  compute_on_one_thread();  // a test or a plugin may have set another number
   const pid_t parent = getpid();
   id_ = fork();
   if (id_ < 0) throw_errno("fork");

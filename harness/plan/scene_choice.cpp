@@ -130,7 +130,7 @@ Scene read_scene(const SceneSource& source) {
 
 std::string digest_of(const SceneSource& source) {
   return scene_digest(read_file(source.file, kLargestScene), load_header(source).family,
-                      load_source_files(source));
+                      load_outline(source).files);
 }
 
 bool names_path(const std::string& word) {

@@ -27,7 +27,8 @@ struct Scene {
 /// Reads a scene. \throws SceneError
 Scene read_scene(const SceneSource& source);
 
-/// Scene::sha256 without the scene: nothing is assembled, however large its system. \throws SceneError
+/// Scene::sha256 without the scene: no elements are assembled, however many (load_outline). \throws
+/// SceneError
 std::string digest_of(const SceneSource& source);
 
 /// Whether a word for scenes is a path, "own.toml", "own.toml@1e-4", "own/", "own/*.toml", rather than a name

@@ -8,12 +8,15 @@
 namespace signorini {
 
 std::vector<Eigen::MatrixXd> LinearArc::outputs(std::span<const double> times, int highest) const {
-  std::vector<Eigen::MatrixXd> derivatives;
-  for (int order = 0; order <= highest; ++order) {
-    Eigen::MatrixXd& values = derivatives.emplace_back(equations_.outputs(), std::ssize(times));
-    for (Eigen::Index i = 0; i < values.cols(); ++i) {
-      for (Eigen::Index row = 0; row < values.rows(); ++row)
-        values(row, i) = output(row, times[static_cast<std::size_t>(i)], order);
+  const Eigen::Index rows = equations_.outputs();
+  std::vector<Eigen::MatrixXd> derivatives(static_cast<std::size_t>(highest) + 1,
+                                           Eigen::MatrixXd(rows, std::ssize(times)));
+  // All of one instant together, for which arcs keep what they have computed.
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    for (int order = 0; order <= highest; ++order) {
+      for (Eigen::Index row = 0; row < rows; ++row)
+        derivatives[static_cast<std::size_t>(order)](row, static_cast<Eigen::Index>(i)) =
+            output(row, times[i], order);
     }
   }
   return derivatives;

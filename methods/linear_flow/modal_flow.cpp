@@ -15,7 +15,7 @@ using Complex = std::complex<double>;
 namespace {
 
 /// Whether e^{mu duration} is below e^-50, so that nothing is left of a mode.
-bool has_faded(Complex mu, double duration) { return mu.real() * duration < -50.0; }
+bool has_faded(Complex mu, double duration) { return mu.real() < 0.0 && mu.real() * duration < -50.0; }
 
 }  // namespace
 

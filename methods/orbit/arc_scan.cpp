@@ -61,8 +61,9 @@ Eigen::Index row_of(const LimitedOutput& f, Eigen::Index rows) {
   return rows - (closed.end() - std::ranges::find(closed, f.contact));
 }
 
+// What is not a number stays the peak.
 void raise_to(LimitedSample& peak, const LimitedSample& other) {
-  if (other.value > peak.value) peak = other;
+  if (!std::isnan(peak.value) && !(other.value <= peak.value)) peak = other;
 }
 
 // The maximum between two samples, where there is one.

@@ -60,14 +60,14 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
   small_.obstacle = columns.obstacle;
   if (!small_.obstacle.empty()) return;
   const SparseMatrix start = columns.all();
-  BlockLanczos space(problem.stiffness(), problem.mass(), start);
+  const Eigen::Index most = columns.most(), contacts = columns.normals.cols();
+  BlockLanczos space(problem.stiffness(), problem.mass(), start, most);
   if (!space.definite()) {
     small_.obstacle = std::string(kNotDefinite);
     return;
   }
-  const Eigen::Index most = columns.most(), contacts = columns.normals.cols();
   const auto grow_to = [&](Eigen::Index enough) {
-    while (space.size() < enough && !space.exhausted() && space.size() + space.width() <= most) space.grow();
+    while (space.size() < enough && !space.exhausted()) space.grow();
   };
   const auto width = static_cast<int>(start.cols());
   const bool few = width <= kFewColumns;
@@ -201,7 +201,7 @@ double ContactSpace::contact_residual(const Pencil& pencil) const {
   const Eigen::MatrixXcd moved = inverse.asDiagonal() * contacts_.cast<Complex>();
   const Eigen::RowVectorXd lengths =
       real_times(outside_, moved).colwise().norm() + real_times(left_out_, moved).colwise().norm();
-  return std::abs(mu) * lengths.maxCoeff();
+  return lengths.size() == 0 ? 0.0 : std::abs(mu) * lengths.maxCoeff();
 }
 
 Eigen::VectorXd ContactSpace::bound(double base, const Eigen::MatrixXcd& force) const {

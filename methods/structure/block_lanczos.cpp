@@ -41,7 +41,7 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 // Squared length of a direction, relative to the longest of its block, below which it is rounding: the Gram
 // matrix knows squared lengths to its own precision only.
 constexpr double kRounding = 1e-14;
-// The same relative to the column before it was made orthogonal to the basis, whose rounding it is then.
+// The same relative to the columns before they were made orthogonal to the basis, whose rounding it is then.
 constexpr double kInvariant = 1e-26;
 // Smallest pivot of P scaled to unit diagonal with which P^{-1} means anything.
 constexpr double kDefinite = 1e-13;
@@ -56,8 +56,13 @@ Eigen::MatrixXd symmetrised(const Eigen::MatrixXd& A) { return 0.5 * (A + A.tran
 
 }  // namespace
 
-BlockLanczos::BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const SparseMatrix& B)
-    : P_(P), M_(M), factors_(P), definite_(factors_.smallest_pivot() > kDefinite) {
+BlockLanczos::BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const SparseMatrix& B,
+                           Eigen::Index most)
+    : P_(P),
+      M_(M),
+      factors_(P),
+      most_(most > 0 ? most : P.rows()),
+      definite_(factors_.smallest_pivot() > kDefinite) {
   if (!definite_) return;
   const Eigen::MatrixXd columns = factors_.solve(Eigen::MatrixXd(B));
   const Eigen::MatrixXd gram = symmetrised(B.transpose() * columns);
@@ -70,11 +75,9 @@ BlockLanczos::BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const S
 BlockLanczos::Remainder BlockLanczos::orthonormalise(const Eigen::MatrixXd& columns,
                                                      const Eigen::MatrixXd& gram,
                                                      const Eigen::VectorXd& length) {
-  // Each column counts by its own length before it was made orthogonal: what one contact alone moves is
-  // shorter by many digits than what the load moves, and as well known. With D the lengths, D^-1 gram D^-1 =
-  // X s^2 X^T: columns D^-1 X / s is P-orthonormal, and the eigenvalues s^2 tell how much each direction
-  // adds. A Cholesky factor would do as well while the columns are independent; only eigenvectors order them
-  // by length, so that those of rounding size can be left out.
+  // With D the lengths, D^-1 gram D^-1 = X s^2 X^T: columns D^-1 X / s is P-orthonormal, and the eigenvalues
+  // s^2 tell how much each direction adds. A Cholesky factor would do as well while the columns are
+  // independent; only eigenvectors order them by length, so that those of rounding size can be left out.
   const Eigen::VectorXd unit = length.unaryExpr([](double value) { return value > 0.0 ? 1.0 / value : 0.0; });
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> directions(unit.asDiagonal() * gram *
                                                                   unit.asDiagonal());
@@ -83,6 +86,7 @@ BlockLanczos::Remainder BlockLanczos::orthonormalise(const Eigen::MatrixXd& colu
   const double least = count > 0 ? std::max(kRounding * squares[count - 1], kInvariant) : 0.0;
   Eigen::Index dropped = 0;
   while (dropped < count && !(squares[dropped] > least)) ++dropped;
+  dropped = std::max(dropped, count - (most_ - size_));
   const Eigen::Index kept = count - dropped;
   const Eigen::MatrixXd vectors = directions.eigenvectors().rightCols(kept);
   const Eigen::VectorXd extent = squares.tail(kept).cwiseSqrt();
@@ -122,14 +126,8 @@ void BlockLanczos::polish_next() {
   coupling_ = factor.matrixU() * coupling_;
 }
 
-bool BlockLanczos::exhausted() const {
-  return next_.cols() == 0 &&
-         std::ranges::all_of(left_out_, [](const Remainder& part) { return part.vectors.cols() == 0; });
-}
-
 void BlockLanczos::grow() {
   if (exhausted()) return;
-  if (next_.cols() == 0) return grow_by_left_out();
   size_ += next_.cols();
   basis_.push_back(std::move(next_));
   // P^{-1} M V_j against the whole basis. In exact arithmetic two blocks would do; rounding brings converged
@@ -137,7 +135,9 @@ void BlockLanczos::grow() {
   const Eigen::MatrixXd momentum = product(M_, basis_.back());
   Eigen::MatrixXd columns = factors_.solve(momentum);
   // |P^{-1} m|_P^2 = m^T P^{-1} m for each column m of M V_j.
-  const Eigen::VectorXd before = momentum.cwiseProduct(columns).colwise().sum().transpose();
+  // A power of two, by which nothing is rounded.
+  const double longest = std::sqrt(std::max(0.0, momentum.cwiseProduct(columns).colwise().sum().maxCoeff()));
+  const double before = longest > 0.0 ? std::ldexp(1.0, std::ilogb(longest)) : 0.0;
   const Eigen::Index width = momentum.cols();
   projected_.emplace_back(size_, width);
   Eigen::Index row = 0;
@@ -148,7 +148,7 @@ void BlockLanczos::grow() {
     row += block.cols();
   }
   const Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product(P_, columns)));
-  left_out_.push_back(orthonormalise(columns, gram, before.cwiseMax(0.0).cwiseSqrt()));
+  left_out_.push_back(orthonormalise(columns, gram, Eigen::VectorXd::Constant(width, before)));
 }
 
 Eigen::MatrixXd BlockLanczos::projected_mass() const {
@@ -224,22 +224,27 @@ Eigen::MatrixXd BlockLanczos::left_out() const {
 }
 
 void BlockLanczos::grow_by_left_out() {
-  Eigen::MatrixXd columns(P_.rows(), width_with_left_out());
+  const Eigen::Index width = width_with_left_out();
+  if (width == 0) return;
+  Eigen::MatrixXd columns(P_.rows(), width);
   columns.leftCols(next_.cols()) = next_;
   Eigen::Index filled = next_.cols();
   for (Remainder& part : left_out_) {
     const Eigen::Index known = part.vectors.cols(), unknown = part.lengths.size() - known;
     columns.middleCols(filled, known) = part.vectors * part.lengths.tail(known).cwiseInverse().asDiagonal();
     filled += known;
-    part = {.vectors = {},
+    part = {.vectors = Eigen::MatrixXd(P_.rows(), 0),
             .coefficients = part.coefficients.topRows(unknown).eval(),
             .lengths = part.lengths.head(unknown).eval()};
   }
-  // Of unit length, and orthogonal to the basis but for rounding, which polishing takes away. What is left
-  // out now is rounding of rounding.
+  // Of unit length now, and what rounding has put into them of the basis is taken out before they are
+  // compared.
+  const Eigen::MatrixXd dual = product(P_, columns);
+  for (const Eigen::MatrixXd& block : basis_)
+    subtract_product(block, transposed_product(block, dual), columns);
   const Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product(P_, columns)));
-  orthonormalise(columns, gram, gram.diagonal().cwiseMax(0.0).cwiseSqrt());
-  if (next_.cols() > 0) grow();
+  orthonormalise(columns, gram, Eigen::VectorXd::Ones(width));  // leaves out 1e-7 of what was left out
+  grow();
 }
 
 Eigen::Index BlockLanczos::width_with_left_out() const {
@@ -248,8 +253,8 @@ Eigen::Index BlockLanczos::width_with_left_out() const {
   return width;
 }
 
-double BlockLanczos::operations_of_growth() const {
-  const auto width = static_cast<double>(this->width());
+double BlockLanczos::operations_of_growth(bool with_left_out) const {
+  const auto width = static_cast<double>(with_left_out ? width_with_left_out() : next_.cols());
   const auto rows = static_cast<double>(P_.rows());
   return width * (4.0 * factors_.entries() + 8.0 * rows * (static_cast<double>(size_) + width));
 }

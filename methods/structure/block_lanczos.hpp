@@ -20,7 +20,8 @@ namespace signorini {
 class BlockLanczos {
  public:
   /// Factorises P; B is Nd x m. The space begins with the span of P^{-1} B.
-  BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const SparseMatrix& B);
+  /// \param most  dimension beyond which directions would be rounding; 0: Nd
+  BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const SparseMatrix& B, Eigen::Index most = 0);
 
   /// False if the first factorisation found P not to be definite by the margin asked for in
   /// problems/matrix_properties.hpp.
@@ -31,11 +32,13 @@ class BlockLanczos {
   /// alone moves a stiff part of the structure. The blocks of t are not tridiagonal from then on.
   void grow_by_left_out();
   /// True if the space is invariant under P^{-1} M to rounding: growing adds nothing.
-  [[nodiscard]] bool exhausted() const;
+  [[nodiscard]] bool exhausted() const { return next_.cols() == 0; }
   /// Dimension of the space, without the block that would come next.
   [[nodiscard]] Eigen::Index size() const { return size_; }
   /// Vectors by which the next growth enlarges it.
-  [[nodiscard]] Eigen::Index width() const { return next_.cols() > 0 ? next_.cols() : width_with_left_out(); }
+  [[nodiscard]] Eigen::Index width() const { return next_.cols(); }
+  /// The same of grow_by_left_out().
+  [[nodiscard]] Eigen::Index width_with_left_out() const;
   /// t = V^T M V, k x k.
   [[nodiscard]] Eigen::MatrixXd projected_mass() const;
   /// r = V^T B, k x m.
@@ -51,8 +54,8 @@ class BlockLanczos {
   [[nodiscard]] Eigen::MatrixXd left_out() const;
   /// The same of the start, |(P^{-1} B - V V^T B) y|_P <= |L y|, r x m.
   [[nodiscard]] const Eigen::MatrixXd& left_out_of_start() const { return left_out_of_start_; }
-  /// Floating-point operations of the next growth, roughly.
-  [[nodiscard]] double operations_of_growth() const;
+  /// Floating-point operations of the next growth, roughly: of grow(), or of grow_by_left_out().
+  [[nodiscard]] double operations_of_growth(bool with_left_out = false) const;
   /// V^T A for other columns A, Nd x l; k x l.
   [[nodiscard]] Eigen::MatrixXd projected(const SparseMatrix& A) const;
   /// V^T V, k x k.
@@ -74,16 +77,16 @@ class BlockLanczos {
   };
 
   // Splits columns, P-orthogonal to the basis and of P-Gram matrix `gram`, into a P-orthonormal block and its
-  // coefficients, columns = next_ * coupling_; `length` are their P-norms before they were made orthogonal.
-  // Returns what is left out.
+  // coefficients, columns = next_ * coupling_; `length` is what each counts by: a P-norm before they were
+  // made orthogonal. Returns what is left out.
   Remainder orthonormalise(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& gram,
                            const Eigen::VectorXd& length);
   void polish_next();
-  [[nodiscard]] Eigen::Index width_with_left_out() const;
 
   const SparseMatrix& P_;
   const SparseMatrix& M_;
   SparseCholesky factors_;
+  Eigen::Index most_;
   bool definite_ = false;
   Eigen::Index size_ = 0;
   std::vector<Eigen::MatrixXd> basis_;

@@ -75,7 +75,9 @@ ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSetti
   const ReductionSettings asked = chosen(settings, normals.cols(), pushes.cols());
   const bool krylov = asked.basis == ReductionBasis::krylov;
   const SparseMatrix start = krylov ? columns.all() : side_by_side(pushes, random_columns(problem.mass()));
-  BlockLanczos space(problem.stiffness(), problem.mass(), start);
+  // More vectors than coordinates with mass would be rounding.
+  const Eigen::Index most = columns.most();
+  BlockLanczos space(problem.stiffness(), problem.mass(), start, most);
   if (!space.definite()) {
     result.obstacle = std::string(kNotDefinite);
     return result;
@@ -83,9 +85,7 @@ ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSetti
   // Of a Krylov space from random columns the upper half has not converged to modes, nor have the lowest
   // before some powers.
   const Eigen::Index enough = krylov ? asked.vectors : 2 * asked.vectors + kPowers * (kRandomColumns + 1);
-  // More vectors than coordinates with mass would be rounding.
-  const Eigen::Index most = columns.most();
-  while (space.size() < enough && !space.exhausted() && space.size() + space.width() <= most) space.grow();
+  while (space.size() < enough && !space.exhausted()) space.grow();
   if (krylov) {
     result = reduction_on(columns, projection_from_start(space, normals.cols()), space.size());
   } else {

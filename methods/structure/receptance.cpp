@@ -76,8 +76,8 @@ class ReducedModel {
       elimination.take_newest_block();
     }
     for (diagonalise(); !are_cheap(find_open(tolerance)); diagonalise()) {
-      if (left_out_matters_) {
-        if (!grow(&BlockLanczos::grow_by_left_out)) return false;
+      if (left_out_matters_ && space_->width_with_left_out() > space_->width()) {
+        if (!grow(true)) return false;
         continue;
       }
       // The modes cost more than a block: several of these at a time.
@@ -158,10 +158,10 @@ class ReducedModel {
     return count;
   }
 
-  bool grow(void (BlockLanczos::*by)() = &BlockLanczos::grow) {
-    operations_ += space_->operations_of_growth();
+  bool grow(bool by_left_out = false) {
+    operations_ += space_->operations_of_growth(by_left_out);
     if (operations_ > direct_operations(pencils_.size())) return false;
-    (space_.get()->*by)();
+    by_left_out ? space_->grow_by_left_out() : space_->grow();
     return true;
   }
 

@@ -212,7 +212,7 @@ SceneHeader load_header(const SceneSource& source) {
   return read_header(SceneField(document, name), family);
 }
 
-std::vector<std::filesystem::path> load_source_files(const SceneSource& source) {
+SceneOutline load_outline(const SceneSource& source) {
   const std::string name = source.file.string();
   TomlNode tree = parse_toml(read_scene_text(source.file), name);
   static_cast<void>(choose_level(tree, name, source.level));
@@ -221,7 +221,7 @@ std::vector<std::filesystem::path> load_source_files(const SceneSource& source) 
   const SystemDescription system = read_system(document["system"]);
   scene.files = system.files;
   read_forcing(document["forcing"], system, scene);
-  return scene.files;
+  return {.coordinates = system.size, .files = std::move(scene.files)};
 }
 
 SceneWithSources read_scene_document(const TomlNode& document, const std::string& name,

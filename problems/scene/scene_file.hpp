@@ -48,10 +48,15 @@ struct SceneHeader {
 /// \throws SceneError as load_scene does for what it reads
 SceneHeader load_header(const SceneSource& source);
 
-/// The files of matrices and samples that a scene is read from, as SceneWithSources lists them: what it is can be
-/// told from its text and these, and nothing is assembled. \throws SceneError as load_scene does for what it
+/// What is known of a scene without its matrices.
+struct SceneOutline {
+  int coordinates = 0;                            ///< Nd
+  std::vector<std::filesystem::path> files = {};  ///< as SceneWithSources::files
+};
+
+/// Reads no more than this: no elements are assembled. \throws SceneError as load_scene does for what it
 /// reads
-std::vector<std::filesystem::path> load_source_files(const SceneSource& source);
+SceneOutline load_outline(const SceneSource& source);
 
 /// Labels of the levels of a family's file, easiest first; empty for a scene by itself. \throws SceneError
 std::vector<std::string> load_levels(const std::filesystem::path& path);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -22,21 +24,27 @@ ErrorCurve curve_of(const Evaluation& evaluation, const std::string& method, con
     for (const CaseResult* result : variation.results.at(value)) {
       const Measure distance = evaluation.record_of(*result).certificate.distance;
       if (has_another_law(result->outcome) || !(distance.value_or(0.0) > 0.0)) continue;
+      const Measure certified = certified_error(*result);
+      const double error = certified.value_or(*distance);
       curve.marks.push_back({.cost = *number_in(value),
-                             .error = *distance,
-                             .hollow = !certified_error(*result),
+                             .error = error,
+                             .hollow = !certified,
                              .source = result->choice->resolution});
-      curve.line.emplace_back(curve.marks.back().cost, *distance);
+      curve.line.emplace_back(curve.marks.back().cost, error);
     }
   }
   return curve;
 }
 
-/// Whether the values of an option are multiples of a scale: "10x", "1e3x".
-bool is_constant(const Variation& variation) {
-  return std::ranges::all_of(variation.values, [](const std::string& value) {
-    return value.ends_with('x') && number_in(value).value_or(0.0) > 0.0;
-  });
+/// Whether the values of an option are multiples of a scale, "10x", "1e3x", and its name is a word: records
+/// may come from anywhere.
+bool is_constant(const std::string& option, const Variation& variation) {
+  const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0; };
+  return std::ranges::all_of(option, is_letter) &&
+         std::ranges::all_of(variation.values, [](const std::string& value) {
+           const double number = number_in(value).value_or(0.0);
+           return value.ends_with('x') && number > 0.0 && std::isfinite(number);
+         });
 }
 
 }  // namespace
@@ -47,7 +55,7 @@ std::vector<Figure> option_figures(const Evaluation& evaluation, const std::stri
   std::map<std::string, std::map<const CaseResult*, ErrorCurve>> sorted;
   for (const auto& [varied, variation] : variations_of(evaluation.results_of(scene))) {
     const auto& [method, option] = varied;
-    if (!is_constant(variation)) continue;
+    if (!is_constant(option, variation)) continue;
     ErrorCurve curve = curve_of(evaluation, method, variation);
     if (curve.line.size() >= kFewestPoints)
       sorted[option].emplace(variation.results.at(variation.values.front()).front(), std::move(curve));
@@ -64,8 +72,8 @@ std::vector<Figure> option_figures(const Evaluation& evaluation, const std::stri
                      {fmt::format("{}, in units of its scale [-]", option), "error of x [-]"}, column);
     if (figure.data.empty()) continue;
     figure.caption = fmt::format(
-        "Error against the {}. Hollow: the answer is not certified, and its distance is to the orbit that "
-        "Newton's method finds from it.",
+        "Error against the {}. Hollow: the answer is not certified, and its distance is to the nearest "
+        "orbit that was found from it.",
         option);
     figures.push_back(std::move(figure));
   }

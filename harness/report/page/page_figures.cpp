@@ -117,7 +117,8 @@ Json schematic_data(const Evaluation& evaluation, const std::string& scene) {
   if (results.empty() || !is_name || results.front().scene->coordinates.value_or(0) > kMostDrawn) return {};
   try {
     const SceneSource source = find_scene(scene);
-    // The digest first: the record may name a scene that takes long to assemble, and any number of coordinates.
+    // Before it is assembled: the record may name any scene, and say any number of coordinates.
+    if (load_outline(source).coordinates > kMostDrawn) return {};
     if (digest_of(source) != evaluation.record_of(results.front()).scene_sha256) return {};
     return svg_of(schematic(load_scene(source), load_layout(source), load_damped_stops(source)));
   } catch (const SceneError&) {
