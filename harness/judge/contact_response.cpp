@@ -15,9 +15,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Error of what a ContactSpace says of x, relative to its size, and of the contact's work, relative to that of
-// the load: far below any defect of energy that means something [-]. The bound of the work is far from sharp:
-// it takes every harmonic of every force on the largest error.
+// Error of what a ContactSpace says of x, relative to its size, and of the contact's work, relative to that
+// of the load: far below any defect of energy that means something [-]. The bound of the work is far from
+// sharp: it takes every harmonic of every force on the largest error.
 constexpr double kSpaceTolerance = 1e-8, kWorkTolerance = 1e-6;
 
 // 2 pi n.

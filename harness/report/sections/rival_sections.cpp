@@ -29,14 +29,17 @@ std::string ratio_text(double ratio) {
 Cell ratio_cell(std::span<const double> ratios) {
   if (ratios.empty()) return {"-", kNeverReached};
   const double mean = shifted_geometric_mean(ratios, 0.0, kNeverReached);
-  return {fmt::format("{} ({} to {})", ratio_text(mean), ratio_text(ratios.front()), ratio_text(ratios.back())), mean};
+  return {
+      fmt::format("{} ({} to {})", ratio_text(mean), ratio_text(ratios.front()), ratio_text(ratios.back())),
+      mean};
 }
 
 }  // namespace
 
 Sections rival_sections(const Evaluation& evaluation) {
-  Section section{
-      .id = "plugins", .title = "Plugins beside our methods at equal error", .text = std::string(kRivalsText)};
+  Section section{.id = "plugins",
+                  .title = "Plugins beside our methods at equal error",
+                  .text = std::string(kRivalsText)};
   section.table.header = {"method"};
   for (const double error : kRivalErrors) {
     section.table.header.push_back(fmt::format("to {:.0e}", error));
