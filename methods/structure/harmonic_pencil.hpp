@@ -107,6 +107,7 @@ class PencilModes {
     double all = 0.0;      ///< [-]
     double outside = 0.0;  ///< without what blocks left out: the part that further powers reduce [-]
   };
+  /// That of one pencil.
   [[nodiscard]] Error relative_error(const HarmonicPencil& pencil) const;
 
  private:
