@@ -16,8 +16,8 @@ namespace signorini {
 ///
 /// Beyond 2000 coordinates x and q come from a ContactSpace where one is given and its bound holds: x to
 /// 1e-8 of its size, the work of the contact force to 1e-6 of the load's. Else from the receptances of [W, F]
-/// by projection
-/// (`reduced_receptance`), with an error of 1e-10 of their norm, unless factorising every Z_n costs less.
+/// by projection (`reduced_receptance`), with an error of 1e-10 of their norm, unless factorising every Z_n
+/// costs less.
 class ContactResponse {
  public:
   /// The response to the load and a contact force in H harmonics. \throws SingularStiffness if some Z_n is

@@ -91,9 +91,8 @@ class PencilModes {
   /// Of the space as it is. \param contacts  Nc, the first columns of the start
   PencilModes(const BlockLanczos& space, int contacts);
 
-  [[nodiscard]] const Eigen::VectorXd& theta() const {
-    return theta_;
-  }  ///< eigenvalues of t, rising, k [s^2]
+  /// Eigenvalues of t, rising, k [s^2].
+  [[nodiscard]] const Eigen::VectorXd& theta() const { return theta_; }
   /// 1 / (kappa + mu theta), k; none where the projection is singular.
   [[nodiscard]] std::optional<Eigen::VectorXcd> inverse_of(const HarmonicPencil& pencil) const;
   /// C_n of an inverse, Nc x Nc.
