@@ -134,19 +134,30 @@ Eigen::VectorXd AftResidual::product(const Eigen::VectorXd& v) {
   return v + project(signal);
 }
 
-LastingContactInverse AftResidual::lasting_inverse() const {
-  Eigen::VectorXd duty(contacts());
+std::vector<ContactNodes> AftResidual::nodes() const {
+  std::vector<ContactNodes> nodes(static_cast<std::size_t>(contacts()));
+  const double step = 1.0 / samples_;
   for (int c = 0; c < contacts(); ++c) {
-    duty[c] = static_cast<double>(in_contact_.segment(c * samples_, samples_).count()) / samples_;
+    const auto pressed = in_contact_.segment(c * samples_, samples_);
+    ContactNodes& own = nodes[static_cast<std::size_t>(c)];
+    own.time.resize(pressed.count());
+    own.weight.setConstant(pressed.count(), step);
+    Eigen::Index place = 0;
+    for (int i = 0; i < samples_; ++i) {
+      if (pressed[i]) own.time[place++] = i * step;
+    }
   }
-  return {symbol_, duty};
+  return nodes;
 }
 
 KrylovSolve AftResidual::solve_jacobian(const Eigen::VectorXd& r) {
-  constexpr double kLinearTolerance = 1e-12;
-  const LastingContactInverse lasting = lasting_inverse();
-  return solve_by_gmres([this](const Eigen::VectorXd& v) { return product(v); },
-                        [&lasting](const Eigen::VectorXd& v) { return lasting * v; }, r, kLinearTolerance);
+  JacobianSolver::Contacts pressing{.nodes = in_contact_.count(),
+                                    .duty = Eigen::VectorXd(contacts()),
+                                    .place = [this] { return nodes(); },
+                                    .product = [this](const Eigen::VectorXd& v) { return product(v); }};
+  for (int c = 0; c < contacts(); ++c)
+    pressing.duty[c] = static_cast<double>(in_contact_.segment(c * samples_, samples_).count()) / samples_;
+  return solver_.solve(symbol_, pressing, r);
 }
 
 double AftResidual::error(const Eigen::VectorXd& lambda, const Eigen::VectorXd& r) const {

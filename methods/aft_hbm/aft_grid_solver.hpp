@@ -3,7 +3,10 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <vector>
 
+#include "methods/complementarity/contact_nodes.hpp"
+#include "methods/complementarity/jacobian_solver.hpp"
 #include "methods/complementarity/projected_law.hpp"
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/harmonic_balance/grid_solver.hpp"
@@ -36,9 +39,7 @@ class AftResidual {
   [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& lambda);
   /// J v.
   [[nodiscard]] Eigen::VectorXd product(const Eigen::VectorXd& v);
-  /// The preconditioner of J.
-  [[nodiscard]] LastingContactInverse lasting_inverse() const;
-  /// J^{-1} r by GMRES to 1e-12.
+  /// J^{-1} r.
   [[nodiscard]] KrylovSolve solve_jacobian(const Eigen::VectorXd& r);
   /// |R|_2 over the larger of |P max(0, y)|_2 = |R - lambda|_2 and of the load on the constraint,
   /// |max(0, y_f)|_2, which counts where nothing touches; 0 where both vanish [-].
@@ -49,12 +50,15 @@ class AftResidual {
   [[nodiscard]] Eigen::VectorXd unknowns_of(const Eigen::MatrixXcd& coefficients) const;
 
  private:
+  [[nodiscard]] std::vector<ContactNodes> nodes() const;
+
   ContactSymbol symbol_;
   int samples_;
   Eigen::VectorXd free_;  // y_f at the samples
   double load_scale_ = 0.0;
   RealFft fft_;
   Eigen::Array<bool, Eigen::Dynamic, 1> in_contact_;  // chi, N Nc
+  JacobianSolver solver_;
 };
 
 /// Newton-Krylov (AftResidual) from the grid before, the guess or the contact-free response; failing that,

@@ -75,7 +75,7 @@ ExactProjection project_exactly(const ProjectedEquations& equations, const Eigen
   // Far from the solution a full step may lose a contact; a shorter one keeps it.
   NewtonKrylovResult newton = solve_newton_krylov(
       residual, pack_harmonics(lambda * root.cwiseInverse().asDiagonal()), settings.tolerance,
-      {.max_steps = 40, .max_halvings = 10, .deadline = settings.deadline});
+      {.max_steps = settings.most, .max_halvings = 10, .deadline = settings.deadline});
   return {.converged = newton.end == NewtonEnd::solved,
           .iterations = newton.iterations,
           .residual = newton.residual,

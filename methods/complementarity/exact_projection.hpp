@@ -14,6 +14,7 @@ namespace signorini {
 struct ExactProjectionSettings {
   int samples = 0;           ///< instants on which sign changes of y are bracketed, at least 8 H
   double tolerance = 1e-10;  ///< on ExactProjection::residual [-]
+  int most = 40;             ///< Newton steps [-]
   /// The end of the time budget, asked for between steps.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 };
@@ -34,8 +35,7 @@ struct ExactProjection {
 /// With exact P the contact force does no net work at every contact, to rounding, whatever H and c
 /// (docs/theory.md, section 3); sampling leaves O(N^-2) of it, irregularly. The edges of contact move with
 /// lambda, where y = 0: R is continuously differentiable, and Newton converges quadratically where no contact
-/// is born or lost. Steps by a dense factorisation of the (2 H + 1) Nc unknowns up to a hundred of them,
-/// beyond by GMRES with products of O(H log H Nc + H Nc^2), preconditioned by LastingContactInverse.
+/// is born or lost. Its linear systems are solved at the nodes of contact or by GMRES (JacobianSolver).
 ///
 /// \param lambda  (H+1) x Nc [N]
 /// \param shifts  the stops stand at g - shift(t); while that is constant during each contact, the contact

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "methods/complementarity/contact_nodes.hpp"
 #include "methods/complementarity/projected_residual.hpp"
 #include "methods/discretisation/fourier_series.hpp"
-#include "methods/discretisation/gauss_rule.hpp"
 #include "methods/solvers/condition_estimate.hpp"
 #include "methods/solvers/constants.hpp"
 
@@ -23,7 +23,6 @@ using Complex = std::complex<double>;
 
 constexpr double kLongestContact = 2.5;  // over H, share of the period
 constexpr double kStopMoved = 3.0;       // over H: how far from its impact a stop that approaches is moved
-constexpr double kPanel = 0.25;  // over H: on so much of the period eight nodes of Gauss reach rounding
 
 /// One impact's contact in the series.
 struct ClosedContact {
@@ -39,31 +38,16 @@ struct ClosedContact {
 };
 
 /// The nodes on one contact.
-struct ContactNodes {
+struct ClosedNodes {
   Eigen::VectorXd since;    // t - t_k
   Eigen::VectorXd weight;   // of the integral over the contact, shares of the period
   Eigen::MatrixXcd phases;  // e^{2 pi i n t}, nodes x (H+1)
 };
 
-ContactNodes nodes_on(const ClosedContact& contact, int harmonics) {
-  const int panels = std::max(1, static_cast<int>(std::ceil(contact.width() * harmonics / kPanel)));
-  const auto count = 8 * static_cast<Eigen::Index>(panels);
-  const double half = 0.5 * contact.width() / panels;
-  ContactNodes nodes{Eigen::VectorXd(count), Eigen::VectorXd(count), Eigen::MatrixXcd(count, harmonics + 1)};
-  Eigen::VectorXcd unit(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::Index panel = i / 8;
-    const auto place = static_cast<std::size_t>(i % 8);
-    const bool left = place < kGaussNodes.size();  // mirror images come first
-    const std::size_t k = left ? kGaussNodes.size() - 1 - place : place - kGaussNodes.size();
-    const double node = left ? -kGaussNodes[k] : kGaussNodes[k];
-    nodes.since[i] = contact.begin + (2.0 * static_cast<double>(panel) + 1.0 + node) * half;
-    nodes.weight[i] = kGaussWeights[k] * half;
-    unit[i] = std::polar(1.0, kTwoPi * (contact.time + nodes.since[i]));
-  }
-  nodes.phases.col(0).setOnes();
-  for (int n = 1; n <= harmonics; ++n) nodes.phases.col(n) = nodes.phases.col(n - 1).cwiseProduct(unit);
-  return nodes;
+ClosedNodes nodes_of(const ClosedContact& contact, int harmonics) {
+  ContactNodes nodes = nodes_on(contact.begin, contact.end, harmonics);
+  const Eigen::VectorXd time = (contact.time + nodes.time.array()).matrix();
+  return {std::move(nodes.time), std::move(nodes.weight), phases_at(time, harmonics)};
 }
 
 /// How y of contact `row` answers to -lambda of contact `column`: c C_n - alpha delta, n = 0..H, those of n >
@@ -89,7 +73,7 @@ class BorderedSystem {
     Eigen::Index count = 0;
     for (const ClosedContact& contact : contacts) {
       first_.push_back(count);
-      nodes_.push_back(nodes_on(contact, equations.receptance.harmonics()));
+      nodes_.push_back(nodes_of(contact, equations.receptance.harmonics()));
       count += nodes_.back().weight.size();
     }
     border_ = count;
@@ -133,8 +117,8 @@ class BorderedSystem {
  private:
   /// z_k + integral Q z_l - c s_k = c (x_f - g): the part of contact l, and the right-hand side.
   void add_answer(std::size_t k, std::size_t l) {
-    const ContactNodes& here = nodes_[k];
-    const ContactNodes& there = nodes_[l];
+    const ClosedNodes& here = nodes_[k];
+    const ClosedNodes& there = nodes_[l];
     const Eigen::VectorXcd symbol = doubled_symbol(equations_, contacts_[k].contact, contacts_[l].contact);
     const Eigen::MatrixXcd answer = here.phases * symbol.asDiagonal();
     // The real part of answer times the conjugate of the other phases.
@@ -146,7 +130,7 @@ class BorderedSystem {
   void add_border(std::size_t k) {
     const auto& [receptance, gap, law] = equations_;
     const ClosedContact& contact = contacts_[k];
-    const ContactNodes& here = nodes_[k];
+    const ClosedNodes& here = nodes_[k];
     const Eigen::Index count = here.weight.size();
     Eigen::VectorXcd free = 2.0 * receptance.free_response.col(contact.contact);
     free[0] = receptance.free_response(0, contact.contact).real() - gap[contact.contact];
@@ -164,7 +148,7 @@ class BorderedSystem {
   const ProjectedEquations& equations_;
   const std::vector<ClosedContact>& contacts_;
   std::vector<Eigen::Index> first_;
-  std::vector<ContactNodes> nodes_;
+  std::vector<ClosedNodes> nodes_;
   Eigen::Index border_ = 0;
   Eigen::MatrixXd matrix_;
   Eigen::VectorXd load_;

@@ -40,8 +40,8 @@ struct ImpactClosure {
 /// resonance.
 ///
 /// A contact lasts for a fraction of 1/H, in which no polynomial of degree H can bend much: z is known by its
-/// values at Gauss' nodes, eight on each quarter of 1/H, to rounding. Newton's step solves for these and the
-/// moved stops with the edges of contact fixed, a dense system of some 10 to 20 K unknowns whatever H; then
+/// values at a dozen of Gauss' nodes (contact_nodes.hpp), to rounding. Newton's step solves for these and the
+/// moved stops with the edges of contact fixed, a dense system of some 15 K unknowns whatever H; then
 /// the edges are where the new y_k vanishes. A step costs O(K^2 H + K^3). Steps end where the edges move by
 /// less than the root of the tolerance, for the residual is of second order in that.
 ///

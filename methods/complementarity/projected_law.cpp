@@ -52,6 +52,11 @@ ProjectedLaw with_stiffness_factor(const ProjectedLaw& law, double factor) {
   return {factor * law.constant, (1.0 - factor * (1.0 - law.multiplier_weight.array())).matrix()};
 }
 
+ProjectedLaw on_springs(const ProjectedLaw& law, double r) {
+  const double share = r / (1.0 + r);
+  return {share * law.constant, share * law.multiplier_weight};
+}
+
 ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& c,
                            const ContactReceptance& receptance) {
   ProjectedLaw law;

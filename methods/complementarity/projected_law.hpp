@@ -40,6 +40,10 @@ struct ProjectedEquations {
 /// fewer samples resolve it.
 ProjectedLaw with_stiffness_factor(const ProjectedLaw& law, double factor);
 
+/// The law with a spring of stiffness r c behind each stop: 1 / c grows to (1 + 1 / r) / c and c / alpha
+/// stays, so that y = c (x - g) - alpha lambda is multiplied by r / (1 + r).
+ProjectedLaw on_springs(const ProjectedLaw& law, double r);
+
 /// Size of the dynamic stiffness at the highest harmonics kept, per contact: the harmonic mean of
 /// 1 / |C_n| over H/2 <= n <= H, Nc [N/m]. For one mass about m (3 H w / 4)^2.
 Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance);

@@ -1,15 +1,15 @@
 #include "methods/complementarity/projected_residual.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <complex>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <utility>
 
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/discretisation/real_fft.hpp"
-#include "methods/solvers/condition_estimate.hpp"
 
 namespace signorini {
 
@@ -17,9 +17,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr Eigen::Index kDense = 100;        // unknowns up to which factorising is the cheaper step
-constexpr double kLinearTolerance = 1e-12;  // of each GMRES solve, relative to its right-hand side
-constexpr double kFelt = 1e-6;              // of x_f - g: a motion that a force of rounding must not cause
+constexpr double kFelt = 1e-6;  // of x_f - g: a motion that a force of rounding must not cause
 
 /// The runs of positive samples, each sample half a step to either side.
 std::vector<ContactInterval> positive_runs(const Eigen::VectorXd& values) {
@@ -110,16 +108,28 @@ Eigen::VectorXd ProjectedResidual::residual(const Eigen::VectorXd& lambda) {
   return lambda + pack_harmonics(pressed);
 }
 
-KrylovSolve ProjectedResidual::solve_jacobian(const Eigen::VectorXd& r) const {
-  if (r.size() <= kDense) {
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(jacobian());
-    return {.x = lu.solve(r), .condition = condition_from(lu.rcond())};
+std::vector<ContactNodes> ProjectedResidual::nodes() const {
+  std::vector<ContactNodes> nodes;
+  for (const std::vector<ContactInterval>& intervals : contacts_) {
+    nodes.push_back(integral_ == ContactIntegral::exact ? nodes_on(intervals, harmonics_)
+                                                        : samples_on(intervals, samples_));
   }
-  Eigen::VectorXd duty(root().size());
-  for (Eigen::Index c = 0; c < duty.size(); ++c) duty[c] = indicators_[static_cast<std::size_t>(c)].duty();
-  const LastingContactInverse lasting(symbol_, duty);
-  return solve_by_gmres([this](const Eigen::VectorXd& v) { return product(v); },
-                        [&lasting](const Eigen::VectorXd& v) { return lasting * v; }, r, kLinearTolerance);
+  return nodes;
+}
+
+KrylovSolve ProjectedResidual::solve_jacobian(const Eigen::VectorXd& r) {
+  JacobianSolver::Contacts contacts{.duty = Eigen::VectorXd(root().size()),
+                                    .place = [this] { return nodes(); },
+                                    .product = [this](const Eigen::VectorXd& v) { return product(v); }};
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    contacts.duty[static_cast<Eigen::Index>(c)] = indicators_[c].duty();
+    for (const ContactInterval& interval : contacts_[c]) {
+      const double length = interval.end - interval.begin;
+      contacts.nodes += integral_ == ContactIntegral::exact ? node_count(length, harmonics_)
+                                                            : std::lround(length * samples_);
+    }
+  }
+  return solver_.solve(symbol_, contacts, r);
 }
 
 Eigen::MatrixXd ProjectedResidual::jacobian() const {

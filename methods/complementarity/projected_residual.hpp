@@ -4,7 +4,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "methods/complementarity/contact_nodes.hpp"
 #include "methods/complementarity/exact_quadrature.hpp"
+#include "methods/complementarity/jacobian_solver.hpp"
 #include "methods/complementarity/projected_law.hpp"
 #include "methods/discretisation/contact_phases.hpp"
 #include "methods/solvers/newton_krylov.hpp"
@@ -41,9 +43,9 @@ class ProjectedResidual {
 
   /// R(lambda); keeps the contacts for the derivatives.
   Eigen::VectorXd residual(const Eigen::VectorXd& lambda);
-  /// J^{-1} r at the contacts of the last residual, J = 1 + P chi B: by a dense factorisation up to a hundred
-  /// unknowns, beyond by GMRES. Moving an edge of contact contributes nothing to J, since y = 0 there.
-  [[nodiscard]] KrylovSolve solve_jacobian(const Eigen::VectorXd& r) const;
+  /// J^{-1} r at the contacts of the last residual, J = 1 + P chi B. Moving an edge of contact contributes
+  /// nothing to J, since y = 0 there.
+  [[nodiscard]] KrylovSolve solve_jacobian(const Eigen::VectorXd& r);
   /// J as a matrix, (2 H + 1) Nc square.
   [[nodiscard]] Eigen::MatrixXd jacobian() const;
   /// P chi s of functions s of each contact, n = 0..H, (H+1) x Nc: the derivative of R - lambda along y' = s.
@@ -56,6 +58,7 @@ class ProjectedResidual {
 
  private:
   [[nodiscard]] Eigen::VectorXd product(const Eigen::VectorXd& v) const;
+  [[nodiscard]] std::vector<ContactNodes> nodes() const;
   void fill_block(Eigen::Index row, Eigen::Index column, Eigen::Ref<Eigen::MatrixXd> block) const;
   void take_contacts(Eigen::Index contact, const Eigen::VectorXcd& y);
 
@@ -69,6 +72,7 @@ class ProjectedResidual {
   StopShifts shifts_;
   std::vector<std::vector<ContactInterval>> contacts_;
   std::vector<ContactIndicator> indicators_;
+  JacobianSolver solver_;
 };
 
 }  // namespace signorini

@@ -1,16 +1,22 @@
 #pragma once
-// Gauss' rule of eight nodes.
+// Gauss' rules.
 
-#include <array>
+#include <Eigen/Core>
 
 namespace signorini {
 
-/// The positive nodes of Gauss' rule of eight nodes on [-1, 1], rising; the others are their mirror images.
-/// Exact for polynomials of degree 15.
-inline constexpr std::array<double, 4> kGaussNodes{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
-                                                   0.9602898564975363};
-/// The weight of each of them, and of its mirror image.
-inline constexpr std::array<double, 4> kGaussWeights{0.3626837833783620, 0.3137066458778873,
-                                                     0.2223810344533745, 0.1012285362903763};
+/// Nodes and weights on [-1, 1].
+struct GaussRule {
+  Eigen::VectorXd nodes;    ///< rising [-]
+  Eigen::VectorXd weights;  ///< likewise; their sum is 2 [-]
+};
+
+/// Gauss' rule of so many nodes, exact for polynomials of degree 2 count - 1: the zeros of Legendre's
+/// polynomial by Newton's method, O(count^2), once in a thread. \param count  at least 1
+const GaussRule& gauss_rule(int count);
+
+/// Nodes by which the integral of e^{i 2 z s} over -1 <= s <= 1 is right to rounding: z, and a part for
+/// either end that grows as the cube root. Found by trial for z from 0.01 to 50. \param z  at least 0 [-]
+int gauss_nodes_for(double z);
 
 }  // namespace signorini

@@ -19,6 +19,7 @@
 #include "methods/harmonic_balance/frequency_continuation.hpp"
 #include "methods/harmonic_balance/harmonic_continuation.hpp"
 #include "methods/harmonic_balance/series_solution.hpp"
+#include "methods/harmonic_balance/stiffness_continuation.hpp"
 #include "methods/refinement.hpp"
 #include "methods/structure/periodic_response.hpp"
 
@@ -62,26 +63,24 @@ Eigen::MatrixXcd marched_force(const HarmonicSetup& setup, const Start& start, W
 }
 
 /// Newton's method from the motion of the reduced structure (march_to_periodic_motion): at once, or where
-/// that fails with few harmonics first and with more from there (harmonic_continuation). What that costs does
-/// not grow with the nodes in contact, as a path of pivots does.
+/// that fails through stops on springs (continue_in_stiffness). What that costs does not grow with the nodes
+/// in contact, as a path of pivots does.
 std::optional<Solution> newton_from_march(const HarmonicSetup& setup, const Start& start, Work& work) {
+  constexpr int kAtOnce = 12;  // Newton steps: from a good start fewer do
   if (start.guess || !setup.marched || !setup.without_grid()) return std::nullopt;
   const Eigen::MatrixXcd force = marched_force(setup, start, work);
   if (force.size() == 0) return std::nullopt;
-  const ExactProjection near = project_exactly(setup.equations(), force,
-                                               {.samples = kResolvingSamples * setup.receptance.harmonics(),
-                                                .tolerance = setup.options.tolerance,
-                                                .deadline = start.deadline});
+  ExactProjectionSettings settings{.samples = kResolvingSamples * setup.receptance.harmonics(),
+                                   .tolerance = setup.options.tolerance,
+                                   .most = kAtOnce,
+                                   .deadline = start.deadline};
+  const ExactProjection near = project_exactly(setup.equations(), force, settings);
   count_iterations(near.iterations, work);
   if (near.converged) return exact_solution(setup.equations(), near, "Newton from a march");
-  const ContinuationPoint first = continuation_start(setup.receptance);
-  if (first.harmonics == 0) return std::nullopt;
-  const ExactProjection continued = continue_in_harmonics(setup.receptance, setup.gap, setup.method.law_at,
-                                                          first, force, setup.options.tolerance, start);
+  const ExactProjection continued = continue_in_stiffness(setup.equations(), force, settings);
   count_iterations(continued.iterations, work);
   if (!continued.converged) return std::nullopt;
-  return exact_solution(setup.equations(), continued,
-                        fmt::format("a march, {} harmonics first, Newton from there", first.harmonics));
+  return exact_solution(setup.equations(), continued, "a march, on springs first, Newton from there");
 }
 
 /// The first harmonics alone and a softer law, with nothing that stands beside a solve.

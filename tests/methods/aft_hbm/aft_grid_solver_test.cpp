@@ -58,17 +58,6 @@ TEST_F(AftResidualTest, ProjectionIsIdempotentAndSelfAdjoint) {
   EXPECT_LE((round_trip - coefficients).norm(), 1e-14 * coefficients.norm());
 }
 
-TEST_F(AftResidualTest, PreconditionerInvertsTheJacobianOfUniformContact) {
-  // Without force, y = sqrt(c) (x_f - g): a gap far behind the motion closes a stop throughout, one far ahead
-  // of it leaves the stop open. The second stop of the same mass is open.
-  for (const double gap : {100.0, -100.0}) {
-    const auto uniform = residual_with({gap, 100.0});
-    (void)uniform->residual(Eigen::VectorXd::Zero(uniform->unknowns()));
-    const Eigen::VectorXd back = uniform->lasting_inverse() * uniform->product(lambda_);
-    EXPECT_LE((back - lambda_).norm(), 1e-10 * lambda_.norm()) << gap;
-  }
-}
-
 TEST_F(AftResidualTest, SolvesWithItsJacobian) {
   const Eigen::VectorXd r = residual_->residual(lambda_);
   const KrylovSolve solve = residual_->solve_jacobian(r);

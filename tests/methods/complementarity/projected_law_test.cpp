@@ -69,6 +69,15 @@ TEST(StiffnessFactor, KeepsTheLawOfASpringStop) {
   EXPECT_DOUBLE_EQ(with_stiffness_factor(rigid, 0.5).multiplier_weight[0], 1.0);
 }
 
+// In contact the force per penetration is c / (1 - alpha): that of the stop and the spring in series.
+TEST(OnSprings, PutsTheSpringInSeriesWithTheStop) {
+  const ProjectedLaw law{Eigen::Vector2d(8.0, 75.0),
+                         Eigen::Vector2d(1.0, 0.75)};  // rigid, and a spring of 300
+  const ProjectedLaw soft = on_springs(law, 2.0);
+  EXPECT_NEAR(soft.constant[0] / (1.0 - soft.multiplier_weight[0]), 16.0, 1e-13);
+  EXPECT_NEAR(soft.constant[1] / (1.0 - soft.multiplier_weight[1]), 1.0 / (1.0 / 300.0 + 1.0 / 150.0), 1e-12);
+}
+
 TEST(ProjectedMethodLaw, IsConservativeWhereTheStopIsRigid) {
   Problem problem = test::to_problem({.frequency = 3.0, .gap = 0.1, .restitution = 0.3});
   EXPECT_EQ(std::get<Restitution>(projected_method_law(problem)).e, 1.0);

@@ -1,0 +1,66 @@
+#include "methods/complementarity/contact_nodes.hpp"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "methods/discretisation/gauss_rule.hpp"
+
+namespace signorini {
+
+namespace {
+
+ContactNodes joined(const std::vector<ContactNodes>& parts) {
+  Eigen::Index count = 0;
+  for (const ContactNodes& part : parts) count += part.time.size();
+  ContactNodes all{Eigen::VectorXd(count), Eigen::VectorXd(count)};
+  Eigen::Index first = 0;
+  for (const ContactNodes& part : parts) {
+    all.time.segment(first, part.time.size()) = part.time;
+    all.weight.segment(first, part.weight.size()) = part.weight;
+    first += part.time.size();
+  }
+  return all;
+}
+
+}  // namespace
+
+int node_count(double length, int harmonics) {
+  return gauss_nodes_for(std::numbers::pi * harmonics * length);
+}
+
+ContactNodes nodes_on(double begin, double end, int harmonics) {
+  const double half = 0.5 * (end - begin);
+  const GaussRule& rule = gauss_rule(node_count(end - begin, harmonics));
+  return {.time = (0.5 * (begin + end) + half * rule.nodes.array()).matrix(), .weight = half * rule.weights};
+}
+
+ContactNodes nodes_on(const std::vector<ContactInterval>& intervals, int harmonics) {
+  std::vector<ContactNodes> parts;
+  for (const ContactInterval& interval : intervals)
+    parts.push_back(nodes_on(interval.begin, interval.end, harmonics));
+  return joined(parts);
+}
+
+ContactNodes samples_on(const std::vector<ContactInterval>& intervals, int samples) {
+  std::vector<ContactNodes> parts;
+  for (const ContactInterval& interval : intervals) {
+    const Eigen::Index count = std::lround((interval.end - interval.begin) * samples);
+    const double step = 1.0 / samples;
+    parts.push_back({.time = interval.begin + step * (0.5 + Eigen::ArrayXd::LinSpaced(
+                                                                count, 0.0, static_cast<double>(count - 1))),
+                     .weight = Eigen::VectorXd::Constant(count, step)});
+  }
+  return joined(parts);
+}
+
+Eigen::MatrixXcd phases_at(const Eigen::VectorXd& time, int harmonics) {
+  Eigen::MatrixXcd phases(time.size(), harmonics + 1);
+  Eigen::VectorXcd unit(time.size());
+  for (Eigen::Index i = 0; i < time.size(); ++i) unit[i] = std::polar(1.0, 2.0 * std::numbers::pi * time[i]);
+  phases.col(0).setOnes();
+  for (int n = 1; n <= harmonics; ++n) phases.col(n) = phases.col(n - 1).cwiseProduct(unit);
+  return phases;
+}
+
+}  // namespace signorini

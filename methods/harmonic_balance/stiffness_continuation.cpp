@@ -1,0 +1,91 @@
+#include "methods/harmonic_balance/stiffness_continuation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace signorini {
+
+namespace {
+
+constexpr double kFirst = 1.0 / 16.0;   // r: contacts last for about four times as long as in the end
+constexpr double kSofter = 1.0 / 16.0;  // from one attempt at a first solution to the next
+constexpr double kSoftest = 1e-8;
+constexpr double kStiffest = 10.0;  // behind which the stops' own law is tried, first
+constexpr double kNoSpring = 1e6;
+constexpr double kRigid = std::numeric_limits<double>::infinity();
+constexpr double kFirstFactor = 2.0, kLargest = 16.0, kSmallest = 1.05;  // from one r to the next
+constexpr double kNear = 1e-6;                                           // tolerance of all but the last
+constexpr int kSteps = 15;
+
+/// The solves of one continuation.
+class Springs {
+ public:
+  Springs(const ProjectedEquations& equations, Eigen::MatrixXcd lambda,
+          const ExactProjectionSettings& settings)
+      : equations_(equations), settings_(settings), lambda_(std::move(lambda)) {}
+
+  [[nodiscard]] int iterations() const { return iterations_; }
+
+  /// The solution with springs of r c, from the last one; none where Newton's method does not find it.
+  std::optional<ExactProjection> solve(double ratio) {
+    const bool own = ratio == kRigid;
+    const ProjectedLaw law = own ? equations_.law : on_springs(equations_.law, ratio);
+    ExactProjectionSettings settings = settings_;
+    settings.most = kSteps;
+    if (!own) settings.tolerance = std::max(kNear, settings_.tolerance);
+    ExactProjection solved = project_exactly({equations_.receptance, equations_.gap, law}, lambda_, settings);
+    iterations_ += solved.iterations;
+    if (!solved.converged) return std::nullopt;
+    lambda_ = solved.lambda;
+    return solved;
+  }
+
+  [[nodiscard]] bool expired() const { return std::chrono::steady_clock::now() > settings_.deadline; }
+
+ private:
+  const ProjectedEquations& equations_;
+  ExactProjectionSettings settings_;
+  Eigen::MatrixXcd lambda_;
+  int iterations_ = 0;
+};
+
+/// r of the first solution; 0 where there is none.
+double soften(Springs& springs) {
+  for (double ratio = kFirst; ratio >= kSoftest && !springs.expired(); ratio *= kSofter) {
+    if (springs.solve(ratio)) return ratio;
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+ExactProjection continue_in_stiffness(const ProjectedEquations& equations, Eigen::MatrixXcd lambda,
+                                      const ExactProjectionSettings& settings) {
+  Springs springs(equations, std::move(lambda), settings);
+  double solved = soften(springs);
+  double factor = kFirstFactor;
+  double stiffest = kStiffest;
+  while (solved > 0.0 && factor >= kSmallest && !springs.expired()) {
+    const double next = solved * factor <= stiffest ? solved * factor : kRigid;
+    std::optional<ExactProjection> found = springs.solve(next);
+    if (found && next == kRigid) {
+      found->iterations = springs.iterations();
+      return *std::move(found);
+    }
+    if (found) {
+      solved = next;
+      factor = std::min(kLargest, std::pow(factor, 1.5));
+    } else if (next == kRigid && stiffest < kNoSpring) {
+      stiffest *= kLargest;
+    } else {
+      factor = std::sqrt(factor);
+    }
+  }
+  return {.iterations = springs.iterations(), .lambda = {}};
+}
+
+}  // namespace signorini
