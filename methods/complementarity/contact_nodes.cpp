@@ -47,8 +47,9 @@ ContactNodes samples_on(const std::vector<ContactInterval>& intervals, int sampl
   for (const ContactInterval& interval : intervals) {
     const Eigen::Index count = std::lround((interval.end - interval.begin) * samples);
     const double step = 1.0 / samples;
-    parts.push_back({.time = interval.begin + step * (0.5 + Eigen::ArrayXd::LinSpaced(
-                                                                count, 0.0, static_cast<double>(count - 1))),
+    const bool throughout = count == samples;
+    parts.push_back({.time = (throughout ? 0.0 : interval.begin + 0.5 * step) +
+                             step * Eigen::ArrayXd::LinSpaced(count, 0.0, static_cast<double>(count - 1)),
                      .weight = Eigen::VectorXd::Constant(count, step)});
   }
   return joined(parts);

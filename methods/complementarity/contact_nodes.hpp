@@ -26,7 +26,8 @@ int node_count(double length, int harmonics);
 /// Gauss' nodes on all intervals of one contact.
 ContactNodes nodes_on(const std::vector<ContactInterval>& intervals, int harmonics);
 
-/// Of N samples, i / N, those within the intervals of one contact, which begin and end half way between two.
+/// Of N samples, i / N, those within the intervals of one contact, which begin and end half way between two,
+/// or all.
 ContactNodes samples_on(const std::vector<ContactInterval>& intervals, int samples);
 
 /// e^{2 pi i n t}, n = 0..H, at so many times; times x (H+1).

@@ -25,7 +25,7 @@ struct ExactProjection {
   int iterations = 0;      ///< Newton steps
   double residual = 0.0;   ///< |R|_2 / |lambda|_2, or over rounding where that is larger [-]
   std::optional<double> condition =
-      {};                   ///< estimate for the Jacobian of the last step; empty: none taken [-]
+      {};                   ///< of the linear system of the last step (JacobianSolver); empty: none [-]
   Eigen::MatrixXcd lambda;  ///< (H+1) x Nc [N]
 };
 

@@ -1,6 +1,5 @@
 #include "methods/complementarity/nodal_jacobian.hpp"
 
-#include <Eigen/LU>
 #include <cstddef>
 #include <numbers>
 #include <utility>
@@ -40,19 +39,29 @@ Eigen::VectorXd scaled_parts(const Eigen::VectorXcd& coefficients) {
 }  // namespace
 
 NodalJacobian::NodalJacobian(const ContactSymbol& symbol, const std::vector<ContactNodes>& nodes)
-    : symbol_(symbol) {
+    : symbol_(symbol), touching_(touching(nodes, symbol.harmonics())), factors_(matrix()), lu_(factors_) {}
+
+std::vector<NodalJacobian::Touching> NodalJacobian::touching(const std::vector<ContactNodes>& nodes,
+                                                             int harmonics) {
+  std::vector<Touching> all;
+  Eigen::Index first = 0;
   for (std::size_t c = 0; c < nodes.size(); ++c) {
     if (nodes[c].time.size() == 0) continue;
-    touching_.push_back({static_cast<Eigen::Index>(c), count_, weighted_waves(nodes[c], symbol.harmonics())});
-    count_ += nodes[c].time.size();
+    all.push_back({static_cast<Eigen::Index>(c), first, weighted_waves(nodes[c], harmonics)});
+    first += nodes[c].time.size();
   }
+  return all;
+}
+
+Eigen::Index NodalJacobian::count() const {
+  return touching_.empty() ? 0 : touching_.back().first + touching_.back().waves.rows();
 }
 
 // A force at node p that pushes with e^{-2 pi i n t_p} answers at node q with B_n e^{2 pi i n (t_q - t_p)}:
 // its real part is (cos_q, sin_q) times the vector below.
 Eigen::MatrixXd NodalJacobian::answers_of(const Touching& row) const {
   const Eigen::Index harmonics = symbol_.harmonics() + 1;
-  Eigen::MatrixXd answers(count_, 2 * harmonics);
+  Eigen::MatrixXd answers(count(), 2 * harmonics);
   for (const Touching& column : touching_) {
     auto block = answers.middleRows(column.first, column.waves.rows());
     for (Eigen::Index n = 0; n < harmonics; ++n) {
@@ -67,7 +76,7 @@ Eigen::MatrixXd NodalJacobian::answers_of(const Touching& row) const {
 }
 
 Eigen::MatrixXd NodalJacobian::matrix() const {
-  Eigen::MatrixXd matrix(count_, count_);
+  Eigen::MatrixXd matrix(count(), count());
   for (const Touching& row : touching_)
     matrix.middleRows(row.first, row.waves.rows()).noalias() = row.waves * answers_of(row).transpose();
   matrix.diagonal().array() += 1.0;
@@ -75,13 +84,13 @@ Eigen::MatrixXd NodalJacobian::matrix() const {
 }
 
 KrylovSolve NodalJacobian::solve(const Eigen::VectorXd& r) const {
-  if (count_ == 0) return {.x = r, .condition = std::nullopt};
+  if (!r.allFinite()) return {};
+  if (touching_.empty()) return {.x = r, .condition = std::nullopt};
   const Eigen::MatrixXcd rate = symbol_.rate(r);
-  Eigen::VectorXd load(count_);
+  Eigen::VectorXd load(count());
   for (const Touching& one : touching_)
     load.segment(one.first, one.waves.rows()) = -one.waves * scaled_parts(rate.col(one.contact));
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix());
-  const Eigen::VectorXd pressed = lu.solve(load);
+  const Eigen::VectorXd pressed = lu_.solve(load);
   Eigen::VectorXd v = r;
   const Eigen::Index harmonics = symbol_.harmonics();
   for (const Touching& one : touching_) {
@@ -95,7 +104,7 @@ KrylovSolve NodalJacobian::solve(const Eigen::VectorXd& r) const {
     }
   }
   if (!v.allFinite()) return {};
-  return {.x = std::move(v), .condition = condition_from(lu.rcond())};
+  return {.x = std::move(v), .condition = condition_from(lu_.rcond())};
 }
 
 }  // namespace signorini

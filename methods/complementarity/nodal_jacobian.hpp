@@ -2,6 +2,7 @@
 // The Jacobian of the projected contact equations, inverted at the instants of contact.
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <vector>
 
 #include "methods/complementarity/contact_nodes.hpp"
@@ -19,16 +20,21 @@ namespace signorini {
 ///
 ///     J v = r    is    v = r + Phi a,    (1 + Phi^T B Phi) a = -Phi^T B r,
 ///
-/// a dense system in one unknown per node: as many as contacts are long, whatever H and however many contacts
-/// are open. Forming it costs 4 H operations for a pair of nodes, and as many for a pair of a node and a
-/// contact.
+/// a dense system in one unknown per node: about pi H times what contacts last in all, and some for each,
+/// however many contacts are open. Forming it costs 4 H operations for a pair of nodes, and as many for a
+/// pair of a node and a contact. Where B is large Phi a may be far larger than v, and rounding of it is not
+/// small beside r: who asks looks at the residual.
 class NodalJacobian {
  public:
+  /// Factorises the system.
   /// \param symbol  must outlive this
   /// \param nodes   of each contact, Nc; none where it is open throughout
   NodalJacobian(const ContactSymbol& symbol, const std::vector<ContactNodes>& nodes);
+  NodalJacobian(const NodalJacobian&) = delete;             ///< lu_ refers to factors_
+  NodalJacobian& operator=(const NodalJacobian&) = delete;  ///< likewise
 
-  /// J^{-1} r; x is empty where that is not finite. \param r  packed, (2 H + 1) Nc
+  /// J^{-1} r with the condition of the dense system; x is empty where it is not finite.
+  /// \param r  packed, (2 H + 1) Nc
   [[nodiscard]] KrylovSolve solve(const Eigen::VectorXd& r) const;
 
  private:
@@ -39,12 +45,15 @@ class NodalJacobian {
     Eigen::MatrixXd waves;  // sqrt(w_q) times (sqrt e_n cos 2 pi n t_q | sqrt e_n sin), e_0 = 1, else 2
   };
 
+  [[nodiscard]] static std::vector<Touching> touching(const std::vector<ContactNodes>& nodes, int harmonics);
+  [[nodiscard]] Eigen::Index count() const;
   [[nodiscard]] Eigen::MatrixXd matrix() const;
   [[nodiscard]] Eigen::MatrixXd answers_of(const Touching& row) const;
 
   const ContactSymbol& symbol_;
   std::vector<Touching> touching_;
-  Eigen::Index count_ = 0;  // of nodes
+  Eigen::MatrixXd factors_;
+  Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> lu_;
 };
 
 }  // namespace signorini

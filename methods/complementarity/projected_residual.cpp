@@ -120,7 +120,8 @@ std::vector<ContactNodes> ProjectedResidual::nodes() const {
 KrylovSolve ProjectedResidual::solve_jacobian(const Eigen::VectorXd& r) {
   JacobianSolver::Contacts contacts{.duty = Eigen::VectorXd(root().size()),
                                     .place = [this] { return nodes(); },
-                                    .product = [this](const Eigen::VectorXd& v) { return product(v); }};
+                                    .product = [this](const Eigen::VectorXd& v) { return product(v); },
+                                    .matrix = [this] { return jacobian(); }};
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     contacts.duty[static_cast<Eigen::Index>(c)] = indicators_[c].duty();
     for (const ContactInterval& interval : contacts_[c]) {

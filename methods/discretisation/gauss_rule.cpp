@@ -1,6 +1,8 @@
 #include "methods/discretisation/gauss_rule.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -32,8 +34,11 @@ GaussRule computed_rule(int count) {
     double x = -std::cos(std::numbers::pi * (i + 0.75) / (count + 0.5));
     if (2 * i + 1 == count) x = 0.0;
     LegendreValue p = legendre(count, x);
-    for (int step = 0; step < kSteps && std::abs(p.value) > 1e-15; ++step) {
-      x -= p.value / p.slope;
+    double way = x;
+    for (int step = 0; step < kSteps && std::abs(way) > 2.0 * std::numeric_limits<double>::epsilon();
+         ++step) {
+      way = p.value / p.slope;
+      x -= way;
       p = legendre(count, x);
     }
     rule.nodes[i] = x;
@@ -52,6 +57,12 @@ const GaussRule& gauss_rule(int count) {
   return rules.emplace(count, computed_rule(count)).first->second;
 }
 
-int gauss_nodes_for(double z) { return static_cast<int>(std::ceil(z + 5.0 * (1.0 + std::cbrt(z)))); }
+int gauss_nodes_for(double z) {
+  constexpr double kMost = 1e6;  // z; also where it is no number
+  const double needed = z < kMost ? z + 5.0 * (1.0 + std::cbrt(z)) : kMost;
+  // In steps of a sixteenth or less, so that few rules are computed.
+  const double step = std::max(1.0, std::exp2(std::floor(std::log2(needed)) - 4.0));
+  return static_cast<int>(step * std::ceil(needed / step));
+}
 
 }  // namespace signorini

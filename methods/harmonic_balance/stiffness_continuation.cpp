@@ -16,7 +16,7 @@ constexpr double kSofter = 1.0 / 16.0;  // from one attempt at a first solution 
 constexpr double kSoftest = 1e-8;
 constexpr double kStiffest = 10.0;  // behind which the stops' own law is tried, first
 constexpr double kNoSpring = 1e6;
-constexpr double kRigid = std::numeric_limits<double>::infinity();
+constexpr double kRigid = std::numeric_limits<double>::infinity();       // r of no spring
 constexpr double kFirstFactor = 2.0, kLargest = 16.0, kSmallest = 1.05;  // from one r to the next
 constexpr double kNear = 1e-6;                                           // tolerance of all but the last
 constexpr int kSteps = 15;
@@ -85,7 +85,8 @@ ExactProjection continue_in_stiffness(const ProjectedEquations& equations, Eigen
       factor = std::sqrt(factor);
     }
   }
-  return {.iterations = springs.iterations(), .lambda = {}};
+  return {
+      .iterations = springs.iterations(), .residual = std::numeric_limits<double>::infinity(), .lambda = {}};
 }
 
 }  // namespace signorini

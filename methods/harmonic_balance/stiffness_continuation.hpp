@@ -16,9 +16,10 @@ namespace signorini {
 /// by the root of that.
 ///
 /// \param lambda    a force near the solution, (H+1) x Nc [N]
-/// \param settings  of the last solve; those before are to 1e-6 and take at most fifteen steps
-/// \return at the stops of `equations`; not converged where it stalled or time was up. Its iterations are all
-///         Newton steps, those of failed trials included
+/// \param settings  of the last solve, but for `most`; those before are to 1e-6; all take at most fifteen
+/// steps \return at the stops of `equations`; not converged where it stalled or time was up: without a force,
+/// of
+///         infinite residual. Its iterations are all Newton steps, those of failed trials included
 ExactProjection continue_in_stiffness(const ProjectedEquations& equations, Eigen::MatrixXcd lambda,
                                       const ExactProjectionSettings& settings);
 

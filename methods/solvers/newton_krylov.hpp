@@ -24,17 +24,9 @@ struct KrylovSolve {
   std::optional<double> condition = 1.0;
 };
 
-/// Whether GMRES, at the rate that a quarter of its vectors or more have shown, will need twice as many as it
-/// may take. \param reached  |b - A x|_2 / |b|_2 with so many vectors \param used  of `most` vectors
-inline bool is_hopeless(double reached, double tolerance, Eigen::Index used, Eigen::Index most) {
-  return used >= most / 4 && most < std::numeric_limits<Eigen::Index>::max() &&
-         static_cast<double>(used) * std::log(tolerance) <
-             2.0 * static_cast<double>(most) * std::log(reached);
-}
-
 /// Solves A x = b from x = 0 by right-preconditioned GMRES, modified Gram-Schmidt and one
 /// reorthogonalisation, until |b - A x|_2 <= tolerance |b|_2 or the Krylov space has the full size of b, or
-/// `most` vectors; it gives up before where so many will not do (is_hopeless).
+/// `most` vectors.
 /// Right preconditioning keeps the residual that of the system itself.
 /// \param product       v -> A v, an Eigen::VectorXd
 /// \param precondition  v -> M^{-1} v, likewise
@@ -53,7 +45,6 @@ KrylovSolve solve_by_gmres(const Product& product, const Precondition& precondit
   rhs[0] = norm;
   Eigen::Index used = 0;
   while (used < std::min(size, most) && std::abs(rhs[used]) > tolerance * norm) {
-    if (is_hopeless(std::abs(rhs[used]) / norm, tolerance, used, most)) return {};
     // Arnoldi's step, A M^{-1} V_k = V_{k+1} H_k. The second pass restores the orthogonality that
     // cancellation in the first one costs; without it the residual below is no longer that of the recurrence.
     Eigen::VectorXd next = product(precondition(basis.back()));
