@@ -150,18 +150,11 @@ std::vector<ContactNodes> AftResidual::nodes() const {
   return nodes;
 }
 
-Eigen::MatrixXd AftResidual::jacobian() {
-  Eigen::MatrixXd matrix(unknowns(), unknowns());
-  for (int i = 0; i < unknowns(); ++i) matrix.col(i) = product(Eigen::VectorXd::Unit(unknowns(), i));
-  return matrix;
-}
-
 KrylovSolve AftResidual::solve_jacobian(const Eigen::VectorXd& r) {
   JacobianSolver::Contacts pressing{.nodes = in_contact_.count(),
                                     .duty = Eigen::VectorXd(contacts()),
                                     .place = [this] { return nodes(); },
-                                    .product = [this](const Eigen::VectorXd& v) { return product(v); },
-                                    .matrix = [this] { return jacobian(); }};
+                                    .product = [this](const Eigen::VectorXd& v) { return product(v); }};
   for (int c = 0; c < contacts(); ++c)
     pressing.duty[c] = static_cast<double>(in_contact_.segment(c * samples_, samples_).count()) / samples_;
   return solver_.solve(symbol_, pressing, r);

@@ -51,7 +51,6 @@ class AftResidual {
 
  private:
   [[nodiscard]] std::vector<ContactNodes> nodes() const;
-  [[nodiscard]] Eigen::MatrixXd jacobian();
 
   ContactSymbol symbol_;
   int samples_;
