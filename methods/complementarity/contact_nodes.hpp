@@ -15,9 +15,9 @@ struct ContactNodes {
   Eigen::VectorXd weight;  ///< > 0; their sum is the contact's duration [-]
 };
 
-/// Gauss' nodes on an interval: products of two trigonometric polynomials of degree H are integrated to
-/// rounding by about pi H (end - begin) + 5 of them, and a few more. A polynomial of that degree can bend no
-/// more in so short a time. \param begin  < end [-]
+/// Gauss' nodes on an interval, as many as integrate products of two trigonometric polynomials of degree H to
+/// rounding: gauss_nodes_for pi H (end - begin). In so short a time such a polynomial can bend no more.
+/// \param begin  < end [-]
 ContactNodes nodes_on(double begin, double end, int harmonics);
 
 /// The number of these nodes on an interval of such a length. \param length  > 0 [-]

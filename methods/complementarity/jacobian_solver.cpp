@@ -59,7 +59,8 @@ Eigen::Index affordable_vectors(const ContactSymbol& symbol, Eigen::Index nodes)
 
 KrylovSolve JacobianSolver::solve(const ContactSymbol& symbol, const Contacts& contacts,
                                   const Eigen::VectorXd& r) {
-  if (!r.allFinite() || r.isZero(0.0)) return r.allFinite() ? KrylovSolve{.x = r} : KrylovSolve{};
+  if (!r.allFinite()) return {};
+  if (r.isZero(0.0)) return {.x = r};
   if (contacts.matrix && r.size() <= kFewUnknowns) return factorised(contacts.matrix(), r);
   const bool factorisable = contacts.nodes <= std::min(kMostNodes, r.size());
   if (factorisable && (contacts.nodes <= kFewNodes || gmres_fails_)) {

@@ -58,8 +58,9 @@ const GaussRule& gauss_rule(int count) {
 }
 
 int gauss_nodes_for(double z) {
-  constexpr double kMost = 1e6;  // z; also where it is no number
-  const double needed = z < kMost ? z + 5.0 * (1.0 + std::cbrt(z)) : kMost;
+  constexpr double kMost = 1e6;
+  const double bounded = z > 0.0 ? std::min(z, kMost) : 0.0;  // 0, too, where z is no number
+  const double needed = bounded + 5.0 * (1.0 + std::cbrt(bounded));
   // In steps of a sixteenth or less, so that few rules are computed.
   const double step = std::max(1.0, std::exp2(std::floor(std::log2(needed)) - 4.0));
   return static_cast<int>(step * std::ceil(needed / step));

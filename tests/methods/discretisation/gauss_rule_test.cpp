@@ -45,5 +45,10 @@ TEST(GaussNodesFor, ReachRoundingWithFewMoreThanNeeded) {
   }
 }
 
+// A rule of a million nodes would take hours.
+TEST(GaussNodesFor, AreFewForWhatIsNoNumberOrNegative) {
+  for (const double z : {0.0, -1.0, std::nan("")}) EXPECT_EQ(gauss_nodes_for(z), 5) << z;
+}
+
 }  // namespace
 }  // namespace signorini
