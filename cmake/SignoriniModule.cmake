@@ -82,7 +82,6 @@ endfunction()
 function(signorini_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;LABELS")
   add_executable(${name} ${arg_SOURCES})
-  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)  # helpers of two tests may bear one name
   target_link_libraries(${name} PRIVATE signorini_warnings ${arg_LINK} GTest::gtest_main)
   target_precompile_headers(${name} REUSE_FROM signorini_precompiled_tests)
   if(NOT arg_LABELS)

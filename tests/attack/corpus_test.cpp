@@ -12,7 +12,7 @@
 #include "harness/files.hpp"
 #include "tests/attack/untrusted_readers.hpp"
 
-namespace signorini::test {
+namespace signorini::test::corpus_test {
 
 void PrintTo(const UntrustedReader& reader, std::ostream* stream) { *stream << reader.name; }
 
@@ -129,4 +129,4 @@ INSTANTIATE_TEST_SUITE_P(Each, Corpus,
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace signorini::test
+}  // namespace signorini::test::corpus_test

@@ -18,7 +18,7 @@
 #include "tests/harness/program.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::text_attack_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -233,4 +233,4 @@ INSTANTIATE_TEST_SUITE_P(Each, TextAttack, testing::Range<std::size_t>(0, 10));
 TEST(TextAttacks, AreAllTried) { EXPECT_EQ(attacks().size(), 10U); }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::text_attack_test

@@ -11,7 +11,7 @@
 #include "tests/conformance/method_case.hpp"
 #include "tests/support/expected_failure.hpp"
 
-namespace signorini {
+namespace signorini::identity_test {
 namespace {
 
 using test::KnownFailures;
@@ -73,4 +73,4 @@ TEST_P(Identity, AnswerIsTheLinearResponseWhereNoStopIsInReach) {
 INSTANTIATE_TEST_SUITE_P(Conformance, Identity, testing::ValuesIn(test::all_cases()), test::CaseName());
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::identity_test

@@ -29,7 +29,7 @@
 #include "problems/scene/scene_file.hpp"
 #include "tests/support/population.hpp"
 
-namespace signorini {
+namespace signorini::judged_population_test {
 namespace {
 
 /// Wall time of a solve, and of the search for the orbit behind its answer [s].
@@ -266,4 +266,4 @@ TEST(ElasticPopulation, FourierLipschitzIsCertified) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::judged_population_test

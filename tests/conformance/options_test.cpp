@@ -7,7 +7,7 @@
 
 #include "tests/conformance/method_case.hpp"
 
-namespace signorini {
+namespace signorini::options_test {
 namespace {
 
 class OptionsOf : public testing::TestWithParam<std::string> {
@@ -69,4 +69,4 @@ TEST(MethodCatalogue, AnUnknownNameIsRefusedWithTheNamesThereAre) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::options_test

@@ -19,7 +19,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::population_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -254,4 +254,4 @@ TEST(BeamPopulation, TheExactContactIntegralIsFoundOrNotClaimed) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::population_test

@@ -5,7 +5,7 @@
 #include "tests/conformance/method_case.hpp"
 #include "tests/support/expected_failure.hpp"
 
-namespace signorini {
+namespace signorini::trajectory_test {
 namespace {
 
 using test::MethodCase;
@@ -71,4 +71,4 @@ TEST_P(Answer, Converges) {
 INSTANTIATE_TEST_SUITE_P(Conformance, Answer, testing::ValuesIn(test::all_cases()), test::CaseName());
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::trajectory_test

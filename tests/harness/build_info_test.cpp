@@ -7,7 +7,7 @@
 
 #include "methods/catalogue.hpp"
 
-namespace signorini {
+namespace signorini::build_info_test {
 namespace {
 
 TEST(BuildInfo, NamesCompilerFlagsAndLibraries) {
@@ -43,4 +43,4 @@ TEST(CodeVersion, TellsTheCodeOfTwoMethodsApartAndKnowsTheCommonCodeOfAPlugin) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::build_info_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::failure_test {
 namespace {
 
 struct Complaint {};
@@ -27,4 +27,4 @@ TEST(ExceptionText, NamesTheTypeOfAnyOtherObject) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::failure_test

@@ -9,7 +9,7 @@
 #include "harness/failure.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::files_test {
 namespace {
 
 TEST(Files, HaveTheDigestsOfTheStandard) {
@@ -70,4 +70,4 @@ TEST(Files, ThatFindNoFolderOrNoRoomAreRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::files_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::glob_test {
 namespace {
 
 TEST(GlobMatch, TakesStarForAnyRunAndQuestionMarkForOneCharacter) {
@@ -62,4 +62,4 @@ TEST(SceneFilterMatches, ALevelHoweverItIsSpelt) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::glob_test

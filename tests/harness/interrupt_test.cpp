@@ -5,7 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 
-namespace signorini {
+namespace signorini::interrupt_test {
 namespace {
 
 /// Ends the process with 0 if a signal only raised the flag.
@@ -24,4 +24,4 @@ TEST(InterruptDeathTest, IsAFlagThatSignalsRaise) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::interrupt_test

@@ -14,7 +14,7 @@
 #include "harness/records/record_store.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::kill_test {
 namespace {
 
 constexpr const char* kScenes = "sdof-stop:sdof-far-stop";
@@ -98,4 +98,4 @@ TEST(KilledRuns, LoseNothingThatWasWrittenAndDuplicateNothing) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::kill_test

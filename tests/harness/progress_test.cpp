@@ -11,7 +11,7 @@
 
 #include "harness/isolation/child_process.hpp"
 
-namespace signorini {
+namespace signorini::progress_test {
 namespace {
 
 TEST(ProgressLine, EstimatesTheRestFromWhatIsDone) {
@@ -81,4 +81,4 @@ TEST(Waiting, IsSilentElsewhere) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::progress_test

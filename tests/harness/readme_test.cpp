@@ -12,7 +12,7 @@
 #include "harness/report/report.hpp"
 #include "tests/support/data_folder.hpp"
 
-namespace signorini {
+namespace signorini::readme_test {
 namespace {
 
 TEST(Readme, ShowsTheTablesOfTheCommittedRecords) {
@@ -41,4 +41,4 @@ TEST(Readme, ShowsTheVerdictAndTheResultsEveryTable) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::readme_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace signorini {
+namespace signorini::statistics_test {
 namespace {
 
 TEST(Median, IsTheMiddleOfASortedSample) {
@@ -45,4 +45,4 @@ TEST(MedianDeviation, OfANormalSampleIsThatOfTheDistribution) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::statistics_test

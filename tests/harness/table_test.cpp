@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::table_test {
 namespace {
 
 TEST(ToCsv, QuotesWhatNeedsIt) {
@@ -29,4 +29,4 @@ TEST(NaturalLess, ComparesRunsOfDigitsAsNumbers) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::table_test

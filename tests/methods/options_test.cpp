@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::options_test {
 
 namespace {
 
@@ -27,12 +27,14 @@ struct Palette {
 };
 
 }  // namespace
+}  // namespace signorini::options_test
 
 template <>
-struct EnumNames<Colour> {
+struct signorini::EnumNames<signorini::options_test::Colour> {
   static constexpr std::array<std::string_view, 2> values{"red", "green"};
 };
 
+namespace signorini::options_test {
 namespace {
 
 Palette with(std::string key, std::string text) {
@@ -93,4 +95,4 @@ TEST(Scaled, IsAMultipleOrAnAbsoluteValue) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::options_test

@@ -12,7 +12,7 @@
 #include "methods/structure/receptance.hpp"
 #include "tests/support/accuracy.hpp"
 
-namespace signorini {
+namespace signorini::refinement_test {
 namespace {
 
 /// What a resolution is to answer: a cosine of this amplitude, or not to converge (0), or not to be prepared
@@ -150,4 +150,4 @@ TEST(RefinedUntilAgreed, ClaimsTheFinestOnlyIfItIsNearTheOneBefore) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::refinement_test

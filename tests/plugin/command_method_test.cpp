@@ -12,7 +12,7 @@
 #include "harness/files.hpp"
 #include "tests/plugin/installed_program.hpp"
 
-namespace signorini::test {
+namespace signorini::test::command_method_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -322,4 +322,4 @@ INSTANTIATE_TEST_SUITE_P(
         BadDescription{"meaning = \"1..3\"", "meaning = \"1..3\"\nchoices = [\"a\"]", "choices"}));
 
 }  // namespace
-}  // namespace signorini::test
+}  // namespace signorini::test::command_method_test

@@ -11,7 +11,7 @@
 
 #include "tests/plugin/installed_program.hpp"
 
-namespace signorini::test {
+namespace signorini::test::examples_test {
 namespace {
 
 std::string moreau_jean() {
@@ -128,4 +128,4 @@ TEST(CommandAft, IsJudgedAsTheMethodOfTheProgramThatSolvesTheSameEquations) {
 }
 
 }  // namespace
-}  // namespace signorini::test
+}  // namespace signorini::test::examples_test

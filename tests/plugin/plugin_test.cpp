@@ -9,7 +9,7 @@
 #include "harness/files.hpp"
 #include "tests/plugin/installed_program.hpp"
 
-namespace signorini::test {
+namespace signorini::test::plugin_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -193,4 +193,4 @@ TEST(InstalledProgram, ReadsTheScenesThatWereInstalledWithIt) {
 }
 
 }  // namespace
-}  // namespace signorini::test
+}  // namespace signorini::test::plugin_test

@@ -9,7 +9,7 @@
 
 #include "tests/plugin/installed_program.hpp"
 
-namespace signorini::test {
+namespace signorini::test::rivals_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -158,4 +158,4 @@ TEST_F(Nlvib, ShootsForTheOrbitOfASpring) {
 }
 
 }  // namespace
-}  // namespace signorini::test
+}  // namespace signorini::test::rivals_test

@@ -11,7 +11,7 @@
 
 #include "problems/assembly/rotor.hpp"
 
-namespace signorini {
+namespace signorini::admissible_set_test {
 namespace {
 
 /// The contact and what is required of it; empty where stops leave room.
@@ -148,4 +148,4 @@ TEST(RoomBetweenStops, IsThatOfARingOfThousandsOfFacets) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::admissible_set_test

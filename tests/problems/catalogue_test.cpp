@@ -12,7 +12,7 @@
 #include "problems/scene/scene_layout.hpp"
 #include "problems/validation.hpp"
 
-namespace signorini {
+namespace signorini::catalogue_test {
 namespace {
 
 // All but the large ones.
@@ -288,4 +288,4 @@ TEST(SceneFormatManual, ShowsTheErrorAsItIs) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::catalogue_test

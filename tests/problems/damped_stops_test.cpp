@@ -9,7 +9,7 @@
 #include "tests/problems/chain_problems.hpp"
 #include "tests/problems/scene/moving_scenes.hpp"
 
-namespace signorini {
+namespace signorini::damped_stops_test {
 namespace {
 
 using test::oscillator_with;
@@ -117,4 +117,4 @@ TEST(ReadDampedStops, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::damped_stops_test

@@ -10,7 +10,7 @@
 
 #include "tests/problems/chain_problems.hpp"
 
-namespace signorini {
+namespace signorini::matrix_properties_test {
 namespace {
 
 SparseMatrix sparse(const Eigen::MatrixXd& A) { return A.sparseView(); }
@@ -186,4 +186,4 @@ TEST(ProportionalDamping, WhereMassAndStiffnessAreProportionalTooGivesTheDamping
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::matrix_properties_test

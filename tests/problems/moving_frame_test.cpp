@@ -9,7 +9,7 @@
 #include "problems/validation.hpp"
 #include "tests/problems/chain_problems.hpp"
 
-namespace signorini {
+namespace signorini::moving_frame_test {
 namespace {
 
 using test::three_masses;
@@ -101,4 +101,4 @@ TEST(MoveBase, AddsTheInertiaOfItsMotion) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::moving_frame_test

@@ -10,7 +10,7 @@
 
 #include "tests/problems/chain_problems.hpp"
 
-namespace signorini {
+namespace signorini::problem_test {
 namespace {
 
 using test::chain_problem;
@@ -152,4 +152,4 @@ TEST(ContactsAreMassless, WhereNoContactMeetsMass) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::problem_test

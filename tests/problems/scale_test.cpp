@@ -11,7 +11,7 @@
 #include "tests/support/child.hpp"
 #include "tests/support/elastic_block.hpp"
 
-namespace signorini {
+namespace signorini::scale_test {
 namespace {
 
 constexpr double kMegabyte = 1024.0 * 1024.0;
@@ -81,4 +81,4 @@ TEST(ReceptanceAtScale, NeedsNoDenseArrayOverTheCoordinates) {
 INSTANTIATE_TEST_SUITE_P(Lengths, SceneAtScale, testing::Values(170, 700));
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::scale_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace signorini {
+namespace signorini::sparse_cholesky_test {
 namespace {
 
 /// Springs of 1 N/m between n masses in a row and to the walls on both sides.
@@ -67,4 +67,4 @@ TEST(SparseCholesky, LeavesAnEmptyRightSideEmpty) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::sparse_cholesky_test

@@ -11,7 +11,7 @@
 #include "problems/sparse_cholesky.hpp"
 #include "tests/problems/chain_problems.hpp"
 
-namespace signorini {
+namespace signorini::validation_test {
 namespace {
 
 using test::chain_problem;
@@ -294,4 +294,4 @@ TEST(Validate, RefusesRigidStopsThatLeaveNoRoom) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::validation_test

@@ -14,7 +14,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::assembled_oscillators_test {
 namespace {
 
 using test::ImpactOscillator;
@@ -129,4 +129,4 @@ TEST(AssembledOscillators, HaveTheDiscreteSolutionsOfEachAlone) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::assembled_oscillators_test

@@ -12,7 +12,7 @@
 #include "problems/assembly/beam.hpp"
 #include "problems/validation.hpp"
 
-namespace signorini {
+namespace signorini::bouncing_bar_test {
 namespace {
 
 // [doyen2011], in closed form: E = 900, rho = 1, L = 10, gravity 10, dropped from 5 above the stop.
@@ -114,4 +114,4 @@ TEST(BouncingBar, FiniteElementsFollowTheSeries) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::bouncing_bar_test

@@ -21,7 +21,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::damped_stop_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -231,4 +231,4 @@ TEST(DampedStop, IsMetByMethodsOfTimeAndOfFrequency) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::damped_stop_test

@@ -13,7 +13,7 @@
 #include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
 
-namespace signorini {
+namespace signorini::distortionless_bar_test {
 namespace {
 
 using test::DistortionlessBar;
@@ -105,4 +105,4 @@ TEST(DistortionlessBar, FiniteElementsWithAMasslessTipTendToIt) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::distortionless_bar_test

@@ -6,7 +6,7 @@
 #include "methods/orbit/exact_orbit.hpp"
 #include "tests/reference/reference_data.hpp"
 
-namespace signorini {
+namespace signorini::exact_structures_test {
 namespace {
 
 using test::ReferenceMotion;
@@ -47,4 +47,4 @@ INSTANTIATE_TEST_SUITE_P(Peer, ExactStructure, testing::Values("nlvib_ex03_2dof"
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::exact_structures_test

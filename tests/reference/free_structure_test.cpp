@@ -18,7 +18,7 @@
 #include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
 
-namespace signorini {
+namespace signorini::free_structure_test {
 namespace {
 
 using test::solve;
@@ -228,4 +228,4 @@ TEST(FreeStructure, HasNoPeriodicMotionWhereTheMeanLoadPullsItAway) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::free_structure_test

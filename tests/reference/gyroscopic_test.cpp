@@ -11,7 +11,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/orbit_check.hpp"
 
-namespace signorini {
+namespace signorini::gyroscopic_test {
 namespace {
 
 Problem gyroscopic_shaft() { return load_scene(find_scene("shaft-gyroscopic")); }
@@ -42,4 +42,4 @@ TEST(GyroscopicShaft, SeriesApproachTheOrbit) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::gyroscopic_test

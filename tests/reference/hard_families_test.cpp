@@ -18,7 +18,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::hard_families_test {
 namespace {
 
 using test::ImpactOscillator;
@@ -212,4 +212,4 @@ TEST(RotorScenes, AnnularRubIsTheCircleOnABedOfSprings) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::hard_families_test

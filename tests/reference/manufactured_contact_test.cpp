@@ -18,7 +18,7 @@
 #include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
 
-namespace signorini {
+namespace signorini::manufactured_contact_test {
 namespace {
 
 using test::ManufacturedChain;
@@ -219,4 +219,4 @@ TEST_P(ManufacturedContactWithMass, IsFollowedInTime) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::manufactured_contact_test

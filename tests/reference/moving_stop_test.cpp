@@ -18,7 +18,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::moving_stop_test {
 namespace {
 
 using test::solve;
@@ -200,4 +200,4 @@ TEST(MovingStop, OfASpringIsTheSpringsForceAtRest) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::moving_stop_test

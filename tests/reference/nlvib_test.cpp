@@ -10,7 +10,7 @@
 #include "tests/reference/reference_data.hpp"
 #include "tests/support/accuracy.hpp"
 
-namespace signorini {
+namespace signorini::nlvib_test {
 namespace {
 
 using test::ReferenceMotion;
@@ -137,4 +137,4 @@ INSTANTIATE_TEST_SUITE_P(Nlvib, NlvibStructure,
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::nlvib_test

@@ -18,7 +18,7 @@
 #include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
 
-namespace signorini {
+namespace signorini::nonsmooth_bar_test {
 namespace {
 
 using test::NonsmoothBar;
@@ -246,4 +246,4 @@ TEST(NonsmoothBar, FiniteElementsFollowItThroughAPeriod) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::nonsmooth_bar_test

@@ -11,7 +11,7 @@
 #include "tests/reference/reference_data.hpp"
 #include "tests/support/accuracy.hpp"
 
-namespace signorini {
+namespace signorini::penalty_orbit_test {
 namespace {
 
 using test::BilinearOrbit;
@@ -204,4 +204,4 @@ TEST_F(SoftStop, TendsToTheRigidOrbitLikeTheInverseRootOfTheStiffness) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::penalty_orbit_test

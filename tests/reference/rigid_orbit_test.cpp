@@ -14,7 +14,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::rigid_orbit_test {
 namespace {
 
 using test::ReferenceMotion;
@@ -147,4 +147,4 @@ TEST(HatLcp, AColdStartFindsTheExactOrbitToo) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::rigid_orbit_test

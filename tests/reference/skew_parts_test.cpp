@@ -20,7 +20,7 @@
 #include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
 
-namespace signorini {
+namespace signorini::skew_parts_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -190,4 +190,4 @@ TEST(SkewParts, StopsAreMetAsATimeIntegrationMeetsThem) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::skew_parts_test

@@ -17,7 +17,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::source_errata_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -312,4 +312,4 @@ TEST_F(SourceContactEquation, Equations48And50MeanFourierFunctions) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::source_errata_test

@@ -11,7 +11,7 @@
 
 #include "tests/reference/source_basis.hpp"
 
-namespace signorini {
+namespace signorini::source_reduction_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -133,4 +133,4 @@ TEST_F(SourceReduction, Equations42To45FollowFromTheWholeSystem) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::source_reduction_test

@@ -14,7 +14,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::source_scene_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -113,4 +113,4 @@ TEST(SourceScene, IsSolvedByTheMethodsOfTheSourcePaper) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::source_scene_test

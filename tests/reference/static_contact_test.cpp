@@ -25,7 +25,7 @@
 #include "tests/support/massless_scenes.hpp"
 #include "tests/support/random_springs.hpp"
 
-namespace signorini {
+namespace signorini::static_contact_test {
 namespace {
 
 using std::string_view_literals::operator""sv;
@@ -364,4 +364,4 @@ TEST(PressedPair, DoesNotRestBesideAnOpenContactOnHatFunctions) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::static_contact_test

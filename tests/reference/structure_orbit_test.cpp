@@ -12,7 +12,7 @@
 #include "tests/reference/reference_data.hpp"
 #include "tests/support/accuracy.hpp"
 
-namespace signorini {
+namespace signorini::structure_orbit_test {
 namespace {
 
 using test::ReferenceMotion;
@@ -178,4 +178,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Branch{"chain10_multi", 0.150393361362492, {{7, 5.6e-2}, {21, 5.3e-3}, {60, 4.5e-4}}}));
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::structure_orbit_test

@@ -14,7 +14,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::undetermined_law_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -201,4 +201,4 @@ INSTANTIATE_TEST_SUITE_P(Scheme, WithoutImpactLaw,
                          });
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::undetermined_law_test

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace signorini::test {
+namespace signorini::test::expected_failure_test {
 namespace {
 
 TEST(ExpectFailure, PassesWhileAnExpectationOfItsBodyFails) {
@@ -34,4 +34,4 @@ TEST(KnownFailures, MustFailAndAllOtherCasesMustPass) {
 }
 
 }  // namespace
-}  // namespace signorini::test
+}  // namespace signorini::test::expected_failure_test

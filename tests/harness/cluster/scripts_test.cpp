@@ -4,7 +4,7 @@
 
 #include "harness/failure.hpp"
 
-namespace signorini {
+namespace signorini::scripts_test {
 namespace {
 
 Submission submission() {
@@ -66,4 +66,4 @@ TEST(ParallelScript, NumbersTheShardsAndSaysHowManyRunAtOnce) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::scripts_test

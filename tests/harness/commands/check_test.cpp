@@ -10,7 +10,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
 
-namespace signorini {
+namespace signorini::check_test {
 namespace {
 
 TEST(CommandCheck, PrintsAReviewAndExitsOneWhereSomethingFailed) {
@@ -73,4 +73,4 @@ TEST(CommandShow, TakesAPluginBeforeTheCommandAndAfterIt) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::check_test

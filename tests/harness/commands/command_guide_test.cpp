@@ -9,7 +9,7 @@
 
 #include "tests/harness/program.hpp"
 
-namespace signorini {
+namespace signorini::command_guide_test {
 namespace {
 
 TEST(CommandGuide, HasTheCommandsInFourGroups) {
@@ -69,4 +69,4 @@ TEST(CommandHelp, IsThatOfTheCommandNamed) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::command_guide_test

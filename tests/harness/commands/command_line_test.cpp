@@ -13,7 +13,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
 
-namespace signorini {
+namespace signorini::command_line_test {
 namespace {
 
 using test::Outcome;
@@ -207,4 +207,4 @@ TEST(CommandLine, PointsToTheHelpOfTheCommandThatWasMisused) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::command_line_test

@@ -6,7 +6,7 @@
 
 #include "tests/harness/program.hpp"
 
-namespace signorini {
+namespace signorini::doctor_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -24,4 +24,4 @@ TEST(CommandDoctor, ExaminesTheMachine) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::doctor_test

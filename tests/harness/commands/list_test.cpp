@@ -6,7 +6,7 @@
 
 #include "tests/harness/program.hpp"
 
-namespace signorini {
+namespace signorini::list_test {
 namespace {
 
 using test::Outcome;
@@ -37,4 +37,4 @@ TEST(CommandList, ShowsScenesByNameOrTag) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::list_test

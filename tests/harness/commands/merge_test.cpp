@@ -13,7 +13,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
 
-namespace signorini {
+namespace signorini::merge_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -74,4 +74,4 @@ TEST(CommandMerge, RunsShardsThatMergeToTheWholeRun) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::merge_test

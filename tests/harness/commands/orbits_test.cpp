@@ -8,7 +8,7 @@
 
 #include "tests/harness/program.hpp"
 
-namespace signorini {
+namespace signorini::orbits_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -49,4 +49,4 @@ TEST(CommandOrbits, ExitsWithOneWhereNoOrbitIsFound) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::orbits_test

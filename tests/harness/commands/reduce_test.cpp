@@ -12,7 +12,7 @@
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/program.hpp"
 
-namespace signorini {
+namespace signorini::reduce_test {
 namespace {
 
 using test::Outcome;
@@ -61,4 +61,4 @@ TEST(CommandReduce, RefusesWhatItCannotReduce) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::reduce_test

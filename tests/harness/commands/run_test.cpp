@@ -21,7 +21,7 @@
 #include "tests/harness/program.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::run_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -213,4 +213,4 @@ TEST(CommandRun, StopsAtAnInterruptAndCompletesTheRunLater) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::run_test

@@ -7,7 +7,7 @@
 
 #include "tests/harness/program.hpp"
 
-namespace signorini {
+namespace signorini::show_test {
 namespace {
 
 using test::Outcome;
@@ -42,4 +42,4 @@ TEST(CommandShow, FitsEightyColumnsAndLeavesFurtherContactsOut) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::show_test

@@ -11,7 +11,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
 
-namespace signorini {
+namespace signorini::solve_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -142,4 +142,4 @@ TEST(CommandSolve, SearchesNoReferenceUnlessAsked) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::solve_test

@@ -15,7 +15,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
 
-namespace signorini {
+namespace signorini::submit_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -76,4 +76,4 @@ TEST(CommandSubmit, RunsShardsByGnuParallel) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::submit_test

@@ -15,7 +15,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
 
-namespace signorini {
+namespace signorini::verify_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -164,4 +164,4 @@ TEST(Verify, RerunsTheRecordsOfARun) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::verify_test

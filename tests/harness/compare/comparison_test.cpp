@@ -11,7 +11,7 @@
 #include "harness/run/trial.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::comparison_test {
 namespace {
 
 /// Factor by which the times of a case are longer than they were.
@@ -172,4 +172,4 @@ TEST(CompareRuns, NotesWorkThatChanged) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::comparison_test

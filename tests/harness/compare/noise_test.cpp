@@ -2,7 +2,7 @@
 
 #include "harness/compare/comparison.hpp"
 
-namespace signorini {
+namespace signorini::noise_test {
 namespace {
 
 TEST(JudgeCases, JudgesNoCaseByTooFewRoundsOrWithoutAnySpread) {
@@ -30,4 +30,4 @@ TEST(NormalQuantile, IsThatOfTheTables) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::noise_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::rerun_test {
 namespace {
 
 Record sample() {
@@ -66,4 +66,4 @@ TEST(CompareRecords, ReportsALostCertificateAndALostError) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::rerun_test

@@ -8,7 +8,7 @@
 
 #include "tests/harness/conformance/flawed_method.hpp"
 
-namespace signorini {
+namespace signorini::check_result_test {
 
 namespace {
 
@@ -66,4 +66,4 @@ TEST(Review, TellsWhatFailedWhereWhyAndHowToSeeItAgain) {
 
 }  // namespace
 
-}  // namespace signorini
+}  // namespace signorini::check_result_test

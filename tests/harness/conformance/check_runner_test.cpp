@@ -11,7 +11,7 @@
 #include "harness/failure.hpp"
 #include "tests/harness/conformance/flawed_method.hpp"
 
-namespace signorini {
+namespace signorini::check_runner_test {
 namespace {
 
 using test::Flaw;
@@ -120,4 +120,4 @@ TEST(Conformance, AsksOnlyWhatTheFilterTakesAndRefusesOneThatTakesNothing) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::check_runner_test

@@ -6,7 +6,7 @@
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/conformance/flawed_method.hpp"
 
-namespace signorini {
+namespace signorini::checked_method_test {
 namespace {
 
 using test::Flaw;
@@ -73,4 +73,4 @@ TEST(Scales, AreThoseOfTheSceneAndOfTheAnswer) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::checked_method_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace signorini {
+namespace signorini::resolution_series_test {
 namespace {
 
 std::vector<ResolutionStep> steps_of_order(double order) {
@@ -60,4 +60,4 @@ TEST(ResolutionSeries, HaveTolerancesAsSizes) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::resolution_series_test

@@ -8,7 +8,7 @@
 #include "problems/assembly/chain.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::transformations_test {
 namespace {
 
 constexpr double kPeriod = 2.0;
@@ -108,4 +108,4 @@ TEST(MappedMotion, MovesTheOriginAndBack) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::transformations_test

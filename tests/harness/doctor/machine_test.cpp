@@ -7,7 +7,7 @@
 
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::machine_test {
 namespace {
 
 /// A system told by a folder of files.
@@ -78,4 +78,4 @@ TEST(ExamineRunning, LooksAtEverythingThatMoves) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::machine_test

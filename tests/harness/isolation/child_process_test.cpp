@@ -10,7 +10,7 @@
 #include <csignal>
 #include <thread>
 
-namespace signorini {
+namespace signorini::child_process_test {
 namespace {
 
 /// Until the child ends; fails the test after ten seconds.
@@ -156,4 +156,4 @@ TEST(ChildProcess, LeavesNoZombie) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::child_process_test

@@ -14,7 +14,7 @@
 #include <string>
 #include <thread>
 
-namespace signorini {
+namespace signorini::isolation_test {
 
 namespace {
 
@@ -257,4 +257,4 @@ TEST(DescribeChildEnd, HasAPhraseOfItsOwnForEachKind) {
 
 }  // namespace
 
-}  // namespace signorini
+}  // namespace signorini::isolation_test

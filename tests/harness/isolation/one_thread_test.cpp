@@ -12,7 +12,7 @@
 
 #include "harness/isolation/isolation.hpp"
 
-namespace signorini {
+namespace signorini::one_thread_test {
 namespace {
 
 /// The first entry of a product large enough for several threads.
@@ -43,4 +43,4 @@ TEST(ComputeOnOneThread, LeavesNoThreadThatAChildWouldWaitFor) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::one_thread_test

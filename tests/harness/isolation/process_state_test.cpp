@@ -8,7 +8,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace signorini {
+namespace signorini::process_state_test {
 namespace {
 
 TEST(ProcessState, SaysThatNothingHasChanged) {
@@ -45,4 +45,4 @@ TEST(ProcessState, RestoresSignalHandlers) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::process_state_test

@@ -10,7 +10,7 @@
 #include "tests/harness/judge/fake_orbits.hpp"
 #include "tests/support/data_folder.hpp"
 
-namespace signorini {
+namespace signorini::certificate_test {
 namespace {
 
 CertifiedAnswer certified(const std::shared_ptr<const Trajectory>& answer, const Reference& reference,
@@ -159,4 +159,4 @@ TEST(CommittedRecords, WouldBeFoundOutWithoutImpulses) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::certificate_test

@@ -7,7 +7,7 @@
 
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::contact_agreement_test {
 namespace {
 
 constexpr double kPeriod = std::numbers::pi;  // of one_mass(): omega = 2
@@ -97,4 +97,4 @@ TEST(ContactDifference, JoinsPhasesAcrossTheEndOfThePeriod) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::contact_agreement_test

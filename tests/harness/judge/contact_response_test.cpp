@@ -13,7 +13,7 @@
 #include "tests/support/impact_oscillator.hpp"
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::contact_response_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -196,4 +196,4 @@ TEST(VelocityJumps, AreTheInverseMassSeenByTheContacts) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::contact_response_test

@@ -15,7 +15,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::contact_work_test {
 namespace {
 
 using test::FormulaMotion;
@@ -129,4 +129,4 @@ TEST(EnergyOfAChatter, MissesNoMoreThanItsLastImpacts) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::contact_work_test

@@ -14,7 +14,7 @@
 #include "tests/support/impact_oscillator.hpp"
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::exact_certificate_test {
 namespace {
 
 const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 0.8};
@@ -118,4 +118,4 @@ TEST(ReducedOrbits, SayWhyAStructureHasNone) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::exact_certificate_test

@@ -7,7 +7,7 @@
 
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::impacts_test {
 namespace {
 
 using test::FormulaMotion;
@@ -99,4 +99,4 @@ TEST(TimeResolution, IsHalfAWaveOfTheHighestHarmonicOrOneStep) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::impacts_test

@@ -8,7 +8,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::measures_test {
 namespace {
 
 using test::FormulaMotion;
@@ -242,4 +242,4 @@ TEST_P(ClosedFormOrbits, ShowTheirRestitution) {
 INSTANTIATE_TEST_SUITE_P(EachRestitution, ClosedFormOrbits, testing::Values(1.0, 0.8, 0.5));
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::measures_test

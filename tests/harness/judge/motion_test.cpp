@@ -15,7 +15,7 @@
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::motion_test {
 namespace {
 
 using test::FormulaMotion;
@@ -217,4 +217,4 @@ TEST(Amplitude, IsThatOfTheContactThatMovesMost) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::motion_test

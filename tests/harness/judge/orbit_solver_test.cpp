@@ -5,7 +5,7 @@
 #include "harness/judge/motion.hpp"
 #include "tests/harness/judge/fake_orbits.hpp"
 
-namespace signorini {
+namespace signorini::orbit_solver_test {
 namespace {
 
 TEST(FindOrbit, TakesTheDifferenceOfTwoTolerancesAsErrorBar) {
@@ -56,4 +56,4 @@ TEST(FlowOrbits, SayWhyAStructureCannotBeFollowed) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::orbit_solver_test

@@ -9,7 +9,7 @@
 
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::orbit_test {
 namespace {
 
 using test::FormulaMotion;
@@ -84,4 +84,4 @@ TEST(OrbitEvents, ListImpactsAndPlaceClosingAndOpening) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::orbit_test

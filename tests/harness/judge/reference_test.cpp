@@ -7,7 +7,7 @@
 #include "harness/records/record_json.hpp"
 #include "tests/harness/judge/fake_orbits.hpp"
 
-namespace signorini {
+namespace signorini::reference_test {
 namespace {
 
 TEST(ComputeReference, SaysWhyThereIsNone) {
@@ -49,4 +49,4 @@ TEST(ComputeReference, IsNoneWhereMarchingStoppedAwayFromTheExactOrbit) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::reference_test

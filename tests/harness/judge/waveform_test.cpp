@@ -6,7 +6,7 @@
 
 #include "harness/records/sampled_trajectory.hpp"
 
-namespace signorini {
+namespace signorini::waveform_test {
 namespace {
 
 Motion driven_at(double frequency, const Trajectory& motion) {
@@ -105,4 +105,4 @@ TEST(DrawWaveforms, KeepsTheContactsThatExchangeMostImpulse) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::waveform_test

@@ -6,7 +6,7 @@
 #include "harness/orbits/orbit_candidate.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::candidate_units_test {
 namespace {
 
 std::vector<std::string> names(const std::vector<CandidateUnit>& units) {
@@ -89,4 +89,4 @@ TEST(CandidateUnits, SayWhyAMethodLedNowhere) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::candidate_units_test

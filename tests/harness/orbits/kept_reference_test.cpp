@@ -8,7 +8,7 @@
 #include "harness/orbits/orbit_file.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::kept_reference_test {
 namespace {
 
 Scene scene_of(const std::string& name) { return read_scene(find_scene(name)); }
@@ -44,4 +44,4 @@ TEST(KeptReference, IsNoneWhereTheFileIsNotReadable) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::kept_reference_test

@@ -7,7 +7,7 @@
 
 #include "harness/records/record_json.hpp"
 
-namespace signorini {
+namespace signorini::orbit_candidate_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -78,4 +78,4 @@ TEST(SearchUntil, ExpiresAtTheDeadline) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::orbit_candidate_test

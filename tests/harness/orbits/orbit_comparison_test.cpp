@@ -3,7 +3,7 @@
 #include "harness/orbits/orbit_file.hpp"
 #include "tests/harness/orbits/sample_orbits.hpp"
 
-namespace signorini {
+namespace signorini::orbit_comparison_test {
 namespace {
 
 using test::sample_file;
@@ -96,4 +96,4 @@ TEST(CompareOrbits, HasOneLineForAnotherSceneOrLaw) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::orbit_comparison_test

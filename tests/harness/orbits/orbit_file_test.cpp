@@ -8,7 +8,7 @@
 #include "harness/failure.hpp"
 #include "tests/harness/orbits/sample_orbits.hpp"
 
-namespace signorini {
+namespace signorini::orbit_file_test {
 namespace {
 
 using test::sample_file;
@@ -58,4 +58,4 @@ TEST(FoundOrbit, KnowsItsLargestMultiplier) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::orbit_file_test

@@ -16,7 +16,7 @@
 #include "harness/records/record_json.hpp"
 #include "problems/scene/scene_file.hpp"
 
-namespace signorini {
+namespace signorini::orbit_search_test {
 namespace {
 
 /// One mass above resonance, e = 0.8: a stable orbit of order 2 with one impact beside an unstable one of
@@ -188,4 +188,4 @@ TEST(OrbitCandidates, AreTheSameStatesFirstWhateverTheirNumber) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::orbit_search_test

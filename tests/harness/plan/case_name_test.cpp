@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::case_name_test {
 namespace {
 
 TEST(CaseName, TakesASceneAMethodAndItsSettingsApart) {
@@ -36,4 +36,4 @@ TEST(CaseName, SurvivesNamesThatNoProgramWrote) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::case_name_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::deadline_test {
 
 namespace {
 
@@ -23,4 +23,4 @@ TEST(EnforcedLimit, LeavesAMethodTimeToEndByItself) {
 
 }  // namespace
 
-}  // namespace signorini
+}  // namespace signorini::deadline_test

@@ -12,7 +12,7 @@
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::plan_test {
 
 namespace {
 
@@ -213,4 +213,4 @@ TEST(Schedule, CountsTheCasesOfAllRunsOnThisMachine) {
 
 }  // namespace
 
-}  // namespace signorini
+}  // namespace signorini::plan_test

@@ -9,7 +9,7 @@
 #include "harness/failure.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::scene_choice_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -122,4 +122,4 @@ TEST(SceneFiles, OfAFamilyAreItsLevelsUnlessOneIsGiven) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::scene_choice_test

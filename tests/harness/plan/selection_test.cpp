@@ -6,7 +6,7 @@
 #include "harness/plan/plan.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::selection_test {
 namespace {
 
 std::unique_ptr<Method> make_none(std::span<const OptionSetting>) { return nullptr; }
@@ -98,4 +98,4 @@ TEST(SelectMethods, RefusesBadBrackets) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::selection_test

@@ -5,7 +5,7 @@
 #include "harness/failure.hpp"
 #include "problems/scene/scene_file.hpp"
 
-namespace signorini {
+namespace signorini::suite_test {
 namespace {
 
 struct BadSuite {
@@ -106,4 +106,4 @@ TEST(LoadSuite, NamesTheSuitesThereAreWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::suite_test

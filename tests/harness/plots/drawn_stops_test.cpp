@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::drawn_stops_test {
 namespace {
 
 Problem between_walls() {
@@ -32,4 +32,4 @@ TEST(DrawnStops, StretchTheRange) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::drawn_stops_test

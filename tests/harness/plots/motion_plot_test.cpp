@@ -7,7 +7,7 @@
 #include "tests/harness/sample_records.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini {
+namespace signorini::motion_plot_test {
 namespace {
 
 Scene two_stops() {
@@ -68,4 +68,4 @@ TEST(MotionPlot, StacksItsPanelsInASingleColumn) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::motion_plot_test

@@ -8,7 +8,7 @@
 #include "harness/records/sampled_trajectory.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 
-namespace signorini {
+namespace signorini::orbit_plot_test {
 namespace {
 
 Problem one_stop() {
@@ -66,4 +66,4 @@ TEST(OrbitPlot, StacksItsPortraitsInASingleColumn) {
 TEST(OrbitPlot, RefusesToDrawNothing) { EXPECT_THROW(orbit_plot(one_stop(), {}), UsageError); }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::orbit_plot_test

@@ -7,7 +7,7 @@
 #include "tests/harness/program.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini {
+namespace signorini::plot_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -80,4 +80,4 @@ TEST(PlotOption, RefusesABadNameBeforeAnyWork) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::plot_file_test

@@ -5,7 +5,7 @@
 #include "harness/plots/plot_file.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini {
+namespace signorini::response_plot_test {
 namespace {
 
 BranchPoint point(double frequency, double amplitude, OrbitStability stability) {
@@ -73,4 +73,4 @@ TEST(ResponsePlot, CanBeDrawnWhateverItHolds) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::response_plot_test

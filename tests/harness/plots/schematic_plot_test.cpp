@@ -9,7 +9,7 @@
 #include "tests/harness/program.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini {
+namespace signorini::schematic_plot_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,4 +54,4 @@ TEST(PlotOption, OfShowDrawsTheSceneAndRefusesMethods) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::schematic_plot_test

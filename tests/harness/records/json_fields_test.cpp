@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace signorini {
+namespace signorini::json_fields_test {
 
 namespace {
 enum class Colour { red, green };
@@ -35,12 +35,14 @@ void visit_fields(Either<Sample> auto& sample, auto&& field) {
   field(Field{"numbers"}, sample.numbers);
 }
 }  // namespace
+}  // namespace signorini::json_fields_test
 
 template <>
-struct EnumNames<Colour> {
+struct signorini::EnumNames<signorini::json_fields_test::Colour> {
   static constexpr std::array<std::string_view, 2> values{"red", "green"};
 };
 
+namespace signorini::json_fields_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -96,4 +98,4 @@ TEST(ReadFields, RefuseAMissingKeyAWrongTypeAndAnUnknownName) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::json_fields_test

@@ -10,7 +10,7 @@
 #include "harness/records/json_fields.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini {
+namespace signorini::line_file_test {
 namespace {
 
 TEST(ReadLines, TakeWholeLinesInOrderAndLeaveOutATornOne) {
@@ -103,4 +103,4 @@ TEST(MakeFolder, MakesFoldersAndSaysWhyItCannot) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::line_file_test

@@ -10,7 +10,7 @@
 #include "harness/records/run_folder.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::manifest_check_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -100,4 +100,4 @@ TEST(ReadManifest, RefusesAFileOfMoreThan16MiB) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::manifest_check_test

@@ -7,7 +7,7 @@
 #include "harness/failure.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::merge_test {
 
 namespace {
 
@@ -135,4 +135,4 @@ TEST(RequireSameMachine, RefusesAnotherOne) {
 
 }  // namespace
 
-}  // namespace signorini
+}  // namespace signorini::merge_test

@@ -8,7 +8,7 @@
 #include "harness/records/record_json.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::record_check_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -70,4 +70,4 @@ TEST(Message, IsOneLineOfSomeThousandBytes) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::record_check_test

@@ -12,7 +12,7 @@
 #include "tests/harness/sample_records.hpp"
 #include "tests/support/data_folder.hpp"
 
-namespace signorini {
+namespace signorini::record_json_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -152,4 +152,4 @@ TEST(RecordJson, RefusesWhatIsNoRecord) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::record_json_test

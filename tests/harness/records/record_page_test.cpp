@@ -11,7 +11,7 @@
 #include "harness/records/record_json.hpp"
 #include "tests/support/data_folder.hpp"
 
-namespace signorini {
+namespace signorini::record_page_test {
 namespace {
 
 using Names = std::set<std::string>;
@@ -120,4 +120,4 @@ TEST(RecordFields, HaveTheirUnitInTheDocumentation) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::record_page_test

@@ -10,7 +10,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::record_store_test {
 namespace {
 
 class RecordStores : public testing::Test {
@@ -142,4 +142,4 @@ TEST_F(RecordStores, RefuseAFolderThatCannotBeMade) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::record_store_test

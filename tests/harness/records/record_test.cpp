@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace signorini {
+namespace signorini::record_test {
 namespace {
 
 TEST(Record, HasANameForEveryStatusAndCertificate) {
@@ -60,4 +60,4 @@ TEST(AsRepresented, KeepsTheLawAndItsConstant) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::record_test

@@ -12,7 +12,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::run_folder_test {
 
 namespace {
 
@@ -114,4 +114,4 @@ TEST(ClockGovernor, IsThatOfTheFirstProcessorOrEmpty) {
 
 }  // namespace
 
-}  // namespace signorini
+}  // namespace signorini::run_folder_test

@@ -13,7 +13,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::sampled_trajectory_test {
 
 namespace {
 
@@ -186,4 +186,4 @@ TEST(StartFromFile, NamesTheFileAndWhatIsWrongWithIt) {
 
 }  // namespace
 
-}  // namespace signorini
+}  // namespace signorini::sampled_trajectory_test

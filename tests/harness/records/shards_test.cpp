@@ -9,7 +9,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::shards_test {
 namespace {
 
 Plan plan_of_scenes(int scenes) {
@@ -91,4 +91,4 @@ TEST(Balance, StaysWithinAThirdOfTheBest) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::shards_test

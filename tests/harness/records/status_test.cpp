@@ -6,7 +6,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::status_test {
 namespace {
 
 TEST(StatusOf, CountsWhatIsDoneFailedPendingAndStale) {
@@ -50,4 +50,4 @@ TEST(Together, AddsCountsAndWaitsForTheSlowest) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::status_test

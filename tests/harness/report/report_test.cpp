@@ -15,7 +15,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::report_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -207,4 +207,4 @@ TEST(MarkdownReport, DoesNotRewardFragilityByAveragingSurvivors) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::report_test

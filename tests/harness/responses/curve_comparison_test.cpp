@@ -4,7 +4,7 @@
 
 #include "tests/harness/responses/drawn_responses.hpp"
 
-namespace signorini {
+namespace signorini::curve_comparison_test {
 namespace {
 
 using test::level_branch;
@@ -139,4 +139,4 @@ TEST(CompareCurves, DoesNotMatchPointsFarAway) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::curve_comparison_test

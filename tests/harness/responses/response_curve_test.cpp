@@ -7,7 +7,7 @@
 
 #include "tests/harness/responses/drawn_responses.hpp"
 
-namespace signorini {
+namespace signorini::response_curve_test {
 namespace {
 
 using test::level_branch;
@@ -120,4 +120,4 @@ TEST(AmplitudeOf, IsHalfTheLargestPeakToPeakWhereverTheOriginIs) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::response_curve_test

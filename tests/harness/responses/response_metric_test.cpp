@@ -6,7 +6,7 @@
 
 #include "tests/harness/responses/drawn_responses.hpp"
 
-namespace signorini {
+namespace signorini::response_metric_test {
 namespace {
 
 using test::moving;
@@ -64,4 +64,4 @@ TEST(ResponseMetric, AlignsOverTheLeastCommonPeriod) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::response_metric_test

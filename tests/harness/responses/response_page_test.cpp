@@ -6,7 +6,7 @@
 
 #include "tests/harness/responses/sample_responses.hpp"
 
-namespace signorini {
+namespace signorini::response_page_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -68,4 +68,4 @@ TEST(ResponsePage, IsWholeWhereNothingIsKnown) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::response_page_test

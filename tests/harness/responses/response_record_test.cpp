@@ -6,7 +6,7 @@
 #include "tests/harness/responses/drawn_responses.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini {
+namespace signorini::response_record_test {
 namespace {
 
 ResponseRecord whole_record() {
@@ -87,4 +87,4 @@ TEST(Drawn, HoldsFrequencyAmplitudeAndStabilityOfEachPoint) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::response_record_test

@@ -6,7 +6,7 @@
 #include "tests/harness/responses/sample_responses.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini {
+namespace signorini::response_report_test {
 namespace {
 
 TEST(ResponseFigures, DrawTheExactBranchesByStabilityUnderTheMethods) {
@@ -44,4 +44,4 @@ TEST(WriteResponseReport, WritesWhatIsAskedForAlone) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::response_report_test

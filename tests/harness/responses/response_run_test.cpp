@@ -12,7 +12,7 @@
 #include "tests/harness/program.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini {
+namespace signorini::response_run_test {
 namespace {
 
 constexpr const char* kSuite = R"(schema = 1
@@ -122,4 +122,4 @@ TEST(CommandRun, PrintsTheResponsesItWouldRunAndRefusesWhatMeansNothingForThem) 
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::response_run_test

@@ -8,7 +8,7 @@
 
 #include "tests/harness/responses/sample_responses.hpp"
 
-namespace signorini {
+namespace signorini::response_sections_test {
 namespace {
 
 const Section& section(const std::vector<Section>& sections, const std::string& id) {
@@ -107,4 +107,4 @@ TEST(ResponseSections, RecommendNothingWhereNoMethodQualifies) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::response_sections_test

@@ -6,7 +6,7 @@
 
 #include "tests/harness/responses/sample_responses.hpp"
 
-namespace signorini {
+namespace signorini::response_standings_test {
 namespace {
 
 TEST(ResponseStandings, RecommendTheCheapestOfThoseThatFindNearlyAsMuchAndInventLittle) {
@@ -82,4 +82,4 @@ TEST(ResponseStandings, LeaveOutScenesThatNothingWasComparedOn) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::response_standings_test

@@ -4,7 +4,7 @@
 
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::applicability_test {
 namespace {
 
 constexpr int kMemory = 256;  // MiB
@@ -32,4 +32,4 @@ TEST(AskApplicability, OfNoCaseIsNoAnswer) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::applicability_test

@@ -6,7 +6,7 @@
 
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::problem_digest_test {
 namespace {
 
 TEST(ProblemDigest, AsksForTheRepresentedLawAndNotForTheScenesOwn) {
@@ -40,4 +40,4 @@ TEST(ProblemDigest, TellsEveryPartOfAProblemApart) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::problem_digest_test

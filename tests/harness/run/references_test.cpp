@@ -4,7 +4,7 @@
 
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::references_test {
 namespace {
 
 constexpr Limits kLimits{.memory_mb = 512, .reference_timeout = 5.0};
@@ -91,4 +91,4 @@ TEST(References, AreForgottenWithTheScene) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::references_test

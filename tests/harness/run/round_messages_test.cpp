@@ -8,7 +8,7 @@
 #include "harness/isolation/isolation.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::round_messages_test {
 namespace {
 
 /// What a record is before its first round.
@@ -145,4 +145,4 @@ TEST(TakeLaterRound, CountsTheFailureOfALaterRoundAgainstTheCase) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::round_messages_test

@@ -7,7 +7,7 @@
 #include "harness/build_info.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::runner_test {
 namespace {
 
 constexpr Limits kLimits{
@@ -241,4 +241,4 @@ TEST(Runner, EndsTheProcessesThatAMethodLeavesBehind) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::runner_test

@@ -13,7 +13,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::suite_run_test {
 
 namespace {
 
@@ -306,4 +306,4 @@ TEST_F(Rounds, SayWhereOthersRanAtTheSameTime) {
 
 }  // namespace
 
-}  // namespace signorini
+}  // namespace signorini::suite_run_test

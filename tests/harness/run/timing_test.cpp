@@ -2,7 +2,7 @@
 
 #include "harness/run/trial.hpp"
 
-namespace signorini {
+namespace signorini::timing_test {
 namespace {
 
 TEST(TimeRound, KeepsTheLeastTimeOfTheRound) {
@@ -56,4 +56,4 @@ TEST(Summarise, CallsTimesUnstableThatDeviateByMoreThanFivePercent) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::timing_test

@@ -6,7 +6,7 @@
 
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::trial_test {
 
 namespace {
 
@@ -147,4 +147,4 @@ TEST(StartPoint, NamesTheObstacle) {
 
 }  // namespace
 
-}  // namespace signorini
+}  // namespace signorini::trial_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::boundary_test {
 namespace {
 
 TEST(NumberText, IsAsPeopleWriteIt) {
@@ -86,4 +86,4 @@ TEST(MotionNote, TellsFrequencyOrderAndLaw) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::boundary_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::drawing_test {
 namespace {
 
 TEST(Extent, OfADrawingHoldsLinesAndTexts) {
@@ -28,4 +28,4 @@ TEST(Extent, OfALabelFollowsItsAnchorAndCountsCharactersNotBytes) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::drawing_test

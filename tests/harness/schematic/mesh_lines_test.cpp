@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::mesh_lines_test {
 namespace {
 
 TEST(MeshLines, AreAllInnerNodesOfCoarseMeshesAndNeverMoreThanForty) {
@@ -23,4 +23,4 @@ TEST(ElementsText, TellsWhatIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::mesh_lines_test

@@ -11,7 +11,7 @@
 #include "problems/scene/scene_layout.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini {
+namespace signorini::schematic_test {
 namespace {
 
 Drawing drawn(const SceneSource& source) {
@@ -212,4 +212,4 @@ TEST(Schematic, OfTenThousandElementsAndAHundredContactsStaysLegible) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::schematic_test

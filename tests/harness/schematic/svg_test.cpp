@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::svg_test {
 namespace {
 
 TEST(SvgOf, HasAGroupForEachPartAndTextsThatAreNoMarkup) {
@@ -26,4 +26,4 @@ TEST(SvgOf, TurnsTheDrawingSoThatUpIsUp) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::svg_test

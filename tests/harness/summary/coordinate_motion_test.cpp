@@ -13,7 +13,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::coordinate_motion_test {
 namespace {
 
 constexpr int kCoordinateInstants = 1000;
@@ -83,4 +83,4 @@ TEST(CoordinateMotion, WithABandwidthIsTheSeriesOfThatMany) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::coordinate_motion_test

@@ -15,7 +15,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::motion_summary_test {
 namespace {
 
 using test::FormulaMotion;
@@ -166,4 +166,4 @@ TEST(SummariseMotion, OfACoordinateSaysWhyThereIsNone) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::motion_summary_test

@@ -17,7 +17,7 @@
 #include "methods/orbit/family/orbit_section.hpp"
 #include "problems/assembly/chain.hpp"
 
-namespace signorini {
+namespace signorini::between_points_test {
 namespace {
 
 constexpr double kFrom = 0.4, kTo = 2.6;
@@ -126,4 +126,4 @@ TEST(BetweenPoints, EveryOrbitIsAMotionOfTheScene) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::between_points_test

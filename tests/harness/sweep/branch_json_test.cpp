@@ -8,7 +8,7 @@
 
 #include "harness/records/json_fields.hpp"
 
-namespace signorini {
+namespace signorini::branch_json_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -108,4 +108,4 @@ TEST(StepJson, ComesBackButForMotionAndTime) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::branch_json_test

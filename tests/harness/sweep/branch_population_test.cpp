@@ -20,7 +20,7 @@
 #include "tests/harness/sweep/random_scenes.hpp"
 #include "tests/harness/sweep/sound_branches.hpp"
 
-namespace signorini {
+namespace signorini::branch_population_test {
 namespace {
 
 constexpr double kFrom = 0.7, kTo = 3.0;
@@ -99,4 +99,4 @@ TEST(BranchPopulation, HoldsTheStableOrbitsThatASearchFinds) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::branch_population_test

@@ -16,7 +16,7 @@
 #include "tests/harness/sweep/random_scenes.hpp"
 #include "tests/harness/sweep/sound_branches.hpp"
 
-namespace signorini {
+namespace signorini::branch_response_test {
 
 namespace {
 
@@ -219,4 +219,4 @@ TEST(ExactBranches, OfRandomScenesAreTheirOrbits) {
 
 }  // namespace
 
-}  // namespace signorini
+}  // namespace signorini::branch_response_test

@@ -11,7 +11,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
 
-namespace signorini {
+namespace signorini::frequency_response_test {
 
 namespace {
 
@@ -118,4 +118,4 @@ TEST(ResponseTable, HasARowPerPointAndTheColumnOfStabilityIfAskedFor) {
 
 }  // namespace
 
-}  // namespace signorini
+}  // namespace signorini::frequency_response_test

@@ -14,7 +14,7 @@
 #include "tests/harness/program.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini {
+namespace signorini::response_folder_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -185,4 +185,4 @@ TEST(CommandSweep, RefusesFoldersInOneLine) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::response_folder_test

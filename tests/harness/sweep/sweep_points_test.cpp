@@ -13,7 +13,7 @@
 #include "harness/sweep/bifurcation_response.hpp"
 #include "tests/harness/program.hpp"
 
-namespace signorini {
+namespace signorini::sweep_points_test {
 namespace {
 
 nlohmann::json branches_at(const std::string& methods, const std::string& values) {
@@ -146,4 +146,4 @@ TEST(ExactBranches, FoldWhereThePublishedRodDoes) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::sweep_points_test

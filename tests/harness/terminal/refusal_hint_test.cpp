@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::refusal_hint_test {
 namespace {
 
 TEST(WithHint, TellsTheKnownKeysThatAnUnknownOneMayMean) {
@@ -28,4 +28,4 @@ TEST(WithHint, LeavesAllElseAsItIs) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::refusal_hint_test

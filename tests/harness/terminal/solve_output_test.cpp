@@ -9,7 +9,7 @@
 
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::solve_output_test {
 namespace {
 
 Record record_with_contacts(int contacts) {
@@ -91,4 +91,4 @@ TEST(JudgementText, SaysWhetherTheOrbitIsReachedFromRest) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::solve_output_test

@@ -6,7 +6,7 @@
 
 #include <sstream>
 
-namespace signorini {
+namespace signorini::sweep_output_test {
 namespace {
 
 BranchPoint point(double omega, double amplitude, OrbitStability stability, int order = 1) {
@@ -63,4 +63,4 @@ TEST(SweepText, HasStepsAndPointsAtValuesAsRows) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::sweep_output_test

@@ -10,7 +10,7 @@
 #include "harness/isolation/child_process.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::terminal_test {
 namespace {
 
 /// The program's end of a pseudo-terminal (pty(7)).
@@ -67,4 +67,4 @@ TEST(TypedProgram, IsAPathUnlessTheNameLeadsToIt) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::terminal_test

@@ -10,7 +10,7 @@
 #include "methods/structure/receptance.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::aft_grid_solver_test {
 namespace {
 
 const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 1.0};
@@ -134,4 +134,4 @@ TEST(AftGridSolver, ReportsNewtonStepsOfEverySolve) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::aft_grid_solver_test

@@ -7,7 +7,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::aft_hbm_test {
 namespace {
 
 using test::relative_distance;
@@ -130,4 +130,4 @@ TEST(AftHbm, ReportsARayAndLeavesFiniteNumbers) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::aft_hbm_test

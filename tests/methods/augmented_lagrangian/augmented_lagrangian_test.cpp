@@ -8,7 +8,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::augmented_lagrangian_test {
 namespace {
 
 using test::solve;
@@ -87,4 +87,4 @@ TEST(AugmentedLagrangian, RefusesOptionsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::augmented_lagrangian_test

@@ -9,7 +9,7 @@
 #include "problems/scene/scene_file.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::multiplier_grid_solver_test {
 namespace {
 
 const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 1.0};
@@ -80,4 +80,4 @@ TEST(MultiplierGridSolver, EndsAtItsLimits) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::multiplier_grid_solver_test

@@ -7,7 +7,7 @@
 
 #include "methods/complementarity/exact_quadrature.hpp"
 
-namespace signorini {
+namespace signorini::contact_nodes_test {
 namespace {
 
 // sum_q w_q e^{2 pi i (n - m) t_q} is the integral over the contacts: the conjugate spectrum of their
@@ -44,4 +44,4 @@ TEST(Phases, AreThePowersOfAnInstantsPhase) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::contact_nodes_test

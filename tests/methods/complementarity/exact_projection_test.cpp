@@ -8,7 +8,7 @@
 #include "methods/complementarity/exact_quadrature.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::exact_projection_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -163,4 +163,4 @@ TEST(PermanentContact, IsRefusedWhereTheLoadPullsTheMassAway) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::exact_projection_test

@@ -8,7 +8,7 @@
 
 #include "methods/discretisation/fourier_series.hpp"
 
-namespace signorini {
+namespace signorini::exact_quadrature_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -109,4 +109,4 @@ TEST(HarmonicVector, KeepsTheMeanSquareAndComesBack) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::exact_quadrature_test

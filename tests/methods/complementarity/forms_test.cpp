@@ -10,7 +10,7 @@
 #include "tests/support/damped_chain.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::forms_test {
 namespace {
 
 /// scale (sum_{|n| <= H} x_n e^{2 pi i n k / N} - gap) by a direct sum over the first `kept` coefficients.
@@ -199,4 +199,4 @@ TEST(NodalStops, AreCompliantWhereTheSceneHasSprings) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::forms_test

@@ -14,7 +14,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::impact_closure_test {
 namespace {
 
 using test::ImpactOscillator;
@@ -181,4 +181,4 @@ TEST(ImpactClosure, RefusesTwoImpactsThatTheSeriesCannotTellApart) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::impact_closure_test

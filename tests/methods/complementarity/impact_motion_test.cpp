@@ -13,7 +13,7 @@
 #include "tests/support/damped_chain.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::impact_motion_test {
 namespace {
 
 using test::ImpactOscillator;
@@ -126,4 +126,4 @@ TEST(ImpactMotion, ImpulsesDoTheWorkThatTheLawTakes) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::impact_motion_test

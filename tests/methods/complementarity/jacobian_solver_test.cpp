@@ -8,7 +8,7 @@
 #include "methods/complementarity/exact_quadrature.hpp"
 #include "methods/discretisation/fourier_series.hpp"
 
-namespace signorini {
+namespace signorini::jacobian_solver_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -129,4 +129,4 @@ TEST(JacobianSolver, HasNoSolutionForWhatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::jacobian_solver_test

@@ -9,7 +9,7 @@
 #include "methods/complementarity/exact_quadrature.hpp"
 #include "methods/discretisation/fourier_series.hpp"
 
-namespace signorini {
+namespace signorini::nodal_jacobian_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -109,4 +109,4 @@ TEST(NodalJacobian, HasNoSolutionForWhatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::nodal_jacobian_test

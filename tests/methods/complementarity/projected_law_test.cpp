@@ -12,7 +12,7 @@
 #include "methods/solvers/newton_krylov.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::projected_law_test {
 namespace {
 
 TEST(HighestDynamicStiffness, OfOneMassIsItsInertiaAtThreeQuartersOfTheHighestHarmonics) {
@@ -180,4 +180,4 @@ TEST(LastingContactInverse, LeavesGmresFarFewerStepsThanUnknownsWhereContactLast
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::projected_law_test

@@ -9,7 +9,7 @@
 
 #include "methods/discretisation/fourier_series.hpp"
 
-namespace signorini {
+namespace signorini::projected_residual_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -126,4 +126,4 @@ TEST(ProjectedResidual, SampledContactsLastFromHalfAStepBeforeToHalfAStepBehind)
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::projected_residual_test

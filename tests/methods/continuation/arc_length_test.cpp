@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace signorini {
+namespace signorini::arc_length_test {
 namespace {
 
 /// x^2 + p^2 = 1: folds at p = 1 and p = -1.
@@ -117,4 +117,4 @@ TEST(ArcLength, StepsGrowWithEaseAndNeverBeyondTheLargest) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::arc_length_test

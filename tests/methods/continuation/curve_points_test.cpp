@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace signorini {
+namespace signorini::curve_points_test {
 namespace {
 
 /// Points of the unit circle at these angles.
@@ -58,4 +58,4 @@ TEST(CurvePoints, WereNotAtTheirEndBeforeForTheirStepsBeingShort) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::curve_points_test

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace signorini {
+namespace signorini::block_circulant_test {
 namespace {
 
 /// Symbol of a real operator: random complex blocks, real where a frequency stands for itself.
@@ -115,4 +115,4 @@ INSTANTIATE_TEST_SUITE_P(Shapes, BlockCirculantOfShape,
                                          Shape{7, 3, 2, 1.0}, Shape{10, 2, 5, 0.5}, Shape{4, 1, 0, 1.0}));
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::block_circulant_test

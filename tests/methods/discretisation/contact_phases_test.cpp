@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace signorini {
+namespace signorini::contact_phases_test {
 namespace {
 
 TEST(StopShift, CountsTimeFromItsMiddleTheShortWayRound) {
@@ -143,4 +143,4 @@ TEST(ListedContacts, RunFromAClosingToTheNextOpeningOfTheSameContact) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::contact_phases_test

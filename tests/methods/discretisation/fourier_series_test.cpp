@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-namespace signorini {
+namespace signorini::fourier_series_test {
 namespace {
 
 TEST(TrigonometricJet, OfAnElementaryFunctionIsItsValueAndDerivatives) {
@@ -83,4 +83,4 @@ TEST(HarmonicVector, DropsTheImaginaryPartOfTheMean) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::fourier_series_test

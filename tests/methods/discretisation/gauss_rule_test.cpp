@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace signorini {
+namespace signorini::gauss_rule_test {
 namespace {
 
 double integral_of_power(const GaussRule& rule, int power) {
@@ -51,4 +51,4 @@ TEST(GaussNodesFor, AreFewForWhatIsNoNumberOrNegative) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::gauss_rule_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace signorini {
+namespace signorini::periodic_time_test {
 namespace {
 
 TEST(WrappedTime, DiffersFromTheTimeByWholePeriodsAndLiesWithinOne) {
@@ -31,4 +31,4 @@ TEST(WrappedTime, NeverIsThePeriodItself) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::periodic_time_test

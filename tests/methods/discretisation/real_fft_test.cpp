@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-namespace signorini {
+namespace signorini::real_fft_test {
 namespace {
 
 class RealFftOfSize : public testing::TestWithParam<int> {};
@@ -67,4 +67,4 @@ TEST(RealFft, TwoTransformsOfOneSizeDoNotDisturbEachOther) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::real_fft_test

@@ -9,7 +9,7 @@
 
 #include "tests/support/accuracy.hpp"
 
-namespace signorini {
+namespace signorini::symbols_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -133,4 +133,4 @@ TEST(RestitutionShift, IsTheMeanOfTheNeighboursWeightedByRestitution) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::symbols_test

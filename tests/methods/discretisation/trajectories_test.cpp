@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-namespace signorini {
+namespace signorini::trajectories_test {
 namespace {
 
 FourierTrajectory::Data some_series() {
@@ -81,4 +81,4 @@ TEST(NodalTrajectory, SampledAtItsOwnNodesKeepsTheImpulse) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::trajectories_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace signorini {
+namespace signorini::two_point_integral_test {
 namespace {
 
 /// x^n and its derivatives.
@@ -45,4 +45,4 @@ TEST(TwoPointIntegral, ConvergesAtTheOrderTenOnAHalfWave) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::two_point_integral_test

@@ -12,7 +12,7 @@
 #include "tests/methods/event_driven/scenes.hpp"
 #include "tests/support/massless_scenes.hpp"
 
-namespace signorini {
+namespace signorini::event_driven_test {
 namespace {
 
 using test::free_chain;
@@ -365,4 +365,4 @@ TEST(EventDriven, ScalesWithTheScene) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::event_driven_test

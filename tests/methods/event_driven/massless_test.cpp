@@ -19,7 +19,7 @@
 #include "tests/support/massless_scenes.hpp"
 #include "tests/support/relaxing_scenes.hpp"
 
-namespace signorini {
+namespace signorini::massless_test {
 namespace {
 
 using test::solve;
@@ -252,4 +252,4 @@ TEST(MasslessContacts, FullAnnularRubInAPolygonTendsToTheRoundStator) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::massless_test

@@ -14,7 +14,7 @@
 #include "tests/methods/periodic_motion/steady_state_cases.hpp"
 #include "tests/support/data_folder.hpp"
 
-namespace signorini::test {
+namespace signorini::test::oracle_orbits_test {
 namespace {
 
 constexpr EventDriven::Steady kMarching = EventDriven::Steady::marching;
@@ -358,4 +358,4 @@ TEST(IndependentOrbits, OfTwoMassesAtASpringStopStableAndUnstable) {
 }
 
 }  // namespace
-}  // namespace signorini::test
+}  // namespace signorini::test::oracle_orbits_test

@@ -13,7 +13,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::exact_orbit_method_test {
 namespace {
 
 std::string refusal(const ExactOrbitMethod::Options& options) {
@@ -106,4 +106,4 @@ TEST(ExactOrbitMethod, SaysWhatStoppedEachAttempt) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::exact_orbit_method_test

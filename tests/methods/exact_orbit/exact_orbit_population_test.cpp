@@ -13,7 +13,7 @@
 #include "tests/support/orbit_check.hpp"
 #include "tests/support/population.hpp"
 
-namespace signorini {
+namespace signorini::exact_orbit_population_test {
 namespace {
 
 constexpr double kResidual = 1e-11;
@@ -64,4 +64,4 @@ TEST(ExactOrbitPopulation, CertifiesChainsOfTwoToFiveMasses) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::exact_orbit_population_test

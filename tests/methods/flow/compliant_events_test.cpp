@@ -9,7 +9,7 @@
 #include "methods/flow/stop_events.hpp"
 #include "tests/support/exact_scenes.hpp"
 
-namespace signorini {
+namespace signorini::compliant_events_test {
 namespace {
 
 // Five masses on springs to the wall, and three massless nodes tied to them and to each other, each with a
@@ -122,4 +122,4 @@ TEST(CompliantEvents, ResolvingLogsTheChangeAndNoImpulse) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::compliant_events_test

@@ -4,7 +4,7 @@
 
 #include "methods/flow/stretch.hpp"
 
-namespace signorini {
+namespace signorini::crossing_test {
 namespace {
 
 std::function<Guard(double)> parabola(double a, double b, double c) {
@@ -55,4 +55,4 @@ TEST(FirstCrossing, ToleratesNoiseBelowTheFloorOfAFreshGuardOnly) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::crossing_test

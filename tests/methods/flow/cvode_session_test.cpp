@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace signorini {
+namespace signorini::cvode_session_test {
 namespace {
 
 using Vector = Eigen::VectorXd;
@@ -96,4 +96,4 @@ TEST(CvodeSession, ReportsAFailureWithTheCallAndItsMessage) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::cvode_session_test

@@ -7,7 +7,7 @@
 
 #include "tests/methods/event_driven/scenes.hpp"
 
-namespace signorini {
+namespace signorini::event_trajectory_test {
 namespace {
 
 // x = sin(3 t), lambda = -2 - cos(2 t) on two pieces, the cut in the middle of the period.
@@ -102,4 +102,4 @@ TEST(EventTrajectory, VelocityIsRightSidedAtAnImpact) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::event_trajectory_test

@@ -9,7 +9,7 @@
 #include "methods/periodic_motion/period_map.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
 
-namespace signorini {
+namespace signorini::flow_test {
 namespace {
 
 using test::ImpactOscillator;
@@ -223,4 +223,4 @@ TEST(EventFlow, StopsWhenTheBudgetIsSpent) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::flow_test

@@ -10,7 +10,7 @@
 #include "methods/flow/flow.hpp"
 #include "tests/support/relaxing_scenes.hpp"
 
-namespace signorini {
+namespace signorini::relaxing_events_test {
 namespace {
 
 const auto kNever = [] { return false; };
@@ -231,4 +231,4 @@ TEST(RelaxingEvents, AConstantLoadKeepsTheContactWhereItsStopIs) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::relaxing_events_test

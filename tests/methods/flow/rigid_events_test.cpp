@@ -12,7 +12,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::rigid_events_test {
 namespace {
 
 // Rows that differ by rounding alone share the force, whatever the solution of a nearly singular system is.
@@ -175,4 +175,4 @@ TEST(RigidEvents, SaltationIsTheDerivativeOfTheFlow) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::rigid_events_test

@@ -11,7 +11,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::fourier_lipschitz_test {
 namespace {
 
 using test::relative_error;
@@ -256,4 +256,4 @@ TEST(FourierLipschitz, RefusesSamplesThatDoNotCarryTheHarmonicsItChooses) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::fourier_lipschitz_test

@@ -21,7 +21,7 @@
 #include "tests/support/impact_oscillator.hpp"
 #include "tests/support/population.hpp"
 
-namespace signorini {
+namespace signorini::closed_answer_test {
 namespace {
 
 using test::ImpactOscillator;
@@ -258,4 +258,4 @@ TEST(ImpactSeeds, SayWhereAContactLasts) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::closed_answer_test

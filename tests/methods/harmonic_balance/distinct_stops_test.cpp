@@ -5,7 +5,7 @@
 #include "methods/catalogue.hpp"
 #include "problems/scene/scene_file.hpp"
 
-namespace signorini {
+namespace signorini::distinct_stops_test {
 namespace {
 
 Problem with_copies(const char* scene, int copies) {
@@ -76,4 +76,4 @@ TEST(HarmonicBalance, SolvesARepeatedStopAsOne) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::distinct_stops_test

@@ -13,7 +13,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::frequency_continuation_test {
 namespace {
 
 using test::relative_distance;
@@ -151,4 +151,4 @@ TEST(ContinueInFrequency, IsLeftOutWhereThereIsAGuess) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::frequency_continuation_test

@@ -6,7 +6,7 @@
 #include "methods/structure/receptance.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::grid_solver_test {
 namespace {
 
 TEST(LcpSettings, PlainMakesAutoTheNewtonIteration) {
@@ -98,4 +98,4 @@ TEST(LcpGridSolver, AsksForNoFinerGridWhereNewtonHasLostItsWay) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::grid_solver_test

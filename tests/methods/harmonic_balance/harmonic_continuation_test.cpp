@@ -8,7 +8,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::harmonic_continuation_test {
 namespace {
 
 // The oscillator "S-A" with restitution 1: one impact per period, stable.
@@ -96,4 +96,4 @@ TEST(ContinueInHarmonics, EndsWithItsTimeBudget) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::harmonic_continuation_test

@@ -11,7 +11,7 @@
 #include "methods/penalty_hbm/penalty_hbm.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::harmonic_options_test {
 namespace {
 
 template <class Method>
@@ -149,4 +149,4 @@ TEST(HarmonicOptions, RefuseALoadBeyondTheHarmonics) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::harmonic_options_test

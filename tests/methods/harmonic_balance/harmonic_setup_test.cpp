@@ -6,7 +6,7 @@
 #include "tests/support/impact_oscillator.hpp"
 #include "tests/support/massless_scenes.hpp"
 
-namespace signorini {
+namespace signorini::harmonic_setup_test {
 namespace {
 
 const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2};
@@ -109,4 +109,4 @@ TEST(HarmonicSetup, LeavesAConstantThatTheUserChose) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::harmonic_setup_test

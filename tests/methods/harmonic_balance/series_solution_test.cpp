@@ -11,7 +11,7 @@
 #include "methods/structure/receptance.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::series_solution_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -241,4 +241,4 @@ TEST(SolveOnGrids, KeepsWithinItsLimit) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::series_solution_test

@@ -9,7 +9,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::stiffness_continuation_test {
 namespace {
 
 constexpr int kHarmonics = 40;
@@ -66,4 +66,4 @@ TEST(ContinueInStiffness, EndsWithItsTimeBudget) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::stiffness_continuation_test

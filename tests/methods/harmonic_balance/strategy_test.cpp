@@ -13,7 +13,7 @@
 #include "tests/support/population.hpp"
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::strategy_test {
 namespace {
 
 // The oscillator "S-A" with restitution 1: one impact per period, stable.
@@ -174,4 +174,4 @@ TEST(Strategy, BeginsManyUnknownsAtAMarch) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::strategy_test

@@ -14,7 +14,7 @@
 #include "tests/support/impact_oscillator.hpp"
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::hat_contact_test {
 namespace {
 
 const test::ImpactOscillator kImpacts{.damping = 0.1, .frequency = 1.5, .gap = 0.2, .restitution = 0.8};
@@ -204,4 +204,4 @@ TEST(HatContact, OfALargeStructureBeginsAtItsMarch) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::hat_contact_test

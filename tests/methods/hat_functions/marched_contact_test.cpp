@@ -10,7 +10,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::marched_contact_test {
 namespace {
 
 constexpr ProportionalDamping kStiff{.alpha = 0.2, .beta = 0.005};
@@ -126,4 +126,4 @@ TEST(MarchedReduction, IsEmptyWhereNothingCanBeMarched) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::marched_contact_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::period_marching_test {
 namespace {
 
 const test::ImpactOscillator kPlastic{.damping = 0.2, .frequency = 1.0, .gap = 0.1, .restitution = 0.0};
@@ -53,4 +53,4 @@ TEST(MarchToPeriod, FindsNothingWhereThereIsNoContactOrNoTime) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::period_marching_test

@@ -10,7 +10,7 @@
 #include "tests/support/massless_scenes.hpp"
 #include "tests/support/population.hpp"
 
-namespace signorini {
+namespace signorini::hat_lcp_test {
 namespace {
 
 using test::observed_order;
@@ -295,4 +295,4 @@ TEST(HatLcp, TakesTheNodesThatItsLoadNeedsWithinReason) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::hat_lcp_test

@@ -6,7 +6,7 @@
 
 #include "methods/linear_flow/linear_flow.hpp"
 
-namespace signorini {
+namespace signorini::complex_modes_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -63,4 +63,4 @@ TEST(ComplexModes, AreNoneWhereTheyAreIllConditioned) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::complex_modes_test

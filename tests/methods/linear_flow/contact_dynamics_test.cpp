@@ -7,7 +7,7 @@
 
 #include "tests/methods/event_driven/scenes.hpp"
 
-namespace signorini {
+namespace signorini::contact_dynamics_test {
 namespace {
 
 using test::free_chain;
@@ -146,4 +146,4 @@ TEST(ContactDynamics, RefusesDampingOfACoordinateWithoutMassThatIsNotThatOfItsSt
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::contact_dynamics_test

@@ -4,7 +4,7 @@
 
 #include "methods/linear_flow/linear_flow.hpp"
 
-namespace signorini {
+namespace signorini::exponential_flow_test {
 namespace {
 
 TEST(MatrixExponential, OfASkewMatrixIsARotation) {
@@ -29,4 +29,4 @@ TEST(MatrixExponential, OfADiagonalMatrixActsElementByElement) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::exponential_flow_test

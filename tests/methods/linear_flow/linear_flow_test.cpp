@@ -16,7 +16,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::linear_flow_test {
 namespace {
 
 State random_state(int n) {
@@ -273,4 +273,4 @@ TEST(ModalEventFlow, ReachesTheClosedFormOrbit) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::linear_flow_test

@@ -10,7 +10,7 @@
 
 #include "tests/support/exact_scenes.hpp"
 
-namespace signorini {
+namespace signorini::mode_equations_test {
 namespace {
 
 Problem chain(const Law& law) {
@@ -133,4 +133,4 @@ TEST(EnergyForm, SaysWhereTheEnergyIsNotDefinite) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::mode_equations_test

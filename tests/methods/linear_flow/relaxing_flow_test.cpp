@@ -11,7 +11,7 @@
 #include "methods/linear_flow/linear_flow.hpp"
 #include "tests/support/relaxing_scenes.hpp"
 
-namespace signorini {
+namespace signorini::relaxing_flow_test {
 namespace {
 
 constexpr double kStart = 0.3;
@@ -134,4 +134,4 @@ TEST(RelaxingFlow, RespondsToImpulsesAsTheWholeStructure) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::relaxing_flow_test

@@ -9,7 +9,7 @@
 
 #include "tests/support/exact_scenes.hpp"
 
-namespace signorini {
+namespace signorini::shared_modes_test {
 namespace {
 
 const std::vector<bool> kOpen{false, false, false}, kClosed{false, false, true};
@@ -85,4 +85,4 @@ TEST(TransitionFactors, MultiplyToTheTransition) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::shared_modes_test

@@ -12,7 +12,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::stops_test {
 namespace {
 
 Problem chain(const Law& law) {
@@ -111,4 +111,4 @@ TEST(Stops, ACloserSpringMakesTheMotionFaster) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::stops_test

@@ -9,7 +9,7 @@
 #include "tests/support/massless_scenes.hpp"
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::contact_march_test {
 namespace {
 
 /// The whole structure stepped by backward differences of second order, displacement and velocity of every
@@ -234,4 +234,4 @@ TEST(MarchObstacle, IsAnImpactLaw) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::contact_march_test

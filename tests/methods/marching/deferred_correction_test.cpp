@@ -7,7 +7,7 @@
 
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::deferred_correction_test {
 namespace {
 
 constexpr int kSamples = 1024;
@@ -177,4 +177,4 @@ TEST(MarchWithCorrections, NeedsNoneWithAllVectors) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::deferred_correction_test

@@ -11,7 +11,7 @@
 
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::periodic_march_test {
 namespace {
 
 /// A reduced structure and the stops before it.
@@ -226,4 +226,4 @@ TEST(MarchToPeriodicMotion, EndsWithTheTimeAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::periodic_march_test

@@ -6,7 +6,7 @@
 #include "methods/structure/massless_elimination.hpp"
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::reduced_orbit_test {
 namespace {
 
 constexpr int kSamples = 1024;
@@ -106,4 +106,4 @@ TEST(ReducedOrbits, OfNineContactsConverge) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::reduced_orbit_test

@@ -10,7 +10,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::admissibility_test {
 namespace {
 
 // The equations of a guess as they stand: a sequence on its own state, solved or not.
@@ -91,4 +91,4 @@ TEST(Admissibility, CallsACompleteChatterWhatItIs) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::admissibility_test

@@ -12,7 +12,7 @@
 #include "methods/structure/receptance.hpp"
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::corrected_orbit_test {
 namespace {
 
 constexpr ProportionalDamping kStiff{.alpha = 0.2, .beta = 0.005};
@@ -194,4 +194,4 @@ TEST(CorrectOrbit, HasHonestBarsOnRandomStructures) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::corrected_orbit_test

@@ -10,7 +10,7 @@
 #include "tests/methods/orbit/impulsive_oracle.hpp"
 #include "tests/support/exact_scenes.hpp"
 
-namespace signorini {
+namespace signorini::impulsive_orbits_test {
 namespace {
 
 using test::cold_orbit;
@@ -50,4 +50,4 @@ TEST(ImpulsiveOrbits, OfSeveralCoordinatesAreTheClosedForm) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::impulsive_orbits_test

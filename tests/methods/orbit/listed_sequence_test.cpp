@@ -11,7 +11,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::listed_sequence_test {
 namespace {
 
 using Kind = ContactEvent::Kind;
@@ -111,4 +111,4 @@ TEST(ListedSequence, JoinsTheEventsOfOneInstant) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::listed_sequence_test

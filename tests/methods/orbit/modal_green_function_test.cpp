@@ -10,7 +10,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::modal_green_function_test {
 namespace {
 
 using test::cold_orbit;
@@ -73,4 +73,4 @@ TEST(ModalGreenFunction, ContainsTheBackboneOfTheUndampedOscillator) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::modal_green_function_test

@@ -16,7 +16,7 @@
 #include "tests/support/impact_oscillator.hpp"
 #include "tests/support/orbit_check.hpp"
 
-namespace signorini {
+namespace signorini::oracle_orbits_test {
 namespace {
 
 using test::cold_orbit;
@@ -319,4 +319,4 @@ TEST(ExactOrbits, StickingAndCompleteChatterOfTheTable) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::oracle_orbits_test

@@ -14,7 +14,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::orbit_equations_test {
 namespace {
 
 const test::ImpactOscillator kOscillator{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 0.8};
@@ -114,4 +114,4 @@ TEST(OrbitNewton, SaysWhyItFails) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::orbit_equations_test

@@ -17,7 +17,7 @@
 #include "tests/support/orbit_check.hpp"
 #include "tests/support/population.hpp"
 
-namespace signorini {
+namespace signorini::orbit_search_test {
 namespace {
 
 using test::cold_orbit;
@@ -145,4 +145,4 @@ TEST(ExactOrbitSearch, MasslessContactsAreTheSpringStopsTheyCondenseTo) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::orbit_search_test

@@ -12,7 +12,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::periodic_closure_test {
 namespace {
 
 PeriodicClosure closure_of(OrbitModel& model) {
@@ -60,4 +60,4 @@ TEST(PeriodicClosure, TellsAResonanceOfOneModeOfMany) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::periodic_closure_test

@@ -11,7 +11,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::polish_test {
 namespace {
 
 using test::cold_orbit;
@@ -105,4 +105,4 @@ TEST(PolishErrorBar, CoversTheSecondEvaluation) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::polish_test

@@ -8,7 +8,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::reduced_orbit_test {
 namespace {
 
 TEST(ReducedOrbit, IsWhatTheMethodAnswersWhereAClosedFormOfAllCoordinatesIsTooLarge) {
@@ -50,4 +50,4 @@ TEST(ReducedOrbit, SaysWhatItDoesNotStandFor) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::reduced_orbit_test

@@ -13,7 +13,7 @@
 #include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/relaxing_scenes.hpp"
 
-namespace signorini {
+namespace signorini::relaxing_orbits_test {
 namespace {
 
 using test::cold_orbit;
@@ -138,4 +138,4 @@ TEST(RelaxingOrbits, GoToTheOrbitOfTheUndampedContact) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::relaxing_orbits_test

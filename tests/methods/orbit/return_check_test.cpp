@@ -13,7 +13,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::return_check_test {
 namespace {
 
 const auto kNever = [] { return false; };
@@ -131,4 +131,4 @@ TEST(ReturnCheck, EndsWithTheTimeBudget) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::return_check_test

@@ -11,7 +11,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::penalty_hbm_test {
 namespace {
 
 using test::solve;
@@ -118,4 +118,4 @@ TEST(PenaltyHbm, RefusesOptionsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::penalty_hbm_test

@@ -9,7 +9,7 @@
 
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::period_map_test {
 namespace {
 
 using test::ImpactOscillator;
@@ -96,4 +96,4 @@ TEST(FixedPoint, IsRefusedWithAReason) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::period_map_test

@@ -8,7 +8,7 @@
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::periodic_motion_test {
 namespace {
 
 const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 0.8};
@@ -81,4 +81,4 @@ TEST(FindPeriodicMotion, EndsAtItsLimitsWithAMessage) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::periodic_motion_test

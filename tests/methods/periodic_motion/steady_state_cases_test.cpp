@@ -9,7 +9,7 @@
 #include "methods/orbit/exact_orbit.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
 
-namespace signorini::test {
+namespace signorini::test::steady_state_cases_test {
 
 void PrintTo(const SteadyStateCase& entry, std::ostream* out) { *out << entry.name; }
 
@@ -80,4 +80,4 @@ INSTANTIATE_TEST_SUITE_P(TwoMasses, SteadyState, testing::ValuesIn(steady_state_
 INSTANTIATE_TEST_SUITE_P(Bar, SteadyState, testing::ValuesIn(steady_state_cases("bar")), test_name);
 
 }  // namespace
-}  // namespace signorini::test
+}  // namespace signorini::test::steady_state_cases_test

@@ -8,7 +8,7 @@
 #include "tests/methods/event_driven/scenes.hpp"
 #include "tests/methods/periodic_motion/steady_state_cases.hpp"
 
-namespace signorini {
+namespace signorini::steady_state_test {
 namespace {
 
 using test::ImpactOscillator;
@@ -187,4 +187,4 @@ TEST(MoveToQuietPhase, KeepsClearOfTheEvents) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::steady_state_test

@@ -12,7 +12,7 @@
 #include "methods/structure/receptance.hpp"
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::contact_space_test {
 namespace {
 
 /// lambda_n of a force that jumps: it falls as 1 / n, contact by contact with another phase.
@@ -148,4 +148,4 @@ TEST(ContactSpace, SaysWhyThereIsNone) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::contact_space_test

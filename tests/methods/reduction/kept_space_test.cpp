@@ -4,7 +4,7 @@
 
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::kept_space_test {
 namespace {
 
 constexpr ProportionalDamping kStiff{.alpha = 0.2, .beta = 0.005};
@@ -60,4 +60,4 @@ TEST(KeptSpace, IsMadeAnewForAnotherStructureContactOrLoad) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::kept_space_test

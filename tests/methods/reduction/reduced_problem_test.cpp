@@ -9,7 +9,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::reduced_problem_test {
 namespace {
 
 constexpr ProportionalDamping kStiff{.alpha = 0.2, .beta = 0.005};
@@ -66,4 +66,4 @@ TEST(ReducedProblem, SaysWhyThereIsNone) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::reduced_problem_test

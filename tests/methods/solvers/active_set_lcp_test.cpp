@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <random>
 
-namespace signorini {
+namespace signorini::active_set_lcp_test {
 namespace {
 
 /// z by trying all sets; G positive definite, so that exactly one is right.
@@ -120,4 +120,4 @@ TEST(ActiveSetLcp, RefusesWhatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::active_set_lcp_test

@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 
-namespace signorini {
+namespace signorini::anderson_acceleration_test {
 namespace {
 
 struct AffineMap {
@@ -47,4 +47,4 @@ TEST(AndersonAcceleration, StaysAtTheFixedPoint) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::anderson_acceleration_test

@@ -9,7 +9,7 @@
 #include "methods/solvers/lcp.hpp"
 #include "tests/support/random_lcp.hpp"
 
-namespace signorini {
+namespace signorini::complementarity_solver_test {
 namespace {
 
 using test::enumerate_solutions;
@@ -120,4 +120,4 @@ TEST(SolveLcp, GivesNewtonItsStepsAndCountsThemApart) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::complementarity_solver_test

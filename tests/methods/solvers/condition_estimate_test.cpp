@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace signorini {
+namespace signorini::condition_estimate_test {
 namespace {
 
 double one_norm(const Eigen::MatrixXd& matrix) { return matrix.cwiseAbs().colwise().sum().maxCoeff(); }
@@ -64,4 +64,4 @@ TEST(ConditionFrom, IsFiniteWhateverADecompositionSays) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::condition_estimate_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace signorini {
+namespace signorini::damped_newton_test {
 namespace {
 
 /// f(x) = 0 in one unknown, with a record of the lengths tried.
@@ -164,4 +164,4 @@ TEST(DampedNewton, NeverAcceptsAMeritThatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::damped_newton_test

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace signorini {
+namespace signorini::lcp_test {
 namespace {
 
 TEST(NaturalResidual, IsTheLargestOfTheSmallerPartnersRelativeToLoadAndAnswer) {
@@ -51,4 +51,4 @@ TEST(Describe, TellsTheEndsOfASolveApart) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::lcp_test

@@ -12,7 +12,7 @@
 #include "methods/solvers/lcp.hpp"
 #include "tests/support/random_lcp.hpp"
 
-namespace signorini {
+namespace signorini::lemke_basis_test {
 namespace {
 
 constexpr int kSize = 9;
@@ -182,4 +182,4 @@ TEST(FindBlocking, FindsARayWhereNothingFalls) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::lemke_basis_test

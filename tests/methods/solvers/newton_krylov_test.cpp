@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace signorini {
+namespace signorini::newton_krylov_test {
 namespace {
 
 Eigen::VectorXd unchanged(const Eigen::VectorXd& v) { return v; }
@@ -155,4 +155,4 @@ TEST(NewtonKrylov, KeepsTheBestIterateAtItsLimit) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::newton_krylov_test

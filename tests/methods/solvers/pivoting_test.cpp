@@ -15,7 +15,7 @@
 #include "tests/support/impact_oscillator.hpp"
 #include "tests/support/random_lcp.hpp"
 
-namespace signorini {
+namespace signorini::pivoting_test {
 namespace {
 
 TEST(SmoothCover, IsOneWavePerPeriodAndContactUpToItsIrregularPart) {
@@ -210,4 +210,4 @@ TEST(SolveByPivoting, MemoryGrowsWithTheActiveSetNotWithTheSquareOfTheGrid) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::pivoting_test

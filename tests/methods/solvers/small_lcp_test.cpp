@@ -6,7 +6,7 @@
 
 #include "methods/solvers/lcp.hpp"
 
-namespace signorini {
+namespace signorini::small_lcp_test {
 namespace {
 
 // Oracle: every active set is tried.
@@ -99,4 +99,4 @@ TEST(SolveSmallLcp, SolvesTheClampedMassWhoseTwoStopsAreTheSameDirection) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::small_lcp_test

@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 #include <random>
 
-namespace signorini {
+namespace signorini::updated_qr_test {
 namespace {
 
 /// A matrix kept twice: by updates of its factors, and in full.
@@ -107,4 +107,4 @@ TEST(UpdatedQr, GrowsFromOneByOne) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::updated_qr_test

@@ -9,7 +9,7 @@
 #include "tests/support/damped_chain.hpp"
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::block_lanczos_test {
 namespace {
 
 class BlockLanczosOfChain : public testing::Test {
@@ -158,4 +158,4 @@ TEST(BlockLanczos, SaysWherePIsNotDefinite) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::block_lanczos_test

@@ -8,7 +8,7 @@
 #include "tests/support/massless_scenes.hpp"
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::condensation_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -119,4 +119,4 @@ TEST(Condense, SaysWhereItCannotBeDone) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::condensation_test

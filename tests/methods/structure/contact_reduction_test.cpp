@@ -12,7 +12,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::contact_reduction_test {
 namespace {
 
 constexpr ProportionalDamping kStiff{.alpha = 0.2, .beta = 0.005};
@@ -255,4 +255,4 @@ TEST(ContactReceptanceOfAReduction, RefusesAnUndampedResonance) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::contact_reduction_test

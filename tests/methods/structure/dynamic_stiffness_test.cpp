@@ -7,7 +7,7 @@
 
 #include "tests/support/damped_chain.hpp"
 
-namespace signorini {
+namespace signorini::dynamic_stiffness_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -79,4 +79,4 @@ TEST(LoadCoefficient, IsTheFourierIntegralOfTheLoad) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::dynamic_stiffness_test

@@ -11,7 +11,7 @@
 #include "methods/structure/receptance.hpp"
 #include "tests/support/damped_chain.hpp"
 
-namespace signorini {
+namespace signorini::harmonic_pencil_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -131,4 +131,4 @@ TEST(StartColumns, AreTheContactsAndTheHarmonicsOwnLoad) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::harmonic_pencil_test

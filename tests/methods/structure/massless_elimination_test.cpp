@@ -7,7 +7,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/massless_scenes.hpp"
 
-namespace signorini {
+namespace signorini::massless_elimination_test {
 namespace {
 
 // The oracle: all coordinates without mass solved for at once, densely, under unit displacements of the
@@ -59,4 +59,4 @@ TEST(EliminateMassless, SaysWhereNothingHoldsThem) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::massless_elimination_test

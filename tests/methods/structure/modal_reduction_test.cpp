@@ -8,7 +8,7 @@
 #include "tests/support/elastic_block.hpp"
 #include "tests/support/structure_scenes.hpp"
 
-namespace signorini {
+namespace signorini::modal_reduction_test {
 namespace {
 
 using test::harmonics_of;
@@ -62,4 +62,4 @@ TEST(ModalReduction, SaysWhatItDoesNotTake) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::modal_reduction_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::periodic_response_test {
 namespace {
 
 /// A force that is nothing but impulses.
@@ -75,4 +75,4 @@ TEST(PressureSamples, PutsAnImpulseOnTheNearestInstant) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::periodic_response_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::receptance_rate_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -63,4 +63,4 @@ TEST(ReceptanceWithRate, OfAnUndampedResonanceIsRefused) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::receptance_rate_test

@@ -21,7 +21,7 @@
 #include "tests/support/impact_oscillator.hpp"
 #include "tests/support/massless_scenes.hpp"
 
-namespace signorini {
+namespace signorini::receptance_test {
 namespace {
 
 TEST(ContactMotion, IsTheFreeMotionAndWhatEachForceAddsHarmonicByHarmonic) {
@@ -160,4 +160,4 @@ TEST(IsMassBeyond, TellsAMassFromWhatAnswersOtherwise) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::receptance_test

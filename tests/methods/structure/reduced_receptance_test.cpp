@@ -14,7 +14,7 @@
 #include "problems/sparse_cholesky.hpp"
 #include "tests/support/elastic_block.hpp"
 
-namespace signorini {
+namespace signorini::reduced_receptance_test {
 namespace {
 
 constexpr double kTolerance = 1e-10;
@@ -308,4 +308,4 @@ TEST(ContactReceptance, OfALargeStructureIsReducedWithoutBeingAsked) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::reduced_receptance_test

@@ -9,7 +9,7 @@
 #include "problems/matrix_properties.hpp"
 #include "problems/validation.hpp"
 
-namespace signorini {
+namespace signorini::bar_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -167,4 +167,4 @@ TEST(AssembleBar, StaysSparseForManyElements) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::bar_test

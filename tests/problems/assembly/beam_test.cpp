@@ -11,7 +11,7 @@
 #include "problems/matrix_properties.hpp"
 #include "problems/validation.hpp"
 
-namespace signorini {
+namespace signorini::beam_test {
 namespace {
 
 Beam steel_beam(int elements, ContactMass contact_mass = ContactMass::consistent) {
@@ -274,4 +274,4 @@ TEST(AssembleShaft, IsTheSameInAllDirections) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::beam_test

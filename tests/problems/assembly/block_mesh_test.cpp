@@ -2,7 +2,7 @@
 
 #include "problems/assembly/block.hpp"
 
-namespace signorini {
+namespace signorini::block_mesh_test {
 namespace {
 
 /// 2 x 3 x 1 bricks of 0.5 m x 0.2 m x 0.3 m: 3 x 4 x 2 nodes, of which those at x = 0 are clamped.
@@ -67,4 +67,4 @@ TEST(LoadOnFace, SpreadsOneNewtonEvenly) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::block_mesh_test

@@ -12,7 +12,7 @@
 #include "problems/matrix_properties.hpp"
 #include "problems/validation.hpp"
 
-namespace signorini {
+namespace signorini::block_test {
 namespace {
 
 using Field = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
@@ -361,4 +361,4 @@ TEST(LoadOnFace, WorksLikeAnEvenTraction) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::block_test

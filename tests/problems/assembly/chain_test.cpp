@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-namespace signorini {
+namespace signorini::chain_test {
 namespace {
 
 TEST(AssembleChain, OfOneMassIsTheOscillator) {
@@ -144,4 +144,4 @@ TEST(AssembleChain, RefusesListsOfDifferentLengths) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::chain_test

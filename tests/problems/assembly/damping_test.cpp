@@ -9,7 +9,7 @@
 #include "problems/assembly/chain.hpp"
 #include "problems/matrix_properties.hpp"
 
-namespace signorini {
+namespace signorini::damping_test {
 namespace {
 
 // zeta_i = phi_i^T D phi_i / (2 w_i), and the largest coupling phi_i^T D phi_j / sqrt(w_i w_j), i != j.
@@ -90,4 +90,4 @@ TEST(ModalDamping, RefusesLargeSystems) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::damping_test

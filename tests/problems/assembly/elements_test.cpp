@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-namespace signorini {
+namespace signorini::elements_test {
 namespace {
 
 TEST(SumOfElements, AddsWhereElementsMeet) {
@@ -80,4 +80,4 @@ TEST(Redistributed, WithoutFollowersIsTheMassItself) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::elements_test

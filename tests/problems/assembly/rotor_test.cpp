@@ -8,7 +8,7 @@
 
 #include "problems/scene/scene_file.hpp"
 
-namespace signorini {
+namespace signorini::rotor_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -104,4 +104,4 @@ TEST(ParseScene, MakesARingOfContactsFromOneTable) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::rotor_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::close_names_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -32,4 +32,4 @@ TEST(Suggestion, IsTheEndOfARefusal) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::close_names_test

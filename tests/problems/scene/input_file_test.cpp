@@ -7,7 +7,7 @@
 
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini::test {
+namespace signorini::test::input_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,4 +63,4 @@ TEST(InputFile, OfTenGigabytesThatAreNotThereIsRefusedAtOnce) {
 }
 
 }  // namespace
-}  // namespace signorini::test
+}  // namespace signorini::test::input_file_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace signorini {
+namespace signorini::kebab_case_test {
 namespace {
 
 TEST(IsLowerKebabCase, AcceptsLettersDigitsAndSingleDashesBetweenThem) {
@@ -30,4 +30,4 @@ TEST(IsSceneName, IsANameOrOneOfAFamilyWithItsLevel) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::kebab_case_test

@@ -7,7 +7,7 @@
 
 #include "problems/scene/toml_tree.hpp"
 
-namespace signorini {
+namespace signorini::load_table_test {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
@@ -85,4 +85,4 @@ TEST(ParseLoadTable, RefusesWhatIsNoTableOfThePeriod) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::load_table_test

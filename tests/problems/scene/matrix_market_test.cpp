@@ -13,7 +13,7 @@
 #include "problems/scene/scene_file.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini::test {
+namespace signorini::test::matrix_market_test {
 namespace {
 
 SparseMatrix read(const std::string& text) { return read_matrix_market(text, "A.mtx"); }
@@ -285,4 +285,4 @@ TEST_F(MatrixScene, LeavesComplaintsToValidationWhereThereAreNoModes) {
 }
 
 }  // namespace
-}  // namespace signorini::test
+}  // namespace signorini::test::matrix_market_test

@@ -6,7 +6,7 @@
 #include "problems/scene/scene_system.hpp"
 #include "problems/scene/toml_tree.hpp"
 
-namespace signorini {
+namespace signorini::scene_boundary_test {
 namespace {
 
 const std::string kFile = "scene.toml";
@@ -104,4 +104,4 @@ TEST(ReadLoad, SpreadsAForceOverAFace) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::scene_boundary_test

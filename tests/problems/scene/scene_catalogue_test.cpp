@@ -11,7 +11,7 @@
 #include "tests/problems/scene/malformed_scenes.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini::test {
+namespace signorini::test::scene_catalogue_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ TEST(ProblemsFolder, MustExistWhereTheEnvironmentNamesIt) {
 }
 
 }  // namespace
-}  // namespace signorini::test
+}  // namespace signorini::test::scene_catalogue_test

@@ -11,7 +11,7 @@
 #include "problems/scene/scene_file.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini::test {
+namespace signorini::test::scene_family_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -181,4 +181,4 @@ TEST(SceneFamily, HasAtMostAThousandLevels) {
 }
 
 }  // namespace
-}  // namespace signorini::test
+}  // namespace signorini::test::scene_family_test

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace signorini {
+namespace signorini::scene_field_test {
 namespace {
 
 class Fields : public testing::Test {
@@ -65,4 +65,4 @@ TEST_F(Fields, AllowKnownKeysOnly) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::scene_field_test

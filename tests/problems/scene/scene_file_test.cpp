@@ -11,7 +11,7 @@
 #include "tests/problems/scene/malformed_structures.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini::test {
+namespace signorini::test::scene_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -303,4 +303,4 @@ TEST(ParseScene, RefusesAStructureThatCannotBeAssembled) {
 }
 
 }  // namespace
-}  // namespace signorini::test
+}  // namespace signorini::test::scene_file_test

@@ -2,7 +2,7 @@
 
 #include "problems/scene/scene_system.hpp"
 
-namespace signorini {
+namespace signorini::scene_finite_elements_test {
 namespace {
 
 DampingModel read(const std::string& value, int size = 3) {
@@ -46,4 +46,4 @@ TEST(ReadDamping, RefusesWhatIsNeitherOrBoth) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::scene_finite_elements_test

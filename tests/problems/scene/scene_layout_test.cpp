@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::scene_layout_test {
 namespace {
 
 TEST(LoadLayout, IsTheModelOfTheScene) {
@@ -23,4 +23,4 @@ TEST(LoadLayout, OfAFamilyIsThatOfTheLevel) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::scene_layout_test

@@ -8,7 +8,7 @@
 #include "tests/problems/scene/moving_scenes.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
-namespace signorini {
+namespace signorini::scene_load_test {
 namespace {
 
 using test::oscillator_with;
@@ -110,4 +110,4 @@ phase = 0.5
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::scene_load_test

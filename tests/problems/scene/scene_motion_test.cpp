@@ -4,7 +4,7 @@
 
 #include "tests/problems/scene/moving_scenes.hpp"
 
-namespace signorini {
+namespace signorini::scene_motion_test {
 namespace {
 
 using test::oscillator_with;
@@ -94,4 +94,4 @@ TEST(ReadBase, RefusesWhatIsNoMotionOfABase) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::scene_motion_test

@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-namespace signorini {
+namespace signorini::scene_system_test {
 namespace {
 
 SystemDescription read(const std::string& system) {
@@ -61,4 +61,4 @@ TEST(SystemFieldAsWritten, IsTheKeyThatTheKindUses) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::scene_system_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::toml_tree_test {
 namespace {
 
 constexpr std::string_view kText = R"(b = 2
@@ -119,4 +119,4 @@ TEST(OneLine, LeavesNothingToATerminal) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::toml_tree_test

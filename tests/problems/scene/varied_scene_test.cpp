@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini::test {
+namespace signorini::test::varied_scene_test {
 namespace {
 
 TEST(VariedScene, HasTheNumberOfItsPlaceAndOthersAsTheyAre) {
@@ -38,4 +38,4 @@ TEST(VariedScene, ChecksWhatItIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace signorini::test
+}  // namespace signorini::test::varied_scene_test

@@ -6,7 +6,7 @@
 #include "harness/run/trial.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::command_exchange_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -154,4 +154,4 @@ TEST(ReadCommandAnswer, TakesTheTimeThatTheCommandTells) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::command_exchange_test

@@ -6,7 +6,7 @@
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::command_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,4 +97,4 @@ TEST(RepresentedLaws, MayBeThatOfTheSceneOrUndetermined) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::command_file_test

@@ -7,7 +7,7 @@
 
 #include "harness/extend/plugins/command_method.hpp"
 
-namespace signorini {
+namespace signorini::command_process_test {
 namespace {
 
 constexpr double kLong = 20.0;  // [s]
@@ -170,4 +170,4 @@ TEST(CommandSession, HasNoLimitOfProcessorTime) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::command_process_test

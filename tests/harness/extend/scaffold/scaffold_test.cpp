@@ -13,7 +13,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
 
-namespace signorini {
+namespace signorini::scaffold_test {
 
 namespace {
 
@@ -214,4 +214,4 @@ TEST(Spellings, TakeTheLongestName) {
 
 }  // namespace
 
-}  // namespace signorini
+}  // namespace signorini::scaffold_test

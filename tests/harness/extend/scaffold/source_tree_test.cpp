@@ -6,7 +6,7 @@
 #include "harness/failure.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::source_tree_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -58,4 +58,4 @@ TEST(HeaderDeclaring, FindsClassesStructsAndAliasesByTheirWholeName) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::source_tree_test

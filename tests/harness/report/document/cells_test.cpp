@@ -4,7 +4,7 @@
 
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::cells_test {
 namespace {
 
 TEST(ErrorText, BoundsAnErrorBelowTheErrorBarOfItsOrbit) {
@@ -51,4 +51,4 @@ TEST(OrbitText, SaysWhyThereIsNoReference) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::cells_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::lines_test {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -38,4 +38,4 @@ TEST(Clipped, KeepsWhatFitsAndCutsNoCharacterInHalf) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::lines_test

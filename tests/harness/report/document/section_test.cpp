@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::section_test {
 namespace {
 
 TEST(Rows, EndWhereATableIsFullAndSayWhereTheOthersAre) {
@@ -21,4 +21,4 @@ TEST(Rows, EndWhereATableIsFullAndSayWhereTheOthersAre) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::section_test

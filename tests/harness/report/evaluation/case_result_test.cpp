@@ -4,7 +4,7 @@
 
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::case_result_test {
 namespace {
 
 Record run(const std::string& case_id) {
@@ -80,4 +80,4 @@ TEST(CaseResults, StayValidWhereTheyAreMovedAndAreKeptByTheirNumbers) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::case_result_test

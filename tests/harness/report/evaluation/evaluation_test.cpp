@@ -11,7 +11,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::evaluation_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -104,4 +104,4 @@ TEST(EvaluationOfRun, ReadsWholeRecordsAgainWhereTheyStand) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::evaluation_test

@@ -4,7 +4,7 @@
 
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::hand_over_test {
 namespace {
 
 Record timed(const std::string& scene, const std::string& method, double seconds, Measure exchange) {
@@ -32,4 +32,4 @@ TEST(HandOver, IsNothingWhereNoMethodIsACommand) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::hand_over_test

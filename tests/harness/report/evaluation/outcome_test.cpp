@@ -4,7 +4,7 @@
 
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::outcome_test {
 namespace {
 
 TEST(CertifiedError, IsThatOfXOrOfUAndNeverBelowTenErrorBars) {
@@ -86,4 +86,4 @@ TEST(RepeatedProblems, CountOncePerMethodAndForTheSceneThatStatesThem) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::outcome_test

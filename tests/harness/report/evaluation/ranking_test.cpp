@@ -9,7 +9,7 @@
 #include "harness/report/evaluation/work_precision.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::ranking_test {
 namespace {
 
 constexpr double kFails = std::numeric_limits<double>::infinity();
@@ -138,4 +138,4 @@ TEST(RankingGroups, KeepScenesThatNobodySolves) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::ranking_test

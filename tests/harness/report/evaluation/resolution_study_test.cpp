@@ -4,7 +4,7 @@
 
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::resolution_study_test {
 namespace {
 
 /// The error of a record's run.
@@ -70,4 +70,4 @@ TEST(ResolutionStudies, TakeTheLawOfAMethodThatDoesNotApplyFromScenesOfTheSameLa
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::resolution_study_test

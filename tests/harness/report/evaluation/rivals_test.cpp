@@ -4,7 +4,7 @@
 
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::rivals_test {
 namespace {
 
 Record foreign(Record record) {
@@ -64,4 +64,4 @@ TEST(Rivals, AreNoneWithoutPlugins) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::rivals_test

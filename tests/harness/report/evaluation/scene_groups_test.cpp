@@ -4,7 +4,7 @@
 
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::scene_groups_test {
 namespace {
 
 Record with_law(Record record, const RepresentedLaw& law) {
@@ -116,4 +116,4 @@ TEST(SceneGroups, KeepTheKindsApart) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::scene_groups_test

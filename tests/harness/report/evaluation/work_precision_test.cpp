@@ -6,7 +6,7 @@
 
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::work_precision_test {
 namespace {
 
 /// A study of runs of given errors and seconds.
@@ -105,4 +105,4 @@ TEST(WorkAxes, AreTheCountsThatAMethodGives) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::work_precision_test

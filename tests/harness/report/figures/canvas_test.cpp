@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace signorini {
+namespace signorini::canvas_test {
 namespace {
 
 TEST(Canvas, NumbersBlocksOverAllPanels) {
@@ -28,4 +28,4 @@ TEST(Canvas, LeavesOutWhatHasNoLines) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::canvas_test

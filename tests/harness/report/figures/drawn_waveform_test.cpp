@@ -8,7 +8,7 @@
 
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::drawn_waveform_test {
 namespace {
 
 /// x = cos(t / 2 - phase) over 4 pi, two periods of a load of period 2 pi, with an impulse that jumps at t
@@ -111,4 +111,4 @@ TEST(StopPosition, IsWhereTheContactCloses) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::drawn_waveform_test

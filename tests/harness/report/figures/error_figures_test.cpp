@@ -4,7 +4,7 @@
 #include "harness/report/figures/gnuplot.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::error_figures_test {
 namespace {
 
 TEST(WorkPrecisionFigure, KeepsTheCaseBesideEveryPoint) {
@@ -89,4 +89,4 @@ TEST(WorkPrecisionFigure, NamesCurvesBelowThePanelInASingleColumn) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::error_figures_test

@@ -10,7 +10,7 @@
 #include "harness/files.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::gnuplot_test {
 namespace {
 
 TEST(WithoutDate, ChangesNothingButTheDate) {
@@ -120,4 +120,4 @@ TEST(TicStep, IsRoundAndGivesAtMostSoMany) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::gnuplot_test

@@ -7,7 +7,7 @@
 
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::kept_motions_test {
 namespace {
 
 /// x = cos(t / 2 - phase) over two periods 2 pi of the load, with an impulse at its end.
@@ -67,4 +67,4 @@ TEST(KeptMotions, AreThoseOfTheBusiestContactInPhase) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::kept_motions_test

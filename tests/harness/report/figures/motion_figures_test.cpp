@@ -4,7 +4,7 @@
 #include "harness/report/figures/gnuplot.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::motion_figures_test {
 namespace {
 
 TEST(MotionFigures, DrawTheCoarsestSolvedAnswerOnItsOrbit) {
@@ -35,4 +35,4 @@ TEST(MotionFigures, DrawTheCoarsestSolvedAnswerOnItsOrbit) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::motion_figures_test

@@ -4,7 +4,7 @@
 #include "harness/report/figures/gnuplot.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::option_figures_test {
 namespace {
 
 /// At three resolutions and four stiffnesses, of which the softest is not certified.
@@ -58,4 +58,4 @@ TEST(OptionFigures, AreNoneOfOptionsWithoutAScale) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::option_figures_test

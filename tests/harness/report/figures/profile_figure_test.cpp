@@ -4,7 +4,7 @@
 #include "harness/report/figures/gnuplot.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::profile_figure_test {
 namespace {
 
 TEST(ProfileFigure, EndsEveryCurveAtTheShareSolved) {
@@ -28,4 +28,4 @@ TEST(ProfileFigure, StacksItsPanelsInASingleColumn) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::profile_figure_test

@@ -11,7 +11,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::latex_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -66,4 +66,4 @@ TEST(ToLatex, IsTypesetWithoutComplaint) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::latex_test

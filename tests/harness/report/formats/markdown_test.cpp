@@ -6,7 +6,7 @@
 #include "harness/failure.hpp"
 #include "harness/report/formats/formats.hpp"
 
-namespace signorini {
+namespace signorini::markdown_test {
 namespace {
 
 TEST(WithTables, ReplacesWhatStandsBetweenTheMarkersOfItsRun) {
@@ -78,4 +78,4 @@ TEST(MarkdownReport, BreaksLinesOfMoreThanAHundredAndTenCharactersAtBlanks) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::markdown_test

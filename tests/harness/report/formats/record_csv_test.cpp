@@ -6,7 +6,7 @@
 #include "harness/report/formats/formats.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::record_csv_test {
 namespace {
 
 TEST(CsvReport, HasAReasonInEveryRowThatIsNotCertifiedAndNoFootnoteInTheOthers) {
@@ -83,4 +83,4 @@ TEST(CsvReport, HasTheValueOfTheFieldUnderItsTitle) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::record_csv_test

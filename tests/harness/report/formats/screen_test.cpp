@@ -12,7 +12,7 @@
 #include "tests/harness/sample_records.hpp"
 #include "tests/support/data_folder.hpp"
 
-namespace signorini {
+namespace signorini::screen_test {
 namespace {
 
 /// Of a run in the folder `out`, without colour.
@@ -223,4 +223,4 @@ TEST(SceneLine, CountsWhatBecameOfTheCases) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::screen_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace signorini {
+namespace signorini::html_test {
 namespace {
 
 TEST(HtmlTable, CarriesTheValuesThatItSortsBy) {
@@ -50,4 +50,4 @@ TEST(HtmlTable, LinksScenesAndMethods) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::html_test

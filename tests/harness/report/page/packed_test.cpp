@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-namespace signorini {
+namespace signorini::packed_test {
 namespace {
 
 TEST(Base64, IsThatOfTheStandard) {
@@ -33,4 +33,4 @@ TEST(ScriptSource, NamesAScriptByItsDigest) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::packed_test

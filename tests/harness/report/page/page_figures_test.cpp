@@ -13,7 +13,7 @@
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::page_figures_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -150,4 +150,4 @@ TEST(ProfileData, EndsEachCurveAtTheShareOfScenesThatAreSolved) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::page_figures_test

@@ -15,7 +15,7 @@
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::page_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -123,4 +123,4 @@ TEST(HtmlPage, IsWholeForARunWithoutRecords) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::page_test

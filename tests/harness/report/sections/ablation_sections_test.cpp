@@ -3,7 +3,7 @@
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::ablation_sections_test {
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
@@ -64,4 +64,4 @@ TEST(AblationSections, PrintADashWhereNothingIsCertified) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::ablation_sections_test

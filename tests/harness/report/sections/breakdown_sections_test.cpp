@@ -7,7 +7,7 @@
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::breakdown_sections_test {
 namespace {
 
 constexpr double kLevels[] = {0.1, 1e-2, 1e-4, 1e-6};
@@ -94,4 +94,4 @@ TEST(Breakdown, IsLeftOutWhereThereAreNoFamilies) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::breakdown_sections_test

@@ -6,7 +6,7 @@
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::case_sections_test {
 namespace {
 
 using Row = std::vector<std::string>;
@@ -156,4 +156,4 @@ TEST(CaseSections, NameTheCountsThatThereAre) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::case_sections_test

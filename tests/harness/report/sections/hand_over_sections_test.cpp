@@ -7,7 +7,7 @@
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::hand_over_sections_test {
 namespace {
 
 TEST(HandOverSections, StandBesideTheOwnTime) {
@@ -33,4 +33,4 @@ TEST(HandOverSections, AreInReportsOfCommandsAlone) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::hand_over_sections_test

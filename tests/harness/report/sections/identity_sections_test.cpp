@@ -5,7 +5,7 @@
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::identity_sections_test {
 namespace {
 
 using Row = std::vector<std::string>;
@@ -55,4 +55,4 @@ TEST(IdentitySections, KnowNothingThatTheRecordsDoNotSay) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::identity_sections_test

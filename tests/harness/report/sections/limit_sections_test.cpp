@@ -8,7 +8,7 @@
 #include "methods/catalogue.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::limit_sections_test {
 namespace {
 
 TEST(LimitSections, AreThoseOfTheMethodsOfTheRunThatTheProgramKnows) {
@@ -31,4 +31,4 @@ TEST(LimitSections, AreStatedByEveryMethodOfTheProgram) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::limit_sections_test

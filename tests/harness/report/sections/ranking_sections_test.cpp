@@ -5,7 +5,7 @@
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::ranking_sections_test {
 namespace {
 
 /// The line of a section's table that begins with these cells.
@@ -107,4 +107,4 @@ TEST(RankingSections, SayWhereTheShiftDecidesTheOrder) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::ranking_sections_test

@@ -7,7 +7,7 @@
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::rival_sections_test {
 namespace {
 
 TEST(RivalSections, TellTheRatioOfTimesWithItsRange) {
@@ -33,4 +33,4 @@ TEST(RivalSections, AreInReportsWithPluginsAlone) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::rival_sections_test

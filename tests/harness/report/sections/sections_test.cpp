@@ -6,7 +6,7 @@
 
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::sections_test {
 namespace {
 
 TEST(SectionsOf, ComeInTheOrderOfTheDocumentation) {
@@ -42,4 +42,4 @@ TEST(SectionsOf, HaveRowsAsLongAsTheirHeaderAndNamesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::sections_test

@@ -7,7 +7,7 @@
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::sensitivity_sections_test {
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
@@ -105,4 +105,4 @@ TEST(Repeats, CountCasesWhoseEveryAnswerHadTheSameBits) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::sensitivity_sections_test

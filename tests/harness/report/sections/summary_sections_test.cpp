@@ -3,7 +3,7 @@
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini {
+namespace signorini::summary_sections_test {
 namespace {
 
 using Row = std::vector<std::string>;
@@ -109,4 +109,4 @@ TEST(SpeedSections, HoldTheScenesLaw) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::summary_sections_test

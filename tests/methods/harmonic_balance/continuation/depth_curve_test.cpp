@@ -10,7 +10,7 @@
 #include "tests/methods/harmonic_balance/continuation/series_families.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::depth_curve_test {
 namespace {
 
 // m = k = F = 1, c = .1, gap .2: the contact-free motion grazes at this frequency, closed form.
@@ -111,4 +111,4 @@ TEST(DepthCurve, IsSmoothWhereAContactBegins) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::depth_curve_test

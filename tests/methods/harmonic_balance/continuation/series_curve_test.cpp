@@ -10,7 +10,7 @@
 #include "tests/methods/harmonic_balance/continuation/series_families.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::series_curve_test {
 namespace {
 
 using test::family_of;
@@ -120,4 +120,4 @@ TEST(SeriesFamily, UnitsAreThoseOfTheScene) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::series_curve_test

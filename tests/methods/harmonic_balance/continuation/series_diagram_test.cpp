@@ -14,7 +14,7 @@
 #include "problems/scene/scene_file.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::series_diagram_test {
 namespace {
 
 // m = k = F = 1, c = .1, gap .2: grazing, period doubling of (1,1) and fold of (1,2) in closed form.
@@ -272,4 +272,4 @@ TEST(SeriesDiagram, RefusesASceneWithoutContactAndTooManyUnknowns) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::series_diagram_test

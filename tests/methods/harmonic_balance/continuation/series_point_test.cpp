@@ -11,7 +11,7 @@
 #include "tests/methods/harmonic_balance/continuation/series_families.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::series_point_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -103,4 +103,4 @@ TEST(BranchPointOfSeries, WithoutDampingIsElliptic) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::series_point_test

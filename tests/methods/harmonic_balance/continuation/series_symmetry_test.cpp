@@ -14,7 +14,7 @@
 #include "methods/structure/periodic_response.hpp"
 #include "problems/scene/scene_file.hpp"
 
-namespace signorini {
+namespace signorini::series_symmetry_test {
 namespace {
 
 constexpr double kFrom = 0.8, kTo = 2.0;
@@ -119,4 +119,4 @@ TEST(Pitchforks, OfTwoStopsAreMetAtEveryResolution) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::series_symmetry_test

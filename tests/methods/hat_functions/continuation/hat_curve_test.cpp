@@ -13,7 +13,7 @@
 #include "methods/hat_lcp/hat_lcp.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::hat_curve_test {
 namespace {
 
 // m = k = F = 1, c = .1, gap .2. With a spring of 100 for its stop, exact orbits have the fold of the motions
@@ -156,4 +156,4 @@ TEST(HatTracer, LimitsAreSaid) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::hat_curve_test

@@ -10,7 +10,7 @@
 #include "tests/methods/orbit/continuation/diagrams.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::bifurcation_curve_test {
 namespace {
 
 Problem oscillator(double gap, double restitution) {
@@ -111,4 +111,4 @@ TEST(BifurcationCurves, AreFollowedInSmallStepsAndOnce) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::bifurcation_curve_test

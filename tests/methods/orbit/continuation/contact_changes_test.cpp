@@ -14,7 +14,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::contact_changes_test {
 namespace {
 
 using test::branch_of;
@@ -190,4 +190,4 @@ TEST(PastChange, GoesOnWhereAContactBeginsToStick) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::contact_changes_test

@@ -14,7 +14,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::diagram_test {
 namespace {
 
 using test::branch_of;
@@ -210,4 +210,4 @@ TEST(TraceDiagram, FollowsOneImpactOfAChainAsItsClosedForm) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::diagram_test

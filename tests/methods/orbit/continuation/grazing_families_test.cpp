@@ -15,7 +15,7 @@
 #include "methods/orbit/family/survey.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::grazing_families_test {
 namespace {
 
 // h^T M^k (1 + M^n + M^2n + ...) b, summed.
@@ -191,4 +191,4 @@ TEST(GrazingFamilies, AreUndecidedWhereTheResponseVanishes) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::grazing_families_test

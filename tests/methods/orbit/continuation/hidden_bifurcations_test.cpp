@@ -8,7 +8,7 @@
 #include <cmath>
 #include <complex>
 
-namespace signorini {
+namespace signorini::hidden_bifurcations_test {
 namespace {
 
 // (s - 1)^2 + height has its zeros at 1 - d and 1 + d, d^2 = -height.
@@ -109,4 +109,4 @@ TEST(MayHideBifurcations, OfNoMultipliersThatAreOneToRounding) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::hidden_bifurcations_test

@@ -12,7 +12,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::one_impact_orbits_test {
 namespace {
 
 using test::branch_of;
@@ -164,4 +164,4 @@ TEST(OneImpactOrbits, LeadToNonsmoothModes) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::one_impact_orbits_test

@@ -15,7 +15,7 @@
 #include "problems/assembly/chain.hpp"
 #include "tests/methods/orbit/continuation/diagrams.hpp"
 
-namespace signorini {
+namespace signorini::station_test {
 namespace {
 
 // A chain of two or three masses with three harmonics of load; a rigid stop or a spring on its last mass, and
@@ -130,4 +130,4 @@ TEST(HiddenViolation, IsFoundWhereverAStopLiesBetweenThePeaksOfThePointsAndThatB
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::station_test

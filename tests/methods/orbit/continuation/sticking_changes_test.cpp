@@ -13,7 +13,7 @@
 #include "tests/methods/orbit/continuation/diagrams.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::sticking_changes_test {
 namespace {
 
 using test::branch_of;
@@ -161,4 +161,4 @@ TEST(StickingChanges, LeadAChainThroughInterruptionsBothWays) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::sticking_changes_test

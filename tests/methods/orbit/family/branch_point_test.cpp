@@ -10,7 +10,7 @@
 #include "tests/methods/orbit/continuation/diagrams.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::branch_point_test {
 namespace {
 
 constexpr double kDamping = 0.1, kGap = 0.5;
@@ -115,4 +115,4 @@ TEST(BranchPoint, IsWhereTheClosedFormLosesItsSymmetry) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::branch_point_test

@@ -15,7 +15,7 @@
 #include "tests/methods/orbit/continuation/diagrams.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::chatter_test {
 namespace {
 
 using test::polished;
@@ -163,4 +163,4 @@ TEST(ChatterEnds, AreThoseOfRigidStopsThatGiveBack) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::chatter_test

@@ -14,7 +14,7 @@
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::extended_equations_test {
 namespace {
 
 SequencedOrbit cold(OrbitFamily& family, double parameter) {
@@ -125,4 +125,4 @@ TEST(TangentOf, IsTheDirectionOfTheCurve) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::extended_equations_test

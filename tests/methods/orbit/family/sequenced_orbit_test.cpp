@@ -10,7 +10,7 @@
 #include "tests/methods/orbit/closed_form_guess.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::sequenced_orbit_test {
 namespace {
 
 const test::ImpactOscillator kOscillator{.damping = 0.1, .frequency = 2.6, .gap = 0.2, .order = 2};
@@ -105,4 +105,4 @@ TEST(ContactFreeOrbit, IsTheReceptance) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::sequenced_orbit_test

@@ -16,7 +16,7 @@
 #include "tests/methods/orbit/closed_form_guess.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
-namespace signorini {
+namespace signorini::survey_test {
 namespace {
 
 SequencedOrbit placed(OrbitFamily& family, const test::SingleImpactOrbit& orbit) {
@@ -151,4 +151,4 @@ TEST(Confirmed, AsksForTheMultipliersOfTheBifurcation) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::survey_test

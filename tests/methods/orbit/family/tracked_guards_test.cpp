@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-namespace signorini {
+namespace signorini::tracked_guards_test {
 namespace {
 
 // a + b z + .. of degree four, as a guard between 0 and 1.
@@ -60,4 +60,4 @@ TEST(GuardCubic, DoubtsNeitherAStraightLineNorABeginningWithoutSlope) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::tracked_guards_test
