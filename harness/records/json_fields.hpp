@@ -5,12 +5,15 @@
 
 #include <cmath>
 #include <concepts>
+#include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "methods/options.hpp"
@@ -80,6 +83,32 @@ Enum enum_from_name(std::string_view field, std::string_view name) {
   }
 }
 
+/// A number that counts, signed or not.
+template <class T>
+concept Whole = std::integral<T> && !std::same_as<T, bool>;
+
+/// A whole number that T holds; 3.0 is one. A conversion by the JSON library would be undefined for 1e49.
+/// \throws BadRecord that names the field
+template <Whole T>
+T whole_number(std::string_view field, const nlohmann::ordered_json& json) {
+  constexpr double kExact = 9007199254740992.0;  // 2^53, up to which every whole number is a double
+  if (json.is_number_unsigned()) {
+    const auto value = json.get<std::uint64_t>();
+    if (std::in_range<T>(value)) return static_cast<T>(value);
+  } else if (json.is_number_integer()) {
+    const auto value = json.get<std::int64_t>();
+    if (std::in_range<T>(value)) return static_cast<T>(value);
+  } else if (json.is_number_float()) {
+    const auto value = json.get<double>();
+    if (std::abs(value) <= kExact && std::trunc(value) == value &&
+        std::in_range<T>(static_cast<std::int64_t>(value)))
+      return static_cast<T>(value);
+  }
+  throw BadRecord(std::string(field) + " = " + (json.is_number() ? json.dump() : json.type_name()) +
+                  " (must be a whole number from " + std::to_string(std::numeric_limits<T>::min()) + " to " +
+                  std::to_string(std::numeric_limits<T>::max()) + ")");
+}
+
 /// A visited struct as a JSON object, its fields in the order of the visit.
 template <class T>
 nlohmann::ordered_json write_fields(const T& object);
@@ -108,11 +137,11 @@ inline constexpr bool kIsOptional = false;
 template <class T>
 inline constexpr bool kIsOptional<std::optional<T>> = true;
 
-/// Lists whose entries the JSON library does not know.
+/// Lists whose entries the JSON library does not know, or converts without looking.
 template <class T>
 inline constexpr bool kIsList = false;
 template <class T>
-inline constexpr bool kIsList<std::vector<T>> = Visited<T> || Special<T>;
+inline constexpr bool kIsList<std::vector<T>> = Visited<T> || Special<T> || Whole<T>;
 
 template <class T>
 bool is_empty(const T& value) {
@@ -154,10 +183,14 @@ void read_into(std::string_view field, const Json& json, T& value) {
     value = JsonForm<T>::read(json);
   } else if constexpr (Named<T>) {
     value = enum_from_name<T>(field, json.get<std::string>());
+  } else if constexpr (Whole<T>) {
+    value = whole_number<T>(field, json);
   } else if constexpr (Visited<T>) {
     read_fields(json, value);
   } else if constexpr (kIsList<T>) {
-    for (const Json& item : json) read_into(field, item, value.emplace_back());
+    value.clear();
+    for (const Json& item : json.get_ref<const Json::array_t&>())
+      read_into(field, item, value.emplace_back());
   } else {
     value = json.get<T>();
   }

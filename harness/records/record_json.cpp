@@ -30,7 +30,7 @@ struct OptionWriter {
 
 OptionValue option_from_json(const Json& json) {
   if (json.is_boolean()) return json.get<bool>();
-  if (json.is_number_integer()) return json.get<long>();
+  if (json.is_number_integer()) return whole_number<long>("option", json);
   if (json.is_number()) return json.get<double>();
   const auto text = json.get<std::string>();
   return text == "auto" ? OptionValue{} : OptionValue{text};
@@ -85,7 +85,7 @@ Json to_json(const Record& record) {
 
 Record record_from_json(const Json& json) {
   try {
-    if (json.at("schema").get<int>() != kRecordSchema) throw BadRecord("schema = unknown (must be 1)");
+    if (whole_number<int>("schema", json.at("schema")) != kRecordSchema) throw BadRecord("schema = unknown (must be 1)");
     Record record;
     read_fields(json, record);
     if (!json.contains("settings")) record.settings = parse_case_name(record.case_id).settings;

@@ -43,7 +43,8 @@ int order_of(const SweepPoint& step) {
   if (!step.motion) return 0;
   const double ratio = step.motion->period * step.frequency / (2.0 * std::numbers::pi);
   const double whole = std::round(ratio);
-  return whole >= 1.0 && std::abs(ratio - whole) < kWhole * ratio ? static_cast<int>(whole) : 0;
+  if (!(whole >= 1.0 && whole <= 1.0 / kWhole)) return 0;  // beyond, every number is whole to that
+  return std::abs(ratio - whole) < kWhole * ratio ? static_cast<int>(whole) : 0;
 }
 
 class Cutter {

@@ -106,7 +106,7 @@ void take_later_round(const ChildEnd& end, Record& record) {
   if (json.contains("message")) {
     record.status = enum_from_name<Status>("status", json.at("status").get<std::string>());
     record.message = json.at("message");
-    if (json.contains("signal")) record.signal = json.at("signal").get<int>();
+    if (json.contains("signal")) record.signal = whole_number<int>("signal", json.at("signal"));
   } else {
     take_failure(end, record);
   }

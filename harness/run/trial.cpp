@@ -213,9 +213,11 @@ void take_summary(const Trial& trial, const Trajectory& answer, const Motion& mo
 /// How many periods of a motion make the one that a scene asks for; 0 if no whole number does.
 int whole_periods(const Problem& problem, const Trajectory& motion) {
   constexpr double kSamePeriod = 1e-6;  // relative; as the period of an answer is judged
+  constexpr double kMostWhole = 1e6;    // beyond it every number is whole to that
   const double ratio = problem.period() / motion.period();
   const double whole = std::round(ratio);
-  return whole >= 1.0 && std::abs(ratio - whole) <= kSamePeriod * ratio ? static_cast<int>(whole) : 0;
+  if (!(whole >= 1.0 && whole <= kMostWhole)) return 0;
+  return std::abs(ratio - whole) <= kSamePeriod * ratio ? static_cast<int>(whole) : 0;
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 #include "methods/discretisation/block_circulant.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <memory>
 #include <utility>
+
+#include "methods/discretisation/lag_bounds.hpp"
 
 namespace signorini {
 
@@ -32,16 +35,25 @@ BlockCirculant::BlockCirculant(int samples, const std::vector<Eigen::MatrixXcd>&
   }
 }
 
-void BlockCirculant::add_columns(std::span<const int> columns, const double* weights,
-                                 Eigen::VectorXd& out) const {
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const int col_contact = columns[k] / samples_;
-    const int shift = samples_ - columns[k] % samples_;
-    for (int row = 0; row < contacts_; ++row) {
-      out.segment(row * samples_, samples_) +=
-          weights[k] * lags_.col(row * contacts_ + col_contact).segment(shift, samples_);
+void BlockCirculant::add_columns(std::span<const int> columns, const double* weights, int first,
+                                 Eigen::Ref<Eigen::VectorXd> out) const {
+  for (int done = 0; done < out.size();) {
+    const int row = (first + done) / samples_;
+    const int instant = (first + done) % samples_;
+    const int count = std::min(samples_ - instant, static_cast<int>(out.size()) - done);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const int col_contact = columns[k] / samples_;
+      const int shift = samples_ - columns[k] % samples_ + instant;
+      out.segment(done, count) += weights[k] * lags_.col(row * contacts_ + col_contact).segment(shift, count);
     }
+    done += count;
   }
+}
+
+std::unique_ptr<const ColumnBounds> BlockCirculant::column_bounds() const {
+  constexpr int kFewRows = 512;
+  if (size() <= kFewRows) return nullptr;
+  return std::make_unique<LagBounds>(samples_, contacts_, lags_);
 }
 
 void BlockCirculant::gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const {

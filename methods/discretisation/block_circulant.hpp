@@ -2,6 +2,7 @@
 // A block-circulant matrix known by its Fourier symbol: every periodic method's operator.
 
 #include <Eigen/Core>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -35,8 +36,11 @@ class BlockCirculant final : public LcpMatrix {
     return lag(row / samples_, col / samples_, row % samples_ - col % samples_);
   }
 
-  /// O(N Nc) per column: each is a shifted piece of the lag table.
-  void add_columns(std::span<const int> columns, const double* weights, Eigen::VectorXd& out) const override;
+  /// O(1) per row and column: each is a shifted piece of the lag table.
+  void add_columns(std::span<const int> columns, const double* weights, int first,
+                   Eigen::Ref<Eigen::VectorXd> out) const override;
+  /// Some sqrt(N) segments a contact, of one length but for its last (LagBounds).
+  [[nodiscard]] std::unique_ptr<const ColumnBounds> column_bounds() const override;
   void gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const override;
   void gather_row(int row, std::span<const int> columns, double* out) const override;
   [[nodiscard]] Eigen::MatrixXd submatrix(std::span<const int> rows,

@@ -10,5 +10,7 @@ namespace signorini {
 inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 /// Distance from 1 to the next double [-].
 inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+/// Beyond any number [-].
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace signorini

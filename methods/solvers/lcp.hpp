@@ -9,11 +9,30 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "methods/options.hpp"
 
 namespace signorini {
+
+/// Bounds on combinations of the columns of a matrix A, over segments of its rows.
+class ColumnBounds {
+ public:
+  /// \param starts  as `starts` gives it
+  explicit ColumnBounds(std::vector<int> starts) : starts_(std::move(starts)) {}
+  virtual ~ColumnBounds() = default;
+
+  /// The first row of each segment, from 0 on, and the number of rows at the end.
+  [[nodiscard]] const std::vector<int>& starts() const { return starts_; }
+
+  /// out[s] += b_s, where b_s >= |sum_k weights[k] A(i, columns[k])| for every row i of segment s, but for
+  /// rounding.
+  virtual void add(std::span<const int> columns, const double* weights, Eigen::VectorXd& out) const = 0;
+
+ private:
+  std::vector<int> starts_;
+};
 
 /// A square matrix A that need not exist as an array. Each call handles whole columns, rows or blocks, so
 /// that its cost is that of the arithmetic. Indices are below size(), without repetition.
@@ -24,9 +43,14 @@ class LcpMatrix {
   /// Rows and columns of A.
   [[nodiscard]] virtual int size() const = 0;
 
-  /// out += sum_k weights[k] * A(:, columns[k]), added in the order of `columns`; out has size().
-  virtual void add_columns(std::span<const int> columns, const double* weights,
-                           Eigen::VectorXd& out) const = 0;
+  /// out += sum_k weights[k] * A(first + (0, 1, ...), columns[k]), added in the order of `columns`: of as
+  /// many rows as out has.
+  virtual void add_columns(std::span<const int> columns, const double* weights, int first,
+                           Eigen::Ref<Eigen::VectorXd> out) const = 0;
+
+  /// Segments of rows short beside all of A, and how large sums of its columns are there. Null where all rows
+  /// are as soon evaluated as bounded.
+  [[nodiscard]] virtual std::unique_ptr<const ColumnBounds> column_bounds() const = 0;
 
   /// A(rows, column), written into out, which takes the size of `rows`.
   virtual void gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const = 0;

@@ -10,9 +10,6 @@ namespace signorini {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kSlack = 64 * kEpsilon;  // rounding of a few dozen operations, relative
-
 // Rates above which (they are negative) a variable counts as not falling.
 struct Pivots {
   double z, w;
@@ -107,33 +104,38 @@ int LemkeBasis::position_of_tau() const {
   return place == columns_.end() ? -1 : static_cast<int>(place - columns_.begin());
 }
 
-void LemkeBasis::accumulate(const Eigen::VectorXd& basic, Eigen::VectorXd& out) const {
-  const std::span<const int> columns = columns_;
-  const int tau = position_of_tau();
-  if (tau < 0) {
-    matrix_.add_columns(columns, basic.data(), out);
-    return;
+void LemkeBasis::combine(const Eigen::VectorXd& basic, Combination& result) const {
+  result.columns.clear();
+  result.weights.clear();
+  result.cover = 0.0;
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    const double weight = basic[static_cast<Eigen::Index>(k)];
+    if (columns_[k] == kTau) {
+      result.cover = weight;
+      continue;
+    }
+    result.columns.push_back(columns_[k]);
+    result.weights.push_back(weight);
   }
-  const auto before = static_cast<std::size_t>(tau);
-  matrix_.add_columns(columns.first(before), basic.data(), out);
-  out += basic[tau] * cover_;
-  matrix_.add_columns(columns.subspan(before + 1), basic.data() + tau + 1, out);
+}
+
+double longest_step_of_basic(const Eigen::VectorXd& value, const Eigen::VectorXd& rate, double scale) {
+  const double slack = kPathSlack * std::max(value.lpNorm<Eigen::Infinity>(), scale);
+  const double least = least_pivot(rate.lpNorm<Eigen::Infinity>());
+  double longest = kInfinity;
+  for (Eigen::Index k = 0; k < value.size(); ++k) {
+    if (rate[k] < -least) longest = std::min(longest, (std::max(value[k], 0.0) + slack) / -rate[k]);
+  }
+  return longest;
 }
 
 Blocking find_blocking(const PathVariables& value, const PathVariables& rate, int tau, double scale) {
-  const double z_slack = kSlack * std::max(value.basic.lpNorm<Eigen::Infinity>(), scale);
-  const double w_slack = kSlack * scale;
-  const Pivots least{kSlack * std::max(1.0, rate.basic.lpNorm<Eigen::Infinity>()),
-                     kSlack * std::max(1.0, -rate.w.minCoeff())};
-  // First pass: values that rounding has pushed below zero count as zero, and every bound gives way by the
-  // slack.
-  double longest = kInfinity;
-  for (Eigen::Index k = 0; k < value.basic.size(); ++k) {
-    if (rate.basic[k] >= -least.z) continue;
-    longest = std::min(longest, (std::max(value.basic[k], 0.0) + z_slack) / -rate.basic[k]);
-  }
-  const auto reach = (value.w.array().max(0.0) + w_slack) / -rate.w.array();
-  longest = std::min(longest, (rate.w.array() < -least.w).select(reach, kInfinity).minCoeff());
+  const double fastest_w = rate.w.size() > 0 ? -rate.w.minCoeff() : 0.0;
+  const Pivots least{least_pivot(rate.basic.lpNorm<Eigen::Infinity>()), least_pivot(fastest_w)};
+  double longest = longest_step_of_basic(value.basic, rate.basic, scale);
+  const auto reach = (value.w.array().max(0.0) + row_slack(scale)) / -rate.w.array();
+  if (rate.w.size() > 0)
+    longest = std::min(longest, (rate.w.array() < -least.w).select(reach, kInfinity).minCoeff());
   return longest < kInfinity ? choose_within(value, rate, tau, longest, least) : Blocking{};
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "methods/solvers/lcp.hpp"
+#include "methods/solvers/open_rows.hpp"
 #include "methods/solvers/updated_qr.hpp"
 
 namespace signorini {
@@ -54,8 +55,9 @@ class LemkeBasis {
 
   /// G^{-1} b for a square G, in place; not finite where G is singular to working precision.
   void solve(Eigen::VectorXd& b) const { factors_.solve(b); }
-  /// out += [A, d] over all rows applied to the basic variables; out has the size of q.
-  void accumulate(const Eigen::VectorXd& basic, Eigen::VectorXd& out) const;
+  /// What the basic variables, in the order of columns, add to w.
+  /// \param result  as far as its memory reaches, nothing is allocated
+  void combine(const Eigen::VectorXd& basic, Combination& result) const;
   /// Estimated condition number of a square G (triangular_condition) [-].
   [[nodiscard]] double condition() const { return factors_.condition(); }
 
@@ -73,7 +75,7 @@ class LemkeBasis {
 /// The variables that move along the path: their values, or their rates along the driving variable.
 struct PathVariables {
   Eigen::VectorXd basic;  ///< basic z and tau, in the order of the basis's columns
-  Eigen::VectorXd w;      ///< all w, size of q; those held at zero are zero, and so are their rates
+  Eigen::VectorXd w;      ///< of open rows, in any order
 };
 
 /// What stops the path at the end of one linear piece.
@@ -86,9 +88,14 @@ struct Blocking {
     w,     ///< a positive w reaches zero: that sample closes
   };
   Kind kind = Kind::none;  ///< of the variable that stops it
-  int position = 0;        ///< of z and tau: place in the order of columns; of w: index in the problem
+  int position = 0;        ///< of z and tau: place in the order of columns; of w: place in PathVariables
   double step = std::numeric_limits<double>::infinity();  ///< of the driving variable up to there
 };
+
+/// How far a basic variable at its bound gives way, and how slowly one falls that does not fall: rounding.
+/// \param value  basic z and tau
+/// \return the step at which the first of them is below zero by its slack, the first pass of `find_blocking`
+double longest_step_of_basic(const Eigen::VectorXd& value, const Eigen::VectorXd& rate, double scale);
 
 /// The first variable to reach its bound at value + step rate, step >= 0.
 ///

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "methods/solvers/complementarity_solver.hpp"
 #include "methods/solvers/lemke_basis.hpp"
+#include "methods/solvers/open_rows.hpp"
 
 namespace signorini {
 
@@ -55,11 +57,16 @@ class LemkePath {
   /// tau comes down from infinity with z = 0: at tau = max(-q_i / d_i) the tightest gap closes, tau takes the
   /// place of its w in the basis, and its z drives.
   void start_cold() {
-    basis_.set_cover(
-        smooth_cover(lcp_.samples, lcp_.contacts(), settings_.cover_amplitude, settings_.cover_phase));
+    set_cover(smooth_cover(lcp_.samples, lcp_.contacts(), settings_.cover_amplitude, settings_.cover_phase));
     (-lcp_.offset.array() / basis_.cover().array()).maxCoeff(&pair_);
     basis_.begin_with_tau(pair_);
+    open_->hold(pair_);
     driving_z_ = true;
+  }
+
+  void set_cover(Eigen::VectorXd cover) {
+    open_.emplace(lcp_, cover);
+    basis_.set_cover(std::move(cover));
   }
 
   /// The guess solves the problem with q + d at tau = 1; tau descends from there, the basic z and the w with
@@ -69,7 +76,8 @@ class LemkePath {
     for (int i = 0; i < static_cast<int>(lcp_.offset.size()); ++i) {
       if (guess_[i] > 0.0) active.push_back(i);
     }
-    basis_.set_cover(cover_through(lcp_, guess_));
+    set_cover(cover_through(lcp_, guess_));
+    for (const int row : active) open_->hold(row);
     basis_.begin_with(std::move(active));
     const Eigen::VectorXd& cover = basis_.cover();
     // A_SS z = -(q + d)_S at tau = 1; lowering tau by one changes z by A_SS dz = d_S.
@@ -78,27 +86,42 @@ class LemkePath {
     rate_.basic = -cover(basis_.rows());
     basis_.solve(rate_.basic);
     rate_.basic = -rate_.basic;
-    value_.w = lcp_.offset + cover;
-    rate_.w = -cover;
-    basis_.accumulate(value_.basic, value_.w);
-    basis_.accumulate(rate_.basic, rate_.w);
+    basis_.combine(value_.basic, values_);
+    values_.cover = 1.0;
+    basis_.combine(rate_.basic, rates_);
+    rates_.cover = -1.0;
+    find_falling(kNone);
     const Blocking block = find_blocking(value_, rate_, basis_.position_of_tau(), q_scale_);
     if (block.step >= 1.0) return true;
     // tau has driven so far; it becomes basic in place of what blocked, whose complement drives next.
     driving_z_ = block.kind != Blocking::Kind::z;
-    pair_ = driving_z_ ? block.position : basis_.remove_column(block.position);
+    pair_ = driving_z_ ? open_->falling()[static_cast<std::size_t>(block.position)]
+                       : basis_.remove_column(block.position);
     basis_.append_tau();
-    if (driving_z_) basis_.append_row(pair_);
+    if (driving_z_) hold(pair_);
     ++result_.pivots;
     return false;
   }
 
-  /// Values of the basic variables and of w from scratch: [A_RB, d_R] v = -q_R.
+  void hold(int row) {
+    basis_.append_row(row);
+    open_->hold(row);
+  }
+
+  /// Values of the basic variables from scratch, [A_RB, d_R] v = -q_R, and w behind them.
   void recompute() {
-    value_.basic = -lcp_.offset(basis_.rows());
+    const Eigen::VectorXd before = std::exchange(value_.basic, -lcp_.offset(basis_.rows()));
     basis_.solve(value_.basic);
-    value_.w = lcp_.offset;
-    basis_.accumulate(value_.basic, value_.w);
+    if (before.size() != value_.basic.size()) return open_->forget_values();
+    basis_.combine(value_.basic - before, values_);
+    open_->correct_values(values_);
+  }
+
+  /// The rows that may close next, as the w of the path.
+  void find_falling(int rising) {
+    open_->find_falling(values_, rates_, rising, longest_step_of_basic(value_.basic, rate_.basic, q_scale_));
+    value_.w = open_->value();
+    rate_.w = open_->rate();
   }
 
   /// Rates along the driving variable: [A_RB, d_R] v' = -A_R,pair if that is a z, the unit vector of its row
@@ -113,26 +136,21 @@ class LemkePath {
     }
     basis_.solve(rate_.basic);
     if (!rate_.basic.allFinite() || !value_.basic.allFinite()) return false;
-    rate_.w.setZero(lcp_.offset.size());
+    basis_.combine(value_.basic, values_);
+    basis_.combine(rate_.basic, rates_);
     if (driving_z_) {
-      const double one = 1.0;
-      lcp_.matrix->add_columns({&pair_, 1}, &one, rate_.w);
+      rates_.columns.push_back(pair_);
+      rates_.weights.push_back(1.0);
     }
-    basis_.accumulate(rate_.basic, rate_.w);
-    // Held rows stay where they are exactly; only the driving w moves. What rounding leaves there would be
-    // taken for the rate of a blocking variable.
-    for (const int row : basis_.rows()) rate_.w[row] = 0.0;
-    if (!driving_z_) rate_.w[pair_] = 1.0;
+    find_falling(driving_z_ ? kNone : pair_);
     return true;
   }
 
   /// Walks to the end of the piece; the basic values are then reordered as `exchange` reorders the columns.
   void advance(const Blocking& block) {
     value_.basic += block.step * rate_.basic;
-    value_.w += block.step * rate_.w;
-    if (block.kind == Blocking::Kind::w) {
-      value_.w[block.position] = 0.0;
-    } else {
+    open_->advance(block.step);
+    if (block.kind != Blocking::Kind::w) {
       const Eigen::Index tail = value_.basic.size() - block.position - 1;
       value_.basic.segment(block.position, tail) = value_.basic.tail(tail).eval();
       value_.basic.conservativeResize(value_.basic.size() - 1);
@@ -149,10 +167,14 @@ class LemkePath {
   void exchange(const Blocking& block) {
     const int entering = pair_;
     const bool closes = block.kind == Blocking::Kind::w;
-    pair_ = closes ? block.position : basis_.remove_column(block.position);
+    pair_ = closes ? open_->falling()[static_cast<std::size_t>(block.position)]
+                   : basis_.remove_column(block.position);
     if (driving_z_) basis_.append_z(entering);
-    if (closes) basis_.append_row(block.position);
-    if (!driving_z_) basis_.remove_row(entering);
+    if (closes) hold(pair_);
+    if (!driving_z_) {
+      basis_.remove_row(entering);
+      open_->release(entering, block.step);
+    }
     driving_z_ = closes;
   }
 
@@ -161,12 +183,12 @@ class LemkePath {
     Eigen::VectorXd active = -lcp_.offset(basis_.rows());
     basis_.solve(active);
     // One step of refinement recovers what the updated factors have lost.
+    const std::vector<int>& positive = basis_.basic_z();
     Eigen::VectorXd residual = lcp_.offset;
-    basis_.accumulate(active, residual);
+    lcp_.matrix->add_columns(positive, active.data(), 0, residual);
     Eigen::VectorXd correction = -residual(basis_.rows());
     basis_.solve(correction);
     active += correction;
-    const std::vector<int>& positive = basis_.basic_z();
     if (!positive.empty()) result_.condition = basis_.condition();
     Eigen::VectorXd z = Eigen::VectorXd::Zero(lcp_.offset.size());
     for (std::size_t k = 0; k < positive.size(); ++k)
@@ -189,10 +211,13 @@ class LemkePath {
   const Eigen::VectorXd& guess_;
   double q_scale_ = 1.0;
   long limit_ = 0;
+  static constexpr int kNone = -1;
   LemkeBasis basis_;
-  int pair_ = 0;           // the complementary pair of which neither is basic
-  bool driving_z_ = true;  // which of the two drives
+  std::optional<OpenRows> open_;  // from the first cover on
+  int pair_ = 0;                  // the complementary pair of which neither is basic
+  bool driving_z_ = true;         // which of the two drives
   PathVariables value_, rate_;
+  Combination values_, rates_;  // the same, as what they add to w
   long since_refresh_ = 0;
   LcpResult result_;
 };

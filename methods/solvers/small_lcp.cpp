@@ -20,9 +20,12 @@ class DenseMatrix final : public LcpMatrix {
   explicit DenseMatrix(Eigen::MatrixXd matrix) : matrix_(std::move(matrix)) {}
 
   [[nodiscard]] int size() const override { return static_cast<int>(matrix_.rows()); }
-  void add_columns(std::span<const int> columns, const double* weights, Eigen::VectorXd& out) const override {
-    for (std::size_t k = 0; k < columns.size(); ++k) out += weights[k] * matrix_.col(columns[k]);
+  void add_columns(std::span<const int> columns, const double* weights, int first,
+                   Eigen::Ref<Eigen::VectorXd> out) const override {
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      out += weights[k] * matrix_.col(columns[k]).segment(first, out.size());
   }
+  [[nodiscard]] std::unique_ptr<const ColumnBounds> column_bounds() const override { return nullptr; }
   void gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const override {
     out = matrix_.col(column)(rows);
   }

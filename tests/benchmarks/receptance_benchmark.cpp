@@ -24,13 +24,13 @@ ChildCost cost_of(const std::function<void()>& work) {
 }
 
 int run(int cubes, int contacts, int harmonics) {
-  const Problem problem = test::to_problem({.nx = cubes,
-                                            .ny = cubes,
-                                            .nz = cubes,
-                                            .side = contacts,
-                                            .alpha = 0.01,
-                                            .beta = 0.01,
-                                            .frequency = 0.3});
+  const Problem problem = test::elastic_block_problem({.nx = cubes,
+                                                       .ny = cubes,
+                                                       .nz = cubes,
+                                                       .side = contacts,
+                                                       .alpha = 0.01,
+                                                       .beta = 0.01,
+                                                       .frequency = 0.3});
   fmt::print("{} coordinates, {} contacts, {} harmonics\n", problem.size(), problem.contact_count(),
              harmonics);
   const ChildCost one = cost_of([&] { const SparseCholesky factors(problem.stiffness()); });

@@ -62,8 +62,8 @@ TEST_P(SceneAtScale, IsReadInMemoryProportionalToItsCoordinates) {
 // the direct factorisations.
 TEST(ReceptanceAtScale, NeedsNoDenseArrayOverTheCoordinates) {
   constexpr int kHarmonics = 10;
-  Problem proportional = test::to_problem(test::ElasticBlock{
-      .nx = 80, .ny = 8, .nz = 8, .side = 3, .alpha = 1e-3, .beta = 1e-3, .frequency = 0.1});
+  Problem proportional = test::elastic_block_problem(
+      {.nx = 80, .ny = 8, .nz = 8, .side = 3, .alpha = 1e-3, .beta = 1e-3, .frequency = 0.1});
   Problem general = proportional;
   general.edit_structure([&](Structure& s) { s.damping.coeffRef(0, 0) *= 2.0; });
   for (const Problem& problem : {proportional, general}) {

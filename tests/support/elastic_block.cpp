@@ -4,7 +4,7 @@
 
 namespace signorini::test {
 
-Problem to_problem(const ElasticBlock& block) {
+Problem elastic_block_problem(const ElasticBlock& block) {
   const double edge = 1.0 / block.ny;
   const BlockMesh mesh{.elements = {block.nx, block.ny, block.nz},
                        .lengths = {block.nx * edge, 1.0, block.nz * edge}};

@@ -25,6 +25,6 @@ inline WeightsOfHarmonic harmonics_of(const Problem& problem) {
 }
 
 /// Nd = 3 nx (ny + 1) (nz + 1).
-Problem to_problem(const ElasticBlock& block);
+Problem elastic_block_problem(const ElasticBlock& block);
 
 }  // namespace signorini::test

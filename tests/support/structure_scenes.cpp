@@ -48,7 +48,7 @@ Problem massless_beam(const ProportionalDamping& damping, int contacts) {
   return problem;
 }
 
-Problem to_problem(const PaddedBlock& block) {
+Problem padded_block_problem(const PaddedBlock& block) {
   const BlockMesh mesh{.elements = block.elements, .lengths = block.lengths};
   const Face top{.axis = 2, .upper = true};
   const std::vector<Contact> contacts = contacts_on_face(mesh, top, block.patch, block.gap);

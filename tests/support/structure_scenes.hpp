@@ -31,6 +31,6 @@ struct PaddedBlock {
 };
 
 /// E = 1, nu = 0.3, rho = 1. By default the catalogue's block-nine-contacts, 2160 coordinates.
-Problem to_problem(const PaddedBlock& block);
+Problem padded_block_problem(const PaddedBlock& block);
 
 }  // namespace signorini::test

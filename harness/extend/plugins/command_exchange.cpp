@@ -95,7 +95,9 @@ std::vector<ContactEvent> read_events(const Json& json) {
   for (const Json& item : json) {
     const auto kind =
         enum_from_name<ContactEvent::Kind>("events.kind", one_line(item.at("kind").get<std::string>()));
-    ContactEvent event{.kind = kind, .contact = item.at("contact"), .time = item.at("time")};
+    ContactEvent event{.kind = kind,
+                       .contact = whole_number<int>("events.contact", item.at("contact")),
+                       .time = item.at("time")};
     if (item.contains("impulse")) event.impulse = item["impulse"].get<double>();
     if (item.contains("push")) event.push = item["push"].get<double>();
     events.push_back(event);

@@ -93,19 +93,19 @@ void expect_what_the_field_shows(const Problem& problem, const HarmonicForce& fo
 
 TEST(ContactResponse, OfASmallStructureIsThatOfItsField) {
   const Problem problem =
-      test::to_problem(test::ElasticBlock{.nx = 3, .ny = 2, .nz = 2, .beta = 0.05, .frequency = 0.3});
+      test::elastic_block_problem({.nx = 3, .ny = 2, .nz = 2, .beta = 0.05, .frequency = 0.3});
   expect_what_the_field_shows(problem, HarmonicForce(problem.period(), coefficients(6, 4)), 1e-12);
 }
 
 TEST(ContactResponse, CarriesTheLoadAtTheHarmonicsOfALongerPeriod) {
   const Problem problem =
-      test::to_problem(test::ElasticBlock{.nx = 3, .ny = 2, .nz = 2, .beta = 0.05, .frequency = 0.3});
+      test::elastic_block_problem({.nx = 3, .ny = 2, .nz = 2, .beta = 0.05, .frequency = 0.3});
   expect_what_the_field_shows(problem, HarmonicForce(3.0 * problem.period(), coefficients(10, 4)), 1e-12);
 }
 
 TEST(ContactResponse, OfALargeStructureIsThatOfItsField) {
-  const Problem problem = test::to_problem(
-      test::ElasticBlock{.nx = 9, .ny = 8, .nz = 8, .side = 2, .beta = 0.02, .frequency = 0.2});
+  const Problem problem =
+      test::elastic_block_problem({.nx = 9, .ny = 8, .nz = 8, .side = 2, .beta = 0.02, .frequency = 0.2});
   ASSERT_GT(problem.size(), 2000);
   // Receptances are good to 1e-10 of their norm; dissipation is a difference of two works.
   expect_what_the_field_shows(problem, HarmonicForce(problem.period(), coefficients(5, 4)), 1e-8);
@@ -114,7 +114,7 @@ TEST(ContactResponse, OfALargeStructureIsThatOfItsField) {
 // A space whose bound holds is taken, one whose bound does not is not: the response is right either way, and
 // only the first has the space's own rounding.
 TEST(ContactResponse, TakesASpaceWhereItsBoundHolds) {
-  const Problem problem = test::to_problem(test::PaddedBlock{});
+  const Problem problem = test::padded_block_problem({});
   const HarmonicForce force(problem.period(), coefficients(5, 9));
   const ContactSpace large(problem), small(problem, {.small = 10, .whole = 20});
   expect_what_the_field_shows(problem, force, 1e-7, &large);
@@ -127,8 +127,8 @@ TEST(ContactResponse, TakesASpaceWhereItsBoundHolds) {
 }
 
 TEST(ContactResponse, OfALargeStructureWithOtherDampingIsThatOfItsField) {
-  Problem problem = test::to_problem(
-      test::ElasticBlock{.nx = 9, .ny = 8, .nz = 8, .side = 1, .beta = 0.02, .frequency = 0.2});
+  Problem problem =
+      test::elastic_block_problem({.nx = 9, .ny = 8, .nz = 8, .side = 1, .beta = 0.02, .frequency = 0.2});
   problem.edit_structure([&](Structure& s) { s.damping.coeffRef(0, 0) += 1.0; });
   expect_what_the_field_shows(problem, HarmonicForce(problem.period(), coefficients(3, 1)), 1e-12);
 }

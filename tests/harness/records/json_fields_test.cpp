@@ -85,10 +85,27 @@ TEST(ReadFields, KeepWhatTheObjectDoesNotHold) {
   EXPECT_TRUE(sample.points.empty());
 }
 
+TEST(ReadFields, TakeWholeNumbersAndNoOthers) {
+  EXPECT_EQ(read(R"({"count":3.0})").count, 3);
+  EXPECT_EQ(read(R"({"count":-2147483648})").count, std::numeric_limits<int>::min());
+  for (const char* text : {R"({"count":2.44e49})", R"({"count":-1e300})", R"({"count":2147483648})",
+                           R"({"count":18446744073709551615})", R"({"count":3.5})"})
+    EXPECT_THROW(read(text), BadRecord) << text;
+  EXPECT_THROW(read(R"({"count":"3"})"), BadRecord);
+  EXPECT_EQ(whole_number<long>("n", Json::parse("9007199254740993")), 9007199254740993);
+  EXPECT_THROW(whole_number<long>("n", Json::parse("9223372036854775808")), BadRecord);
+  EXPECT_THROW(whole_number<unsigned>("n", Json::parse("-1")), BadRecord);
+}
+
+TEST(ReadFields, TakeNothingButAListForAList) {
+  for (const char* text : {R"({"count":1,"points":5})", R"({"count":1,"points":{"a":{"x":1}}})"})
+    EXPECT_THROW(read(text), nlohmann::json::exception) << text;
+}
+
 TEST(ReadFields, RefuseAMissingKeyAWrongTypeAndAnUnknownName) {
   EXPECT_THROW(read("{}"), nlohmann::json::exception);
   EXPECT_THROW(read(R"({"count": 1, "point": {}})"), nlohmann::json::exception) << "x is missing";
-  EXPECT_THROW(read(R"({"count": "many"})"), nlohmann::json::exception);
+  EXPECT_THROW(read(R"({"count": "many"})"), BadRecord);
   try {
     read(R"({"count": 1, "colour": "blue"})");
     ADD_FAILURE() << "must be refused";

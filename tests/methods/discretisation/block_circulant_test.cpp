@@ -96,10 +96,24 @@ TEST_P(BlockCirculantOfShape, ColumnsAddUpToTheProduct) {
   const std::array columns{0, matrix_.size() - 1, matrix_.size() / 2};
   const std::array weights{0.5, -2.0, 3.0};
   Eigen::VectorXd sum = Eigen::VectorXd::Ones(matrix_.size());
-  matrix_.add_columns(columns, weights.data(), sum);
+  matrix_.add_columns(columns, weights.data(), 0, sum);
   Eigen::VectorXd expected = Eigen::VectorXd::Ones(matrix_.size());
   for (std::size_t k = 0; k < columns.size(); ++k) expected += weights[k] * direct_.col(columns[k]);
   EXPECT_NEAR((sum - expected).norm(), 0.0, 1e-12 * direct_.norm());
+}
+
+TEST_P(BlockCirculantOfShape, AddsColumnsToSomeRows) {
+  const std::array columns{matrix_.size() - 1, 1};
+  const std::array weights{0.5, -2.0};
+  for (int first = 0; first < matrix_.size(); ++first) {
+    const int count = (matrix_.size() - first + 1) / 2;
+    Eigen::VectorXd sum = Eigen::VectorXd::Ones(count);
+    matrix_.add_columns(columns, weights.data(), first, sum);
+    const Eigen::VectorXd expected = Eigen::VectorXd::Ones(count) +
+                                     0.5 * direct_.col(columns[0]).segment(first, count) -
+                                     2.0 * direct_.col(columns[1]).segment(first, count);
+    EXPECT_NEAR((sum - expected).norm(), 0.0, 1e-12 * direct_.norm());
+  }
 }
 
 TEST_P(BlockCirculantOfShape, SubmatrixPicksRowsAndColumns) {
@@ -112,7 +126,16 @@ TEST_P(BlockCirculantOfShape, SubmatrixPicksRowsAndColumns) {
 
 INSTANTIATE_TEST_SUITE_P(Shapes, BlockCirculantOfShape,
                          testing::Values(Shape{8, 1, 4, 0.0}, Shape{9, 1, 4, 0.0}, Shape{12, 2, 3, 1.0},
-                                         Shape{7, 3, 2, 1.0}, Shape{10, 2, 5, 0.5}, Shape{4, 1, 0, 1.0}));
+                                         Shape{7, 3, 2, 1.0}, Shape{10, 2, 5, 0.5}, Shape{4, 1, 0, 1.0},
+                                         Shape{50, 2, 20, 1.0}, Shape{67, 1, 9, 1.0}));
+
+TEST(BlockCirculant, IsBoundedWhereItHasManyRows) {
+  const std::vector<Eigen::MatrixXcd> symbol(3, Eigen::MatrixXcd::Identity(2, 2));
+  EXPECT_EQ(BlockCirculant(64, symbol).column_bounds(), nullptr);
+  const std::unique_ptr<const ColumnBounds> bounds = BlockCirculant(1000, symbol).column_bounds();
+  ASSERT_NE(bounds, nullptr);
+  EXPECT_EQ(bounds->starts().back(), 2000);
+}
 
 }  // namespace
 }  // namespace signorini::block_circulant_test

@@ -161,7 +161,7 @@ TEST(Strategy, ClaimsNoSeriesWhoseImpactsCannotBeClosed) {
 // From 800 harmonics times contacts on massless contacts begin at a march; what Newton's method finds from
 // there is what the climb in harmonics finds.
 TEST(Strategy, BeginsManyUnknownsAtAMarch) {
-  const Problem block = test::to_problem(test::PaddedBlock{});
+  const Problem block = test::padded_block_problem({});
   const FourierLipschitz method({.common = {.harmonics = 90}});
   const Solution marched = method.prepare(block)->solve({});
   ASSERT_EQ(marched.verdict, Verdict::converged) << marched.message;

@@ -191,7 +191,7 @@ TEST(RefinedHatContact, AgreesOnTwoGridsBeforeItAnswers) {
 // Above 2000 coordinates the reduced structure marches to a motion so near that Newton's method ends at the
 // solution, without a pivot: the one that pivoting finds cold.
 TEST(HatContact, OfALargeStructureBeginsAtItsMarch) {
-  const Problem block = test::to_problem(test::PaddedBlock{});
+  const Problem block = test::padded_block_problem({});
   const Solution marched = hat_contact(block, {.samples = 64}, std::nullopt)->solve({});
   ASSERT_EQ(marched.verdict, Verdict::converged) << marched.message;
   EXPECT_EQ(marched.work.pivots, 0);

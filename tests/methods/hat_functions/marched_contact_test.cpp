@@ -92,7 +92,7 @@ TEST(MarchedContact, ConvergesWithOrderTwo) {
 // The catalogue's block-nine-contacts pressed against its pad: closed for most of the period, where the path
 // of pivots has thousands of steps on 64 nodes and does not end on 256.
 TEST(MarchedContact, SolvesWhereContactsStayClosed) {
-  Problem problem = test::to_problem(test::PaddedBlock{});
+  Problem problem = test::padded_block_problem({});
   const double amplitude = 2.0 * fourier_receptance(problem, 1).free_response.row(1).cwiseAbs().maxCoeff();
   const Eigen::VectorXd deflection = fourier_receptance(problem, 0).receptance.front().real().rowwise().sum();
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {

@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(
 class MarchOfTheBlock : public testing::Test {
  protected:
   MarchOfTheBlock()
-      : problem_(test::to_problem(test::PaddedBlock{})),
+      : problem_(test::padded_block_problem({})),
         reduction_(reduce_to_contacts(problem_, {.vectors = 40})),
         march_(reduction_, march_grid(problem_, 128)) {}
 

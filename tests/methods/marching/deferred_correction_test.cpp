@@ -48,7 +48,7 @@ double error_of(const CorrectedMarch& answer, const Truth& truth) {
 
 // Rows of the table in docs/decisions/0040, twice what was measured.
 TEST(MarchWithCorrections, ConvergesToTheWholeStructure) {
-  const Truth nine = truth_of(test::to_problem(test::PaddedBlock{}), {ReductionBasis::krylov, 300});
+  const Truth nine = truth_of(test::padded_block_problem({}), {ReductionBasis::krylov, 300});
   const std::vector<double> most{2e-4, 3e-5, 8e-6, 2e-6, 5e-7};
   for (int corrections = 1; corrections <= 5; ++corrections) {
     const CorrectedMarch answer = corrected(nine, {ReductionBasis::modes, 48}, corrections);
@@ -62,7 +62,7 @@ TEST(MarchWithCorrections, ConvergesToTheWholeStructure) {
 
 // What the answer is: the whole structure's response to its own forces, against stops moved by the defect.
 TEST(MarchWithCorrections, StatesTheBackwardErrorOfItsForces) {
-  const Truth nine = truth_of(test::to_problem(test::PaddedBlock{}), {ReductionBasis::krylov, 300});
+  const Truth nine = truth_of(test::padded_block_problem({}), {ReductionBasis::krylov, 300});
   const CorrectedMarch answer = corrected(nine, {ReductionBasis::modes, 24}, 2);
   const Eigen::MatrixXd x = nodal_response(nine.receptance, answer.answer.force);
   const double defect =
@@ -103,13 +103,13 @@ TEST_P(ErrorBars, HoldWhereTheyAreGiven) {
 Problem corner() {
   test::PaddedBlock block;
   block.patch = {{{2.0, 2.0}, {0.2, 0.2}}};
-  return test::to_problem(block);
+  return test::padded_block_problem(block);
 }
 
 Problem undamped_waves() {
   test::PaddedBlock block;
   block.damping = {.alpha = 0.05};
-  return test::to_problem(block);
+  return test::padded_block_problem(block);
 }
 
 constexpr ProportionalDamping kStiff{.alpha = 0.2, .beta = 0.005};
@@ -136,12 +136,12 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ErrorBars,
                                                  ReductionBasis::modes,
                                                  {4, 8, 16, 32}},
                                          BarCase{"nine contacts",
-                                                 test::to_problem(test::PaddedBlock{}),
+                                                 test::padded_block_problem({}),
                                                  {ReductionBasis::krylov, 300},
                                                  ReductionBasis::modes,
                                                  {6, 12, 24, 48}},
                                          BarCase{"nine contacts, Krylov",
-                                                 test::to_problem(test::PaddedBlock{}),
+                                                 test::padded_block_problem({}),
                                                  {ReductionBasis::krylov, 300},
                                                  ReductionBasis::krylov,
                                                  {10, 20, 30, 40}},

@@ -38,7 +38,7 @@ const std::vector<ContactReduction>& blocks() {
     blocks[3].patch = {{{1.6, 3.0}, {0.0, 0.6}}};
     std::vector<ContactReduction> made;
     for (const test::PaddedBlock& block : blocks)
-      made.push_back(reduce_to_contacts(test::to_problem(block), {.vectors = 60}));
+      made.push_back(reduce_to_contacts(test::padded_block_problem(block), {.vectors = 60}));
     return made;
   }();
   return reductions;
@@ -152,7 +152,7 @@ TEST(MarchToPeriodicMotion, SolvesAConformingPreload) {
 TEST(MarchToPeriodicMotion, SolvesAConformingPreloadOf420Contacts) {
   const test::PaddedBlock plate{
       .elements = {24, 24, 2}, .lengths = {1.0, 1.0, 0.1}, .patch = {{{5.0 / 24.0, 1.0}, {4.0 / 24.0, 1.0}}}};
-  const ContactReduction reduction = reduce_to_contacts(test::to_problem(plate), {.vectors = 60});
+  const ContactReduction reduction = reduce_to_contacts(test::padded_block_problem(plate), {.vectors = 60});
   ASSERT_EQ(reduction.obstacle, "");
   ASSERT_EQ(reduction.contacts(), 420);
   const ReducedScene scene = conforming(reduction, 256);

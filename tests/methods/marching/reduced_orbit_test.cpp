@@ -90,7 +90,7 @@ TEST(ReducedOrbits, OfABeamConvergeToTheRoundingOfItsStiffness) {
 TEST(ReducedOrbits, OfABlockAreBetterFromKrylovVectorsThanFromModes) {
   test::PaddedBlock corner;
   corner.patch = {{{2.0, 2.0}, {0.2, 0.2}}};
-  const Problem one = test::to_problem(corner);
+  const Problem one = test::padded_block_problem(corner);
   const PeriodicMarch truth =
       orbit_of(one, reduce_to_contacts(one, {.basis = ReductionBasis::krylov, .vectors = 160}));
   expect_rows(one, truth, ReductionBasis::krylov, {{16, 5e-5}, {40, 1e-8}});
@@ -98,7 +98,7 @@ TEST(ReducedOrbits, OfABlockAreBetterFromKrylovVectorsThanFromModes) {
 }
 
 TEST(ReducedOrbits, OfNineContactsConverge) {
-  const Problem nine = test::to_problem(test::PaddedBlock{});
+  const Problem nine = test::padded_block_problem({});
   const PeriodicMarch truth =
       orbit_of(nine, reduce_to_contacts(nine, {.basis = ReductionBasis::krylov, .vectors = 300}));
   expect_rows(nine, truth, ReductionBasis::krylov, {{30, 2e-3}, {60, 2e-5}});

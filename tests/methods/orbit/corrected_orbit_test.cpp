@@ -122,11 +122,11 @@ class RandomStructures {
         problem.frequency = uniform(0.5, 2.6);
         break;
       case 1:
-        problem = test::to_problem({.elements = {6, 2, 2}, .damping = damping});
+        problem = test::padded_block_problem({.elements = {6, 2, 2}, .damping = damping});
         problem.frequency = uniform(0.06, 0.25);
         break;
       default:
-        problem = test::to_problem(
+        problem = test::padded_block_problem(
             {.elements = {8, 1, 2}, .patch = {{{1.2, 2.0}, {0.0, 0.5}}}, .damping = damping});
         problem.frequency = uniform(0.06, 0.25);
     }

@@ -24,7 +24,7 @@ TEST(ReducedOrbit, IsWhatTheMethodAnswersWhereAClosedFormOfAllCoordinatesIsTooLa
 // Another number of vectors to solve on leads to the same orbit within both bars, from a march and from the
 // motion of the other.
 TEST(ReducedOrbit, OfABlockAboveNineNodesHasTwelveEvents) {
-  const Problem block = test::to_problem(test::PaddedBlock{});
+  const Problem block = test::padded_block_problem({});
   const ContactSpace space(block);
   const ReducedOrbit found = find_reduced_orbit(block, space, {});
   const CorrectedOrbit& corrected = found.corrected;

@@ -45,7 +45,7 @@ std::vector<SpaceCase> space_cases() {
   return {{test::massless_bar({.alpha = 0.2, .beta = 0.005}, 100), {.small = 8, .whole = 24}},
           {test::massless_bar({.alpha = 0.2, .beta = 0.005}, 100), {.small = 20, .whole = 60}},
           {test::massless_beam({.alpha = 0.2, .beta = 0.005}, 10), {.small = 11, .whole = 33}},
-          {test::to_problem(small), {.small = 10, .whole = 40}}};
+          {test::padded_block_problem(small), {.small = 10, .whole = 40}}};
 }
 
 // eps times the condition of K: what both factorisations may lose, 2e-5 for the beam.
@@ -86,7 +86,7 @@ TEST(ContactSpace, BoundsWhatIsOutside) {
 // act on massless coordinates too.
 TEST(ContactSpace, HasTheMotionWhereForcesAct) {
   constexpr int kHarmonics = 12;
-  Problem block = test::to_problem({.elements = {8, 2, 2}});
+  Problem block = test::padded_block_problem({.elements = {8, 2, 2}});
   const Contact& padded = block.contacts.front();
   block.force.push_back({.dof = padded.normal.front().first, .harmonic = 2, .cos = 1e-5, .sin = 3e-5});
   block.force.push_back({.dof = padded.normal.front().first + 1, .harmonic = 0, .cos = 2e-5});
@@ -118,7 +118,7 @@ TEST(ContactSpace, HasTheMotionWhereForcesAct) {
 
 // Statics are exact in both reductions, however few the vectors.
 TEST(ContactSpace, IsExactAtRest) {
-  const Problem block = test::to_problem({.elements = {8, 2, 2}});
+  const Problem block = test::padded_block_problem({.elements = {8, 2, 2}});
   const ContactSpace space(block, {.small = 10, .whole = 30});
   const Eigen::MatrixXcd force = jumping_force(0, block.contact_count());
   const Eigen::MatrixXcd exact = whole_response(block, force);

@@ -22,7 +22,7 @@ ContactReceptance factorised(const Problem& problem, int harmonics) {
 // Factors of every Z_n of its matrices say what the reduction's own formula says, loads of several harmonics
 // and on massless coordinates included.
 TEST(ReducedProblem, HasTheResponseOfTheReduction) {
-  Problem block = test::to_problem({.elements = {8, 2, 2}});
+  Problem block = test::padded_block_problem({.elements = {8, 2, 2}});
   const int padded = block.contacts.front().normal.front().first;
   block.force.push_back({.dof = padded, .harmonic = 2, .cos = 1e-5, .sin = 3e-5});
   block.force.push_back({.dof = padded, .harmonic = 0, .cos = 2e-5});

@@ -42,9 +42,11 @@ class TwiceKept {
     Eigen::VectorXd x = b;
     basis.solve(x);
     EXPECT_LE((x - g.fullPivLu().solve(b)).norm(), 1e-10 * (1.0 + x.norm()));
-    Eigen::VectorXd sum = Eigen::VectorXd::Ones(kSize);
-    basis.accumulate(x, sum);
-    EXPECT_LE((sum - Eigen::VectorXd::Ones(kSize) - whole_columns() * x).norm(), 1e-11 * (1.0 + x.norm()));
+    Combination terms;
+    basis.combine(x, terms);
+    Eigen::VectorXd sum = terms.cover * d;
+    for (std::size_t k = 0; k < terms.columns.size(); ++k) sum += terms.weights[k] * a.col(terms.columns[k]);
+    EXPECT_LE((sum - whole_columns() * x).norm(), 1e-11 * (1.0 + x.norm()));
     const auto tau = std::find(columns.begin(), columns.end(), -1);
     EXPECT_EQ(basis.position_of_tau(), tau == columns.end() ? -1 : static_cast<int>(tau - columns.begin()));
   }

@@ -106,7 +106,7 @@ TEST_F(BlockLanczosOfChain, LeavesOutWhatOnlyRepeatsADirection) {
 // than the block's lowest, and most of it is left out of the first powers. Whatever is left out, L bounds it;
 // taken in later, nothing is left.
 TEST(BlockLanczos, BoundsWhatIsLeftOutOfABlockAndTakesItIn) {
-  const Problem block = test::to_problem(
+  const Problem block = test::padded_block_problem(
       {.elements = {100, 2, 2}, .lengths = {20.0, 0.2, 0.2}, .patch = {{{18.0, 20.0}, {0.0, 0.2}}}});
   ASSERT_GE(block.contact_count(), 15);
   const SparseMatrix start = contact_directions(block);

@@ -90,7 +90,7 @@ TEST(ReduceToContacts, ServesAnyDiscretisationOfTime) {
 
 // The residual flexibility makes statics exact however few the vectors: C_0 = W^T K^-1 W.
 TEST(ReduceToContacts, KeepsStaticsExactAndItsResidualDefinite) {
-  const Problem problem = test::to_problem(test::PaddedBlock{});
+  const Problem problem = test::padded_block_problem({});
   const Eigen::MatrixXd massless = eliminate_massless(problem).compliance;
   const ReceptanceError error(problem, {0});
   for (const ReductionBasis basis : {ReductionBasis::krylov, ReductionBasis::modes}) {
@@ -143,7 +143,7 @@ TEST_P(ReductionErrors, FallWithTheVectors) {
 Problem corner_block() {
   test::PaddedBlock block;
   block.patch = {{{2.0, 2.0}, {0.2, 0.2}}};
-  return test::to_problem(block);
+  return test::padded_block_problem(block);
 }
 
 // Twice what was measured. The floor is the rounding of K, eps times its condition (1e11 of the beam).
@@ -175,17 +175,17 @@ INSTANTIATE_TEST_SUITE_P(
                    ReductionBasis::modes,
                    {{16, {2e-6, 6e-2, 0.5}}, {64, {6e-7, 2e-2, 0.3}}}},
         ErrorTable{"nine contacts of a block, Krylov",
-                   test::to_problem(test::PaddedBlock{}),
+                   test::padded_block_problem({}),
                    ReductionBasis::krylov,
                    {{30, {2e-11, 0.2, 0.2}}, {60, {2e-11, 1e-6, 1e-2}}}}));
 
 // Six powers of few contacts, the lowest vectors of many; and the same numbers at every call.
 TEST(ReduceToContacts, ChoosesItsBasisByTheContacts) {
-  const Problem few = test::to_problem(test::PaddedBlock{});
+  const Problem few = test::padded_block_problem({});
   EXPECT_EQ(reduce_to_contacts(few).vectors(), 60);
   test::PaddedBlock block;
   block.patch = {{{1.2, 2.0}, {0.0, 0.5}}};
-  const Problem many = test::to_problem(block);
+  const Problem many = test::padded_block_problem(block);
   ASSERT_EQ(many.contact_count(), 54);
   const ContactReduction reduction = reduce_to_contacts(many), again = reduce_to_contacts(many);
   EXPECT_EQ(reduction.vectors(), 100);
@@ -196,7 +196,7 @@ TEST(ReduceToContacts, ChoosesItsBasisByTheContacts) {
 }
 
 TEST(ReduceToContacts, TakesContactsWithMassAndNoMasslessCoordinates) {
-  const Problem problem = test::to_problem({.nx = 5, .side = 3, .beta = 0.01, .frequency = 0.2});
+  const Problem problem = test::elastic_block_problem({.nx = 5, .side = 3, .beta = 0.01, .frequency = 0.2});
   const ContactReduction reduction = reduce_to_contacts(problem, {.vectors = 120});
   const ReceptanceError error(problem, {0, 1, 3});
   for (const double e : error.of(reduction)) EXPECT_LT(e, 1e-9);
@@ -226,7 +226,7 @@ TEST(ReduceToContacts, SaysWhatItCannotReduce) {
 
 // The same receptance from the matrices of the condensed form.
 TEST(Condensed, HasTheReductionInItsMatrices) {
-  const Problem problem = test::to_problem(test::PaddedBlock{});
+  const Problem problem = test::padded_block_problem({});
   const ContactReduction reduction = reduce_to_contacts(problem, {.vectors = 30});
   const CondensedStructure structure = condensed(reduction);
   ASSERT_EQ(structure.obstacle, "");

@@ -15,7 +15,7 @@ using test::harmonics_of;
 
 /// A block with a damping ratio of its own for each of its lowest modes.
 Problem damped_block() {
-  Problem problem = test::to_problem(test::ElasticBlock{.nx = 3, .ny = 2, .nz = 3, .frequency = 0.2});
+  Problem problem = test::elastic_block_problem({.nx = 3, .ny = 2, .nz = 3, .frequency = 0.2});
   problem.edit_structure([&](Structure& s) {
     s.damping = damping_matrix(ModalDamping{{0.01, 0.03, 0.1}}, s.mass, s.stiffness);
   });

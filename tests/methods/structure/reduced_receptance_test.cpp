@@ -80,7 +80,7 @@ class ReducedReceptanceOfBlock : public testing::TestWithParam<Case> {};
 
 // The oracle: a dense factorisation of every Z_n.
 TEST_P(ReducedReceptanceOfBlock, MeetsTheToleranceItPromises) {
-  const Problem problem = test::to_problem(GetParam().block);
+  const Problem problem = test::elastic_block_problem(GetParam().block);
   const auto weights = harmonics_of(problem);
   const auto reduced = reduced_receptance(problem, GetParam().harmonics, weights, kTolerance);
   ASSERT_TRUE(reduced);
@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"no damping, below the first resonance", {.frequency = 0.1}, 3}));
 
 TEST(ReducedReceptance, MeetsWhateverTolerance) {
-  const Problem problem = test::to_problem({.side = 3, .beta = 0.02, .frequency = 0.4});
+  const Problem problem = test::elastic_block_problem({.side = 3, .beta = 0.02, .frequency = 0.4});
   const auto weights = harmonics_of(problem);
   const ContactReceptance dense = factorised_receptance(problem, 8, weights, true);
   for (const double tolerance : {1e-1, 1e-3, 1e-5, 1e-7}) {
@@ -168,7 +168,8 @@ HarmonicWeights backward_weights(int n, int nodes, double period) {
 // At the highest harmonic, theta = pi, the damping weight of hat functions is zero: the error is an estimate.
 TEST(ReducedReceptance, TakesTheWeightsOfHatFunctionsAndOfBackwardDifferences) {
   constexpr int kNodes = 16;
-  const Problem problem = test::to_problem({.side = 2, .alpha = 0.02, .beta = 0.02, .frequency = 0.2});
+  const Problem problem =
+      test::elastic_block_problem({.side = 2, .alpha = 0.02, .beta = 0.02, .frequency = 0.2});
   for (const auto scheme : {hat_weights, backward_weights}) {
     const auto weights = [&](int n) { return scheme(n, kNodes, problem.period()); };
     expect_tolerance(problem, kNodes / 2, weights);
@@ -178,7 +179,7 @@ TEST(ReducedReceptance, TakesTheWeightsOfHatFunctionsAndOfBackwardDifferences) {
 // Without damping the error is an estimate: below the first resonance, and among them.
 TEST(ReducedReceptance, MeetsItsToleranceAmongUndampedResonances) {
   for (const double frequency : {0.1, 0.45}) {
-    const Problem problem = test::to_problem(test::ElasticBlock{.frequency = frequency});
+    const Problem problem = test::elastic_block_problem({.frequency = frequency});
     const auto weights = harmonics_of(problem);
     const auto reduced = reduced_receptance(problem, 4, weights, kTolerance);
     ASSERT_TRUE(reduced);
@@ -189,8 +190,8 @@ TEST(ReducedReceptance, MeetsItsToleranceAmongUndampedResonances) {
 
 // Hat functions do not damp the highest harmonic of their grid; here it falls among the block's modes.
 TEST(ReducedReceptance, HoldsBetweenModesThatNothingDamps) {
-  const Problem problem =
-      test::to_problem({.nx = 8, .ny = 4, .nz = 4, .side = 2, .alpha = 0.01, .beta = 0.01, .frequency = 0.2});
+  const Problem problem = test::elastic_block_problem(
+      {.nx = 8, .ny = 4, .nz = 4, .side = 2, .alpha = 0.01, .beta = 0.01, .frequency = 0.2});
   constexpr int kSamples = 64;
   const auto weights = [&](int n) {
     return scheme_weights(HatScheme::galerkin, 2.0 * std::numbers::pi * n / kSamples,
@@ -201,7 +202,7 @@ TEST(ReducedReceptance, HoldsBetweenModesThatNothingDamps) {
 }
 
 TEST(ReducedReceptance, LeavesModalDampingToOthers) {
-  Problem problem = test::to_problem(test::ElasticBlock{.nx = 3, .ny = 2, .nz = 3, .frequency = 0.2});
+  Problem problem = test::elastic_block_problem({.nx = 3, .ny = 2, .nz = 3, .frequency = 0.2});
   problem.edit_structure([&](Structure& s) {
     s.damping = damping_matrix(ModalDamping{{0.01, 0.03}}, s.mass, s.stiffness);
   });
@@ -279,7 +280,7 @@ TEST(ReducedReceptance, MeetsItsToleranceOnAPopulationOfBeamsAndChains) {
 }
 
 TEST(ReducedReceptance, LeavesOtherDampingToFactorisations) {
-  Problem problem = test::to_problem(test::ElasticBlock{.beta = 0.01});
+  Problem problem = test::elastic_block_problem({.beta = 0.01});
   problem.edit_structure([&](Structure& s) { s.damping.coeffRef(0, 0) += 1.0; });
   EXPECT_FALSE(reduced_receptance(problem, 3, harmonics_of(problem), kTolerance));
   const auto weights = harmonics_of(problem);
@@ -298,7 +299,7 @@ TEST(ReducedReceptance, RefusesAFreeStructureAtRest) {
 
 TEST(ContactReceptance, OfALargeStructureIsReducedWithoutBeingAsked) {
   const Problem problem =
-      test::to_problem({.nx = 9, .ny = 8, .nz = 8, .side = 2, .beta = 0.02, .frequency = 0.2});
+      test::elastic_block_problem({.nx = 9, .ny = 8, .nz = 8, .side = 2, .beta = 0.02, .frequency = 0.2});
   ASSERT_GT(problem.size(), 2000);
   const auto weights = harmonics_of(problem);
   const ContactReceptance automatic = contact_receptance(problem, 5, weights);
