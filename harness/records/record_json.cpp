@@ -85,7 +85,8 @@ Json to_json(const Record& record) {
 
 Record record_from_json(const Json& json) {
   try {
-    if (whole_number<int>("schema", json.at("schema")) != kRecordSchema) throw BadRecord("schema = unknown (must be 1)");
+    if (whole_number<int>("schema", json.at("schema")) != kRecordSchema)
+      throw BadRecord("schema = unknown (must be 1)");
     Record record;
     read_fields(json, record);
     if (!json.contains("settings")) record.settings = parse_case_name(record.case_id).settings;

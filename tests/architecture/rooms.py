@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the shape of the tree: include circles, the order of the rooms, sizes of files, folders and classes.
+"""Checks the shape of the tree: include circles, the order of the rooms, namespaces of tests, sizes of files, folders and classes.
 
 usage: rooms.py [ROOT]
 
@@ -18,6 +18,7 @@ FOLDER_FILES = 25
 ROOT_FILES = 20  # of harness/ itself
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
+NAMESPACE = re.compile(r"^namespace ([\w:]+) \{$")
 CLASS = re.compile(r"\b(?:class|struct)\s+(\w+)[^;(){}=]*\{")
 # Comments, raw strings, strings and characters: what may hold a brace that opens nothing.
 OPAQUE = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])*\'', re.S)
@@ -127,6 +128,18 @@ def class_offences(path, text):
             yield f"{path}:{first}: class {match[1]} has {lines} lines: at most {CLASS_LINES} in a source"
 
 
+def namespace_offences(files):
+    """Tests are compiled several to a unit: what is a file's own lies in a namespace with its name."""
+    for path, text in files.items():
+        name = pathlib.PurePath(path).stem
+        if not name.endswith("_test"):
+            continue
+        for number, line in enumerate(text.splitlines(), 1):
+            match = NAMESPACE.match(line)
+            if match and match[1].split("::")[-1] != name:
+                yield f"{path}:{number}: namespace {match[1]}: what is a test's own lies in a namespace {name}"
+
+
 def size_offences(root, files):
     for path, text in files.items():
         lines = text.count("\n")
@@ -154,6 +167,7 @@ def offences(root):
     yield from order_offences(files, rooms)
     yield from circle_offences(files)
     yield from own_header_offences(files)
+    yield from namespace_offences(sources(root, ("tests",)))
     yield from size_offences(root, {**files, **sources(root, ("tests", "examples"))})
 
 

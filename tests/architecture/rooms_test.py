@@ -82,6 +82,11 @@ class Rooms(unittest.TestCase):
         self.expect({"methods/solvers/lcp.cpp": '#include <vector>\n#include "methods/solvers/lcp.hpp"\n'},
                     'methods/solvers/lcp.cpp:1: its first include must be "methods/solvers/lcp.hpp"')
 
+    def test_refuse_a_test_whose_namespace_is_not_its_own(self):
+        self.expect({"tests/methods/solvers/lcp_test.cpp": "namespace signorini::lcp_test {\nnamespace {\n}\n}\n"})
+        self.expect({"tests/methods/solvers/lcp_test.cpp": "\nnamespace signorini {\nnamespace {\n}\n}\n"},
+                    "tests/methods/solvers/lcp_test.cpp:2: namespace signorini: what is a test's own lies in a namespace lcp_test")
+
     def test_refuse_a_file_that_is_too_long(self):
         self.expect({"tests/long_test.cpp": "\n" * 400, "tests/longer_test.cpp": "\n" * 401},
                     "tests/longer_test.cpp:401: the file has 401 lines: at most 400")
