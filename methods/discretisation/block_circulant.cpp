@@ -1,6 +1,5 @@
 #include "methods/discretisation/block_circulant.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -88,15 +87,29 @@ Eigen::VectorXd BlockCirculant::operator*(const Eigen::VectorXd& z) const {
 Eigen::VectorXd BlockCirculant::solve(const Eigen::VectorXd& b) const {
   Eigen::MatrixXcd spectrum(fft_.coefficients(), contacts_);
   for (int c = 0; c < contacts_; ++c) fft_.forward(b.segment(c * samples_, samples_), spectrum.col(c));
-  const Eigen::MatrixXcd tail = tail_ * Eigen::MatrixXcd::Identity(contacts_, contacts_);
-  for (Eigen::Index n = 0; n < spectrum.rows(); ++n) {
+  const auto kept = static_cast<Eigen::Index>(symbol_.size());
+  for (Eigen::Index n = 0; n < kept; ++n) {
     const auto place = static_cast<std::size_t>(n);
-    const Eigen::MatrixXcd block = place < symbol_.size() ? Eigen::MatrixXcd(symbol_[place] + tail) : tail;
-    spectrum.row(n) = block.partialPivLu().solve(spectrum.row(n).transpose()).transpose().eval();
+    if (contacts_ == 1) {
+      spectrum(n, 0) /= symbol_[place](0, 0) + tail_;
+    } else {
+      spectrum.row(n) = factors()[place].solve(spectrum.row(n).transpose()).transpose().eval();
+    }
   }
+  spectrum.bottomRows(spectrum.rows() - kept) /= tail_;
   Eigen::VectorXd result(size());
   for (int c = 0; c < contacts_; ++c) fft_.inverse(spectrum.col(c), result.segment(c * samples_, samples_));
   return result;
+}
+
+/// Of A_n, made when they are first asked for: Krylov methods ask at every step.
+const BlockCirculant::Factors& BlockCirculant::factors() const {
+  if (factors_.empty()) {
+    const Eigen::MatrixXcd tail = tail_ * Eigen::MatrixXcd::Identity(contacts_, contacts_);
+    factors_.reserve(symbol_.size());
+    for (const Eigen::MatrixXcd& block : symbol_) factors_.emplace_back(block + tail);
+  }
+  return factors_;
 }
 
 Lcp periodic_lcp(BlockCirculant matrix, Eigen::VectorXd offset) {

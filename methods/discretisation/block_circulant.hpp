@@ -2,6 +2,7 @@
 // A block-circulant matrix known by its Fourier symbol: every periodic method's operator.
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <memory>
 #include <span>
 #include <vector>
@@ -47,7 +48,8 @@ class BlockCirculant final : public LcpMatrix {
                                           std::span<const int> columns) const override;
   /// By FFTs, O(N log N Nc + N Nc^2).
   [[nodiscard]] Eigen::VectorXd operator*(const Eigen::VectorXd& z) const override;
-  /// By one Nc x Nc solve per harmonic; not finite where some A_n is singular.
+  /// By one Nc x Nc solve per harmonic, whose factors are kept from the first call on; not finite where some
+  /// A_n is singular.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const override;
 
  private:
@@ -55,12 +57,16 @@ class BlockCirculant final : public LcpMatrix {
     return lags_(difference + samples_, row_contact * contacts_ + col_contact);
   }
 
+  using Factors = std::vector<Eigen::PartialPivLU<Eigen::MatrixXcd>>;
+  [[nodiscard]] const Factors& factors() const;
+
   int samples_;
   int contacts_;
   Eigen::MatrixXd lags_;  // 2N x Nc^2: row k holds lag k - N, so that a column of A is contiguous
   std::vector<Eigen::MatrixXcd> symbol_;
   double tail_;
-  mutable RealFft fft_;  // owns its work space: one transform at a time, as everything in a thread
+  mutable Factors factors_;  // empty until a solve needs them
+  mutable RealFft fft_;      // owns its work space: one transform at a time, as everything in a thread
 };
 
 /// The problem w = q + A z of Nc contacts at N instants, q N Nc.

@@ -91,7 +91,8 @@ Eigen::MatrixXd FlowStructure::impulse_of_velocity(const std::vector<int>& pushe
   return -G.completeOrthogonalDecomposition().solve(speeds);
 }
 
-// Power iteration; the factor covers its slow last digits. An estimate is enough: it only sizes steps.
+// Power iteration, until it stands still; the factor covers its slow last digits. An estimate is enough: it
+// only sizes steps.
 void FlowStructure::measure_rates() {
   constexpr int kIterations = 40;
   const auto largest = [&](const SparseMatrix& A) {
@@ -101,7 +102,8 @@ void FlowStructure::measure_rates() {
     for (int k = 0; k < kIterations && x.norm() > 0.0; ++k) {
       x.normalize();
       x = factors->solve(A * x);
-      value = x.norm();
+      const double before = std::exchange(value, x.norm());
+      if (value == before) break;
     }
     return value;
   };

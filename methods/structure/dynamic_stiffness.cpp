@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <Eigen/UmfPackSupport>
 #include <limits>
+#include <memory>
 
 #include "problems/matrix_properties.hpp"
 #include "problems/skew_parts.hpp"
@@ -34,7 +35,8 @@ struct DynamicStiffness::Factors {
       mass = problem.mass().cast<std::complex<double>>();
       damping = problem.damping().cast<std::complex<double>>();
       stiffness = problem.stiffness().cast<std::complex<double>>();
-      auto& control = sparse_lu.umfpackControl();
+      sparse_lu = std::make_unique<Eigen::UmfPackLU<SparseComplex>>();
+      auto& control = sparse_lu->umfpackControl();
       control(UMFPACK_STRATEGY) = UMFPACK_STRATEGY_SYMMETRIC;
       if (problem.size() > kMostFactorised) control(UMFPACK_ORDERING) = UMFPACK_ORDERING_METIS;
       // Diagonal pivots of a well-scaled Z leave residuals of rounding; refining them triples the time of a
@@ -55,15 +57,15 @@ struct DynamicStiffness::Factors {
     }
     sparse = weights.mass * mass + weights.damping * damping + weights.stiffness * stiffness;
     sparse.makeCompressed();
-    if (!analysed) sparse_lu.analyzePattern(sparse);
+    if (!analysed) sparse_lu->analyzePattern(sparse);
     analysed = true;
-    sparse_lu.factorize(sparse);
-    if (sparse_lu.info() != Eigen::Success) throw SingularStiffness();
+    sparse_lu->factorize(sparse);
+    if (sparse_lu->info() != Eigen::Success) throw SingularStiffness();
   }
 
   [[nodiscard]] Eigen::MatrixXcd solve(const Eigen::MatrixXcd& rhs) const {
     if (dense) return lu.solve(rhs);
-    Eigen::MatrixXcd solution = sparse_lu.solve(rhs);
+    Eigen::MatrixXcd solution = sparse_lu->solve(rhs);
     if (!solution.allFinite()) throw SingularStiffness();
     return solution;
   }
@@ -75,7 +77,7 @@ struct DynamicStiffness::Factors {
   Eigen::MatrixXcd matrix;
   Eigen::PartialPivLU<Eigen::MatrixXcd> lu;
   SparseComplex mass, damping, stiffness, sparse;
-  Eigen::UmfPackLU<SparseComplex> sparse_lu;
+  std::unique_ptr<Eigen::UmfPackLU<SparseComplex>> sparse_lu;  // null where they are dense
 };
 
 DynamicStiffness::DynamicStiffness(const Problem& problem)

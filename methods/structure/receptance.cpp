@@ -213,6 +213,12 @@ void factorise_harmonics(const Problem& problem, const std::vector<int>& harmoni
   const SparseMatrix directions = contact_directions(problem);
   const int loaded = load_bandwidth(problem);
   DynamicStiffness stiffness(problem, dense);
+  const auto normals = [&](int first, int count) {
+    return Eigen::MatrixXcd(
+        Eigen::MatrixXd(directions.middleCols(first, count)).cast<std::complex<double>>());
+  };
+  // Few contacts have the same right-hand sides at every harmonic; those of many are too large to be kept.
+  const Eigen::MatrixXcd kept = contacts <= kColumns ? normals(0, contacts) : Eigen::MatrixXcd{};
   for (const int n : harmonics) {
     const HarmonicWeights weight = weights(n);
     stiffness.factorise(weight);
@@ -220,9 +226,9 @@ void factorise_harmonics(const Problem& problem, const std::vector<int>& harmoni
     receptance.resize(contacts, contacts);
     for (int first = 0; first < contacts; first += kColumns) {
       const int count = std::min(kColumns, contacts - first);
-      const Eigen::MatrixXcd columns =
-          Eigen::MatrixXd(directions.middleCols(first, count)).cast<std::complex<double>>();
-      receptance.middleCols(first, count) = directions.transpose() * stiffness.solve(columns);
+      receptance.middleCols(first, count) =
+          directions.transpose() *
+          (contacts <= kColumns ? stiffness.solve(kept) : stiffness.solve(normals(first, count)));
     }
     if (n > loaded) continue;
     const Eigen::MatrixXcd load = weight.load * load_coefficient(problem, n);
