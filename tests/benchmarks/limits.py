@@ -32,6 +32,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 COLUMNS = ("line", "what", "limit", "limit_seconds", "seconds", "ratio", "before_seconds", "gain", "goal", "reached", "commit",
            "before")
 SEED = 20261125
+PATIENCE = 10.0  # for one solve [s]
 
 
 class Bench:
@@ -54,7 +55,8 @@ class Bench:
         times = {program: [] for program in self.programs()}
         for _ in range(self.repetitions):
             for program, measured in times.items():
-                measured.append(measure(program))
+                if None not in measured:
+                    measured.append(measure(program))
         best = {program: None if None in measured else min(measured) for program, measured in times.items()}
         if best[self.now] is None:
             sys.exit("limits: the program did not converge on what it is measured by")
@@ -65,9 +67,12 @@ class Bench:
         command = [program, "solve", scene, "--method", method, "--json"]
         for key, value in options.items():
             command += ["--set", f"{key}={value}"]
-        answer = subprocess.run([*command, "--certificate", "0"], capture_output=True, text=True, check=False)
-        if answer.returncode == 2:  # older programs always judge as they did
-            answer = subprocess.run(command, capture_output=True, text=True, check=False)
+        try:
+            answer = subprocess.run([*command, "--certificate", "0"], capture_output=True, text=True, check=False, timeout=PATIENCE)
+            if answer.returncode == 2:  # older programs always judge as they did
+                answer = subprocess.run(command, capture_output=True, text=True, check=False, timeout=PATIENCE)
+        except subprocess.TimeoutExpired:
+            return None
         record = json.loads(answer.stdout) if answer.stdout.startswith("{") else {}
         return record if record.get("status") == "converged" else None
 
@@ -330,7 +335,7 @@ def main():
             sys.exit(f"limits: {program}: no such program")
     arguments.out.mkdir(parents=True, exist_ok=True)
     table = arguments.out / "limits.csv"
-    kept = list(csv.DictReader(table.open())) if table.exists() else []
+    kept = [dict.fromkeys(COLUMNS, "") | r for r in csv.DictReader(table.open())] if table.exists() else []
     for name in arguments.only:
         fresh = [entry | {"commit": commit_of(bench.now), "before": commit_of(bench.before)} for entry in LINES[name](bench)]
         for entry in fresh:
