@@ -40,7 +40,7 @@ def fuzzer_rows(entries):
         own = [entry for entry in entries if entry["reader"] == reader]
         yield [reader, ", ".join(dict.fromkeys(entry["commit"] for entry in own)), sum(entry["executions"] for entry in own),
                f"{sum(entry['seconds'] for entry in own):.0f}", sum(len(entry["findings"]) for entry in own),
-               max(entry["peak_mb"] for entry in own)]
+               ", ".join(entry["mended"] for entry in own if "mended" in entry), max(entry["peak_mb"] for entry in own)]
 
 
 def page_of(campaigns, fuzzed, arguments, version):
@@ -58,7 +58,7 @@ def page_of(campaigns, fuzzed, arguments, version):
         page += "\n## Violations\n\n" + "".join(f"- `{line}`\n" for line in lines)
     if fuzzed:
         rows = [["reader", "commits", "inputs", "time of the processor [s]", "crashes, hangs and broken promises",
-                 "largest process [MiB]"]]
+                 "mended by", "largest process [MiB]"]]
         rows += fuzzer_rows(fuzzed)
         page += f"\n## Fuzzers\n\n{WHAT_FUZZERS_DO}\n" + table(rows)
     for title, rows in (note for campaign in campaigns for note in campaign.notes):
