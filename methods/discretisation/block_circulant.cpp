@@ -90,7 +90,7 @@ Eigen::VectorXd BlockCirculant::solve(const Eigen::VectorXd& b) const {
   const auto kept = static_cast<Eigen::Index>(symbol_.size());
   for (Eigen::Index n = 0; n < kept; ++n) {
     const auto place = static_cast<std::size_t>(n);
-    if (contacts_ == 1) {
+    if (contacts_ == 1) {  // a division, where factors would be an allocation for each harmonic
       spectrum(n, 0) /= symbol_[place](0, 0) + tail_;
     } else {
       spectrum.row(n) = factors()[place].solve(spectrum.row(n).transpose()).transpose().eval();

@@ -18,7 +18,6 @@ OpenRows::OpenRows(const Lcp& lcp, Eigen::VectorXd cover)
       bounds_(lcp.matrix->column_bounds()),
       starts_(bounds_ ? bounds_->starts() : std::vector<int>{0, static_cast<int>(lcp.offset.size())}),
       open_(Eigen::VectorXd::Ones(lcp.offset.size())),
-      beyond_(Eigen::VectorXd::Zero(lcp.offset.size())),
       slack_(row_slack(lcp.offset.lpNorm<Eigen::Infinity>())),
       cover_(std::move(cover)),
       w_(lcp.offset.size()),
@@ -38,13 +37,11 @@ int OpenRows::segment_of(int row) const {
 
 void OpenRows::hold(int row) {
   open_[row] = 0.0;
-  beyond_[row] = kInfinity;
   w_[row] = 0.0;
 }
 
 void OpenRows::release(int row, double w) {
   open_[row] = 1.0;
-  beyond_[row] = 0.0;
   w_[row] = w;
   double& least = least_[segment_of(row)];
   least = std::min(least, w);
@@ -144,7 +141,7 @@ double OpenRows::least_of(int segment) const {
   const int first = first_row(segment);
   const int count = row_count(segment);
   // Of a segment that is held altogether a number still, from which a rate can be taken.
-  return std::min((w_.segment(first, count) + beyond_.segment(first, count)).minCoeff(), kLargest);
+  return (open_.segment(first, count).array() > 0.0).select(w_.segment(first, count), kLargest).minCoeff();
 }
 
 void OpenRows::advance(double step) {

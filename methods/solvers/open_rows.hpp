@@ -83,9 +83,8 @@ class OpenRows {
   const Lcp& lcp_;
   std::unique_ptr<const ColumnBounds> bounds_;
   std::vector<int> starts_;
-  Eigen::VectorXd open_;    // 1 of an open row, 0 of a held one
-  Eigen::VectorXd beyond_;  // 0 of an open row, infinity of a held one
-  double slack_;            // what a row may fall below zero by
+  Eigen::VectorXd open_;  // 1 of an open row, 0 of a held one
+  double slack_;          // what a row may fall below zero by
   Eigen::VectorXd cover_, w_, rate_;
   Eigen::VectorXd largest_cover_;  // of |d|, and below segment by segment:
   Eigen::VectorXd least_;          // a lower bound of w over the open rows

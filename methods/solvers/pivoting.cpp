@@ -86,10 +86,10 @@ class LemkePath {
     rate_.basic = -cover(basis_.rows());
     basis_.solve(rate_.basic);
     rate_.basic = -rate_.basic;
-    basis_.combine(value_.basic, values_);
-    values_.cover = 1.0;
-    basis_.combine(rate_.basic, rates_);
-    rates_.cover = -1.0;
+    basis_.combine(value_.basic, value_terms_);
+    value_terms_.cover = 1.0;
+    basis_.combine(rate_.basic, rate_terms_);
+    rate_terms_.cover = -1.0;
     find_falling(kNone);
     const Blocking block = find_blocking(value_, rate_, basis_.position_of_tau(), q_scale_);
     if (block.step >= 1.0) return true;
@@ -99,6 +99,7 @@ class LemkePath {
                        : basis_.remove_column(block.position);
     basis_.append_tau();
     if (driving_z_) hold(pair_);
+    value_.basic.resize(0);  // of another basis
     ++result_.pivots;
     return false;
   }
@@ -113,13 +114,14 @@ class LemkePath {
     const Eigen::VectorXd before = std::exchange(value_.basic, -lcp_.offset(basis_.rows()));
     basis_.solve(value_.basic);
     if (before.size() != value_.basic.size()) return open_->forget_values();
-    basis_.combine(value_.basic - before, values_);
-    open_->correct_values(values_);
+    basis_.combine(value_.basic - before, value_terms_);
+    open_->correct_values(value_terms_);
   }
 
   /// The rows that may close next, as the w of the path.
   void find_falling(int rising) {
-    open_->find_falling(values_, rates_, rising, longest_step_of_basic(value_.basic, rate_.basic, q_scale_));
+    open_->find_falling(value_terms_, rate_terms_, rising,
+                        longest_step_of_basic(value_.basic, rate_.basic, q_scale_));
     value_.w = open_->value();
     rate_.w = open_->rate();
   }
@@ -136,11 +138,11 @@ class LemkePath {
     }
     basis_.solve(rate_.basic);
     if (!rate_.basic.allFinite() || !value_.basic.allFinite()) return false;
-    basis_.combine(value_.basic, values_);
-    basis_.combine(rate_.basic, rates_);
+    basis_.combine(value_.basic, value_terms_);
+    basis_.combine(rate_.basic, rate_terms_);
     if (driving_z_) {
-      rates_.columns.push_back(pair_);
-      rates_.weights.push_back(1.0);
+      rate_terms_.columns.push_back(pair_);
+      rate_terms_.weights.push_back(1.0);
     }
     find_falling(driving_z_ ? kNone : pair_);
     return true;
@@ -217,7 +219,7 @@ class LemkePath {
   int pair_ = 0;                  // the complementary pair of which neither is basic
   bool driving_z_ = true;         // which of the two drives
   PathVariables value_, rate_;
-  Combination values_, rates_;  // the same, as what they add to w
+  Combination value_terms_, rate_terms_;  // the same, as what they add to w
   long since_refresh_ = 0;
   LcpResult result_;
 };
