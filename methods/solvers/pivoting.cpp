@@ -18,6 +18,13 @@ namespace {
 constexpr long kRefresh = 64;
 constexpr long kClock = 64;  // pivots between two looks at the clock
 
+/// z with the basic ones at their places, none below zero, and zero elsewhere.
+Eigen::VectorXd spread(const std::vector<int>& places, const Eigen::VectorXd& basic, Eigen::Index size) {
+  Eigen::VectorXd z = Eigen::VectorXd::Zero(size);
+  z(places) = basic.cwiseMax(0.0);
+  return z;
+}
+
 /// Lemke's method step by step. At every vertex of the path one pair (z_i, w_i) has both members outside the
 /// basis, at zero; one of the two is about to grow, the driving variable. It moves until a basic variable
 /// blocks; driving and blocking variable change places, and the complement of the blocking one drives next.
@@ -43,7 +50,7 @@ class LemkePath {
         return finish(LcpStatus::interrupted, open);
       if (since_refresh_++ % kRefresh == 0) recompute();
       if (!find_direction()) return finish(LcpStatus::breakdown, open);
-      const Blocking block = find_blocking(value_, rate_, basis_.position_of_tau(), q_scale_);
+      const Blocking block = find_end(driving_z_ ? kNone : pair_);
       if (block.kind == Blocking::Kind::none) return finish(LcpStatus::ray, open);
       ++result_.pivots;
       advance(block);
@@ -90,13 +97,11 @@ class LemkePath {
     value_terms_.cover = 1.0;
     basis_.combine(rate_.basic, rate_terms_);
     rate_terms_.cover = -1.0;
-    find_falling(kNone);
-    const Blocking block = find_blocking(value_, rate_, basis_.position_of_tau(), q_scale_);
+    const Blocking block = find_end(kNone);
     if (block.step >= 1.0) return true;
     // tau has driven so far; it becomes basic in place of what blocked, whose complement drives next.
     driving_z_ = block.kind != Blocking::Kind::z;
-    pair_ = driving_z_ ? open_->falling()[static_cast<std::size_t>(block.position)]
-                       : basis_.remove_column(block.position);
+    pair_ = driving_z_ ? block.position : basis_.remove_column(block.position);
     basis_.append_tau();
     if (driving_z_) hold(pair_);
     value_.basic.resize(0);  // of another basis
@@ -118,12 +123,17 @@ class LemkePath {
     open_->correct_values(value_terms_);
   }
 
-  /// The rows that may close next, as the w of the path.
-  void find_falling(int rising) {
+  /// What ends the piece, among the basic variables and the rows that may close; of w its index in the
+  /// problem.
+  Blocking find_end(int rising) {
     open_->find_falling(value_terms_, rate_terms_, rising,
                         longest_step_of_basic(value_.basic, rate_.basic, q_scale_));
     value_.w = open_->value();
     rate_.w = open_->rate();
+    Blocking block = find_blocking(value_, rate_, basis_.position_of_tau(), q_scale_);
+    if (block.kind == Blocking::Kind::w)
+      block.position = open_->falling()[static_cast<std::size_t>(block.position)];
+    return block;
   }
 
   /// Rates along the driving variable: [A_RB, d_R] v' = -A_R,pair if that is a z, the unit vector of its row
@@ -144,7 +154,6 @@ class LemkePath {
       rate_terms_.columns.push_back(pair_);
       rate_terms_.weights.push_back(1.0);
     }
-    find_falling(driving_z_ ? kNone : pair_);
     return true;
   }
 
@@ -169,8 +178,7 @@ class LemkePath {
   void exchange(const Blocking& block) {
     const int entering = pair_;
     const bool closes = block.kind == Blocking::Kind::w;
-    pair_ = closes ? open_->falling()[static_cast<std::size_t>(block.position)]
-                   : basis_.remove_column(block.position);
+    pair_ = closes ? block.position : basis_.remove_column(block.position);
     if (driving_z_) basis_.append_z(entering);
     if (closes) hold(pair_);
     if (!driving_z_) {
@@ -192,10 +200,7 @@ class LemkePath {
     basis_.solve(correction);
     active += correction;
     if (!positive.empty()) result_.condition = basis_.condition();
-    Eigen::VectorXd z = Eigen::VectorXd::Zero(lcp_.offset.size());
-    for (std::size_t k = 0; k < positive.size(); ++k)
-      z[positive[k]] = std::max(0.0, active[static_cast<Eigen::Index>(k)]);
-    return finish(LcpStatus::solved, std::move(z));
+    return finish(LcpStatus::solved, spread(positive, active, lcp_.offset.size()));
   }
 
   LcpResult finish(LcpStatus status, Eigen::VectorXd z) {
