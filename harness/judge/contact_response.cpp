@@ -40,7 +40,7 @@ ContactResponse::ContactResponse(const Problem& problem, ForceSeries series, con
   load_ = load.coefficients(base_frequency_, static_cast<int>(lambda_.rows()) - 1);
   x_ = free_ = Eigen::MatrixXcd::Zero(lambda_.rows(), lambda_.cols());
   q_ = free_q_ = Eigen::MatrixXcd::Zero(load_.rows(), load_.cols());
-  if (space != nullptr && space->obstacle().empty() && take(*space)) return;
+  if (space != nullptr && space->obstacle().empty() && (take(*space) || take(grown(*space)))) return;
   if (problem.size() <= kMostFactorised || !project(problem, load)) factorise(problem, load);
 }
 
@@ -63,6 +63,25 @@ bool ContactResponse::take(const ContactSpace& space) {
   const Eigen::VectorXd push = lambda_.cwiseAbs().rowwise().sum();
   const double missed = 2.0 * (push.array() * turns(push.size()) * error.array()).sum();
   return missed <= kWorkTolerance * std::abs(work_of_load());
+}
+
+// With the vectors that these forces need: the bounds of take() hold where the root of the mean square of the
+// space's over time is below.
+ContactSpace ContactResponse::grown(const ContactSpace& space) const {
+  constexpr double kMargin = 0.5, kRounding = 1e-12;
+  const Eigen::MatrixXcd none = Eigen::MatrixXcd::Zero(lambda_.rows(), lambda_.cols());
+  const ContactSpace::PortMotion moved = space.motion(base_frequency_, lambda_);
+  const double contacts = std::sqrt(static_cast<double>(lambda_.cols()));
+  const double length = kMargin * kSpaceTolerance * moved.contacts.norm() / contacts;
+  const double power =
+      2.0 * (lambda_.cwiseAbs().rowwise().sum().array() * turns(lambda_.rows())).matrix().norm();
+  const double worked = std::abs(work(load_, moved.loads).sum());
+  const double rounding = kRounding * moved.contacts.norm();  // a load may do next to no work
+  const double least = power > 0.0 ? std::min(length, kMargin * kWorkTolerance * worked / power) : length;
+  const double free = space.motion(base_frequency_, none).contacts.norm();
+  return space.grown_for(base_frequency_,
+                         {{.force = lambda_, .tolerance = std::max(least, rounding)},
+                          {.force = none, .tolerance = kMargin * kSpaceTolerance * free / contacts}});
 }
 
 void ContactResponse::factorise(const Problem& problem, const LoadColumns& load) {

@@ -14,10 +14,10 @@ namespace signorini {
 /// F phi_n the load of harmonic n. Memory holds (H+1) x (Nc + Nf) numbers and, for one harmonic at a time,
 /// Z_n; Nf, the number of columns of F, is at most twice the number of harmonics in the load.
 ///
-/// Beyond 2000 coordinates x and q come from a ContactSpace where one is given and its bound holds: x to
-/// 1e-8 of its size, the work of the contact force to 1e-6 of the load's. Else from the receptances of [W, F]
-/// by projection (`reduced_receptance`), with an error of 1e-10 of their norm, unless factorising every Z_n
-/// costs less.
+/// Beyond 2000 coordinates x and q come from a ContactSpace where one is given, grown for these forces, and
+/// its bound holds: x to 1e-8 of its size, the work of the contact force to 1e-6 of the load's. Else from the
+/// receptances of [W, F] by projection (`reduced_receptance`), with an error of 1e-10 of their norm, unless
+/// factorising every Z_n costs less.
 class ContactResponse {
  public:
   /// The response to the load and a contact force in H harmonics. \throws SingularStiffness if some Z_n is
@@ -47,6 +47,7 @@ class ContactResponse {
 
  private:
   [[nodiscard]] bool take(const ContactSpace& space);
+  [[nodiscard]] ContactSpace grown(const ContactSpace& space) const;
   void factorise(const Problem& problem, const LoadColumns& load);
   [[nodiscard]] bool project(const Problem& problem, const LoadColumns& load);
 

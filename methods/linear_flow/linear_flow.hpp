@@ -233,8 +233,10 @@ class ModalFlow final : public LinearFlow {
   [[nodiscard]] const Eigen::VectorXd& weight() const { return basis_->weight; }  // w_k
 
   std::shared_ptr<const ModalBasis> basis_;
-  Eigen::MatrixXcd forced_;           // P, Np x Nh
-  Eigen::MatrixXcd row_of_harmonic_;  // outputs x Nh
+  Eigen::MatrixXcd forced_;  // P, Np x Nh
+  /// Read row by row.
+  using OutputRows = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  OutputRows row_of_harmonic_;  // outputs x Nh
 };
 
 /// e^A of a square matrix, by scaling and squaring with Padé approximants (Higham 2005); its error is a small

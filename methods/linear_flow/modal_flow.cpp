@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "methods/linear_flow/linear_flow.hpp"
+#include "methods/linear_flow/waves.hpp"
+#include "methods/solvers/dense_products.hpp"
 
 namespace signorini {
 
@@ -109,6 +111,8 @@ class ModalFlow::Arc final : public LinearArc {
     growth_.resize(flow.mu().size());
     wave_.resize(equations_.harmonics());
     amplitude_.resize(flow.mu().size());
+    constexpr Eigen::Index kMany = 32;
+    evenly_ = wave_.size() >= kMany && evenly_spaced(rates_);
   }
 
   void start(double time, const State& state) override;
@@ -139,8 +143,9 @@ class ModalFlow::Arc final : public LinearArc {
   const ModalFlow& flow_;
   const std::vector<double>& rates_;  // of the load
   double begin_ = 0.0;
-  Eigen::VectorXcd amplitude_;     // a_k
-  Eigen::MatrixXcd contribution_;  // row_of_mode times a_k
+  Eigen::VectorXcd amplitude_;  // a_k
+  OutputRows contribution_;     // row_of_mode times a_k
+  bool evenly_ = false;         // whether rates are many and evenly spaced
   mutable double now_ = 0.0;
   mutable bool placed_ = false;
   mutable Eigen::VectorXcd growth_, wave_;  // e^{mu_k s}, e^{i h omega t}
@@ -203,8 +208,11 @@ void ModalFlow::Arc::move_to(double time) const {
     const Complex mu = flow_.mu()[k];
     growth_[k] = has_faded(mu, s) ? Complex(0.0) : std::polar(std::exp(mu.real() * s), mu.imag() * s);
   }
-  for (Eigen::Index h = 0; h < wave_.size(); ++h)
-    wave_[h] = rate(h) == 0.0 ? Complex(1.0) : std::polar(1.0, rate(h) * time);
+  if (evenly_)
+    turn_evenly(rates_, time, wave_);
+  else
+    for (Eigen::Index h = 0; h < wave_.size(); ++h)
+      wave_[h] = rate(h) == 0.0 ? Complex(1.0) : std::polar(1.0, rate(h) * time);
 }
 
 double ModalFlow::Arc::output(Eigen::Index row, double time, int order) const {
@@ -216,10 +224,14 @@ double ModalFlow::Arc::output(Eigen::Index row, double time, int order) const {
     for (int i = 0; i < order; ++i) term *= flow_.mu()[k];
     sum += term.real();
   }
+  // Re (i r)^order c w.
+  const double sign = order % 4 == 0 || order % 4 == 3 ? 1.0 : -1.0;
   for (Eigen::Index h = 0; h < wave_.size(); ++h) {
-    Complex term = flow_.row_of_harmonic_(row, h) * wave_[h];
-    for (int i = 0; i < order; ++i) term *= Complex(0.0, rate(h));
-    sum += term.real();
+    const Complex c = flow_.row_of_harmonic_(row, h), w = wave_[h];
+    double part = order % 2 == 0 ? c.real() * w.real() - c.imag() * w.imag()
+                                 : c.real() * w.imag() + c.imag() * w.real();
+    for (int i = 0; i < order; ++i) part *= rate(h);
+    sum += sign * part;
   }
   return sum;
 }
@@ -246,7 +258,8 @@ std::vector<Eigen::MatrixXd> ModalFlow::Arc::outputs(std::span<const double> tim
   std::vector<Eigen::MatrixXd> derivatives;
   for (int order = 0; order <= highest; ++order) {
     if (order > 0) becomes = rates.asDiagonal() * becomes;
-    derivatives.emplace_back(real * becomes.real() - imaginary * becomes.imag());
+    derivatives.push_back(dense_product(real, Eigen::MatrixXd(becomes.real())));
+    subtract_product(imaginary, becomes.imag(), derivatives.back());
   }
   return derivatives;
 }

@@ -27,6 +27,8 @@ struct OrbitCorrectionSettings {
 struct CorrectedOrbit {
   ExactOrbit orbit = {};  ///< the last one; its x contains the displacements added
   long iterations = 0;    ///< Newton steps of the corrections
+  /// Of the space that checks, grown for these forces where that was needed.
+  Eigen::Index vectors = 0;
   /// |x_whole[lambda] - x| after each orbit in the harmonics that can be added: backward errors, as far as
   /// the whole space knows [-].
   std::vector<double> defects = {};
@@ -46,7 +48,8 @@ struct CorrectedOrbit {
 /// x_whole = free + C lambda by the many vectors of a ContactSpace, d = x_whole - x is by what the few
 /// vectors are wrong under these forces: x_whole and lambda satisfy the structure's equations against stops
 /// moved by d. Added to x of the next orbit (as a shift that relaxes, d + beta d'), it leads to the orbit of
-/// the whole structure, whatever the few vectors. Each orbit is polished from the one before, and admissible.
+/// the whole structure, whatever the few vectors. Where the space's bound would be the largest part of the
+/// bar it is grown (`ContactSpace::grown_for`). Each orbit is polished from the one before, and admissible.
 ///
 /// The bar is 2 A (d / (1 - theta) + unshifted + tail + outside + rounding) + the orbit's own: d the last
 /// defect, theta <= 1/2 the rate at which defects fell, A the amplification, rounding the measured one of the

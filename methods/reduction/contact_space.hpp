@@ -3,7 +3,9 @@
 // still outside.
 
 #include <Eigen/Core>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "methods/structure/contact_reduction.hpp"
 #include "methods/structure/ritz_reduction.hpp"
@@ -13,7 +15,7 @@ namespace signorini {
 
 /// How large a ContactSpace is.
 struct ContactSpaceSettings {
-  /// Vectors to solve on, at most; 0: 90, or six powers of up to 20 columns, or 60 of more columns [-]
+  /// Vectors to solve on, at most; 0: 90, or six powers of up to 20 columns, or 100 of more columns [-]
   int small = 0;
   /// Vectors to check with, at least; 0: all of up to 300, else twice as many and two powers [-]
   int whole = 0;
@@ -74,24 +76,62 @@ class ContactSpace {
   /// Rounding of the factors of K, relative to K, that `refine_lowest` leaves: measured. In theory it is eps
   /// times the condition of K, three digits more for slender structures [-].
   [[nodiscard]] double rounding() const { return rounding_; }
+  /// Forces whose response is to be known.
+  struct Wanted {
+    Eigen::MatrixXcd force;  ///< lambda_n, n = 0..H, (H+1) x Nc [N]
+    double tolerance = 0.0;  ///< > 0, on the root mean square over time of the bound [m]
+  };
+  /// The same space with more vectors in `whole`, so many that the bounds under load and each of these forces
+  /// are as wanted, where that can be had: of all that K^-1 M makes of its vectors those directions are added
+  /// in which the residuals under load and force are longest, until the space is exhausted, has as many
+  /// vectors as 8 powers would (but 400 to 1500), or two steps do not halve the bound. `small` stays.
+  /// Contacts may be many: a space of several powers of all of them would be large, and most of it of no use
+  /// to the forces of one motion. Vectors that a space above 0.5 GB was given for other forces before are not
+  /// among them.
+  [[nodiscard]] ContactSpace grown_for(double base, const std::vector<Wanted>& all) const;
+  /// The same space with as many vectors in `small`, the lowest of `whole`: where it has grown these are
+  /// nearer to modes, which is better about resonances, and worse far above the highest.
+  [[nodiscard]] ContactSpace solved_on_lowest() const;
+  /// The root mean square over time of `bound` [m].
+  [[nodiscard]] double bound_size(double base, const Eigen::MatrixXcd& force) const;
   /// The least d over harmonics 0..harmonics: the response to a change of K relative to K is no more than its
   /// inverse times the response [-].
   [[nodiscard]] double distance_from_resonance(double base, int harmonics) const;
 
  private:
   struct Pencil;
+  struct Source;
 
   [[nodiscard]] Eigen::MatrixXcd columns_of(double base, const Eigen::MatrixXcd& force) const;
-  [[nodiscard]] double residual(const Pencil& pencil, const Eigen::VectorXcd& start) const;
   [[nodiscard]] double contact_residual(const Pencil& pencil) const;
+  /// rho(e_j) at harmonics 0..harmonics, the largest over contacts.
+  [[nodiscard]] Eigen::VectorXd contact_residuals(double base, int harmonics) const;
+  /// What a bound under load and force consists of, n = 0..H: the residuals rho(b) in the vectors that would
+  /// come next and in those left out, and rho(e_j) / d.
+  struct Residuals {
+    Eigen::MatrixXcd acting = {};      ///< f x (H+1)
+    Eigen::RowVectorXd left_out = {};  ///< lengths, H+1
+    Eigen::VectorXd factor = {};
+  };
+  [[nodiscard]] Residuals residuals(double base, const Eigen::MatrixXcd& force) const;
+  [[nodiscard]] Eigen::VectorXd bound(const Residuals& residuals, double base,
+                                      const Eigen::MatrixXcd& force) const;
+  /// Directions of the vectors that would come next in which the residuals of all harmonics are longest.
+  [[nodiscard]] static Eigen::MatrixXd longest(const Residuals& residuals, double tolerance);
+  /// Takes from the vectors made so far what `bound` needs.
+  SpaceProjection take_residuals();
+  void take_small(ContactReduction small);
+  /// Everything that depends on them, `small` excepted.
+  SpaceProjection take_whole();
   [[nodiscard]] Pencil pencil(double rate) const;
   /// Amplitudes of the Ritz vectors, k rows, and of what follows statically, Nc + Nf rows, n = 0..H.
   struct Amplitudes {
     Eigen::MatrixXcd modal, direct;
   };
   [[nodiscard]] Amplitudes amplitudes(double base, const Eigen::MatrixXcd& acting) const;
-  void take_law(const Problem& problem);
+  void take_law();
 
+  std::shared_ptr<Source> source_;  // what the vectors are made of, and they
   ContactReduction small_, whole_;
   ProportionalDamping damping_;
   Eigen::MatrixXd residual_;  // static, of small_ whatever the law
@@ -105,6 +145,7 @@ class ContactSpace {
   Eigen::MatrixXd gram_;                // of Ritz vectors and of what follows, over all coordinates
   Eigen::MatrixXd outside_, left_out_;  // |K^-1 M V y - V t y|_K <= |outside y| + |left_out y|
   int coordinates_ = 0;
+  bool sprung_ = false;
   double left_out_of_start_ = 0.0, rounding_ = 0.0;
 };
 

@@ -1,40 +1,16 @@
 #include "methods/structure/block_lanczos.hpp"
 
-#include <cblas.h>
-
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "methods/solvers/dense_products.hpp"
 
 namespace signorini {
 
 namespace {
-
-// C = alpha op(A) B + beta C, of tall matrices: by the BLAS, several times faster than generic code where a
-// tuned one is installed (docs/decisions/0019).
-void multiply(CBLAS_TRANSPOSE transpose, double alpha, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
-              double beta, Eigen::MatrixXd& C) {
-  if (C.size() == 0) return;
-  const auto rows = static_cast<int>(C.rows());
-  const auto columns = static_cast<int>(C.cols());
-  const auto inner = static_cast<int>(B.rows());
-  const auto stride = static_cast<int>(A.rows());
-  cblas_dgemm(CblasColMajor, transpose, CblasNoTrans, rows, columns, inner, alpha, A.data(), stride, B.data(),
-              inner, beta, C.data(), rows);
-}
-
-// A^T B for A Nd x k and B Nd x m.
-Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
-  Eigen::MatrixXd C(A.cols(), B.cols());
-  multiply(CblasTrans, 1.0, A, B, 0.0, C);
-  return C;
-}
-
-// C -= A S for C Nd x m, A Nd x k and S k x m.
-void subtract_product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& S, Eigen::MatrixXd& C) {
-  multiply(CblasNoTrans, -1.0, A, S, 1.0, C);
-}
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -67,14 +43,17 @@ BlockLanczos::BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const S
   const Eigen::MatrixXd columns = factors_.solve(Eigen::MatrixXd(B));
   const Eigen::MatrixXd gram = symmetrised(B.transpose() * columns);
   // Loads and contacts in their own units.
-  left_out_of_start_ = orthonormalise(columns, gram, gram.diagonal().cwiseMax(0.0).cwiseSqrt()).extent();
+  left_out_of_start_ =
+      orthonormalise(columns, gram, gram.diagonal().cwiseMax(0.0).cwiseSqrt(), Eigen::MatrixXd(P.rows(), 0))
+          .extent();
   start_ = coupling_;
   grow();
 }
 
 BlockLanczos::Remainder BlockLanczos::orthonormalise(const Eigen::MatrixXd& columns,
                                                      const Eigen::MatrixXd& gram,
-                                                     const Eigen::VectorXd& length) {
+                                                     const Eigen::VectorXd& length,
+                                                     const Eigen::MatrixXd& waiting) {
   // With D the lengths, D^-1 gram D^-1 = X s^2 X^T: columns D^-1 X / s is P-orthonormal, and the eigenvalues
   // s^2 tell how much each direction adds. A Cholesky factor would do as well while the columns are
   // independent; only eigenvectors order them by length, so that those of rounding size can be left out.
@@ -86,13 +65,14 @@ BlockLanczos::Remainder BlockLanczos::orthonormalise(const Eigen::MatrixXd& colu
   const double least = count > 0 ? std::max(kRounding * squares[count - 1], kInvariant) : 0.0;
   Eigen::Index dropped = 0;
   while (dropped < count && !(squares[dropped] > least)) ++dropped;
-  dropped = std::max(dropped, count - (most_ - size_));
+  const Eigen::Index room = std::max<Eigen::Index>(0, most_ - size_ - waiting.cols());
+  dropped = std::max(dropped, count - room);
   const Eigen::Index kept = count - dropped;
   const Eigen::MatrixXd vectors = directions.eigenvectors().rightCols(kept);
   const Eigen::VectorXd extent = squares.tail(kept).cwiseSqrt();
   next_ = columns * (unit.asDiagonal() * vectors * extent.cwiseInverse().asDiagonal());
   coupling_ = extent.asDiagonal() * vectors.transpose() * length.asDiagonal();
-  if (kept > 0) polish_next();
+  if (kept > 0) polish_next(waiting);
   // What is left out, columns D^-1 X_dropped X_dropped^T D. The Gram matrix knows squared lengths to its own
   // precision alone: these are measured on the vectors themselves.
   Remainder rest{.vectors = columns * (unit.asDiagonal() * directions.eigenvectors().leftCols(dropped)),
@@ -113,14 +93,16 @@ BlockLanczos::Remainder BlockLanczos::orthonormalise(const Eigen::MatrixXd& colu
 // So the block is made orthogonal to the basis and orthonormal once more, now that each column has its own
 // unit length: next_ <- (next_ - V V^T P next_) U^{-1}, U^T U its Gram matrix, and U joins the coupling
 // ("twice is enough").
-void BlockLanczos::polish_next() {
+void BlockLanczos::polish_next(const Eigen::MatrixXd& waiting) {
   const Eigen::MatrixXd dual = product(P_, next_);
   Eigen::MatrixXd gram = transposed_product(next_, dual);
-  for (const Eigen::MatrixXd& block : basis_) {
+  const auto take_out = [&](const Eigen::MatrixXd& block) {
     const Eigen::MatrixXd left = transposed_product(block, dual);
     subtract_product(block, left, next_);
     gram.noalias() -= left.transpose() * left;
-  }
+  };
+  for (const Eigen::MatrixXd& block : basis_) take_out(block);
+  take_out(waiting);
   const Eigen::LLT<Eigen::MatrixXd> factor(symmetrised(gram));
   factor.matrixU().solveInPlace<Eigen::OnTheRight>(next_);
   coupling_ = factor.matrixU() * coupling_;
@@ -130,6 +112,10 @@ void BlockLanczos::grow() {
   if (exhausted()) return;
   size_ += next_.cols();
   basis_.push_back(std::move(next_));
+  extend(Eigen::MatrixXd(P_.rows(), 0));
+}
+
+Eigen::MatrixXd BlockLanczos::extend(const Eigen::MatrixXd& waiting) {
   // P^{-1} M V_j against the whole basis. In exact arithmetic two blocks would do; rounding brings converged
   // directions back into the newest block, and with them copies of their eigenvalues [grimes1994].
   const Eigen::MatrixXd momentum = product(M_, basis_.back());
@@ -147,8 +133,32 @@ void BlockLanczos::grow() {
     projected_.back().middleRows(row, block.cols()) = part;
     row += block.cols();
   }
+  const Eigen::MatrixXd in_waiting = transposed_product(waiting, momentum);
+  subtract_product(waiting, in_waiting, columns);
   const Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product(P_, columns)));
-  left_out_.push_back(orthonormalise(columns, gram, Eigen::VectorXd::Constant(width, before)));
+  left_out_.push_back(orthonormalise(columns, gram, Eigen::VectorXd::Constant(width, before), waiting));
+  return in_waiting;
+}
+
+void BlockLanczos::grow_along(const Eigen::MatrixXd& directions) {
+  const Eigen::Index taken = directions.cols(), waits = width() - taken;
+  if (taken == 0) return;
+  const Eigen::MatrixXd whole = Eigen::HouseholderQR<Eigen::MatrixXd>(directions).householderQ();
+  const Eigen::MatrixXd others = whole.rightCols(waits);
+  Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(waits, size_ + taken);  // coefficients of what waits
+  rest.middleCols(size_ - coupling_.cols(), coupling_.cols()) = others.transpose() * coupling_;
+  const Eigen::MatrixXd waiting = next_ * others;
+  basis_.emplace_back(next_ * whole.leftCols(taken));
+  size_ += taken;
+  rest.rightCols(taken) = extend(waiting);
+  const Eigen::Index led = next_.cols();
+  Eigen::MatrixXd both(P_.rows(), waits + led);
+  both << waiting, next_;
+  Eigen::MatrixXd coupling = Eigen::MatrixXd::Zero(waits + led, size_);
+  coupling.topRows(waits) = rest;
+  coupling.bottomRightCorner(led, taken) = coupling_;
+  next_.swap(both);
+  coupling_.swap(coupling);
 }
 
 Eigen::MatrixXd BlockLanczos::projected_mass() const {
@@ -243,7 +253,8 @@ void BlockLanczos::grow_by_left_out() {
   for (const Eigen::MatrixXd& block : basis_)
     subtract_product(block, transposed_product(block, dual), columns);
   const Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product(P_, columns)));
-  orthonormalise(columns, gram, Eigen::VectorXd::Ones(width));  // leaves out 1e-7 of what was left out
+  orthonormalise(columns, gram, Eigen::VectorXd::Ones(width),
+                 Eigen::MatrixXd(P_.rows(), 0));  // leaves out 1e-7 of what was left out
   grow();
 }
 
@@ -257,6 +268,12 @@ double BlockLanczos::operations_of_growth(bool with_left_out) const {
   const auto width = static_cast<double>(with_left_out ? width_with_left_out() : next_.cols());
   const auto rows = static_cast<double>(P_.rows());
   return width * (4.0 * factors_.entries() + 8.0 * rows * (static_cast<double>(size_) + width));
+}
+
+double BlockLanczos::bytes() const {
+  Eigen::Index vectors = size_ + next_.cols();
+  for (const Remainder& part : left_out_) vectors += part.vectors.cols();
+  return 8.0 * (static_cast<double>(P_.rows()) * static_cast<double>(vectors) + factors_.entries());
 }
 
 RitzPairs ritz_pairs(const BlockLanczos& space) {

@@ -16,7 +16,9 @@ namespace signorini {
 ///
 ///     P^{-1} B = V r + o(n),     P^{-1} M V = V t + X,    X^T P V = 0,
 ///
-/// X vanishing but for the columns of the newest block, and for what was left out of older ones.
+/// X vanishing but for the columns of the newest block, and for what was left out of older ones. With
+/// `grow_along` a part of the next power is taken in and the rest waits; X then does not vanish for older
+/// columns.
 class BlockLanczos {
  public:
   /// Factorises P; B is Nd x m. The space begins with the span of P^{-1} B.
@@ -31,6 +33,11 @@ class BlockLanczos {
   /// Adds the next power and what was left out of blocks so far: it is more than rounding where one contact
   /// alone moves a stiff part of the structure. The blocks of t are not tridiagonal from then on.
   void grow_by_left_out();
+  /// Adds some directions of what the next power would add: those that count where X y is to be small for
+  /// some y alone. The others wait beside what the new vectors lead to. The blocks of t are not tridiagonal
+  /// from then on.
+  /// \param directions  in the rows of coupling(): orthonormal columns, width() x r, r <= width()
+  void grow_along(const Eigen::MatrixXd& directions);
   /// True if the space is invariant under P^{-1} M to rounding: growing adds nothing.
   [[nodiscard]] bool exhausted() const { return next_.cols() == 0; }
   /// Dimension of the space, without the block that would come next.
@@ -43,10 +50,10 @@ class BlockLanczos {
   [[nodiscard]] Eigen::MatrixXd projected_mass() const;
   /// r = V^T B, k x m.
   [[nodiscard]] Eigen::MatrixXd projected_start() const;
-  /// Coefficients of X in the newest block of V, P-orthonormal rows understood: |X y|_P = |coupling()
-  /// y_newest| for the rows of y that belong to the newest block, the last ones.
+  /// Coefficients of X in the last columns of V, those of the newest block or, after grow_along, all;
+  /// P-orthonormal rows understood: |X y|_P = |coupling() y_last| for as many of the last rows of y.
   [[nodiscard]] const Eigen::MatrixXd& coupling() const { return coupling_; }
-  /// t between the newest block and itself.
+  /// t between the newest block and itself. Not after grow_along.
   [[nodiscard]] Eigen::MatrixXd newest_mass() const {
     return projected_.back().bottomRows(projected_.back().cols());
   }
@@ -64,6 +71,8 @@ class BlockLanczos {
   [[nodiscard]] Eigen::MatrixXd combined(const Eigen::MatrixXd& coefficients) const;
   /// P^{-1} columns, Nd x l.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& columns) { return factors_.solve(columns); }
+  /// Memory of vectors and factors, roughly [bytes].
+  [[nodiscard]] double bytes() const;
   /// The Cholesky factors of P.
   [[nodiscard]] const SparseCholesky& factors() const { return factors_; }
 
@@ -78,10 +87,14 @@ class BlockLanczos {
 
   // Splits columns, P-orthogonal to the basis and of P-Gram matrix `gram`, into a P-orthonormal block and its
   // coefficients, columns = next_ * coupling_; `length` is what each counts by: a P-norm before they were
-  // made orthogonal. Returns what is left out.
+  // made orthogonal. `waiting` are P-orthonormal columns that are to join the basis, too. Returns what is
+  // left out.
   Remainder orthonormalise(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& gram,
-                           const Eigen::VectorXd& length);
-  void polish_next();
+                           const Eigen::VectorXd& length, const Eigen::MatrixXd& waiting);
+  void polish_next(const Eigen::MatrixXd& waiting);
+  // The newest block, next_ until now, has joined the basis: makes next_ of what P^{-1} M makes of it,
+  // P-orthogonal to the basis and to `waiting`, P-orthonormal columns. Returns the coefficients in waiting.
+  Eigen::MatrixXd extend(const Eigen::MatrixXd& waiting);
 
   const SparseMatrix& P_;
   const SparseMatrix& M_;

@@ -1,7 +1,5 @@
 #include "methods/structure/harmonic_pencil.hpp"
 
-#include <cblas.h>
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "methods/solvers/dense_products.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
 
 namespace signorini {
@@ -34,25 +33,6 @@ struct ColumnList {
     return count++;
   }
 };
-
-/// A diag(d) B for real A and B, by the BLAS: an eighth of a complex product's work.
-Eigen::MatrixXcd scaled_product(const Eigen::MatrixXd& A, const Eigen::VectorXcd& d,
-                                const Eigen::MatrixXd& B) {
-  Eigen::MatrixXcd result(A.rows(), B.cols());
-  const auto rows = static_cast<int>(A.rows()), columns = static_cast<int>(B.cols()),
-             inner = static_cast<int>(B.rows());
-  if (result.size() == 0) return result;
-  Eigen::MatrixXd scaled(inner, columns), part(rows, columns);
-  const auto times = [&](const Eigen::VectorXd& weight) -> const Eigen::MatrixXd& {
-    scaled = weight.asDiagonal() * B;
-    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, rows, columns, inner, 1.0, A.data(), rows,
-                scaled.data(), inner, 0.0, part.data(), rows);
-    return part;
-  };
-  result.real() = times(d.real());
-  result.imag() = times(d.imag());
-  return result;
-}
 
 }  // namespace
 

@@ -197,4 +197,21 @@ ContactReduction reduction_on(const ContactColumns& columns, const SpaceProjecti
   return result;
 }
 
+ContactReduction lowest_of(const ContactReduction& reduction, Eigen::Index most) {
+  const Eigen::Index kept = std::min(most, reduction.vectors()), others = reduction.vectors() - kept;
+  ContactReduction result = reduction;
+  if (others == 0) return result;
+  const Eigen::MatrixXd rows = reduction.rows.bottomRows(others);
+  const Eigen::MatrixXd weighed = reduction.squares.tail(others).cwiseInverse().asDiagonal() * rows;
+  result.damping = reduction.damping.head(kept).eval();
+  result.squares = reduction.squares.head(kept).eval();
+  result.rows = reduction.rows.topRows(kept).eval();
+  result.compliance += rows.transpose() * weighed;
+  result.compliance = (0.5 * (result.compliance + result.compliance.transpose())).eval();
+  result.load = reduction.load.topRows(kept).eval();
+  result.shift += weighed.transpose().cast<std::complex<double>>() * reduction.load.bottomRows(others);
+  result.complete = false;
+  return result;
+}
+
 }  // namespace signorini

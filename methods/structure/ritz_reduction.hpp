@@ -84,4 +84,7 @@ double refine_lowest(const Problem& problem, const BlockLanczos& space, const Co
 /// The lowest `most` Ritz vectors; what the others do goes to the static residual.
 ContactReduction reduction_on(const ContactColumns& columns, const SpaceProjection& space, Eigen::Index most);
 
+/// A reduction of its lowest `most` vectors; what the others do goes to the static residual.
+ContactReduction lowest_of(const ContactReduction& reduction, Eigen::Index most);
+
 }  // namespace signorini

@@ -10,6 +10,7 @@
 
 #include "methods/structure/dynamic_stiffness.hpp"
 #include "methods/structure/receptance.hpp"
+#include "methods/structure/ritz_reduction.hpp"
 #include "tests/support/structure_scenes.hpp"
 
 namespace signorini::contact_space_test {
@@ -145,6 +146,56 @@ TEST(ContactSpace, SaysWhyThereIsNone) {
   Problem other = test::massless_bar({.beta = 0.01}, 10);
   other.edit_structure([](Structure& s) { s.damping.coeffRef(0, 0) += 1.0; });
   EXPECT_EQ(ContactSpace(other).obstacle(), "the damping is not a combination of mass and stiffness");
+}
+
+// Forces of few shapes on many contacts: a few vectors make the bound as small as is wanted, where a power of
+// all contacts would take many more; the bound holds for these forces and for others.
+TEST(ContactSpace, GrowsForTheForcesOfAMotion) {
+  constexpr int kHarmonics = 40;
+  const Problem block =
+      test::padded_block_problem({.elements = {10, 3, 3}, .patch = {{{1.0, 2.0}, {0.0, 0.5}}}});
+  const auto contacts = static_cast<int>(block.contact_count());
+  const double base = block.base_frequency();
+  const ContactSpace space(block, {.small = contacts, .whole = 2 * contacts});
+  ASSERT_EQ(space.obstacle(), "");
+  const Eigen::RowVectorXcd shape = jumping_force(1, contacts).row(1);
+  const Eigen::MatrixXcd force = jumping_force(kHarmonics, contacts).leftCols(1) * shape;
+  const Eigen::MatrixXcd exact = whole_response(block, force);
+  const double wanted = 1e-7 * exact.norm();
+  const double before = space.bound_size(base, force);
+  ASSERT_GT(before, 10.0 * wanted);
+  const ContactSpace grown = space.grown_for(base, {{.force = force, .tolerance = wanted}});
+  EXPECT_LE(grown.bound_size(base, force), wanted);
+  EXPECT_EQ(space.bound_size(base, force), before);  // the space that it grew from is what it was
+  EXPECT_GT(grown.whole().vectors(), space.whole().vectors());
+  const Eigen::MatrixXcd others = jumping_force(kHarmonics, contacts);
+  const double rounding = std::max(1e-9, rounding_of_factors(block));
+  for (const Eigen::MatrixXcd& acting : {force, others}) {
+    const Eigen::MatrixXcd truth = whole_response(block, acting);
+    const Eigen::MatrixXcd found = contact_response(grown.whole(), base, acting);
+    const Eigen::VectorXd bound = grown.bound(base, acting);
+    for (int n = 0; n <= kHarmonics; ++n) {
+      EXPECT_LE((found.row(n) - truth.row(n)).cwiseAbs().maxCoeff(),
+                bound[n] + rounding * truth.cwiseAbs().maxCoeff())
+          << n;
+    }
+  }
+}
+
+// Statics are exact whatever vectors are solved on, and with all of them there is nothing missing.
+TEST(ContactSpace, SolvesOnTheLowestOfItsVectors) {
+  const Problem block = test::padded_block_problem({.elements = {8, 2, 2}});
+  const double base = block.base_frequency();
+  const ContactSpace space = ContactSpace(block, {.small = 12, .whole = 60}).solved_on_lowest();
+  EXPECT_LE(space.small().vectors(), 18);
+  const Eigen::MatrixXcd at_rest = jumping_force(0, block.contact_count());
+  EXPECT_LT(space.missing(base, at_rest).norm(), 1e-10 * whole_response(block, at_rest).norm());
+  const Eigen::MatrixXcd force = jumping_force(4, block.contact_count());
+  const ContactReduction whole = lowest_of(space.whole(), space.whole().vectors());
+  EXPECT_EQ(contact_response(whole, base, force), contact_response(space.whole(), base, force));
+  const ContactReduction half = lowest_of(space.whole(), space.whole().vectors() / 2);
+  EXPECT_LT((contact_response(half, base, force) - contact_response(space.whole(), base, force)).norm(),
+            1e-3 * contact_response(space.whole(), base, force).norm());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <cmath>
 
 #include "tests/support/damped_chain.hpp"
@@ -155,6 +156,47 @@ TEST(BlockLanczos, SaysWherePIsNotDefinite) {
   m.setIdentity();
   b.insert(0, 0) = 1.0;
   EXPECT_FALSE(BlockLanczos(p, m, b).definite());
+}
+
+// Some directions of a power, then others: what waits is in the bound of every vector, old and new, and a
+// power taken in all its directions is the power.
+TEST(BlockLanczos, GrowsAlongSomeDirections) {
+  const Problem block =
+      test::padded_block_problem({.elements = {8, 3, 3}, .patch = {{{1.5, 2.0}, {0.0, 0.5}}}});
+  const SparseMatrix start = contact_directions(block);
+  BlockLanczos space(block.stiffness(), block.mass(), start), whole(block.stiffness(), block.mass(), start);
+  std::srand(11);
+  const auto directions = [](Eigen::Index rows, Eigen::Index columns) -> Eigen::MatrixXd {
+    const Eigen::MatrixXd random = Eigen::MatrixXd::Random(rows, columns);
+    return Eigen::HouseholderQR<Eigen::MatrixXd>(random).householderQ() *
+           Eigen::MatrixXd::Identity(rows, columns);
+  };
+  for (const Eigen::Index taken : {2, 3, 1}) {
+    const Eigen::Index before = space.size();
+    ASSERT_GT(space.width(), taken);
+    space.grow_along(directions(space.width(), taken));
+    EXPECT_EQ(space.size(), before + taken);
+    const Eigen::MatrixXd basis = space.combined(Eigen::MatrixXd::Identity(space.size(), space.size()));
+    const Eigen::MatrixXd moved = space.solve(block.mass() * basis) - basis * space.projected_mass();
+    EXPECT_EQ(space.coupling().rows(), space.width());
+    const Eigen::MatrixXd outside = moved.transpose() * block.stiffness() * moved;
+    Eigen::MatrixXd coupling = Eigen::MatrixXd::Zero(space.width(), space.size());
+    coupling.rightCols(space.coupling().cols()) = space.coupling();
+    EXPECT_LT((outside - coupling.transpose() * coupling).norm(), 1e-9 * outside.norm());
+    EXPECT_LT((basis.transpose() * block.stiffness() * basis -
+               Eigen::MatrixXd::Identity(space.size(), space.size()))
+                  .norm(),
+              1e-10);
+  }
+  const BlockLanczos& once = whole;
+  const Eigen::Index width = once.width();
+  BlockLanczos all(block.stiffness(), block.mass(), start);
+  all.grow_along(directions(width, width));
+  whole.grow();
+  EXPECT_EQ(all.size(), whole.size());
+  const Eigen::VectorXd found = ritz_pairs(all).values, expected = ritz_pairs(whole).values;
+  EXPECT_LT((found - expected).norm(), 1e-11 * expected.norm());
+  EXPECT_LT(std::abs(all.coupling().norm() - whole.coupling().norm()), 1e-9 * whole.coupling().norm());
 }
 
 }  // namespace

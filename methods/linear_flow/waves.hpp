@@ -1,0 +1,16 @@
+#pragma once
+// Complex exponentials of many harmonics at an instant.
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace signorini {
+
+/// Whether the rates are 0, r, 2 r, ... to rounding.
+bool evenly_spaced(const std::vector<double>& rates);
+
+/// wave_h = e^{i rate_h t} of 16 or more rates, evenly spaced: a sine of every sixteenth, and products with
+/// those of the first sixteen between. To three roundings of the angle's own.
+void turn_evenly(const std::vector<double>& rates, double time, Eigen::VectorXcd& wave);
+
+}  // namespace signorini
