@@ -1,15 +1,17 @@
-// Blocks, in oblique projection: x to the right, y into the paper, z upwards.
+// Blocks and meshes of solids, in oblique projection: x to the right, y into the paper, z upwards.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <complex>
+#include <functional>
 #include <map>
 
 #include "harness/schematic/boundary.hpp"
 #include "harness/schematic/mesh_lines.hpp"
 #include "harness/schematic/schematic.hpp"
+#include "harness/schematic/sharp_edges.hpp"
 #include "harness/schematic/symbols.hpp"
 
 namespace signorini {
@@ -20,14 +22,19 @@ namespace {
 struct ObliqueBox {
   std::array<Place, 3> edges;  ///< along x, y and z [cm]
 
-  explicit ObliqueBox(const BlockMesh& mesh) {
+  explicit ObliqueBox(const std::array<double, 3>& lengths) {
     constexpr double kLongest = 9.0, kLeast = 1.3;
-    const double scale = kLongest / *std::ranges::max_element(mesh.lengths);
-    const auto length = [&](std::size_t axis) { return std::max(kLeast, scale * mesh.lengths[axis]); };
+    const double scale = kLongest / *std::ranges::max_element(lengths);
+    const auto length = [&](std::size_t axis) { return std::max(kLeast, scale * lengths[axis]); };
     edges = {Place(length(0), 0.0), length(1) * Place(0.5, 0.4), Place(0.0, length(2))};
   }
   [[nodiscard]] Place at(const Eigen::Vector3d& shares) const {
     return shares.x() * edges[0] + shares.y() * edges[1] + shares.z() * edges[2];
+  }
+  /// From the solid to the reader, of a box of these lengths: a direction that is a point on paper.
+  [[nodiscard]] Eigen::Vector3d towards_reader(const Eigen::Vector3d& lengths) const {
+    const Eigen::Vector3d shares(edges[1].x() / edges[0].x(), -1.0, edges[1].y() / edges[2].y());
+    return shares.cwiseProduct(lengths);
   }
 };
 
@@ -49,30 +56,33 @@ struct NodeGroup {
   }
 };
 
-Eigen::Vector3d shares_of(const BlockMesh& mesh, int dof) {
-  const Node node = mesh.place(dof).first;
-  return {static_cast<double>(node[0]) / mesh.elements[0], static_cast<double>(node[1]) / mesh.elements[1],
-          static_cast<double>(node[2]) / mesh.elements[2]};
-}
+/// Where a coordinate is, as shares of the edges, and its axis.
+struct SharedPlace {
+  Eigen::Vector3d shares = Eigen::Vector3d::Zero();
+  int axis = 0;
+};
+using SharesOf = std::function<SharedPlace(int dof)>;
 
 /// By axis, and whether it is the positive side.
-std::map<std::pair<int, bool>, NodeGroup> contact_groups(const Problem& problem, const BlockMesh& mesh) {
+std::map<std::pair<int, bool>, NodeGroup> contact_groups(const Problem& problem, const SharesOf& shares_of) {
   std::map<std::pair<int, bool>, NodeGroup> groups;
   for (const SingleStop& stop : single_stops(problem)) {
-    NodeGroup& group = groups[{mesh.place(stop.dof).second, stop.forward}];
+    const SharedPlace at = shares_of(stop.dof);
+    NodeGroup& group = groups[{at.axis, stop.forward}];
     const bool first = group.nodes.empty();
     group.least_gap = first ? stop.least_gap : std::min(group.least_gap, stop.least_gap);
     group.largest_gap = first ? stop.largest_gap : std::max(group.largest_gap, stop.largest_gap);
-    group.nodes.push_back(shares_of(mesh, stop.dof));
+    group.nodes.push_back(at.shares);
   }
   return groups;
 }
 
-std::map<int, NodeGroup> load_groups(const Problem& problem, const BlockMesh& mesh) {
+std::map<int, NodeGroup> load_groups(const Problem& problem, const SharesOf& shares_of) {
   std::map<int, NodeGroup> groups;
   for (const ForceTerm& term : problem.force) {
-    NodeGroup& group = groups[mesh.place(term.dof).second];
-    group.nodes.push_back(shares_of(mesh, term.dof));
+    const SharedPlace at = shares_of(term.dof);
+    NodeGroup& group = groups[at.axis];
+    group.nodes.push_back(at.shares);
     group.load[term.harmonic] += std::conj(force_amplitude(term, problem.frequency));
   }
   return groups;
@@ -161,10 +171,23 @@ void draw_load_group(Drawing& drawing, const ObliqueBox& box, int axis, const No
   draw_circle(drawing.parts.back(), from, 0.06, Fill::ink, Ink::load);
 }
 
+/// What acts on a solid, and in words what is not drawn of it.
+std::string draw_surroundings(Drawing& drawing, const ObliqueBox& box, const Problem& problem,
+                              const SharesOf& shares_of) {
+  for (const auto& [side, group] : contact_groups(problem, shares_of))
+    draw_contact_group(drawing, box, side.first, side.second, group, has_compliant_stops(problem));
+  for (const auto& [axis, group] : load_groups(problem, shares_of))
+    draw_load_group(drawing, box, axis, group);
+  const auto hidden = static_cast<int>(pair_stops(problem).size()) + other_stops(problem);
+  return hidden == 0
+             ? ""
+             : fmt::format(", {} contact{} between coordinates not drawn", hidden, hidden == 1 ? "" : "s");
+}
+
 }  // namespace
 
 std::string draw_block(Drawing& drawing, const Problem& problem, const BlockMesh& mesh) {
-  const ObliqueBox box(mesh);
+  const ObliqueBox box(mesh.lengths);
   const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   const Place overlap = 0.25 * Place(0.0, 1.0);
   draw_wall(drawing, box.at(origin) - overlap, box.at(Eigen::Vector3d::UnitZ()));
@@ -173,15 +196,44 @@ std::string draw_block(Drawing& drawing, const Problem& problem, const BlockMesh
   draw_face(drawing, box, mesh, origin, {0, 2});
   draw_face(drawing, box, mesh, Eigen::Vector3d::UnitZ(), {0, 1});
   draw_face(drawing, box, mesh, Eigen::Vector3d::UnitX(), {1, 2});
-  for (const auto& [side, group] : contact_groups(problem, mesh))
-    draw_contact_group(drawing, box, side.first, side.second, group, has_compliant_stops(problem));
-  for (const auto& [axis, group] : load_groups(problem, mesh)) draw_load_group(drawing, box, axis, group);
-  std::string text = fmt::format("elastic block of {} × {} × {} bricks, {} × {} × {} m", mesh.elements[0],
-                                 mesh.elements[1], mesh.elements[2], number_text(mesh.lengths[0]),
-                                 number_text(mesh.lengths[1]), number_text(mesh.lengths[2]));
-  if (const auto hidden = static_cast<int>(pair_stops(problem).size()) + other_stops(problem); hidden > 0)
-    text += fmt::format(", {} contact{} between coordinates not drawn", hidden, hidden == 1 ? "" : "s");
-  return text;
+  const std::string hidden = draw_surroundings(drawing, box, problem, [&](int dof) {
+    const auto [node, axis] = mesh.place(dof);
+    Eigen::Vector3d shares;
+    for (std::size_t a = 0; a < 3; ++a)
+      shares[static_cast<Eigen::Index>(a)] = static_cast<double>(node[a]) / mesh.elements[a];
+    return SharedPlace{.shares = shares, .axis = axis};
+  });
+  return fmt::format("elastic block of {} × {} × {} bricks, {} × {} × {} m{}", mesh.elements[0],
+                     mesh.elements[1], mesh.elements[2], number_text(mesh.lengths[0]),
+                     number_text(mesh.lengths[1]), number_text(mesh.lengths[2]), hidden);
+}
+
+std::string draw_solid(Drawing& drawing, const Problem& problem, const SolidMesh& mesh) {
+  Eigen::Vector3d low = mesh.nodes.front(), high = low;
+  for (const Eigen::Vector3d& node : mesh.nodes) {
+    low = low.cwiseMin(node);
+    high = high.cwiseMax(node);
+  }
+  const Eigen::Vector3d lengths = high - low;
+  const ObliqueBox box({lengths.x(), lengths.y(), lengths.z()});
+  const auto shares = [&](int node) -> Eigen::Vector3d {
+    return (mesh.nodes[static_cast<std::size_t>(node)] - low).cwiseQuotient(lengths);
+  };
+  Part& edges = drawing.add("edges");
+  for (const auto& [from, to] : sharp_edges(mesh, box.towards_reader(lengths)))
+    edges.strokes.push_back({.places = {box.at(shares(from)), box.at(shares(to))}, .width = 0.03});
+  Part& held = drawing.add("support");
+  for (int node = 0; node < mesh.held; ++node)
+    draw_circle(held, box.at(shares(node)), 0.035, Fill::ink, Ink::structure);
+  const std::string hidden = draw_surroundings(drawing, box, problem, [&](int dof) {
+    const auto [node, axis] = mesh.place(dof);
+    return SharedPlace{.shares = shares(node), .axis = axis};
+  });
+  int elements = 0;
+  for (const ElementList& list : mesh.solids) elements += list.count();
+  return fmt::format("elastic solid of {} elements, {} × {} × {} m, {} nodes held{}", elements,
+                     number_text(lengths.x()), number_text(lengths.y()), number_text(lengths.z()), mesh.held,
+                     hidden);
 }
 
 }  // namespace signorini

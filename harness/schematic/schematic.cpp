@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "harness/schematic/boundary.hpp"
@@ -21,6 +22,9 @@ struct DrawModel {
   std::string operator()(const Bar& bar) const { return draw_bar(drawing, problem, bar); }
   std::string operator()(const Beam& beam) const { return draw_beams(drawing, problem, beam); }
   std::string operator()(const BlockMesh& mesh) const { return draw_block(drawing, problem, mesh); }
+  std::string operator()(const std::shared_ptr<const SolidMesh>& mesh) const {
+    return draw_solid(drawing, problem, *mesh);
+  }
   std::string operator()(const Rotor& rotor) const { return draw_rotor(drawing, problem, rotor); }
   std::string operator()(const Shaft& shaft) const { return draw_shaft(drawing, problem, shaft); }
 };

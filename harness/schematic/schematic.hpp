@@ -26,6 +26,7 @@ std::string draw_chain(Drawing& drawing, const Problem& problem, const Chain& ch
 std::string draw_bar(Drawing& drawing, const Problem& problem, const Bar& bar);
 std::string draw_beams(Drawing& drawing, const Problem& problem, const Beam& beam);
 std::string draw_block(Drawing& drawing, const Problem& problem, const BlockMesh& mesh);
+std::string draw_solid(Drawing& drawing, const Problem& problem, const SolidMesh& mesh);
 std::string draw_rotor(Drawing& drawing, const Problem& problem, const Rotor& rotor);
 std::string draw_shaft(Drawing& drawing, const Problem& problem, const Shaft& shaft);
 /// A body of unknown shape, with its contacts and loads.

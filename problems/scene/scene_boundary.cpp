@@ -22,6 +22,24 @@ Face read_face(const SceneField& field, const SystemDescription& system) {
   return {.axis = static_cast<int>(axis), .upper = name[1] == '+'};
 }
 
+const SolidMesh& mesh_of(const SystemDescription& system) {
+  return *std::get<std::shared_ptr<const SolidMesh>>(system.layout);
+}
+
+const MeshGroup& read_group(const SceneField& field, const SystemDescription& system) {
+  if (!std::holds_alternative<std::shared_ptr<const SolidMesh>>(system.layout))
+    field.refuse("must be absent: only a mesh has groups");
+  return group_named(field, mesh_of(system));
+}
+
+int read_axis(const SceneField& field) {
+  constexpr std::string_view kAxis = "must be \"x\", \"y\" or \"z\"";
+  const std::string name = field.text(kAxis);
+  const std::size_t axis = name.size() == 1 ? std::string_view("xyz").find(name[0]) : std::string_view::npos;
+  if (axis == std::string_view::npos) field.refuse(kAxis);
+  return static_cast<int>(axis);
+}
+
 namespace {
 
 constexpr int kMostFacets = 1000;              // of one ring
@@ -62,6 +80,24 @@ std::vector<Contact> read_face_contacts(const SceneField& contact, const SystemD
   return made;
 }
 
+// All nodes of a group, along an axis upwards ("z+") or downwards.
+std::vector<Contact> read_group_contacts(const SceneField& contact, const SystemDescription& system) {
+  for (const char* key : {"dof", "normal", "dofs", "facets", "face", "patch"}) {
+    if (contact[key].given()) contact[key].refuse("must be absent: group is given");
+  }
+  const MeshGroup& group = read_group(contact["group"], system);
+  constexpr std::string_view kWay =
+      "must be \"x+\", \"x-\", \"y+\", \"y-\", \"z+\" or \"z-\": the way to the stop";
+  const SceneField direction = contact["direction"];
+  const std::string way = direction.text(kWay);
+  const std::size_t axis = way.size() == 2 ? std::string_view("xyz").find(way[0]) : std::string_view::npos;
+  if (axis == std::string_view::npos || (way[1] != '-' && way[1] != '+')) direction.refuse(kWay);
+  std::vector<Contact> made = contacts_on_group(mesh_of(system), group, static_cast<int>(axis), way[1] == '+',
+                                                contact["gap"].number(kGap));
+  if (made.empty()) contact["group"].refuse("must have a node that can move");
+  return made;
+}
+
 std::vector<std::pair<int, double>> read_normal(const SceneField& contact, int size) {
   const SceneField dof = contact["dof"];
   const SceneField normal = contact["normal"];
@@ -92,8 +128,11 @@ std::vector<Contact> read_ring(const SceneField& contact, int size) {
 }
 
 std::vector<Contact> read_contact(const SceneField& contact, const SystemDescription& system) {
-  contact.allow_only({"dof", "normal", "dofs", "facets", "face", "patch", "gap", "gap_term", "centre_term"},
+  contact.allow_only({"dof", "normal", "dofs", "facets", "face", "patch", "group", "direction", "gap",
+                      "gap_term", "centre_term"},
                      "must be a table");
+  if (contact["group"].given()) return read_group_contacts(contact, system);
+  if (contact["direction"].given()) contact["direction"].refuse("must be absent: no group is given");
   if (contact["face"].given()) return read_face_contacts(contact, system);
   if (contact["patch"].given()) contact["patch"].refuse("must be absent: no face is given");
   if (contact["facets"].given() || contact["dofs"].given()) return read_ring(contact, system.size);

@@ -16,22 +16,8 @@ constexpr int kMostElements = 100000;
 constexpr int kMostBeams = 100;
 constexpr int kMostCoordinates = 1000000;  // of a block: 2 GB of matrices
 
-double read_positive(const SceneField& field, std::string_view unit) {
-  return field.number(fmt::format("must be a positive number {}", unit), kLeastPositive);
-}
-
 int read_element_count(const SceneField& field) {
   return field.whole(fmt::format("must be a whole number, 1..{}", kMostElements), 1, kMostElements);
-}
-
-ContactMass read_contact_mass(const SceneField& field) {
-  constexpr std::string_view kRequirement = "must be \"consistent\", \"lumped\" or \"massless\"";
-  if (!field.given()) return ContactMass::consistent;
-  const std::string word = field.text(kRequirement);
-  if (word == "lumped") return ContactMass::lumped;
-  if (word == "massless") return ContactMass::massless;
-  if (word != "consistent") field.refuse(kRequirement);
-  return ContactMass::consistent;
 }
 
 // Before damping is made of it, so that the complaint names the culprit.
@@ -42,24 +28,6 @@ void require_finite(const SparseMatrix& A, const std::string& field) {
 }
 
 using Assembly = std::function<Structure(const std::vector<int>& contact_coordinates)>;
-
-// A structure that gets its damping from its mass and stiffness, besides what its parts have.
-SystemDescription damped(SystemLayout layout, Assembly undamped, DampingModel damping, int size) {
-  return {.size = size,
-          .layout = std::move(layout),
-          .definiteness = Definiteness::by_construction,
-          .assemble = [undamped = std::move(undamped),
-                       damping = std::move(damping)](const std::vector<int>& contact_coordinates) {
-            // Made in its place, swapped and not moved: these matrices have no moves.
-            const std::shared_ptr<Structure> structure(new Structure(undamped(contact_coordinates)));
-            require_finite(structure->mass, "system.mass");
-            require_finite(structure->stiffness, "system.stiffness");
-            SparseMatrix of_material = damping_matrix(damping, structure->mass, structure->stiffness);
-            if (structure->damping.nonZeros() > 0) of_material += structure->damping;
-            structure->damping.swap(of_material);
-            return structure;
-          }};
-}
 
 // A model whose mass may depend on its contacts.
 template <class Model>
@@ -98,6 +66,44 @@ BlockMesh read_mesh(const SceneField& system) {
 }
 
 }  // namespace
+
+double read_positive(const SceneField& field, std::string_view unit) {
+  return field.number(fmt::format("must be a positive number {}", unit), kLeastPositive);
+}
+
+double read_poisson(const SceneField& field) {
+  constexpr std::string_view kRequirement = "must be a number between -1 and 0.5 [-]";
+  const double poisson = field.number(kRequirement);
+  if (poisson <= -1.0 || poisson >= 0.5) field.refuse(kRequirement);
+  return poisson;
+}
+
+ContactMass read_contact_mass(const SceneField& field) {
+  constexpr std::string_view kRequirement = "must be \"consistent\", \"lumped\" or \"massless\"";
+  if (!field.given()) return ContactMass::consistent;
+  const std::string word = field.text(kRequirement);
+  if (word == "lumped") return ContactMass::lumped;
+  if (word == "massless") return ContactMass::massless;
+  if (word != "consistent") field.refuse(kRequirement);
+  return ContactMass::consistent;
+}
+
+SystemDescription damped_structure(SystemLayout layout, Assembly undamped, DampingModel damping, int size) {
+  return {.size = size,
+          .layout = std::move(layout),
+          .definiteness = Definiteness::by_construction,
+          .assemble = [undamped = std::move(undamped),
+                       damping = std::move(damping)](const std::vector<int>& contact_coordinates) {
+            // Made in its place, swapped and not moved: these matrices have no moves.
+            const std::shared_ptr<Structure> structure(new Structure(undamped(contact_coordinates)));
+            require_finite(structure->mass, "system.mass");
+            require_finite(structure->stiffness, "system.stiffness");
+            SparseMatrix of_material = damping_matrix(damping, structure->mass, structure->stiffness);
+            if (structure->damping.nonZeros() > 0) of_material += structure->damping;
+            structure->damping.swap(of_material);
+            return structure;
+          }};
+}
 
 ModalDamping read_modal(const SceneField& modal, int size) {
   constexpr std::string_view kRequirement = "must be a damping ratio >= 0 [-], or a list of them";
@@ -144,7 +150,7 @@ SystemDescription read_bar(const SceneField& system) {
                 .young = read_positive(system["young"], "[N/m^2]"),
                 .density = read_positive(system["density"], "[kg/m^3]"),
                 .contact_mass = read_contact_mass(system["contact_mass"])};
-  return damped(bar, assembly_of(bar), read_damping(system["damping"], bar.elements), bar.elements);
+  return damped_structure(bar, assembly_of(bar), read_damping(system["damping"], bar.elements), bar.elements);
 }
 
 SystemDescription read_beam(const SceneField& system) {
@@ -160,7 +166,7 @@ SystemDescription read_beam(const SceneField& system) {
   }
   beam.contact_mass = read_contact_mass(system["contact_mass"]);
   const int size = 2 * beam.elements * beam.count;
-  return damped(beam, assembly_of(beam), read_damping(system["damping"], size), size);
+  return damped_structure(beam, assembly_of(beam), read_damping(system["damping"], size), size);
 }
 
 SystemDescription read_block(const SceneField& system) {
@@ -168,14 +174,11 @@ SystemDescription read_block(const SceneField& system) {
                     "must be a table");
   Block block{.mesh = read_mesh(system),
               .young = read_positive(system["young"], "[N/m^2]"),
-              .poisson = system["poisson"].number("must be a number between -1 and 0.5 [-]"),
+              .poisson = read_poisson(system["poisson"]),
               .density = read_positive(system["density"], "[kg/m^3]"),
               .contact_mass = read_contact_mass(system["contact_mass"])};
-  if (block.poisson <= -1.0 || block.poisson >= 0.5) {
-    system["poisson"].refuse("must be a number between -1 and 0.5 [-]");
-  }
   const int size = block.mesh.size();
-  return damped(block.mesh, assembly_of(block), read_damping(system["damping"], size), size);
+  return damped_structure(block.mesh, assembly_of(block), read_damping(system["damping"], size), size);
 }
 
 // No body has more about an axis than about two at right angles to it.
@@ -205,7 +208,7 @@ SystemDescription read_shaft(const SceneField& system) {
   shaft.polar_inertia = read_polar_inertia(system["disc_polar_inertia"], shaft.disc_inertia);
   shaft.spin = system["spin"].number_or(0.0, "must be a finite number [rad/s]");
   const int size = 4 * (last + 1);
-  return damped(
+  return damped_structure(
       shaft, [shaft](const std::vector<int>&) { return assemble(shaft); },
       read_damping(system["damping"], size), size);
 }

@@ -14,26 +14,25 @@ namespace {
 constexpr std::string_view kAmplitude = "must be a finite number";
 constexpr std::size_t kLargestTable = std::size_t{1} << 22U;  // [bytes]
 
-int read_direction(const SceneField& field) {
-  constexpr std::string_view kDirection = "must be \"x\", \"y\" or \"z\"";
-  const std::string name = field.text(kDirection);
-  const std::size_t axis = name.size() == 1 ? std::string_view("xyz").find(name[0]) : std::string_view::npos;
-  if (axis == std::string_view::npos) field.refuse(kDirection);
-  return static_cast<int>(axis);
-}
-
 // Coordinates that a term acts on, each with its share.
 std::vector<std::pair<int, double>> read_point_of_attack(const SceneField& term,
                                                          const SystemDescription& system) {
   const SceneField face = term["face"];
+  const SceneField group = term["group"];
   const SceneField direction = term["direction"];
-  if (!face.given()) {
-    if (direction.given()) direction.refuse("must be absent: no face is given");
+  if (!face.given() && !group.given()) {
+    if (direction.given()) direction.refuse("must be absent: neither a face nor a group is given");
     return {{read_dof(term["dof"], system.size), 1.0}};
   }
-  if (term["dof"].given()) face.refuse("must be absent: dof is given");
-  const Face loaded = read_face(face, system);
-  return load_on_face(std::get<BlockMesh>(system.layout), loaded, read_direction(direction));
+  const SceneField& spread = face.given() ? face : group;
+  if (term["dof"].given()) spread.refuse("must be absent: dof is given");
+  if (face.given() && group.given()) group.refuse("must be absent: face is given");
+  if (face.given())
+    return load_on_face(std::get<BlockMesh>(system.layout), read_face(face, system), read_axis(direction));
+  const MeshGroup& loaded = read_group(group, system);
+  auto load = load_on_group(mesh_of(system), loaded, read_axis(direction));
+  if (load.empty()) group.refuse("must have nodes that can move, and faces with an area");
+  return load;
 }
 
 // The harmonic that a frequency is, where there is one. A motion that repeats itself needs a common period.
@@ -137,8 +136,8 @@ ReadLoad read_load(const SceneField& terms, const SystemDescription& system, dou
   if (!terms.given()) return load;
   int table = 0;
   for (const SceneField& term : terms.items("must be [[forcing.term]] tables; left out if there is none")) {
-    term.allow_only({"dof", "face", "direction", "harmonic", "frequency", "cos", "sin", "omega_power",
-                     "samples", "file", "harmonics"},
+    term.allow_only({"dof", "face", "group", "direction", "harmonic", "frequency", "cos", "sin",
+                     "omega_power", "samples", "file", "harmonics"},
                     "must be a table");
     const auto attack = read_point_of_attack(term, system);
     if (term["samples"].given() || term["file"].given()) {

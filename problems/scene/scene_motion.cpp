@@ -105,13 +105,8 @@ Eigen::VectorXd usual_direction(const SceneField& direction, const SystemDescrip
 Eigen::VectorXd read_base_direction(const SceneField& direction, const SystemDescription& system) {
   if (!direction.given()) return usual_direction(direction, system);
   Eigen::VectorXd d = Eigen::VectorXd::Zero(system.size);
-  if (std::holds_alternative<BlockMesh>(system.layout)) {
-    constexpr std::string_view kAxis = "must be \"x\", \"y\" or \"z\"";
-    const std::string axis = direction.text(kAxis);
-    const std::size_t number =
-        axis.size() == 1 ? std::string_view("xyz").find(axis[0]) : std::string_view::npos;
-    if (number == std::string_view::npos) direction.refuse(kAxis);
-    for (int dof = static_cast<int>(number); dof < system.size; dof += 3) d[dof] = 1.0;
+  if (system.kind == "block" || system.kind == "mesh") {
+    for (int dof = read_axis(direction); dof < system.size; dof += 3) d[dof] = 1.0;
     return d;
   }
   constexpr std::string_view kPair = "must be a list of pairs [dof, displacement]";

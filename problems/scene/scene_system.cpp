@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kLargestMatrixFile = std::size_t{1} << 29U;  // bytes: some 20 million entries
 constexpr std::string_view kKinds =
-    "\"sdof\", \"chain\", \"bar\", \"beam\", \"block\", \"rotor\", \"shaft\" or \"matrices\"";
+    "\"sdof\", \"chain\", \"bar\", \"beam\", \"block\", \"mesh\", \"rotor\", \"shaft\" or \"matrices\"";
 
 std::vector<double> read_elements(const SceneField& field, std::string_view unit, std::size_t count) {
   const std::string requirement = fmt::format("must be a list of numbers >= 0 {}, at least one", unit);
@@ -188,12 +188,13 @@ SystemDescription read_matrices(const SceneField& system) {
 }  // namespace
 
 SystemDescription read_system(const SceneField& system) {
-  constexpr std::array<std::pair<std::string_view, SystemDescription (*)(const SceneField&)>, 8> kReaders{
+  constexpr std::array<std::pair<std::string_view, SystemDescription (*)(const SceneField&)>, 9> kReaders{
       {{"sdof", read_sdof},
        {"chain", read_chain},
        {"bar", read_bar},
        {"beam", read_beam},
        {"block", read_block},
+       {"mesh", read_solid},
        {"rotor", read_rotor},
        {"shaft", read_shaft},
        {"matrices", read_matrices}}};

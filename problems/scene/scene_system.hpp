@@ -25,9 +25,9 @@ namespace signorini {
 struct SystemDescription {
   std::string kind = {};     ///< as the scene names it, "beam"
   int size = 0;              ///< Nd
-  SystemLayout layout = {};  ///< the model; of a block, contacts and loads may name faces
+  SystemLayout layout = {};  ///< the model; contacts and loads may name faces of a block, groups of a mesh
   Definiteness definiteness = Definiteness::to_be_checked;  ///< whether M and K are known to be definite
-  std::vector<std::filesystem::path> files = {};            ///< Matrix Market files it was read from
+  std::vector<std::filesystem::path> files = {};            ///< of matrices or a mesh, that it was read from
   /// The matrices, given the coordinates that contacts touch.
   /// \throws InvalidProblem if contacts there and the system do not go together
   std::function<std::shared_ptr<const Structure>(const std::vector<int>& contact_coordinates)> assemble = {};
@@ -42,6 +42,22 @@ SystemDescription read_bar(const SceneField& system);
 SystemDescription read_beam(const SceneField& system);
 SystemDescription read_block(const SceneField& system);
 SystemDescription read_shaft(const SceneField& system);
+SystemDescription read_solid(const SceneField& system);
+
+/// A structure that gets its damping from its mass and stiffness, besides what its parts have.
+/// \param undamped  M and K, given the coordinates that contacts touch  \param size  Nd
+SystemDescription damped_structure(
+    SystemLayout layout, std::function<Structure(const std::vector<int>& contact_coordinates)> undamped,
+    DampingModel damping, int size);
+
+/// "consistent" where absent. \throws SceneError
+ContactMass read_contact_mass(const SceneField& field);
+
+/// A positive number of a unit. \throws SceneError
+double read_positive(const SceneField& field, std::string_view unit);
+
+/// Poisson's ratio, between -1 and 0.5. \throws SceneError
+double read_poisson(const SceneField& field);
 
 /// { alpha = .., beta = .. } or { modal = .. } for a system of `size` coordinates. \throws SceneError
 DampingModel read_damping(const SceneField& damping, int size);
@@ -74,11 +90,11 @@ struct ReadLoad : FromTables<ForceTerm> {
   std::vector<std::filesystem::path> files = {};  ///< that samples were read from
 };
 
-/// The load: [[forcing.term]] tables, each on a coordinate or spread over a face, a harmonic or samples over
-/// a period of `frequency`. \throws SceneError
+/// The load: [[forcing.term]] tables, each on a coordinate or spread over a face or a group, a harmonic or
+/// samples over a period of `frequency`. \throws SceneError
 ReadLoad read_load(const SceneField& terms, const SystemDescription& system, double frequency);
 
-/// [[contact]] tables, each a contact, a ring of them, or those of a face; how their stops move is
+/// [[contact]] tables, each a contact, a ring of them, or those of a face or a group; how their stops move is
 /// read_stop_motion's business. \throws SceneError
 FromTables<Contact> read_contacts(const SceneField& contacts, const SystemDescription& system);
 
@@ -104,6 +120,18 @@ int read_dof(const SceneField& field, int size);
 
 /// A face of a block: "x+", "y-" and so on. \throws SceneError
 Face read_face(const SceneField& field, const SystemDescription& system);
+
+/// The mesh of a system that is one. Requires that it is.
+const SolidMesh& mesh_of(const SystemDescription& system);
+
+/// The group of a mesh that a field names. \throws SceneError
+const MeshGroup& group_named(const SceneField& field, const SolidMesh& mesh);
+
+/// A named group of a system that is a mesh. \throws SceneError
+const MeshGroup& read_group(const SceneField& field, const SystemDescription& system);
+
+/// "x", "y" or "z", as 0, 1 or 2. \throws SceneError
+int read_axis(const SceneField& field);
 
 /// A whole number of any size: ranges are validate()'s business.
 int read_int(const SceneField& field, int otherwise);

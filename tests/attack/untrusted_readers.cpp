@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@
 #include "harness/run/trial.hpp"
 #include "harness/sweep/branch_json.hpp"
 #include "harness/sweep/branch_response.hpp"
+#include "problems/assembly/solid.hpp"
+#include "problems/scene/gmsh_mesh.hpp"
 #include "problems/scene/matrix_market.hpp"
 #include "problems/scene/scene_family.hpp"
 #include "problems/scene/scene_file.hpp"
@@ -129,6 +132,42 @@ bool attack_matrix(std::string_view text) {
                 SparseMatrix(again - matrix).norm() == 0.0,
             "a matrix that is written reads the same");
     return true;
+  } catch (const SceneError& refusal) {
+    require_one_line(refusal.what());
+    return false;
+  }
+}
+
+void require_nodes(const ElementList& elements, const SolidMesh& mesh) {
+  require(elements.shape != nullptr && std::ssize(elements.nodes) == elements.count() * elements.shape->nodes,
+          "elements have all their nodes");
+  require(std::ranges::all_of(elements.nodes,
+                              [&](int node) { return node >= 0 && node < std::ssize(mesh.nodes); }),
+          "nodes of elements are nodes of the mesh");
+}
+
+bool attack_mesh(std::string_view text) {
+  constexpr int kFew = 20;  // elements that are assembled in a moment
+  try {
+    const SolidMesh mesh = read_gmsh_mesh(text, "attack.msh");
+    require(!mesh.solids.empty() && mesh.size() > 0, "a mesh has a solid");
+    require(std::ranges::all_of(mesh.nodes, [](const auto& place) { return place.allFinite(); }),
+            "places are finite");
+    int elements = 0;
+    for (const ElementList& list : mesh.solids) {
+      require_nodes(list, mesh);
+      elements += list.count();
+    }
+    for (const auto& [name, group] : mesh.groups) {
+      for (const ElementList& list : group) require_nodes(list, mesh);
+      if (elements <= kFew) static_cast<void>(load_on_group(mesh, group, 0));
+    }
+    if (elements <= kFew)
+      static_cast<void>(assemble(Solid{.mesh = std::make_shared<const SolidMesh>(mesh)}));
+    return true;
+  } catch (const InvalidProblem& refusal) {
+    require_one_line(refusal.what());  // an element without volume
+    return false;
   } catch (const SceneError& refusal) {
     require_one_line(refusal.what());
     return false;
@@ -246,6 +285,7 @@ bool attack_branches(std::string_view text) {
 
 constexpr std::array kReaders{UntrustedReader{.name = "scene", .attack = attack_scene},
                               UntrustedReader{.name = "matrix", .attack = attack_matrix},
+                              UntrustedReader{.name = "mesh", .attack = attack_mesh},
                               UntrustedReader{.name = "records", .attack = attack_records},
                               UntrustedReader{.name = "branches", .attack = attack_branches},
                               UntrustedReader{.name = "answer", .attack = attack_answer}};

@@ -183,6 +183,23 @@ TEST(Schematic, OfStructuresHasMeshContactsAndLoads) {
   EXPECT_EQ(texts(drawn("matrices-cantilever"), "contact-node"), std::vector<std::string>{"u[18]"});
 }
 
+TEST(Schematic, OfAMeshHasItsEdgesSupportStopsAndLoads) {
+  const Drawing drawing = drawn("mesh-fan-blade");
+  const auto parts = counts(drawing);
+  for (const char* kind : {"edges", "support", "stop", "gap", "load"})
+    EXPECT_EQ(parts.count(kind), 1U) << kind;
+  EXPECT_EQ(parts.at("stop"), 1) << "all contacts are upwards";
+  EXPECT_EQ(parts.at("load"), 1) << "the load is along y";
+  for (const Part& part : drawing.parts) {
+    if (part.kind != "edges" && part.kind != "support") continue;
+    EXPECT_GT(part.strokes.size(), 20U) << part.kind;
+  }
+  const std::size_t contacts = load_scene(find_scene("mesh-fan-blade")).contacts.size();
+  EXPECT_EQ(texts(drawing, "gap"), std::vector<std::string>{fmt::format("{} nodes, g = 0.0002 m", contacts)});
+  expect_on_the_sheet(drawing, "mesh-fan-blade");
+  expect_loads_apart(drawing, "mesh-fan-blade");
+}
+
 /// Tables [[contact]] on every `pitch`-th coordinate, a hundred in all.
 std::string hundred_contacts(int pitch) {
   std::string tables;

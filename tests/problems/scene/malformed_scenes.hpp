@@ -116,15 +116,18 @@ inline constexpr Malformed kMalformed[] = {
     // System
     {"NoSystem", kContactFree, 3, "[forcing.system]",
      "1: system = missing (must be a table with kind = \"sdof\", \"chain\", \"bar\", \"beam\", \"block\", "
+     "\"mesh\", "
      "\"rotor\", \"shaft\" or \"matrices\")"},
     {"NoKind", kOscillator, 6, "",
-     "5: system.kind = missing (must be \"sdof\", \"chain\", \"bar\", \"beam\", \"block\", \"rotor\", "
+     "5: system.kind = missing (must be \"sdof\", \"chain\", \"bar\", \"beam\", \"block\", \"mesh\", "
+     "\"rotor\", "
      "\"shaft\" or \"matrices\")"},
     {"KindOfTomorrow", kOscillator, 6, "kind = \"shell\"",
-     "6: system.kind = \"shell\" (must be \"sdof\", \"chain\", \"bar\", \"beam\", \"block\", "
+     "6: system.kind = \"shell\" (must be \"sdof\", \"chain\", \"bar\", \"beam\", \"block\", \"mesh\", "
      "\"rotor\", \"shaft\" or \"matrices\")"},
     {"UnknownKind", kOscillator, 6, "kind = \"SDOF\"",
-     "6: system.kind = \"SDOF\" (must be \"sdof\", \"chain\", \"bar\", \"beam\", \"block\", \"rotor\", "
+     "6: system.kind = \"SDOF\" (must be \"sdof\", \"chain\", \"bar\", \"beam\", \"block\", \"mesh\", "
+     "\"rotor\", "
      "\"shaft\" or \"matrices\")"},
     {"KeyOfAnotherKind", kOscillator, 7, "masses = [1.0]",
      "7: system.masses = [1] (unknown key; known: kind, mass, damping, stiffness)"},
@@ -206,7 +209,7 @@ inline constexpr Malformed kMalformed[] = {
     {"LoadNotANumber", kOscillator, 16, "cos = nan",
      "16: forcing.term[0].cos = nan (must be a finite number)"},
     {"UnknownTermKey", kOscillator, 17, "phase = 0.5",
-     "17: forcing.term[0].phase = 0.5 (unknown key; known: dof, face, direction, harmonic, "
+     "17: forcing.term[0].phase = 0.5 (unknown key; known: dof, face, group, direction, harmonic, "
      "frequency, cos, sin, omega_power, samples, file, harmonics)"},
     // Contacts
     {"ContactAsTable", kOscillator, 18, "[contact]",
@@ -220,8 +223,8 @@ inline constexpr Malformed kMalformed[] = {
     {"NoGap", kOscillator, 20, "", "18: contact[0].gap = missing (must be a finite number [m])"},
     {"GapInfinite", kOscillator, 20, "gap = inf", "20: contact[0].gap = inf (must be a finite number [m])"},
     {"UnknownContactKey", kOscillator, 20, "gap = 0.2\nfriction = 0.3",
-     "21: contact[0].friction = 0.3 (unknown key; known: dof, normal, dofs, facets, face, patch, gap, "
-     "gap_term, centre_term)"},
+     "21: contact[0].friction = 0.3 (unknown key; known: dof, normal, dofs, facets, face, patch, group, "
+     "direction, gap, gap_term, centre_term)"},
     {"EmptyNormal", kChain, 11, "normal = []",
      "11: contact[0].normal = [] (must be a list of pairs [dof, coefficient])"},
     {"FlatNormal", kChain, 11, "normal = [2, 1.0]",
@@ -277,6 +280,7 @@ inline constexpr Malformed kMalformed[] = {
      "1: forcing = missing (must be a table with the frequency)"},
     {"SystemAsText", kContactFree, 3, "system = 1\n[forcing.other]",
      "3: system = 1 (must be a table with kind = \"sdof\", \"chain\", \"bar\", \"beam\", \"block\", "
+     "\"mesh\", "
      "\"rotor\", \"shaft\" or \"matrices\")"},
     {"SineAtHarmonicZero", kContactFree, 9,
      "frequency = 1.0\n[[forcing.term]]\ndof = 0\nharmonic = 0\nsin = 0.5",

@@ -263,7 +263,7 @@ inline constexpr Malformed kMalformedStructures[] = {
     {"LoadOnDofAndFace", kBlock, 16, "direction = \"z\"\ndof = 0",
      "15: forcing.term[0].face = \"x+\" (must be absent: dof is given)"},
     {"DirectionWithoutFace", kBlock, 15, "dof = 0",
-     "16: forcing.term[0].direction = \"z\" (must be absent: no face is given)"},
+     "16: forcing.term[0].direction = \"z\" (must be absent: neither a face nor a group is given)"},
     {"HarmonicAbsurdAfterAFace", kBlock, 17, "cos = 1.0\n[[forcing.term]]\ndof = 0\nharmonic = 10001",
      "20: forcing.term[1].harmonic = 10001 (must be a whole number, 0..10000)"},
     // Shafts

@@ -100,7 +100,7 @@ TEST(ReadLoad, SpreadsAForceOverAFace) {
   EXPECT_NEAR(cos, 8.0, 1e-14);
   EXPECT_NEAR(sin, 4.0, 1e-14);
   EXPECT_EQ(refusal([] { load("[[term]]\ndof = 1\ndirection = \"y\"\ncos = 1"); }),
-            "scene.toml:3: term[0].direction = \"y\" (must be absent: no face is given)");
+            "scene.toml:3: term[0].direction = \"y\" (must be absent: neither a face nor a group is given)");
 }
 
 }  // namespace
