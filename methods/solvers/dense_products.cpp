@@ -8,10 +8,19 @@ namespace signorini {
 
 namespace {
 
-// C = alpha op(A) B + beta C.
+// C = alpha op(A) B + beta C; beta is 0 or 1.
 void multiply(CBLAS_TRANSPOSE transpose, double alpha, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
               double beta, Eigen::MatrixXd& C) {
   if (C.size() == 0) return;
+  constexpr Eigen::Index kSmall = 4096;  // products of numbers, for which a call of the BLAS does not pay
+  if (C.size() * B.rows() < kSmall) {
+    if (beta == 0.0) C.setZero();
+    if (transpose == CblasTrans)
+      C.noalias() += alpha * A.transpose() * B;
+    else
+      C.noalias() += alpha * A * B;
+    return;
+  }
   const auto rows = static_cast<int>(C.rows());
   const auto columns = static_cast<int>(C.cols());
   const auto inner = static_cast<int>(B.rows());

@@ -9,26 +9,33 @@ Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns) {
   return Eigen::MatrixXd::Random(rows, columns);
 }
 
-TEST(DenseProducts, EqualThoseOfGenericCode) {
+// Small ones, and such as go to the BLAS.
+class DenseProducts : public testing::TestWithParam<Eigen::Index> {};
+
+TEST_P(DenseProducts, EqualThoseOfGenericCode) {
   std::srand(5);
-  const Eigen::MatrixXd A = random_matrix(7, 4), B = random_matrix(4, 5), tall = random_matrix(7, 3);
-  EXPECT_LT((dense_product(A, B) - A.lazyProduct(B)).cwiseAbs().maxCoeff(), 1e-15);
-  EXPECT_LT((transposed_product(A, tall) - A.transpose().lazyProduct(tall)).cwiseAbs().maxCoeff(), 1e-15);
-  const Eigen::MatrixXcd Z = Eigen::MatrixXcd::Random(4, 6);
+  const Eigen::Index m = 7 * GetParam(), k = 4 * GetParam(), n = 5 * GetParam();
+  const double tolerance = 1e-15 * static_cast<double>(k);
+  const Eigen::MatrixXd A = random_matrix(m, k), B = random_matrix(k, n), tall = random_matrix(m, 3);
+  EXPECT_LT((dense_product(A, B) - A.lazyProduct(B)).cwiseAbs().maxCoeff(), tolerance);
+  EXPECT_LT((transposed_product(A, tall) - A.transpose().lazyProduct(tall)).cwiseAbs().maxCoeff(), tolerance);
+  const Eigen::MatrixXcd Z = Eigen::MatrixXcd::Random(k, 6);
   EXPECT_LT((dense_product(A, Z) - A.cast<std::complex<double>>().lazyProduct(Z)).cwiseAbs().maxCoeff(),
-            1e-15);
-  const Eigen::VectorXcd d = Eigen::VectorXcd::Random(4);
+            tolerance);
+  const Eigen::VectorXcd d = Eigen::VectorXcd::Random(k);
   const Eigen::MatrixXcd scaled = d.asDiagonal() * B.cast<std::complex<double>>();
   EXPECT_LT(
       (scaled_product(A, d, B) - A.cast<std::complex<double>>().lazyProduct(scaled)).cwiseAbs().maxCoeff(),
-      1e-15);
-  Eigen::MatrixXd C = random_matrix(7, 5);
+      tolerance);
+  Eigen::MatrixXd C = random_matrix(m, n);
   const Eigen::MatrixXd expected = C - A.lazyProduct(B);
   subtract_product(A, B, C);
-  EXPECT_LT((C - expected).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_LT((C - expected).cwiseAbs().maxCoeff(), tolerance);
 }
 
-TEST(DenseProducts, OfNothingAreZero) {
+INSTANTIATE_TEST_SUITE_P(SmallAndLarge, DenseProducts, testing::Values(1, 10));
+
+TEST(DenseProductsOfNothing, AreZero) {
   const Eigen::MatrixXd none(3, 0), nothing(0, 2);
   EXPECT_EQ(dense_product(none, nothing), Eigen::MatrixXd::Zero(3, 2));
   EXPECT_EQ(transposed_product(nothing, Eigen::MatrixXd(0, 4)), Eigen::MatrixXd::Zero(2, 4));
