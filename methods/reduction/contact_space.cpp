@@ -32,6 +32,11 @@ constexpr int kCheckedPowers = 2;
 // Growth of the harmonics at which residuals of the contacts are evaluated.
 constexpr double kNextHarmonic = 1.1;
 
+/// Root mean square over time of a series of these magnitudes, n = 0..H.
+double size_of(const Eigen::VectorXd& series) {
+  return std::sqrt(2.0 * series.squaredNorm() - series[0] * series[0]);
+}
+
 /// B^T B for B = [V U, D], U the Ritz vectors in V and D what follows statically.
 Eigen::MatrixXd gram_of(const BlockLanczos& space, const Eigen::MatrixXd& ritz, const SparseMatrix& D) {
   const Eigen::Index vectors = ritz.cols();
@@ -156,8 +161,7 @@ SpaceProjection ContactSpace::take_whole() {
 }
 
 double ContactSpace::bound_size(double base, const Eigen::MatrixXcd& force) const {
-  const Eigen::VectorXd size = bound(base, force);
-  return std::sqrt(2.0 * size.squaredNorm() - size[0] * size[0]);
+  return size_of(bound(base, force));
 }
 
 ContactSpace::Residuals ContactSpace::residuals(double base, const Eigen::MatrixXcd& force) const {
@@ -209,8 +213,7 @@ ContactSpace ContactSpace::grown_for(double base, const std::vector<Wanted>& all
     for (int idle = 0; idle < 2;) {
       result.take_residuals();
       const Residuals residuals = result.residuals(base, wanted.force);
-      const Eigen::VectorXd bounds = result.bound(residuals, base, wanted.force);
-      const double bound = std::sqrt(2.0 * bounds.squaredNorm() - bounds[0] * bounds[0]);
+      const double bound = size_of(result.bound(residuals, base, wanted.force));
       if (bound <= wanted.tolerance || result.whole_.complete) break;
       idle = bound > 0.5 * before ? idle + 1 : 0;
       before = bound;

@@ -27,18 +27,6 @@ void require_finite(const SparseMatrix& A, const std::string& field) {
     throw InvalidProblem(field, fmt::format("{}", largest), "must be a finite number");
 }
 
-using Assembly = std::function<Structure(const std::vector<int>& contact_coordinates)>;
-
-// A model whose mass may depend on its contacts.
-template <class Model>
-Assembly assembly_of(const Model& model) {
-  return [model](const std::vector<int>& contact_coordinates) {
-    Model with_contacts = model;
-    with_contacts.contacts = contact_coordinates;
-    return assemble(with_contacts);
-  };
-}
-
 Beam read_section_and_material(const SceneField& system) {
   return {.elements = read_element_count(system["elements"]),
           .length = read_positive(system["length"], "[m]"),

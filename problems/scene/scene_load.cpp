@@ -4,7 +4,6 @@
 #include <limits>
 #include <numbers>
 
-#include "problems/scene/input_file.hpp"
 #include "problems/scene/scene_system.hpp"
 
 namespace signorini {
@@ -76,16 +75,9 @@ std::vector<double> read_samples(const SceneField& samples) {
 std::vector<double> read_table(const SceneField& table, double frequency, ReadLoad& load) {
   constexpr std::string_view kTable =
       "must be the name of a text file of samples, relative to the scene's folder";
-  const std::string name = table.text(kTable);
-  if (name.empty()) table.refuse(kTable);
-  const std::filesystem::path path = std::filesystem::path(table.file()).parent_path() / name;
-  load.files.push_back(path);
-  try {
-    return parse_load_table(read_input_file(path, kLargestTable), path.string(),
-                            2.0 * std::numbers::pi / frequency);
-  } catch (const UnreadableFile& error) {
-    table.refuse(fmt::format("{}; it is {}", kTable, error.found));
-  }
+  const NamedFile file = read_named_file(table, kTable, kLargestTable);
+  load.files.push_back(file.path);
+  return parse_load_table(file.text, file.path.string(), 2.0 * std::numbers::pi / frequency);
 }
 
 // A term given by samples, on so many coordinates.

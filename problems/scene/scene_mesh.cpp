@@ -9,7 +9,6 @@
 #include "problems/assembly/solid.hpp"
 #include "problems/scene/close_names.hpp"
 #include "problems/scene/gmsh_mesh.hpp"
-#include "problems/scene/input_file.hpp"
 #include "problems/scene/scene_system.hpp"
 
 namespace signorini {
@@ -19,21 +18,6 @@ namespace {
 constexpr std::size_t kLargestMeshFile = std::size_t{1} << 29U;  // bytes: some 5 million nodes and elements
 constexpr int kMostMeshCoordinates = 3'000'000;
 constexpr double kMostPairs = 2e8;  // nine entries of a matrix each, counted by int
-
-std::filesystem::path mesh_file(const SceneField& field, std::string_view requirement) {
-  const std::string name = field.text(requirement);
-  if (name.empty()) field.refuse(requirement);
-  return std::filesystem::path(field.file()).parent_path() / name;
-}
-
-SolidMesh read_mesh_file(const SceneField& field, const std::filesystem::path& path,
-                         std::string_view requirement) {
-  try {
-    return read_gmsh_mesh(read_input_file(path, kLargestMeshFile), path.string());
-  } catch (const UnreadableFile& error) {
-    field.refuse(fmt::format("{}; it is {}", requirement, error.found));
-  }
-}
 
 // The mesh with its nodes at rest first; none is, where `fixed` is absent.
 SolidMesh hold(SolidMesh mesh, const SceneField& fixed) {
@@ -65,35 +49,30 @@ const MeshGroup& group_named(const SceneField& field, const SolidMesh& mesh) {
 SystemDescription read_solid(const SceneField& system) {
   system.allow_only({"kind", "mesh", "fixed", "young", "poisson", "density", "damping", "contact_mass"},
                     "must be a table");
-  constexpr std::string_view kMesh =
-      "must be the name of a mesh file of Gmsh, relative to the scene's folder";
-  const SceneField file = system["mesh"];
-  const std::filesystem::path path = mesh_file(file, kMesh);
-  auto mesh = std::make_shared<const SolidMesh>(hold(read_mesh_file(file, path, kMesh), system["fixed"]));
+  const SceneField mesh_field = system["mesh"];
+  const NamedFile file =
+      read_named_file(mesh_field, "must be the name of a mesh file of Gmsh, relative to the scene's folder",
+                      kLargestMeshFile);
+  auto mesh =
+      std::make_shared<const SolidMesh>(hold(read_gmsh_mesh(file.text, file.path.string()), system["fixed"]));
   const int size = mesh->size();
   double pairs = 0.0;  // of nodes in one element
   for (const ElementList& elements : mesh->solids)
     pairs += static_cast<double>(elements.nodes.size()) * elements.shape->nodes;
   if (pairs > kMostPairs)
-    file.refuse(fmt::format("{:.0f} pairs of nodes in elements", pairs),
-                fmt::format("must have at most {:.0f}", kMostPairs));
+    mesh_field.refuse(fmt::format("{:.0f} pairs of nodes in elements", pairs),
+                      fmt::format("must have at most {:.0f}", kMostPairs));
   if (size > kMostMeshCoordinates)
-    file.refuse(fmt::format("{} coordinates", size),
-                fmt::format("must make at most {}", kMostMeshCoordinates));
+    mesh_field.refuse(fmt::format("{} coordinates", size),
+                      fmt::format("must make at most {}", kMostMeshCoordinates));
   const Solid solid{.mesh = mesh,
                     .young = read_positive(system["young"], "[N/m^2]"),
                     .poisson = read_poisson(system["poisson"]),
                     .density = read_positive(system["density"], "[kg/m^3]"),
                     .contact_mass = read_contact_mass(system["contact_mass"])};
-  SystemDescription description = damped_structure(
-      mesh,
-      [solid](const std::vector<int>& contact_coordinates) {
-        Solid with_contacts = solid;
-        with_contacts.contacts = contact_coordinates;
-        return assemble(with_contacts);
-      },
-      read_damping(system["damping"], size), size);
-  description.files.push_back(path);
+  SystemDescription description =
+      damped_structure(mesh, assembly_of(solid), read_damping(system["damping"], size), size);
+  description.files.push_back(file.path);
   return description;
 }
 

@@ -92,21 +92,14 @@ SystemDescription read_chain(const SceneField& system) {
   return assembled(chain);
 }
 
-std::filesystem::path matrix_file(const SceneField& field, const std::string& name) {
+std::filesystem::path file_beside(const SceneField& field, const std::string& name) {
   return std::filesystem::path(field.file()).parent_path() / name;
 }
 
 SparseMatrix read_matrix(const SceneField& field) {
-  constexpr std::string_view kRequirement =
-      "must be the name of a Matrix Market file, relative to the scene's folder";
-  const std::string name = field.text(kRequirement);
-  const std::filesystem::path path = matrix_file(field, name);
-  if (name.empty()) field.refuse(kRequirement);
-  try {
-    return read_matrix_market(read_input_file(path, kLargestMatrixFile), path.string());
-  } catch (const UnreadableFile& error) {
-    field.refuse(fmt::format("{}; it is {}", kRequirement, error.found));
-  }
+  const NamedFile file = read_named_file(
+      field, "must be the name of a Matrix Market file, relative to the scene's folder", kLargestMatrixFile);
+  return read_matrix_market(file.text, file.path.string());
 }
 
 SparseMatrix read_matrix(const SceneField& field, Eigen::Index size) {
@@ -180,12 +173,23 @@ SystemDescription read_matrices(const SceneField& system) {
   SystemDescription description = independent_of_contacts(std::move(structure));
   for (const char* key : {"mass", "damping", "stiffness", "gyroscopic", "circulatory"}) {
     const SceneField matrix = system[key];
-    if (matrix.given()) description.files.push_back(matrix_file(matrix, matrix.text("must be a file")));
+    if (matrix.given()) description.files.push_back(file_beside(matrix, matrix.text("must be a file")));
   }
   return description;
 }
 
 }  // namespace
+
+NamedFile read_named_file(const SceneField& field, std::string_view requirement, std::size_t most) {
+  const std::string name = field.text(requirement);
+  if (name.empty()) field.refuse(requirement);
+  const std::filesystem::path path = file_beside(field, name);
+  try {
+    return {.path = path, .text = read_input_file(path, most)};
+  } catch (const UnreadableFile& error) {
+    field.refuse(fmt::format("{}; it is {}", requirement, error.found));
+  }
+}
 
 SystemDescription read_system(const SceneField& system) {
   constexpr std::array<std::pair<std::string_view, SystemDescription (*)(const SceneField&)>, 9> kReaders{

@@ -2,6 +2,7 @@
 // The tables [system], [forcing], [base] and [[contact]] of a scene file: which kind of structure, its
 // matrices and files of matrices, and what acts on it from outside.
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -44,11 +45,31 @@ SystemDescription read_block(const SceneField& system);
 SystemDescription read_shaft(const SceneField& system);
 SystemDescription read_solid(const SceneField& system);
 
+/// M and K of a structure, given the coordinates that contacts touch.
+using Assembly = std::function<Structure(const std::vector<int>& contact_coordinates)>;
+
 /// A structure that gets its damping from its mass and stiffness, besides what its parts have.
 /// \param undamped  M and K, given the coordinates that contacts touch  \param size  Nd
-SystemDescription damped_structure(
-    SystemLayout layout, std::function<Structure(const std::vector<int>& contact_coordinates)> undamped,
-    DampingModel damping, int size);
+SystemDescription damped_structure(SystemLayout layout, Assembly undamped, DampingModel damping, int size);
+
+/// A model whose mass may depend on its contacts: the matrices of a copy that has them.
+template <class Model>
+Assembly assembly_of(const Model& model) {
+  return [model](const std::vector<int>& contact_coordinates) {
+    Model with_contacts = model;
+    with_contacts.contacts = contact_coordinates;
+    return assemble(with_contacts);
+  };
+}
+
+/// A file that a scene names, relative to its own folder.
+struct NamedFile {
+  std::filesystem::path path = {};  ///< to open it by
+  std::string text = {};            ///< all of it
+};
+/// Reads it whole. \throws SceneError with the requirement for no name, and for a file that is not read
+/// \param most  bytes
+NamedFile read_named_file(const SceneField& field, std::string_view requirement, std::size_t most);
 
 /// "consistent" where absent. \throws SceneError
 ContactMass read_contact_mass(const SceneField& field);

@@ -11,6 +11,7 @@
 
 #include "problems/matrix_properties.hpp"
 #include "problems/validation.hpp"
+#include "tests/problems/assembly/linear_motions.hpp"
 
 namespace signorini::block_test {
 namespace {
@@ -40,17 +41,8 @@ Eigen::VectorXd at_nodes(const BlockMesh& mesh, const Field& field) {
   return u;
 }
 
-// The twelve motions linear in x, y and z: A x and b, one entry at a time.
 std::vector<Eigen::VectorXd> linear_motions(const BlockMesh& mesh) {
-  std::vector<Eigen::VectorXd> motions;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int by = -1; by < 3; ++by) {
-      motions.push_back(at_nodes(mesh, [=](const Eigen::Vector3d& x) {
-        return Eigen::Vector3d((by < 0 ? 1.0 : x(by)) * Eigen::Vector3d::Unit(axis));
-      }));
-    }
-  }
-  return motions;
+  return test::linear_motions([&](const Field& field) { return at_nodes(mesh, field); });
 }
 
 TEST(BlockMesh, CountsCoordinatesAlongZThenYThenX) {
