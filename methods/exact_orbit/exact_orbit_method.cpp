@@ -238,8 +238,8 @@ class PreparedReducedOrbit final : public PreparedMethod {
     solution.condition = orbit.condition;
     solution.message = fmt::format(
         "{}, on {} vectors by {}; {} corrections by {} vectors; error bar {:.1e}, largest multiplier {:.6g}",
-        orbit.reason, vectors, found.start, corrected.defects.size() - 1, corrected.vectors,
-        *corrected.bar, orbit.largest_multiplier());
+        orbit.reason, vectors, found.start, corrected.defects.size() - 1, corrected.vectors, *corrected.bar,
+        orbit.largest_multiplier());
   }
 
   const Problem& problem_;

@@ -13,9 +13,9 @@ namespace signorini {
 /// An isotropic body of linear elasticity. Coordinates are those of the mesh.
 struct Solid {
   std::shared_ptr<const SolidMesh> mesh = std::make_shared<SolidMesh>();  ///< never null
-  double young = 1.0;                                  ///< > 0 [N/m^2]
-  double poisson = 0.0;                                ///< between -1 and 0.5 [-]
-  double density = 1.0;                                ///< > 0 [kg/m^3]
+  double young = 1.0;                                                     ///< > 0 [N/m^2]
+  double poisson = 0.0;                                                   ///< between -1 and 0.5 [-]
+  double density = 1.0;                                                   ///< > 0 [kg/m^3]
   ContactMass contact_mass = ContactMass::consistent;  ///< how mass is spread over the nodes
   std::vector<int> contacts = {};  ///< coordinates that contacts touch; of use for ContactMass::massless only
 };

@@ -162,8 +162,7 @@ bool attack_mesh(std::string_view text) {
       for (const ElementList& list : group) require_nodes(list, mesh);
       if (elements <= kFew) static_cast<void>(load_on_group(mesh, group, 0));
     }
-    if (elements <= kFew)
-      static_cast<void>(assemble(Solid{.mesh = std::make_shared<const SolidMesh>(mesh)}));
+    if (elements <= kFew) static_cast<void>(assemble(Solid{.mesh = std::make_shared<const SolidMesh>(mesh)}));
     return true;
   } catch (const InvalidProblem& refusal) {
     require_one_line(refusal.what());  // an element without volume
