@@ -89,7 +89,12 @@ int reduce(const ReduceArguments& arguments) {
   const std::string name = out.stem().string();
   if (out.extension() != ".toml" || !is_lower_kebab_case(name))
     throw UsageError(fmt::format("out = {} (must be NAME.toml, NAME in lower-kebab-case)", arguments.out));
-  const ContactSpace space(scene.problem, {.small = arguments.vectors});
+  // Of few contacts the powers of a Krylov space, as many as ContactSpace takes.
+  constexpr int kVectorsOfMany = 100;
+  const auto loads = static_cast<int>(load_columns(scene.problem).columns.size());
+  const bool many = scene.problem.contact_count() + loads > kFewColumns;
+  const int vectors_asked = arguments.vectors == 0 && many ? kVectorsOfMany : arguments.vectors;
+  const ContactSpace space(scene.problem, {.small = vectors_asked});
   const ReducedProblem reduced = reduced_problem(scene.problem, space.small());
   if (!reduced.obstacle.empty())
     throw UsageError(
@@ -123,8 +128,8 @@ void add_reduce_command(CLI::App& app, int& exit_code) {
       ->required();
   command
       ->add_option("--vectors", arguments->vectors,
-                   "vectors kept, or so many that whole powers of the Krylov space are; if absent, as many "
-                   "as exact-orbit solves on")
+                   "vectors kept, or so many that whole powers of the Krylov space are; if absent, 90, "
+                   "or six powers, or of more than 20 contacts and loads 100")
       ->check(CLI::Range(1, kMostVectors));
   command->callback([arguments, &exit_code] { exit_code = reduce(*arguments); });
 }

@@ -139,8 +139,7 @@ CertifiedOrbit corrected_orbit(const Problem& problem, const Trajectory* answer,
   }
   CertifiedOrbit orbit{.motion = found.orbit.trajectory, .residual = found.orbit.residual};
   orbit.error_bar = *found.bar;
-  orbit.source =
-      fmt::format("exact orbit on {} vectors, corrected by {}", space.small().vectors(), found.vectors);
+  orbit.source = fmt::format("exact orbit on {} vectors, corrected by {}", found.solved, found.vectors);
   orbit.events = events_of(*found.orbit.trajectory);
   take_multipliers(found.orbit, orbit);
   return orbit;

@@ -19,6 +19,8 @@ namespace {
 constexpr int kComparedInstants = 1024;
 // Rate of the corrections beyond which they are not trusted to converge.
 constexpr double kSlowestCorrection = 0.5;
+// Rate at which corrections make defects fall at least, where they converge.
+constexpr double kTypicalRate = 0.1;
 // Part of the other terms of the bar below which a smaller defect tells
 // nothing.
 constexpr double kNegligible = 0.05;
@@ -46,40 +48,32 @@ double series_norm(const Eigen::MatrixXcd& series, Eigen::Index first = 0) {
 /// more than its last octave.
 double beyond(const Eigen::MatrixXcd& series) { return series_norm(series, series.rows() / 2); }
 
-/// The size of x about its mean in the root mean square over time and contacts
-/// [m].
-double fluctuation(const Eigen::MatrixXd& x) {
-  return std::sqrt((x.rowwise() - x.colwise().mean()).array().square().mean());
+/// How often each contact closes in a period, -1 of one that is closed throughout. Which of two neighbours
+/// closes first within rounding is no difference between motions, nor where the period is cut open.
+std::vector<int> closings(const ExactTrajectory& orbit) {
+  const std::vector<SequenceEvent>& events = orbit.orbit().events;
+  if (events.empty()) {
+    const std::vector<bool>& closed = orbit.orbit().start.closed;
+    std::vector<int> throughout(closed.size(), 0);
+    for (std::size_t j = 0; j < closed.size(); ++j) throughout[j] = closed[j] ? -1 : 0;
+    return throughout;
+  }
+  const std::vector<bool>* before = &events.back().closed;
+  std::vector<int> count(before->size(), 0);
+  for (std::size_t j = 0; j < count.size(); ++j) {
+    if (std::ranges::all_of(events, [j](const SequenceEvent& event) { return bool{event.closed[j]}; }))
+      count[j] = -1;
+  }
+  for (const SequenceEvent& event : events) {
+    for (std::size_t j = 0; j < count.size(); ++j) {
+      if (event.closed[j] && !(*before)[j]) ++count[j];
+    }
+    before = &event.closed;
+  }
+  return count;
 }
 
-bool same_sequence(const ExactTrajectory& a, const ExactTrajectory& b) {
-  const auto& first = a.orbit().events;
-  const auto& second = b.orbit().events;
-  return std::equal(first.begin(), first.end(), second.begin(), second.end(),
-                    [](const SequenceEvent& e, const SequenceEvent& f) {
-                      return e.kind == f.kind && e.contact == f.contact && e.closed == f.closed;
-                    });
-}
-
-/// What a correction by the first `added` harmonics of these displacements may leave of them [m].
-double left_by_correction(const Eigen::MatrixXcd& missing, Eigen::Index added) {
-  constexpr double kTypicalRate = 0.1;
-  return kTypicalRate * series_norm(missing.topRows(added)) + series_norm(missing, added);
-}
-
-/// The space with more vectors to check with, where the bound of those that there are is above `wanted` [m];
-/// and with those to solve on that a correction by `added` harmonics leaves less of. Whether there is a
-/// change.
-bool grow_for(ContactSpace& space, double base, const Eigen::MatrixXcd& force, double wanted,
-              Eigen::Index added) {
-  if (!(space.bound_size(base, force) > wanted)) return false;
-  space = space.grown_for(base, {{.force = force, .tolerance = wanted}});
-  const ContactSpace other = space.solved_on_lowest();
-  if (left_by_correction(other.missing(base, force), added) <
-      left_by_correction(space.missing(base, force), added))
-    space = other;
-  return true;
-}
+bool same_sequence(const ExactTrajectory& a, const ExactTrajectory& b) { return closings(a) == closings(b); }
 
 /// One deferred correction of a scene.
 class Correction {
@@ -97,11 +91,11 @@ class Correction {
     for (int correction = 0;; ++correction) {
       if (!result_.orbit.certified()) return refused("no admissible orbit: " + result_.orbit.reason);
       if (!measure()) return refused("the motion between events is not known as a sum of modes");
-      if (correction > 0 && enough()) break;
-      if (correction == settings_.corrections || (correction > 1 && rate() > kSlowestCorrection)) break;
+      if (correction > 0 && settled_ && (enough() || rate() > kSlowestCorrection)) break;
+      if (correction == settings_.corrections) break;
       correct();
     }
-    if (!enough() && rate() > kSlowestCorrection)
+    if (defect_rate() > kSlowestCorrection && !negligible_defect())
       return refused("the corrections do not converge: more vectors are needed");
     if (!settled_) return refused("the last correction changed the sequence of events");
     if (!probe())
@@ -126,19 +120,21 @@ class Correction {
     const Eigen::MatrixXcd force = orbit.force_spectrum(harmonics);
     if (force.size() == 0) return false;
     const Eigen::MatrixXd x = orbit.sample(kComparedInstants * order).x;
-    size_ = fluctuation(x);
-    if (!(size_ > 0.0)) size_ = 1.0;
+    size_ = size_about_mean(x);
     const Eigen::MatrixXcd solved = contact_response(model_, base_, force);
-    const double wanted = std::max(settings_.tolerance, kNegligible * rounding(x)) * size_;
-    changed_ = grow_for(space_, base_, force, wanted, most_shifted()) || changed_;
+    const double wanted = kNegligible * std::max(settings_.tolerance, rounding(x)) * size_;
+    if (space_.bound_size(base_, force) > wanted)
+      space_ = space_.grown_for(base_, {{.force = force, .tolerance = wanted}});
+    space_ = space_.solved_for(base_, force, kLeftBySolved * settings_.tolerance * size_);
     result_.vectors = space_.whole().vectors();
+    result_.solved = model_.vectors();
     missing_ = space_.missing(base_, force);
     Eigen::MatrixXcd defect = contact_response(space_.whole(), base_, force) - solved;
     if (added_.rows() > 0) defect.topRows(added_.rows()) -= added_;
     if (!result_.defects.empty()) {
       const double change = std::sqrt((x - x_).array().square().mean()) / size_;
-      if (result_.defects.back() > kTellingDefect)
-        result_.amplification = std::max(result_.amplification, change / result_.defects.back());
+      if (applied_ > kTellingDefect)
+        result_.amplification = std::max(result_.amplification, change / applied_);
     }
     result_.peak = sample_series(defect, 2 * harmonics).cwiseAbs().maxCoeff() / size_;
     result_.tail = beyond(defect) / size_;
@@ -148,6 +144,10 @@ class Correction {
     if (added_.rows() == 0) shifted_ = shifted();
     result_.defects.push_back(series_norm(defect.topRows(shifted_)) / size_);
     result_.unshifted = series_norm(defect, shifted_) / size_;
+    // A correction takes away all but what its own vectors leave in the harmonics that are not added.
+    const Eigen::Index others = defect.rows() - shifted_;
+    defect.bottomRows(others) -= missing_.bottomRows(others);
+    applied_ = series_norm(defect) / size_;
     x_ = x;
     return true;
   }
@@ -161,14 +161,13 @@ class Correction {
 
   /// The next orbit, from the present one.
   void correct() {
+    before_ = reducible();
     added_ = missing_.topRows(shifted_);
-    if (std::exchange(changed_, false)) {
-      model_ = space_.small();
-      shared_ = std::make_shared<SharedModes>();
-    }
+    model_ = space_.small();
+    shared_ = std::make_shared<SharedModes>();
     OrbitFinder finder(problem_, displaced(model_, added_, base_), shared_);
     const std::shared_ptr<const ExactTrajectory> before = result_.orbit.trajectory;
-    OrbitSearch found = finder.find(before->orbit(), settings_.search);
+    OrbitSearch found = finder.find(*before, settings_.search);  // its events: the state is another model's
     result_.iterations += found.iterations;
     result_.orbit = std::move(found.orbit);
     settled_ = result_.orbit.trajectory && same_sequence(*before, *result_.orbit.trajectory);
@@ -199,40 +198,48 @@ class Correction {
     return true;
   }
 
-  [[nodiscard]] Eigen::Index most_shifted() const {
-    return std::min(settings_.shifted, settings_.harmonics) * problem_.subharmonic + 1;
-  }
-
   /// Harmonics that are added, the constant included: so many that the others
   /// are below the rest of the bar.
   [[nodiscard]] Eigen::Index shifted() const {
     const auto most = std::min<Eigen::Index>(settings_.shifted * problem_.subharmonic + 1, missing_.rows());
-    const double least = std::max(settings_.tolerance, result_.tail + result_.outside + result_.rounding);
+    const double least = std::max(kLeftBySolved * settings_.tolerance, fixed());
     Eigen::Index count = std::min<Eigen::Index>(kFewestShifted, most);
     while (count < most && series_norm(missing_, count) > least * size_) count = std::min(2 * count, most);
     return count;
   }
 
   /// How the last defect compares with the one before.
-  [[nodiscard]] double rate() const {
+  [[nodiscard]] double defect_rate() const {
     const std::size_t count = result_.defects.size();
     if (count < 2 || result_.defects[count - 2] == 0.0) return 0.0;
     return result_.defects[count - 1] / result_.defects[count - 2];
   }
+  /// The same of all that further corrections reduce.
+  [[nodiscard]] double rate() const { return before_ > 0.0 ? reducible() / before_ : 0.0; }
 
-  /// What corrections do not reduce.
-  [[nodiscard]] double rest() const {
-    return result_.unshifted + result_.tail + result_.outside + result_.rounding;
+  /// What corrections reduce: each has vectors that fit the force better.
+  [[nodiscard]] double reducible() const { return result_.defects.back() + result_.unshifted + result_.tail; }
+  /// What they do not.
+  [[nodiscard]] double fixed() const { return result_.outside + result_.rounding; }
+  [[nodiscard]] double rest() const { return result_.unshifted + result_.tail + fixed(); }
+  [[nodiscard]] bool negligible_defect() const {
+    const double defect = result_.defects.back();
+    return defect <= std::max(kTellingDefect, kNegligible * rest()) ||
+           kBarSafety * result_.amplification * defect <= kNegligible * settings_.tolerance;
+  }
+
+  /// What the next correction may leave: of what is not added, what its own vectors would.
+  [[nodiscard]] double promised() const {
+    return kTypicalRate * result_.defects.back() + series_norm(missing_, shifted_) / size_;
   }
 
   [[nodiscard]] bool enough() const {
-    const double defect = result_.defects.back();
-    return kBarSafety * result_.amplification * defect <= settings_.tolerance ||
-           defect <= kNegligible * rest();
+    return kBarSafety * result_.amplification * reducible() <= settings_.tolerance ||
+           reducible() <= kNegligible * fixed() || promised() > kSlowestCorrection * reducible();
   }
 
   void conclude() {
-    const double fallen = 1.0 - std::min(rate(), kSlowestCorrection);
+    const double fallen = 1.0 - std::min(defect_rate(), kSlowestCorrection);
     const double own = result_.orbit.error_bar * scale() / size_;
     result_.bar = kBarSafety * result_.amplification * (result_.defects.back() / fallen + rest()) + own;
   }
@@ -244,8 +251,9 @@ class Correction {
   ContactSpace space_;
   const OrbitCorrectionSettings& settings_;
   ContactReduction model_;  // that the present orbit is one of
-  bool changed_ = false;    // whether the space has other vectors to solve on since
   double base_, size_ = 1.0;
+  double applied_ = 0.0;      // displacement by which a correction changes the present orbit
+  double before_ = 0.0;       // what corrections could reduce before the last one
   Eigen::Index shifted_ = 0;  // harmonics added
   std::shared_ptr<SharedModes> shared_;
   Eigen::MatrixXcd missing_, added_;  // of the present orbit, and in it
@@ -255,6 +263,11 @@ class Correction {
 };
 
 }  // namespace
+
+double size_about_mean(const Eigen::MatrixXd& x) {
+  const double size = std::sqrt((x.rowwise() - x.colwise().mean()).array().square().mean());
+  return size > 0.0 ? size : 1.0;
+}
 
 CondensedStructure displaced(const ContactReduction& reduction, const Eigen::MatrixXcd& added, double base) {
   CondensedStructure result = condensed(reduction);

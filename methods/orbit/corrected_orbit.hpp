@@ -15,18 +15,18 @@ namespace signorini {
 struct OrbitCorrectionSettings {
   SearchOptions search = {};  ///< of every orbit
   int corrections = 8;        ///< at most, >= 1 [-]
-  double tolerance =
-      1e-10;             ///< on the part of the bar that corrections reduce, relative to x about its mean [-]
-  int harmonics = 4096;  ///< H, of force and defect, per forcing period >= 64 [-]
-  int shifted = 192;     ///< harmonics of the displacements that are added, per forcing period, <= H [-]
+  double tolerance = 1e-8;  ///< on the bar as far as corrections reduce it, relative to x about its mean [-]
+  int harmonics = 4096;     ///< H, of force and defect, per forcing period >= 64 [-]
+  int shifted = 192;        ///< harmonics of the displacements that are added, per forcing period, <= H [-]
 };
 
 /// An orbit of the reduced structure with displacements added to its contacts, and what the whole structure
 /// makes of its forces. Lengths are root mean squares over contacts and time, relative to that of x about its
 /// mean: after a jump of a force a defect has a peak of short duration, which says little of the motion.
 struct CorrectedOrbit {
-  ExactOrbit orbit = {};  ///< the last one; its x contains the displacements added
-  long iterations = 0;    ///< Newton steps of the corrections
+  ExactOrbit orbit = {};    ///< the last one; its x contains the displacements added
+  long iterations = 0;      ///< Newton steps of the corrections
+  Eigen::Index solved = 0;  ///< vectors that the orbit is one of
   /// Of the space that checks, grown for these forces where that was needed.
   Eigen::Index vectors = 0;
   /// |x_whole[lambda] - x| after each orbit in the harmonics that can be added: backward errors, as far as
@@ -49,19 +49,31 @@ struct CorrectedOrbit {
 /// vectors are wrong under these forces: x_whole and lambda satisfy the structure's equations against stops
 /// moved by d. Added to x of the next orbit (as a shift that relaxes, d + beta d'), it leads to the orbit of
 /// the whole structure, whatever the few vectors. Where the space's bound would be the largest part of the
-/// bar it is grown (`ContactSpace::grown_for`). Each orbit is polished from the one before, and admissible.
+/// bar it is grown (`ContactSpace::grown_for`); the next orbit is one of the vectors that these forces need
+/// (`ContactSpace::solved_for`), so that what is not added falls too. Each orbit is polished from the events
+/// of the one before, and admissible. Corrections end where the bar is as small as is wanted, or the next one
+/// does not promise half of what is left.
 ///
 /// The bar is 2 A (d / (1 - theta) + unshifted + tail + outside + rounding) + the orbit's own: d the last
 /// defect, theta <= 1/2 the rate at which defects fell, A the amplification, rounding the measured one of the
-/// factors of K over the distance from resonance. A is the largest that corrections show, and four probes:
+/// factors of K over the distance from resonance. A is the largest that corrections show, in which the
+/// displacement is what they take away of the defect in all harmonics, and four probes:
 /// orbits with displacements added as large as what is left, the first of them in proportion to x, each other
 /// one to what the one before has changed (power iteration on the response of the orbit). Refused: without
-/// the forces in closed form; where a correction finds no admissible orbit, or another sequence of events in
-/// the end, or a probe does; where defects do not fall by half.
+/// the forces in closed form; where a correction finds no admissible orbit, or contacts that close more
+/// or less often in the end, or a probe does; where defects do not fall by half.
 ///
 /// \param first  an orbit of `space.small()` without displacements
 CorrectedOrbit correct_orbit(const Problem& problem, const ContactSpace& space, ExactOrbit first,
                              const OrbitCorrectionSettings& settings = {});
+
+/// The root mean square over time and contacts of x about its mean, 1 if that is zero: the scale of defects.
+/// \param x  at equidistant instants of the period, instants x Nc [m]
+double size_about_mean(const Eigen::MatrixXd& x);
+
+/// Part of the tolerance on the bar that the vectors to solve on may leave out of the motion they are chosen
+/// for [-].
+inline constexpr double kLeftBySolved = 1e-2;
 
 /// `condensed(reduction)` with displacements added to the contacts.
 /// \param added  d_n, n = 0.., per harmonic and contact [m]

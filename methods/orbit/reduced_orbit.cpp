@@ -6,9 +6,23 @@
 
 #include "methods/discretisation/trajectories.hpp"
 #include "methods/marching/periodic_march.hpp"
+#include "methods/structure/periodic_response.hpp"
 #include "problems/matrix_properties.hpp"
 
 namespace signorini {
+
+namespace {
+
+/// The space with the vectors that a motion needs whose force is known on a grid.
+ContactSpace chosen_for(const Trajectory& motion, const Problem& problem, const ContactSpace& space,
+                        const OrbitCorrectionSettings& settings) {
+  constexpr int kHarmonics = 128, kInstants = 512;
+  const double size = size_about_mean(motion.sample(kInstants * problem.subharmonic).x);
+  return space.solved_for(problem.base_frequency(), force_spectrum(motion, kHarmonics * problem.subharmonic),
+                          kLeftBySolved * settings.tolerance * size);
+}
+
+}  // namespace
 
 std::string reduction_obstacle(const Problem& problem) {
   if (std::string obstacle = march_obstacle(problem); !obstacle.empty()) return obstacle;
@@ -39,12 +53,13 @@ ReducedOrbit find_reduced_orbit(const Problem& problem, const ContactSpace& spac
 ReducedOrbit polish_reduced_orbit(const Problem& problem, const ContactSpace& space, const Trajectory& motion,
                                   const OrbitCorrectionSettings& settings) {
   ReducedOrbit result{.corrected = {}, .start = "the motion given"};
-  OrbitFinder finder(problem, condensed(space.small()));
+  const ContactSpace own = space.small_is_given() ? space : chosen_for(motion, problem, space, settings);
+  OrbitFinder finder(problem, condensed(own.small()));
   OrbitSearch found = finder.find(motion, settings.search);
   result.iterations = found.iterations;
   result.corrected.orbit = std::move(found.orbit);
   if (!result.corrected.orbit.certified()) return result;
-  result.corrected = correct_orbit(problem, space, std::move(result.corrected.orbit), settings);
+  result.corrected = correct_orbit(problem, own, std::move(result.corrected.orbit), settings);
   result.iterations += result.corrected.iterations;
   return result;
 }

@@ -27,9 +27,9 @@ struct ReducedOrbit {
 };
 
 /// Marches `space.small()` to a periodic motion (`march_to_periodic_motion`, 256 nodes per forcing period),
-/// reads an exact orbit off its force (`OrbitFinder`), and corrects it (`correct_orbit`). Failures are
-/// outcomes of the orbit; its trajectory may then be empty.
-/// \param space  without an obstacle
+/// chooses the vectors that its force needs (`ContactSpace::solved_for`; not where the size of `small` was
+/// given), reads an exact orbit off the force (`OrbitFinder`), and corrects it (`correct_orbit`). Failures
+/// are outcomes of the orbit; its trajectory may then be empty. \param space  without an obstacle
 ReducedOrbit find_reduced_orbit(const Problem& problem, const ContactSpace& space,
                                 const OrbitCorrectionSettings& settings);
 

@@ -7,9 +7,11 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <random>
 #include <utility>
 #include <variant>
 
+#include "methods/reduction/principal_directions.hpp"
 #include "methods/solvers/dense_products.hpp"
 #include "methods/structure/harmonic_pencil.hpp"
 #include "methods/structure/ritz_reduction.hpp"
@@ -20,21 +22,34 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Powers that make the first vectors of a Krylov space better than as many modes, and the columns up to which
-// so many are few.
+// Powers that make the first vectors of a Krylov space better than as many modes.
 constexpr int kPowersToSolve = 6;
-constexpr int kFewColumns = 20;
 constexpr int kLeastToSolve = 90;
-constexpr int kLowestToSolve = 100;
+constexpr int kLowestToSolve = 48;
+// Vectors to solve on for the force of a motion: the lowest of all, whatever the force, and at most so many
+// others.
+constexpr Eigen::Index kLowest = 30, kMostToSolve = 150;
+// Where contacts are many a space begins with so many vectors, and grows for the forces of motions.
+constexpr int kBegun = 96;
 // Coordinates with mass of which a space takes all.
 constexpr int kAllOf = 300;
 constexpr int kCheckedPowers = 2;
-// Growth of the harmonics at which residuals of the contacts are evaluated.
-constexpr double kNextHarmonic = 1.1;
 
 /// Root mean square over time of a series of these magnitudes, n = 0..H.
 double size_of(const Eigen::VectorXd& series) {
   return std::sqrt(2.0 * series.squaredNorm() - series[0] * series[0]);
+}
+
+/// What a space starts from where contacts are many: the load and random combinations of contacts, which
+/// move what contacts see most. Blocks of 16 solve several times faster than single columns. The same numbers
+/// at every call.
+SparseMatrix start_of_many(const ContactColumns& columns) {
+  constexpr Eigen::Index kStarted = 16, kLeastRandom = 8;
+  std::mt19937 random(1);
+  Eigen::MatrixXd parts(columns.normals.cols(), std::max(kLeastRandom, kStarted - columns.pushes.cols()));
+  constexpr double kRange = 4294967296.0;
+  for (double& value : parts.reshaped()) value = static_cast<double>(random()) / kRange - 0.5;
+  return side_by_side(columns.pushes, SparseMatrix(Eigen::MatrixXd(columns.normals * parts).sparseView()));
 }
 
 /// B^T B for B = [V U, D], U the Ritz vectors in V and D what follows statically.
@@ -51,22 +66,38 @@ Eigen::MatrixXd gram_of(const BlockLanczos& space, const Eigen::MatrixXd& ritz, 
 
 }  // namespace
 
-struct ContactSpace::Pencil {
-  HarmonicPencil numbers;
-  double least = 0.0;  // d
-};
-
 // The vectors, with the factors of K by which they grow. Large ones are not kept for a growth that may never
 // be asked for, but made anew.
 struct ContactSpace::Source {
-  explicit Source(const Problem& of) : problem(of), columns(contact_columns(of)) {}
+  explicit Source(const Problem& of) : problem(of), columns(contact_columns(of)) {
+    if (columns.obstacle.empty()) all = columns.all();
+  }
 
   BlockLanczos& vectors() {
     if (!kept) {
-      kept.emplace(problem.stiffness(), problem.mass(), columns.all(), columns.most());
+      kept.emplace(problem.stiffness(), problem.mass(), few() ? all : start_of_many(columns), columns.most());
       grow_to(begun);
     }
     return *kept;
+  }
+
+  /// Whether the space starts from all that acts.
+  [[nodiscard]] bool few() const { return all.cols() <= kFewColumns; }
+
+  SpaceProjection projection() {
+    const Eigen::Index contacts = columns.normals.cols();
+    BlockLanczos& space = vectors();
+    if (few()) return projection_from_start(space, contacts);
+    if (!statics) statics.emplace(problem, space, columns);
+    return statics->projection(space);
+  }
+
+  /// Whether nothing but rounding of what acts is statically outside; a space may be invariant without that,
+  /// where many parts of a structure are alike.
+  [[nodiscard]] bool holds_statics(const SpaceProjection& projection) const {
+    constexpr double kNothing = 1e-12;
+    return !statics ||
+           projection.outside.diagonal().maxCoeff() <= kNothing * statics->rest().diagonal().maxCoeff();
   }
 
   void grow_to(Eigen::Index enough) {
@@ -74,13 +105,15 @@ struct ContactSpace::Source {
   }
 
   void rest() {
-    constexpr double kLargest = 5e8;  // [bytes]
+    constexpr double kLargest = 1e9;  // [bytes]
     if (kept->bytes() > kLargest) kept.reset();
   }
 
   Problem problem;  // whose structure the vectors refer to
   ContactColumns columns;
-  Eigen::Index begun = 0;  // vectors of a space that has not grown for any forces
+  SparseMatrix all;                              // B = [N, F]
+  std::optional<StaticCompliance> statics = {};  // where the space does not start from B
+  Eigen::Index begun = 0;                        // vectors of a space that has not grown for any forces
   std::optional<BlockLanczos> kept;
 };
 
@@ -95,12 +128,14 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
     small_.obstacle = std::string(kNotDefinite);
     return;
   }
-  const auto width = static_cast<int>(contacts + columns.pushes.cols());
-  const bool few = width <= kFewColumns;
+  const auto width = static_cast<int>(source_->all.cols());
+  const bool few = source_->few();
   const int lowest = few ? std::max(kLeastToSolve, kPowersToSolve * width) : kLowestToSolve;
   const int small = settings.small > 0 ? settings.small : lowest;
-  const int enough = most <= kAllOf ? static_cast<int>(most) : std::max(2 * small, kCheckedPowers * width);
+  const int begun = few ? std::max(2 * small, kCheckedPowers * width) : std::max(2 * small, kBegun);
+  const int enough = most <= kAllOf ? static_cast<int>(most) : begun;
   source_->begun = settings.whole > 0 ? settings.whole : enough;
+  given_small_ = settings.small > 0;
   if (few) {
     source_->grow_to(small);
     SpaceProjection first = projection_from_start(space, contacts);
@@ -111,7 +146,6 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
   coordinates_ = problem.size();
   damping_ = columns.damping;
   load_ = columns.load;
-  direct_ = columns.compliance;
   const SpaceProjection projection = take_whole();
   sprung_ = std::holds_alternative<Penalty>(problem.law);
   take_small(few ? std::move(small_) : reduction_on(columns, projection, small));
@@ -126,36 +160,37 @@ void ContactSpace::take_small(ContactReduction small) {
   take_law();
 }
 
-SpaceProjection ContactSpace::take_residuals() {
+SpaceProjection ContactSpace::take_remainder() {
+  SpaceProjection projection = source_->projection();
   const BlockLanczos& space = source_->vectors();
-  SpaceProjection projection = projection_from_start(space, source_->columns.normals.cols());
-  const Eigen::MatrixXd& U = projection.pairs.vectors;
   theta_ = projection.pairs.values;
-  contacts_ = U.transpose() * projection.contacts;
-  loads_ = U.transpose() * projection.loads;
-  whole_.complete = space.exhausted() || space.size() >= source_->columns.most();
-  left_out_of_start_ = whole_.complete ? 0.0 : space.left_out_of_start().norm();
-  outside_ = left_out_ = Eigen::MatrixXd::Zero(0, theta_.size());
-  if (whole_.complete) return projection;
-  outside_ = space.coupling() * U.bottomRows(space.coupling().cols());
-  left_out_ = space.left_out() * U;
+  ports_.resize(theta_.size(), source_->all.cols());
+  ports_ << projection.contacts, projection.loads;
+  ports_ = transposed_product(projection.pairs.vectors, ports_);
+  whole_.complete =
+      space.size() >= source_->columns.most() || (space.exhausted() && source_->holds_statics(projection));
+  take_residuals_of(projection);
   return projection;
 }
 
+void ContactSpace::take_residuals_of(const SpaceProjection& projection) {
+  const StaticCompliance* statics = source_->statics ? &*source_->statics : nullptr;
+  remainder_ = whole_.complete ? SpaceRemainder() : SpaceRemainder(source_->vectors(), projection, statics);
+}
+
 SpaceProjection ContactSpace::take_whole() {
-  const BlockLanczos& space = source_->vectors();
   const ContactColumns& columns = source_->columns;
-  SpaceProjection projection = take_residuals();
+  SpaceProjection projection = take_remainder();
+  const BlockLanczos& space = source_->vectors();
   const bool complete = whole_.complete;
   rounding_ = refine_lowest(source_->problem, space, columns, projection);
   whole_ = reduction_on(columns, projection, space.size());
   whole_.complete = complete;
   whole_.rates = load_.rates;
   theta_ = projection.pairs.values;
-  contacts_ = projection.contacts;
-  loads_ = projection.loads;
-  ports_.resize(theta_.size(), contacts_.cols() + loads_.cols());
-  ports_ << contacts_, loads_;
+  ports_ << projection.contacts, projection.loads;
+  take_residuals_of(projection);  // of the refined vectors
+  direct_ = columns.compliance + projection.outside;
   gram_ = gram_of(space, projection.ritz, columns.following);
   return projection;
 }
@@ -164,62 +199,55 @@ double ContactSpace::bound_size(double base, const Eigen::MatrixXcd& force) cons
   return size_of(bound(base, force));
 }
 
-ContactSpace::Residuals ContactSpace::residuals(double base, const Eigen::MatrixXcd& force) const {
-  const Eigen::Index count = force.rows();
-  const Eigen::VectorXd of_contacts = contact_residuals(base, static_cast<int>(count) - 1);
-  Residuals result{.factor = Eigen::VectorXd(count)};
-  Eigen::MatrixXcd moved = columns_of(base, force);
-  for (Eigen::Index n = 0; n < count; ++n) {
-    const Pencil here = pencil(static_cast<double>(n) * base);
-    const auto& [kappa, mu, load] = here.numbers;
-    moved.col(n).array() *= std::abs(mu) / ((mu * theta_.cast<Complex>()).array() + kappa);
-    result.factor[n] = (of_contacts[n] + left_out_of_start_) / here.least;
-  }
-  result.acting = dense_product(outside_, moved);
-  result.left_out = dense_product(left_out_, moved).colwise().norm();
+Eigen::MatrixXcd ContactSpace::acting(double base, const Eigen::MatrixXcd& force) const {
+  Eigen::MatrixXcd result(ports_.cols(), force.rows());
+  result << force.transpose(), load_.coefficients(base, static_cast<int>(force.rows()) - 1).transpose();
   return result;
 }
 
-Eigen::MatrixXd ContactSpace::longest(const Residuals& residuals, double tolerance) {
-  constexpr Eigen::Index kMostAtOnce = 64;
-  constexpr double kLeft = 0.3;  // of the tolerance, for what is left out
-  Eigen::VectorXd weight = std::numbers::sqrt2 * residuals.factor;
-  weight[0] = residuals.factor[0];
-  Eigen::MatrixXd parts(2 * weight.size(), residuals.acting.rows());
-  parts << weight.asDiagonal() * residuals.acting.real().transpose(),
-      weight.asDiagonal() * residuals.acting.imag().transpose();
-  const Eigen::MatrixXd gram = transposed_product(parts, parts);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> directions(gram);
-  const Eigen::VectorXd& squares = directions.eigenvalues();  // rising
-  const Eigen::Index count = squares.size();
-  double left = 0.0;
-  Eigen::Index dropped = 0;
-  while (dropped < count) {
-    left += std::max(0.0, squares[dropped]);
-    if (left > kLeft * kLeft * tolerance * tolerance) break;
-    ++dropped;
-  }
-  return directions.eigenvectors().rightCols(std::min(kMostAtOnce, count - dropped));
+SpaceRemainder::Residuals ContactSpace::residuals(double base, const Eigen::MatrixXcd& acting) const {
+  return remainder_.residuals(damping_, base, theta_, ports_, small_.contacts(), acting);
+}
+
+Eigen::VectorXd ContactSpace::bound(double base, const Eigen::MatrixXcd& force) const {
+  if (whole_.complete) return Eigen::VectorXd::Zero(force.rows());
+  const Eigen::MatrixXcd forces = acting(base, force);
+  return remainder_.bound(residuals(base, forces), forces);
 }
 
 ContactSpace ContactSpace::grown_for(double base, const std::vector<Wanted>& all) const {
+  constexpr double kMostBytes = 4e9;  // of all vectors
+  constexpr double kLeftOut = 0.3;
   constexpr Eigen::Index kMostVectors = 1500, kMostPowers = 8, kFewVectors = 400;
   ContactSpace result = *this;
   BlockLanczos& space = source_->vectors();
   const Eigen::Index most =
-      std::min({kMostVectors, std::max(kFewVectors, kMostPowers * ports_.cols()), source_->columns.most()});
-  for (const Wanted& wanted : all) {
+      std::min({kMostVectors, std::max(kFewVectors, kMostPowers * ports_.cols()), source_->columns.most(),
+                static_cast<Eigen::Index>(kMostBytes / (8.0 * coordinates_))});
+  for (const auto& [force, tolerance] : all) {
+    const Eigen::MatrixXcd forces = acting(base, force);
     double before = std::numeric_limits<double>::infinity();
     for (int idle = 0; idle < 2;) {
-      result.take_residuals();
-      const Residuals residuals = result.residuals(base, wanted.force);
-      const double bound = size_of(result.bound(residuals, base, wanted.force));
-      if (bound <= wanted.tolerance || result.whole_.complete) break;
+      result.take_remainder();
+      if (result.whole_.complete) break;
+      SpaceRemainder::Residuals residuals = result.residuals(base, forces);
+      const double bound = size_of(result.remainder_.bound(residuals, forces));
+      if (bound <= tolerance) break;
       idle = bound > 0.5 * before ? idle + 1 : 0;
       before = bound;
-      const Eigen::MatrixXd directions = longest(residuals, wanted.tolerance);
+      if (space.size() >= most) break;
+      if (SpaceRemainder::left_out_size(residuals) > kLeftOut * tolerance) {
+        space.grow_by_left_out();
+        continue;
+      }
+      const Eigen::MatrixXd missing = result.remainder_.missing_columns(residuals, forces, tolerance);
+      if (missing.cols() > 0) {
+        space.offer(space.solve(source_->all * missing));
+        result.take_remainder();
+        residuals = result.residuals(base, forces);
+      }
+      const Eigen::MatrixXd directions = result.remainder_.longest(residuals, tolerance);
       const Eigen::Index taken = std::min(directions.cols(), most - space.size());
-      if (taken <= 0) break;
       space.grow_along(directions.rightCols(taken));
     }
   }
@@ -228,15 +256,49 @@ ContactSpace ContactSpace::grown_for(double base, const std::vector<Wanted>& all
   return result;
 }
 
-ContactSpace ContactSpace::solved_on_lowest() const {
+ContactSpace ContactSpace::solved_for(double base, const Eigen::MatrixXcd& force, double tolerance) const {
+  // The lowest vectors are kept whatever the force: the resonances and the stability of a motion are theirs,
+  // and so large in its response that the others would be lost in their rounding.
+  const Eigen::Index lowest = std::min(kLowest, theta_.size()), others = theta_.size() - lowest;
+  const Eigen::Index contacts = small_.contacts();
+  Eigen::MatrixXcd moved = amplitudes(base, acting(base, force)).modal.topRows(others);
+  if (static_residual()) {
+    for (Eigen::Index n = 0; n < moved.cols(); ++n) {
+      const auto [kappa, mu, least] = pencil(static_cast<double>(n) * base);
+      moved.col(n).array() *= theta_.head(others).array().cast<Complex>() * (mu / kappa);
+    }
+  }
+  const Eigen::MatrixXd other_ports = ports_.topRows(others);
+  const double seen =
+      other_ports.leftCols(contacts).norm() / std::sqrt(std::max(1.0, static_cast<double>(contacts)));
+  const Eigen::MatrixXd principal = principal_directions(
+      mean_square(moved, Eigen::VectorXd::Constant(moved.cols(), seen)), tolerance, kMostToSolve);
+  const Eigen::Index kept = principal.cols() + lowest;
+  Eigen::MatrixXd taken = Eigen::MatrixXd::Zero(theta_.size(), kept);
+  taken.topLeftCorner(others, principal.cols()) = principal;
+  taken.bottomRightCorner(lowest, lowest).setIdentity();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> pairs(
+      transposed_product(taken, theta_.asDiagonal() * taken));
+  const Eigen::MatrixXd rows = transposed_product(dense_product(taken, pairs.eigenvectors()), ports_);
+  // What is not taken, without the softest vectors: subtracted as a whole their rounding would be left.
+  const Eigen::MatrixXd left =
+      other_ports - dense_product(principal, transposed_product(principal, other_ports));
+  const SpaceProjection projection{
+      .pairs = {.values = pairs.eigenvalues(), .vectors = Eigen::MatrixXd::Identity(kept, kept)},
+      .ritz = {},
+      .contacts = rows.leftCols(contacts),
+      .loads = rows.rightCols(rows.cols() - contacts),
+      .outside = direct_ - source_->columns.compliance + transposed_product(left, left)};
   ContactSpace result = *this;
-  result.take_small(lowest_of(whole_, small_.vectors()));
+  result.take_small(reduction_on(source_->columns, projection, kept));
   return result;
 }
 
+bool ContactSpace::static_residual() const { return !sprung_ || small_.relaxation == 0.0; }
+
 // A spring on a part that relaxes is not followed.
 void ContactSpace::take_law() {
-  const double kept = sprung_ && small_.relaxation > 0.0 ? 0.0 : 1.0;
+  const double kept = static_residual() ? 1.0 : 0.0;
   small_.compliance = kept * residual_;
   small_.shift = kept * residual_shift_;
 }
@@ -254,7 +316,7 @@ ContactSpace ContactSpace::of(const Problem& problem) const {
 ContactSpace::Amplitudes ContactSpace::amplitudes(double base, const Eigen::MatrixXcd& acting) const {
   Amplitudes result{.modal = dense_product(ports_, acting), .direct = acting};
   for (Eigen::Index n = 0; n < acting.cols(); ++n) {
-    const auto [kappa, mu, load] = pencil(static_cast<double>(n) * base).numbers;
+    const auto [kappa, mu, least] = pencil(static_cast<double>(n) * base);
     const Eigen::VectorXcd z = (mu * theta_.cast<Complex>()).array() + kappa;
     const double scale = std::abs(kappa) + std::abs(mu) * theta_.maxCoeff();
     if (!(z.cwiseAbs().minCoeff() > std::numeric_limits<double>::epsilon() * scale))
@@ -266,14 +328,13 @@ ContactSpace::Amplitudes ContactSpace::amplitudes(double base, const Eigen::Matr
 }
 
 ContactSpace::PortMotion ContactSpace::motion(double base, const Eigen::MatrixXcd& force) const {
-  const Eigen::Index contacts = contacts_.cols(), loads = loads_.cols();
-  Eigen::MatrixXcd acting(contacts + loads, force.rows());
-  acting.topRows(contacts) = force.transpose();
-  acting.bottomRows(loads) = load_.coefficients(base, static_cast<int>(force.rows()) - 1).transpose();
-  const Amplitudes moved = amplitudes(base, acting);
+  const Eigen::Index contacts = force.cols();
+  const Eigen::MatrixXcd forces = acting(base, force);
+  const Amplitudes moved = amplitudes(base, forces);
   const Eigen::MatrixXcd motion =
       dense_product(ports_.transpose(), moved.modal) + dense_product(direct_, moved.direct);
-  return {.contacts = motion.topRows(contacts).transpose(), .loads = motion.bottomRows(loads).transpose()};
+  return {.contacts = motion.topRows(contacts).transpose(),
+          .loads = motion.bottomRows(motion.rows() - contacts).transpose()};
 }
 
 double ContactSpace::field_size(double base, const Eigen::MatrixXcd& force, const Eigen::MatrixXcd& load,
@@ -294,60 +355,7 @@ Eigen::MatrixXcd ContactSpace::missing(double base, const Eigen::MatrixXcd& forc
   return contact_response(whole_, base, force) - contact_response(small_, base, force);
 }
 
-ContactSpace::Pencil ContactSpace::pencil(double rate) const {
-  const auto [alpha, beta] = damping_;
-  Pencil result{
-      .numbers = {.kappa = Complex(1.0, beta * rate), .mu = Complex(-rate * rate, alpha * rate), .load = {}}};
-  result.least = distance_from_singular(result.numbers, theta_);
-  return result;
-}
-
-// Columns of the start of b at all harmonics, in Ritz coordinates, k x (H+1).
-Eigen::MatrixXcd ContactSpace::columns_of(double base, const Eigen::MatrixXcd& force) const {
-  const Eigen::MatrixXcd forces = force.transpose();
-  const Eigen::MatrixXcd loads = load_.coefficients(base, static_cast<int>(force.rows()) - 1).transpose();
-  return dense_product(contacts_, forces) + dense_product(loads_, loads);
-}
-
-double ContactSpace::contact_residual(const Pencil& pencil) const {
-  const auto& [kappa, mu, load] = pencil.numbers;
-  const Eigen::VectorXcd inverse = ((mu * theta_.cast<Complex>()).array() + kappa).cwiseInverse();
-  const Eigen::RowVectorXd lengths = scaled_product(outside_, inverse, contacts_).colwise().norm() +
-                                     scaled_product(left_out_, inverse, contacts_).colwise().norm();
-  return lengths.size() == 0 ? 0.0 : std::abs(mu) * lengths.maxCoeff();
-}
-
-Eigen::VectorXd ContactSpace::contact_residuals(double base, int harmonics) const {
-  Eigen::VectorXd result(harmonics + 1);
-  const auto at = [&](Eigen::Index n) { return contact_residual(pencil(static_cast<double>(n) * base)); };
-  Eigen::Index next = 0;
-  double before = 0.0, after = 0.0;  // at the evaluated harmonics about n
-  for (Eigen::Index n = 0; n <= harmonics; ++n) {
-    if (n == next || n == 0) {
-      before = n == 0 ? at(n) : after;
-      next = std::max(n + 1, static_cast<Eigen::Index>(kNextHarmonic * static_cast<double>(n)));
-      after = at(next);
-    }
-    result[n] = std::max(before, after);
-  }
-  return result;
-}
-
-Eigen::VectorXd ContactSpace::bound(double base, const Eigen::MatrixXcd& force) const {
-  return bound(residuals(base, force), base, force);
-}
-
-Eigen::VectorXd ContactSpace::bound(const Residuals& residuals, double base,
-                                    const Eigen::MatrixXcd& force) const {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(force.rows());
-  const Eigen::MatrixXcd loads = load_.coefficients(base, static_cast<int>(force.rows()) - 1);
-  for (Eigen::Index n = 0; n < force.rows(); ++n) {
-    const double acting = force.row(n).norm() + loads.row(n).norm();
-    result[n] = residuals.factor[n] *
-                (residuals.acting.col(n).norm() + residuals.left_out[n] + left_out_of_start_ * acting);
-  }
-  return result;
-}
+ResponsePencil ContactSpace::pencil(double rate) const { return {damping_, rate, theta_}; }
 
 double ContactSpace::distance_from_resonance(double base, int harmonics) const {
   double least = 1.0;

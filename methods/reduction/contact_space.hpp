@@ -7,35 +7,37 @@
 #include <string>
 #include <vector>
 
+#include "methods/reduction/space_remainder.hpp"
 #include "methods/structure/contact_reduction.hpp"
 #include "methods/structure/ritz_reduction.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {
 
+/// Columns of contacts and load up to which a space starts from all of them [-].
+inline constexpr int kFewColumns = 20;
+
 /// How large a ContactSpace is.
 struct ContactSpaceSettings {
-  /// Vectors to solve on, at most; 0: 90, or six powers of up to 20 columns, or 100 of more columns [-]
+  /// Vectors to solve on at first, of up to 20 columns whole powers at least as many; 0: 90, or six powers of
+  /// up to 20 columns, or 48 of more columns, until `solved_for` chooses them for a motion [-]
   int small = 0;
-  /// Vectors to check with, at least; 0: all of up to 300, else twice as many and two powers [-]
+  /// Vectors to check with, at least; 0: all of up to 300; twice as many and two powers of up to 20 columns;
+  /// twice as many and 96 of more columns, before the space has grown for a motion [-]
   int whole = 0;
 };
 
-/// Two reductions of one structure from one factorisation of K and one block Krylov space of K^-1 M from
-/// K^-1 [N, F] (`BlockLanczos`, V^T K V = 1): `whole` is the structure projected on all of it; `small` on its
-/// first powers or, where contacts are so many that these would be large, on its lowest Ritz vectors with the
-/// static residual of the others. Both have the same statics, those of the structure; but `small` has no
-/// residual under springs where damping grows with the stiffness, for a spring on a part that relaxes is not
-/// followed (`flow_obstacle`).
+/// Two reductions of one structure from one factorisation of K and one block Krylov space of K^-1 M
+/// (`BlockLanczos`, V^T K V = 1): `whole` is the structure projected on all of it, `small` on few of its
+/// vectors with the static residual of the others. The space begins with K^-1 [N, F], all that acts, where
+/// these are 20 columns at most, else with F and a few random combinations of N, and what it does not hold of
+/// the others follows statically (`StaticCompliance`). Both reductions have the statics of the structure; but
+/// `small` has no residual under springs where damping grows with the stiffness, for a spring on a part that
+/// relaxes is not followed (`flow_obstacle`).
 ///
-/// With kappa = 1 + i beta w, mu = -w^2 + i alpha w, b = N lambda_n + F phi_n, and y the projected response,
-/// the response outside the space is by energy orthogonal to it, and since Z_n is symmetric
-///
-///     |x_j - x_j^whole| <= rho(e_j) rho(b) / d,   rho(b) = |b - Z_n V y|_{K^-1},   d = min |kappa + mu
-///     theta|,
-///
-/// theta over the spectrum of K^-1 M, 0 to the largest met (`reduced_receptance` has the same bound for
-/// matrices). Without damping at w, d is taken over the Ritz values, which is an estimate.
+/// A motion asks for two things that no space has beforehand, and its forces, a few shapes in time and place,
+/// say which: vectors to check with until a bound is small (`grown_for`), and vectors to solve on
+/// (`solved_for`). What is outside has the bound of `SpaceRemainder` at every harmonic.
 class ContactSpace {
  public:
   /// \param problem  of proportional damping; contacts of any law
@@ -64,6 +66,8 @@ class ContactSpace {
   /// \param load   of the load's columns likewise, (H+1) x Nf [N]
   [[nodiscard]] double field_size(double base, const Eigen::MatrixXcd& force, const Eigen::MatrixXcd& load,
                                   int first) const;
+  /// Whether the settings name the size of `small`.
+  [[nodiscard]] bool small_is_given() const { return given_small_; }
   /// F and its rates.
   [[nodiscard]] const LoadColumns& load() const { return load_; }
   /// x_n - x_n^small under load and contact force as far as `whole` knows it, (H+1) x Nc [m].
@@ -86,12 +90,16 @@ class ContactSpace {
   /// in which the residuals under load and force are longest, until the space is exhausted, has as many
   /// vectors as 8 powers would (but 400 to 1500), or two steps do not halve the bound. `small` stays.
   /// Contacts may be many: a space of several powers of all of them would be large, and most of it of no use
-  /// to the forces of one motion. Vectors that a space above 0.5 GB was given for other forces before are not
+  /// to the forces of one motion. Vectors that a space above 1 GB was given for other forces before are not
   /// among them.
   [[nodiscard]] ContactSpace grown_for(double base, const std::vector<Wanted>& all) const;
-  /// The same space with as many vectors in `small`, the lowest of `whole`: where it has grown these are
-  /// nearer to modes, which is better about resonances, and worse far above the highest.
-  [[nodiscard]] ContactSpace solved_on_lowest() const;
+  /// The same space with those vectors in `small` that load and force of a motion need: the 30 lowest, and of
+  /// the others the principal directions of what is dynamic in the response of `whole`, in the norm of K over
+  /// all harmonics; where `small` has no static residual, of all of it.
+  /// \param force      lambda_n, n = 0..H, (H+1) x Nc [N]
+  /// \param tolerance  > 0, on what is left out of x, in the root mean square over contacts and time [m]
+  /// \throws SingularStiffness where an undamped vector resonates to rounding
+  [[nodiscard]] ContactSpace solved_for(double base, const Eigen::MatrixXcd& force, double tolerance) const;
   /// The root mean square over time of `bound` [m].
   [[nodiscard]] double bound_size(double base, const Eigen::MatrixXcd& force) const;
   /// The least d over harmonics 0..harmonics: the response to a change of K relative to K is no more than its
@@ -99,37 +107,26 @@ class ContactSpace {
   [[nodiscard]] double distance_from_resonance(double base, int harmonics) const;
 
  private:
-  struct Pencil;
   struct Source;
 
-  [[nodiscard]] Eigen::MatrixXcd columns_of(double base, const Eigen::MatrixXcd& force) const;
-  [[nodiscard]] double contact_residual(const Pencil& pencil) const;
-  /// rho(e_j) at harmonics 0..harmonics, the largest over contacts.
-  [[nodiscard]] Eigen::VectorXd contact_residuals(double base, int harmonics) const;
-  /// What a bound under load and force consists of, n = 0..H: the residuals rho(b) in the vectors that would
-  /// come next and in those left out, and rho(e_j) / d.
-  struct Residuals {
-    Eigen::MatrixXcd acting = {};      ///< f x (H+1)
-    Eigen::RowVectorXd left_out = {};  ///< lengths, H+1
-    Eigen::VectorXd factor = {};
-  };
-  [[nodiscard]] Residuals residuals(double base, const Eigen::MatrixXcd& force) const;
-  [[nodiscard]] Eigen::VectorXd bound(const Residuals& residuals, double base,
-                                      const Eigen::MatrixXcd& force) const;
-  /// Directions of the vectors that would come next in which the residuals of all harmonics are longest.
-  [[nodiscard]] static Eigen::MatrixXd longest(const Residuals& residuals, double tolerance);
+  [[nodiscard]] ResponsePencil pencil(double rate) const;
+  /// b_n of contacts and load, (Nc + Nf) x (H+1).
+  [[nodiscard]] Eigen::MatrixXcd acting(double base, const Eigen::MatrixXcd& force) const;
+  [[nodiscard]] SpaceRemainder::Residuals residuals(double base, const Eigen::MatrixXcd& acting) const;
   /// Takes from the vectors made so far what `bound` needs.
-  SpaceProjection take_residuals();
+  SpaceProjection take_remainder();
+  void take_residuals_of(const SpaceProjection& projection);
   void take_small(ContactReduction small);
   /// Everything that depends on them, `small` excepted.
   SpaceProjection take_whole();
-  [[nodiscard]] Pencil pencil(double rate) const;
   /// Amplitudes of the Ritz vectors, k rows, and of what follows statically, Nc + Nf rows, n = 0..H.
   struct Amplitudes {
     Eigen::MatrixXcd modal, direct;
   };
   [[nodiscard]] Amplitudes amplitudes(double base, const Eigen::MatrixXcd& acting) const;
   void take_law();
+  /// Whether `small` has one: a spring on a part that relaxes is not followed.
+  [[nodiscard]] bool static_residual() const;
 
   std::shared_ptr<Source> source_;  // what the vectors are made of, and they
   ContactReduction small_, whole_;
@@ -137,16 +134,14 @@ class ContactSpace {
   Eigen::MatrixXd residual_;  // static, of small_ whatever the law
   Eigen::MatrixXcd residual_shift_;
   LoadColumns load_;
-  Eigen::VectorXd theta_;               // of the whole space, k
-  Eigen::MatrixXd contacts_;            // U^T V^T N, k x Nc
-  Eigen::MatrixXd loads_;               // U^T V^T F, k x Nf
-  Eigen::MatrixXd ports_;               // both, k x (Nc + Nf)
-  Eigen::MatrixXd direct_;              // of the massless coordinates, (Nc + Nf) x (Nc + Nf)
-  Eigen::MatrixXd gram_;                // of Ritz vectors and of what follows, over all coordinates
-  Eigen::MatrixXd outside_, left_out_;  // |K^-1 M V y - V t y|_K <= |outside y| + |left_out y|
+  Eigen::VectorXd theta_;     // of the whole space, k
+  Eigen::MatrixXd ports_;     // U^T V^T [N, F], k x (Nc + Nf)
+  Eigen::MatrixXd direct_;    // of massless coordinates and what follows, (Nc + Nf) x (Nc + Nf)
+  Eigen::MatrixXd gram_;      // of Ritz vectors and of what follows, over all coordinates
+  SpaceRemainder remainder_;  // none of a complete space
   int coordinates_ = 0;
-  bool sprung_ = false;
-  double left_out_of_start_ = 0.0, rounding_ = 0.0;
+  bool sprung_ = false, given_small_ = false;
+  double rounding_ = 0.0;
 };
 
 }  // namespace signorini

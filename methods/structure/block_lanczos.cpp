@@ -161,6 +161,28 @@ void BlockLanczos::grow_along(const Eigen::MatrixXd& directions) {
   coupling_.swap(coupling);
 }
 
+void BlockLanczos::offer(Eigen::MatrixXd columns) {
+  const Eigen::MatrixXd waiting = std::move(next_), coupling = std::move(coupling_);
+  const Eigen::MatrixXd dual = product(P_, columns);
+  const Eigen::VectorXd length =
+      columns.cwiseProduct(dual).colwise().sum().transpose().cwiseMax(0.0).cwiseSqrt();
+  for (const Eigen::MatrixXd& block : basis_)
+    subtract_product(block, transposed_product(block, dual), columns);
+  subtract_product(waiting, transposed_product(waiting, dual), columns);
+  Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product(P_, columns)));
+  // What is left of a column may be its rounding.
+  const Eigen::VectorXd known =
+      (gram.diagonal().array() > kRounding * length.array().square()).cast<double>();
+  columns = columns * known.asDiagonal();
+  gram = known.asDiagonal() * gram * known.asDiagonal();
+  orthonormalise(columns, gram, length, waiting);
+  Eigen::MatrixXd both(P_.rows(), waiting.cols() + next_.cols());
+  both << waiting, next_;
+  coupling_ = Eigen::MatrixXd::Zero(both.cols(), coupling.cols());
+  coupling_.topRows(waiting.cols()) = coupling;
+  next_.swap(both);
+}
+
 Eigen::MatrixXd BlockLanczos::projected_mass() const {
   Eigen::MatrixXd mass(size_, size_);
   Eigen::Index column = 0;
@@ -186,6 +208,20 @@ Eigen::MatrixXd BlockLanczos::projected(const SparseMatrix& A) const {
     first += block.cols();
   }
   return rows;
+}
+
+Eigen::MatrixXd BlockLanczos::projected(const Eigen::MatrixXd& A) const {
+  Eigen::MatrixXd rows(size_, A.cols());
+  Eigen::Index first = 0;
+  for (const Eigen::MatrixXd& block : basis_) {
+    rows.middleRows(first, block.cols()) = transposed_product(block, A);
+    first += block.cols();
+  }
+  return rows;
+}
+
+Eigen::MatrixXd BlockLanczos::projected_on_next(const SparseMatrix& A) const {
+  return (A.transpose() * next_).transpose();
 }
 
 Eigen::MatrixXd BlockLanczos::gram() const {

@@ -38,6 +38,9 @@ class BlockLanczos {
   /// from then on.
   /// \param directions  in the rows of coupling(): orthonormal columns, width() x r, r <= width()
   void grow_along(const Eigen::MatrixXd& directions);
+  /// Adds columns to what would come next, as far as they are P-orthogonal to it and to the space: of the
+  /// next power they are no part, so the new rows of coupling() are zero. \param columns  Nd x l
+  void offer(Eigen::MatrixXd columns);
   /// True if the space is invariant under P^{-1} M to rounding: growing adds nothing.
   [[nodiscard]] bool exhausted() const { return next_.cols() == 0; }
   /// Dimension of the space, without the block that would come next.
@@ -65,6 +68,10 @@ class BlockLanczos {
   [[nodiscard]] double operations_of_growth(bool with_left_out = false) const;
   /// V^T A for other columns A, Nd x l; k x l.
   [[nodiscard]] Eigen::MatrixXd projected(const SparseMatrix& A) const;
+  /// The same of dense columns.
+  [[nodiscard]] Eigen::MatrixXd projected(const Eigen::MatrixXd& A) const;
+  /// The same of the vectors that would come next, width() x l.
+  [[nodiscard]] Eigen::MatrixXd projected_on_next(const SparseMatrix& A) const;
   /// V^T V, k x k.
   [[nodiscard]] Eigen::MatrixXd gram() const;
   /// V times coefficients, k x l; Nd x l.

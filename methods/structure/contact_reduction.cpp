@@ -25,8 +25,6 @@ constexpr int kLeastVectors = 60;
 constexpr int kModes = 100;
 // Random columns beside the loads: blocks of 16 solve several times faster than single columns.
 constexpr int kRandomColumns = 15;
-// Solved for at a time.
-constexpr int kColumnsAtOnce = 32;
 
 /// M times columns of uniform numbers: nothing at massless coordinates. The same numbers at every call.
 SparseMatrix random_columns(const SparseMatrix& mass) {
@@ -35,17 +33,6 @@ SparseMatrix random_columns(const SparseMatrix& mass) {
   constexpr double kRange = 4294967296.0;
   for (double& value : columns.reshaped()) value = static_cast<double>(random()) / kRange - 0.5;
   return Eigen::MatrixXd(mass * columns).sparseView();
-}
-
-/// B^T P^-1 B, a few columns of B at a time.
-Eigen::MatrixXd static_compliance(BlockLanczos& space, const SparseMatrix& B) {
-  Eigen::MatrixXd result(B.cols(), B.cols());
-  for (Eigen::Index first = 0; first < B.cols(); first += kColumnsAtOnce) {
-    const Eigen::Index count = std::min<Eigen::Index>(kColumnsAtOnce, B.cols() - first);
-    result.middleCols(first, count) =
-        B.transpose() * space.solve(Eigen::MatrixXd(B.middleCols(first, count)));
-  }
-  return 0.5 * (result + result.transpose());
 }
 
 /// Basis and size, none left open.
@@ -89,13 +76,9 @@ ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSetti
   if (krylov) {
     result = reduction_on(columns, projection_from_start(space, normals.cols()), space.size());
   } else {
-    SpaceProjection projection{.pairs = ritz_pairs(space),
-                               .ritz = {},
-                               .contacts = space.projected(normals),
-                               .loads = space.projected(pushes),
-                               .outside = {}};
-    projection.outside =
-        static_compliance(space, normals) - projection.contacts.transpose() * projection.contacts;
+    const StaticCompliance statics(problem, space, columns);
+    SpaceProjection projection = statics.projection(space);
+    refine_lowest(problem, space, columns, projection);
     result = reduction_on(columns, projection, asked.vectors);
   }
   const bool whole = space.exhausted() || space.size() >= most;

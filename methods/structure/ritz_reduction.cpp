@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "methods/solvers/dense_products.hpp"
+
 namespace signorini {
 
 namespace {
@@ -140,7 +142,7 @@ SpaceProjection projection_from_start(const BlockLanczos& space, Eigen::Index co
           .ritz = pairs.vectors,
           .contacts = rows.leftCols(contacts),
           .loads = rows.rightCols(rows.cols() - contacts),
-          .outside = Eigen::MatrixXd::Zero(contacts, contacts)};
+          .outside = Eigen::MatrixXd::Zero(rows.cols(), rows.cols())};
 }
 
 double refine_lowest(const Problem& problem, const BlockLanczos& space, const ContactColumns& columns,
@@ -169,6 +171,46 @@ double refine_lowest(const Problem& problem, const BlockLanczos& space, const Co
   return std::max({kLeast, wrong[0], largest * largest});
 }
 
+StaticCompliance::StaticCompliance(const Problem& problem, BlockLanczos& space, const ContactColumns& columns)
+    : all_(columns.all()), contacts_(columns.normals.cols()) {
+  constexpr Eigen::Index kAtOnce = 32, kMost = 40;
+  const Eigen::Index lowest = std::min(kMost, space.size() / 2), count = all_.cols();
+  const Eigen::MatrixXd Q = space.combined(ritz_pairs(space).vectors.rightCols(lowest));
+  carried_ = problem.stiffness() * Q;
+  held_ = (all_.transpose() * Q).transpose();
+  rest_.resize(count, count);
+  for (Eigen::Index first = 0; first < count; first += kAtOnce) {
+    const Eigen::Index taken = std::min(kAtOnce, count - first);
+    const Eigen::MatrixXd held = held_.middleCols(first, taken);
+    const Eigen::MatrixXd moved =
+        space.solve(Eigen::MatrixXd(all_.middleCols(first, taken)) - dense_product(carried_, held));
+    rest_.middleCols(first, taken) =
+        all_.transpose() * moved - held_.transpose() * transposed_product(carried_, moved);
+    for (Eigen::Index j = 0; j < taken; ++j) {
+      const double stiff = rest_(first + j, first + j);
+      if (stiff > 0.0)
+        largest_quotient_ =
+            std::max(largest_quotient_, moved.col(j).dot(problem.mass() * moved.col(j)) / stiff);
+    }
+  }
+  rest_ = (0.5 * (rest_ + rest_.transpose())).eval();
+}
+
+SpaceProjection StaticCompliance::projection(const BlockLanczos& space) const {
+  const Eigen::MatrixXd rows = space.projected(all_);
+  const Eigen::MatrixXd without = rows - space.projected(carried_) * held_;  // V^T B'
+  RitzPairs pairs = ritz_pairs(space);
+  return {.pairs = pairs,
+          .ritz = pairs.vectors,
+          .contacts = rows.leftCols(contacts_),
+          .loads = rows.rightCols(rows.cols() - contacts_),
+          .outside = rest_ - transposed_product(without, without)};
+}
+
+Eigen::VectorXd StaticCompliance::lengths() const {
+  return (held_.colwise().squaredNorm().transpose() + rest_.diagonal()).cwiseMax(0.0).cwiseSqrt();
+}
+
 ContactReduction reduction_on(const ContactColumns& columns, const SpaceProjection& space,
                               Eigen::Index most) {
   ContactReduction result;
@@ -192,25 +234,9 @@ ContactReduction reduction_on(const ContactColumns& columns, const SpaceProjecti
   const auto rest = space.pairs.vectors.leftCols(count - kept);
   const Eigen::MatrixXd left = rest.transpose() * space.contacts;
   const Eigen::MatrixXd pushed = left.transpose() * (rest.transpose() * space.loads);
-  result.compliance += space.outside + left.transpose() * left;
-  result.shift += pushed.cast<std::complex<double>>() * weight;
-  return result;
-}
-
-ContactReduction lowest_of(const ContactReduction& reduction, Eigen::Index most) {
-  const Eigen::Index kept = std::min(most, reduction.vectors()), others = reduction.vectors() - kept;
-  ContactReduction result = reduction;
-  if (others == 0) return result;
-  const Eigen::MatrixXd rows = reduction.rows.bottomRows(others);
-  const Eigen::MatrixXd weighed = reduction.squares.tail(others).cwiseInverse().asDiagonal() * rows;
-  result.damping = reduction.damping.head(kept).eval();
-  result.squares = reduction.squares.head(kept).eval();
-  result.rows = reduction.rows.topRows(kept).eval();
-  result.compliance += rows.transpose() * weighed;
-  result.compliance = (0.5 * (result.compliance + result.compliance.transpose())).eval();
-  result.load = reduction.load.topRows(kept).eval();
-  result.shift += weighed.transpose().cast<std::complex<double>>() * reduction.load.bottomRows(others);
-  result.complete = false;
+  result.compliance += space.outside.topLeftCorner(contacts, contacts) + left.transpose() * left;
+  const Eigen::MatrixXd follows = space.outside.topRightCorner(contacts, weight.rows()) + pushed;
+  result.shift += follows.cast<std::complex<double>>() * weight;
   return result;
 }
 

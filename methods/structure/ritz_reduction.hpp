@@ -64,7 +64,8 @@ struct SpaceProjection {
   Eigen::MatrixXd ritz;      ///< Ritz vectors in V, k x k, whatever coordinates the pairs have since
   Eigen::MatrixXd contacts;  ///< V^T N, k x Nc
   Eigen::MatrixXd loads;     ///< V^T F, k x Nf
-  Eigen::MatrixXd outside;   ///< N^T K^-1 N - N^T V V^T N, what the space does not hold, Nc x Nc
+  /// B^T K^-1 B - B^T V V^T B, B = [N, F]: statically, what the space does not hold, (Nc + Nf) x (Nc + Nf).
+  Eigen::MatrixXd outside;
 };
 
 /// That of a space that was started from [N, F], which holds all of N^T K^-1 N. \param contacts  Nc
@@ -81,10 +82,39 @@ SpaceProjection projection_from_start(const BlockLanczos& space, Eigen::Index co
 double refine_lowest(const Problem& problem, const BlockLanczos& space, const ContactColumns& columns,
                      SpaceProjection& projection);
 
+/// What spaces that are not started from all that acts, B = [N, F], leave out statically. The lowest Ritz
+/// vectors Q of a space hold most of B^T K^-1 B; the rest is solved for without them,
+///
+///     C' = B'^T K^-1 B',    B' = B - K Q Q^T B,    outside = C' - (V^T B')^T V^T B',
+///
+/// since what a space with Q in it leaves out may be less than the rounding of B^T K^-1 B, and far less than
+/// that of its softest directions, which the factors of K know to eps times the condition of K only.
+class StaticCompliance {
+ public:
+  /// \param space  from then on it may grow
+  StaticCompliance(const Problem& problem, BlockLanczos& space, const ContactColumns& columns);
+
+  /// The projection of a space that has grown from the one given, pairs not refined.
+  [[nodiscard]] SpaceProjection projection(const BlockLanczos& space) const;
+  /// |B_j| in the norm of K^-1, to the rounding of the factors, Nc + Nf.
+  [[nodiscard]] Eigen::VectorXd lengths() const;
+  /// The largest of s^T M s / s^T K s over s = K^-1 B'_j [s^2].
+  [[nodiscard]] double largest_quotient() const { return largest_quotient_; }
+  /// C', (Nc + Nf) x (Nc + Nf).
+  [[nodiscard]] const Eigen::MatrixXd& rest() const { return rest_; }
+  /// B.
+  [[nodiscard]] const SparseMatrix& columns() const { return all_; }
+
+ private:
+  SparseMatrix all_;
+  Eigen::Index contacts_ = 0;
+  Eigen::MatrixXd carried_;  // K Q
+  Eigen::MatrixXd held_;     // Q^T B
+  Eigen::MatrixXd rest_;     // C'
+  double largest_quotient_ = 0.0;
+};
+
 /// The lowest `most` Ritz vectors; what the others do goes to the static residual.
 ContactReduction reduction_on(const ContactColumns& columns, const SpaceProjection& space, Eigen::Index most);
-
-/// A reduction of its lowest `most` vectors; what the others do goes to the static residual.
-ContactReduction lowest_of(const ContactReduction& reduction, Eigen::Index most);
 
 }  // namespace signorini

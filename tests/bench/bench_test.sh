@@ -2,7 +2,8 @@
 # Tests of ./bench: what it asks of the tools around it. usage: bench_test.sh PATH-OF-BENCH
 #
 # A copy of the script runs in a folder whose name has a space, with stand-ins first in PATH. Each stand-in appends
-# its name and arguments to $calls, so that a test can tell what was asked, and with which words.
+# its name and arguments to $calls, so that a test can tell what was asked, and with which words; a line in one write,
+# since two may run at once.
 set -eu
 
 bench_under_test=$1
@@ -19,7 +20,7 @@ failures=0
 stand_in() { # NAME, its further behaviour on stdin
   {
     # shellcheck disable=SC2016  # expanded by the stand-in
-    printf '#!/bin/sh\n{ printf %s; printf " <%%s>" "$@"; echo; } >>"$calls"\n' "$1"
+    printf '#!/bin/sh\nline=$(printf %s; printf " <%%s>" "$@")\nprintf "%%s\\n" "$line" >>"$calls"\n' "$1"
     cat
   } >"$tools/$1"
   chmod +x "$tools/$1"
@@ -76,7 +77,7 @@ END
 program() {
   mkdir -p "$tree/build/release/harness"
   # shellcheck disable=SC2016
-  printf '#!/bin/sh\n{ printf signorini; printf " <%%s>" "$@"; echo; } >>"$calls"\n' >"$tree/build/release/harness/signorini"
+  printf '#!/bin/sh\nline=$(printf signorini; printf " <%%s>" "$@")\nprintf "%%s\\n" "$line" >>"$calls"\n' >"$tree/build/release/harness/signorini"
   chmod +x "$tree/build/release/harness/signorini"
 }
 touch "$tree/part/one.cpp" "$tree/part/two.cpp"

@@ -182,20 +182,84 @@ TEST(ContactSpace, GrowsForTheForcesOfAMotion) {
   }
 }
 
-// Statics are exact whatever vectors are solved on, and with all of them there is nothing missing.
-TEST(ContactSpace, SolvesOnTheLowestOfItsVectors) {
-  const Problem block = test::padded_block_problem({.elements = {8, 2, 2}});
+/// 40 contacts and one load, more than a space starts from.
+Problem many_contacts() {
+  return test::padded_block_problem({.elements = {10, 3, 3}, .patch = {{{0.1, 2.0}, {0.0, 0.5}}}});
+}
+
+// Of many contacts a space begins with random combinations: statics, bound and motion where forces act are
+// no worse for it, before it has grown for a motion and after.
+TEST(ContactSpace, BeginsWithCombinationsOfManyContacts) {
+  constexpr int kHarmonics = 40;
+  const Problem block = many_contacts();
+  const auto contacts = static_cast<int>(block.contact_count());
+  ASSERT_GT(contacts, 20);
+  const double base = block.base_frequency(), rounding = std::max(1e-9, rounding_of_factors(block));
+  const ContactSpace space(block, {.small = 24, .whole = 48});
+  ASSERT_LT(space.whole().vectors(), 2 * contacts);
+  const Eigen::MatrixXcd at_rest = jumping_force(0, contacts), rest = whole_response(block, at_rest);
+  EXPECT_LT((contact_response(space.small(), base, at_rest) - rest).norm(), 1e-9 * rest.norm());
+  EXPECT_LT(space.missing(base, at_rest).norm(), 1e-9 * rest.norm());
+  const Eigen::MatrixXcd force = jumping_force(kHarmonics, contacts), exact = whole_response(block, force);
+  const double wanted = 1e-6 * exact.norm();
+  const ContactSpace grown = space.grown_for(base, {{.force = force, .tolerance = wanted}});
+  EXPECT_LE(grown.bound_size(base, force), wanted);
+  for (const ContactSpace* each : {&space, &grown}) {
+    const ContactSpace::PortMotion motion = each->motion(base, force);
+    const Eigen::VectorXd bound = each->bound(base, force);
+    for (int n = 0; n <= kHarmonics; ++n) {
+      EXPECT_LE((motion.contacts.row(n) - exact.row(n)).cwiseAbs().maxCoeff(),
+                bound[n] + rounding * exact.cwiseAbs().maxCoeff())
+          << each->whole().vectors() << " vectors, harmonic " << n;
+    }
+  }
+}
+
+// What follows statically is not in the field: a part of a hundredth of contacts that move no more than
+// themselves.
+TEST(ContactSpace, HasTheFieldOfManyContacts) {
+  constexpr int kHarmonics = 12;
+  const Problem block = many_contacts();
   const double base = block.base_frequency();
-  const ContactSpace space = ContactSpace(block, {.small = 12, .whole = 60}).solved_on_lowest();
-  EXPECT_LE(space.small().vectors(), 18);
-  const Eigen::MatrixXcd at_rest = jumping_force(0, block.contact_count());
-  EXPECT_LT(space.missing(base, at_rest).norm(), 1e-10 * whole_response(block, at_rest).norm());
-  const Eigen::MatrixXcd force = jumping_force(4, block.contact_count());
-  const ContactReduction whole = lowest_of(space.whole(), space.whole().vectors());
-  EXPECT_EQ(contact_response(whole, base, force), contact_response(space.whole(), base, force));
-  const ContactReduction half = lowest_of(space.whole(), space.whole().vectors() / 2);
-  EXPECT_LT((contact_response(half, base, force) - contact_response(space.whole(), base, force)).norm(),
-            1e-3 * contact_response(space.whole(), base, force).norm());
+  const ContactSpace space(block, {.whole = 96});
+  const Eigen::MatrixXcd force = jumping_force(kHarmonics, block.contact_count());
+  const SparseMatrix W = contact_directions(block);
+  DynamicStiffness stiffness(block, true);
+  double squares = 0.0;
+  for (int n = 1; n <= kHarmonics; ++n) {
+    stiffness.factorise(exact_weights(n * base));
+    const Eigen::VectorXcd u = stiffness.solve(load_coefficient(block, n) + W * force.row(n).transpose());
+    squares += 2.0 * u.squaredNorm();
+  }
+  const double size = std::sqrt(squares / block.size());
+  EXPECT_NEAR(space.field_size(base, force, space.load().coefficients(base, kHarmonics), 1), size,
+              1e-2 * size);
+}
+
+// The vectors to solve on follow from the force: what they leave out falls with the tolerance, and with it
+// their number rises; statics are exact whatever they are.
+TEST(ContactSpace, SolvesOnWhatAForceNeeds) {
+  constexpr int kHarmonics = 40;
+  const Problem block = many_contacts();
+  const auto contacts = static_cast<int>(block.contact_count());
+  const double base = block.base_frequency();
+  const Eigen::MatrixXcd force = jumping_force(kHarmonics, contacts);
+  const ContactSpace space = ContactSpace(block, {.whole = 200});
+  const double size = contact_response(space.whole(), base, force).norm() / std::sqrt(contacts);
+  double missing = std::numeric_limits<double>::infinity();
+  Eigen::Index vectors = 0;
+  for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
+    const ContactSpace solved = space.solved_for(base, force, tolerance * size);
+    EXPECT_GT(solved.small().vectors(), vectors) << tolerance;
+    const double left = solved.missing(base, force).norm();
+    EXPECT_LT(left, missing) << tolerance;
+    EXPECT_LT(left, 30.0 * tolerance * size * std::sqrt(contacts)) << tolerance;
+    missing = left;
+    vectors = solved.small().vectors();
+    const Eigen::MatrixXcd at_rest = jumping_force(0, contacts);
+    EXPECT_LT(solved.missing(base, at_rest).norm(),
+              1e-10 * contact_response(space.whole(), base, at_rest).norm());
+  }
 }
 
 }  // namespace

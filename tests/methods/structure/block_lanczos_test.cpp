@@ -199,5 +199,29 @@ TEST(BlockLanczos, GrowsAlongSomeDirections) {
   EXPECT_LT(std::abs(all.coupling().norm() - whole.coupling().norm()), 1e-9 * whole.coupling().norm());
 }
 
+// Columns that are offered wait beside the next power, of which they are no part; taken in, the space holds
+// them. What the space holds already is not offered.
+TEST(BlockLanczos, TakesInColumnsThatAreOffered) {
+  const Problem block =
+      test::padded_block_problem({.elements = {8, 3, 3}, .patch = {{{1.5, 2.0}, {0.0, 0.5}}}});
+  const SparseMatrix start = contact_directions(block);
+  BlockLanczos space(block.stiffness(), block.mass(), SparseMatrix(start.leftCols(3)));
+  const Eigen::Index width = space.width(), size = space.size();
+  const Eigen::MatrixXd columns = space.solve(Eigen::MatrixXd(start.middleCols(3, 2)));
+  space.offer(columns);
+  ASSERT_EQ(space.width(), width + 2);
+  EXPECT_EQ(space.coupling().bottomRows(2).norm(), 0.0);
+  space.offer(space.combined(Eigen::MatrixXd::Identity(size, 2)));
+  EXPECT_EQ(space.width(), width + 2);
+  space.grow();
+  const Eigen::MatrixXd basis = space.combined(Eigen::MatrixXd::Identity(space.size(), space.size()));
+  const Eigen::MatrixXd left = columns - basis * (basis.transpose() * (block.stiffness() * columns));
+  EXPECT_LT(left.norm(), 1e-10 * columns.norm());
+  EXPECT_LT(
+      (basis.transpose() * block.stiffness() * basis - Eigen::MatrixXd::Identity(space.size(), space.size()))
+          .norm(),
+      1e-10);
+}
+
 }  // namespace
 }  // namespace signorini::block_lanczos_test

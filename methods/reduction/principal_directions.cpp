@@ -1,0 +1,35 @@
+#include "methods/reduction/principal_directions.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <numbers>
+
+#include "methods/solvers/dense_products.hpp"
+
+namespace signorini {
+
+Eigen::MatrixXd mean_square(const Eigen::MatrixXcd& series, const Eigen::VectorXd& weight) {
+  Eigen::VectorXd each = std::numbers::sqrt2 * weight;
+  if (each.size() > 0) each[0] = weight[0];
+  Eigen::MatrixXd parts(2 * series.cols(), series.rows());
+  parts << each.asDiagonal() * series.real().transpose(), each.asDiagonal() * series.imag().transpose();
+  return transposed_product(parts, parts);
+}
+
+Eigen::MatrixXd principal_directions(const Eigen::MatrixXd& mean_square, double tolerance,
+                                     Eigen::Index most) {
+  if (mean_square.size() == 0) return mean_square;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> directions(mean_square);
+  const Eigen::VectorXd& squares = directions.eigenvalues();  // rising
+  const Eigen::Index count = squares.size();
+  double left = 0.0;
+  Eigen::Index dropped = 0;
+  while (dropped < count) {
+    left += std::max(0.0, squares[dropped]);
+    if (left > tolerance * tolerance) break;
+    ++dropped;
+  }
+  return directions.eigenvectors().rightCols(std::min(most, count - dropped));
+}
+
+}  // namespace signorini
