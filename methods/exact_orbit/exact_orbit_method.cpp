@@ -223,7 +223,7 @@ class PreparedReducedOrbit final : public PreparedMethod {
   void take(const ReducedOrbit& found, Solution& solution) const {
     const CorrectedOrbit& corrected = found.corrected;
     const ExactOrbit& orbit = corrected.orbit;
-    const long vectors = corrected.solved > 0 ? corrected.solved : space_.small().vectors();
+    const long vectors = corrected.solved;
     solution.work.iterations = found.iterations;
     solution.work.unknowns = 2 * vectors + problem_.contact_count();
     solution.trajectory = orbit.trajectory;

@@ -54,6 +54,7 @@ ReducedOrbit polish_reduced_orbit(const Problem& problem, const ContactSpace& sp
                                   const OrbitCorrectionSettings& settings) {
   ReducedOrbit result{.corrected = {}, .start = "the motion given"};
   const ContactSpace own = space.small_is_given() ? space : chosen_for(motion, problem, space, settings);
+  result.corrected.solved = own.small().vectors();
   OrbitFinder finder(problem, condensed(own.small()));
   OrbitSearch found = finder.find(motion, settings.search);
   result.iterations = found.iterations;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <utility>
@@ -34,11 +33,6 @@ constexpr int kBegun = 96;
 // Coordinates with mass of which a space takes all.
 constexpr int kAllOf = 300;
 constexpr int kCheckedPowers = 2;
-
-/// Root mean square over time of a series of these magnitudes, n = 0..H.
-double size_of(const Eigen::VectorXd& series) {
-  return std::sqrt(2.0 * series.squaredNorm() - series[0] * series[0]);
-}
 
 /// What a space starts from where contacts are many: the load and random combinations of contacts, which
 /// move what contacts see most. Blocks of 16 solve several times faster than single columns. The same numbers
@@ -160,43 +154,40 @@ void ContactSpace::take_small(ContactReduction small) {
   take_law();
 }
 
-SpaceProjection ContactSpace::take_remainder() {
-  SpaceProjection projection = source_->projection();
+SpaceProjection ContactSpace::projection() {
+  SpaceProjection result = source_->projection();
   const BlockLanczos& space = source_->vectors();
+  whole_.complete =
+      space.size() >= source_->columns.most() || (space.exhausted() && source_->holds_statics(result));
+  return result;
+}
+
+void ContactSpace::take(const SpaceProjection& projection) {
   theta_ = projection.pairs.values;
   ports_.resize(theta_.size(), source_->all.cols());
   ports_ << projection.contacts, projection.loads;
   ports_ = transposed_product(projection.pairs.vectors, ports_);
-  whole_.complete =
-      space.size() >= source_->columns.most() || (space.exhausted() && source_->holds_statics(projection));
-  take_residuals_of(projection);
-  return projection;
-}
-
-void ContactSpace::take_residuals_of(const SpaceProjection& projection) {
   const StaticCompliance* statics = source_->statics ? &*source_->statics : nullptr;
   remainder_ = whole_.complete ? SpaceRemainder() : SpaceRemainder(source_->vectors(), projection, statics);
 }
 
 SpaceProjection ContactSpace::take_whole() {
   const ContactColumns& columns = source_->columns;
-  SpaceProjection projection = take_remainder();
+  SpaceProjection refined = projection();
   const BlockLanczos& space = source_->vectors();
   const bool complete = whole_.complete;
-  rounding_ = refine_lowest(source_->problem, space, columns, projection);
-  whole_ = reduction_on(columns, projection, space.size());
+  rounding_ = refine_lowest(source_->problem, space, columns, refined);
+  take(refined);
+  whole_ = reduction_on(columns, refined, space.size());
   whole_.complete = complete;
   whole_.rates = load_.rates;
-  theta_ = projection.pairs.values;
-  ports_ << projection.contacts, projection.loads;
-  take_residuals_of(projection);  // of the refined vectors
-  direct_ = columns.compliance + projection.outside;
-  gram_ = gram_of(space, projection.ritz, columns.following);
-  return projection;
+  direct_ = columns.compliance + refined.outside;
+  gram_ = gram_of(space, refined.ritz, columns.following);
+  return refined;
 }
 
 double ContactSpace::bound_size(double base, const Eigen::MatrixXcd& force) const {
-  return size_of(bound(base, force));
+  return root_mean_square(bound(base, force));
 }
 
 Eigen::MatrixXcd ContactSpace::acting(double base, const Eigen::MatrixXcd& force) const {
@@ -228,10 +219,11 @@ ContactSpace ContactSpace::grown_for(double base, const std::vector<Wanted>& all
     const Eigen::MatrixXcd forces = acting(base, force);
     double before = std::numeric_limits<double>::infinity();
     for (int idle = 0; idle < 2;) {
-      result.take_remainder();
+      const SpaceProjection projected = result.projection();
+      result.take(projected);
       if (result.whole_.complete) break;
       SpaceRemainder::Residuals residuals = result.residuals(base, forces);
-      const double bound = size_of(result.remainder_.bound(residuals, forces));
+      const double bound = root_mean_square(result.remainder_.bound(residuals, forces));
       if (bound <= tolerance) break;
       idle = bound > 0.5 * before ? idle + 1 : 0;
       before = bound;
@@ -243,7 +235,7 @@ ContactSpace ContactSpace::grown_for(double base, const std::vector<Wanted>& all
       const Eigen::MatrixXd missing = result.remainder_.missing_columns(residuals, forces, tolerance);
       if (missing.cols() > 0) {
         space.offer(space.solve(source_->all * missing));
-        result.take_remainder();
+        result.take(projected);  // the space is the same, what would come next is not
         residuals = result.residuals(base, forces);
       }
       const Eigen::MatrixXd directions = result.remainder_.longest(residuals, tolerance);

@@ -113,9 +113,10 @@ class ContactSpace {
   /// b_n of contacts and load, (Nc + Nf) x (H+1).
   [[nodiscard]] Eigen::MatrixXcd acting(double base, const Eigen::MatrixXcd& force) const;
   [[nodiscard]] SpaceRemainder::Residuals residuals(double base, const Eigen::MatrixXcd& acting) const;
-  /// Takes from the vectors made so far what `bound` needs.
-  SpaceProjection take_remainder();
-  void take_residuals_of(const SpaceProjection& projection);
+  /// Of the vectors made so far, and whether they are all.
+  SpaceProjection projection();
+  /// What `bound` needs of them.
+  void take(const SpaceProjection& projection);
   void take_small(ContactReduction small);
   /// Everything that depends on them, `small` excepted.
   SpaceProjection take_whole();

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "methods/solvers/dense_products.hpp"
@@ -14,6 +15,11 @@ Eigen::MatrixXd mean_square(const Eigen::MatrixXcd& series, const Eigen::VectorX
   Eigen::MatrixXd parts(2 * series.cols(), series.rows());
   parts << each.asDiagonal() * series.real().transpose(), each.asDiagonal() * series.imag().transpose();
   return transposed_product(parts, parts);
+}
+
+double root_mean_square(const Eigen::VectorXd& lengths) {
+  if (lengths.size() == 0) return 0.0;
+  return std::sqrt(2.0 * lengths.squaredNorm() - lengths[0] * lengths[0]);
 }
 
 Eigen::MatrixXd principal_directions(const Eigen::MatrixXd& mean_square, double tolerance,

@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "methods/reduction/principal_directions.hpp"
 #include "methods/solvers/dense_products.hpp"
@@ -27,11 +26,6 @@ constexpr double kConverged = 1e-2;
 constexpr double kRounding = 1e-15;
 
 double largest(const Eigen::VectorXd& values) { return values.size() == 0 ? 0.0 : values.maxCoeff(); }
-
-/// Root mean square over time of a series of these magnitudes.
-double norm_of(const Eigen::VectorXd& weighed) {
-  return std::sqrt(2.0 * weighed.squaredNorm() - weighed[0] * weighed[0]);
-}
 
 }  // namespace
 
@@ -144,7 +138,7 @@ Eigen::VectorXd SpaceRemainder::bound(const Residuals& residuals, const Eigen::M
 }
 
 double SpaceRemainder::left_out_size(const Residuals& residuals) {
-  return norm_of(residuals.factor.cwiseProduct(residuals.left_out.transpose()));
+  return root_mean_square(residuals.factor.cwiseProduct(residuals.left_out.transpose()));
 }
 
 Eigen::MatrixXd SpaceRemainder::longest(const Residuals& residuals, double tolerance) const {
@@ -157,7 +151,7 @@ Eigen::MatrixXd SpaceRemainder::longest(const Residuals& residuals, double toler
 Eigen::MatrixXd SpaceRemainder::missing_columns(const Residuals& residuals, const Eigen::MatrixXcd& acting,
                                                 double tolerance) const {
   const Eigen::VectorXd weight = smoothing_ * residuals.factor.cwiseProduct(residuals.ratio);
-  if (norm_of(weight.cwiseProduct(residuals.beyond)) <= kLeft * tolerance)
+  if (root_mean_square(weight.cwiseProduct(residuals.beyond)) <= kLeft * tolerance)
     return Eigen::MatrixXd(acting.rows(), 0);
   // beyond = L L^T: combinations D = L^-T q make R D of unit length for unit q.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own(beyond_);

@@ -215,8 +215,7 @@ TEST(ContactSpace, BeginsWithCombinationsOfManyContacts) {
   }
 }
 
-// What follows statically is not in the field: a part of a hundredth of contacts that move no more than
-// themselves.
+// What follows statically is not in the field: less than a hundredth of it here.
 TEST(ContactSpace, HasTheFieldOfManyContacts) {
   constexpr int kHarmonics = 12;
   const Problem block = many_contacts();
