@@ -170,6 +170,10 @@ std::optional<ProportionalDamping> proportional_damping(const SparseMatrix& M, c
     rest = D - fit.alpha * M - fit.beta * K;
   }
   if (!(largest_entry(rest) <= kProportional * dampers) || !is_symmetric(K)) return std::nullopt;
+  // What is rounding of the other part is none: a time in which contacts relax is not 1e-22 s.
+  constexpr double kRounding = 1e-13;
+  if (std::abs(fit.alpha) * largest_entry(M) <= kRounding * dampers) fit.alpha = 0.0;
+  if (std::abs(fit.beta) * largest_entry(K) <= kRounding * dampers) fit.beta = 0.0;
   return fit;
 }
 

@@ -13,7 +13,7 @@
 #include "harness/judge/orbit.hpp"
 #include "methods/discretisation/periodic_time.hpp"
 #include "methods/orbit/exact_orbit.hpp"
-#include "methods/orbit/reduced_orbit.hpp"
+#include "methods/orbit/reduced/reduced_orbit.hpp"
 #include "methods/orbit/return_check.hpp"
 
 namespace signorini {
@@ -27,11 +27,11 @@ std::vector<OrbitEvent> events_of(const ExactTrajectory& orbit) {
   const double period = orbit.period();
   const std::vector<Impulse> impulses = orbit.impulses();
   for (const SequenceEvent& event : orbit.orbit().events) {
-    OrbitEvent listed{wrapped_time(event.time, period), event.contact, event.kind, {}};
+    OrbitEvent listed{wrapped_time(event.time, period), orbit.scene_contact(event.contact), event.kind, {}};
     for (const Impulse& impulse : impulses) {
       const double apart =
           std::abs(wrapped_time(impulse.time - event.time + 0.5 * period, period) - 0.5 * period);
-      if (impulse.contact == event.contact && apart <= 1e-12 * period) listed.value = impulse.value;
+      if (impulse.contact == listed.contact && apart <= 1e-12 * period) listed.value = impulse.value;
     }
     events.push_back(std::move(listed));
   }

@@ -8,7 +8,7 @@
 #include "harness/records/record.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/records/sampled_trajectory.hpp"
-#include "methods/orbit/reduced_orbit.hpp"
+#include "methods/orbit/reduced/reduced_orbit.hpp"
 
 namespace signorini {
 

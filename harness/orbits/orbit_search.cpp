@@ -15,7 +15,7 @@
 #include "harness/orbits/orbit_candidate.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record.hpp"
-#include "methods/orbit/reduced_orbit.hpp"
+#include "methods/orbit/reduced/reduced_orbit.hpp"
 #include "methods/structure/condensation.hpp"
 
 namespace signorini {

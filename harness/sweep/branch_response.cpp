@@ -15,6 +15,7 @@
 #include "methods/curve_method.hpp"
 #include "methods/orbit/continuation/one_impact_orbits.hpp"
 #include "methods/orbit/exact_trajectory.hpp"
+#include "methods/orbit/reduced/reduced_orbit.hpp"
 #include "problems/scene/varied_scene.hpp"
 
 namespace signorini {
@@ -37,7 +38,7 @@ std::optional<SequencedOrbit> found_orbit(const OrbitFamily& family, double para
                                           Clock::time_point deadline) {
   const Problem problem = family.scene().at(parameter);
   const auto method = find_method(kFollowedByArcLength).make({});
-  if (!method->supports(problem).ok) return std::nullopt;
+  if (!method->supports(problem).ok || prefers_reduction(problem)) return std::nullopt;
   const Solution solution = method->prepare(problem)->solve({.guess = {}, .deadline = deadline});
   const auto orbit = std::dynamic_pointer_cast<const ExactTrajectory>(solution.trajectory);
   if (solution.verdict != Verdict::converged || !orbit) return std::nullopt;
@@ -59,6 +60,7 @@ void add_searched(const OrbitFamily& family, const BranchLimits& limits, Clock::
     if (left.count() <= 0.0 || interrupted()) break;
     const double value = value_inside(family.scene(), i, limits.searches);
     const Problem problem = family.scene().at(value);
+    if (prefers_reduction(problem)) continue;  // whose orbits are those of a reduced structure
     const SceneOrbits found = find_all_orbits(
         problem, {.starts = kStarts, .subharmonics = limits.max_order, .timeout = left.count()});
     for (const FoundOrbit& one : found.orbits) {

@@ -18,7 +18,7 @@
 #include "methods/hat_functions/hat_contact.hpp"
 #include "methods/linear_flow/linear_flow.hpp"
 #include "methods/orbit/exact_orbit.hpp"
-#include "methods/orbit/reduced_orbit.hpp"
+#include "methods/orbit/reduced/reduced_orbit.hpp"
 #include "methods/structure/condensation.hpp"
 
 namespace signorini {
@@ -225,7 +225,8 @@ class PreparedReducedOrbit final : public PreparedMethod {
     const ExactOrbit& orbit = corrected.orbit;
     const long vectors = corrected.solved;
     solution.work.iterations = found.iterations;
-    solution.work.unknowns = 2 * vectors + problem_.contact_count();
+    solution.work.unknowns = 2 * vectors;
+    if (orbit.trajectory) *solution.work.unknowns += std::ssize(orbit.trajectory->acting_contacts());
     solution.trajectory = orbit.trajectory;
     solution.residual = orbit.residual;
     if (!corrected.bar) {

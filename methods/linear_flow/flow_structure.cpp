@@ -12,9 +12,6 @@
 
 namespace signorini {
 
-namespace {
-
-// Re sum_h A_h (i r_h)^order e^{i r_h time}.
 Eigen::VectorXd wave_derivative(const Eigen::MatrixXcd& amplitudes, const std::vector<double>& rates,
                                 double time, int order) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(amplitudes.rows());
@@ -27,8 +24,6 @@ Eigen::VectorXd wave_derivative(const Eigen::MatrixXcd& amplitudes, const std::v
   }
   return sum;
 }
-
-}  // namespace
 
 FlowStructure::FlowStructure(const Problem& problem) : FlowStructure(problem, condense(problem)) {}
 
@@ -45,9 +40,15 @@ FlowStructure::FlowStructure(const Problem& problem, CondensedStructure condense
   if (const auto* law = std::get_if<Penalty>(&problem.law)) {
     if (relaxation > 0.0)
       throw std::runtime_error("a spring acts on a coordinate without mass that is damped");
-    const auto k = Eigen::VectorXd::Map(law->stiffness.data(), contact_count());
-    compliance.diagonal() += k.cwiseInverse();
+    for (int j = 0; j < contact_count(); ++j)
+      compliance(j, j) += 1.0 / law->stiffness[static_cast<std::size_t>(scene_contact(j))];
   }
+  if (!open.contacts.empty()) {
+    const Eigen::VectorXd all = gaps;
+    gaps = all(acting);
+    open_gaps = all(open.contacts);
+  }
+  follow_open();
   velocity_per_impulse = factors->solve(directions);
   delassus = directions.transpose() * velocity_per_impulse;
   measure_rates();
@@ -55,10 +56,51 @@ FlowStructure::FlowStructure(const Problem& problem, CondensedStructure condense
   measure_scales(problem);
 }
 
+int FlowStructure::scene_contact(int contact) const {
+  const int act = contact_count();
+  if (contact >= act) return open.contacts[static_cast<std::size_t>(contact - act)];
+  return acting.empty() ? contact : acting[static_cast<std::size_t>(contact)];
+}
+
+// Open contacts relax to C_oj of the forces as acting ones do to C_jj of them: with R = C_oj C_jj^-1, once
+// the beginning is forgotten,
+//
+//     x_o = N_o^T u + R (x - N^T u) + Re sum_h (s_o - R s)_h / (1 + i beta r_h) e^{i r_h t}.
+void FlowStructure::follow_open() {
+  if (open.contacts.empty()) return;
+  open_rows = open.normals.transpose();
+  open_waves = open.shift;
+  if (relaxing() > 0) {
+    open_by_contacts =
+        massless_compliance.completeOrthogonalDecomposition().solve(open.compliance.transpose()).transpose();
+    find_unclear();
+    open_contact_sum = open_by_contacts.cwiseAbs().rowwise().sum().maxCoeff();
+    open_rows -= open_by_contacts * directions.transpose();
+    open_waves -= open_by_contacts * shift;
+  } else if (contact_count() > 0) {
+    open_compliance = open.compliance.cwiseAbs().colwise().maxCoeff().transpose();
+  }
+  for (std::size_t h = 0; h < rates.size(); ++h)
+    open_waves.col(static_cast<Eigen::Index>(h)) /= std::complex<double>(1.0, relaxation * rates[h]);
+  open_row_norm = open_rows.rowwise().norm().maxCoeff();
+}
+
+// Of a compliance that is singular to rounding only a pseudo-inverse is known.
+void FlowStructure::find_unclear() {
+  constexpr double kKnown = 1e-12;
+  const double scale = massless_compliance.diagonal().maxCoeff();
+  const Eigen::MatrixXd rest = open_by_contacts * massless_compliance - open.compliance;
+  open_unclear.clear();
+  for (Eigen::Index k = 0; k < rest.rows(); ++k) {
+    if (!(rest.row(k).cwiseAbs().maxCoeff() <= kKnown * scale)) open_unclear.push_back(static_cast<int>(k));
+  }
+}
+
 FlowStructure FlowStructure::at_frequency(double omega) const {
   FlowStructure result = *this;
   for (double& rate : result.rates) rate = std::round(rate / frequency) * omega;
   result.set_frequency(omega);
+  result.follow_open();
   result.scales.velocity = omega * scales.displacement;
   result.scales.acceleration = result.fastest_rate * result.scales.velocity;
   return result;
@@ -157,27 +199,36 @@ double forced_amplitude(const Problem& problem) {
 // The same at the contacts of a reduced structure, whose matrices are diagonal: it is there to be spared the
 // factors of the whole one.
 double FlowStructure::reduced_amplitude() const {
-  Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(contact_count());
-  for (std::size_t h = 0; h < rates.size(); ++h) {
-    const std::complex<double> i_rate(0.0, rates[h]);
-    const auto column = static_cast<Eigen::Index>(h);
-    const Eigen::VectorXcd z = stiffness.diagonal().cast<std::complex<double>>() +
-                               i_rate * damping.diagonal().cast<std::complex<double>>() +
-                               i_rate * i_rate * mass.diagonal().cast<std::complex<double>>();
-    amplitude += (directions.transpose() * load.col(column).cwiseQuotient(z) +
-                  shift.col(column) / (1.0 + relaxation * i_rate))
-                     .cwiseAbs();
-  }
-  return amplitude.size() == 0 ? 0.0 : amplitude.maxCoeff();
+  double largest = 0.0;
+  const auto grow = [&](const Eigen::MatrixXd& at, const Eigen::MatrixXcd& at_once) {
+    Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(at.cols());
+    for (std::size_t h = 0; h < rates.size(); ++h) {
+      const std::complex<double> i_rate(0.0, rates[h]);
+      const auto column = static_cast<Eigen::Index>(h);
+      const Eigen::VectorXcd z = stiffness.diagonal().cast<std::complex<double>>() +
+                                 i_rate * damping.diagonal().cast<std::complex<double>>() +
+                                 i_rate * i_rate * mass.diagonal().cast<std::complex<double>>();
+      amplitude += (at.transpose() * load.col(column).cwiseQuotient(z) +
+                    at_once.col(column) / (1.0 + relaxation * i_rate))
+                       .cwiseAbs();
+    }
+    if (amplitude.size() > 0) largest = std::max(largest, amplitude.maxCoeff());
+  };
+  grow(directions, shift);
+  if (!open.contacts.empty()) grow(open.normals, open.shift);
+  return largest;
 }
 
 void FlowStructure::measure_scales(const Problem& problem) {
   constexpr double kResonance = 1e6;  // beyond this the linear response is only the round-off of a resonance
   const double linear = kept.empty() ? reduced_amplitude() : linear_amplitude(problem);
-  const double gap = gaps.size() == 0 ? 0.0 : gaps.cwiseAbs().maxCoeff();
+  double gap = 0.0;
+  for (const Eigen::VectorXd* some : {&gaps, &open_gaps}) {
+    if (some->size() > 0) gap = std::max(gap, some->cwiseAbs().maxCoeff());
+  }
   const double limited = std::max(gap, forced_amplitude(problem));
-  const bool usable =
-      linear > 0.0 && linear <= kResonance * limited && (contact_count() == 0 || linear < limited);
+  const bool usable = linear > 0.0 && linear <= kResonance * limited &&
+                      ((contact_count() == 0 && open.contacts.empty()) || linear < limited);
   // A motion that reaches a stop is no larger than the gap and what the load forces; one that stays clear of
   // it is the linear response.
   double X = usable ? linear : limited;

@@ -26,6 +26,12 @@ struct MotionScales {
   }
 };
 
+/// The order-th time derivative of Re sum_h A_h e^{i r_h t}.
+/// \param amplitudes  A, a column for each rate
+/// \param rates       r_h [rad/s]
+Eigen::VectorXd wave_derivative(const Eigen::MatrixXcd& amplitudes, const std::vector<double>& rates,
+                                double time, int order);
+
 /// The condensed structure (`condense`) of a scene, its mass factorised:
 ///
 ///     M u'' + D u' + K u = f(t) + W lambda,    x = W^T u + s(t) + C_0 lambda <= g,    lambda <= 0,
@@ -44,8 +50,11 @@ class FlowStructure : public CondensedStructure {
   /// The same structure under the same load at another frequency, X of its scales kept.
   [[nodiscard]] FlowStructure at_frequency(double omega) const;
 
-  [[nodiscard]] int size() const { return static_cast<int>(directions.rows()); }           ///< Nd
-  [[nodiscard]] int contact_count() const { return static_cast<int>(directions.cols()); }  ///< Nc
+  [[nodiscard]] int size() const { return static_cast<int>(directions.rows()); }  ///< Nd
+  /// Nc, those that act: `open` is not among them.
+  [[nodiscard]] int contact_count() const { return static_cast<int>(directions.cols()); }
+  /// The contact of the scene that an acting one is, or, from Nc on, an open one.
+  [[nodiscard]] int scene_contact(int contact) const;
   /// Of the parts xi that relax: Nc with a relaxation time, else 0.
   [[nodiscard]] int relaxing() const { return relaxation > 0.0 ? contact_count() : 0; }
   [[nodiscard]] int positions() const { return size() + relaxing(); }  ///< Np, of u and xi
@@ -72,8 +81,20 @@ class FlowStructure : public CondensedStructure {
   Eigen::MatrixXd directions;                                         ///< W, the dense normals, Nd x Nc [-]
   Eigen::MatrixXd velocity_per_impulse;                               ///< M^-1 W, Nd x Nc [1/kg]
   Eigen::MatrixXd delassus;                                           ///< G = W^T M^-1 W, Nc x Nc [1/kg]
-  Eigen::MatrixXd compliance;   ///< C = C_0 + diag(1 / k) of springs, C_0 the massless, Nc x Nc [m/N]
-  Eigen::VectorXd gaps;         ///< g, Nc [m]
+  Eigen::MatrixXd compliance;  ///< C = C_0 + diag(1 / k) of springs, C_0 the massless, Nc x Nc [m/N]
+  Eigen::VectorXd gaps;        ///< g, Nc [m]
+  Eigen::VectorXd open_gaps;   ///< those of `open`, No [m]
+  /// What open contacts follow: x_o = open_rows u + open_by_contacts x + waves, where nothing relaxes with
+  /// C_oj lambda in place of the second term; periodic motions, in which what relaxes has forgotten its
+  /// beginning. No x Nd, No x Nc and No x Nh.
+  Eigen::MatrixXd open_rows, open_by_contacts;  ///< the latter is C_oj C_jj^-1
+  Eigen::MatrixXcd open_waves;                  ///< (s_o - open_by_contacts s) / (1 + i beta r_h)
+  double open_row_norm = 0.0;                   ///< the largest of open_rows [-]
+  double open_contact_sum = 0.0;                ///< the largest row sum of |open_by_contacts| [-]
+  /// The largest |C_oj| over open contacts where nothing relaxes, Nc [m/N]; empty where something does.
+  Eigen::VectorXd open_compliance;
+  /// Those of `open` whose C_oj is no combination of the C_jj to 1e-12: their motion is not known.
+  std::vector<int> open_unclear;
   double frequency = 1.0;       ///< omega [rad/s]
   double forcing_period = 1.0;  ///< 2 pi / omega [s]
   int highest_harmonic = 1;     ///< of the load, at least 1
@@ -89,6 +110,8 @@ class FlowStructure : public CondensedStructure {
   void set_frequency(double omega);
   void measure_scales(const Problem& problem);
   [[nodiscard]] double reduced_amplitude() const;
+  void follow_open();
+  void find_unclear();
 
   double oscillation_ = 0.0, decay_ = 0.0;  // fastest of the structure alone [rad/s]
 };

@@ -39,9 +39,9 @@ class LinearArc {
   /// Makes this the motion through `state` at `time`.
   virtual void start(double time, const State& state) = 0;
   /// The terms of the motion, fastest first, the load's harmonics as the last one. A mode matters until its
-  /// share in every guard (gap of an open contact over X, force of a closed one over its scale) has fallen
-  /// below `floor`; with `step` and `order`, so has its share in step^k times the k-th derivatives, k <=
-  /// order.
+  /// share in every guard (gap of an open contact over X, force of a closed one over its scale; a bound of
+  /// what it is in those of OpenContacts) has fallen below `floor`; with `step` and `order`, so has its share
+  /// in step^k times the k-th derivatives, k <= order.
   [[nodiscard]] virtual std::vector<FadingRate> fading_rates(double floor, double step = 0.0,
                                                              int order = 0) const = 0;
   /// (u, xi), Np, and v, Nd, at a time.
@@ -54,9 +54,11 @@ class LinearArc {
                                                  Eigen::MatrixXcd& /*sums*/) const {
     return false;
   }
-  /// order-th derivative (0..8) of x_j [m / s^order].
+  /// order-th derivative (0..8) of x_j; of an open contact, from Nc on, 0..2 [m / s^order].
   [[nodiscard]] double displacement(int contact, double time, int order = 0) const {
-    return output(contact, time, order);
+    const int open = contact - equations_.structure().contact_count();
+    if (open < 0) return output(contact, time, order);
+    return open_displacements({&time, 1}, order, open, 1)[static_cast<std::size_t>(order)](0, 0);
   }
   /// order-th derivative (0..8) of lambda_j, zero at open contacts [N / s^order].
   [[nodiscard]] double force(int contact, double time, int order = 0) const {
@@ -73,6 +75,8 @@ class LinearArc {
     return row < 0 ? 0.0 : curvature_bound(row, time);
   }
   [[nodiscard]] const ContactMode& mode() const { return equations_.mode; }  ///< of the flow
+  /// Nc, of those that act.
+  [[nodiscard]] int contact_count() const { return equations_.structure().contact_count(); }
 
  protected:
   /// \param equations  of the flow
@@ -86,12 +90,20 @@ class LinearArc {
 
   const ModeEquations& equations_;  ///< of the flow
 
+ private:
+  [[nodiscard]] Eigen::VectorXd derivative_of_u(double time, int order) const;
+
  public:
   /// x of all contacts and, below, the forces of the closed ones (`mode`), at several times, and their
   /// derivatives up to the highest order (0..8): of each order (Nc + |A|) x times.size() [m / s^order],
   /// [N / s^order].
   [[nodiscard]] virtual std::vector<Eigen::MatrixXd> outputs(std::span<const double> times,
                                                              int highest) const;
+  /// The same of x of `count` open contacts (OpenContacts) from `first` on, up to order 2 at most, count x
+  /// times.size().
+  [[nodiscard]] virtual std::vector<Eigen::MatrixXd> open_displacements(std::span<const double> times,
+                                                                        int highest, int first,
+                                                                        int count) const;
 };
 
 /// A transition as writing * reading: what the motion keeps of a state (u, xi, v), Ns numbers, and what it
@@ -184,8 +196,8 @@ struct ComplexModes {
 };
 
 /// The modes, found in the coordinates of the energy, with long double for up to 12 coordinates. None where
-/// they are ill-conditioned (critical damping, a rigid-body motion: more than three digits would cancel
-/// between them) or M or K is not definite.
+/// they are ill-conditioned (critical damping, a rigid-body motion: three digits would cancel between them,
+/// four of more than 12 coordinates) or M or K is not definite.
 std::optional<ComplexModes> complex_modes(const EnergyForm& form);
 
 /// The complex modes of a contact mode in all its coordinates, and of what relaxes alone (RelaxingForm), each

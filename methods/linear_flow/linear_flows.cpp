@@ -22,6 +22,43 @@ std::vector<Eigen::MatrixXd> LinearArc::outputs(std::span<const double> times, i
   return derivatives;
 }
 
+std::vector<Eigen::MatrixXd> LinearArc::open_displacements(std::span<const double> times, int highest,
+                                                           int first, int count) const {
+  const FlowStructure& s = equations_.structure();
+  const std::vector<int>& closed = mode().active;
+  const Eigen::MatrixXcd waves = s.open_waves.middleRows(first, count);
+  std::vector<Eigen::MatrixXd> derivatives = outputs(times, highest);
+  Eigen::MatrixXd u(s.size(), std::ssize(times));
+  for (std::size_t order = 0; order < derivatives.size(); ++order) {
+    for (Eigen::Index i = 0; i < u.cols(); ++i)
+      u.col(i) = derivative_of_u(times[static_cast<std::size_t>(i)], static_cast<int>(order));
+    Eigen::MatrixXd x = s.open_rows.middleRows(first, count) * u;
+    for (Eigen::Index i = 0; i < u.cols(); ++i)
+      x.col(i) +=
+          wave_derivative(waves, s.rates, times[static_cast<std::size_t>(i)], static_cast<int>(order));
+    const Eigen::MatrixXd& output = derivatives[order];
+    if (s.relaxing() > 0)
+      x += s.open_by_contacts.middleRows(first, count) * output.topRows(s.contact_count());
+    else if (!closed.empty())
+      x += s.open.compliance(Eigen::seqN(first, count), closed) * output.bottomRows(std::ssize(closed));
+    derivatives[order] = std::move(x);
+  }
+  return derivatives;
+}
+
+// order 0..2
+Eigen::VectorXd LinearArc::derivative_of_u(double time, int order) const {
+  const Eigen::Index size = equations_.size();
+  if (order == 0) {
+    State at;
+    state(time, at);
+    return at.u.head(size);
+  }
+  Eigen::VectorXd rates;
+  rate(time, rates);
+  return order == 1 ? rates.head(size) : rates.tail(size);
+}
+
 std::unique_ptr<const LinearFlow> linear_flow(const ContactDynamics& dynamics, ContactMode mode,
                                               FlowForm form, const std::shared_ptr<SharedModes>& shared) {
   if (dynamics.size() > kMostInDenseFlow) {

@@ -1,11 +1,10 @@
-#include <cblas.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <utility>
 
+#include "methods/linear_flow/harmonic_integrals.hpp"
 #include "methods/linear_flow/linear_flow.hpp"
 #include "methods/linear_flow/waves.hpp"
 #include "methods/solvers/dense_products.hpp"
@@ -127,6 +126,8 @@ class ModalFlow::Arc final : public LinearArc {
                                          Eigen::MatrixXcd& sums) const override;
   [[nodiscard]] std::vector<Eigen::MatrixXd> outputs(std::span<const double> times,
                                                      int highest) const override;
+  [[nodiscard]] std::vector<Eigen::MatrixXd> open_displacements(std::span<const double> times, int highest,
+                                                                int first, int count) const override;
   void rate(double time, Eigen::VectorXd& rate) const override {
     rate.resize(flow_.states());
     differentiate(time, 1, rate.head(flow_.positions()));
@@ -139,6 +140,14 @@ class ModalFlow::Arc final : public LinearArc {
   void differentiate(double time, int order, Eigen::Ref<Eigen::VectorXd> derivative) const;
   [[nodiscard]] double rate(Eigen::Index h) const { return rates_[static_cast<std::size_t>(h)]; }
   void move_to(double time) const;
+  struct Terms {
+    std::vector<Eigen::Index> alive;  // modes that have not faded, m
+    Eigen::VectorXcd rates;           // of these and of the load, m + Nh
+    Eigen::MatrixXcd becomes;         // e^{rate t}, (m + Nh) x times
+  };
+  [[nodiscard]] Terms terms_at(std::span<const double> times) const;
+  [[nodiscard]] std::vector<Eigen::MatrixXd> derivatives(const Eigen::MatrixXcd& of_output, Terms terms,
+                                                         int highest) const;
 
   const ModalFlow& flow_;
   const std::vector<double>& rates_;  // of the load
@@ -175,6 +184,7 @@ void ModalFlow::Arc::start(double time, const State& state) {
 std::vector<FadingRate> ModalFlow::Arc::fading_rates(double floor, double step, int order) const {
   constexpr double kForever = std::numeric_limits<double>::infinity();
   const ContactDynamics& dynamics = *equations_.dynamics;
+  const FlowStructure& structure = dynamics.structure();
   std::vector<FadingRate> terms;
   for (Eigen::Index k = 0; k < amplitude_.size(); ++k) {
     double share = 0.0;
@@ -182,6 +192,16 @@ std::vector<FadingRate> ModalFlow::Arc::fading_rates(double floor, double step, 
       const Eigen::Index force = equations_.force_row(j);
       share = std::max(share, force < 0 ? std::abs(contribution_(j, k)) / dynamics.scales().displacement
                                         : std::abs(contribution_(force, k)) / dynamics.force_scale(j));
+    }
+    if (!structure.open.contacts.empty()) {  // the bound of what any of them shows
+      const double of_u =
+          std::abs(flow_.weight()[k] * amplitude_[k]) * flow_.basis_->shapes.col(k).head(flow_.size()).norm();
+      const double of_x = contribution_.col(k).head(dynamics.contact_count()).lpNorm<Eigen::Infinity>();
+      double reach = structure.open_row_norm * of_u + structure.open_contact_sum * of_x;
+      for (std::size_t c = 0; c < mode().active.size() && structure.open_compliance.size() > 0; ++c)
+        reach += structure.open_compliance[mode().active[c]] *
+                 std::abs(contribution_(equations_.force_row(mode().active[c]), k));
+      share = std::max(share, reach / dynamics.scales().displacement);
     }
     const Complex mu = flow_.mu()[k];
     share *= std::pow(std::max(1.0, std::abs(mu) * step), order);
@@ -236,32 +256,73 @@ double ModalFlow::Arc::output(Eigen::Index row, double time, int order) const {
   return sum;
 }
 
-// Re (C G) = Re C Re G - Im C Im G, C the terms of each output, G what becomes of them. Modes that have faded
-// by the first of the times are left out.
-std::vector<Eigen::MatrixXd> ModalFlow::Arc::outputs(std::span<const double> times, int highest) const {
+// What becomes of the modes that have not faded by the first of some times, and of the waves.
+ModalFlow::Arc::Terms ModalFlow::Arc::terms_at(std::span<const double> times) const {
   const double first = times.empty() ? begin_ : *std::ranges::min_element(times);
-  std::vector<Eigen::Index> alive;
+  Terms terms;
   for (Eigen::Index k = 0; k < growth_.size(); ++k)
-    if (!has_faded(flow_.mu()[k], first - begin_)) alive.push_back(k);
-  const auto modes = std::ssize(alive), harmonics = wave_.size();
-  Eigen::VectorXcd rates(modes + harmonics);
-  rates.head(modes) = flow_.mu()(alive);
-  for (Eigen::Index h = 0; h < harmonics; ++h) rates[modes + h] = Complex(0.0, rate(h));
-  Eigen::MatrixXcd terms(equations_.outputs(), modes + harmonics),
-      becomes(modes + harmonics, std::ssize(times));
-  terms << contribution_(Eigen::all, alive), flow_.row_of_harmonic_;
-  for (Eigen::Index i = 0; i < becomes.cols(); ++i) {
+    if (!has_faded(flow_.mu()[k], first - begin_)) terms.alive.push_back(k);
+  const auto modes = std::ssize(terms.alive), harmonics = wave_.size();
+  terms.rates.resize(modes + harmonics);
+  terms.rates.head(modes) = flow_.mu()(terms.alive);
+  for (Eigen::Index h = 0; h < harmonics; ++h) terms.rates[modes + h] = Complex(0.0, rate(h));
+  terms.becomes.resize(modes + harmonics, std::ssize(times));
+  for (Eigen::Index i = 0; i < terms.becomes.cols(); ++i) {
     move_to(times[static_cast<std::size_t>(i)]);
-    becomes.col(i) << growth_(alive), wave_;
+    terms.becomes.col(i) << growth_(terms.alive), wave_;
   }
-  const Eigen::MatrixXd real = terms.real(), imaginary = terms.imag();
-  std::vector<Eigen::MatrixXd> derivatives;
+  return terms;
+}
+
+// Re (C G) = Re C Re G - Im C Im G, C the terms of each output, G what becomes of them.
+std::vector<Eigen::MatrixXd> ModalFlow::Arc::derivatives(const Eigen::MatrixXcd& of_output, Terms terms,
+                                                         int highest) const {
+  const Eigen::MatrixXd real = of_output.real(), imaginary = of_output.imag();
+  std::vector<Eigen::MatrixXd> result;
   for (int order = 0; order <= highest; ++order) {
-    if (order > 0) becomes = rates.asDiagonal() * becomes;
-    derivatives.push_back(dense_product(real, Eigen::MatrixXd(becomes.real())));
-    subtract_product(imaginary, becomes.imag(), derivatives.back());
+    if (order > 0) terms.becomes = terms.rates.asDiagonal() * terms.becomes;
+    result.push_back(dense_product(real, Eigen::MatrixXd(terms.becomes.real())));
+    subtract_product(imaginary, terms.becomes.imag(), result.back());
   }
-  return derivatives;
+  return result;
+}
+
+std::vector<Eigen::MatrixXd> ModalFlow::Arc::outputs(std::span<const double> times, int highest) const {
+  Terms terms = terms_at(times);
+  Eigen::MatrixXcd of_output(equations_.outputs(), terms.rates.size());
+  of_output << contribution_(Eigen::all, terms.alive), flow_.row_of_harmonic_;
+  return derivatives(of_output, std::move(terms), highest);
+}
+
+std::vector<Eigen::MatrixXd> ModalFlow::Arc::open_displacements(std::span<const double> times, int highest,
+                                                                int first, int count) const {
+  Terms terms = terms_at(times);
+  const FlowStructure& s = equations_.structure();
+  const Eigen::Index modes = std::ssize(terms.alive), size = flow_.size(), contacts = s.contact_count();
+  const Eigen::VectorXcd weighted = flow_.weight().cwiseProduct(amplitude_);
+  Eigen::MatrixXcd of_u(size, terms.rates.size());
+  of_u << flow_.basis_->shapes(Eigen::seqN(0, size), terms.alive) * weighted(terms.alive).asDiagonal(),
+      flow_.forced_.topRows(size);
+  const auto product = [](const Eigen::MatrixXd& by, const Eigen::MatrixXcd& of) {
+    Eigen::MatrixXcd result(by.rows(), of.cols());
+    result.real() = dense_product(by, Eigen::MatrixXd(of.real()));
+    result.imag() = dense_product(by, Eigen::MatrixXd(of.imag()));
+    return result;
+  };
+  Eigen::MatrixXcd of_output = product(s.open_rows.middleRows(first, count), of_u);
+  of_output.rightCols(wave_.size()) += s.open_waves.middleRows(first, count);
+  const bool relaxes = s.relaxing() > 0;
+  const Eigen::MatrixXd follows =
+      relaxes ? Eigen::MatrixXd(s.open_by_contacts.middleRows(first, count))
+              : Eigen::MatrixXd(s.open.compliance(Eigen::seqN(first, count), mode().active));
+  if (follows.cols() > 0) {
+    const Eigen::Index begin = relaxes ? 0 : contacts;
+    Eigen::MatrixXcd of_contact(follows.cols(), terms.rates.size());
+    of_contact.leftCols(modes) = contribution_.middleRows(begin, follows.cols())(Eigen::all, terms.alive);
+    of_contact.rightCols(wave_.size()) = flow_.row_of_harmonic_.middleRows(begin, follows.cols());
+    of_output += product(follows, of_contact);
+  }
+  return derivatives(of_output, std::move(terms), highest);
 }
 
 // The sum of the magnitudes of all terms, |z| <= |Re z| + |Im z|: modes fade, harmonics stay.
@@ -299,74 +360,24 @@ void ModalFlow::Arc::differentiate(double time, int order, Eigen::Ref<Eigen::Vec
   }
 }
 
-namespace {
-
-// (e^z - 1) / z, given e^z.
-Complex mean_growth(Complex z, Complex exponential) {
-  constexpr double kSmall = 0.5;
-  constexpr int kTerms = 16;  // kSmall^16 / 17! is far below rounding
-  if (std::norm(z) > kSmall * kSmall) return (exponential - 1.0) / z;
-  Complex sum = 1.0;
-  for (int k = kTerms; k > 1; --k) sum = 1.0 + sum * z / static_cast<double>(k);
-  return sum;
-}
-
-}  // namespace
-
-// Of each term Re c e^{nu t} = (c e^{nu t} + conj) / 2 the integral is in closed form. Terms by contacts is
-// one matrix, harmonics by terms another, some harmonics at a time.
+// What relaxes alone pushes nowhere, and most shift harmonics and fast modes are below rounding.
 bool ModalFlow::Arc::add_force_integrals(double begin, double end, double w, Eigen::MatrixXcd& sums) const {
-  constexpr Eigen::Index kAtOnce = 256;
   const std::vector<int>& closed = mode().active;
   if (closed.empty()) return true;
-  const Eigen::Index modes = growth_.size(), half = modes + wave_.size();
-  const double duration = end - begin;
-  Eigen::VectorXcd nu(2 * half);
-  Eigen::MatrixXcd terms(2 * half, static_cast<Eigen::Index>(closed.size()));
+  const Eigen::Index modes = growth_.size(), waves = wave_.size();
+  Eigen::VectorXcd rates(modes + waves);
+  Eigen::MatrixXcd terms(modes + waves, std::ssize(closed));
   move_to(begin);
-  nu.head(modes) = flow_.mu();
-  for (Eigen::Index h = 0; h < wave_.size(); ++h) nu[modes + h] = Complex(0.0, rate(h));
+  rates.head(modes) = flow_.mu();
+  for (Eigen::Index h = 0; h < waves; ++h) rates[modes + h] = Complex(0.0, rate(h));
   for (Eigen::Index c = 0; c < terms.cols(); ++c) {
     const Eigen::Index row = equations_.force_row(closed[static_cast<std::size_t>(c)]);
-    terms.col(c).head(modes) = 0.5 * contribution_.row(row).transpose().cwiseProduct(growth_);
-    terms.col(c).segment(modes, wave_.size()) =
-        0.5 * flow_.row_of_harmonic_.row(row).transpose().cwiseProduct(wave_);
+    terms.col(c).head(modes) = contribution_.row(row).transpose().cwiseProduct(growth_);
+    terms.col(c).tail(waves) = flow_.row_of_harmonic_.row(row).transpose().cwiseProduct(wave_);
   }
-  // What relaxes alone pushes nowhere, and most shift harmonics and fast modes are below rounding.
-  constexpr double kUnseen = 1e-17;
-  const double least = kUnseen * terms.topRows(half).cwiseAbs().maxCoeff();
-  Eigen::Index kept = 0;
-  for (Eigen::Index k = 0; k < half; ++k) {
-    if (!(terms.row(k).cwiseAbs().maxCoeff() > least)) continue;
-    nu[kept] = nu[k];
-    terms.row(kept++) = terms.row(k).eval();
-  }
-  nu.conservativeResize(2 * kept);
-  terms.conservativeResize(2 * kept, Eigen::NoChange);
-  nu.tail(kept) = nu.head(kept).conjugate();
-  terms.bottomRows(kept) = terms.topRows(kept).conjugate();
-  const Eigen::VectorXcd grown = (nu * duration).array().exp();
-  Eigen::MatrixXcd integrals(std::min(kAtOnce, sums.rows()), nu.size());
-  Eigen::MatrixXcd part(integrals.rows(), terms.cols());
-  for (Eigen::Index first = 0; first < sums.rows(); first += kAtOnce) {
-    const Eigen::Index count = std::min(kAtOnce, sums.rows() - first);
-    for (Eigen::Index n = 0; n < count; ++n) {
-      const double turn = w * static_cast<double>(first + n);
-      const Complex phase = duration * std::polar(1.0, -turn * begin);
-      const Complex turned = std::polar(1.0, -turn * duration);
-      for (Eigen::Index k = 0; k < nu.size(); ++k) {
-        integrals(n, k) = phase * mean_growth((nu[k] - Complex(0.0, turn)) * duration, grown[k] * turned);
-      }
-    }
-    // By the BLAS, several times faster than generic code.
-    const auto rows = static_cast<int>(integrals.rows()), inner = static_cast<int>(nu.size());
-    const Complex one = 1.0, zero = 0.0;
-    cblas_zgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, static_cast<int>(count),
-                static_cast<int>(terms.cols()), inner, &one, integrals.data(), rows, terms.data(),
-                std::max(1, inner), &zero, part.data(), rows);
-    for (Eigen::Index c = 0; c < terms.cols(); ++c)
-      sums.col(closed[static_cast<std::size_t>(c)]).segment(first, count) += part.col(c).head(count);
-  }
+  const Eigen::MatrixXcd integrals = harmonic_integrals(rates, terms, begin, end, w, sums.rows() - 1);
+  for (Eigen::Index c = 0; c < terms.cols(); ++c)
+    sums.col(closed[static_cast<std::size_t>(c)]) += integrals.col(c);
   return true;
 }
 

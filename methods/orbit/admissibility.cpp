@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "methods/orbit/arc_scan.hpp"
 #include "methods/orbit/exact_orbit.hpp"
@@ -17,6 +20,12 @@ struct Check {
   const OrbitGuess& orbit;
   const OrbitEquations& equations;
   Admissibility result = {};
+  std::vector<int> reached = {};  // contacts taken for open that pass their stops,
+  std::string passing = {};       // the one that passes it most,
+  double passed = 0.0;            // and by how much
+
+  // As the scene counts it.
+  [[nodiscard]] int named(int contact) const { return dynamics.structure().scene_contact(contact); }
 
   void fail(const std::string& reason) {
     if (result.ok) result.reason = reason;
@@ -27,26 +36,61 @@ struct Check {
   void arc(const LinearArc& arc, double begin, double end) {
     constexpr double kUnseen = 0.01;  // of the tolerance: modes below do not move a contact
     const std::vector<FadingRate> terms = arc.fading_rates(kUnseen * kAdmissible);
-    std::vector<LimitedOutput> guards;
+    const FlowStructure& structure = dynamics.structure();
+    const double X = dynamics.scales().displacement;
+    std::vector<LimitedOutput> guards, open;
     for (int j = 0; j < dynamics.contact_count(); ++j) {
       const bool closed = arc.mode().closed(j);
       guards.push_back({.arc = arc,
                         .contact = j,
                         .of_force = closed,
-                        .offset = closed ? 0.0 : dynamics.structure().gaps[j],
-                        .unit = closed ? dynamics.force_scale(j) : dynamics.scales().displacement});
+                        .offset = closed ? 0.0 : structure.gaps[j],
+                        .unit = closed ? dynamics.force_scale(j) : X});
+    }
+    for (const double gap : structure.open_gaps) {
+      const int j = dynamics.contact_count() + static_cast<int>(open.size());
+      open.push_back({.arc = arc, .contact = j, .of_force = false, .offset = gap, .unit = X});
     }
     const std::vector<LimitedSample> peaks = largest(guards, begin, end, terms);
     for (std::size_t j = 0; j < peaks.size(); ++j) {
       const LimitedSample& peak = peaks[j];
       result.violation = std::max(result.violation, peak.value);
       if (peak.value <= kAdmissible) continue;
+      const int contact = named(static_cast<int>(j));
       fail(guards[j].of_force
-               ? fmt::format("contact {} pulls at t = {:.6g} s ({:.2g} of the force scale)", j, peak.time,
-                             peak.value)
-               : fmt::format("contact {} penetrates at t = {:.6g} s by {:.2g} of the amplitude", j, peak.time,
-                             peak.value));
+               ? fmt::format("contact {} pulls at t = {:.6g} s ({:.2g} of the force scale)", contact,
+                             peak.time, peak.value)
+               : fmt::format("contact {} penetrates at t = {:.6g} s by {:.2g} of the amplitude", contact,
+                             peak.time, peak.value));
     }
+    const std::vector<LimitedSample> open_peaks = largest(open, begin, end, terms);
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      const LimitedSample& peak = open_peaks[k];
+      if (peak.value <= kAdmissible) continue;
+      if (reached.empty() || !(peak.value <= passed)) {
+        passed = peak.value;
+        passing = fmt::format(
+            "contact {}, taken for open, passes its stop at t = {:.6g} s by {:.2g} of the amplitude",
+            named(open[k].contact), peak.time, peak.value);
+      }
+      reached.push_back(named(open[k].contact));
+    }
+  }
+
+  // Contacts taken for open tell something only where the others are right.
+  void open_contacts() {
+    if (!result.ok) return;
+    for (const int k : dynamics.structure().open_unclear) {
+      const int contact = named(dynamics.contact_count() + k);
+      if (reached.empty()) passing = fmt::format("what contact {} does while open is not known", contact);
+      reached.push_back(contact);
+    }
+    if (reached.empty()) return;
+    std::ranges::sort(reached);
+    reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
+    result.violation = std::max(result.violation, passed);
+    result.reached = std::move(reached);
+    fail(passing);
   }
 
   // Contacts close with x'_- > 0, and all that push take an impulse <= 0.
@@ -60,13 +104,14 @@ struct Check {
       const bool tail = event.kind == ContactEvent::Kind::close && dynamics.restitution() > 0.0;
       if (dynamics.rigid() && !tail) result.weakest_impact = std::min(result.weakest_impact, v);
       if (!(v > 0.0))
-        fail(fmt::format("contact {} does not close at t = {:.6g} s", event.contact, event.time));
+        fail(fmt::format("contact {} does not close at t = {:.6g} s", named(event.contact), event.time));
     }
     for (std::size_t k = 0; k < event.pushed.size(); ++k) {
       const auto row = static_cast<Eigen::Index>(k);
       if (crossing.impulses[row] > 0.0 &&
           crossing.speeds.maxCoeff() > kAdmissible * dynamics.scales().velocity)
-        fail(fmt::format("contact {} pulls at the impact at t = {:.6g} s", event.pushed[k], event.time));
+        fail(fmt::format("contact {} pulls at the impact at t = {:.6g} s", named(event.pushed[k]),
+                         event.time));
       law(event, crossing.speeds[row], k, *equations.arcs()[i]);
     }
   }
@@ -84,7 +129,7 @@ struct Check {
       return;
     }
     fail(fmt::format("contact {} stops at t = {:.6g} s without the chatter that restitution {} calls for",
-                     event.pushed[k], event.time, e));
+                     named(event.pushed[k]), event.time, e));
   }
 };
 
@@ -102,6 +147,7 @@ Admissibility check_admissible(const OrbitModel& model, const OrbitGuess& orbit,
     begin = orbit.events[i].time;
   }
   check.arc(*equations.arcs().back(), begin, orbit.start.time + model.period);
+  check.open_contacts();
   if (check.result.impacts == 0) check.result.weakest_impact = 0.0;
   return check.result;
 }

@@ -66,6 +66,17 @@ void raise_to(LimitedSample& peak, const LimitedSample& other) {
   if (!std::isnan(peak.value) && !(other.value <= peak.value)) peak = other;
 }
 
+// Whether a maximum between two samples can be above zero: with samples as close as these it is no further
+// above them than a quintic through values, rates and curvatures, several times over.
+bool near_zero(const LimitedSample& a, const LimitedSample& b) {
+  constexpr double kGrowth = 4.0;
+  const double step = b.time - a.time;
+  return !(std::max(a.value, b.value) + kGrowth * step *
+                                            (std::max(std::abs(a.rate), std::abs(b.rate)) +
+                                             step * std::max(std::abs(a.curvature), std::abs(b.curvature))) <
+           0.0);
+}
+
 // The maximum between two samples, where there is one.
 void raise_between(const LimitedOutput& f, const LimitedSample& a, const LimitedSample& b,
                    LimitedSample& peak) {
@@ -74,6 +85,7 @@ void raise_between(const LimitedOutput& f, const LimitedSample& a, const Limited
     const double top = polished_peak(f, low.time, high.time);
     raise_to(peak, {.time = top, .value = f.value(top, 0), .maximum = true});
   };
+  if (!near_zero(a, b)) return;
   if (a.rate > 0.0 && b.rate < 0.0) {
     raise(a, b);
   } else if (a.curvature * b.curvature < 0.0) {
@@ -92,14 +104,20 @@ std::vector<LimitedSample> largest(std::span<const LimitedOutput> outputs, doubl
   constexpr double kNone = -std::numeric_limits<double>::infinity();
   std::vector<LimitedSample> peaks(outputs.size(), {.value = kNone}), before(outputs.size());
   if (outputs.empty()) return peaks;
+  const LinearArc& arc = outputs.front().arc;
+  const int acting = arc.contact_count();
+  const bool open = outputs.front().contact >= acting;
   const std::vector<double> times = instants(begin, end, terms);
   for (std::size_t first = 0; first < times.size(); first += kTogether) {
     const std::span<const double> some =
         std::span(times).subspan(first, std::min(kTogether, times.size() - first));
-    const std::vector<Eigen::MatrixXd> derivatives = outputs.front().arc.outputs(some, 2);
+    const std::vector<Eigen::MatrixXd> derivatives =
+        open ? arc.open_displacements(some, 2, outputs.front().contact - acting,
+                                      static_cast<int>(outputs.size()))
+             : arc.outputs(some, 2);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
       const LimitedOutput& f = outputs[i];
-      const Eigen::Index row = row_of(f, derivatives[0].rows());
+      const Eigen::Index row = open ? static_cast<Eigen::Index>(i) : row_of(f, derivatives[0].rows());
       for (Eigen::Index k = 0; k < std::ssize(some); ++k) {
         const LimitedSample here{.time = some[static_cast<std::size_t>(k)],
                                  .value = f.limited(derivatives[0](row, k), 0),

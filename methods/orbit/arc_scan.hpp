@@ -44,9 +44,10 @@ struct LimitedSample {
 };
 
 /// The largest value of each output from `begin` to `end`, both included, all of one arc: among samples at a
-/// sixteenth of the fastest period still alive and the local maxima between them, polished by Newton's method
-/// where the rate changes sign, found by where the rate turns where it is positive only between two samples.
-/// Samples of all outputs are taken together: the modes are evaluated once for each instant.
+/// sixteenth of the fastest period still alive and, where they come near zero, the local maxima between them,
+/// polished by Newton's method where the rate changes sign, found by where the rate turns where it is
+/// positive only between two samples. The outputs are of contacts that act, or all of open ones
+/// (OpenContacts). Samples of all outputs are taken together: the modes are evaluated once for each instant.
 ///
 /// \param terms  LinearArc::fading_rates of the arc
 std::vector<LimitedSample> largest(std::span<const LimitedOutput> outputs, double begin, double end,

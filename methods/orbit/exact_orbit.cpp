@@ -25,7 +25,8 @@ class OrbitFinder::Search {
   }
 
  private:
-  // True if the search has come to its end: an orbit is found, or the time is up.
+  // True if the search has come to its end: an orbit is found, contacts close that were taken for open, or
+  // the time is up.
   bool attempt(const OrbitGuess& guess) {
     if (options_.expired()) return true;
     ExactOrbit orbit;
@@ -40,9 +41,12 @@ class OrbitFinder::Search {
     ++result_.attempts;
     result_.iterations += orbit.iterations;
     last_ = orbit.trajectory ? std::optional(orbit.trajectory->orbit().start) : std::nullopt;
-    const bool done = orbit.certified();
+    // Another sequence of the same contacts does not help where others close.
+    const bool reached = !orbit.admissibility.reached.empty();
+    const bool done = orbit.certified() || reached;
     // OrbitOutcome lists its values from an orbit to what tells least of one.
-    if (result_.attempts == 1 || orbit.outcome < result_.orbit.outcome) result_.orbit = std::move(orbit);
+    if (result_.attempts == 1 || reached || orbit.outcome < result_.orbit.outcome)
+      result_.orbit = std::move(orbit);
     return done;
   }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "methods/orbit/exact_trajectory.hpp"
 #include "methods/orbit/orbit_guess.hpp"
@@ -28,14 +29,17 @@ struct Admissibility {
   /// impacts ends in sticking [-].
   double chatter_error = 0.0;
   int impacts = 0;  ///< resolved
+  /// Contacts of the scene that are taken for open (OpenContacts) and pass their stops, where nothing else is
+  /// wrong.
+  std::vector<int> reached = {};
 };
 
-/// Checks an orbit as last evaluated: between events no open contact beyond its stop and no closed one
-/// pulling (sampled at a sixteenth of the fastest period still alive in the guards, local maxima polished by
-/// Newton's method, those between two samples found by where the rate turns), approach speeds positive,
-/// impulses compressive, each impact by the scene's law, all to kAdmissible in the scales of the motion. A
-/// contact that stops with e > 0 is accepted as the limit of a chatter if the rest of the geometric sequence
-/// displaces less than kLeftOut X.
+/// Checks an orbit as last evaluated: between events no open contact beyond its stop, those included that are
+/// taken for open throughout, and no closed one pulling (sampled at a sixteenth of the fastest period still
+/// alive in the guards, local maxima polished by Newton's method, those between two samples found by where
+/// the rate turns), approach speeds positive, impulses compressive, each impact by the scene's law, all to
+/// kAdmissible in the scales of the motion. A contact that stops with e > 0 is accepted as the limit of a
+/// chatter if the rest of the geometric sequence displaces less than kLeftOut X.
 ///
 /// \param expired  asked before each arc \throws std::runtime_error if the time is up
 Admissibility check_admissible(const OrbitModel& model, const OrbitGuess& orbit,
@@ -76,7 +80,7 @@ struct ExactOrbit {
   double condition = 1.0;  ///< estimate for J, in its scales; where there is a trajectory [-]
   int iterations = 0;      ///< Newton steps
   Eigen::VectorXcd multipliers =
-      {};                            ///< Floquet, 2 Nd, Nc more with relaxing contacts; empty where undefined
+      {};  ///< Floquet, 2 Nd, Nc more if acting contacts relax; empty where undefined
   Admissibility admissibility = {};  ///< where there is a trajectory
 
   /// An orbit of the scene stands behind this.

@@ -11,15 +11,31 @@
 
 namespace signorini {
 
+namespace {
+
+// Those that act, then those that stay open.
+std::vector<int> scene_contacts(const FlowStructure& structure) {
+  std::vector<int> contacts(static_cast<std::size_t>(structure.contact_count()) +
+                            structure.open.contacts.size());
+  for (std::size_t j = 0; j < contacts.size(); ++j)
+    contacts[j] = structure.scene_contact(static_cast<int>(j));
+  return contacts;
+}
+
+}  // namespace
+
 ExactTrajectory::ExactTrajectory(std::shared_ptr<OrbitModel> model, OrbitGuess orbit,
                                  std::vector<std::shared_ptr<LinearArc>> arcs,
                                  const std::vector<OrbitEquations::EventCrossing>& crossings)
-    : model_(std::move(model)), orbit_(std::move(orbit)), arcs_(std::move(arcs)) {
+    : model_(std::move(model)),
+      contacts_(scene_contacts(model_->dynamics.structure())),
+      orbit_(std::move(orbit)),
+      arcs_(std::move(arcs)) {
   // Listed of each event: every contact that changes or takes an impulse, and the one whose guard vanishes.
   const std::vector<bool>* before = &orbit_.start.closed;
   for (std::size_t i = 0; i < orbit_.events.size(); ++i) {
     const SequenceEvent& event = orbit_.events[i];
-    for (int j = 0; j < contact_count(); ++j) {
+    for (int j = 0; j < model_->dynamics.contact_count(); ++j) {
       const auto index = static_cast<std::size_t>(j);
       const bool was = (*before)[index], is = event.closed[index];
       const auto pushed = std::find(event.pushed.begin(), event.pushed.end(), j);
@@ -31,7 +47,7 @@ ExactTrajectory::ExactTrajectory(std::shared_ptr<OrbitModel> model, OrbitGuess o
       events_.push_back({.kind = was == is ? ContactEvent::Kind::impact
                                  : is      ? ContactEvent::Kind::close
                                            : ContactEvent::Kind::open,
-                         .contact = j,
+                         .contact = scene_contact(j),
                          .time = wrapped_time(event.time, period()),
                          .impulse = impulse});
     }
@@ -52,6 +68,7 @@ const LinearArc& ExactTrajectory::arc_at(double& time) const {
 // From event to event, in pieces so short that every term of the motion that still matters turns by less than
 // a radian within one.
 double ExactTrajectory::push(int contact, double begin, double end) const {
+  const auto acting = static_cast<int>(std::ranges::find(contacts_, contact) - contacts_.begin());
   constexpr double kTurn = 0.8, kUnseen = 1e-9;  // rad; share of a scale
   constexpr int kMostPieces = 4096;
   std::vector<double> ends{begin, end};
@@ -72,7 +89,7 @@ double ExactTrajectory::push(int contact, double begin, double end) const {
     const auto derivatives = [&](int piece) {
       Derivatives values{};
       for (std::size_t k = 0; k < values.size(); ++k)
-        values[k] = arc.force(contact, start + length * piece / pieces, static_cast<int>(k));
+        values[k] = arc.force(acting, start + length * piece / pieces, static_cast<int>(k));
       return values;
     };
     Derivatives left = derivatives(0);
@@ -101,13 +118,16 @@ State ExactTrajectory::at(double time) const {
 
 Eigen::MatrixXcd ExactTrajectory::force_spectrum(int count) const {
   const double w = kTwoPi / period();
-  Eigen::MatrixXcd sums = Eigen::MatrixXcd::Zero(count + 1, contact_count());
+  Eigen::MatrixXcd acting = Eigen::MatrixXcd::Zero(count + 1, model_->dynamics.contact_count());
   double begin = orbit_.start.time;
   for (std::size_t i = 0; i < arcs_.size(); ++i) {
     const double end = i < orbit_.events.size() ? orbit_.events[i].time : orbit_.start.time + period();
-    if (!arcs_[i]->add_force_integrals(begin, end, w, sums)) return {};
+    if (!arcs_[i]->add_force_integrals(begin, end, w, acting)) return {};
     begin = end;
   }
+  Eigen::MatrixXcd sums = Eigen::MatrixXcd::Zero(count + 1, contact_count());
+  for (Eigen::Index j = 0; j < acting.cols(); ++j)
+    sums.col(scene_contact(static_cast<int>(j))) = acting.col(j);
   for (const Impulse& impulse : impulses()) {
     for (int n = 0; n <= count; ++n)
       sums(n, impulse.contact) += impulse.value * std::polar(1.0, -n * w * impulse.time);
@@ -116,7 +136,7 @@ Eigen::MatrixXcd ExactTrajectory::force_spectrum(int count) const {
 }
 
 Samples ExactTrajectory::sample(int count) const {
-  const Eigen::Index contacts = contact_count();
+  const Eigen::Index contacts = contact_count(), acting = model_->dynamics.contact_count();
   Samples samples{.x = Eigen::MatrixXd(count, contacts),
                   .velocity = Eigen::MatrixXd(count, contacts),
                   .force = Eigen::MatrixXd(count, contacts)};
@@ -135,12 +155,23 @@ Samples ExactTrajectory::sample(int count) const {
     const auto together = std::ssize(times);
     const std::vector<Eigen::MatrixXd> derivatives = arc.outputs(times, 1);
     const Eigen::MatrixXd& values = derivatives[0];
-    samples.x.middleRows(first, together) = values.topRows(contacts).transpose();
-    samples.velocity.middleRows(first, together) = derivatives[1].topRows(contacts).transpose();
+    const auto take = [&](Eigen::MatrixXd& all, const Eigen::MatrixXd& rows, Eigen::Index begin) {
+      for (Eigen::Index j = 0; j < rows.rows(); ++j)
+        all.col(scene_contact(static_cast<int>(begin + j))).segment(first, together) =
+            rows.row(j).transpose();
+    };
+    take(samples.x, values.topRows(acting), 0);
+    take(samples.velocity, derivatives[1].topRows(acting), 0);
+    if (acting < contacts) {
+      const std::vector<Eigen::MatrixXd> open =
+          arc.open_displacements(times, 1, 0, static_cast<int>(contacts - acting));
+      take(samples.x, open[0], acting);
+      take(samples.velocity, open[1], acting);
+    }
     const std::vector<int>& closed = arc.mode().active;
     for (std::size_t c = 0; c < closed.size(); ++c)
-      samples.force.col(closed[c]).segment(first, together) =
-          values.row(contacts + static_cast<Eigen::Index>(c)).transpose().cwiseMin(0.0);
+      samples.force.col(scene_contact(closed[c])).segment(first, together) =
+          values.row(acting + static_cast<Eigen::Index>(c)).transpose().cwiseMin(0.0);
   }
   return samples;
 }

@@ -18,7 +18,8 @@ struct OrbitQuality {
 };
 
 /// Motion and contact force of a polished orbit, evaluated exactly (to round-off) at any instant; the
-/// velocity is right-sided at impacts.
+/// velocity is right-sided at impacts. Of all contacts of the scene, whether they act in the model or stay
+/// open (OpenContacts); only `orbit` counts those that act.
 class ExactTrajectory final : public Trajectory {
  public:
   /// \param model  of the scene; kept alive
@@ -27,7 +28,7 @@ class ExactTrajectory final : public Trajectory {
                   std::vector<std::shared_ptr<LinearArc>> arcs,
                   const std::vector<OrbitEquations::EventCrossing>& crossings);
 
-  [[nodiscard]] int contact_count() const override { return model_->dynamics.contact_count(); }
+  [[nodiscard]] int contact_count() const override { return static_cast<int>(contacts_.size()); }
   [[nodiscard]] double period() const override { return model_->period; }
   [[nodiscard]] Samples sample(int count) const override;
   [[nodiscard]] std::vector<Impulse> impulses() const override { return impulses_of(events_); }
@@ -41,8 +42,14 @@ class ExactTrajectory final : public Trajectory {
   [[nodiscard]] const MotionScales& scales() const { return model_->dynamics.scales(); }
   /// State of the coordinates with mass at any time [s].
   [[nodiscard]] State at(double time) const;
-  /// Section state and events, times in (start.time, start.time + period).
+  /// Section state and events, times in (start.time, start.time + period), of the contacts that act.
   [[nodiscard]] const OrbitGuess& orbit() const { return orbit_; }
+  /// The contact of the scene that is contact j of `orbit`.
+  [[nodiscard]] int scene_contact(int j) const { return contacts_[static_cast<std::size_t>(j)]; }
+  /// Those of all contacts of `orbit`.
+  [[nodiscard]] std::vector<int> acting_contacts() const {
+    return {contacts_.begin(), contacts_.begin() + model_->dynamics.contact_count()};
+  }
   [[nodiscard]] const OrbitQuality& quality() const { return quality_; }  ///< as the polish left it
   /// Said once by the polish, which knows it only when the orbit is there.
   void set_quality(OrbitQuality quality) { quality_ = std::move(quality); }
@@ -52,6 +59,7 @@ class ExactTrajectory final : public Trajectory {
   [[nodiscard]] double push(int contact, double begin, double end) const;
 
   std::shared_ptr<OrbitModel> model_;
+  std::vector<int> contacts_;  // of the scene: those that act, then those that stay open
   OrbitGuess orbit_;
   std::vector<std::shared_ptr<LinearArc>> arcs_;
   std::vector<ContactEvent> events_;

@@ -14,6 +14,45 @@ namespace signorini {
 
 namespace {
 
+// What a motion of the scene says of the contacts that act in a model, in its order.
+class ActingContacts final : public Trajectory {
+ public:
+  ActingContacts(const Trajectory& motion, const FlowStructure& structure) : motion_(motion) {
+    for (int j = 0; j < structure.contact_count(); ++j) contacts_.push_back(structure.scene_contact(j));
+  }
+  [[nodiscard]] int contact_count() const override { return static_cast<int>(contacts_.size()); }
+  [[nodiscard]] double period() const override { return motion_.period(); }
+  [[nodiscard]] Samples sample(int count) const override {
+    const Samples all = motion_.sample(count);
+    return {.x = all.x(Eigen::all, contacts_),
+            .velocity = all.velocity(Eigen::all, contacts_),
+            .force = all.force(Eigen::all, contacts_)};
+  }
+  [[nodiscard]] std::vector<Impulse> impulses() const override { return among(motion_.impulses()); }
+  [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override {
+    const auto events = motion_.events();
+    return events ? std::optional(among(*events)) : std::nullopt;
+  }
+  [[nodiscard]] std::optional<int> nodes() const override { return motion_.nodes(); }
+  [[nodiscard]] std::optional<int> bandwidth() const override { return motion_.bandwidth(); }
+
+ private:
+  template <class OfContact>
+  [[nodiscard]] std::vector<OfContact> among(const std::vector<OfContact>& all) const {
+    std::vector<OfContact> own;
+    for (OfContact one : all) {
+      const auto found = std::ranges::find(contacts_, one.contact);
+      if (found == contacts_.end()) continue;
+      one.contact = static_cast<int>(found - contacts_.begin());
+      own.push_back(one);
+    }
+    return own;
+  }
+
+  const Trajectory& motion_;
+  std::vector<int> contacts_;
+};
+
 // Forces of a period on an equidistant grid, the listed impulses apart.
 struct ForceHistory {
   Eigen::MatrixXd force;  // N x Nc
@@ -248,12 +287,13 @@ std::optional<OrbitGuess> from_force(OrbitModel& model, const Trajectory& trajec
 
 }  // namespace
 
-std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& trajectory,
-                                      const Expired& expired) {
+std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& motion, const Expired& expired) {
   constexpr double kSamePeriod = 1e-6;
-  if (std::abs(trajectory.period() - model.period) > kSamePeriod * model.period ||
-      trajectory.contact_count() != model.dynamics.contact_count())
+  const FlowStructure& structure = model.dynamics.structure();
+  if (std::abs(motion.period() - model.period) > kSamePeriod * model.period ||
+      motion.contact_count() != structure.contact_count() + static_cast<int>(structure.open.contacts.size()))
     return std::nullopt;
+  const ActingContacts trajectory(motion, structure);
   if (auto guess = from_events(model, trajectory, expired)) return guess;
   return from_force(model, trajectory);
 }

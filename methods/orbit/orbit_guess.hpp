@@ -24,10 +24,12 @@ inline constexpr std::size_t kMostEvents = 400;
 /// (`contact_phases`) is an impact at its centroid if it is no longer than the motion can resolve, else lasts
 /// from its first to its last sample.
 ///
+/// The motion is one of all contacts of the scene, of which those are read that act in the model.
+///
 /// The section lies in the middle of the longest time without a force, or of the longest between two events.
 /// Empty if the structure has no unique periodic response or the motion is not of the model's period.
 /// \throws std::runtime_error if a flow cannot be formed, or the time is up
-std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& trajectory,
+std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& motion,
                                       const Expired& expired = {});
 
 /// One period of a motion from its own list of events, cut open at `section`:

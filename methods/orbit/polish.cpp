@@ -22,7 +22,9 @@ bool any_closed(const std::vector<bool>& closed) {
 std::optional<double> distance_to_green_function(const OrbitModel& model, const ExactTrajectory& motion) {
   constexpr int kInstants = 17;
   const OrbitGuess& path = motion.orbit();
-  if (model.dynamics.structure().relaxing() > 0) return std::nullopt;  // whose impulses move xi, too
+  const FlowStructure& structure = model.dynamics.structure();
+  if (structure.relaxing() > 0) return std::nullopt;          // whose impulses move xi, too
+  if (!structure.open.contacts.empty()) return std::nullopt;  // the motion counts all contacts
   if (any_closed(path.start.closed)) return std::nullopt;
   for (const SequenceEvent& event : path.events) {
     if (event.kind != ContactEvent::Kind::impact || any_closed(event.closed)) return std::nullopt;
@@ -71,6 +73,7 @@ void conclude(const OrbitEquations& equations, const PolishOptions& options, Exa
   const OrbitGuess& path = orbit.trajectory->orbit();
   if (!(orbit.error_bar < kUndetermined)) {
     orbit.outcome = OrbitOutcome::no_convergence;
+    orbit.admissibility.reached.clear();  // of a motion that is not known
     orbit.reason =
         fmt::format("the equations are singular (a multiplier is 1, or an impact grazes): error bar {:.2g}",
                     orbit.error_bar);

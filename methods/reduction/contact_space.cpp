@@ -100,7 +100,9 @@ struct ContactSpace::Source {
 
   void rest() {
     constexpr double kLargest = 1e9;  // [bytes]
-    if (kept->bytes() > kLargest) kept.reset();
+    if (kept->bytes() <= kLargest) return;
+    kept.reset();
+    if (statics) statics->forget_vectors();
   }
 
   Problem problem;  // whose structure the vectors refer to

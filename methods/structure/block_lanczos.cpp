@@ -200,22 +200,22 @@ Eigen::MatrixXd BlockLanczos::projected_start() const {
   return start;
 }
 
-Eigen::MatrixXd BlockLanczos::projected(const SparseMatrix& A) const {
-  Eigen::MatrixXd rows(size_, A.cols());
-  Eigen::Index first = 0;
+Eigen::MatrixXd BlockLanczos::projected(const SparseMatrix& A, Eigen::Index first) const {
+  Eigen::MatrixXd rows(size_ - first, A.cols());
+  Eigen::Index at = 0;
   for (const Eigen::MatrixXd& block : basis_) {
-    rows.middleRows(first, block.cols()) = (A.transpose() * block).transpose();
-    first += block.cols();
+    if (at >= first) rows.middleRows(at - first, block.cols()) = (A.transpose() * block).transpose();
+    at += block.cols();
   }
   return rows;
 }
 
-Eigen::MatrixXd BlockLanczos::projected(const Eigen::MatrixXd& A) const {
-  Eigen::MatrixXd rows(size_, A.cols());
-  Eigen::Index first = 0;
+Eigen::MatrixXd BlockLanczos::projected(const Eigen::MatrixXd& A, Eigen::Index first) const {
+  Eigen::MatrixXd rows(size_ - first, A.cols());
+  Eigen::Index at = 0;
   for (const Eigen::MatrixXd& block : basis_) {
-    rows.middleRows(first, block.cols()) = transposed_product(block, A);
-    first += block.cols();
+    if (at >= first) rows.middleRows(at - first, block.cols()) = transposed_product(block, A);
+    at += block.cols();
   }
   return rows;
 }

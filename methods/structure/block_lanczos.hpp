@@ -66,10 +66,11 @@ class BlockLanczos {
   [[nodiscard]] const Eigen::MatrixXd& left_out_of_start() const { return left_out_of_start_; }
   /// Floating-point operations of the next growth, roughly: of grow(), or of grow_by_left_out().
   [[nodiscard]] double operations_of_growth(bool with_left_out = false) const;
-  /// V^T A for other columns A, Nd x l; k x l.
-  [[nodiscard]] Eigen::MatrixXd projected(const SparseMatrix& A) const;
+  /// V^T A for other columns A, Nd x l, of the vectors from `first` on, which is zero or a size that the
+  /// space has had; (k - first) x l.
+  [[nodiscard]] Eigen::MatrixXd projected(const SparseMatrix& A, Eigen::Index first = 0) const;
   /// The same of dense columns.
-  [[nodiscard]] Eigen::MatrixXd projected(const Eigen::MatrixXd& A) const;
+  [[nodiscard]] Eigen::MatrixXd projected(const Eigen::MatrixXd& A, Eigen::Index first = 0) const;
   /// The same of the vectors that would come next, width() x l.
   [[nodiscard]] Eigen::MatrixXd projected_on_next(const SparseMatrix& A) const;
   /// V^T V, k x k.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -89,6 +90,24 @@ CondensedStructure condense(const Problem& problem, int most) {
   result.load = std::move(seen.load);
   result.shift = std::move(seen.shift);
   return result;
+}
+
+CondensedStructure with_open_contacts(CondensedStructure all, const std::vector<int>& acting) {
+  const Eigen::MatrixXd normals = all.normals;
+  std::vector<int> open;
+  for (int j = 0; j < static_cast<int>(normals.cols()); ++j) {
+    if (!std::ranges::binary_search(acting, j)) open.push_back(j);
+  }
+  if (open.empty()) return all;
+  all.open = {.contacts = open,
+              .normals = normals(Eigen::all, open),
+              .compliance = all.massless_compliance(open, acting),
+              .shift = all.shift(open, Eigen::all)};
+  all.acting = acting;
+  all.normals = Eigen::MatrixXd(normals(Eigen::all, acting)).sparseView();
+  all.massless_compliance = all.massless_compliance(acting, acting).eval();
+  all.shift = all.shift(acting, Eigen::all).eval();
+  return all;
 }
 
 std::string flow_obstacle(const Problem& problem) {

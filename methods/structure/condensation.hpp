@@ -9,6 +9,15 @@
 
 namespace signorini {
 
+/// Contacts that stay open in a motion: they act on nothing, and are looked at,
+/// x_o = N_o^T u_i + xi_o, beta xi_o' + xi_o = s_o(t) + C_oj lambda_j.
+struct OpenContacts {
+  std::vector<int> contacts;   ///< of the scene, No
+  Eigen::MatrixXd normals;     ///< N_o, Nd x No [-]
+  Eigen::MatrixXd compliance;  ///< C_oj, by which the forces of the others move them, No x Nc [m/N]
+  Eigen::MatrixXcd shift;      ///< s_o, No x Nh [m]
+};
+
 /// A scene in its coordinates with mass i. With b those without, K_bb positive definite and the damping there
 /// proportional to the stiffness, D_b. = beta K_b. with beta >= 0,
 ///
@@ -43,6 +52,9 @@ struct CondensedStructure {
   std::vector<double> rates;
   Eigen::MatrixXcd load;   ///< of e^{i h omega t}, its real part to be taken; Nd x Nh [N]
   Eigen::MatrixXcd shift;  ///< s likewise, Nc x Nh [m]
+  /// The contacts of the scene that the Nc columns are of, ascending; empty: all of them, in order.
+  std::vector<int> acting = {};
+  OpenContacts open = {};  ///< the others
 };
 
 /// Coordinates beyond which no motion is followed through time: the steps are as short as the fastest mode
@@ -55,6 +67,12 @@ inline constexpr int kMostRelaxing = 1000;
 /// Sparse throughout, but for C and the columns of load and shift. Obstacles: more than `most` coordinates;
 /// at massless ones, damping that is not proportional to the stiffness, or an unsymmetric stiffness.
 CondensedStructure condense(const Problem& problem, int most = kMostInTime);
+
+/// The same structure with some of its contacts, the others staying open. A contact without a force changes
+/// nothing for the others: what it costs a motion is to be looked at.
+/// \param all     with all contacts of the scene
+/// \param acting  those that may close, ascending
+CondensedStructure with_open_contacts(CondensedStructure all, const std::vector<int>& acting);
 
 /// Why a scene's motion is not followed through time, one clause; empty if it is.
 std::string flow_obstacle(const Problem& problem);

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "methods/solvers/dense_products.hpp"
 #include "methods/structure/block_lanczos.hpp"
 #include "methods/structure/modal_reduction.hpp"
 #include "methods/structure/ritz_reduction.hpp"
@@ -76,7 +77,7 @@ ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSetti
   if (krylov) {
     result = reduction_on(columns, projection_from_start(space, normals.cols()), space.size());
   } else {
-    const StaticCompliance statics(problem, space, columns);
+    StaticCompliance statics(problem, space, columns);
     SpaceProjection projection = statics.projection(space);
     refine_lowest(problem, space, columns, projection);
     result = reduction_on(columns, projection, asked.vectors);
@@ -145,13 +146,13 @@ Eigen::MatrixXcd contact_response(const ContactReduction& reduction, double base
   const Eigen::ArrayXcd squares = reduction.squares.cast<Complex>(),
                         damping = reduction.damping.cast<Complex>();
   const Eigen::Index count = force.rows();
-  // Real matrices by real and imaginary parts: half the work of a complex product.
-  const Eigen::MatrixXcd forces = force.transpose();
-  Eigen::MatrixXcd modal(reduction.vectors(), count), direct(reduction.contacts(), count);
-  modal.real() = reduction.rows * forces.real();
-  modal.imag() = reduction.rows * forces.imag();
-  direct.real() = reduction.compliance * forces.real();
-  direct.imag() = reduction.compliance * forces.imag();
+  std::vector<int> pushing;  // of many contacts few close
+  for (int j = 0; j < static_cast<int>(force.cols()); ++j) {
+    if (!force.col(j).isZero(0.0)) pushing.push_back(j);
+  }
+  const Eigen::MatrixXcd forces = force(Eigen::all, pushing).transpose();
+  Eigen::MatrixXcd modal = dense_product(Eigen::MatrixXd(reduction.rows(Eigen::all, pushing)), forces);
+  Eigen::MatrixXcd direct = dense_product(Eigen::MatrixXd(reduction.compliance(Eigen::all, pushing)), forces);
   for (std::size_t h = 0; h < reduction.rates.size(); ++h) {
     const auto n = static_cast<Eigen::Index>(std::lround(reduction.rates[h] / base));
     if (n >= count) continue;
@@ -169,10 +170,7 @@ Eigen::MatrixXcd contact_response(const ContactReduction& reduction, double base
     modal.col(n).array() /= z.array();
     direct.col(n) /= kappa;
   }
-  Eigen::MatrixXcd x(count, reduction.contacts());
-  x.real() = modal.real().transpose() * reduction.rows;
-  x.imag() = modal.imag().transpose() * reduction.rows;
-  return x + direct.transpose();
+  return (dense_product(Eigen::MatrixXd(reduction.rows.transpose()), modal) + direct).transpose();
 }
 
 }  // namespace signorini

@@ -196,15 +196,25 @@ StaticCompliance::StaticCompliance(const Problem& problem, BlockLanczos& space, 
   rest_ = (0.5 * (rest_ + rest_.transpose())).eval();
 }
 
-SpaceProjection StaticCompliance::projection(const BlockLanczos& space) const {
-  const Eigen::MatrixXd rows = space.projected(all_);
-  const Eigen::MatrixXd without = rows - space.projected(carried_) * held_;  // V^T B'
+SpaceProjection StaticCompliance::projection(const BlockLanczos& space) {
+  if (rows_.rows() == 0) {
+    rows_.resize(0, all_.cols());
+    outside_ = rest_;
+  }
+  const Eigen::Index known = rows_.rows();
+  if (space.size() > known) {
+    const Eigen::MatrixXd fresh = space.projected(all_, known);
+    const Eigen::MatrixXd without = fresh - dense_product(space.projected(carried_, known), held_);  // V^T B'
+    outside_ -= transposed_product(without, without);
+    rows_.conservativeResize(space.size(), Eigen::NoChange);
+    rows_.bottomRows(fresh.rows()) = fresh;
+  }
   RitzPairs pairs = ritz_pairs(space);
   return {.pairs = pairs,
           .ritz = pairs.vectors,
-          .contacts = rows.leftCols(contacts_),
-          .loads = rows.rightCols(rows.cols() - contacts_),
-          .outside = rest_ - transposed_product(without, without)};
+          .contacts = rows_.leftCols(contacts_),
+          .loads = rows_.rightCols(rows_.cols() - contacts_),
+          .outside = outside_};
 }
 
 Eigen::VectorXd StaticCompliance::lengths() const {

@@ -94,8 +94,11 @@ class StaticCompliance {
   /// \param space  from then on it may grow
   StaticCompliance(const Problem& problem, BlockLanczos& space, const ContactColumns& columns);
 
-  /// The projection of a space that has grown from the one given, pairs not refined.
-  [[nodiscard]] SpaceProjection projection(const BlockLanczos& space) const;
+  /// The projection of a space that has grown from the one given, pairs not refined. What is known of its
+  /// vectors from the last time is not made again.
+  SpaceProjection projection(const BlockLanczos& space);
+  /// The next projection is of other vectors.
+  void forget_vectors() { rows_.resize(0, 0); }
   /// |B_j| in the norm of K^-1, to the rounding of the factors, Nc + Nf.
   [[nodiscard]] Eigen::VectorXd lengths() const;
   /// The largest of s^T M s / s^T K s over s = K^-1 B'_j [s^2].
@@ -111,6 +114,8 @@ class StaticCompliance {
   Eigen::MatrixXd carried_;  // K Q
   Eigen::MatrixXd held_;     // Q^T B
   Eigen::MatrixXd rest_;     // C'
+  Eigen::MatrixXd rows_;     // V^T B as far as known,
+  Eigen::MatrixXd outside_;  // and C' without those vectors
   double largest_quotient_ = 0.0;
 };
 

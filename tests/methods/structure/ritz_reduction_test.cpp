@@ -19,9 +19,11 @@ TEST(StaticCompliance, KnowsWhatASpaceLeavesOut) {
   ASSERT_EQ(columns.obstacle, "");
   BlockLanczos space(block.stiffness(), block.mass(), SparseMatrix(columns.all().leftCols(1)));
   while (space.size() < 16) space.grow();
-  const StaticCompliance statics(block, space, columns);
+  StaticCompliance statics(block, space, columns);
+  const SpaceProjection before = statics.projection(space);
   space.grow();
   const SpaceProjection projection = statics.projection(space);
+  EXPECT_EQ(projection.contacts.topRows(before.contacts.rows()), before.contacts);
   const Long K = Eigen::MatrixXd(block.stiffness()).cast<long double>();
   const Long B = Eigen::MatrixXd(columns.all()).cast<long double>();
   const Long V = space.combined(Eigen::MatrixXd::Identity(space.size(), space.size())).cast<long double>();
@@ -31,6 +33,10 @@ TEST(StaticCompliance, KnowsWhatASpaceLeavesOut) {
   ASSERT_LT(outside.diagonal().maxCoeff(), 1e-3 * static_cast<double>(whole.diagonal().maxCoeff()));
   EXPECT_LT((projection.outside - outside).norm(), 1e-6 * outside.norm());
   const Eigen::VectorXd lengths = whole.diagonal().cwiseSqrt().cast<double>();
+  statics.forget_vectors();
+  const SpaceProjection anew = statics.projection(space);
+  EXPECT_EQ(anew.contacts, projection.contacts);
+  EXPECT_LT((anew.outside - projection.outside).norm(), 1e-12 * projection.outside.norm());
   EXPECT_LT((statics.lengths() - lengths).norm(), 1e-6 * lengths.norm());
 }
 

@@ -1,4 +1,4 @@
-#include "methods/orbit/corrected_orbit.hpp"
+#include "methods/orbit/reduced/corrected_orbit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "methods/orbit/reduced_orbit.hpp"
+#include "methods/orbit/reduced/reduced_orbit.hpp"
 #include "methods/structure/receptance.hpp"
 #include "tests/support/structure_scenes.hpp"
 

@@ -1,11 +1,13 @@
-#include "methods/orbit/reduced_orbit.hpp"
+#include "methods/orbit/reduced/reduced_orbit.hpp"
 
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "methods/discretisation/trajectories.hpp"
 #include "methods/marching/periodic_march.hpp"
+#include "methods/orbit/reduced/closing_orbit.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "problems/matrix_properties.hpp"
 
@@ -55,8 +57,8 @@ ReducedOrbit polish_reduced_orbit(const Problem& problem, const ContactSpace& sp
   ReducedOrbit result{.corrected = {}, .start = "the motion given"};
   const ContactSpace own = space.small_is_given() ? space : chosen_for(motion, problem, space, settings);
   result.corrected.solved = own.small().vectors();
-  OrbitFinder finder(problem, condensed(own.small()));
-  OrbitSearch found = finder.find(motion, settings.search);
+  std::vector<int> closing = pushing_contacts(motion);
+  OrbitSearch found = find_closing_orbit(problem, condensed(own.small()), closing, motion, settings.search);
   result.iterations = found.iterations;
   result.corrected.orbit = std::move(found.orbit);
   if (!result.corrected.orbit.certified()) return result;

@@ -1,4 +1,4 @@
-#include "methods/orbit/reduced_orbit.hpp"
+#include "methods/orbit/reduced/reduced_orbit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "methods/orbit/corrected_orbit.hpp"
+#include "methods/orbit/reduced/corrected_orbit.hpp"
 #include "methods/reduction/contact_space.hpp"
 #include "methods/solution.hpp"
 

@@ -1,4 +1,4 @@
-#include "methods/orbit/corrected_orbit.hpp"
+#include "methods/orbit/reduced/corrected_orbit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/linear_flow/shared_modes.hpp"
+#include "methods/orbit/reduced/closing_orbit.hpp"
 #include "methods/structure/periodic_response.hpp"
 
 namespace signorini {
@@ -48,9 +49,10 @@ double series_norm(const Eigen::MatrixXcd& series, Eigen::Index first = 0) {
 /// more than its last octave.
 double beyond(const Eigen::MatrixXcd& series) { return series_norm(series, series.rows() / 2); }
 
-/// How often each contact closes in a period, -1 of one that is closed throughout. Which of two neighbours
-/// closes first within rounding is no difference between motions, nor where the period is cut open.
-std::vector<int> closings(const ExactTrajectory& orbit) {
+/// How often each acting contact closes in a period, -1 of one that is closed throughout. Which of two
+/// neighbours closes first within rounding is no difference between motions, nor where the period is cut
+/// open.
+std::vector<int> closings_of_acting(const ExactTrajectory& orbit) {
   const std::vector<SequenceEvent>& events = orbit.orbit().events;
   if (events.empty()) {
     const std::vector<bool>& closed = orbit.orbit().start.closed;
@@ -73,6 +75,15 @@ std::vector<int> closings(const ExactTrajectory& orbit) {
   return count;
 }
 
+/// The same of all contacts of the scene.
+std::vector<int> closings(const ExactTrajectory& orbit) {
+  std::vector<int> all(static_cast<std::size_t>(orbit.contact_count()), 0);
+  const std::vector<int> acting = closings_of_acting(orbit);
+  for (std::size_t j = 0; j < acting.size(); ++j)
+    all[static_cast<std::size_t>(orbit.scene_contact(static_cast<int>(j)))] = acting[j];
+  return all;
+}
+
 bool same_sequence(const ExactTrajectory& a, const ExactTrajectory& b) { return closings(a) == closings(b); }
 
 /// One deferred correction of a scene.
@@ -88,6 +99,7 @@ class Correction {
 
   CorrectedOrbit run(ExactOrbit first) {
     result_.orbit = std::move(first);
+    if (result_.orbit.trajectory) closing_ = result_.orbit.trajectory->acting_contacts();
     for (int correction = 0;; ++correction) {
       if (!result_.orbit.certified()) return refused("no admissible orbit: " + result_.orbit.reason);
       if (!measure()) return refused("the motion between events is not known as a sum of modes");
@@ -165,9 +177,10 @@ class Correction {
     added_ = missing_.topRows(shifted_);
     model_ = space_.small();
     shared_ = std::make_shared<SharedModes>();
-    OrbitFinder finder(problem_, displaced(model_, added_, base_), shared_);
     const std::shared_ptr<const ExactTrajectory> before = result_.orbit.trajectory;
-    OrbitSearch found = finder.find(*before, settings_.search);  // its events: the state is another model's
+    // From its events: the state is another model's.
+    OrbitSearch found = find_closing_orbit(problem_, displaced(model_, added_, base_), closing_, *before,
+                                           settings_.search, shared_);
     result_.iterations += found.iterations;
     result_.orbit = std::move(found.orbit);
     settled_ = result_.orbit.trajectory && same_sequence(*before, *result_.orbit.trajectory);
@@ -186,7 +199,8 @@ class Correction {
       const double norm = series_norm(moved);
       if (!(norm > 0.0)) return true;
       moved *= least * size_ / norm;
-      OrbitFinder finder(problem_, displaced(model_, added_ + moved, base_), shared_);
+      OrbitFinder finder(problem_, with_open_contacts(displaced(model_, added_ + moved, base_), closing_),
+                         shared_);
       const OrbitSearch found = finder.find(result_.orbit.trajectory->orbit(), settings_.search);
       result_.iterations += found.iterations;
       if (!found.orbit.certified() || !same_sequence(*found.orbit.trajectory, *result_.orbit.trajectory))
@@ -255,6 +269,7 @@ class Correction {
   double applied_ = 0.0;      // displacement by which a correction changes the present orbit
   double before_ = 0.0;       // what corrections could reduce before the last one
   Eigen::Index shifted_ = 0;  // harmonics added
+  std::vector<int> closing_;  // contacts that act in the orbits
   std::shared_ptr<SharedModes> shared_;
   Eigen::MatrixXcd missing_, added_;  // of the present orbit, and in it
   Eigen::MatrixXd x_;

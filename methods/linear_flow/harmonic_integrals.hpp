@@ -1,0 +1,15 @@
+#pragma once
+// Fourier integrals of motions that are sums of exponentials, in closed form.
+
+#include <Eigen/Core>
+
+namespace signorini {
+
+/// The integrals of Re sum_k c_kj e^{nu_k (t - begin)} times e^{-i n w t} from `begin` to `end`, n =
+/// 0..harmonics: of each term, of nu_k - i n w near zero by a series. Terms below 1e-17 of the largest are
+/// left out. \param rates  nu_k [rad/s] \param terms  c_kj, terms x outputs \return (harmonics + 1) x
+/// outputs, in the unit of the terms times [s]
+Eigen::MatrixXcd harmonic_integrals(const Eigen::VectorXcd& rates, const Eigen::MatrixXcd& terms,
+                                    double begin, double end, double w, Eigen::Index harmonics);
+
+}  // namespace signorini
