@@ -8,7 +8,10 @@
 
 namespace signorini {
 
-Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& A) { return A.exp(); }
+Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& A) {
+  if (A.size() == 0) return A;  // nothing moves: a norm of no columns is undefined
+  return A.exp();
+}
 
 ExponentialFlow::ExponentialFlow(ModeEquations equations, const EnergyForm& energy)
     : LinearFlow(std::move(equations)) {

@@ -62,6 +62,12 @@ int FlowStructure::scene_contact(int contact) const {
   return acting.empty() ? contact : acting[static_cast<std::size_t>(contact)];
 }
 
+std::vector<int> FlowStructure::scene_contacts() const {
+  std::vector<int> contacts(static_cast<std::size_t>(contact_count()) + open.contacts.size());
+  for (std::size_t j = 0; j < contacts.size(); ++j) contacts[j] = scene_contact(static_cast<int>(j));
+  return contacts;
+}
+
 // Open contacts relax to C_oj of the forces as acting ones do to C_jj of them: with R = C_oj C_jj^-1, once
 // the beginning is forgotten,
 //
@@ -182,6 +188,11 @@ double linear_amplitude(const Problem& problem) {
   return amplitude.size() == 0 ? 0.0 : amplitude.maxCoeff();
 }
 
+// The largest magnitude; zero of nothing.
+double largest_of(const Eigen::VectorXd& values) {
+  return values.size() == 0 ? 0.0 : values.cwiseAbs().maxCoeff();
+}
+
 // What the load moves without help from a resonance: |f_i| / (K_ii + (h omega)^2 M_ii) [m].
 double forced_amplitude(const Problem& problem) {
   Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(problem.size());
@@ -199,33 +210,27 @@ double forced_amplitude(const Problem& problem) {
 // The same at the contacts of a reduced structure, whose matrices are diagonal: it is there to be spared the
 // factors of the whole one.
 double FlowStructure::reduced_amplitude() const {
-  double largest = 0.0;
-  const auto grow = [&](const Eigen::MatrixXd& at, const Eigen::MatrixXcd& at_once) {
-    Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(at.cols());
-    for (std::size_t h = 0; h < rates.size(); ++h) {
-      const std::complex<double> i_rate(0.0, rates[h]);
-      const auto column = static_cast<Eigen::Index>(h);
-      const Eigen::VectorXcd z = stiffness.diagonal().cast<std::complex<double>>() +
-                                 i_rate * damping.diagonal().cast<std::complex<double>>() +
-                                 i_rate * i_rate * mass.diagonal().cast<std::complex<double>>();
-      amplitude += (at.transpose() * load.col(column).cwiseQuotient(z) +
-                    at_once.col(column) / (1.0 + relaxation * i_rate))
-                       .cwiseAbs();
-    }
-    if (amplitude.size() > 0) largest = std::max(largest, amplitude.maxCoeff());
-  };
-  grow(directions, shift);
-  if (!open.contacts.empty()) grow(open.normals, open.shift);
-  return largest;
+  Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(contact_count()),
+                  open_amplitude = Eigen::VectorXd::Zero(open_gaps.size());
+  for (std::size_t h = 0; h < rates.size(); ++h) {
+    const std::complex<double> i_rate(0.0, rates[h]);
+    const auto column = static_cast<Eigen::Index>(h);
+    const Eigen::VectorXcd z = stiffness.diagonal().cast<std::complex<double>>() +
+                               i_rate * damping.diagonal().cast<std::complex<double>>() +
+                               i_rate * i_rate * mass.diagonal().cast<std::complex<double>>();
+    const Eigen::VectorXcd u = load.col(column).cwiseQuotient(z);
+    const auto relaxed = 1.0 + relaxation * i_rate;
+    amplitude += (directions.transpose() * u + shift.col(column) / relaxed).cwiseAbs();
+    if (open_amplitude.size() > 0)
+      open_amplitude += (open.normals.transpose() * u + open.shift.col(column) / relaxed).cwiseAbs();
+  }
+  return std::max(largest_of(amplitude), largest_of(open_amplitude));
 }
 
 void FlowStructure::measure_scales(const Problem& problem) {
   constexpr double kResonance = 1e6;  // beyond this the linear response is only the round-off of a resonance
   const double linear = kept.empty() ? reduced_amplitude() : linear_amplitude(problem);
-  double gap = 0.0;
-  for (const Eigen::VectorXd* some : {&gaps, &open_gaps}) {
-    if (some->size() > 0) gap = std::max(gap, some->cwiseAbs().maxCoeff());
-  }
+  const double gap = std::max(largest_of(gaps), largest_of(open_gaps));
   const double limited = std::max(gap, forced_amplitude(problem));
   const bool usable = linear > 0.0 && linear <= kResonance * limited &&
                       ((contact_count() == 0 && open.contacts.empty()) || linear < limited);

@@ -55,6 +55,8 @@ class FlowStructure : public CondensedStructure {
   [[nodiscard]] int contact_count() const { return static_cast<int>(directions.cols()); }
   /// The contact of the scene that an acting one is, or, from Nc on, an open one.
   [[nodiscard]] int scene_contact(int contact) const;
+  /// Those of all: Nc that act, then No that stay open.
+  [[nodiscard]] std::vector<int> scene_contacts() const;
   /// Of the parts xi that relax: Nc with a relaxation time, else 0.
   [[nodiscard]] int relaxing() const { return relaxation > 0.0 ? contact_count() : 0; }
   [[nodiscard]] int positions() const { return size() + relaxing(); }  ///< Np, of u and xi

@@ -5,10 +5,11 @@
 
 namespace signorini {
 
-/// The integrals of Re sum_k c_kj e^{nu_k (t - begin)} times e^{-i n w t} from `begin` to `end`, n =
-/// 0..harmonics: of each term, of nu_k - i n w near zero by a series. Terms below 1e-17 of the largest are
-/// left out. \param rates  nu_k [rad/s] \param terms  c_kj, terms x outputs \return (harmonics + 1) x
-/// outputs, in the unit of the terms times [s]
+/// The integrals of Re sum_k c_kj e^{nu_k (t - begin)} times e^{-i n w t} from `begin` to `end`, for n = 0 to
+/// `harmonics`; where nu_k - i n w is near zero by a series. Terms below 1e-17 of the largest are left out.
+/// \param rates  nu_k [rad/s]
+/// \param terms  c_kj, terms x outputs, one at least
+/// \return (harmonics + 1) x outputs, in the unit of the terms times [s]
 Eigen::MatrixXcd harmonic_integrals(const Eigen::VectorXcd& rates, const Eigen::MatrixXcd& terms,
                                     double begin, double end, double w, Eigen::Index harmonics);
 

@@ -74,6 +74,16 @@ class LinearArc {
     const Eigen::Index row = equations_.force_row(contact);
     return row < 0 ? 0.0 : curvature_bound(row, time);
   }
+  /// x of all contacts and, below, the forces of the closed ones (`mode`), at several times, and their
+  /// derivatives up to the highest order (0..8): of each order (Nc + |A|) x times.size() [m / s^order],
+  /// [N / s^order].
+  [[nodiscard]] virtual std::vector<Eigen::MatrixXd> outputs(std::span<const double> times,
+                                                             int highest) const;
+  /// The same of x of `count` open contacts (OpenContacts) from `first` on, up to order 2 at most, count x
+  /// times.size().
+  [[nodiscard]] virtual std::vector<Eigen::MatrixXd> open_displacements(std::span<const double> times,
+                                                                        int highest, int first,
+                                                                        int count) const;
   [[nodiscard]] const ContactMode& mode() const { return equations_.mode; }  ///< of the flow
   /// Nc, of those that act.
   [[nodiscard]] int contact_count() const { return equations_.structure().contact_count(); }
@@ -92,18 +102,6 @@ class LinearArc {
 
  private:
   [[nodiscard]] Eigen::VectorXd derivative_of_u(double time, int order) const;
-
- public:
-  /// x of all contacts and, below, the forces of the closed ones (`mode`), at several times, and their
-  /// derivatives up to the highest order (0..8): of each order (Nc + |A|) x times.size() [m / s^order],
-  /// [N / s^order].
-  [[nodiscard]] virtual std::vector<Eigen::MatrixXd> outputs(std::span<const double> times,
-                                                             int highest) const;
-  /// The same of x of `count` open contacts (OpenContacts) from `first` on, up to order 2 at most, count x
-  /// times.size().
-  [[nodiscard]] virtual std::vector<Eigen::MatrixXd> open_displacements(std::span<const double> times,
-                                                                        int highest, int first,
-                                                                        int count) const;
 };
 
 /// A transition as writing * reading: what the motion keeps of a state (u, xi, v), Ns numbers, and what it

@@ -87,6 +87,7 @@ TransitionFactors ModalFlow::transition_factors(double duration) const {
 }
 
 State ModalFlow::response(const std::vector<Impulse>& impulses) const {
+  if (impulses.empty()) return equations_.dynamics->at_rest();  // there may be no contact that takes one
   // All impulses excite the same modes: their amplitudes are summed before the shapes are taken.
   const FlowStructure& structure = equations_.structure();
   Eigen::MatrixXcd excited = basis_->left.rightCols(size()) * structure.velocity_per_impulse;
@@ -303,13 +304,7 @@ std::vector<Eigen::MatrixXd> ModalFlow::Arc::open_displacements(std::span<const 
   Eigen::MatrixXcd of_u(size, terms.rates.size());
   of_u << flow_.basis_->shapes(Eigen::seqN(0, size), terms.alive) * weighted(terms.alive).asDiagonal(),
       flow_.forced_.topRows(size);
-  const auto product = [](const Eigen::MatrixXd& by, const Eigen::MatrixXcd& of) {
-    Eigen::MatrixXcd result(by.rows(), of.cols());
-    result.real() = dense_product(by, Eigen::MatrixXd(of.real()));
-    result.imag() = dense_product(by, Eigen::MatrixXd(of.imag()));
-    return result;
-  };
-  Eigen::MatrixXcd of_output = product(s.open_rows.middleRows(first, count), of_u);
+  Eigen::MatrixXcd of_output = dense_product(Eigen::MatrixXd(s.open_rows.middleRows(first, count)), of_u);
   of_output.rightCols(wave_.size()) += s.open_waves.middleRows(first, count);
   const bool relaxes = s.relaxing() > 0;
   const Eigen::MatrixXd follows =
@@ -320,7 +315,7 @@ std::vector<Eigen::MatrixXd> ModalFlow::Arc::open_displacements(std::span<const 
     Eigen::MatrixXcd of_contact(follows.cols(), terms.rates.size());
     of_contact.leftCols(modes) = contribution_.middleRows(begin, follows.cols())(Eigen::all, terms.alive);
     of_contact.rightCols(wave_.size()) = flow_.row_of_harmonic_.middleRows(begin, follows.cols());
-    of_output += product(follows, of_contact);
+    of_output += dense_product(follows, of_contact);
   }
   return derivatives(of_output, std::move(terms), highest);
 }

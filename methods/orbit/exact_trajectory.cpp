@@ -11,24 +11,11 @@
 
 namespace signorini {
 
-namespace {
-
-// Those that act, then those that stay open.
-std::vector<int> scene_contacts(const FlowStructure& structure) {
-  std::vector<int> contacts(static_cast<std::size_t>(structure.contact_count()) +
-                            structure.open.contacts.size());
-  for (std::size_t j = 0; j < contacts.size(); ++j)
-    contacts[j] = structure.scene_contact(static_cast<int>(j));
-  return contacts;
-}
-
-}  // namespace
-
 ExactTrajectory::ExactTrajectory(std::shared_ptr<OrbitModel> model, OrbitGuess orbit,
                                  std::vector<std::shared_ptr<LinearArc>> arcs,
                                  const std::vector<OrbitEquations::EventCrossing>& crossings)
     : model_(std::move(model)),
-      contacts_(scene_contacts(model_->dynamics.structure())),
+      contacts_(model_->dynamics.structure().scene_contacts()),
       orbit_(std::move(orbit)),
       arcs_(std::move(arcs)) {
   // Listed of each event: every contact that changes or takes an impulse, and the one whose guard vanishes.

@@ -26,10 +26,12 @@ ModalGreenFunction::ModalGreenFunction(const ContactDynamics& dynamics, double p
   const Eigen::ArrayXcd closing = 1.0 - (mu_.array() * period).exp();
   if (!(lu.rcond() > kIllConditioned) || closing.abs().minCoeff() < kIllConditioned) return;
   shapes_ = modes.eigenvectors().topRows(n);
-  Eigen::MatrixXcd struck = Eigen::MatrixXcd::Zero(2 * n, dynamics.contact_count());
-  struck.bottomRows(n) = unit * dynamics.structure().velocity_per_impulse.cast<Complex>();
-  // The impulses of all periods past: sum_n e^{mu (tau + n T)} = e^{mu tau} / (1 - e^{mu T}).
-  excitation_ = closing.inverse().matrix().asDiagonal() * lu.solve(struck);
+  if (dynamics.contact_count() > 0) {
+    Eigen::MatrixXcd struck = Eigen::MatrixXcd::Zero(2 * n, dynamics.contact_count());
+    struck.bottomRows(n) = unit * dynamics.structure().velocity_per_impulse.cast<Complex>();
+    // The impulses of all periods past: sum_n e^{mu (tau + n T)} = e^{mu tau} / (1 - e^{mu T}).
+    excitation_ = closing.inverse().matrix().asDiagonal() * lu.solve(struck);
+  }
   const Eigen::MatrixXcd load = dynamics.structure().load;
   forced_.resize(n, load.cols());
   for (Eigen::Index h = 0; h < load.cols(); ++h) {

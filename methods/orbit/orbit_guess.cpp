@@ -17,9 +17,8 @@ namespace {
 // What a motion of the scene says of the contacts that act in a model, in its order.
 class ActingContacts final : public Trajectory {
  public:
-  ActingContacts(const Trajectory& motion, const FlowStructure& structure) : motion_(motion) {
-    for (int j = 0; j < structure.contact_count(); ++j) contacts_.push_back(structure.scene_contact(j));
-  }
+  ActingContacts(const Trajectory& motion, std::vector<int> contacts)
+      : motion_(motion), contacts_(std::move(contacts)) {}
   [[nodiscard]] int contact_count() const override { return static_cast<int>(contacts_.size()); }
   [[nodiscard]] double period() const override { return motion_.period(); }
   [[nodiscard]] Samples sample(int count) const override {
@@ -289,13 +288,16 @@ std::optional<OrbitGuess> from_force(OrbitModel& model, const Trajectory& trajec
 
 std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& motion, const Expired& expired) {
   constexpr double kSamePeriod = 1e-6;
-  const FlowStructure& structure = model.dynamics.structure();
+  std::vector<int> contacts = model.dynamics.structure().scene_contacts();
   if (std::abs(motion.period() - model.period) > kSamePeriod * model.period ||
-      motion.contact_count() != structure.contact_count() + static_cast<int>(structure.open.contacts.size()))
+      motion.contact_count() != static_cast<int>(contacts.size()))
     return std::nullopt;
-  const ActingContacts trajectory(motion, structure);
-  if (auto guess = from_events(model, trajectory, expired)) return guess;
-  return from_force(model, trajectory);
+  contacts.resize(static_cast<std::size_t>(model.dynamics.contact_count()));
+  const bool all = static_cast<int>(contacts.size()) == motion.contact_count();
+  const ActingContacts acting(motion, std::move(contacts));
+  const Trajectory& seen = all ? motion : acting;
+  if (auto guess = from_events(model, seen, expired)) return guess;
+  return from_force(model, seen);
 }
 
 std::optional<OrbitGuess> simulated_sequence(OrbitModel& model, const FlowState& start,

@@ -16,6 +16,11 @@ TEST(MatrixExponential, OfASkewMatrixIsARotation) {
   }
 }
 
+// A mass that sticks leaves no coordinate free.
+TEST(MatrixExponential, OfNothingIsNothing) {
+  EXPECT_EQ(matrix_exponential(Eigen::MatrixXd(0, 0)).size(), 0);
+}
+
 TEST(MatrixExponential, OfANilpotentMatrixIsItsTaylorSum) {
   const Eigen::Matrix3d N = (Eigen::Matrix3d() << 0.0, 2.0, 3.0, 0.0, 0.0, 4.0, 0.0, 0.0, 0.0).finished();
   const Eigen::Matrix3d expected = Eigen::Matrix3d::Identity() + N + 0.5 * N * N;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -29,6 +30,21 @@ TEST(ModalGreenFunction, IsTheClosedFormOfOneMass) {
     EXPECT_NEAR(after.v[0], (mu * std::exp(mu * tau) / (1.0 - std::exp(mu * T))).imag() / wd, 1e-13);
   }
   EXPECT_NEAR(green.state(0.0, unit).v[0] - green.state(T - 1e-9, unit).v[0], 1.0, 1e-8);  // the jump 1 / m
+}
+
+// Without contacts nothing strikes, and the motion is the response to the load.
+TEST(ModalGreenFunction, WithoutContactsIsTheForcedMotion) {
+  Problem problem = test::to_problem({.damping = 0.1, .load = 1.0, .frequency = 2.2, .gap = 0.2});
+  problem.contacts.clear();
+  problem.law = {};
+  const ContactDynamics dynamics(problem);
+  const ModalGreenFunction green(dynamics, problem.period());
+  ASSERT_TRUE(green.defined());
+  const std::complex<double> z(1.0 - 2.2 * 2.2, 0.1 * 2.2);
+  double largest = 0.0;
+  for (int i = 0; i < 2000; ++i)
+    largest = std::max(largest, std::abs(green.state(problem.period() * i / 2000, {}).u[0]));
+  EXPECT_NEAR(largest, 1.0 / std::abs(z), 1e-5);
 }
 
 TEST(ModalGreenFunction, SumsUpToTheExactOrbitsOfChains) {
