@@ -2,7 +2,11 @@
 
 #include <Eigen/QR>
 #include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "problems/sparse_cholesky.hpp"
@@ -78,18 +82,73 @@ bool is_dominated_by_diagonal(const SparseMatrix& A) {
 // Entries of D - alpha M - beta K, relative to the largest of D, that count as rounding.
 constexpr double kProportional = 1e-12;
 
-/// alpha, beta that make alpha M + beta K nearest to D, entry by entry.
-ProportionalDamping nearest_combination(const SparseMatrix& M, const SparseMatrix& K, const SparseMatrix& D) {
-  const auto product = [](const SparseMatrix& A, const SparseMatrix& B) { return A.cwiseProduct(B).sum(); };
-  const double inertia = M.norm();
-  const double springs = K.norm();
-  if (springs == 0.0) return {.alpha = product(M, D) / (inertia * inertia)};
-  const double angle = product(M, K) / (inertia * springs);
-  const Eigen::Matrix2d gram{{1.0, angle}, {angle, 1.0}};
-  const Eigen::Vector2d share = gram.completeOrthogonalDecomposition().solve(
-      Eigen::Vector2d(product(M, D) / inertia, product(K, D) / springs));
-  return {share[0] / inertia, share[1] / springs};
-}
+/// M, K and D over their largest entries, as the entries are visited, and what sums over all places say.
+class ScaledTriple {
+ public:
+  ScaledTriple(const SparseMatrix& M, const SparseMatrix& K, const SparseMatrix& D)
+      : matrices_{&M, &K, &D}, scales_{scale_of(M), scale_of(K), scale_of(D)} {}
+
+  /// Calls visit(m, k, d) at every place where one of the matrices has an entry: no sum of matrices is made.
+  template <class Visit>
+  void for_each_place(Visit visit) const {
+    for (int column = 0; column < matrices_[0]->outerSize(); ++column) {
+      std::array<SparseMatrix::InnerIterator, 3> entries{SparseMatrix::InnerIterator(*matrices_[0], column),
+                                                         SparseMatrix::InnerIterator(*matrices_[1], column),
+                                                         SparseMatrix::InnerIterator(*matrices_[2], column)};
+      const auto row_of = [](const auto& entry) {
+        return entry ? entry.row() : std::numeric_limits<Eigen::Index>::max();
+      };
+      while (entries[0] || entries[1] || entries[2]) {
+        const Eigen::Index row = std::min({row_of(entries[0]), row_of(entries[1]), row_of(entries[2])});
+        std::array<double, 3> values{};
+        for (std::size_t i = 0; i < 3; ++i) {
+          if (row_of(entries[i]) != row) continue;
+          values[i] = entries[i].value() / scales_[i];
+          ++entries[i];
+        }
+        visit(values[0], values[1], values[2]);
+      }
+    }
+  }
+
+  /// alpha, beta that make alpha M + beta K nearest to D, entry by entry, and the largest entry that is left;
+  /// all in the scaled matrices. Least squares; the second pass takes what rounding of the first has left.
+  [[nodiscard]] std::pair<Eigen::Vector2d, double> nearest_combination() const {
+    Eigen::Matrix2d gram = Eigen::Matrix2d::Zero();
+    for_each_place([&](double m, double k, double) {
+      gram += Eigen::Matrix2d{{m * m, m * k}, {m * k, k * k}};
+    });
+    const Eigen::Vector2d norms =
+        gram.diagonal().cwiseSqrt().unaryExpr([](double x) { return x > 0.0 ? x : 1.0; });
+    const Eigen::Matrix2d angles =
+        norms.cwiseInverse().asDiagonal() * gram * norms.cwiseInverse().asDiagonal();
+    const auto factors = angles.completeOrthogonalDecomposition();
+    Eigen::Vector2d fit = Eigen::Vector2d::Zero();
+    double largest = 0.0;
+    for (int pass = 0; pass < 3; ++pass) {
+      Eigen::Vector2d share = Eigen::Vector2d::Zero();
+      largest = 0.0;
+      for_each_place([&](double m, double k, double d) {
+        const double rest = d - fit[0] * m - fit[1] * k;
+        share += rest * Eigen::Vector2d(m, k);
+        largest = std::max(largest, std::abs(rest));
+      });
+      if (pass < 2) fit += norms.cwiseInverse().cwiseProduct(factors.solve(share.cwiseQuotient(norms)));
+    }
+    return {fit, largest};
+  }
+
+  [[nodiscard]] double scale(std::size_t matrix) const { return scales_[matrix]; }
+
+ private:
+  static double scale_of(const SparseMatrix& A) {
+    const double largest = largest_entry(A);
+    return largest > 0.0 ? largest : 1.0;
+  }
+
+  std::array<const SparseMatrix*, 3> matrices_;
+  std::array<double, 3> scales_;
+};
 
 }  // namespace
 
@@ -159,22 +218,14 @@ SparseMatrix combination(const ProportionalDamping& factors, const SparseMatrix&
 
 std::optional<ProportionalDamping> proportional_damping(const SparseMatrix& M, const SparseMatrix& K,
                                                         const SparseMatrix& D) {
-  const double dampers = largest_entry(D);
-  ProportionalDamping fit;
-  SparseMatrix rest = D;
-  // Least squares over all entries; the second pass takes what rounding of the first has left.
-  for (int pass = 0; pass < 2 && largest_entry(rest) > 0.0; ++pass) {
-    const ProportionalDamping part = nearest_combination(M, K, rest);
-    fit.alpha += part.alpha;
-    fit.beta += part.beta;
-    rest = D - fit.alpha * M - fit.beta * K;
-  }
-  if (!(largest_entry(rest) <= kProportional * dampers) || !is_symmetric(K)) return std::nullopt;
+  const ScaledTriple scaled(M, K, D);
+  auto [fit, rest] = scaled.nearest_combination();
+  if (!fit.allFinite() || !(rest <= kProportional) || !is_symmetric(K)) return std::nullopt;
   // What is rounding of the other part is none: a time in which contacts relax is not 1e-22 s.
   constexpr double kRounding = 1e-13;
-  if (std::abs(fit.alpha) * largest_entry(M) <= kRounding * dampers) fit.alpha = 0.0;
-  if (std::abs(fit.beta) * largest_entry(K) <= kRounding * dampers) fit.beta = 0.0;
-  return fit;
+  fit = (fit.array().abs() <= kRounding).select(0.0, fit);
+  return ProportionalDamping{.alpha = fit[0] * scaled.scale(2) / scaled.scale(0),
+                             .beta = fit[1] * scaled.scale(2) / scaled.scale(1)};
 }
 
 }  // namespace signorini

@@ -1,8 +1,10 @@
 #include "harness/run/applicability.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "harness/interrupt.hpp"
+#include "harness/plan/deadline.hpp"
 #include "harness/records/record_json.hpp"
 
 namespace signorini {
@@ -16,8 +18,6 @@ void visit_fields(Either<Applicability> auto& answer, auto&& field) {
 
 namespace {
 
-constexpr double kSecondsPerMethod = 10.0;
-
 void send_answer(const Scene& scene, const Case& planned_case, const LineSender& send) {
   const std::unique_ptr<Method> method = planned_case.choice.make();
   const Support support = method->supports(scene.problem);
@@ -29,7 +29,8 @@ void send_answer(const Scene& scene, const Case& planned_case, const LineSender&
 }  // namespace
 
 std::vector<Applicability> ask_applicability(const Scene& scene, std::span<const Case* const> cases,
-                                             int memory_mb) {
+                                             const Limits& limits) {
+  const double seconds = std::max(kQuickSeconds, enforced(limits.timeout));  // some passes over the matrices
   std::vector<Applicability> answers;
   while (answers.size() < cases.size() && !interrupted()) {
     const auto rest = cases.subspan(answers.size());
@@ -37,7 +38,7 @@ std::vector<Applicability> ask_applicability(const Scene& scene, std::span<const
         [&](const LineSender& send) {
           for (const Case* planned_case : rest) send_answer(scene, *planned_case, send);
         },
-        {.stage_seconds = {kSecondsPerMethod}, .memory_mb = memory_mb});
+        {.stage_seconds = {seconds}, .memory_mb = limits.memory_mb});
     for (const std::string& line : end.lines)
       read_fields(nlohmann::ordered_json::parse(line), answers.emplace_back());
     // The method that ended the child gets its ending; those after it are asked in another child.

@@ -42,14 +42,14 @@ LawAt AftHbm::law_at(const Problem& problem) const {
 std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
   const HarmonicOptions& common = options_.common;
   const bool homotopy = options_.homotopy.value_or(!common.plain);
-  return prepare_harmonic_balance(
-      problem, common,
-      {.law_at = law_at(problem),
-       .grid_solver = aft_grid_solver(
-           {.tolerance = common.tolerance, .max_iterations = common.max_iterations}, homotopy),
-       .constant_is_chosen = options_.c.has_value() || options_.penalty.has_value() || common.plain,
-       .solver_is_open = homotopy,
-       .newton_from_guess = false});  // its own Newton method takes the guess, on the first grid
+  return prepare_harmonic_balance(problem, common, [&](const Problem& solved) -> HarmonicMethod {
+    return {.law_at = law_at(solved),
+            .grid_solver = aft_grid_solver(
+                {.tolerance = common.tolerance, .max_iterations = common.max_iterations}, homotopy),
+            .constant_is_chosen = options_.c.has_value() || options_.penalty.has_value() || common.plain,
+            .solver_is_open = homotopy,
+            .newton_from_guess = false};  // its own Newton method takes the guess, on the first grid
+  });
 }
 
 BranchDiagram AftHbm::follow(const Problem& problem, double from, double to,

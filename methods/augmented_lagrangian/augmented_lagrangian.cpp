@@ -32,18 +32,18 @@ RepresentedLaw AugmentedLagrangian::law(const Problem& problem) const {
 
 std::unique_ptr<PreparedMethod> AugmentedLagrangian::prepare(const Problem& problem) const {
   const HarmonicOptions shared = common();
-  return prepare_harmonic_balance(
-      problem, shared,
-      {.law_at =
-           [&problem, penalty = options_.penalty](const ContactReceptance& receptance) {
-             return augmented_law(problem, penalty, receptance);
-           },
-       .grid_solver =
-           multiplier_grid_solver({.tolerance = shared.tolerance, .max_iterations = shared.max_iterations},
-                                  options_.max_updates, options_.plain),
-       .constant_is_chosen = true,  // as hard as that of the others once impacts are closed
-       .solver_is_open = !options_.plain,
-       .on_grids_only = true});
+  return prepare_harmonic_balance(problem, shared, [&](const Problem& solved) -> HarmonicMethod {
+    return {.law_at =
+                [&solved, penalty = options_.penalty](const ContactReceptance& receptance) {
+                  return augmented_law(solved, penalty, receptance);
+                },
+            .grid_solver = multiplier_grid_solver(
+                {.tolerance = shared.tolerance, .max_iterations = shared.max_iterations},
+                options_.max_updates, options_.plain),
+            .constant_is_chosen = true,  // as hard as that of the others once impacts are closed
+            .solver_is_open = !options_.plain,
+            .on_grids_only = true};
+  });
 }
 
 ProjectedLaw augmented_law(const Problem& problem, const std::optional<Scaled>& penalty,

@@ -149,12 +149,14 @@ class PreparedExactOrbit final : public PreparedMethod {
   [[nodiscard]] Solution projected(const Start& cold) const {
     const int harmonics = std::max(options_.samples / 4, load_bandwidth(problem_));
     const bool spring = std::holds_alternative<Penalty>(problem_.law);
-    const auto law = [this, spring](const ContactReceptance& receptance) {
-      return spring ? penalty_law(problem_, {}, receptance) : lipschitz_law(problem_, {}, receptance);
+    const auto method_for = [spring](const Problem& solved) -> HarmonicMethod {
+      const auto law = [&solved, spring](const ContactReceptance& receptance) {
+        return spring ? penalty_law(solved, {}, receptance) : lipschitz_law(solved, {}, receptance);
+      };
+      return {.law_at = law, .grid_solver = lcp_grid_solver({})};
     };
     try {
-      return prepare_harmonic_balance(problem_, {.harmonics = harmonics, .compensate = false},
-                                      {.law_at = law, .grid_solver = lcp_grid_solver({})})
+      return prepare_harmonic_balance(problem_, {.harmonics = harmonics, .compensate = false}, method_for)
           ->solve(cold);
     } catch (const std::runtime_error& error) {
       return {.message = error.what()};
@@ -216,6 +218,7 @@ class PreparedReducedOrbit final : public PreparedMethod {
     } catch (const std::exception& error) {  // a mode whose flow cannot be formed
       solution.message = fmt::format("no exact orbit: {}", error.what());
     }
+    space_.release();  // the judge makes one of its own
     return solution;
   }
 

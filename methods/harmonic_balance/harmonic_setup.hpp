@@ -2,6 +2,7 @@
 // What the attempts of a harmonic-balance solve work on.
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -26,6 +27,9 @@ struct HarmonicMethod {
   bool newton_from_guess = true;  ///< whether a guess is given to project_exactly before any grid
   bool on_grids_only = false;     ///< no attempt without a grid comes before its grid solver
 };
+
+/// What a method adds for a scene, whose contacts its law is made for; the problem outlives what is made.
+using HarmonicMethodFor = std::function<HarmonicMethod(const Problem&)>;
 
 /// What closing impacts takes besides the equations (closed_answer.hpp).
 struct ClosureSetup {

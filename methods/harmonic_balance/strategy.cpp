@@ -180,11 +180,11 @@ class HarmonicBalance final : public PreparedMethod {
  public:
   /// A stop that stands twice makes the equations of its forces singular, and no impact on it could be
   /// closed: the scene is solved with each stop once.
-  HarmonicBalance(const Problem& problem, const HarmonicOptions& options, HarmonicMethod method)
+  HarmonicBalance(const Problem& problem, const HarmonicOptions& options, const HarmonicMethodFor& method_for)
       : stops_(distinct_stops(problem)),
         problem_(stops_ ? stops_->problem : problem),
         options_(options),
-        method_(std::move(method)),
+        method_(method_for(problem_)),
         first_(options.first_harmonics(problem)),
         setup_(harmonic_setup(problem_, first_, options_, method_)) {}
 
@@ -245,8 +245,8 @@ Solution solve_by_harmonic_balance(HarmonicSetup& setup, const Start& start) {
 
 std::unique_ptr<PreparedMethod> prepare_harmonic_balance(const Problem& problem,
                                                          const HarmonicOptions& options,
-                                                         HarmonicMethod method) {
-  return std::make_unique<HarmonicBalance>(problem, options, std::move(method));
+                                                         const HarmonicMethodFor& method_for) {
+  return std::make_unique<HarmonicBalance>(problem, options, method_for);
 }
 
 }  // namespace signorini

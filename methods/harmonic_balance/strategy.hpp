@@ -15,11 +15,12 @@ namespace signorini {
 ///
 /// Every answer that is claimed solves the projected equations of the method to its tolerance, its impacts
 /// closed (closed_answer.hpp) unless the options leave them as the series has them; the message says how it
-/// was found. `problem` must outlive
-/// the result. \throws std::runtime_error if the structure cannot be factorised
+/// was found. `problem` must outlive the result.
+/// \param method_for  called once, with the problem to be solved: each stop of `problem` stands in it once
+/// \throws std::runtime_error if the structure cannot be factorised
 std::unique_ptr<PreparedMethod> prepare_harmonic_balance(const Problem& problem,
                                                          const HarmonicOptions& options,
-                                                         HarmonicMethod method);
+                                                         const HarmonicMethodFor& method_for);
 
 /// One solve with the harmonics of the setup alone: what the result of prepare_harmonic_balance does first.
 Solution solve_by_harmonic_balance(HarmonicSetup& setup, const Start& start);

@@ -74,9 +74,8 @@ void conclude(const OrbitEquations& equations, const PolishOptions& options, Exa
   if (!(orbit.error_bar < kUndetermined)) {
     orbit.outcome = OrbitOutcome::no_convergence;
     orbit.admissibility.reached.clear();  // of a motion that is not known
-    orbit.reason =
-        fmt::format("the equations are singular (a multiplier is 1, or an impact grazes): error bar {:.2g}",
-                    orbit.error_bar);
+    orbit.reason = "the equations are singular (a multiplier is 1, or an impact grazes)";
+    if (std::isfinite(orbit.error_bar)) orbit.reason += fmt::format(": error bar {:.2g}", orbit.error_bar);
     return;
   }
   if (!found.ok) {

@@ -31,12 +31,12 @@ LawAt PenaltyHbm::law_at(const Problem& problem) const {
 }
 
 std::unique_ptr<PreparedMethod> PenaltyHbm::prepare(const Problem& problem) const {
-  return prepare_harmonic_balance(
-      problem, options_.common,
-      {.law_at = law_at(problem),
-       .grid_solver = lcp_grid_solver(lcp_settings(options_.common, options_.solver)),
-       .constant_is_chosen = options_.penalty.has_value() || options_.common.plain,
-       .solver_is_open = leaves_solver_open(options_.common, options_.solver)});
+  return prepare_harmonic_balance(problem, options_.common, [&](const Problem& solved) -> HarmonicMethod {
+    return {.law_at = law_at(solved),
+            .grid_solver = lcp_grid_solver(lcp_settings(options_.common, options_.solver)),
+            .constant_is_chosen = options_.penalty.has_value() || options_.common.plain,
+            .solver_is_open = leaves_solver_open(options_.common, options_.solver)};
+  });
 }
 
 BranchDiagram PenaltyHbm::follow(const Problem& problem, double from, double to,

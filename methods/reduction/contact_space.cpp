@@ -60,8 +60,7 @@ Eigen::MatrixXd gram_of(const BlockLanczos& space, const Eigen::MatrixXd& ritz, 
 
 }  // namespace
 
-// The vectors, with the factors of K by which they grow. Large ones are not kept for a growth that may never
-// be asked for, but made anew.
+// The vectors, with the factors of K by which they grow.
 struct ContactSpace::Source {
   explicit Source(const Problem& of) : problem(of), columns(contact_columns(of)) {
     if (columns.obstacle.empty()) all = columns.all();
@@ -98,9 +97,9 @@ struct ContactSpace::Source {
     while (kept->size() < enough && !kept->exhausted()) kept->grow();
   }
 
-  void rest() {
+  void release() {
     constexpr double kLargest = 1e9;  // [bytes]
-    if (kept->bytes() <= kLargest) return;
+    if (!kept || kept->bytes() <= kLargest) return;
     kept.reset();
     if (statics) statics->forget_vectors();
   }
@@ -145,8 +144,9 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
   const SpaceProjection projection = take_whole();
   sprung_ = std::holds_alternative<Penalty>(problem.law);
   take_small(few ? std::move(small_) : reduction_on(columns, projection, small));
-  source_->rest();
 }
+
+void ContactSpace::release() const { source_->release(); }
 
 void ContactSpace::take_small(ContactReduction small) {
   small_ = std::move(small);
@@ -246,7 +246,6 @@ ContactSpace ContactSpace::grown_for(double base, const std::vector<Wanted>& all
     }
   }
   result.take_whole();
-  source_->rest();
   return result;
 }
 

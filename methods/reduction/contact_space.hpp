@@ -90,8 +90,8 @@ class ContactSpace {
   /// in which the residuals under load and force are longest, until the space is exhausted, has as many
   /// vectors as 8 powers would (but 400 to 1500), or two steps do not halve the bound. `small` stays.
   /// Contacts may be many: a space of several powers of all of them would be large, and most of it of no use
-  /// to the forces of one motion. Vectors that a space above 1 GB was given for other forces before are not
-  /// among them.
+  /// to the forces of one motion. Vectors that a space was given for other forces before are among them,
+  /// unless they were released.
   [[nodiscard]] ContactSpace grown_for(double base, const std::vector<Wanted>& all) const;
   /// The same space with those vectors in `small` that load and force of a motion need: the 30 lowest, and of
   /// the others the principal directions of what is dynamic in the response of `whole`, in the norm of K over
@@ -100,6 +100,9 @@ class ContactSpace {
   /// \param tolerance  > 0, on what is left out of x, in the root mean square over contacts and time [m]
   /// \throws SingularStiffness where an undamped vector resonates to rounding
   [[nodiscard]] ContactSpace solved_for(double base, const Eigen::MatrixXcd& force, double tolerance) const;
+  /// Lets go of vectors and factors where they take more than 1 GB, in all copies of the space: a growth
+  /// afterwards makes them anew. For the end of a solve, after which growths may never be asked for.
+  void release() const;
   /// The root mean square over time of `bound` [m].
   [[nodiscard]] double bound_size(double base, const Eigen::MatrixXcd& force) const;
   /// The least d over harmonics 0..harmonics: the response to a change of K relative to K is no more than its

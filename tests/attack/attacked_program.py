@@ -150,6 +150,6 @@ class Campaign:
     def attack(self, program, arguments, folder, files=(), codes=(0, 2), seconds=10.0, memory_mb=2048.0, given=b""):
         """One call of the program, judged."""
         outcome = self.count(program.run(arguments, folder, seconds))
-        given += " ".join(arguments).encode("utf-8", "surrogateescape")
+        given += b"\n" + " ".join(arguments).encode("utf-8", "surrogateescape")
         self.judge(program.violations(outcome, codes, memory_mb, given), " ".join(arguments), files)
         return outcome

@@ -163,6 +163,7 @@ def hand_made_scenes():
         "no-force-preload": one_mass(force="", gaps=(-0.5,), law="restitution = 0.5"),
         "permanent-contact": one_mass(gaps=(-50.0,), law="restitution = 0.5"),
         "duplicated-stop": one_mass(gaps=(0.2, 0.2), law="restitution = 0.8"),
+        "two-of-three-alike": one_mass(stiffness=0.29, damping=0.0014, frequency=1.64, gaps=(-0.07, 0.0, 0.0), law="restitution = 0.0"),
         "twenty-stops": one_mass(gaps=(0.2,) * 20, law="restitution = 0.8"),
         "two-gaps-zero": two_sided(0.0),
         "crossed-stops": two_sided(-0.1),
@@ -184,6 +185,7 @@ def hand_made_scenes():
         "far-origin": one_mass(gaps=(1000.2,), force="dof = 0\ncos = 1.0\n[[forcing.term]]\ndof = 0\nharmonic = 0\n"
                                                      "cos = 1000.0\n"),
         "thousand-facets": rotor.format(1000),
+        "free-rotor": rotor.format(3).replace("stiffness = 1.0", "stiffness = 0.0").replace("damping = 0.2", "damping = 0.015"),
         "three-facets": rotor.format(3),
         "grazing": one_mass(gaps=(1.0 / math.hypot(2.2 ** 2 - 1.0, 0.22),)),
         "two-harmonics-cancel": one_mass(force="dof = 0\ncos = 1.0\n[[forcing.term]]\ndof = 0\ncos = -1.0\n"),

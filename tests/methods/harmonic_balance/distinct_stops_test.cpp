@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "methods/catalogue.hpp"
 #include "problems/scene/scene_file.hpp"
 
@@ -15,10 +19,10 @@ Problem with_copies(const char* scene, int copies) {
   return problem;
 }
 
-Solution solve(const Problem& problem, const char* method, const Start& start = {}) {
-  const std::vector<OptionSetting> none = {{"harmonics", "20"}};
+Solution solve(const Problem& problem, const std::string& method, const Start& start = {},
+               const std::vector<OptionSetting>& options = {{"harmonics", "20"}}) {
   for (const MethodEntry& entry : method_catalogue()) {
-    if (entry.name == method) return entry.make(none)->prepare(problem)->solve(start);
+    if (entry.name == method) return entry.make(options)->prepare(problem)->solve(start);
   }
   ADD_FAILURE() << method;
   return {};
@@ -60,7 +64,7 @@ TEST(DistinctStops, ShareTheForceOfOne) {
 
 // The same stop given twice or twenty times is the same scene.
 TEST(HarmonicBalance, SolvesARepeatedStopAsOne) {
-  for (const char* method : {"fourier-lipschitz", "penalty-hbm", "aft-hbm"}) {
+  for (const char* method : {"fourier-lipschitz", "penalty-hbm", "aft-hbm", "augmented-lagrangian"}) {
     const Solution once = solve(with_copies("sdof-stop-e08", 1), method);
     ASSERT_EQ(once.verdict, Verdict::converged) << method;
     for (const int copies : {2, 20}) {
@@ -72,6 +76,22 @@ TEST(HarmonicBalance, SolvesARepeatedStopAsOne) {
           solve(with_copies("sdof-stop-e08", copies), method, {.guess = repeated.trajectory});
       EXPECT_EQ(warm.verdict, Verdict::converged) << method;
     }
+  }
+}
+
+// A law of the stops as they are solved, not of the list of contacts that the scene has.
+TEST(HarmonicBalance, SolvesARepeatedStopByAConstantThatIsGiven) {
+  const std::vector<std::pair<std::string, OptionSetting>> constants = {
+      {"fourier-lipschitz", {"c", "3"}},
+      {"aft-hbm", {"c", "3"}},
+      {"augmented-lagrangian", {"penalty", "30"}}};
+  for (const auto& [method, constant] : constants) {
+    const std::vector<OptionSetting> options = {{"harmonics", "20"}, constant};
+    const Solution once = solve(with_copies("sdof-stop", 1), method, {}, options);
+    const Solution twice = solve(with_copies("sdof-stop", 2), method, {}, options);
+    ASSERT_EQ(once.verdict, Verdict::converged) << method << ": " << once.message;
+    ASSERT_EQ(twice.verdict, Verdict::converged) << method << ": " << twice.message;
+    EXPECT_EQ(twice.trajectory->sample(256).x.col(1), once.trajectory->sample(256).x.col(0)) << method;
   }
 }
 

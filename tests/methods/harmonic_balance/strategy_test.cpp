@@ -35,14 +35,16 @@ class FailingSolver final : public GridSolver {
   mutable std::vector<int> harmonics;
 };
 
-HarmonicMethod method_of(std::shared_ptr<const GridSolver> solver, bool open) {
-  return {.law_at =
-              [](const ContactReceptance& level) {
-                return ProjectedLaw{4.0 * highest_dynamic_stiffness(level),
-                                    Eigen::VectorXd::Ones(level.contacts())};
-              },
-          .grid_solver = std::move(solver),
-          .solver_is_open = open};
+HarmonicMethodFor method_of(std::shared_ptr<const GridSolver> solver, bool open) {
+  return [solver = std::move(solver), open](const Problem&) -> HarmonicMethod {
+    return {.law_at =
+                [](const ContactReceptance& level) {
+                  return ProjectedLaw{4.0 * highest_dynamic_stiffness(level),
+                                      Eigen::VectorXd::Ones(level.contacts())};
+                },
+            .grid_solver = solver,
+            .solver_is_open = open};
+  };
 }
 
 bool begins(const Solution& solution, const std::string& words) { return solution.message.find(words) == 0; }
