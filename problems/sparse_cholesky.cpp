@@ -106,18 +106,24 @@ double SparseCholesky::entries() const {
 
 double SparseCholesky::operations() const { return handle_->common.fl; }
 
+// Some columns at a time: CHOLMOD works on a copy of what it is given, and counts its entries in 32 bits.
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& rhs) {
+  constexpr Eigen::Index kAtOnce = 64;
   Handle& h = *handle_;
   Eigen::MatrixXd solution(rhs.rows(), rhs.cols());
-  if (rhs.cols() == 0) return solution;
-  // CHOLMOD only reads it.
-  cholmod_dense given = Eigen::viewAsCholmod(
-      const_cast<Eigen::MatrixXd&>(rhs));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
-  cholmod_dense found = Eigen::viewAsCholmod(solution);
-  cholmod_dense* out = &found;
-  cholmod_solve2(CHOLMOD_A, h.factor, &given, nullptr, &out, nullptr, &h.workspace, &h.second_workspace,
-                 &h.common);
-  h.check();
+  for (Eigen::Index first = 0; first < rhs.cols(); first += kAtOnce) {
+    const Eigen::Index count = std::min(kAtOnce, rhs.cols() - first);
+    // CHOLMOD only reads it.
+    Eigen::Map<Eigen::MatrixXd> columns(
+        const_cast<double*>(rhs.col(first).data()),  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+        rhs.rows(), count);
+    Eigen::Map<Eigen::MatrixXd> results(solution.col(first).data(), rhs.rows(), count);
+    cholmod_dense given = Eigen::viewAsCholmod(columns), found = Eigen::viewAsCholmod(results);
+    cholmod_dense* out = &found;
+    cholmod_solve2(CHOLMOD_A, h.factor, &given, nullptr, &out, nullptr, &h.workspace, &h.second_workspace,
+                   &h.common);
+    h.check();
+  }
   return solution;
 }
 

@@ -16,8 +16,7 @@ namespace {
 using Complex = std::complex<double>;
 
 // Error of what a ContactSpace says of x, relative to its size, and of the contact's work, relative to that
-// of the load: far below any defect of energy that means something [-]. The bound of the work is far from
-// sharp: it takes every harmonic of every force on the largest error.
+// of the load: far below any defect of energy that means something [-].
 constexpr double kSpaceTolerance = 1e-8, kWorkTolerance = 1e-6;
 
 // 2 pi n.
@@ -60,28 +59,21 @@ bool ContactResponse::take(const ContactSpace& space) {
   free_ = std::move(free.contacts);
   free_q_ = std::move(free.loads);
   dissipation_ = work_of_load() + contact_work().sum();
-  const Eigen::VectorXd push = lambda_.cwiseAbs().rowwise().sum();
-  const double missed = 2.0 * (push.array() * turns(push.size()) * error.array()).sum();
+  const double missed = 2.0 * turns(lambda_.rows()).matrix().dot(space.work_bound(base_frequency_, lambda_));
   return missed <= kWorkTolerance * std::abs(work_of_load());
 }
 
 // With the vectors that these forces need: the bounds of take() hold where the root of the mean square of the
 // space's over time is below.
 ContactSpace ContactResponse::grown(const ContactSpace& space) const {
-  constexpr double kMargin = 0.5, kRounding = 1e-12;
+  constexpr double kMargin = 0.5;
   const Eigen::MatrixXcd none = Eigen::MatrixXcd::Zero(lambda_.rows(), lambda_.cols());
-  const ContactSpace::PortMotion moved = space.motion(base_frequency_, lambda_);
-  const double contacts = std::sqrt(static_cast<double>(lambda_.cols()));
-  const double length = kMargin * kSpaceTolerance * moved.contacts.norm() / contacts;
-  const double power =
-      2.0 * (lambda_.cwiseAbs().rowwise().sum().array() * turns(lambda_.rows())).matrix().norm();
-  const double worked = std::abs(work(load_, moved.loads).sum());
-  const double rounding = kRounding * moved.contacts.norm();  // a load may do next to no work
-  const double least = power > 0.0 ? std::min(length, kMargin * kWorkTolerance * worked / power) : length;
-  const double free = space.motion(base_frequency_, none).contacts.norm();
-  return space.grown_for(base_frequency_,
-                         {{.force = lambda_, .tolerance = std::max(least, rounding)},
-                          {.force = none, .tolerance = kMargin * kSpaceTolerance * free / contacts}});
+  const double share = kMargin * kSpaceTolerance / std::sqrt(static_cast<double>(lambda_.cols()));
+  const auto wanted = [&](const Eigen::MatrixXcd& force) {
+    return ContactSpace::Wanted{.force = force,
+                                .tolerance = share * space.motion(base_frequency_, force).contacts.norm()};
+  };
+  return space.grown_for(base_frequency_, {wanted(lambda_), wanted(none)});
 }
 
 void ContactResponse::factorise(const Problem& problem, const LoadColumns& load) {

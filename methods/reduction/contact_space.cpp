@@ -198,14 +198,23 @@ Eigen::MatrixXcd ContactSpace::acting(double base, const Eigen::MatrixXcd& force
   return result;
 }
 
-SpaceRemainder::Residuals ContactSpace::residuals(double base, const Eigen::MatrixXcd& acting) const {
-  return remainder_.residuals(damping_, base, theta_, ports_, small_.contacts(), acting);
+SpaceRemainder::Residuals ContactSpace::residuals(double base, const Eigen::MatrixXcd& acting,
+                                                  Eigen::Index contacts) const {
+  return remainder_.residuals(damping_, base, theta_, ports_, contacts, acting);
 }
 
 Eigen::VectorXd ContactSpace::bound(double base, const Eigen::MatrixXcd& force) const {
   if (whole_.complete) return Eigen::VectorXd::Zero(force.rows());
   const Eigen::MatrixXcd forces = acting(base, force);
-  return remainder_.bound(residuals(base, forces), forces);
+  return remainder_.bound(residuals(base, forces, small_.contacts()), forces);
+}
+
+Eigen::VectorXd ContactSpace::work_bound(double base, const Eigen::MatrixXcd& force) const {
+  if (whole_.complete) return Eigen::VectorXd::Zero(force.rows());
+  const Eigen::MatrixXcd forces = acting(base, force);
+  Eigen::MatrixXcd weights = forces.conjugate();  // Z is symmetric: the adjoint response is that to them
+  weights.bottomRows(weights.rows() - force.cols()).setZero();
+  return remainder_.weighted_bound(residuals(base, weights, 0), weights, residuals(base, forces, 0), forces);
 }
 
 ContactSpace ContactSpace::grown_for(double base, const std::vector<Wanted>& all) const {
@@ -224,7 +233,7 @@ ContactSpace ContactSpace::grown_for(double base, const std::vector<Wanted>& all
       const SpaceProjection projected = result.projection();
       result.take(projected);
       if (result.whole_.complete) break;
-      SpaceRemainder::Residuals residuals = result.residuals(base, forces);
+      SpaceRemainder::Residuals residuals = result.residuals(base, forces, result.small_.contacts());
       const double bound = root_mean_square(result.remainder_.bound(residuals, forces));
       if (bound <= tolerance) break;
       idle = bound > 0.5 * before ? idle + 1 : 0;
@@ -238,7 +247,7 @@ ContactSpace ContactSpace::grown_for(double base, const std::vector<Wanted>& all
       if (missing.cols() > 0) {
         space.offer(space.solve(source_->all * missing));
         result.take(projected);  // the space is the same, what would come next is not
-        residuals = result.residuals(base, forces);
+        residuals = result.residuals(base, forces, result.small_.contacts());
       }
       const Eigen::MatrixXd directions = result.remainder_.longest(residuals, tolerance);
       const Eigen::Index taken = std::min(directions.cols(), most - space.size());

@@ -77,6 +77,9 @@ class ContactSpace {
   /// The bound of |x_j - x_j^whole| at harmonics 0..H, the largest over contacts, H+1 [m]. rho(e_j) is
   /// evaluated at harmonics that grow by a tenth, the larger of the two neighbours taken between them.
   [[nodiscard]] Eigen::VectorXd bound(double base, const Eigen::MatrixXcd& force) const;
+  /// The bound of |sum_j conj(lambda_nj) (x_nj - x_nj^whole)| at harmonics 0..H, H+1 [N m]. Of the second
+  /// order in what the space leaves out of the response to the force, which sums of `bound` are not.
+  [[nodiscard]] Eigen::VectorXd work_bound(double base, const Eigen::MatrixXcd& force) const;
   /// Rounding of the factors of K, relative to K, that `refine_lowest` leaves: measured. In theory it is eps
   /// times the condition of K, three digits more for slender structures [-].
   [[nodiscard]] double rounding() const { return rounding_; }
@@ -115,7 +118,8 @@ class ContactSpace {
   [[nodiscard]] ResponsePencil pencil(double rate) const;
   /// b_n of contacts and load, (Nc + Nf) x (H+1).
   [[nodiscard]] Eigen::MatrixXcd acting(double base, const Eigen::MatrixXcd& force) const;
-  [[nodiscard]] SpaceRemainder::Residuals residuals(double base, const Eigen::MatrixXcd& acting) const;
+  [[nodiscard]] SpaceRemainder::Residuals residuals(double base, const Eigen::MatrixXcd& acting,
+                                                    Eigen::Index contacts) const;
   /// Of the vectors made so far, and whether they are all.
   SpaceProjection projection();
   /// What `bound` needs of them.

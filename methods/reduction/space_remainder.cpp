@@ -92,12 +92,15 @@ SpaceRemainder::Residuals SpaceRemainder::residuals(const ProportionalDamping& d
                    .beyond = Eigen::VectorXd(count),
                    .left_out = {},
                    .ratio = Eigen::VectorXd(count),
+                   .least = Eigen::VectorXd(count),
+                   .elastic = Eigen::VectorXd(count),
                    .factor = Eigen::VectorXd(count),
                    .cross = Eigen::VectorXd(count),
                    .cross_left_out = Eigen::VectorXd(count)};
   const Eigen::MatrixXcd weighed = dense_product(beyond_, acting);
   Eigen::MatrixXcd moved = dense_product(ports, acting);
   const auto at = [&](Eigen::Index n) {
+    if (contacts == 0) return OfContacts{};
     return of_contacts(ResponsePencil(damping, static_cast<double>(n) * base, theta), theta, of_unit);
   };
   OfContacts before, after;  // at the evaluated harmonics about n
@@ -113,6 +116,8 @@ SpaceRemainder::Residuals SpaceRemainder::residuals(const ProportionalDamping& d
     result.beyond[n] = std::sqrt(
         std::max({0.0, acting.col(n).dot(weighed.col(n)).real(), rounding_ * acting.col(n).squaredNorm()}));
     result.ratio[n] = std::abs(here.mu / here.kappa);
+    result.least[n] = here.least;
+    result.elastic[n] = std::abs(here.kappa);
     result.factor[n] = (std::max(before.bracket, after.bracket) + left_out_of_start_) / here.least;
     result.cross[n] = std::max(before.moved, after.moved) / std::abs(here.kappa);
     result.cross_left_out[n] = std::max(before.left_out, after.left_out) / std::abs(here.kappa);
@@ -122,19 +127,37 @@ SpaceRemainder::Residuals SpaceRemainder::residuals(const ProportionalDamping& d
   return result;
 }
 
-Eigen::VectorXd SpaceRemainder::bound(const Residuals& residuals, const Eigen::MatrixXcd& acting) const {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(acting.cols());
+SpaceRemainder::Lengths SpaceRemainder::lengths(const Residuals& residuals,
+                                                const Eigen::MatrixXcd& acting) const {
+  Lengths result{.whole = Eigen::VectorXd(acting.cols()),
+                 .ahead = residuals.ahead.colwise().norm(),
+                 .still = Eigen::VectorXd(acting.cols())};
   const Eigen::MatrixXcd seen = dense_product(outside_.transpose(), residuals.ahead);  // X^T K R b
   const double left_out = left_out_.norm();
   for (Eigen::Index n = 0; n < acting.cols(); ++n) {
-    const double ahead = residuals.ahead.col(n).norm(), still = std::hypot(ahead, residuals.beyond[n]);
-    const double moved = residuals.acting.col(n).norm() + residuals.left_out[n] +
-                         residuals.ratio[n] * (seen.col(n).norm() + (left_out + smoothing_) * still) +
-                         left_out_of_start_ * acting.col(n).norm();
-    result[n] =
-        residuals.factor[n] * moved + residuals.cross[n] * ahead + residuals.cross_left_out[n] * still;
+    result.still[n] = std::hypot(result.ahead[n], residuals.beyond[n]);
+    result.whole[n] = residuals.acting.col(n).norm() + residuals.left_out[n] +
+                      residuals.ratio[n] * (seen.col(n).norm() + (left_out + smoothing_) * result.still[n]) +
+                      left_out_of_start_ * acting.col(n).norm();
   }
   return result;
+}
+
+Eigen::VectorXd SpaceRemainder::bound(const Residuals& residuals, const Eigen::MatrixXcd& acting) const {
+  const Lengths left = lengths(residuals, acting);
+  return residuals.factor.cwiseProduct(left.whole) + residuals.cross.cwiseProduct(left.ahead) +
+         residuals.cross_left_out.cwiseProduct(left.still);
+}
+
+Eigen::VectorXd SpaceRemainder::weighted_bound(const Residuals& of_weights, const Eigen::MatrixXcd& weights,
+                                               const Residuals& residuals,
+                                               const Eigen::MatrixXcd& acting) const {
+  const Lengths left = lengths(residuals, acting), of_adjoint = lengths(of_weights, weights);
+  const Eigen::VectorXd moved = of_weights.acting.colwise().norm(), hidden = of_weights.left_out.transpose();
+  const Eigen::VectorXd bracket =
+      of_adjoint.still + moved + hidden + left_out_of_start_ * weights.colwise().norm().transpose();
+  return bracket.cwiseProduct(left.whole).cwiseQuotient(residuals.least) +
+         (moved.cwiseProduct(left.ahead) + hidden.cwiseProduct(left.still)).cwiseQuotient(residuals.elastic);
 }
 
 double SpaceRemainder::left_out_size(const Residuals& residuals) {

@@ -55,19 +55,29 @@ class SpaceRemainder {
     Eigen::VectorXd beyond;          ///< |R b| without that, H+1
     Eigen::RowVectorXd left_out;     ///< |mu X y| that rounding has kept out of both, H+1
     Eigen::VectorXd ratio;           ///< |mu / kappa|, H+1 [1/s^2]
+    Eigen::VectorXd least;           ///< d, H+1
+    Eigen::VectorXd elastic;         ///< |kappa|, H+1
     Eigen::VectorXd factor;          ///< the largest bracket of the bound, over d, H+1
     Eigen::VectorXd cross;           ///< the largest |mu X y_j| / |kappa|, H+1
     Eigen::VectorXd cross_left_out;  ///< the same of what rounding has kept out, H+1
   };
   /// \param theta     Ritz values, k
   /// \param ports     r in the Ritz vectors, k x (Nc + Nf)
-  /// \param contacts  Nc
+  /// \param contacts  Nc; 0 leaves `factor` and the crosses, which `weighted_bound` does not need, at 0
   /// \param acting    b_n, (Nc + Nf) x (H+1) [N]
   [[nodiscard]] Residuals residuals(const ProportionalDamping& damping, double base,
                                     const Eigen::VectorXd& theta, const Eigen::MatrixXd& ports,
                                     Eigen::Index contacts, const Eigen::MatrixXcd& acting) const;
   /// The bound of |x_j - x_j^space| at each harmonic, the largest over contacts, H+1 [m].
   [[nodiscard]] Eigen::VectorXd bound(const Residuals& residuals, const Eigen::MatrixXcd& acting) const;
+
+  /// The bound of |sum_j b_j (q_j - q_j^space)| at each harmonic, q = B^T u under the forces `acting`: that
+  /// of one contact with the response to b in place of that to e_j, hence small of second order where the
+  /// space has both responses, H+1 [N m]. \param of_weights  residuals of the forces `weights` \param weights
+  /// b_n, (Nc + Nf) x (H+1)
+  [[nodiscard]] Eigen::VectorXd weighted_bound(const Residuals& of_weights, const Eigen::MatrixXcd& weights,
+                                               const Residuals& residuals,
+                                               const Eigen::MatrixXcd& acting) const;
 
   /// What `left_out` adds to the root mean square over time of the bound [m].
   [[nodiscard]] static double left_out_size(const Residuals& residuals);
@@ -82,6 +92,13 @@ class SpaceRemainder {
                                                 double tolerance) const;
 
  private:
+  /// What the space leaves of a force, and of it the response that is missing statically, of each harmonic.
+  struct Lengths {
+    Eigen::VectorXd whole;  // rho(b)
+    Eigen::VectorXd ahead;  // |R b| in the vectors that would come next
+    Eigen::VectorXd still;  // |R b|
+  };
+  [[nodiscard]] Lengths lengths(const Residuals& residuals, const Eigen::MatrixXcd& acting) const;
   /// The brackets of the bound, the largest over contacts.
   struct OfContacts {
     double bracket = 0.0;                // |R e_j| + |mu X y_j|

@@ -40,6 +40,14 @@ TEST(SparseCholesky, SolvesAChainInClosedForm) {
   }
 }
 
+TEST(SparseCholesky, SolvesForMoreColumnsThanItTakesAtOnce) {
+  constexpr int kSize = 150;
+  SparseCholesky factors(springs(kSize));
+  const Eigen::MatrixXd inverse = factors.solve(Eigen::MatrixXd::Identity(kSize, kSize));
+  EXPECT_LT((springs(kSize) * inverse - Eigen::MatrixXd::Identity(kSize, kSize)).cwiseAbs().maxCoeff(),
+            1e-10);
+}
+
 TEST(SparseCholesky, CountsItsOperationsBeforeItDoesThem) {
   for (const int size : {7, 5000}) {
     EXPECT_EQ(SparseCholesky::operations_for(springs(size)), SparseCholesky(springs(size)).operations());

@@ -83,6 +83,39 @@ TEST(ContactSpace, BoundsWhatIsOutside) {
   }
 }
 
+/// |sum_j conj(lambda_nj) (x_nj - x_nj^space)| of each harmonic against factors of every Z_n.
+Eigen::VectorXd error_of_work(const ContactSpace& space, const Problem& problem,
+                              const Eigen::MatrixXcd& force, const Eigen::MatrixXcd& exact) {
+  const Eigen::MatrixXcd error = exact - space.motion(problem.base_frequency(), force).contacts;
+  return force.conjugate().cwiseProduct(error).rowwise().sum().cwiseAbs();
+}
+
+// The work of all contacts together, which is far nearer to the truth than the displacements are.
+TEST(ContactSpace, BoundsTheWorkThatIsOutside) {
+  constexpr int kHarmonics = 60;
+  for (const auto& [problem, settings] : space_cases()) {
+    const ContactSpace space(problem, settings);
+    const Eigen::MatrixXcd force = jumping_force(kHarmonics, problem.contact_count());
+    const Eigen::MatrixXcd exact = whole_response(problem, force);
+    const double base = problem.base_frequency();
+    const Eigen::VectorXd error = error_of_work(space, problem, force, exact);
+    const Eigen::VectorXd bound = space.work_bound(base, force);
+    const Eigen::VectorXd push = force.cwiseAbs().rowwise().sum();
+    const Eigen::VectorXd sum = push.cwiseProduct(space.bound(base, force));
+    const double rounding = std::max(1e-9, rounding_of_factors(problem)) * exact.cwiseAbs().maxCoeff();
+    double tightest = 1e300;
+    for (int n = 0; n <= kHarmonics; ++n) {
+      EXPECT_LE(error[n], bound[n] + push[n] * rounding)
+          << problem.name << " " << settings.whole << " harmonic " << n;
+      if (error[n] > 10.0 * push[n] * rounding) tightest = std::min(tightest, bound[n] / error[n]);
+    }
+    if (tightest < 1e300) {
+      EXPECT_LT(tightest, 1e3) << problem.name;
+    }
+    EXPECT_LE(bound.sum(), (1.0 + 1e-9) * sum.sum()) << problem.name;
+  }
+}
+
 // Contacts and columns of the load against factors of every Z_n of all coordinates, where load and contacts
 // act on massless coordinates too.
 TEST(ContactSpace, HasTheMotionWhereForcesAct) {

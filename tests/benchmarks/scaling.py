@@ -1,0 +1,239 @@
+#!/usr/bin/env python3
+"""How time and memory grow with coordinates, contacts, events, nodes and harmonics: results/scaling, each line one run.
+
+usage: scaling.py PROGRAM [--only LINE ...] [--timeout SECONDS] [--memory MIB] [--out FOLDER]
+
+Makes scenes of one kind and growing size, runs a method on each and fits t ~ size^p to the upper half of the sizes that
+converged. Lines, by name: coordinates, contacts, nodes, harmonics. Lines that are not measured keep what FOLDER/scaling.csv
+has of them. Writes scaling.csv, table.md, scaling.svg (with Matplotlib) and manifest.json into FOLDER, results/scaling
+unless told.
+"""
+
+import argparse
+import csv
+import json
+import math
+import os
+import pathlib
+import platform
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+COLUMNS = ("line", "what", "size", "coordinates", "contacts", "events", "status", "certificate", "error_bar", "setup", "solve",
+           "iterations", "peak_mib", "commit")
+SUITE = """schema = 1
+name = "scaling"
+title = "One kind of scene, growing"
+scenes = ["*"]
+[limits]
+timeout = {timeout}
+memory = {memory}
+repetitions = 1
+certificate_timeout = {timeout}
+reference_timeout = 0.1
+"""
+SCENE = """schema = 1
+name = "{name}"
+title = "Of one size"
+reference = "made by tests/benchmarks/scaling.py"
+tags = ["block", "multi-point", "massless"]
+
+[system]
+kind = "block"
+elements = [{elements}]
+lengths = [{lengths}]
+young = 2e11
+poisson = 0.3
+density = 7800.0
+damping = {{ alpha = 0.5, beta = {beta} }}
+contact_mass = "massless"
+
+[forcing]
+frequency = {frequency}
+
+[[forcing.term]]
+face = "x+"
+direction = "z"
+cos = {load}
+
+[[contact]]
+face = "z+"
+patch = [{patch}]
+gap = {gap}
+"""
+
+
+def bar(bricks):
+    """The bar of block-large, of so many bricks along its axis, above one row of seven nodes."""
+    return SCENE.format(name=f"bar-{bricks}", elements=f"{bricks}, 6, 6", lengths="3.5, 0.03, 0.03", beta=1e-3, frequency=10.0,
+                        load=5.0, patch="[3.49999, 3.5], [0.0, 0.03]", gap=0.005)
+
+
+def pad(bricks):
+    """The same bar of 700 bricks above a pad under so many of its last bricks: seven contacts more for each."""
+    return SCENE.format(name=f"pad-{bricks}", elements="700, 6, 6", lengths="3.5, 0.03, 0.03", beta=1e-3, frequency=10.0,
+                        load=5.0, patch=f"[{3.5 - 0.005 * bricks - 1e-5}, 3.5], [0.0, 0.03]", gap=0.005)
+
+
+def of_catalogue(name):
+    return (ROOT / f"problems/catalogue/{name}.toml").read_text()
+
+
+# Of each line: what it is, the method, the option that grows or none, and (size, scene) of each step.
+LINES = {
+    "coordinates": [("exact-orbit, bar of n x 6 x 6 bricks, 7 contacts: coordinates", "exact-orbit[samples=64]", None,
+                     [(147 * n, bar(n)) for n in (100, 200, 400, 800, 1600, 3200, 6400)])],
+    "contacts": [("exact-orbit, bar of 102,900 coordinates above a pad: contacts", "exact-orbit[samples=64]", None,
+                  [(7 * (n + 1), pad(n)) for n in (0, 1, 3, 7, 15, 31, 63, 127)]),
+                 ("hat-lcp by marching, N = 1024, the same pads: contacts", "hat-lcp[scheme=bdf2,samples=1024]", None,
+                  [(7 * (n + 1), pad(n)) for n in (0, 1, 3, 7, 15, 31, 63, 127)])],
+    "nodes": [("hat-lcp, one mass: nodes", "hat-lcp", "samples",
+               [(2**k, of_catalogue("sdof-stop")) for k in range(8, 17)]),
+              ("hat-lcp, ten stops on a chain: nodes", "hat-lcp", "samples",
+               [(2**k, of_catalogue("chain10-stops")) for k in range(6, 13)]),
+              ("hat-lcp by marching, block of nine contacts: nodes", "hat-lcp[scheme=bdf2]", "samples",
+               [(2**k, of_catalogue("block-nine-contacts")) for k in range(8, 15)])],
+    "harmonics": [("fourier-lipschitz, one mass: harmonics", "fourier-lipschitz", "harmonics",
+                   [(20 * 2**k, of_catalogue("sdof-stop")) for k in range(7)]),
+                  ("fourier-lipschitz, block of nine contacts: harmonics", "fourier-lipschitz", "harmonics",
+                   [(20 * 2**k, of_catalogue("block-nine-contacts")) for k in range(5)])],
+}
+
+
+def with_option(method, key, value):
+    if key is None:
+        return method
+    name, _, rest = method.partition("[")
+    return f"{name}[{rest.rstrip(']') + ',' if rest else ''}{key}={value}]"
+
+
+def record_of(program, method, scene, limits):
+    """The record of one case, run in a folder of its own."""
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        (folder / "suite.toml").write_text(SUITE.format(**limits))
+        name = next(line.split('"')[1] for line in scene.splitlines() if line.startswith("name"))
+        (folder / f"{name}.toml").write_text(scene)
+        command = [program, "run", "./suite.toml", "--scenes", f"./{name}.toml", "--methods", method, "--out", "run"]
+        outcome = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False,
+                                 env=dict(os.environ, OPENBLAS_NUM_THREADS="1"))
+        if outcome.returncode not in (0, 1):
+            sys.exit(f"scaling: {outcome.stderr.strip()}")
+        return json.loads((folder / "run/records.jsonl").read_text().splitlines()[0])
+
+
+def row_of(line, what, size, record, commit):
+    seconds, work, certificate = record.get("seconds") or {}, record.get("work") or {}, record["certificate"]
+    converged = record["status"] == "converged"
+    return {"line": line, "what": what, "size": size, "coordinates": record["coordinates"], "contacts": record["contacts"],
+            "events": len(certificate.get("events", [])) or "", "status": record["status"],
+            "certificate": certificate["status"], "error_bar": certificate.get("error_bar", ""),
+            "setup": seconds.get("setup", "") if converged else "", "solve": seconds.get("solve", "") if converged else "",
+            "iterations": work.get("iterations", "") if converged else "",
+            "peak_mib": work.get("peak_memory_bytes", 0) / 2**20 if converged else "", "commit": commit}
+
+
+def exponent(sizes, values):
+    """The slope of log(value) over log(size) by least squares, of the upper half of the sizes, three at least."""
+    pairs = [(math.log(float(s)), math.log(float(v))) for s, v in zip(sizes, values) if v not in ("", None) and float(v) > 0.0]
+    pairs = pairs[-max(3, (len(pairs) + 1) // 2):]
+    if len(pairs) < 3:
+        return None
+    x, y = (sum(column) / len(pairs) for column in zip(*pairs))
+    return sum((a - x) * (b - y) for a, b in pairs) / sum((a - x)**2 for a, _ in pairs)
+
+
+def series_of(rows):
+    """The rows of each series, in the order of LINES."""
+    names = [entry[0] for line in LINES.values() for entry in line]
+    return [(name, found) for name in names if (found := [r for r in rows if r["what"] == name])]
+
+
+def write_table(rows, file):
+    """A table of exponents, then one of every measurement."""
+    lines = ["| what grows | from | to | set-up | solve | memory | not converged |", "|---|---|---|---|---|---|---|"]
+    for what, series in series_of(rows):
+        good = [r for r in series if r["status"] == "converged"]
+        fits = [exponent([r["size"] for r in good], [r[key] for r in good]) for key in ("setup", "solve", "peak_mib")]
+        lines.append(f"| {what} | {series[0]['size']} | {series[-1]['size']} | "
+                     + " | ".join("-" if p is None else f"{p:.2f}" for p in fits)
+                     + f" | {len(series) - len(good)} of {len(series)} |")
+    lines += ["", "| what grows | size | coordinates | contacts | events | status | certificate | bar | set-up [s] | solve [s] | "
+              "iterations | peak [MiB] |", "|---|---|---|---|---|---|---|---|---|---|---|---|"]
+    for what, series in series_of(rows):
+        for r in series:
+            number = lambda key, form=".3g": format(float(r[key]), form) if r[key] not in ("", None) else "-"
+            lines.append(f"| {what} | {r['size']} | {r['coordinates']} | {r['contacts']} | {r['events'] or '-'} | {r['status']} | "
+                         f"{r['certificate']} | {number('error_bar', '.1e')} | {number('setup')} | {number('solve')} | "
+                         f"{r['iterations'] or '-'} | {number('peak_mib', '.0f')} |")
+    commits = sorted({r["commit"] for r in rows})
+    file.write_text("# Scaling\n\nMeasured by tests/benchmarks/scaling.py, each size once; commits: " + ", ".join(commits)
+                    + ". Exponents p of time and memory ~ size^p, fitted to the upper half of the sizes that converged. Events "
+                    "are those of the orbit that certifies the answer.\n\n![Time over size](scaling.svg)\n\n"
+                    + "\n".join(lines) + "\n")
+
+
+def draw(rows, file):
+    """Set-up and solve over size, one panel per line."""
+    import matplotlib  # only here: the table needs none
+    matplotlib.use("svg")
+    import matplotlib.pyplot as plt
+    matplotlib.rcParams["svg.hashsalt"] = "scaling"
+    names = [line for line in LINES if any(r["line"] == line for r in rows)]
+    figure, panels = plt.subplots(1, len(names), figsize=(4.2 * len(names), 4.6), squeeze=False)
+    for panel, line in zip(panels[0], names):
+        for what, series in series_of([r for r in rows if r["line"] == line and r["status"] == "converged"]):
+            sizes = [float(r["size"]) for r in series]
+            label = what.rsplit(":", 1)[0]
+            (drawn,) = panel.loglog(sizes, [float(r["solve"]) for r in series], "o-", markersize=3, label=label)
+            panel.loglog(sizes, [float(r["setup"]) for r in series], ":", color=drawn.get_color())
+        panel.set_xlabel(line)
+        panel.legend(fontsize=6, loc="upper left")
+        panel.grid(True, which="major", linewidth=0.3)
+    panels[0][0].set_ylabel("solve; dotted: set-up [s]")
+    figure.tight_layout()
+    figure.savefig(file, metadata={"Date": None})
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("--only", nargs="+", choices=LINES, default=list(LINES), metavar="LINE", help=", ".join(LINES))
+    parser.add_argument("--timeout", type=float, default=300.0, help="of a solve, and of its certificate [s]")
+    parser.add_argument("--memory", type=int, default=12000, help="of a case [MiB]")
+    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "results/scaling")
+    arguments = parser.parse_args()
+    program = arguments.program.resolve()
+    if not program.is_file():
+        sys.exit(f"scaling: {program}: no such program")
+    version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout
+    commit = version.partition("(")[2].partition(")")[0]
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    table = arguments.out / "scaling.csv"
+    rows = list(csv.DictReader(table.open())) if table.exists() else []
+    limits = {"timeout": arguments.timeout, "memory": arguments.memory}
+    for line in arguments.only:
+        rows = [r for r in rows if r["line"] != line]
+        for what, method, option, steps in LINES[line]:
+            for size, scene in steps:
+                row = row_of(line, what, size, record_of(program, with_option(method, option, size), scene, limits), commit)
+                print(f"{what} {size}: {row['status']}, {row['setup']} + {row['solve']} s", flush=True)
+                rows.append(row)
+                if row["status"] in ("timeout", "out-of-memory"):
+                    break  # what is larger would be so too
+        with table.open("w", newline="") as file:
+            writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows)
+        write_table(rows, arguments.out / "table.md")
+        draw(rows, arguments.out / "scaling.svg")
+    manifest = {"program": commit, "cores": os.cpu_count(), "machine": platform.machine(), "system": platform.system(),
+                "date": time.strftime("%Y-%m-%d"), "lines": arguments.only, **limits}
+    (arguments.out / "manifest.json").write_text(json.dumps(manifest, indent=2) + "\n")
+
+
+if __name__ == "__main__":
+    main()
