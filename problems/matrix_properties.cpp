@@ -131,7 +131,7 @@ class ScaledTriple {
       for_each_place([&](double m, double k, double d) {
         const double rest = d - fit[0] * m - fit[1] * k;
         share += rest * Eigen::Vector2d(m, k);
-        largest = std::max(largest, std::abs(rest));
+        if (!(std::abs(rest) <= largest)) largest = std::abs(rest);  // NaN is no rest of zero
       });
       if (pass < 2) fit += norms.cwiseInverse().cwiseProduct(factors.solve(share.cwiseQuotient(norms)));
     }

@@ -1,8 +1,11 @@
 #include "harness/judge/contact_response.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
+#include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "methods/solvers/constants.hpp"
 #include "methods/structure/receptance.hpp"
@@ -18,6 +21,8 @@ using Complex = std::complex<double>;
 // Error of what a ContactSpace says of x, relative to its size, and of the contact's work, relative to that
 // of the load: far below any defect of energy that means something [-].
 constexpr double kSpaceTolerance = 1e-8, kWorkTolerance = 1e-6;
+// Work of a load relative to what it could do, below which it does none.
+constexpr double kNoWork = 1e-12;
 
 // 2 pi n.
 Eigen::ArrayXd turns(Eigen::Index harmonics) {
@@ -39,7 +44,10 @@ ContactResponse::ContactResponse(const Problem& problem, ForceSeries series, con
   load_ = load.coefficients(base_frequency_, static_cast<int>(lambda_.rows()) - 1);
   x_ = free_ = Eigen::MatrixXcd::Zero(lambda_.rows(), lambda_.cols());
   q_ = free_q_ = Eigen::MatrixXcd::Zero(load_.rows(), load_.cols());
-  if (space != nullptr && space->obstacle().empty() && (take(*space) || take(grown(*space)))) return;
+  if (space != nullptr && space->obstacle().empty()) {
+    if (take(*space) || take_grown(*space)) return;
+    space->release();  // what follows factorises too
+  }
   if (problem.size() <= kMostFactorised || !project(problem, load)) factorise(problem, load);
 }
 
@@ -59,21 +67,41 @@ bool ContactResponse::take(const ContactSpace& space) {
   free_ = std::move(free.contacts);
   free_q_ = std::move(free.loads);
   dissipation_ = work_of_load() + contact_work().sum();
-  const double missed = 2.0 * turns(lambda_.rows()).matrix().dot(space.work_bound(base_frequency_, lambda_));
-  return missed <= kWorkTolerance * std::abs(work_of_load());
+  return missed_work(space) <= most_missed();
 }
 
-// With the vectors that these forces need: the bounds of take() hold where the root of the mean square of the
-// space's over time is below.
-ContactSpace ContactResponse::grown(const ContactSpace& space) const {
-  constexpr double kMargin = 0.5;
+double ContactResponse::missed_work(const ContactSpace& space) const {
+  return 2.0 * turns(lambda_.rows()).matrix().dot(space.work_bound(base_frequency_, lambda_));
+}
+
+// Of a load that does no work nothing is asked: no defect of energy is measured by it.
+double ContactResponse::most_missed() const {
+  const double worked = std::abs(work_of_load());
+  return worked > kNoWork * largest_work_of_load() ? kWorkTolerance * worked
+                                                   : std::numeric_limits<double>::infinity();
+}
+
+// With the vectors that these forces need: the bounds of x hold where the root of the mean square of the
+// space's over time is below. The work is missed by what the responses to the force and to its conjugate lack
+// together, hence the square root.
+bool ContactResponse::take_grown(const ContactSpace& space) {
+  constexpr double kMargin = 0.5, kLeast = 1e-12;
+  constexpr int kGrowths = 3;
   const Eigen::MatrixXcd none = Eigen::MatrixXcd::Zero(lambda_.rows(), lambda_.cols());
-  const double share = kMargin * kSpaceTolerance / std::sqrt(static_cast<double>(lambda_.cols()));
-  const auto wanted = [&](const Eigen::MatrixXcd& force) {
-    return ContactSpace::Wanted{.force = force,
-                                .tolerance = share * space.motion(base_frequency_, force).contacts.norm()};
-  };
-  return space.grown_for(base_frequency_, {wanted(lambda_), wanted(none)});
+  const double contacts = std::sqrt(static_cast<double>(lambda_.cols()));
+  const double size = space.motion(base_frequency_, lambda_).contacts.norm() / contacts;
+  const double free = space.motion(base_frequency_, none).contacts.norm() / contacts;
+  double tolerance = kMargin * kSpaceTolerance * size;
+  for (int growth = 0; growth < kGrowths && tolerance >= kLeast * size; ++growth) {
+    std::vector<ContactSpace::Wanted> wanted = {
+        {.force = lambda_, .tolerance = tolerance},
+        {.force = none, .tolerance = kMargin * kSpaceTolerance * free}};
+    if (growth > 0) wanted.push_back({.force = lambda_.conjugate(), .tolerance = tolerance});
+    const ContactSpace grown = space.grown_for(base_frequency_, wanted);
+    if (take(grown)) return true;
+    tolerance *= std::min(kMargin, std::sqrt(kMargin * most_missed() / missed_work(grown)));
+  }
+  return false;
 }
 
 void ContactResponse::factorise(const Problem& problem, const LoadColumns& load) {

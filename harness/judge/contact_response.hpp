@@ -47,7 +47,10 @@ class ContactResponse {
 
  private:
   [[nodiscard]] bool take(const ContactSpace& space);
-  [[nodiscard]] ContactSpace grown(const ContactSpace& space) const;
+  [[nodiscard]] bool take_grown(const ContactSpace& space);
+  /// Bound of the contact's work that a space leaves out, and how much of it may be [J].
+  [[nodiscard]] double missed_work(const ContactSpace& space) const;
+  [[nodiscard]] double most_missed() const;
   void factorise(const Problem& problem, const LoadColumns& load);
   [[nodiscard]] bool project(const Problem& problem, const LoadColumns& load);
 

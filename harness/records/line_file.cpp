@@ -34,7 +34,8 @@ Descriptor open_to_read(const std::filesystem::path& file) {
   std::error_code failure;
   if (!std::filesystem::is_regular_file(file, failure))
     throw UsageError(fmt::format("file = {} (must be a readable file)", file.string()));
-  Descriptor descriptor(open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  // Files that the kernel makes up are regular too, and to read one may be to wait for ever.
+  Descriptor descriptor(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!descriptor.is_open()) {
     throw UsageError(fmt::format("file = {} (must be a readable file: {})", file.string(),
                                  std::generic_category().message(errno)));

@@ -68,12 +68,12 @@ ResponseRecord blank(const SuiteResponse& response, const Scene& scene) {
 }
 
 /// The law that the method represents, if it applies: in single solves, or on its own curves.
-void take_law(const Scene& scene, const MethodChoice& method, const Limits& limits, ResponseRecord& record) {
+void take_law(const Scene& scene, const MethodChoice& method, int memory_mb, ResponseRecord& record) {
   const Case asked{.choice = method};
   const Case* const list = &asked;
   const std::unique_ptr<Method> made = method.make();
   const auto* curve = record.by_steps ? nullptr : dynamic_cast<const CurveMethod*>(made.get());
-  for (const Applicability& answer : ask_applicability(scene, std::span(&list, 1), limits)) {
+  for (const Applicability& answer : ask_applicability(scene, std::span(&list, 1), memory_mb)) {
     record.law = answer.law;
     if (answer.law && curve != nullptr) record.law = curve->curve_law(scene.problem);
     if (record.law) record.law_matches_scene = law_matches(*record.law, scene.problem.law);
@@ -323,7 +323,7 @@ ResponseRunResult run_responses(const Suite& suite, std::span<const ResponseCase
     record.key = key;
     record.method = one.method.label();
     record.by_steps = one.by_steps;
-    take_law(at->scene, one.method, limits, record);
+    take_law(at->scene, one.method, limits.memory_mb, record);
     record = one.by_steps ? step(*at, one.method, record) : follow_isolated(*at, one.method, record);
     if (interrupted()) break;
     store.put(std::move(record));

@@ -1,10 +1,8 @@
 #include "harness/run/applicability.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "harness/interrupt.hpp"
-#include "harness/plan/deadline.hpp"
 #include "harness/records/record_json.hpp"
 
 namespace signorini {
@@ -18,6 +16,12 @@ void visit_fields(Either<Applicability> auto& answer, auto&& field) {
 
 namespace {
 
+// A question takes some passes over the matrices: half a minute for a million coordinates on a busy machine.
+double seconds_per_method(const Problem& problem) {
+  constexpr double kLeast = 10.0, kPerCoordinate = 1e-4;
+  return kLeast + kPerCoordinate * problem.size();
+}
+
 void send_answer(const Scene& scene, const Case& planned_case, const LineSender& send) {
   const std::unique_ptr<Method> method = planned_case.choice.make();
   const Support support = method->supports(scene.problem);
@@ -29,8 +33,7 @@ void send_answer(const Scene& scene, const Case& planned_case, const LineSender&
 }  // namespace
 
 std::vector<Applicability> ask_applicability(const Scene& scene, std::span<const Case* const> cases,
-                                             const Limits& limits) {
-  const double seconds = std::max(kQuickSeconds, enforced(limits.timeout));  // some passes over the matrices
+                                             int memory_mb) {
   std::vector<Applicability> answers;
   while (answers.size() < cases.size() && !interrupted()) {
     const auto rest = cases.subspan(answers.size());
@@ -38,7 +41,7 @@ std::vector<Applicability> ask_applicability(const Scene& scene, std::span<const
         [&](const LineSender& send) {
           for (const Case* planned_case : rest) send_answer(scene, *planned_case, send);
         },
-        {.stage_seconds = {seconds}, .memory_mb = limits.memory_mb});
+        {.stage_seconds = {seconds_per_method(scene.problem)}, .memory_mb = memory_mb});
     for (const std::string& line : end.lines)
       read_fields(nlohmann::ordered_json::parse(line), answers.emplace_back());
     // The method that ended the child gets its ending; those after it are asked in another child.

@@ -42,7 +42,7 @@ std::string Runner::key_of(const Scene& scene, const Case& planned_case) const {
 
 std::vector<Job> Runner::make_jobs(const Scene& scene, std::span<const Case* const> cases) const {
   std::vector<Job> jobs;
-  for (Applicability& method : ask_applicability(scene, cases, limits_))
+  for (Applicability& method : ask_applicability(scene, cases, limits_.memory_mb))
     jobs.push_back({.planned_case = cases[jobs.size()], .method = std::move(method)});
   return jobs;
 }

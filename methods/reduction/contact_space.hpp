@@ -104,7 +104,8 @@ class ContactSpace {
   /// \throws SingularStiffness where an undamped vector resonates to rounding
   [[nodiscard]] ContactSpace solved_for(double base, const Eigen::MatrixXcd& force, double tolerance) const;
   /// Lets go of vectors and factors where they take more than 1 GB, in all copies of the space: a growth
-  /// afterwards makes them anew. For the end of a solve, after which growths may never be asked for.
+  /// afterwards makes them anew. Not during a growth. For the end of a solve, after which growths may never
+  /// be asked for.
   void release() const;
   /// The root mean square over time of `bound` [m].
   [[nodiscard]] double bound_size(double base, const Eigen::MatrixXcd& force) const;

@@ -22,6 +22,7 @@ bool KeptSpace::fits(const Problem& problem) const {
 
 std::shared_ptr<const ContactSpace> KeptSpace::of(const Problem& problem) {
   if (!fits(problem)) {
+    space_.reset();  // two at once may be more than the memory
     space_ = std::make_shared<const ContactSpace>(problem);
     ++made_;
   } else if (of_.law.index() != problem.law.index() || of_.frequency != problem.frequency) {

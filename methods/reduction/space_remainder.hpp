@@ -63,7 +63,8 @@ class SpaceRemainder {
   };
   /// \param theta     Ritz values, k
   /// \param ports     r in the Ritz vectors, k x (Nc + Nf)
-  /// \param contacts  Nc; 0 leaves `factor` and the crosses, which `weighted_bound` does not need, at 0
+  /// \param contacts  Nc; with 0 `factor` and the crosses, which `weighted_bound` does not need, mean
+  ///                  nothing
   /// \param acting    b_n, (Nc + Nf) x (H+1) [N]
   [[nodiscard]] Residuals residuals(const ProportionalDamping& damping, double base,
                                     const Eigen::VectorXd& theta, const Eigen::MatrixXd& ports,

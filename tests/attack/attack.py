@@ -10,9 +10,9 @@ results/fuzz.json joins.
 """
 
 import argparse
+import concurrent.futures
 import fnmatch
 import json
-import multiprocessing
 import pathlib
 import random
 import subprocess
@@ -88,10 +88,9 @@ def run_campaign(arguments, name):
 def run_campaigns(arguments):
     """The campaigns of the names wanted, in the order of CAMPAIGNS, each in a process of its own."""
     names = [name for name in CAMPAIGNS if fnmatch.fnmatch(name, arguments.only)]
-    with multiprocessing.Pool(max(1, arguments.jobs), maxtasksperchild=1) as pool:
-        running = [pool.apply_async(run_campaign, (arguments, name)) for name in names]
-        for campaigns in running:
-            yield from campaigns.get()
+    with concurrent.futures.ProcessPoolExecutor(max(1, arguments.jobs)) as pool:  # an executor notices a killed process
+        for campaigns in pool.map(run_campaign, [arguments] * len(names), names):
+            yield from campaigns
 
 
 def tell(campaign):

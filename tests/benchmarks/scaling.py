@@ -6,7 +6,7 @@ usage: scaling.py PROGRAM [--only LINE ...] [--timeout SECONDS] [--memory MIB] [
 Makes scenes of one kind and growing size, runs a method on each and fits t ~ size^p to the upper half of the sizes that
 converged. Lines, by name: coordinates, contacts, nodes, harmonics. Lines that are not measured keep what FOLDER/scaling.csv
 has of them. Writes scaling.csv, table.md, scaling.svg (with Matplotlib) and manifest.json into FOLDER, results/scaling
-unless told.
+unless told. The figure is drawn where Matplotlib is there. Only certified answers enter the fits.
 """
 
 import argparse
@@ -154,9 +154,9 @@ def series_of(rows):
 
 def write_table(rows, file):
     """A table of exponents, then one of every measurement."""
-    lines = ["| what grows | from | to | set-up | solve | memory | not converged |", "|---|---|---|---|---|---|---|"]
+    lines = ["| what grows | from | to | set-up | solve | memory | not certified |", "|---|---|---|---|---|---|---|"]
     for what, series in series_of(rows):
-        good = [r for r in series if r["status"] == "converged"]
+        good = [r for r in series if r["certificate"] == "certified"]
         fits = [exponent([r["size"] for r in good], [r[key] for r in good]) for key in ("setup", "solve", "peak_mib")]
         lines.append(f"| {what} | {series[0]['size']} | {series[-1]['size']} | "
                      + " | ".join("-" if p is None else f"{p:.2f}" for p in fits)
@@ -171,21 +171,33 @@ def write_table(rows, file):
                          f"{r['iterations'] or '-'} | {number('peak_mib', '.0f')} |")
     commits = sorted({r["commit"] for r in rows})
     file.write_text("# Scaling\n\nMeasured by tests/benchmarks/scaling.py, each size once; commits: " + ", ".join(commits)
-                    + ". Exponents p of time and memory ~ size^p, fitted to the upper half of the sizes that converged. Events "
-                    "are those of the orbit that certifies the answer.\n\n![Time over size](scaling.svg)\n\n"
+                    + ". Exponents p of time and memory ~ size^p, fitted to the upper half of the sizes whose answers are "
+                    "certified; of a few single runs, to a tenth at best. A line ends where it meets the limit of time or "
+                    "memory. Events are those of the orbit that certifies the answer.\n\n![Time over size](scaling.svg)\n\n"
                     + "\n".join(lines) + "\n")
+
+
+def write_rows(rows, file):
+    with file.open("w", newline="") as stream:
+        writer = csv.DictWriter(stream, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
 
 
 def draw(rows, file):
     """Set-up and solve over size, one panel per line."""
-    import matplotlib  # only here: the table needs none
+    try:
+        import matplotlib
+    except ImportError:
+        print("scaling: no Matplotlib, no figure")
+        return
     matplotlib.use("svg")
     import matplotlib.pyplot as plt
     matplotlib.rcParams["svg.hashsalt"] = "scaling"
     names = [line for line in LINES if any(r["line"] == line for r in rows)]
     figure, panels = plt.subplots(1, len(names), figsize=(4.2 * len(names), 4.6), squeeze=False)
     for panel, line in zip(panels[0], names):
-        for what, series in series_of([r for r in rows if r["line"] == line and r["status"] == "converged"]):
+        for what, series in series_of([r for r in rows if r["line"] == line and r["solve"] not in ("", None)]):
             sizes = [float(r["size"]) for r in series]
             label = what.rsplit(":", 1)[0]
             (drawn,) = panel.loglog(sizes, [float(r["solve"]) for r in series], "o-", markersize=3, label=label)
@@ -222,14 +234,11 @@ def main():
                 row = row_of(line, what, size, record_of(program, with_option(method, option, size), scene, limits), commit)
                 print(f"{what} {size}: {row['status']}, {row['setup']} + {row['solve']} s", flush=True)
                 rows.append(row)
+                write_rows(rows, table)
                 if row["status"] in ("timeout", "out-of-memory"):
                     break  # what is larger would be so too
-        with table.open("w", newline="") as file:
-            writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-            writer.writeheader()
-            writer.writerows(rows)
-        write_table(rows, arguments.out / "table.md")
-        draw(rows, arguments.out / "scaling.svg")
+    write_table(rows, arguments.out / "table.md")
+    draw(rows, arguments.out / "scaling.svg")
     manifest = {"program": commit, "cores": os.cpu_count(), "machine": platform.machine(), "system": platform.system(),
                 "date": time.strftime("%Y-%m-%d"), "lines": arguments.only, **limits}
     (arguments.out / "manifest.json").write_text(json.dumps(manifest, indent=2) + "\n")

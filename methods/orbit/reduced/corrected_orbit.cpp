@@ -89,13 +89,15 @@ bool same_sequence(const ExactTrajectory& a, const ExactTrajectory& b) { return 
 /// One deferred correction of a scene.
 class Correction {
  public:
-  Correction(const Problem& problem, const ContactSpace& space, const OrbitCorrectionSettings& settings)
+  Correction(const Problem& problem, const ContactSpace& space, const OrbitCorrectionSettings& settings,
+             Eigen::MatrixXcd added)
       : problem_(problem),
         space_(space),
         settings_(settings),
         model_(space.small()),
         base_(problem.base_frequency()),
-        shared_(std::make_shared<SharedModes>()) {}
+        shared_(std::make_shared<SharedModes>()),
+        added_(std::move(added)) {}
 
   CorrectedOrbit run(ExactOrbit first) {
     result_.orbit = std::move(first);
@@ -153,7 +155,7 @@ class Correction {
     const Eigen::MatrixXcd bound = space_.bound(base_, force).cast<std::complex<double>>();
     result_.outside = (series_norm(bound) + beyond(bound)) / size_;
     result_.rounding = rounding(x);
-    if (added_.rows() == 0) shifted_ = shifted();
+    if (result_.defects.empty()) shifted_ = std::max(added_.rows(), shifted());
     result_.defects.push_back(series_norm(defect.topRows(shifted_)) / size_);
     result_.unshifted = series_norm(defect, shifted_) / size_;
     // A correction takes away all but what its own vectors leave in the harmonics that are not added.
@@ -215,11 +217,8 @@ class Correction {
   /// Harmonics that are added, the constant included: so many that the others
   /// are below the rest of the bar.
   [[nodiscard]] Eigen::Index shifted() const {
-    const auto most = std::min<Eigen::Index>(settings_.shifted * problem_.subharmonic + 1, missing_.rows());
     const double least = std::max(kLeftBySolved * settings_.tolerance, fixed());
-    Eigen::Index count = std::min<Eigen::Index>(kFewestShifted, most);
-    while (count < most && series_norm(missing_, count) > least * size_) count = std::min(2 * count, most);
-    return count;
+    return harmonics_to_add(missing_, least * size_, problem_.subharmonic, settings_);
   }
 
   /// How the last defect compares with the one before.
@@ -311,9 +310,17 @@ CondensedStructure displaced(const ContactReduction& reduction, const Eigen::Mat
   return result;
 }
 
+Eigen::Index harmonics_to_add(const Eigen::MatrixXcd& missing, double least, int order,
+                              const OrbitCorrectionSettings& settings) {
+  const auto most = std::min<Eigen::Index>(settings.shifted * order + 1, missing.rows());
+  Eigen::Index count = std::min<Eigen::Index>(kFewestShifted, most);
+  while (count < most && series_norm(missing, count) > least) count = std::min(2 * count, most);
+  return count;
+}
+
 CorrectedOrbit correct_orbit(const Problem& problem, const ContactSpace& space, ExactOrbit first,
-                             const OrbitCorrectionSettings& settings) {
-  return Correction(problem, space, settings).run(std::move(first));
+                             const OrbitCorrectionSettings& settings, Eigen::MatrixXcd added) {
+  return Correction(problem, space, settings, std::move(added)).run(std::move(first));
 }
 
 }  // namespace signorini

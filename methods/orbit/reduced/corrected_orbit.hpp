@@ -63,9 +63,16 @@ struct CorrectedOrbit {
 /// the forces in closed form; where a correction finds no admissible orbit, or contacts that close more
 /// or less often in the end, or a probe does; where defects do not fall by half.
 ///
-/// \param first  an orbit of `space.small()` without displacements
+/// \param first  an orbit of `space.small()` with the displacements `added`
+/// \param added  d_n, n = 0.., per harmonic and contact; none by default [m]
 CorrectedOrbit correct_orbit(const Problem& problem, const ContactSpace& space, ExactOrbit first,
-                             const OrbitCorrectionSettings& settings = {});
+                             const OrbitCorrectionSettings& settings = {}, Eigen::MatrixXcd added = {});
+
+/// How many harmonics of displacements are to be added, the constant included: 25 doubled until the root mean
+/// square over time of the others is at most `least` [m], no more than the settings allow.
+/// \param missing  d_n, n = 0..H, per harmonic and contact [m]
+Eigen::Index harmonics_to_add(const Eigen::MatrixXcd& missing, double least, int order,
+                              const OrbitCorrectionSettings& settings);
 
 /// The root mean square over time and contacts of x about its mean, 1 if that is zero: the scale of defects.
 /// \param x  at equidistant instants of the period, instants x Nc [m]

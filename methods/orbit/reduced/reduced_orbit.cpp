@@ -13,18 +13,7 @@
 
 namespace signorini {
 
-namespace {
-
-/// The space with the vectors that a motion needs whose force is known on a grid.
-ContactSpace chosen_for(const Trajectory& motion, const Problem& problem, const ContactSpace& space,
-                        const OrbitCorrectionSettings& settings) {
-  constexpr int kHarmonics = 128, kInstants = 512;
-  const double size = size_about_mean(motion.sample(kInstants * problem.subharmonic).x);
-  return space.solved_for(problem.base_frequency(), force_spectrum(motion, kHarmonics * problem.subharmonic),
-                          kLeftBySolved * settings.tolerance * size);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::string reduction_obstacle(const Problem& problem) {
   if (std::string obstacle = march_obstacle(problem); !obstacle.empty()) return obstacle;
@@ -54,15 +43,27 @@ ReducedOrbit find_reduced_orbit(const Problem& problem, const ContactSpace& spac
 
 ReducedOrbit polish_reduced_orbit(const Problem& problem, const ContactSpace& space, const Trajectory& motion,
                                   const OrbitCorrectionSettings& settings) {
+  constexpr int kInstants = 512;
+  const int order = problem.subharmonic;
+  const double base = problem.base_frequency();
+  const Eigen::MatrixXcd force = force_spectrum(motion, settings.shifted * order);
+  const double left =
+      kLeftBySolved * settings.tolerance * size_about_mean(motion.sample(kInstants * order).x);
+  const ContactSpace own = space.small_is_given() ? space : space.solved_for(base, force, left);
+  // What the vectors miss of the response to this force is added from the start: without it the motion is
+  // none of theirs, and contacts that touch briefly would come and go in another order.
+  Eigen::MatrixXcd added = own.missing(base, force);
+  added.conservativeResize(harmonics_to_add(added, left, order, settings), Eigen::NoChange);
   ReducedOrbit result{.corrected = {}, .start = "the motion given"};
-  const ContactSpace own = space.small_is_given() ? space : chosen_for(motion, problem, space, settings);
   result.corrected.solved = own.small().vectors();
   std::vector<int> closing = pushing_contacts(motion);
-  OrbitSearch found = find_closing_orbit(problem, condensed(own.small()), closing, motion, settings.search);
+  OrbitSearch found =
+      find_closing_orbit(problem, displaced(own.small(), added, base), closing, motion, settings.search);
   result.iterations = found.iterations;
   result.corrected.orbit = std::move(found.orbit);
   if (!result.corrected.orbit.certified()) return result;
-  result.corrected = correct_orbit(problem, own, std::move(result.corrected.orbit), settings);
+  result.corrected =
+      correct_orbit(problem, own, std::move(result.corrected.orbit), settings, std::move(added));
   result.iterations += result.corrected.iterations;
   return result;
 }

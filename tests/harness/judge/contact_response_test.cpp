@@ -111,8 +111,8 @@ TEST(ContactResponse, OfALargeStructureIsThatOfItsField) {
   expect_what_the_field_shows(problem, HarmonicForce(problem.period(), coefficients(5, 4)), 1e-8);
 }
 
-// A space whose bound holds is taken, one whose bound does not is not: the response is right either way, and
-// only the first has the space's own rounding.
+// A space whose bound holds is taken, one whose bound does not is grown first: the response is right either
+// way, and differs from that by receptances by rounding.
 TEST(ContactResponse, TakesASpaceWhereItsBoundHolds) {
   const Problem problem = test::padded_block_problem({});
   const HarmonicForce force(problem.period(), coefficients(5, 9));
@@ -123,7 +123,22 @@ TEST(ContactResponse, TakesASpaceWhereItsBoundHolds) {
     return ContactResponse(problem, force_series(problem, force, 512), space).work_of_load();
   };
   EXPECT_NE(work(&large), work(nullptr));
-  EXPECT_EQ(work(&small), work(nullptr));
+  EXPECT_NE(work(&small), work(nullptr));
+  EXPECT_NE(work(&small), work(&large));
+}
+
+// Forty contacts, more than a space starts from, in any phase to each other: it grows for the force and for
+// its conjugate until their work is known.
+TEST(ContactResponse, TakesASpaceOfManyContactsThatHasGrown) {
+  const Problem problem =
+      test::padded_block_problem({.elements = {10, 3, 3}, .patch = {{{0.1, 2.0}, {0.0, 0.5}}}});
+  const HarmonicForce force(problem.period(), coefficients(8, problem.contact_count()));
+  const ContactSpace space(problem, {.small = 24, .whole = 48});
+  expect_what_the_field_shows(problem, force, 1e-6, &space);
+  const auto work = [&](const ContactSpace* given) {
+    return ContactResponse(problem, force_series(problem, force, 512), given).contact_work().sum();
+  };
+  EXPECT_NE(work(&space), work(nullptr));
 }
 
 TEST(ContactResponse, OfALargeStructureWithOtherDampingIsThatOfItsField) {

@@ -7,7 +7,7 @@
 namespace signorini::applicability_test {
 namespace {
 
-constexpr Limits kLimits{.timeout = 1.0, .memory_mb = 256};
+constexpr int kMemory = 256;  // MiB
 
 TEST(AskApplicability, AnswersForEveryCaseAlsoBehindOneThatCrashes) {
   const Scene scene = test::one_mass_scene();
@@ -15,7 +15,7 @@ TEST(AskApplicability, AnswersForEveryCaseAlsoBehindOneThatCrashes) {
   const Case second = test::fake_case(scene, "crash_when_asked");
   const Case third = test::fake_case(scene, "unsupported");
   const Case* const cases[] = {&first, &second, &third};
-  const std::vector<Applicability> answers = ask_applicability(scene, cases, kLimits);
+  const std::vector<Applicability> answers = ask_applicability(scene, cases, kMemory);
   ASSERT_EQ(answers.size(), 3U);
   EXPECT_TRUE(answers[0].applies);
   EXPECT_TRUE(answers[0].law.has_value());
@@ -28,7 +28,7 @@ TEST(AskApplicability, AnswersForEveryCaseAlsoBehindOneThatCrashes) {
 }
 
 TEST(AskApplicability, OfNoCaseIsNoAnswer) {
-  EXPECT_TRUE(ask_applicability(test::one_mass_scene(), {}, kLimits).empty());
+  EXPECT_TRUE(ask_applicability(test::one_mass_scene(), {}, kMemory).empty());
 }
 
 }  // namespace

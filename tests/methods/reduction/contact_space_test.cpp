@@ -237,10 +237,16 @@ TEST(ContactSpace, BeginsWithCombinationsOfManyContacts) {
   const double wanted = 1e-6 * exact.norm();
   const ContactSpace grown = space.grown_for(base, {{.force = force, .tolerance = wanted}});
   EXPECT_LE(grown.bound_size(base, force), wanted);
+  const Eigen::VectorXd push = force.cwiseAbs().rowwise().sum();
+  const Eigen::VectorXd turns = Eigen::VectorXd::LinSpaced(kHarmonics + 1, 0.0, kHarmonics);
   for (const ContactSpace* each : {&space, &grown}) {
     const ContactSpace::PortMotion motion = each->motion(base, force);
-    const Eigen::VectorXd bound = each->bound(base, force);
+    const Eigen::VectorXd bound = each->bound(base, force), work = each->work_bound(base, force);
+    const Eigen::VectorXd error = error_of_work(*each, block, force, exact);
+    EXPECT_LE(turns.dot(work), turns.dot(push.cwiseProduct(bound)));
     for (int n = 0; n <= kHarmonics; ++n) {
+      EXPECT_LE(error[n], work[n] + push[n] * rounding * exact.cwiseAbs().maxCoeff())
+          << each->whole().vectors() << " vectors, work at harmonic " << n;
       EXPECT_LE((motion.contacts.row(n) - exact.row(n)).cwiseAbs().maxCoeff(),
                 bound[n] + rounding * exact.cwiseAbs().maxCoeff())
           << each->whole().vectors() << " vectors, harmonic " << n;
