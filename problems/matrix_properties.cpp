@@ -82,7 +82,8 @@ bool is_dominated_by_diagonal(const SparseMatrix& A) {
 // Entries of D - alpha M - beta K, relative to the largest of D, that count as rounding.
 constexpr double kProportional = 1e-12;
 
-/// M, K and D over their largest entries, as the entries are visited, and what sums over all places say.
+/// M, K and D over powers of two near their largest entries, which rounds nothing, and what sums over all
+/// places say.
 class ScaledTriple {
  public:
   ScaledTriple(const SparseMatrix& M, const SparseMatrix& K, const SparseMatrix& D)
@@ -131,7 +132,7 @@ class ScaledTriple {
       for_each_place([&](double m, double k, double d) {
         const double rest = d - fit[0] * m - fit[1] * k;
         share += rest * Eigen::Vector2d(m, k);
-        if (!(std::abs(rest) <= largest)) largest = std::abs(rest);  // NaN is no rest of zero
+        if (std::isnan(rest) || std::abs(rest) > largest) largest = std::abs(rest);  // NaN, once met, stays
       });
       if (pass < 2) fit += norms.cwiseInverse().cwiseProduct(factors.solve(share.cwiseQuotient(norms)));
     }
@@ -143,7 +144,7 @@ class ScaledTriple {
  private:
   static double scale_of(const SparseMatrix& A) {
     const double largest = largest_entry(A);
-    return largest > 0.0 ? largest : 1.0;
+    return largest > 0.0 && std::isfinite(largest) ? std::exp2(std::ilogb(largest)) : 1.0;
   }
 
   std::array<const SparseMatrix*, 3> matrices_;
@@ -219,13 +220,17 @@ SparseMatrix combination(const ProportionalDamping& factors, const SparseMatrix&
 std::optional<ProportionalDamping> proportional_damping(const SparseMatrix& M, const SparseMatrix& K,
                                                         const SparseMatrix& D) {
   const ScaledTriple scaled(M, K, D);
-  auto [fit, rest] = scaled.nearest_combination();
-  if (!fit.allFinite() || !(rest <= kProportional) || !is_symmetric(K)) return std::nullopt;
+  const auto [share, rest] = scaled.nearest_combination();
+  const double dampers = largest_entry(D);
+  if (!share.allFinite() || !(rest * scaled.scale(2) <= kProportional * dampers) || !is_symmetric(K))
+    return std::nullopt;
+  ProportionalDamping fit{.alpha = share[0] * (scaled.scale(2) / scaled.scale(0)),
+                          .beta = share[1] * (scaled.scale(2) / scaled.scale(1))};
   // What is rounding of the other part is none: a time in which contacts relax is not 1e-22 s.
   constexpr double kRounding = 1e-13;
-  fit = (fit.array().abs() <= kRounding).select(0.0, fit);
-  return ProportionalDamping{.alpha = fit[0] * scaled.scale(2) / scaled.scale(0),
-                             .beta = fit[1] * scaled.scale(2) / scaled.scale(1)};
+  if (std::abs(fit.alpha) * largest_entry(M) <= kRounding * dampers) fit.alpha = 0.0;
+  if (std::abs(fit.beta) * largest_entry(K) <= kRounding * dampers) fit.beta = 0.0;
+  return fit;
 }
 
 }  // namespace signorini

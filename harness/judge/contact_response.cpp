@@ -76,9 +76,7 @@ double ContactResponse::missed_work(const ContactSpace& space) const {
 
 // Of a load that does no work nothing is asked: no defect of energy is measured by it.
 double ContactResponse::most_missed() const {
-  const double worked = std::abs(work_of_load());
-  return worked > kNoWork * largest_work_of_load() ? kWorkTolerance * worked
-                                                   : std::numeric_limits<double>::infinity();
+  return load_works() ? kWorkTolerance * std::abs(work_of_load()) : std::numeric_limits<double>::infinity();
 }
 
 // With the vectors that these forces need: the bounds of x hold where the root of the mean square of the
@@ -158,6 +156,10 @@ Eigen::MatrixXd ContactResponse::displacement(int count) const { return sample_s
 Eigen::MatrixXd ContactResponse::free_displacement(int count) const { return sample_series(free_, count); }
 
 double ContactResponse::work_of_load() const { return work(load_, q_).sum(); }
+
+bool ContactResponse::load_works() const {
+  return std::abs(work_of_load()) > kNoWork * largest_work_of_load();
+}
 
 double ContactResponse::largest_work_of_load() const {
   const Eigen::VectorXd force = 2.0 * (load_.cwiseAbs().transpose() * turns(load_.rows()).matrix());

@@ -39,6 +39,8 @@ class ContactResponse {
   /// the load alone, in any phase [J]. Where contacts hold what is loaded, displacements are round-off, the
   /// motion that they prevent is not.
   [[nodiscard]] double largest_work_of_load() const;
+  /// Whether the work of the load is more than round-off leaves of it: 1e-12 of the largest.
+  [[nodiscard]] bool load_works() const;
   /// Work of the contact force per period and contact, integral of lambda_j x_j' dt [J], Nc.
   [[nodiscard]] Eigen::VectorXd contact_work() const;
   /// Work that D takes less what a skew part of K feeds per period, integral of u'^T (D u' + K u) dt [J].

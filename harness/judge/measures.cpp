@@ -28,8 +28,6 @@ constexpr int kFieldHarmonics = 512;
 constexpr int kFieldInstants = 2048;
 /// Harmonics of the response whose work is summed.
 constexpr int kEnergyHarmonics = 512;
-/// Work of a load, relative to what loads and displacements of its size can do, that is round-off.
-constexpr double kRounding = 1e-12;
 /// Impacts slower than this share of the largest speed say nothing about restitution.
 constexpr double kSlow = 0.01;
 
@@ -187,8 +185,7 @@ EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, co
   if (!response.found) return {.reason = response.reason};
   const double work = response.found->work_of_load();
   // Without damping the exact work is zero: what round-off leaves of it is no scale.
-  if (std::abs(work) <= kRounding * response.found->largest_work_of_load())
-    return {.reason = "the load does no work"};
+  if (!response.found->load_works()) return {.reason = "the load does no work"};
   // The response to the force of a grid moves a little where the contact holds, and that is all its work.
   const bool rigid = !std::holds_alternative<Penalty>(law);
   if (rigid && !answer.events && holds_throughout(answer)) return {.reason = "the contacts hold throughout"};

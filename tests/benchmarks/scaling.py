@@ -21,6 +21,8 @@ import sys
 import tempfile
 import time
 
+from limits import commit_of
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COLUMNS = ("line", "what", "size", "coordinates", "contacts", "events", "status", "certificate", "error_bar", "setup", "solve",
            "iterations", "peak_mib", "commit")
@@ -221,8 +223,7 @@ def main():
     program = arguments.program.resolve()
     if not program.is_file():
         sys.exit(f"scaling: {program}: no such program")
-    version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout
-    commit = version.partition("(")[2].partition(")")[0]
+    commit = commit_of(program)
     arguments.out.mkdir(parents=True, exist_ok=True)
     table = arguments.out / "scaling.csv"
     rows = list(csv.DictReader(table.open())) if table.exists() else []

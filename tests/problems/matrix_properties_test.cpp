@@ -177,6 +177,13 @@ TEST(ProportionalDamping, OfAFreeStructureIsThatOfItsMass) {
   EXPECT_EQ(found->beta, 0.0);
 }
 
+TEST(ProportionalDamping, IsNothingWhereAnEntryIsNoNumber) {
+  const Structure s = chain();
+  SparseMatrix M = s.mass;
+  M.coeffRef(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(proportional_damping(M, s.stiffness, s.stiffness));
+}
+
 // alpha and beta are not determined then; their sum is.
 TEST(ProportionalDamping, WhereMassAndStiffnessAreProportionalTooGivesTheDampingBack) {
   const SparseMatrix M = chain().mass;
