@@ -88,6 +88,14 @@ SparseCholesky::SparseCholesky(const SparseMatrix& A) : handle_(std::make_unique
   });
 }
 
+double SparseCholesky::entries_for(const SparseMatrix& A) {
+  Handle handle;
+  const SparseMatrix lower = A.triangularView<Eigen::Lower>();
+  handle.analyse(lower);
+  // A symbolic factor without supernodes has no room for its numbers yet.
+  return handle.factor->is_super != 0 ? static_cast<double>(handle.factor->xsize) : handle.common.lnz;
+}
+
 double SparseCholesky::operations_for(const SparseMatrix& A) {
   Handle handle;
   const SparseMatrix lower = A.triangularView<Eigen::Lower>();
@@ -97,7 +105,16 @@ double SparseCholesky::operations_for(const SparseMatrix& A) {
 
 SparseCholesky::~SparseCholesky() = default;
 
+std::unique_ptr<DefiniteSolver> factorise_here(const SparseMatrix& A) {
+  return std::make_unique<SparseCholesky>(A);
+}
+
 double SparseCholesky::smallest_pivot() const { return handle_->smallest_pivot; }
+
+bool SparseCholesky::definite() const {
+  constexpr double kDefinite = 1e-13;  // below, A^{-1} means nothing
+  return smallest_pivot() > kDefinite;
+}
 
 double SparseCholesky::entries() const {
   const cholmod_factor& factor = *handle_->factor;

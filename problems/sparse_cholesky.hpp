@@ -4,35 +4,40 @@
 #include <Eigen/Core>
 #include <memory>
 
+#include "problems/definite_solver.hpp"
 #include "problems/structure.hpp"
 
 namespace signorini {
 
 /// A = L L^T, columns in the order found best of minimum degree and nested dissection. CHOLMOD [chen2008];
 /// one thread with a serial BLAS.
-class SparseCholesky {
+class SparseCholesky final : public DefiniteSolver {
  public:
   /// Floating-point operations that the factorisation of A takes, from its pattern alone: its order and its
   /// symbolic factor are made, no number is.
   /// \throws std::bad_alloc where memory does not suffice, or the factor has too many entries to count
   static double operations_for(const SparseMatrix& A);
+  /// Numbers that L would have, likewise.
+  static double entries_for(const SparseMatrix& A);
 
   /// Factorises A, symmetric, Nd x Nd; only its lower triangle is looked at.
   /// \throws std::bad_alloc where memory does not suffice
   explicit SparseCholesky(const SparseMatrix& A);
-  ~SparseCholesky();
+  ~SparseCholesky() override;
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
   /// Smallest pivot of A scaled to unit diagonal, min L_jj^2 / a_jj [-]; not positive where A is not positive
   /// definite to working precision.
   [[nodiscard]] double smallest_pivot() const;
-  /// A^{-1} rhs, Nd x k. A is positive definite.
-  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs);
+  /// Whether that is more than 1e-13.
+  [[nodiscard]] bool definite() const override;
+  /// A^{-1} rhs, Nd x k.
+  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) override;
   /// Numbers kept in L, zeros that fill its supernodes included.
-  [[nodiscard]] double entries() const;
+  [[nodiscard]] double entries() const override;
   /// Floating-point operations of the factorisation.
-  [[nodiscard]] double operations() const;
+  [[nodiscard]] double operations() const override;
 
  private:
   struct Handle;

@@ -81,7 +81,11 @@ constexpr int kSparse = 2000;  // coordinates: below, a full matrix takes 3e9
 bool is_judged_in_seconds(const Problem& problem) {
   if (problem.size() < kSparse) return true;
   const SparseMatrix all = sum_of({&problem.mass(), &problem.damping(), &problem.stiffness()});
-  return SparseCholesky::operations_for(all) <= kMostOperations;
+  try {
+    return SparseCholesky::operations_for(all) <= kMostOperations;
+  } catch (const std::bad_alloc&) {  // more entries than can be counted
+    return false;
+  }
 }
 
 // Coordinates alone are looked at where combinations of them need not be: numbers too small to be told from 0

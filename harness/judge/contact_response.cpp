@@ -46,7 +46,7 @@ ContactResponse::ContactResponse(const Problem& problem, ForceSeries series, con
   q_ = free_q_ = Eigen::MatrixXcd::Zero(load_.rows(), load_.cols());
   if (space != nullptr && space->obstacle().empty()) {
     if (take(*space) || take_grown(*space)) return;
-    space->release();  // what follows factorises too
+    static_cast<void>(space->release());  // what follows factorises too
   }
   if (problem.size() <= kMostFactorised || !project(problem, load)) factorise(problem, load);
 }

@@ -62,13 +62,15 @@ Eigen::MatrixXd gram_of(const BlockLanczos& space, const Eigen::MatrixXd& ritz, 
 
 // The vectors, with the factors of K by which they grow.
 struct ContactSpace::Source {
-  explicit Source(const Problem& of) : problem(of), columns(contact_columns(of)) {
+  Source(const Problem& of, Factorise by)
+      : problem(of), columns(contact_columns(of)), factorise(std::move(by)) {
     if (columns.obstacle.empty()) all = columns.all();
   }
 
   BlockLanczos& vectors() {
     if (!kept) {
-      kept.emplace(problem.stiffness(), problem.mass(), few() ? all : start_of_many(columns), columns.most());
+      kept.emplace(problem.stiffness(), problem.mass(), few() ? all : start_of_many(columns), columns.most(),
+                   factorise);
       grow_to(begun);
     }
     return *kept;
@@ -97,23 +99,45 @@ struct ContactSpace::Source {
     while (kept->size() < enough && !kept->exhausted()) kept->grow();
   }
 
-  void release() {
+  bool release() {
     constexpr double kLargest = 1e9;  // [bytes]
-    if (!kept || kept->bytes() <= kLargest) return;
+    if (!kept || kept->bytes() <= kLargest) return false;
     kept.reset();
+    refined_size = -1;
     if (statics) statics->forget_vectors();
+    return true;
+  }
+
+  /// A projection with its lowest vectors refined (`refine_lowest`), which costs as much as growing does.
+  struct Refined {
+    SpaceProjection projection;
+    double rounding = 0.0;
+  };
+  /// Of the vectors made so far: once for all spaces that have them. \param projected  their projection
+  const Refined& refined(SpaceProjection projected) {
+    if (refined_size != kept->size()) {
+      latest.projection = std::move(projected);
+      latest.rounding = refine_lowest(problem, *kept, columns, latest.projection);
+      refined_size = kept->size();
+    }
+    return latest;
   }
 
   Problem problem;  // whose structure the vectors refer to
   ContactColumns columns;
+  Factorise factorise;
   SparseMatrix all;                              // B = [N, F]
   std::optional<StaticCompliance> statics = {};  // where the space does not start from B
   Eigen::Index begun = 0;                        // vectors of a space that has not grown for any forces
   std::optional<BlockLanczos> kept;
+
+ private:
+  Refined latest;
+  Eigen::Index refined_size = -1;  // number of vectors that it is of
 };
 
 ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& settings)
-    : source_(std::make_shared<Source>(problem)) {
+    : source_(std::make_shared<Source>(problem, settings.factorise)) {
   const ContactColumns& columns = source_->columns;
   small_.obstacle = columns.obstacle;
   if (!small_.obstacle.empty()) return;
@@ -146,7 +170,7 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
   take_small(few ? std::move(small_) : reduction_on(columns, projection, small));
 }
 
-void ContactSpace::release() const { source_->release(); }
+bool ContactSpace::release() const { return source_->release(); }
 
 void ContactSpace::take_small(ContactReduction small) {
   small_ = std::move(small);
@@ -175,10 +199,10 @@ void ContactSpace::take(const SpaceProjection& projection) {
 
 SpaceProjection ContactSpace::take_whole() {
   const ContactColumns& columns = source_->columns;
-  SpaceProjection refined = projection();
+  const auto& [refined, rounding] = source_->refined(projection());
   const BlockLanczos& space = source_->vectors();
   const bool complete = whole_.complete;
-  rounding_ = refine_lowest(source_->problem, space, columns, refined);
+  rounding_ = rounding;
   take(refined);
   whole_ = reduction_on(columns, refined, space.size());
   whole_.complete = complete;

@@ -25,6 +25,7 @@ struct ContactSpaceSettings {
   /// Vectors to check with, at least; 0: all of up to 300; twice as many and two powers of up to 20 columns;
   /// twice as many and 96 of more columns, before the space has grown for a motion [-]
   int whole = 0;
+  Factorise factorise = factorise_here;  ///< K
 };
 
 /// Two reductions of one structure from one factorisation of K and one block Krylov space of K^-1 M
@@ -105,8 +106,8 @@ class ContactSpace {
   [[nodiscard]] ContactSpace solved_for(double base, const Eigen::MatrixXcd& force, double tolerance) const;
   /// Lets go of vectors and factors where they take more than 1 GB, in all copies of the space: a growth
   /// afterwards makes them anew. Not during a growth. For the end of a solve, after which growths may never
-  /// be asked for.
-  void release() const;
+  /// be asked for. \return whether it did
+  [[nodiscard]] bool release() const;
   /// The root mean square over time of `bound` [m].
   [[nodiscard]] double bound_size(double base, const Eigen::MatrixXcd& force) const;
   /// The least d over harmonics 0..harmonics: the response to a change of K relative to K is no more than its

@@ -19,8 +19,6 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 constexpr double kRounding = 1e-14;
 // The same relative to the columns before they were made orthogonal to the basis, whose rounding it is then.
 constexpr double kInvariant = 1e-26;
-// Smallest pivot of P scaled to unit diagonal with which P^{-1} means anything.
-constexpr double kDefinite = 1e-13;
 
 // Rows of the dense factor side by side in memory: several times faster than column by column.
 Eigen::MatrixXd product(const SparseMatrix& A, const Eigen::MatrixXd& columns) {
@@ -33,14 +31,14 @@ Eigen::MatrixXd symmetrised(const Eigen::MatrixXd& A) { return 0.5 * (A + A.tran
 }  // namespace
 
 BlockLanczos::BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const SparseMatrix& B,
-                           Eigen::Index most)
+                           Eigen::Index most, const Factorise& factorise)
     : P_(P),
       M_(M),
-      factors_(P),
+      factors_(factorise(P)),
       most_(most > 0 ? most : P.rows()),
-      definite_(factors_.smallest_pivot() > kDefinite) {
+      definite_(factors_->definite()) {
   if (!definite_) return;
-  const Eigen::MatrixXd columns = factors_.solve(Eigen::MatrixXd(B));
+  const Eigen::MatrixXd columns = factors_->solve(Eigen::MatrixXd(B));
   const Eigen::MatrixXd gram = symmetrised(B.transpose() * columns);
   // Loads and contacts in their own units.
   left_out_of_start_ =
@@ -119,7 +117,7 @@ Eigen::MatrixXd BlockLanczos::extend(const Eigen::MatrixXd& waiting) {
   // P^{-1} M V_j against the whole basis. In exact arithmetic two blocks would do; rounding brings converged
   // directions back into the newest block, and with them copies of their eigenvalues [grimes1994].
   const Eigen::MatrixXd momentum = product(M_, basis_.back());
-  Eigen::MatrixXd columns = factors_.solve(momentum);
+  Eigen::MatrixXd columns = factors_->solve(momentum);
   // |P^{-1} m|_P^2 = m^T P^{-1} m for each column m of M V_j.
   // A power of two, by which nothing is rounded.
   const double longest = std::sqrt(std::max(0.0, momentum.cwiseProduct(columns).colwise().sum().maxCoeff()));
@@ -303,13 +301,13 @@ Eigen::Index BlockLanczos::width_with_left_out() const {
 double BlockLanczos::operations_of_growth(bool with_left_out) const {
   const auto width = static_cast<double>(with_left_out ? width_with_left_out() : next_.cols());
   const auto rows = static_cast<double>(P_.rows());
-  return width * (4.0 * factors_.entries() + 8.0 * rows * (static_cast<double>(size_) + width));
+  return width * (4.0 * factors_->entries() + 8.0 * rows * (static_cast<double>(size_) + width));
 }
 
 double BlockLanczos::bytes() const {
   Eigen::Index vectors = size_ + next_.cols();
   for (const Remainder& part : left_out_) vectors += part.vectors.cols();
-  return 8.0 * (static_cast<double>(P_.rows()) * static_cast<double>(vectors) + factors_.entries());
+  return 8.0 * (static_cast<double>(P_.rows()) * static_cast<double>(vectors) + factors_->entries());
 }
 
 RitzPairs ritz_pairs(const BlockLanczos& space) {

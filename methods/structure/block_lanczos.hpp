@@ -2,10 +2,11 @@
 // Krylov spaces of a definite pencil (P, M), started from several columns at once.
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
+#include "problems/definite_solver.hpp"
 #include "problems/problem.hpp"
-#include "problems/sparse_cholesky.hpp"
 
 namespace signorini {
 
@@ -23,10 +24,11 @@ class BlockLanczos {
  public:
   /// Factorises P; B is Nd x m. The space begins with the span of P^{-1} B.
   /// \param most  dimension beyond which directions would be rounding; 0: Nd
-  BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const SparseMatrix& B, Eigen::Index most = 0);
+  /// \param factorise  P
+  BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const SparseMatrix& B, Eigen::Index most = 0,
+               const Factorise& factorise = factorise_here);
 
-  /// False if the first factorisation found P not to be definite by the margin asked for in
-  /// problems/matrix_properties.hpp.
+  /// False if the first factorisation found P not to be definite (`DefiniteSolver::definite`).
   [[nodiscard]] bool definite() const { return definite_; }
   /// Adds the next power; nothing once the space is exhausted.
   void grow();
@@ -78,11 +80,11 @@ class BlockLanczos {
   /// V times coefficients, k x l; Nd x l.
   [[nodiscard]] Eigen::MatrixXd combined(const Eigen::MatrixXd& coefficients) const;
   /// P^{-1} columns, Nd x l.
-  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& columns) { return factors_.solve(columns); }
+  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& columns) { return factors_->solve(columns); }
   /// Memory of vectors and factors, roughly [bytes].
   [[nodiscard]] double bytes() const;
-  /// The Cholesky factors of P.
-  [[nodiscard]] const SparseCholesky& factors() const { return factors_; }
+  /// The factors of P.
+  [[nodiscard]] const DefiniteSolver& factors() const { return *factors_; }
 
  private:
   // What a block leaves out: P-orthogonal vectors of these P-norms, rising, relative to those of the columns,
@@ -106,7 +108,7 @@ class BlockLanczos {
 
   const SparseMatrix& P_;
   const SparseMatrix& M_;
-  SparseCholesky factors_;
+  std::unique_ptr<DefiniteSolver> factors_;
   Eigen::Index most_;
   bool definite_ = false;
   Eigen::Index size_ = 0;

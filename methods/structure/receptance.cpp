@@ -139,7 +139,7 @@ class ReducedModel {
   /// Floating-point operations of so many complex LU factorisations with the fill of P, and of their
   /// solutions for every column of W.
   [[nodiscard]] double direct_operations(std::size_t harmonics) const {
-    const SparseCholesky& real = space_->factors();
+    const DefiniteSolver& real = space_->factors();
     return static_cast<double>(harmonics) * (8.0 * real.operations() + 16.0 * contacts_ * real.entries());
   }
 

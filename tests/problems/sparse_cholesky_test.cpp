@@ -51,6 +51,8 @@ TEST(SparseCholesky, SolvesForMoreColumnsThanItTakesAtOnce) {
 TEST(SparseCholesky, CountsItsOperationsBeforeItDoesThem) {
   for (const int size : {7, 5000}) {
     EXPECT_EQ(SparseCholesky::operations_for(springs(size)), SparseCholesky(springs(size)).operations());
+    EXPECT_GE(SparseCholesky::entries_for(springs(size)), 2.0 * size - 1.0);
+    EXPECT_LE(SparseCholesky::entries_for(springs(size)), SparseCholesky(springs(size)).entries());
   }
 }
 

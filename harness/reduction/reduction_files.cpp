@@ -1,0 +1,138 @@
+#include "harness/reduction/reduction_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <utility>
+
+#include "harness/failure.hpp"
+#include "harness/files.hpp"
+#include "methods/reduction/contact_space.hpp"
+#include "methods/reduction/reduced_problem.hpp"
+#include "problems/scene/kebab_case.hpp"
+#include "problems/sparse_cholesky.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The lower triangle of a symmetric matrix in the Matrix Market exchange format, to the last digit.
+std::string matrix_market(const SparseMatrix& A) {
+  std::string rows;
+  long entries = 0;
+  for (int column = 0; column < A.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator it(A, column); it; ++it) {
+      if (it.row() < it.col()) continue;
+      fmt::format_to(std::back_inserter(rows), "{} {} {}\n", it.row() + 1, it.col() + 1, it.value());
+      ++entries;
+    }
+  }
+  return fmt::format("%%MatrixMarket matrix coordinate real symmetric\n{} {} {}\n{}", A.rows(), A.cols(),
+                     entries, rows);
+}
+
+/// A string as TOML has it.
+std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+
+std::string scene_text(const Problem& reduced, const std::string& name, const std::string& of, int vectors,
+                       const ProportionalDamping& damping) {
+  std::string text = fmt::format("schema = 1\nname = {}\ntitle = {}\n", quoted(name),
+                                 quoted(fmt::format("{}, reduced to {} vectors", reduced.title, vectors)));
+  text += fmt::format("reference = {}\n",
+                      quoted(fmt::format("{}: its lowest Ritz vectors, and statically all the rest", of)));
+  std::vector<std::string> tags = reduced.tags;
+  if (std::ranges::find(tags, "reduced") == tags.end()) tags.emplace_back("reduced");
+  text += fmt::format("tags = {}\n\n", nlohmann::json(tags).dump());
+  text += fmt::format(
+      "[system]\nkind = \"matrices\"\nmass = {}\nstiffness = {}\nrayleigh = {{ alpha = {}, beta = {} }}\n\n",
+      quoted(name + "-M.mtx"), quoted(name + "-K.mtx"), damping.alpha, damping.beta);
+  text += fmt::format("[forcing]\nfrequency = {}\n", reduced.frequency);
+  if (reduced.subharmonic > 1) text += fmt::format("subharmonic = {}\n", reduced.subharmonic);
+  for (const ForceTerm& term : reduced.force)
+    text += fmt::format("\n[[forcing.term]]\ndof = {}\nharmonic = {}\ncos = {}\nsin = {}\n", term.dof,
+                        term.harmonic, term.cos, term.sin);
+  for (const Contact& contact : reduced.contacts)
+    text += fmt::format("\n[[contact]]\ndof = {}\ngap = {}\n", contact.normal.front().first, contact.gap);
+  if (const auto* spring = std::get_if<Penalty>(&reduced.law))
+    text += fmt::format("\n[law]\npenalty = {}\n", nlohmann::json(spring->stiffness).dump());
+  return text;
+}
+
+/// |C_n - C_n^m| / |C_n| in Frobenius' norm, C_n by the larger of the two spaces.
+double receptance_error(const ContactSpace& space, double period, int harmonic) {
+  const double rate = 2.0 * std::numbers::pi / period * harmonic;
+  const auto at = [&](const ContactReduction& reduction) {
+    return contact_receptance(reduction, period, 0, [&](int) { return exact_weights(rate); })
+        .receptance.front();
+  };
+  const Eigen::MatrixXcd whole = at(space.whole());
+  return (at(space.small()) - whole).norm() / whole.norm();
+}
+
+}  // namespace
+
+void require_scene_file(const fs::path& out) {
+  if (out.extension() != ".toml" || !is_lower_kebab_case(out.stem().string()))
+    throw UsageError(fmt::format("out = {} (must be NAME.toml, NAME in lower-kebab-case)", out.string()));
+  if (!out.parent_path().empty() && !fs::is_directory(out.parent_path()))
+    throw UsageError(fmt::format("out = {} (must be in a folder that exists)", out.string()));
+}
+
+void require_room_for_factors(const std::string& scene, const SparseMatrix& stiffness, double room) {
+  constexpr double kGigabyte = 1e9;
+  constexpr double kWhileMade = 1.3;  // of the factors, while they are made
+  const auto size = static_cast<double>(stiffness.rows());
+  const auto taken = [](double entries) { return sizeof(double) * kWhileMade * entries; };
+  if (taken(size * (size + 1.0) / 2.0) <= room) return;  // even a full matrix fits
+  constexpr double kMostCounted = 2147483647.0;          // CHOLMOD's counts have 32 bits
+  double needed = taken(kMostCounted);
+  const char* least = "more than ";
+  try {
+    needed = taken(SparseCholesky::entries_for(stiffness));
+    if (needed <= room) return;
+    least = "";
+  } catch (const std::bad_alloc&) {  // too many to count, or to analyse
+  }
+  throw UsageError(fmt::format(
+      "scene = {} (must have factors that fit into memory: they take {}{:.1f} GB and {:.1f} GB are free; "
+      "--mpi N shares them between N processes)",
+      scene, least, needed / kGigabyte, room / kGigabyte));
+}
+
+std::string write_reduction(const Scene& scene, const ReductionOrder& order, const Factorise& factorise) {
+  // Of few contacts the powers of a Krylov space, as many as ContactSpace takes.
+  constexpr int kVectorsOfMany = 100;
+  const Problem& problem = scene.problem;
+  const auto loads = static_cast<int>(load_columns(problem).columns.size());
+  const bool many = problem.contact_count() + loads > kFewColumns;
+  const int vectors_asked = order.vectors == 0 && many ? kVectorsOfMany : order.vectors;
+  const ContactSpace space(problem, {.small = vectors_asked, .factorise = factorise});
+  const ReducedProblem reduced = reduced_problem(problem, space.small());
+  if (!reduced.obstacle.empty())
+    throw UsageError(
+        fmt::format("scene = {} (must be one that can be reduced: {})", order.scene, reduced.obstacle));
+  const auto vectors = static_cast<int>(space.small().vectors());
+  const fs::path folder = order.out.parent_path();
+  const std::string name = order.out.stem().string();
+  write_whole(folder / (name + "-M.mtx"), matrix_market(reduced.problem.mass()));
+  write_whole(folder / (name + "-K.mtx"), matrix_market(reduced.problem.stiffness()));
+  write_whole(order.out, scene_text(reduced.problem, name, problem.name, vectors, space.damping()));
+  std::string told = fmt::format(
+      "{}: {} coordinates in place of {}: {} vectors, {} contacts and their static compliance\n"
+      "receptances of the contacts beside those on {} vectors:\n",
+      order.out.string(), reduced.problem.size(), problem.size(), vectors, problem.contact_count(),
+      space.whole().vectors());
+  for (const int harmonic : std::array{0, 1, 10, 100})
+    told += fmt::format("  harmonic {:<4} {:.1e}\n", harmonic,
+                        receptance_error(space, problem.period(), harmonic));
+  return told;
+}
+
+}  // namespace signorini
