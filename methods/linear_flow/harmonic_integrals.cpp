@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <complex>
+#include <functional>
+#include <vector>
 
 namespace signorini {
 
@@ -21,20 +23,110 @@ Complex mean_growth(Complex z) {
   return sum;
 }
 
+// Terms of the motion: rates by falling magnitude.
+struct Terms {
+  Eigen::VectorXcd rates, grown;  // nu, e^{nu d}
+  Eigen::MatrixXcd values;        // c, terms x outputs
+
+  // How many rates are larger.
+  [[nodiscard]] Eigen::Index faster_than(double rate) const {
+    const auto slow = std::partition_point(rates.begin(), rates.end(),
+                                           [rate](const Complex& nu) { return std::abs(nu) > rate; });
+    return slow - rates.begin();
+  }
+};
+
+Terms sorted_terms(const Eigen::VectorXcd& rates, const Eigen::MatrixXcd& values, double duration) {
+  constexpr double kUnseen = 1e-17;
+  const double least = kUnseen * values.cwiseAbs().maxCoeff();
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < rates.size(); ++k) {
+    if (values.row(k).cwiseAbs().maxCoeff() > least) kept.push_back(k);
+  }
+  std::ranges::stable_sort(kept, std::greater(), [&](Eigen::Index k) { return std::abs(rates[k]); });
+  Terms terms{.rates = rates(kept), .grown = {}, .values = values(kept, Eigen::all)};
+  terms.grown = (terms.rates * duration).array().exp();
+  return terms;
+}
+
 // Some harmonics n of one interval, in real arrays: most of the time is spent on their quotients.
 class Harmonics {
  public:
   Harmonics(double w, double begin, double duration, Eigen::Index first, Eigen::Index count)
-      : angle_(count), turned_(count), phase_(count), duration_(duration) {
+      : turn_(count), angle_(count), turned_(count), at_begin_(count), duration_(duration) {
     for (Eigen::Index n = 0; n < count; ++n) {
-      const double turn = w * static_cast<double>(first + n);
-      angle_[n] = turn * duration;
+      turn_[n] = w * static_cast<double>(first + n);
+      angle_[n] = turn_[n] * duration;
       turned_[n] = std::polar(1.0, -angle_[n]);
-      phase_[n] = duration * std::polar(1.0, -turn * begin);
+      at_begin_[n] = std::polar(1.0, -turn_[n] * begin);
     }
+    phase_ = duration * at_begin_;
     turned_real_ = turned_.real();
     turned_imag_ = turned_.imag();
   }
+
+  // The first terms, each by its quotient. Re c e^{nu t} = (c e^{nu t} + conj) / 2: harmonics by terms is one
+  // matrix, terms by outputs another.
+  [[nodiscard]] Eigen::MatrixXcd of_fast(const Terms& terms, Eigen::Index fast) const {
+    const Eigen::Index count = turn_.size(), outputs = terms.values.cols();
+    Eigen::MatrixXcd integrals(count, 2 * fast), halves(2 * fast, outputs), sums(count, outputs);
+    for (Eigen::Index k = 0; k < fast; ++k) {
+      integrate(terms.rates[k], terms.grown[k], integrals.col(2 * k));
+      integrate(std::conj(terms.rates[k]), std::conj(terms.grown[k]), integrals.col(2 * k + 1));
+      halves.row(2 * k) = 0.5 * terms.values.row(k);
+      halves.row(2 * k + 1) = 0.5 * terms.values.row(k).conjugate();
+    }
+    // By the BLAS, several times faster than generic code.
+    const auto rows = static_cast<int>(count), inner = static_cast<int>(2 * fast);
+    const Complex one = 1.0, zero = 0.0;
+    cblas_zgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, rows, static_cast<int>(outputs), inner, &one,
+                integrals.data(), rows, halves.data(), std::max(1, inner), &zero, sums.data(), rows);
+    return sums;
+  }
+
+  // The others, |nu| <= kSlow n w. With f what they make together, by parts
+  //
+  //     int f e^{-i n w t} dt = [(i / n w) sum_m (-i / n w)^m f^(m) e^{-i n w t}],
+  //
+  // at both ends; f^(m) is real, and (nu / n w)^m falls below rounding.
+  [[nodiscard]] Eigen::MatrixXcd of_slow(const Terms& terms, Eigen::Index fast) const {
+    const Eigen::Index slow = terms.rates.size() - fast;
+    const double least = turn_[0];
+    const Eigen::VectorXcd ratio = terms.rates.tail(slow) / least;
+    const Eigen::MatrixXcd values = terms.values.bottomRows(slow);
+    const Eigen::ArrayXd small = least / turn_;
+    const auto by_parts = [&](Eigen::MatrixXcd weighted) {  // (i / n w) sum_m (-i / n w)^m f^(m)
+      // Horner's rule in (least / n w)^2, even and odd m apart: (-i)^m is real or imaginary.
+      Eigen::MatrixXd derivatives(kOrders, values.cols());
+      for (Eigen::Index m = 0; m < kOrders; ++m) {
+        derivatives.row(m) = weighted.real().colwise().sum();
+        weighted = ratio.asDiagonal() * weighted;
+      }
+      const Eigen::ArrayXd square = -small.square();
+      Eigen::MatrixXcd sums(turn_.size(), values.cols());
+      for (Eigen::Index j = 0; j < values.cols(); ++j) {
+        Eigen::ArrayXd even = Eigen::ArrayXd::Zero(turn_.size()), odd = even;
+        for (Eigen::Index m = kOrders - 2; m >= 0; m -= 2) {
+          even = even * square + derivatives(m, j);
+          odd = odd * square + derivatives(m + 1, j);
+        }
+        // (i / n w) (even - i small odd)
+        sums.col(j).real() = (small * odd / turn_).matrix();
+        sums.col(j).imag() = (even / turn_).matrix();
+      }
+      return sums;
+    };
+    const Eigen::MatrixXcd begin = by_parts(values);
+    const Eigen::MatrixXcd end = by_parts(terms.grown.tail(slow).asDiagonal() * values);
+    const Eigen::VectorXcd at_end = (at_begin_ * turned_).matrix();
+    return at_end.asDiagonal() * end - at_begin_.matrix().asDiagonal() * begin;
+  }
+
+  // Rates up to this share of n w are slow; the highest order is then below rounding.
+  static constexpr double kSlow = 0.5;
+
+ private:
+  static constexpr Eigen::Index kOrders = 56;
 
   // phase_n (e^z - 1) / z, z = nu d - i angle_n.
   void integrate(Complex nu, Complex grown, Eigen::Ref<Eigen::VectorXcd> integrals) const {
@@ -51,48 +143,30 @@ class Harmonics {
     integrals.array() *= phase_;
   }
 
- private:
-  Eigen::ArrayXd angle_;
-  Eigen::ArrayXcd turned_, phase_;
+  Eigen::ArrayXd turn_, angle_;
+  Eigen::ArrayXcd turned_, at_begin_, phase_;
   double duration_;
   Eigen::ArrayXd turned_real_, turned_imag_;
 };
 
 }  // namespace
 
-// Re c e^{nu t} = (c e^{nu t} + conj) / 2. Terms by outputs is one matrix, harmonics by terms another, some
-// harmonics at a time.
 Eigen::MatrixXcd harmonic_integrals(const Eigen::VectorXcd& rates, const Eigen::MatrixXcd& terms,
                                     double begin, double end, double w, Eigen::Index harmonics) {
   constexpr Eigen::Index kAtOnce = 256;
-  constexpr double kUnseen = 1e-17;
-  const double duration = end - begin, least = kUnseen * terms.cwiseAbs().maxCoeff();
-  Eigen::VectorXcd nu(2 * rates.size());
-  Eigen::MatrixXcd halves(nu.size(), terms.cols());
-  Eigen::Index kept = 0;
-  for (Eigen::Index k = 0; k < rates.size(); ++k) {
-    if (!(terms.row(k).cwiseAbs().maxCoeff() > least)) continue;
-    nu[kept] = rates[k];
-    halves.row(kept++) = 0.5 * terms.row(k);
-    nu[kept] = std::conj(rates[k]);
-    halves.row(kept++) = 0.5 * terms.row(k).conjugate();
-  }
-  nu.conservativeResize(kept);
-  halves.conservativeResize(kept, Eigen::NoChange);
-  const Eigen::VectorXcd grown = (nu * duration).array().exp();
+  const double duration = end - begin;
+  const Terms sorted = sorted_terms(rates, terms, duration);
   Eigen::MatrixXcd sums(harmonics + 1, terms.cols());
-  Eigen::MatrixXcd integrals(std::min(kAtOnce, sums.rows()), kept), part(integrals.rows(), terms.cols());
   for (Eigen::Index first = 0; first < sums.rows(); first += kAtOnce) {
     const Eigen::Index count = std::min(kAtOnce, sums.rows() - first);
     const Harmonics some(w, begin, duration, first, count);
-    for (Eigen::Index k = 0; k < kept; ++k) some.integrate(nu[k], grown[k], integrals.col(k).head(count));
-    // By the BLAS, several times faster than generic code.
-    const auto rows = static_cast<int>(integrals.rows()), inner = static_cast<int>(kept);
-    const Complex one = 1.0, zero = 0.0;
-    cblas_zgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, static_cast<int>(count),
-                static_cast<int>(terms.cols()), inner, &one, integrals.data(), rows, halves.data(),
-                std::max(1, static_cast<int>(halves.rows())), &zero, part.data(), rows);
-    sums.middleRows(first, count) = part.topRows(count);
+    const double slow = Harmonics::kSlow * w * static_cast<double>(first);
+    // By parts the two ends of an interval shorter than a wave would cancel.
+    const bool apart = w * static_cast<double>(first) * duration > 1.0;
+    const Eigen::Index fast = apart ? sorted.faster_than(slow) : sorted.rates.size();
+    auto part = sums.middleRows(first, count);
+    part = some.of_fast(sorted, fast);
+    if (fast < sorted.rates.size()) part += some.of_slow(sorted, fast);
   }
   return sums;
 }

@@ -6,7 +6,9 @@
 namespace signorini {
 
 /// The integrals of Re sum_k c_kj e^{nu_k (t - begin)} times e^{-i n w t} from `begin` to `end`, for n = 0 to
-/// `harmonics`; where nu_k - i n w is near zero by a series. Terms below 1e-17 of the largest are left out.
+/// `harmonics`: by quotients; where nu_k - i n w is near zero by a series; of terms with |nu_k| up to half of
+/// n w by parts, which takes their sum's derivatives at both ends in place of a quotient each. Terms below
+/// 1e-17 of the largest are left out.
 /// \param rates  nu_k [rad/s]
 /// \param terms  c_kj, terms x outputs, one at least
 /// \return (harmonics + 1) x outputs, in the unit of the terms times [s]

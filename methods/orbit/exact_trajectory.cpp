@@ -89,11 +89,38 @@ double ExactTrajectory::push(int contact, double begin, double end) const {
   return std::min(0.0, sum);
 }
 
+// A contact that is listed is closed from its event to the next one, and in no arc for a part of it.
 std::optional<std::vector<ContactEvent>> ExactTrajectory::events() const {
   std::vector<ContactEvent> events = events_;
-  for (const ListedContact& closed : listed_contacts(events_, period()))
-    events[closed.opening].push = push(closed.contact, closed.begin, closed.end);
+  const std::vector<ListedContact> listed = listed_contacts(events_, period());
+  const std::vector<ArcPush> arcs = listed.empty() ? std::vector<ArcPush>() : arc_pushes();
+  for (const ListedContact& closed : listed) {
+    if (arcs.empty()) {
+      events[closed.opening].push = push(closed.contact, closed.begin, closed.end);
+      continue;
+    }
+    const auto acting = std::ranges::find(contacts_, closed.contact) - contacts_.begin();
+    double sum = 0.0;
+    for (const ArcPush& arc : arcs) {
+      if (wrapped_time(arc.middle - closed.begin, period()) < closed.end - closed.begin)
+        sum += arc.push[acting];
+    }
+    events[closed.opening].push = std::min(0.0, sum);
+  }
   return events;
+}
+
+std::vector<ExactTrajectory::ArcPush> ExactTrajectory::arc_pushes() const {
+  std::vector<ArcPush> pushes;
+  double begin = orbit_.start.time;
+  for (std::size_t i = 0; i < arcs_.size(); ++i) {
+    const double end = i < orbit_.events.size() ? orbit_.events[i].time : orbit_.start.time + period();
+    Eigen::MatrixXcd integrals = Eigen::MatrixXcd::Zero(1, model_->dynamics.contact_count());
+    if (!arcs_[i]->add_force_integrals(begin, end, 0.0, integrals)) return {};
+    pushes.push_back({.middle = 0.5 * (begin + end), .push = integrals.row(0).real()});
+    begin = end;
+  }
+  return pushes;
 }
 
 State ExactTrajectory::at(double time) const {

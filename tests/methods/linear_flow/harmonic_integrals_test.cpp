@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <complex>
+#include <numbers>
 
 #include "methods/solvers/constants.hpp"
 
@@ -35,6 +37,42 @@ TEST(HarmonicIntegrals, AreThoseOfSimpsonsRule) {
     }
     sum *= (kEnd - kBegin) / (6.0 * kIntervals);
     EXPECT_LT((closed.row(n).transpose() - sum).norm(), 1e-10) << n;
+  }
+}
+
+// Far above a rate its quotients are left to the motion's derivatives at both ends. The same numbers as in
+// one quotient per term and harmonic, at harmonics on both sides of where each rate becomes slow.
+TEST(HarmonicIntegrals, AreThoseOfQuotientsAtHighHarmonics) {
+  constexpr int kHarmonics = 3000, kTerms = 40;
+  constexpr double kBegin = 0.25, kRate = 1.3;
+  Eigen::VectorXcd rates(kTerms);
+  Eigen::MatrixXcd terms(kTerms, 3);
+  for (int k = 0; k < kTerms; ++k) {  // 0 and |nu| from 1 to 5e3, from undamped to overdamped
+    const double size = k == 0 ? 0.0 : std::pow(5e3, (k - 1.0) / (kTerms - 2.0));
+    rates[k] = std::polar(size, std::numbers::pi * (0.5 + 0.5 * (k % 5) / 4.0));
+    for (int j = 0; j < 3; ++j) terms(k, j) = std::polar(1.0 / (1.0 + k), 1.0 * k * (j + 1));
+  }
+  // (e^z - 1) / z
+  const auto mean = [](Complex z) {
+    constexpr double kSmall = 1e-2;
+    if (std::abs(z) > kSmall) return (std::exp(z) - 1.0) / z;
+    Complex sum = 1.0;
+    for (int k = 7; k > 1; --k) sum = 1.0 + sum * z / static_cast<double>(k);
+    return sum;
+  };
+  for (const double duration : {0.75, 0x1p-7, 0x1p-17}) {  // no rounding of the end
+    const Eigen::MatrixXcd closed =
+        harmonic_integrals(rates, terms, kBegin, kBegin + duration, kRate, kHarmonics);
+    for (const int n : {255, 256, 257, 511, 512, 700, 1023, 1024, 2047, 2048, 2999, 3000}) {
+      Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(3);
+      const Complex turn(0.0, n * kRate);
+      for (int k = 0; k < kTerms; ++k) {
+        sum += 0.5 * mean((rates[k] - turn) * duration) * terms.row(k).transpose();
+        sum += 0.5 * mean((std::conj(rates[k]) - turn) * duration) * terms.row(k).adjoint();
+      }
+      sum *= duration * std::exp(-turn * kBegin);
+      EXPECT_LT((closed.row(n).transpose() - sum).norm(), 1e-12 * sum.norm()) << n << ' ' << duration;
+    }
   }
 }
 
