@@ -44,6 +44,11 @@ class PreparedMethod {
   virtual ~PreparedMethod() = default;
   /// One solve. Deterministic; repeatable. Numerical failure is a Solution, never an exception.
   virtual Solution solve(const Start& start) = 0;
+  /// Takes the scene at another frequency of the load in place of the one it was prepared for, where what is
+  /// set up serves that one too. Where it is costly, a response over the frequency pays for it once.
+  /// \param problem  that scene, different in `frequency` alone; must outlive this
+  /// \return whether the next solve answers it; if not, nothing has changed
+  virtual bool take_frequency(const Problem& /*problem*/) { return false; }
 };
 
 /// Immutable after construction, hence safe to share between threads.

@@ -137,16 +137,17 @@ class IsolatedChild {
     if (!stopped_) stop(ChildEnd::Kind::interrupted);
   }
 
-  /// Those that have arrived so far.
-  [[nodiscard]] const std::vector<std::string>& lines() const { return end_.lines; }
+  /// Those that have arrived so far; they may be taken out of their strings.
+  [[nodiscard]] std::vector<std::string>& lines() { return end_.lines; }
   /// Valid once `advance` has returned true.
   [[nodiscard]] ChildEnd take_end() { return std::move(end_); }
 
  private:
   /// Sets the limits of wall and processor time for what comes until the next line.
   void begin_stage() {
+    const std::size_t stages = limits_.stage_seconds.size(), stage = end_.lines.size();
     const double seconds =
-        limits_.stage_seconds[std::min(end_.lines.size(), limits_.stage_seconds.size() - 1)];
+        limits_.stage_seconds[limits_.repeated ? stage % stages : std::min(stage, stages - 1)];
     deadline_ = deadline_after(seconds);
     allowed_seconds_ += seconds;
     rlimit limit{};
@@ -236,7 +237,7 @@ struct RunningChild {
   std::size_t told = 0;  ///< lines that OnLine was called with
 
   void tell(const OnLine& on_line) {
-    for (; on_line && told < child->lines().size(); ++told) on_line(index, child->lines()[told]);
+    for (; on_line && told < child->lines().size(); ++told) on_line(index, std::move(child->lines()[told]));
   }
 };
 

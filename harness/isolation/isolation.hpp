@@ -14,6 +14,8 @@ struct IsolationLimits {
   /// Wall time until each line that the child sends [s]; the last one holds for all later lines and the end.
   /// The same limits hold for processor time since its start, plus one second: enough for one thread.
   std::vector<double> stage_seconds{30.0};
+  /// After the last one they begin anew with the first, in place of the last one holding.
+  bool repeated = false;
   double grace = 0.5;               ///< from SIGTERM to SIGKILL [s]
   std::optional<long> memory_mb{};  ///< address space [MiB]; not enforced under the address sanitizer
 };
@@ -33,10 +35,11 @@ struct ChildEnd {
   };
   Kind kind = Kind::finished;
   int code = 0;
-  std::string detail = {};              ///< text of the exception
-  std::string last_words = {};          ///< last line on stdout or stderr, to explain a crash
-  std::vector<std::string> lines = {};  ///< complete lines, in the order they were sent
-  double seconds = 0.0;                 ///< wall time from its start to its end [s]
+  std::string detail = {};      ///< text of the exception
+  std::string last_words = {};  ///< last line on stdout or stderr, to explain a crash
+  /// Complete lines, in the order they were sent; empty ones where OnLine took them.
+  std::vector<std::string> lines = {};
+  double seconds = 0.0;  ///< wall time from its start to its end [s]
 };
 
 /// "signal 11 (Segmentation fault): last words" and so on, one phrase for a person.
@@ -63,8 +66,8 @@ ChildEnd run_isolated(const IsolatedWork& work, const IsolationLimits& limits);
 /// Called with each end as soon as it is known.
 using OnEnd = std::function<void(std::size_t index, const ChildEnd& end)>;
 
-/// Called with each line as soon as it has arrived.
-using OnLine = std::function<void(std::size_t index, const std::string& line)>;
+/// Called with each line as soon as it has arrived, which it takes.
+using OnLine = std::function<void(std::size_t index, std::string line)>;
 
 /// Several at the same time, at most `parallel`; results in the order of the work.
 std::vector<ChildEnd> run_isolated_together(const std::vector<IsolatedWork>& work,

@@ -29,9 +29,9 @@ const char* work_after(TrialStage last) {
 /// A child that died after its answer had arrived. An answer whose check has died is nobody's: the check runs
 /// in the method's process, whose memory the method may have spoilt. Only a check that takes too long leaves
 /// the claim as it is, unproven.
-void take_late_end(const ChildEnd& end, Record& record) {
+void take_late_end(const ReceivedRound& lines, const ChildEnd& end, Record& record) {
   if (end.kind == ChildEnd::Kind::finished) return;
-  const auto last = static_cast<TrialStage>(end.lines.size() - 1);
+  const auto last = static_cast<TrialStage>(lines.size() - 1);
   const bool checking = last == TrialStage::timed || last == TrialStage::measured;
   if (checking) {
     record.certificate.status = CertificateStatus::uncertified;
@@ -58,6 +58,12 @@ void FirstRoundSender::operator()(const Record& so_far) {
     known_[key] = value;
   }
   send_(json_line(changes));
+  ++sent_;
+}
+
+void FirstRoundSender::fill() {
+  constexpr int kStages = static_cast<int>(TrialStage::certified) + 1;
+  for (; sent_ < kStages; ++sent_) send_(json_line(Json::object()));
 }
 
 Record record_of_answer(const Record& blank, const std::string& line) {
@@ -66,15 +72,15 @@ Record record_of_answer(const Record& blank, const std::string& line) {
   return record_from_json(json);
 }
 
-Record received_first_round(const Record& blank, const ChildEnd& end) {
+Record received_first_round(const Record& blank, const ReceivedRound& lines, const ChildEnd& end) {
   Record record = blank;
-  if (end.lines.empty()) {
+  if (lines.empty()) {
     take_failure(end, record);
   } else {
     Json json = to_json(blank);
-    for (const std::string& line : end.lines) json.update(Json::parse(line));
+    for (const std::string& line : lines) json.update(Json::parse(line));
     record = record_from_json(json);
-    take_late_end(end, record);
+    take_late_end(lines, end, record);
     apply_verdict(record);
   }
   record.elapsed = end.seconds;

@@ -25,6 +25,13 @@ IsolationLimits first_round_limits(const Limits& limits) {
           .memory_mb = limits.memory_mb};
 }
 
+/// The same of one round after another, each with a line per stage and kRoundDone.
+IsolationLimits series_limits(const Limits& limits) {
+  IsolationLimits result = first_round_limits(limits);
+  result.repeated = true;
+  return result;
+}
+
 IsolationLimits later_round_limits(const Limits& limits) {
   return {.stage_seconds = {2.0 * enforced(limits.timeout) + kQuickSeconds, kQuickSeconds},
           .memory_mb = limits.memory_mb};
@@ -139,19 +146,19 @@ void Runner::run_first(const Scene& scene, std::span<const Job> jobs, int parall
       run_trial(trial_of(scene, job, start, extras), record, FirstRoundSender(send, record));
     });
   }
-  const auto take_end = [&](std::size_t k, const ChildEnd& end) {
+  std::vector<ReceivedRound> rounds(work.size());
+  const OnLine take_line = [&](std::size_t k, std::string line) {
+    rounds[k].push_back(std::move(line));
+    if (extras.on_answer && rounds[k].size() == 1)
+      extras.on_answer(record_of_answer(blank(scene, jobs[indices[k]]), rounds[k].front()));
+  };
+  const OnEnd take_end = [&](std::size_t k, const ChildEnd& end) {
     if (end.kind == ChildEnd::Kind::interrupted) return;
-    Record record = received_first_round(blank(scene, jobs[indices[k]]), end);
+    Record record = received_first_round(blank(scene, jobs[indices[k]]), rounds[k], end);
     references_.keep_confirmed(scene.problem, record);
     take(indices[k], std::move(record));
   };
-  std::vector<bool> answered(work.size(), false);
-  const OnLine take_answer = [&](std::size_t k, const std::string& line) {
-    if (!answered[k]) extras.on_answer(record_of_answer(blank(scene, jobs[indices[k]]), line));
-    answered[k] = true;
-  };
-  run_isolated_together(work, first_round_limits(limits_), parallel, take_end,
-                        extras.on_answer ? take_answer : OnLine());
+  run_isolated_together(work, first_round_limits(limits_), parallel, take_end, take_line);
 }
 
 void Runner::run_later(const Scene& scene, std::span<const Job> jobs, std::span<const Record> records,
@@ -170,6 +177,54 @@ void Runner::run_later(const Scene& scene, std::span<const Job> jobs, std::span<
     take_later_round(end, record);
     take(i, std::move(record));
   });
+}
+
+bool Runner::run_series(const Job& job, SolveSeries& series, const std::function<void(const Record&)>& take,
+                        const SolveExtras& extras) {
+  if (job.method.failure && job.method.failure->kind == ChildEnd::Kind::interrupted) return false;
+  const Record begun = blank(series.scene(), job);  // of all: their scenes are hardly different ones
+  bool more = true;
+  const auto go_on = [&](const Record& record) {
+    if (!more) return;  // a child of the method's that says it all again
+    take(record);
+    more = series.go_on(record);
+  };
+  if (const std::optional<Record> record = without_run(series.scene(), job, {})) {
+    go_on(*record);
+    return more;
+  }
+  const auto start_now = [&]() -> StartPoint { return {.motion = series.start()}; };
+  const std::vector<IsolatedWork> work{[&](const LineSender& send) {
+    TrialSeries trials;
+    Record record;
+    for (;;) {
+      FirstRoundSender send_stage(send, begun);
+      trials.run(trial_of(series.scene(), job, start_now(), extras), begun, [&](const Record& so_far) {
+        send_stage(so_far);
+        record = so_far;
+      });
+      apply_verdict(record);
+      // The last round is over when the process is: its clean-up belongs to it, and what the method does to
+      // take another frequency.
+      if (!series.go_on(record) || !trials.goes_on(series.scene().problem)) return;
+      send_stage.fill();
+      send(kRoundDone);
+    }
+  }};
+  ReceivedRound round;  // of the solve under way
+  const OnLine take_line = [&](std::size_t, std::string line) {
+    if (line != kRoundDone) {
+      round.push_back(std::move(line));
+      return;
+    }
+    go_on(received_first_round(begun, round, {}));
+    round.clear();
+  };
+  const OnEnd take_end = [&](std::size_t, const ChildEnd& end) {
+    if (end.kind != ChildEnd::Kind::interrupted) go_on(received_first_round(begun, round, end));
+  };
+  run_isolated_together(work, series_limits(limits_), 1, take_end, take_line);
+  return more && !interrupted();
 }
 
 int Runner::rounds_missing(const Record& record) const {

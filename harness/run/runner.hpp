@@ -42,6 +42,20 @@ using TakeRecord = std::function<void(std::size_t index, Record record)>;
 /// Identifies the code behind a method's records.
 using CodeVersion = std::function<std::string(std::string_view method)>;
 
+/// Solves of one case that follow each other, each from what is known of those before, of scenes that differ
+/// in the frequency of the load alone. A process that solves several of them has a copy, which goes on as the
+/// one here does.
+class SolveSeries {
+ public:
+  virtual ~SolveSeries() = default;
+  /// Of the solve that is next.
+  [[nodiscard]] virtual const Scene& scene() const = 0;
+  /// Where that begins; null: cold.
+  [[nodiscard]] virtual std::shared_ptr<const Trajectory> start() const = 0;
+  /// Goes on to the one after it. \param record  of that solve  \return whether there is one
+  virtual bool go_on(const Record& record) = 0;
+};
+
 class Runner {
  public:
   explicit Runner(Limits limits, OrbitTools orbits = orbit_tools(), CodeVersion version = code_version);
@@ -73,6 +87,14 @@ class Runner {
   /// Runs one case with all its rounds one after the other. Empty after an interrupt: then there is no
   /// record.
   [[nodiscard]] std::optional<Record> run(const Scene& scene, const Job& job, const SolveExtras& extras = {});
+
+  /// The next solve of a series, and in the same process those after it as far as what the method has set up
+  /// serves them (`PreparedMethod::take_frequency`), each as the first round of its case; key and digest are
+  /// those of the first. A process that ends early fails the solve under way.
+  /// \param take  called with the record of each solve before the series goes on
+  /// \return whether another solve is to come; not after an interrupt
+  bool run_series(const Job& job, SolveSeries& series, const std::function<void(const Record&)>& take,
+                  const SolveExtras& extras = {});
 
   /// Records shall hold the motions as they are drawn, to this share of each signal's range.
   void keep_waveforms(double tolerance = kKeptTolerance) { waveforms_ = tolerance; }

@@ -222,18 +222,42 @@ int whole_periods(const Problem& problem, const Trajectory& motion) {
 
 }  // namespace
 
+bool TrialSeries::goes_on(const Problem& next) {
+  if (!prepared_) return false;
+  auto problem = std::make_unique<Problem>(next);
+  problem->structure = problem_->structure;  // a method may refer to its matrices
+  const ProcessState usual;
+  const std::clock_t begun = std::clock();
+  const bool takes = prepared_->take_frequency(*problem);
+  static_cast<void>(usual.restore());
+  if (!takes) return false;
+  problem_ = std::move(problem);
+  taken_ = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+  return true;
+}
+
 void run_trial(const Trial& trial, Record record, const std::function<void(const Record&)>& stage_done) {
-  const std::unique_ptr<Method> method = trial.planned_case.choice.make();
-  std::unique_ptr<PreparedMethod> prepared;
+  TrialSeries().run(trial, std::move(record), stage_done);
+}
+
+void TrialSeries::run(const Trial& trial, Record record,
+                      const std::function<void(const Record&)>& stage_done) {
+  if (!method_) method_ = trial.planned_case.choice.make();
   Solution solution;
-  const Problem problem = problem_for(trial.planned_case, trial.scene.problem);
   const ProcessState usual;
   ProcessorClock processor;
   const std::optional<long> before = restart_peak_memory();
   const Start start{.guess = trial.start, .deadline = deadline_after(trial.limits.timeout)};
+  const double taken = taken_.value_or(0.0);
   double setup = 0.0;
   try {
-    setup = seconds_of([&] { prepared = method->prepare(problem); });
+    if (taken_) {
+      setup = *std::exchange(taken_, std::nullopt);
+    } else {
+      prepared_.reset();
+      problem_ = std::make_unique<Problem>(problem_for(trial.planned_case, trial.scene.problem));
+      setup = seconds_of([&] { prepared_ = method_->prepare(*problem_); });
+    }
   } catch (const std::runtime_error& error) {  // as Method::prepare states: the structure is singular
     record.status = Status::not_converged;
     record.message = as_message(error.what());
@@ -242,7 +266,7 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   }
   double solve = 0.0;
   try {
-    solve = timed_solve(*prepared, start, solution);
+    solve = timed_solve(*prepared_, start, solution);
   } catch (const SolveFailure& failure) {
     take_failure(failure, record);
     stage_done(record);
@@ -253,13 +277,13 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   const std::string changed = usual.restore();
   std::optional<Motion> motion = take_solution(trial, solution, start.expired(), record);
   if (!changed.empty()) record.message += fmt::format("; it changed {}, which was restored", changed);
-  record.processor.solve = processor.lap();
+  record.processor.solve = processor.lap() + taken;
   if (motion && trial.summary) take_summary(trial, *solution.trajectory, *motion, record);
   stage_done(record);
   if (!motion) return;
   static_cast<void>(processor.lap());  // the summary is no stage of its own
   try {
-    take_times(trial, {problem, *method, *prepared, trial.start, setup, solve}, record);
+    take_times(trial, {*problem_, *method_, *prepared_, trial.start, setup, solve}, record);
   } catch (const SolveFailure& failure) {
     take_failure(failure, record);
     record.message = kRepeated + record.message;

@@ -36,9 +36,26 @@ struct Trial {
 /// Stages of a trial, in order; its first round of timing is one of them.
 enum class TrialStage { solved, timed, measured, certified };
 
-/// Runs a trial into `record`, which already names scene, method and law, and calls `stage_done` with it
-/// after each stage. Stops after the stage `solved` where there is no answer, and after `timed` where a
-/// command fails when asked again. Catches of what the method throws only SolveFailure.
+/// Trials of one method, of which all but the first have the scene of the one before at another frequency of
+/// the load: what the method has set up serves as long as it says so (`PreparedMethod::take_frequency`).
+class TrialSeries {
+ public:
+  /// Runs a trial into `record`, which already names scene, method and law, and calls `stage_done` with it
+  /// after each stage. Stops after the stage `solved` where there is no answer, and after `timed` where a
+  /// command fails when asked again. Catches of what the method throws only SolveFailure.
+  void run(const Trial& trial, Record record, const std::function<void(const Record&)>& stage_done);
+  /// Whether what was set up serves the next trial.
+  /// \param next  its scene, different from that of the last one in the frequency of its load alone
+  bool goes_on(const Problem& next);
+
+ private:
+  std::unique_ptr<Method> method_;
+  std::unique_ptr<Problem> problem_;  // as the method is given it
+  std::unique_ptr<PreparedMethod> prepared_;
+  std::optional<double> taken_ = {};  // the next frequency, and the processor time that it took [s]
+};
+
+/// The first trial of a series that ends with it.
 void run_trial(const Trial& trial, Record record, const std::function<void(const Record&)>& stage_done);
 
 /// One more round of timing: its times, or why there are none.

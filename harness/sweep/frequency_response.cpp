@@ -15,8 +15,11 @@ namespace signorini {
 
 namespace {
 
-/// Instants of an answer from which the next solve starts.
-constexpr int kSweepInstants = 4096;
+/// Instants of an answer from which the next solve starts: of many contacts fewer, as many as marching has.
+int instants_kept(const Problem& problem) {
+  constexpr int kMost = 4096, kFewest = 256, kOfAllContacts = 1 << 17;
+  return std::clamp(kOfAllContacts / std::max(1, problem.contact_count()), kFewest, kMost);
+}
 
 void require_end(const char* name, double value) {
   if (!std::isfinite(value) || !(value > 0.0))
@@ -50,6 +53,38 @@ SweepPoint point_of(const Record& record, double frequency, bool down) {
 bool leads_on(const Record& record) {
   return record.status == Status::converged && record.trajectory && record.period;
 }
+
+/// The solves of a sweep: each starts from the last answer that was found, its time stretched to the new
+/// period; cold where none was found.
+class SweepSolves final : public SolveSeries {
+ public:
+  SweepSolves(const Scene& scene, std::vector<double> frequencies, std::chrono::steady_clock::time_point end)
+      : scene_(scene), frequencies_(std::move(frequencies)), end_(end) {
+    scene_.problem.frequency = frequencies_.front();
+  }
+
+  [[nodiscard]] const Scene& scene() const override { return scene_; }
+  [[nodiscard]] std::shared_ptr<const Trajectory> start() const override {
+    return answer_ ? stretched(*answer_, answered_ / scene_.problem.frequency) : nullptr;
+  }
+  bool go_on(const Record& record) override {
+    if (leads_on(record)) {
+      answer_ = record;
+      answered_ = scene_.problem.frequency;
+    }
+    if (++next_ == frequencies_.size() || std::chrono::steady_clock::now() > end_) return false;
+    scene_.problem.frequency = frequencies_[next_];
+    return true;
+  }
+
+ private:
+  Scene scene_;
+  std::vector<double> frequencies_;
+  std::chrono::steady_clock::time_point end_;
+  std::size_t next_ = 0;
+  std::optional<Record> answer_ = {};
+  double answered_ = 1.0;  // frequency of the load behind it
+};
 
 Cell number_cell(const Measure& value) {
   return value ? Cell(fmt::format("{:.6g}", *value), *value) : Cell("-");
@@ -94,29 +129,23 @@ std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoic
   const std::vector<double> first = sweep_frequencies(range);
   std::vector<double> way = first;
   if (range.back) way.insert(way.end(), first.rbegin(), first.rend());
-  Scene shaken = scene;
-  Runner runner(Limits{.timeout = limits.timeout, .repetitions = 1});
-  SolveExtras extras{.samples = kSweepInstants,
-                     .timed = false,
-                     .certified = limits.certified,
-                     .summary = SummaryRequest{.harmonics = 0}};
-  std::optional<Record> last;
-  double last_frequency = 1.0;  // of the load behind it
   std::vector<SweepPoint> points;
-  for (const double frequency : way) {
-    if (std::chrono::steady_clock::now() > limits.deadline) break;
-    shaken.problem.frequency = frequency;
-    if (last) extras.start = stretched(*last, last_frequency / frequency);
-    const std::vector cases{make_case(shaken, 0, method)};
-    const std::vector<Job> jobs = runner.make_jobs(shaken, cases);
-    const auto record = jobs.empty() ? std::nullopt : runner.run(shaken, jobs.front(), extras);
-    if (!record) break;  // interrupted
+  if (std::chrono::steady_clock::now() > limits.deadline) return points;
+  Runner runner(Limits{.timeout = limits.timeout, .repetitions = 1});
+  const SolveExtras extras{.samples = instants_kept(scene.problem),
+                           .timed = false,
+                           .certified = limits.certified,
+                           .summary = SummaryRequest{.harmonics = 0}};
+  const auto take_record = [&](const Record& record) {
     const bool back = points.size() >= first.size();
-    points.push_back(point_of(*record, frequency, back != (range.to < range.from)));
+    points.push_back(point_of(record, way[points.size()], back != (range.to < range.from)));
     if (take) take(points.back());
-    if (!leads_on(*record)) continue;
-    last = *record;
-    last_frequency = frequency;
+  };
+  SweepSolves solves(scene, way, limits.deadline);
+  for (bool more = true; more;) {
+    const std::vector cases{make_case(solves.scene(), 0, method)};
+    const std::vector<Job> jobs = runner.make_jobs(solves.scene(), cases);
+    more = !jobs.empty() && runner.run_series(jobs.front(), solves, take_record, extras);
   }
   return points;
 }

@@ -57,9 +57,9 @@ struct SweepLimits {
 /// Called with each point as soon as it is solved.
 using TakePoint = std::function<void(const SweepPoint& point)>;
 
-/// Solves scene after scene in processes of their own. A solve starts from the last answer that was found,
-/// its time stretched to the new period; where none was found, cold. Ends early after an interrupt, and at
-/// the deadline.
+/// Solves scene after scene, in processes of their own unless what the method has set up serves several
+/// (`Runner::run_series`). A solve starts from the last answer that was found, its time stretched to the new
+/// period; where none was found, cold. Ends early after an interrupt, and at the deadline.
 std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoice& method,
                                            const SweepRange& range, const SweepLimits& limits,
                                            const TakePoint& take = {});

@@ -200,7 +200,7 @@ class PreparedExactOrbit final : public PreparedMethod {
 class PreparedReducedOrbit final : public PreparedMethod {
  public:
   PreparedReducedOrbit(const Problem& problem, const ExactOrbitMethod::Options& options)
-      : problem_(problem), options_(options), space_(problem) {
+      : problem_(&problem), options_(options), space_(problem) {
     if (!space_.obstacle().empty()) throw std::runtime_error(space_.obstacle());
   }
 
@@ -214,15 +214,33 @@ class PreparedReducedOrbit final : public PreparedMethod {
     search.expired = [&start] { return start.expired(); };
     Solution solution;
     try {
-      take(find_reduced_orbit(problem_, space_, settings), solution);
-    } catch (const std::exception& error) {  // a mode whose flow cannot be formed
+      take(find(start, settings), solution);
+    } catch (const std::exception& error) {  // a mode whose flow cannot be formed, or no memory in a growth
       solution.message = fmt::format("no exact orbit: {}", error.what());
+      whole_ = false;
     }
-    space_.release();  // the judge makes one of its own
+    if (space_.release()) whole_ = false;  // the judge makes one of its own
     return solution;
   }
 
+  bool take_frequency(const Problem& problem) override {
+    if (!whole_) return false;  // it would be made anew
+    space_ = space_.of(problem);
+    problem_ = &problem;
+    return true;
+  }
+
  private:
+  // From the guess, and where it leads to no orbit with a bar, by marching from rest.
+  [[nodiscard]] ReducedOrbit find(const Start& start, const OrbitCorrectionSettings& settings) const {
+    if (!start.guess) return find_reduced_orbit(*problem_, space_, settings);
+    ReducedOrbit near = polish_reduced_orbit(*problem_, space_, *start.guess, settings);
+    if (near.corrected.bar || start.expired()) return near;
+    ReducedOrbit found = find_reduced_orbit(*problem_, space_, settings);
+    found.iterations += near.iterations;
+    return found;
+  }
+
   void take(const ReducedOrbit& found, Solution& solution) const {
     const CorrectedOrbit& corrected = found.corrected;
     const ExactOrbit& orbit = corrected.orbit;
@@ -246,9 +264,10 @@ class PreparedReducedOrbit final : public PreparedMethod {
         orbit.largest_multiplier());
   }
 
-  const Problem& problem_;
+  const Problem* problem_;
   ExactOrbitMethod::Options options_;
   ContactSpace space_;
+  bool whole_ = true;  // the space, after all solves so far
 };
 
 }  // namespace

@@ -91,7 +91,8 @@ void misbehave(Behaviour behaviour) {
 
 class PreparedFake final : public PreparedMethod {
  public:
-  PreparedFake(const Problem& problem, Behaviour behaviour) : problem_(problem), behaviour_(behaviour) {}
+  PreparedFake(const Problem& problem, Behaviour behaviour)
+      : problem_(&problem), behaviour_(behaviour), set_up_for_(problem.frequency) {}
 
   Solution solve(const Start& start) override {
     misbehave(behaviour_);
@@ -101,6 +102,10 @@ class PreparedFake final : public PreparedMethod {
       while (!start.expired()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     Solution solution{.verdict = Verdict::converged, .message = "done"};
+    if (behaviour_ == Behaviour::carry_on) {
+      if (problem_->frequency == kFatalFrequency) std::abort();
+      solution.message = "set up for " + std::to_string(set_up_for_);
+    }
     if (behaviour_ == Behaviour::give_up || behaviour_ == Behaviour::obey_deadline) {
       solution.verdict = Verdict::not_converged;
       solution.message = "gave up";
@@ -112,26 +117,33 @@ class PreparedFake final : public PreparedMethod {
     return solution;
   }
 
+  bool take_frequency(const Problem& problem) override {
+    if (behaviour_ != Behaviour::carry_on) return false;
+    problem_ = &problem;
+    return true;
+  }
+
  private:
   [[nodiscard]] std::shared_ptr<const Trajectory> answer() const {
     switch (behaviour_) {
       case Behaviour::not_a_number:
-        return scaled_motion(problem_, std::nan(""));
+        return scaled_motion(*problem_, std::nan(""));
       case Behaviour::lie:
-        return scaled_motion(problem_, 3.0);
+        return scaled_motion(*problem_, 3.0);
       case Behaviour::wrong_size:
-        return scaled_motion(problem_, 1.0, 1.0, 2);
+        return scaled_motion(*problem_, 1.0, 1.0, 2);
       case Behaviour::wrong_period:
-        return scaled_motion(problem_, 1.0, 1.5);
+        return scaled_motion(*problem_, 1.0, 1.5);
       case Behaviour::waver:
-        return scaled_motion(problem_, 1.0 + 1e-12 * solves_);
+        return scaled_motion(*problem_, 1.0 + 1e-12 * solves_);
       default:
-        return scaled_motion(problem_, 1.0);
+        return scaled_motion(*problem_, 1.0);
     }
   }
 
-  const Problem& problem_;
+  const Problem* problem_;
   Behaviour behaviour_;
+  double set_up_for_;
   int solves_ = 0;
 };
 

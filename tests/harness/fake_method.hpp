@@ -37,8 +37,12 @@ enum class Behaviour {
   crash_when_repeated,
   singular,
   waver,
-  hand_back
+  hand_back,
+  carry_on  ///< serves other frequencies, but for kFatalFrequency, and says for which one it was set up
 };
+
+/// At which `carry_on` dies [rad/s].
+inline constexpr double kFatalFrequency = 2.5;
 
 /// Motion of one contact given by formulas of time; any number of contacts repeats it.
 class FormulaMotion final : public Trajectory {
@@ -118,7 +122,7 @@ std::filesystem::path fresh_folder(const std::string& name);
 namespace signorini {
 template <>
 struct EnumNames<test::Behaviour> {
-  static constexpr std::array<std::string_view, 24> values{"good",
+  static constexpr std::array<std::string_view, 25> values{"good",
                                                            "segfault",
                                                            "abort_now",
                                                            "exit_three",
@@ -141,6 +145,7 @@ struct EnumNames<test::Behaviour> {
                                                            "crash_when_repeated",
                                                            "singular",
                                                            "waver",
-                                                           "hand_back"};
+                                                           "hand_back",
+                                                           "carry_on"};
 };
 }  // namespace signorini

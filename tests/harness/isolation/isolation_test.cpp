@@ -226,12 +226,12 @@ TEST(RunIsolatedTogether, HandsOverEachLineWhenItArrives) {
       {work}, {}, 1,
       [&](std::size_t, const ChildEnd& end) {
         ended = true;
-        EXPECT_EQ(end.lines, told);
+        EXPECT_EQ(end.lines, (std::vector<std::string>{"", ""}));  // they were taken
       },
-      [&](std::size_t index, const std::string& line) {
+      [&](std::size_t index, std::string line) {
         EXPECT_FALSE(ended);
         EXPECT_EQ(index, 0U);
-        told.push_back(line);
+        told.push_back(std::move(line));
       });
   EXPECT_EQ(told, (std::vector<std::string>{"first", "second"}));
 }

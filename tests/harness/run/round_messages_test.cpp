@@ -21,6 +21,8 @@ Record blank_record() {
   return record;
 }
 
+Record received(const ChildEnd& end) { return received_first_round(blank_record(), end.lines, end); }
+
 /// A child that fills in a record stage by stage, and then does `last`.
 template <class Last>
 ChildEnd send_stages(const Record& blank, const Last& last, int stages = 4) {
@@ -59,7 +61,7 @@ TEST(FirstRound, ArrivesWholeThoughEachStageSendsOnlyWhatItAdds) {
   EXPECT_EQ(keys(1), (std::vector<std::string>{"not_timed"}));
   EXPECT_EQ(keys(2), (std::vector<std::string>{"physics"}));
   EXPECT_EQ(keys(3), (std::vector<std::string>{"certificate"}));
-  const Record record = received_first_round(blank, end);
+  const Record record = received_first_round(blank, end.lines, end);
   EXPECT_EQ(record.case_id, blank.case_id);
   EXPECT_EQ(record.message, "solved");
   EXPECT_EQ(record.trajectory.value().x[0][1], 2.0);
@@ -70,26 +72,26 @@ TEST(FirstRound, ArrivesWholeThoughEachStageSendsOnlyWhatItAdds) {
 }
 
 TEST(FirstRound, OfAChildThatDiesBeforeItsAnswerIsAFailure) {
-  const Record record = received_first_round(blank_record(), send_stages(
-                                                                 blank_record(), [] { _exit(3); }, 0));
+  const Record record = received(send_stages(
+      blank_record(), [] { _exit(3); }, 0));
   EXPECT_EQ(record.status, Status::crashed);
   EXPECT_NE(record.message.find("code 3"), std::string::npos) << record.message;
 }
 
 TEST(FirstRound, BlamesTheMethodForADeathWhileItIsTimedOrCleanedUp) {
-  const Record timed = received_first_round(blank_record(), send_stages(
-                                                                blank_record(), [] { _exit(3); }, 1));
+  const Record timed = received(send_stages(
+      blank_record(), [] { _exit(3); }, 1));
   EXPECT_EQ(timed.status, Status::crashed);
   EXPECT_TRUE(timed.message.starts_with("in a repeated solve: ")) << timed.message;
-  const Record cleaned = received_first_round(blank_record(), send_stages(
-                                                                  blank_record(), [] { _exit(3); }, 4));
+  const Record cleaned = received(send_stages(
+      blank_record(), [] { _exit(3); }, 4));
   EXPECT_EQ(cleaned.status, Status::crashed);
   EXPECT_TRUE(cleaned.message.starts_with("in its clean-up: ")) << cleaned.message;
 }
 
 TEST(FirstRound, LeavesNoClaimStandingWhoseCheckHasDied) {
-  const Record record = received_first_round(blank_record(), send_stages(
-                                                                 blank_record(), [] { _exit(3); }, 2));
+  const Record record = received(send_stages(
+      blank_record(), [] { _exit(3); }, 2));
   EXPECT_EQ(record.status, Status::crashed);
   EXPECT_EQ(claim_of(record), std::nullopt);
   EXPECT_TRUE(record.message.starts_with("in the harness's check of its answer: ")) << record.message;

@@ -78,6 +78,36 @@ TEST(FrequencyResponse, UpAndDownDifferWhereMotionsCoexist) {
   EXPECT_GE(at_stop, 3);
 }
 
+// What was set up serves one frequency after another; where that process dies, the next one is set up anew.
+TEST(FrequencyResponse, SetsUpOnceWhatServesSeveralFrequencies) {
+  const Scene scene = test::one_mass_scene();
+  const MethodChoice method{&test::fake_catalogue().front(), {{"behaviour", "carry_on"}}};
+  std::vector<double> taken;
+  const auto points = frequency_response(scene, method, {.from = 2.0, .to = 3.0, .points = 5}, {},
+                                         [&](const SweepPoint& point) { taken.push_back(point.frequency); });
+  EXPECT_EQ(taken, (std::vector<double>{2.0, 2.25, test::kFatalFrequency, 2.75, 3.0}));
+  ASSERT_EQ(points.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(points[i].frequency, taken[i]);
+    if (i == 2) continue;
+    ASSERT_EQ(points[i].status, Status::converged) << points[i].message;
+    EXPECT_EQ(points[i].message, i < 2 ? "set up for 2.000000" : "set up for 2.750000");
+    EXPECT_NEAR(points[i].amplitude.at(0), receptance(taken[i]), 2e-6 * receptance(taken[i]));
+  }
+  EXPECT_EQ(points[2].status, Status::crashed);
+}
+
+TEST(FrequencyResponse, TakesEachPointOnceWhereAProcessServesOneAlone) {
+  const Scene scene = test::one_mass_scene();
+  for (const char* behaviour : {"good", "segfault"}) {
+    const MethodChoice method{&test::fake_catalogue().front(), {{"behaviour", behaviour}}};
+    const auto points = frequency_response(scene, method, {.from = 2.0, .to = 3.0, .points = 3}, {});
+    ASSERT_EQ(points.size(), 3U);
+    for (const SweepPoint& point : points)
+      EXPECT_EQ(point.status, behaviour == std::string("good") ? Status::converged : Status::crashed);
+  }
+}
+
 TEST(CommandSweep, PrintsATableCsvOrJsonAndExitsOneWhereAPointFails) {
   const std::string command =
       "sweep sdof-stop --method hat-lcp --set samples=64 --from 2 --to 2.4 --points 3";

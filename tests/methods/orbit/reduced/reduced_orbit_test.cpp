@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
 
+#include "methods/discretisation/trajectories.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/structure_scenes.hpp"
@@ -38,6 +40,32 @@ TEST(ReducedOrbit, OfABlockAboveNineNodesHasTwelveEvents) {
   const Eigen::MatrixXd x = corrected.orbit.trajectory->sample(1024).x;
   const double apart = (x - other.corrected.orbit.trajectory->sample(1024).x).norm();
   EXPECT_LE(apart, (*corrected.bar + *other.corrected.bar) * (x.rowwise() - x.colwise().mean()).norm());
+}
+
+// Prepared at one frequency and taken to another, from the orbit before and from rest: the orbit of a method
+// that was prepared there.
+TEST(ReducedOrbit, OfAnotherFrequencyNeedsNoOtherPreparation) {
+  const Problem block = test::padded_block_problem({});
+  Problem faster = block;
+  faster.frequency *= 1.01;
+  const ExactOrbitMethod method({});
+  const auto prepared = method.prepare(block);
+  const Solution before = prepared->solve({});
+  ASSERT_EQ(before.verdict, Verdict::converged) << before.message;
+  ASSERT_TRUE(prepared->take_frequency(faster));
+  const Solution anew = method.prepare(faster)->solve({});
+  ASSERT_EQ(anew.verdict, Verdict::converged) << anew.message;
+  const Eigen::MatrixXd x = anew.trajectory->sample(512).x;
+  const Samples start = before.trajectory->sample(1024);
+  const auto stretched = std::make_shared<NodalTrajectory>(faster.period(), start.x, start.force);
+  EXPECT_GT((before.trajectory->sample(512).x - x).norm(), 1e-3 * x.norm());
+  for (const bool guessed : {true, false}) {
+    const Solution taken = prepared->solve({.guess = guessed ? stretched : nullptr});
+    ASSERT_EQ(taken.verdict, Verdict::converged) << taken.message;
+    EXPECT_EQ(taken.message.find("the motion given") != std::string::npos, guessed) << taken.message;
+    EXPECT_DOUBLE_EQ(taken.trajectory->period(), faster.period());
+    EXPECT_LT((taken.trajectory->sample(512).x - x).norm(), 1e-6 * x.norm());
+  }
 }
 
 TEST(ReducedOrbit, SaysWhatItDoesNotStandFor) {
