@@ -2,15 +2,17 @@
 """Attacks the built program as a stranger, an accident or a full disk would; counts what it promised and did not keep.
 
 usage: attack.py PROGRAM [--share quick|hour] [--seed N] [--only GLOB] [--jobs N] [--sanitized] [--table FILE]
-                 [--findings FOLDER]
+                 [--record FILE] [--findings FOLDER]
 
 Prints one line per campaign, and each violation with what brings it about; exit code 1 if there is one. The same seed
 makes the same inputs. With --table the lines become a page, results/attack.md, which what fuzz.py recorded in
-results/fuzz.json joins.
+results/fuzz.json joins. An hour may be interrupted: --record keeps each campaign as it ends, with the program it was run
+on, and those it holds of the same share and seed without a violation are not run again.
 """
 
 import argparse
 import concurrent.futures
+import fcntl
 import fnmatch
 import json
 import pathlib
@@ -28,7 +30,7 @@ import reproductions
 import run_attacks
 import solve_attacks
 from attack_page import page_of
-from attacked_program import Program
+from attacked_program import Campaign, Program
 
 FUZZED = pathlib.Path(__file__).resolve().parents[2] / "results/fuzz.json"
 # How many tests of each campaign make some seconds, and how many an hour with sanitizers on two cores.
@@ -67,13 +69,47 @@ def parsed():
     parser.add_argument("--jobs", type=int, default=1, help="campaigns at the same time")
     parser.add_argument("--sanitized", action="store_true", help="the program is built with sanitizers: slower, larger")
     parser.add_argument("--table", type=pathlib.Path)
+    parser.add_argument("--record", type=pathlib.Path, help="campaigns that have ended, as JSON; the table is of all")
     parser.add_argument("--findings", type=pathlib.Path, help="folder for the inputs of violations")
     return parser.parse_args()
 
 
+def version_of(program):
+    return subprocess.check_output([program, "--version"], text=True).strip()
+
+
+def kind_of(arguments):
+    """What campaigns on record must have in common to make one table."""
+    return f"{arguments.share}, seed {arguments.seed}" + (", sanitized" if arguments.sanitized else "")
+
+
+def recorded(arguments, name):
+    """The campaign as it ended before; none where it was not run, or found something."""
+    if not arguments.record or not arguments.record.exists():
+        return []
+    kept = json.loads(arguments.record.read_text() or "{}").get(kind_of(arguments), {}).get(name, [])
+    campaigns = [Campaign.of_fields(fields) for fields in kept]
+    return [] if any(campaign.violations for campaign in campaigns) else campaigns
+
+
+def keep(arguments, name, campaigns):
+    """Adds a campaign that has ended to the record, which others may do at the same time."""
+    if not arguments.record:
+        return
+    with open(f"{arguments.record}.lock", "w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        record = json.loads(arguments.record.read_text() or "{}") if arguments.record.exists() else {}
+        record.setdefault(kind_of(arguments), {})[name] = [campaign.fields() for campaign in campaigns]
+        draft = arguments.record.with_suffix(".draft")
+        draft.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+        draft.replace(arguments.record)  # whoever reads meanwhile sees the old one or the new one
+
+
 def run_campaign(arguments, name):
-    """The campaign of that name, with its own sequence of random numbers."""
+    """The campaign of that name, with its own sequence of random numbers, or what is on record of it."""
     attack, quick, hour = CAMPAIGNS[name]
+    if kept := recorded(arguments, name):
+        return kept
     program = Program(arguments.program, arguments.sanitized)
     count = quick if arguments.share == "quick" else hour
     campaigns, began = [], time.monotonic()
@@ -81,7 +117,9 @@ def run_campaign(arguments, name):
         source = random.Random(f"{arguments.seed} {name}")
         for campaign in attack(program, source, count, pathlib.Path(folder), arguments.findings):
             campaign.name, campaign.elapsed = name, time.monotonic() - began
+            campaign.version = version_of(arguments.program)
             campaigns.append(campaign)
+    keep(arguments, name, campaigns)
     return campaigns
 
 
@@ -117,9 +155,8 @@ def main():
     if not campaigns:
         sys.exit(f"only = {arguments.only} (must match one of {', '.join(CAMPAIGNS)})")
     if arguments.table:
-        version = subprocess.check_output([arguments.program, "--version"], text=True).strip()
         fuzzed = json.loads(FUZZED.read_text()) if FUZZED.exists() else []
-        arguments.table.write_text(page_of(campaigns, fuzzed, arguments, version))
+        arguments.table.write_text(page_of(campaigns, fuzzed, arguments))
     return 1 if any(campaign.violations for campaign in campaigns) else 0
 
 

@@ -12,7 +12,7 @@ This page is made by one command, with a build of the preset `asan` after the fu
 
     {command}
 
-Program: {version}; seed {seed}; share `{share}`{sanitized}.
+Seed {seed}; share `{share}`{sanitized}. Programs: {versions}.
 """
 WHAT_FUZZERS_DO = """The readers of untrusted text under libFuzzer, with the sanitizers of addresses and undefined behaviour;
 an input may take 25 s and 4 GiB. Time is that of the processor, of all the commits named.
@@ -43,13 +43,24 @@ def fuzzer_rows(entries):
                ", ".join(entry["mended"] for entry in own if "mended" in entry), max(entry["peak_mb"] for entry in own)]
 
 
-def page_of(campaigns, fuzzed, arguments, version):
+def versions_of(campaigns):
+    """The programs that were attacked, with the campaigns of each where there are several."""
+    names = {}
+    for campaign in campaigns:
+        names.setdefault(campaign.version, {})[campaign.name] = None
+    if len(names) == 1:
+        return next(iter(names))
+    return "; ".join(f"{version} ({', '.join(own)})" for version, own in names.items())
+
+
+def page_of(campaigns, fuzzed, arguments):
     """The page as Markdown."""
     sanitized = ", the program built with sanitizers" if arguments.sanitized else ""
     command = f"python3 tests/attack/attack.py build/{'asan' if arguments.sanitized else 'release'}/harness/signorini"
     command += f" --share {arguments.share}{' --sanitized' if arguments.sanitized else ''} --table results/attack.md"
-    page = INTRODUCTION.format(command=command, version=version, seed=arguments.seed, share=arguments.share,
-                               sanitized=sanitized)
+    command += " --record results/attack.json" if arguments.record else ""
+    page = INTRODUCTION.format(command=command, versions=versions_of(campaigns), seed=arguments.seed,
+                               share=arguments.share, sanitized=sanitized)
     tests, violations = sum(c.tests for c in campaigns), sum(len(c.violations) for c in campaigns)
     page += f"\n## Tests and counts\n\n{tests} tests, {violations} violations.\n\n" + table(list(campaign_rows(campaigns)))
     found = [text for campaign in campaigns for text in campaign.violations]

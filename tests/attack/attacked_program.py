@@ -125,6 +125,18 @@ class Campaign:
         self.seconds, self.peak_mb, self.codes = 0.0, 0.0, {}
         self.findings = findings
 
+    def fields(self):
+        """All that is known of it, as JSON has it."""
+        return {key: value for key, value in vars(self).items() if key != "findings"}
+
+    @classmethod
+    def of_fields(cls, fields):
+        """The campaign that these are of."""
+        campaign = cls(fields["what"])
+        vars(campaign).update(fields)
+        campaign.codes = {int(code): number for code, number in fields["codes"].items()}
+        return campaign
+
     def judge(self, found, reproduction, files=()):
         """Counts one test; what was found is kept with its files."""
         self.tests += 1
