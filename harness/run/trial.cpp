@@ -240,9 +240,16 @@ void run_trial(const Trial& trial, Record record, const std::function<void(const
   TrialSeries().run(trial, std::move(record), stage_done);
 }
 
+double TrialSeries::set_up(const Trial& trial) {
+  if (taken_) return *std::exchange(taken_, std::nullopt);
+  if (!method_) method_ = trial.planned_case.choice.make();
+  prepared_.reset();
+  problem_ = std::make_unique<Problem>(problem_for(trial.planned_case, trial.scene.problem));
+  return seconds_of([&] { prepared_ = method_->prepare(*problem_); });
+}
+
 void TrialSeries::run(const Trial& trial, Record record,
                       const std::function<void(const Record&)>& stage_done) {
-  if (!method_) method_ = trial.planned_case.choice.make();
   Solution solution;
   const ProcessState usual;
   ProcessorClock processor;
@@ -251,13 +258,7 @@ void TrialSeries::run(const Trial& trial, Record record,
   const double taken = taken_.value_or(0.0);
   double setup = 0.0;
   try {
-    if (taken_) {
-      setup = *std::exchange(taken_, std::nullopt);
-    } else {
-      prepared_.reset();
-      problem_ = std::make_unique<Problem>(problem_for(trial.planned_case, trial.scene.problem));
-      setup = seconds_of([&] { prepared_ = method_->prepare(*problem_); });
-    }
+    setup = set_up(trial);
   } catch (const std::runtime_error& error) {  // as Method::prepare states: the structure is singular
     record.status = Status::not_converged;
     record.message = as_message(error.what());

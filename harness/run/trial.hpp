@@ -49,6 +49,9 @@ class TrialSeries {
   bool goes_on(const Problem& next);
 
  private:
+  /// Unless it was set up before. \return the time that it took [s] \throws std::runtime_error
+  double set_up(const Trial& trial);
+
   std::unique_ptr<Method> method_;
   std::unique_ptr<Problem> problem_;  // as the method is given it
   std::unique_ptr<PreparedMethod> prepared_;

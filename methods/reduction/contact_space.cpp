@@ -103,7 +103,7 @@ struct ContactSpace::Source {
     constexpr double kLargest = 1e9;  // [bytes]
     if (!kept || kept->bytes() <= kLargest) return false;
     kept.reset();
-    refined_size = -1;
+    refined_size_ = -1;
     if (statics) statics->forget_vectors();
     return true;
   }
@@ -115,12 +115,12 @@ struct ContactSpace::Source {
   };
   /// Of the vectors made so far: once for all spaces that have them. \param projected  their projection
   const Refined& refined(SpaceProjection projected) {
-    if (refined_size != kept->size()) {
-      latest.projection = std::move(projected);
-      latest.rounding = refine_lowest(problem, *kept, columns, latest.projection);
-      refined_size = kept->size();
+    if (refined_size_ != kept->size()) {
+      latest_.projection = std::move(projected);
+      latest_.rounding = refine_lowest(problem, *kept, columns, latest_.projection);
+      refined_size_ = kept->size();
     }
-    return latest;
+    return latest_;
   }
 
   Problem problem;  // whose structure the vectors refer to
@@ -132,8 +132,8 @@ struct ContactSpace::Source {
   std::optional<BlockLanczos> kept;
 
  private:
-  Refined latest;
-  Eigen::Index refined_size = -1;  // number of vectors that it is of
+  Refined latest_;
+  Eigen::Index refined_size_ = -1;  // number of vectors that it is of
 };
 
 ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& settings)
