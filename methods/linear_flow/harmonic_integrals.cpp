@@ -161,9 +161,7 @@ Eigen::MatrixXcd harmonic_integrals(const Eigen::VectorXcd& rates, const Eigen::
     const Eigen::Index count = std::min(kAtOnce, sums.rows() - first);
     const Harmonics some(w, begin, duration, first, count);
     const double slow = Harmonics::kSlow * w * static_cast<double>(first);
-    // By parts the two ends of an interval shorter than a wave would cancel.
-    const bool apart = w * static_cast<double>(first) * duration > 1.0;
-    const Eigen::Index fast = apart ? sorted.faster_than(slow) : sorted.rates.size();
+    const Eigen::Index fast = first == 0 ? sorted.rates.size() : sorted.faster_than(slow);
     auto part = sums.middleRows(first, count);
     part = some.of_fast(sorted, fast);
     if (fast < sorted.rates.size()) part += some.of_slow(sorted, fast);
