@@ -15,6 +15,7 @@ import concurrent.futures
 import fcntl
 import fnmatch
 import json
+import os
 import pathlib
 import random
 import subprocess
@@ -96,13 +97,16 @@ def keep(arguments, name, campaigns):
     """Adds a campaign that has ended to the record, which others may do at the same time."""
     if not arguments.record:
         return
-    with open(f"{arguments.record}.lock", "w", encoding="utf-8") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
+    folder = os.open(arguments.record.resolve().parent, os.O_RDONLY)
+    try:
+        fcntl.flock(folder, fcntl.LOCK_EX)
         record = json.loads(arguments.record.read_text() or "{}") if arguments.record.exists() else {}
         record.setdefault(kind_of(arguments), {})[name] = [campaign.fields() for campaign in campaigns]
         draft = arguments.record.with_suffix(".draft")
         draft.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
         draft.replace(arguments.record)  # whoever reads meanwhile sees the old one or the new one
+    finally:
+        os.close(folder)
 
 
 def run_campaign(arguments, name):
