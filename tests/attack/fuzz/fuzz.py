@@ -69,14 +69,11 @@ def is_slow(folder, reader, path):
     return processor_seconds() - before > SECONDS
 
 
-def is_by_clock(name):
-    return "-timeout-" in name or "-slow-unit-" in name
-
-
 def new_findings(folder, reader, before):
     """What has been found since, without inputs that were slow because the machine was busy."""
     for path in set((folder / "findings").glob(f"{reader}-*")) - before:  # others may be running
-        if is_by_clock(path.name) and not is_slow(folder, reader, path):
+        by_clock = path.name.startswith((f"{reader}-timeout-", f"{reader}-slow-unit-"))
+        if by_clock and not is_slow(folder, reader, path):
             path.unlink()
         else:
             yield path.name
@@ -138,9 +135,10 @@ def fuzz(folder, reader, seconds, record):
         entry["seconds"] = round(earlier + processor_seconds() - began, 1)
         entry["executions"] += figure("number_of_executed_units", text)
         entry["peak_mb"] = max(entry["peak_mb"], figure("peak_rss_mb", text))
+        judged = {path.name for path in (folder / "findings").iterdir()}
         findings |= set(new_findings(folder, reader, before))
-        # An input that was too slow once and not the next time is looked at is none.
-        findings = {name for name in findings if not is_by_clock(name) or (folder / "findings" / name).exists()}
+        # An input that was too slow once, and not when it was judged again, is none.
+        findings -= {name for name in judged if not (folder / "findings" / name).exists()}
         entry["findings"] = sorted(findings)
         record.save(entry)
 
