@@ -48,7 +48,7 @@ class PreparedMethod {
   /// set up serves that one too. Where it is costly, a response over the frequency pays for it once.
   /// \param problem  that scene, different in `frequency` alone; must outlive this
   /// \return whether the next solve answers it; if not, nothing has changed
-  virtual bool take_frequency(const Problem& /*problem*/) { return false; }
+  virtual bool take_frequency([[maybe_unused]] const Problem& problem) { return false; }
 };
 
 /// Immutable after construction, hence safe to share between threads.
