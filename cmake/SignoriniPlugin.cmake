@@ -10,5 +10,8 @@ function(signorini_add_plugin name)
   target_compile_options(${name} PRIVATE $<$<CONFIG:>:-O2> $<$<CONFIG:>:-DNDEBUG>)
   # Hidden: nothing of one plugin is taken for that of another. No symbol may be left open until it is called.
   set_target_properties(${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-  target_link_options(${name} PRIVATE -Wl,--no-undefined -Wl,--exclude-libs,ALL)
+  target_link_options(${name} PRIVATE -Wl,--exclude-libs,ALL)
+  if(NOT (SIGNORINI_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL Clang)) # there the program has the sanitizers' functions
+    target_link_options(${name} PRIVATE -Wl,--no-undefined)
+  endif()
 endfunction()

@@ -22,6 +22,7 @@
 #include "harness/interrupt.hpp"
 #include "harness/isolation/child_process.hpp"
 #include "harness/plan/deadline.hpp"
+#include "methods/plugin/sanitizer.hpp"
 
 namespace signorini {
 
@@ -70,9 +71,8 @@ void apply_limits(const IsolationLimits& limits) {
   limit_soft(RLIMIT_FSIZE, kLogBytes);
   limit_soft(RLIMIT_CORE, 0);
   limit_soft(RLIMIT_CPU, processor_seconds(limits.stage_seconds.front()));
-#ifndef __SANITIZE_ADDRESS__  // it reserves terabytes of address space
-  if (limits.memory_mb) limit_soft(RLIMIT_AS, static_cast<rlim_t>(*limits.memory_mb) << 20U);
-#endif
+  if (limits.memory_mb && !kAddressSanitizer)
+    limit_soft(RLIMIT_AS, static_cast<rlim_t>(*limits.memory_mb) << 20U);
 }
 
 void run_work(const IsolatedWork& work, int pipe) {

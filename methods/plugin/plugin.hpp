@@ -12,6 +12,7 @@
 
 #include "methods/catalogue.hpp"
 #include "methods/plugin/interface.hpp"
+#include "methods/plugin/sanitizer.hpp"
 
 /// Version of the entry point and of what it returns. Everything else is compared by kPluginAbi.
 #define SIGNORINI_PLUGIN_API 2
@@ -31,14 +32,6 @@
 #define SIGNORINI_LIBRARY_CHECKS "assertions"
 #else
 #define SIGNORINI_LIBRARY_CHECKS "none"
-#endif
-
-#if defined(__SANITIZE_ADDRESS__)
-#define SIGNORINI_SANITIZER "address"
-#elif defined(__SANITIZE_THREAD__)
-#define SIGNORINI_SANITIZER "thread"
-#else
-#define SIGNORINI_SANITIZER "none"
 #endif
 
 namespace signorini {

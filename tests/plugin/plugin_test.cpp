@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/files.hpp"
+#include "methods/plugin/sanitizer.hpp"
 #include "tests/plugin/installed_program.hpp"
 
 namespace signorini::test::plugin_test {
@@ -30,9 +31,7 @@ TEST_P(BadPlugins, AreRefusedInOneLineThatSaysWhy) {
   const TemporaryFolder folder;
   const auto& [file, complaint] = GetParam();
   if (!fs::exists(plugin_path(file))) GTEST_SKIP() << "not built by this compiler for this architecture";
-#ifdef __SANITIZE_ADDRESS__
-  if (std::string(file) == "sanitised.so") GTEST_SKIP() << "built as the program is";
-#endif
+  if (kAddressSanitizer && std::string(file) == "sanitised.so") GTEST_SKIP() << "built as the program is";
   std::vector<std::string> parts = complaint;
   parts.push_back(plugin_path(file));
   expect_refusal(run_installed(folder, "list methods" + plugin(file)), parts);

@@ -9,15 +9,11 @@
 #include <exception>
 #include <fstream>
 
+#include "methods/plugin/sanitizer.hpp"
+
 namespace signorini::test {
 
 namespace {
-
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool kLimited = false;
-#else
-constexpr bool kLimited = true;
-#endif
 
 constexpr double kMegabyte = 1024.0 * 1024.0;
 
@@ -43,7 +39,7 @@ ChildCost run_in_child(const std::function<void()>& work, std::optional<double> 
   std::fflush(stdout);
   const pid_t child = fork();
   if (child == 0) {
-    if (more_megabytes && kLimited) limit_address_space(*more_megabytes);
+    if (more_megabytes && !kAddressSanitizer) limit_address_space(*more_megabytes);
     try {
       work();
     } catch (const std::exception&) {

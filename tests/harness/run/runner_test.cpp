@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "harness/build_info.hpp"
+#include "methods/plugin/sanitizer.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini::runner_test {
@@ -34,10 +35,8 @@ class Runners : public testing::TestWithParam<Misdeed> {};
 
 TEST_P(Runners, TurnWhateverHappensIntoTheRightRecord) {
   const Misdeed& misdeed = GetParam();
-#ifdef __SANITIZE_ADDRESS__
-  const std::string_view behaviour = misdeed.behaviour;
-  if (behaviour == "allocate") GTEST_SKIP() << "the address sanitizer needs the address space itself";
-#endif
+  if (kAddressSanitizer && std::string_view(misdeed.behaviour) == "allocate")
+    GTEST_SKIP() << "the address sanitizer needs the address space itself";
   const Record record = run_fake(misdeed.behaviour);
   EXPECT_EQ(status_name(record.status), status_name(misdeed.status)) << record.message;
   EXPECT_NE(record.message.find(misdeed.words), std::string::npos) << record.message;
