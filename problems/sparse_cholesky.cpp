@@ -88,19 +88,14 @@ SparseCholesky::SparseCholesky(const SparseMatrix& A) : handle_(std::make_unique
   });
 }
 
-double SparseCholesky::entries_for(const SparseMatrix& A) {
+SparseCholesky::Cost SparseCholesky::cost_of(const SparseMatrix& A) {
   Handle handle;
   const SparseMatrix lower = A.triangularView<Eigen::Lower>();
   handle.analyse(lower);
   // A symbolic factor without supernodes has no room for its numbers yet.
-  return handle.factor->is_super != 0 ? static_cast<double>(handle.factor->xsize) : handle.common.lnz;
-}
-
-double SparseCholesky::operations_for(const SparseMatrix& A) {
-  Handle handle;
-  const SparseMatrix lower = A.triangularView<Eigen::Lower>();
-  handle.analyse(lower);
-  return handle.common.fl;
+  const double entries =
+      handle.factor->is_super != 0 ? static_cast<double>(handle.factor->xsize) : handle.common.lnz;
+  return {.operations = handle.common.fl, .entries = entries};
 }
 
 SparseCholesky::~SparseCholesky() = default;

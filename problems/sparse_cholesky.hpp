@@ -13,12 +13,14 @@ namespace signorini {
 /// one thread with a serial BLAS.
 class SparseCholesky final : public DefiniteSolver {
  public:
-  /// Floating-point operations that the factorisation of A takes, from its pattern alone: its order and its
-  /// symbolic factor are made, no number is.
+  /// What a factorisation takes.
+  struct Cost {
+    double operations = 0.0;  ///< in floating point
+    double entries = 0.0;     ///< numbers kept in L
+  };
+  /// What that of A would take, from its pattern alone: its order and symbolic factor are made, no number is.
   /// \throws std::bad_alloc where memory does not suffice, or the factor has too many entries to count
-  static double operations_for(const SparseMatrix& A);
-  /// Numbers that L would have, likewise.
-  static double entries_for(const SparseMatrix& A);
+  static Cost cost_of(const SparseMatrix& A);
 
   /// Factorises A, symmetric, Nd x Nd; only its lower triangle is looked at.
   /// \throws std::bad_alloc where memory does not suffice

@@ -82,7 +82,7 @@ bool is_judged_in_seconds(const Problem& problem) {
   if (problem.size() < kSparse) return true;
   const SparseMatrix all = sum_of({&problem.mass(), &problem.damping(), &problem.stiffness()});
   try {
-    return SparseCholesky::operations_for(all) <= kMostOperations;
+    return SparseCholesky::cost_of(all).operations <= kMostOperations;
   } catch (const std::bad_alloc&) {  // more entries than can be counted
     return false;
   }

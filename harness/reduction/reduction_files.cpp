@@ -95,7 +95,7 @@ void require_room_for_factors(const std::string& scene, const SparseMatrix& stif
   double needed = taken(kMostCounted);
   const char* least = "more than ";
   try {
-    needed = taken(SparseCholesky::entries_for(stiffness));
+    needed = taken(SparseCholesky::cost_of(stiffness).entries);
     if (needed <= room) return;
     least = "";
   } catch (const std::bad_alloc&) {  // too many to count, or to analyse
