@@ -192,10 +192,14 @@ PencilModes::Error PencilModes::relative_error(const HarmonicPencil& pencil) con
   const Eigen::VectorXcd& inverse = *found;
   const double nearest = distance_from_singular(pencil, theta_), turn = std::abs(pencil.mu);
   Error error;
+  // What is not a number bounds nothing.
+  const auto take_larger = [](double& bound, double value) {
+    bound = std::isnan(value) ? kInfinite : std::max(bound, value);
+  };
   const auto add = [&](double outside, double left_out, double scale) {
     if (scale == 0.0) return;
-    error.all = std::max(error.all, (outside + left_out) * (outside + left_out) / (nearest * scale));
-    error.outside = std::max(error.outside, outside * outside / (nearest * scale));
+    take_larger(error.all, (outside + left_out) * (outside + left_out) / (nearest * scale));
+    take_larger(error.outside, outside * outside / (nearest * scale));
   };
   // rho of all columns of W.
   const auto of_contacts = [&](const Eigen::MatrixXd& rows) {

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "methods/structure/dynamic_stiffness.hpp"
 #include "methods/structure/receptance.hpp"
@@ -118,6 +119,21 @@ TEST(PencilElimination, EndsWhereTheProjectionSufficesForEveryHarmonicAndNotMuch
   EXPECT_GT(growths, 2);
   EXPECT_LT(projected_error(space, pencils, exact), kTolerance);
   EXPECT_LT(space.size(), 60);  // of 120
+}
+
+TEST(PencilModes, HaveNoBoundWhereALoadIsNotANumber) {
+  const Problem problem = test::damped_chain(30);
+  const PencilLoads loads = pencil_loads(problem, kHarmonics, weights);
+  auto pencils = harmonic_pencils({0.05, 0.01}, 0.0, kHarmonics, weights, loads);
+  BlockLanczos space(problem.stiffness(), problem.mass(), loads.columns);
+  const PencilModes modes(space, problem.contact_count());
+  const auto loaded =
+      std::find_if(pencils.begin(), pencils.end(), [](const HarmonicPencil& p) { return p.load.size() > 0; });
+  ASSERT_NE(loaded, pencils.end());
+  EXPECT_TRUE(std::isfinite(modes.relative_error(*loaded).all));
+  loaded->load.setConstant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_TRUE(std::isinf(modes.relative_error(*loaded).all));
+  EXPECT_TRUE(std::isinf(modes.relative_error(*loaded).outside));
 }
 
 TEST(StartColumns, AreTheContactsAndTheHarmonicsOwnLoad) {
