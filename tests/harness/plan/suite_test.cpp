@@ -54,6 +54,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]\nfoo = 1", "x.toml:5: foo = 1"},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]\n[limits]\ntimeout = 0",
                  "x.toml:6: limits.timeout = 0"},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]\n[limits]\ncertificate_timeout = 0",
+                 "x.toml:6: limits.certificate_timeout = 0 (must be a positive"},
+        BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]\n[limits]\nreference_timeout = -1",
+                 "x.toml:6: limits.reference_timeout = -1 (must be a number of seconds >= 0"},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]\n[limits]\nmemory = 1.5",
                  "x.toml:6: limits.memory = 1.5"},
         BadSuite{"schema = 1\nname=\"s\"\ntitle=\"t\"\nscenes=[\"*\"]\n[[expected_failure]]\ncase = \"a\"",
@@ -63,10 +67,12 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ParseSuite, ReadsLimitsAndExpectedFailures) {
   const Suite suite = parse_suite(
       "schema = 1\nname = \"s\"\ntitle = \"t\"\n"
-      "scenes = [\"a*\"]\n[limits]\ntimeout = 5\nrepetitions = 7\n[[expected_failure]]\ncase = "
+      "scenes = [\"a*\"]\n[limits]\ntimeout = 5\nreference_timeout = 0\nrepetitions = "
+      "7\n[[expected_failure]]\ncase = "
       "\"a/*\"\nreason = \"hard\"\n",
       "s.toml");
   EXPECT_EQ(suite.limits.timeout, 5.0);
+  EXPECT_EQ(suite.limits.reference_timeout, 0.0);
   EXPECT_EQ(suite.limits.repetitions, 7);
   EXPECT_EQ(suite.limits.memory_mb, Limits{}.memory_mb);
   ASSERT_EQ(suite.expected_failures.size(), 1U);
