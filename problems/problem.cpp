@@ -115,6 +115,14 @@ int highest_load_harmonic(const Problem& problem) {
 
 int load_bandwidth(const Problem& problem) { return highest_load_harmonic(problem) * problem.subharmonic; }
 
+int whole_periods(double period, double part) {
+  constexpr double kSame = 1e-6;
+  const double ratio = period / part;
+  const double whole = std::round(ratio);
+  if (!(whole >= 1.0 && whole <= 1.0 / kSame)) return 0;
+  return std::abs(ratio - whole) <= kSame * ratio ? static_cast<int>(whole) : 0;
+}
+
 Eigen::VectorXd load_at(const Problem& problem, double time) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(problem.size());
   for (const ForceTerm& term : problem.force) {

@@ -147,6 +147,10 @@ int highest_load_harmonic(const Problem& problem);
 /// least number of harmonics with which a Fourier series over problem.period() represents the load.
 int load_bandwidth(const Problem& problem);
 
+/// How many periods `part` make up `period`, to 1e-6 of it; 0 where no whole number does, or more than a
+/// million: of those every number is one to that.
+int whole_periods(double period, double part);
+
 /// f(t), Nd [N].
 Eigen::VectorXd load_at(const Problem& problem, double time);
 

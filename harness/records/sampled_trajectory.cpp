@@ -12,6 +12,7 @@
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/records/record_json.hpp"
+#include "problems/problem.hpp"
 
 namespace signorini {
 
@@ -199,15 +200,13 @@ std::string trajectory_defect(const Trajectory& trajectory, int contacts, double
   if (trajectory.contact_count() != contacts) {
     return fmt::format("the trajectory has {} contacts, the scene {}", trajectory.contact_count(), contacts);
   }
-  const double ratio = trajectory.period() / forcing_period;
-  if (!std::isfinite(ratio) || ratio < 0.5 || std::abs(ratio - std::round(ratio)) > 1e-6 * ratio) {
-    return fmt::format("the period {} s is no whole multiple of the forcing period {} s", trajectory.period(),
-                       forcing_period);
-  }
   constexpr double kMostPeriods = 256.0;  // every one of them is sampled
-  if (ratio > kMostPeriods) {
-    return fmt::format("the period {} s is more than {} forcing periods", trajectory.period(), kMostPeriods);
-  }
+  const double period = trajectory.period();
+  if (std::isfinite(period) && period > (kMostPeriods + 0.5) * forcing_period)
+    return fmt::format("the period {} s is more than {} forcing periods", period, kMostPeriods);
+  if (whole_periods(period, forcing_period) == 0)
+    return fmt::format("the period {} s is no whole multiple of the forcing period {} s", period,
+                       forcing_period);
   return list_defect(trajectory.impulses(), trajectory.events(), contacts, trajectory.period());
 }
 

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "problems/problem.hpp"
+
 namespace signorini {
 
 namespace {
@@ -39,12 +41,7 @@ Eigen::MatrixXd at_phases(const std::vector<std::vector<double>>& x, int order) 
 
 /// Forcing periods per period of an answer; 0 where it is no whole number of them.
 int order_of(const SweepPoint& step) {
-  constexpr double kWhole = 1e-6;
-  if (!step.motion) return 0;
-  const double ratio = step.motion->period * step.frequency / (2.0 * std::numbers::pi);
-  const double whole = std::round(ratio);
-  if (!(whole >= 1.0 && whole <= 1.0 / kWhole)) return 0;  // beyond, every number is whole to that
-  return std::abs(ratio - whole) < kWhole * ratio ? static_cast<int>(whole) : 0;
+  return step.motion ? whole_periods(step.motion->period, 2.0 * std::numbers::pi / step.frequency) : 0;
 }
 
 class Cutter {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <ctime>
 #include <fstream>
 
@@ -210,16 +209,6 @@ void take_summary(const Trial& trial, const Trajectory& answer, const Motion& mo
   for (const auto& u : samples.colwise()) record.trajectory->u.emplace_back(u.begin(), u.end());
 }
 
-/// How many periods of a motion make the one that a scene asks for; 0 if no whole number does.
-int whole_periods(const Problem& problem, const Trajectory& motion) {
-  constexpr double kSamePeriod = 1e-6;  // relative; as the period of an answer is judged
-  constexpr double kMostWhole = 1e6;    // beyond it every number is whole to that
-  const double ratio = problem.period() / motion.period();
-  const double whole = std::round(ratio);
-  if (!(whole >= 1.0 && whole <= kMostWhole)) return 0;
-  return std::abs(ratio - whole) <= kSamePeriod * ratio ? static_cast<int>(whole) : 0;
-}
-
 }  // namespace
 
 bool TrialSeries::goes_on(const Problem& next) {
@@ -328,7 +317,7 @@ StartPoint start_point(const Case& planned_case, const Problem& problem, const R
   const std::optional<double> late = planned_case.choice.start();
   if (!late) return {};
   if (!reference.orbit) return {.obstacle = "no orbit to start from: " + reference.reason};
-  const int periods = whole_periods(problem, *reference.orbit);
+  const int periods = whole_periods(problem.period(), reference.orbit->period());
   if (periods == 0) {
     return {.obstacle = fmt::format(
                 "no orbit to start from: the one reached from rest has a period of {:.6g} s, asked "

@@ -18,14 +18,13 @@ namespace {
 
 /// Forcing periods in the trajectory's period.
 int forcing_periods(const Problem& problem, double period) {
-  const double ratio = period * problem.frequency / kTwoPi;
-  const double whole = std::round(ratio);
-  if (!(whole >= 1.0) || std::abs(ratio - whole) > 1e-6 * whole) {
+  const int periods = whole_periods(period, problem.forcing_period());
+  if (periods == 0) {
     throw std::invalid_argument(
         fmt::format("trajectory.period = {} (must be a multiple of the forcing period {})", period,
                     problem.forcing_period()));
   }
-  return static_cast<int>(whole);
+  return periods;
 }
 
 }  // namespace

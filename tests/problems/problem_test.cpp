@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <random>
@@ -32,6 +33,17 @@ TEST(Problem, PeriodFollowsTheSubharmonic) {
   EXPECT_DOUBLE_EQ(problem.period(), 3.0 * std::numbers::pi / 2.0);
   EXPECT_DOUBLE_EQ(problem.base_frequency(), 4.0 / 3.0);
   EXPECT_DOUBLE_EQ(problem.forcing_period(), std::numbers::pi / 2.0);
+}
+
+TEST(WholePeriods, AreCountedToAMillionthOfAPeriod) {
+  EXPECT_EQ(whole_periods(2.0, 2.0), 1);
+  EXPECT_EQ(whole_periods(6.000003, 2.0), 3);
+  EXPECT_EQ(whole_periods(6.00001, 2.0), 0);
+  EXPECT_EQ(whole_periods(1.0, 2.0), 0);
+  EXPECT_EQ(whole_periods(-2.0, 2.0), 0);
+  EXPECT_EQ(whole_periods(3e6, 2.0), 0);  // 1.5 million, and so would be a quarter more
+  EXPECT_EQ(whole_periods(std::numeric_limits<double>::infinity(), 2.0), 0);
+  EXPECT_EQ(whole_periods(std::numeric_limits<double>::quiet_NaN(), 2.0), 0);
 }
 
 TEST(Problem, CopiesShareTheirStructureUntilOneIsEdited) {
