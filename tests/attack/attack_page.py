@@ -1,5 +1,7 @@
 """results/attack.md: what was attacked, how often, and what did not hold."""
 
+import pathlib
+
 INTRODUCTION = """# The program under attack
 
 What a stranger, an accident or a full disk can do to the program, counted: `tests/attack/` makes the inputs from a seed,
@@ -8,7 +10,8 @@ crash, a call that does not end in its time or its memory, an undocumented exit 
 a refusal of more than one line, a raw byte on the terminal, a lost or doubled record, or an answer called converged that
 is none.
 
-This page is made by one command, with a build of the preset `asan` after the fuzzers of the preset `fuzz` (`fuzz.py`):
+This page is made by one command, with a build with sanitizers (of the preset `asan`, or of `fuzz`, whose fuzzers `fuzz.py`
+runs, with `-DSIGNORINI_SANITIZE=ON`):
 
     {command}
 
@@ -56,7 +59,8 @@ def versions_of(campaigns):
 def page_of(campaigns, fuzzed, arguments):
     """The page as Markdown."""
     sanitized = ", the program built with sanitizers" if arguments.sanitized else ""
-    command = f"python3 tests/attack/attack.py build/{'asan' if arguments.sanitized else 'release'}/harness/signorini"
+    program = "/".join(pathlib.Path(arguments.program).resolve().parts[-4:])  # build/PRESET/harness/signorini
+    command = f"python3 tests/attack/attack.py {program}"
     command += f" --share {arguments.share}{' --sanitized' if arguments.sanitized else ''} --table results/attack.md"
     command += " --record results/attack.json" if arguments.record else ""
     page = INTRODUCTION.format(command=command, versions=versions_of(campaigns), seed=arguments.seed,

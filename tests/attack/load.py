@@ -83,6 +83,8 @@ class Load:
         self.program, self.folder = program, folder
         write_problems(folder / "problems", cases)
         program.environment["SIGNORINI_PROBLEMS"] = str(folder / "problems")
+        # What the address sanitizer keeps of freed memory, 256 MB unless told, is no growth of the program.
+        program.environment["ASAN_OPTIONS"] += ":quarantine_size_mb=8"
         self.cases = max(1, cases // PER_SCENE) * PER_SCENE
         self.jobs = jobs
 
