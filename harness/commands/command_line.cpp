@@ -196,9 +196,9 @@ int run_command_line(int argc, char** argv) {
   CLI::App app{"Compares methods for periodic vibrations of structures with unilateral contact.",
                "signorini"};
   int exit_code = kDone;
-  open_standard_files();
-  compute_on_one_thread();
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of the write, which names the file
+  open_standard_files();
+  compute_on_one_thread();  // may initialise a library that writes files
   // Not argv[0]: local paths stay out of the manifest.
   std::vector<std::string> words{"signorini"};
   words.insert(words.end(), argv + std::min(1, argc), argv + argc);
