@@ -15,7 +15,10 @@ namespace {
 
 /// Orbits of certificates may be this uncertain; what is smaller than ten error bars is marked in tables.
 constexpr double kLargestErrorBar = 1e-6;
+// Amplitudes by which a motion may break the law of contact before it is none of the scene, whatever orbits
+// are found.
 constexpr double kDeepPenetration = 0.5;
+constexpr double kFarFromLaw = 0.5;  // in the mean over time
 
 /// The attempts to certify one answer, each true where it succeeds.
 class Attempts {
@@ -141,8 +144,10 @@ CertifiedAnswer certify(const Problem& problem, std::shared_ptr<const Trajectory
 void apply_verdict(Record& record) {
   if (record.status != Status::converged) return;
   const bool rigid = !record.law || !std::holds_alternative<Penalty>(*record.law);
-  const Measure depth = record.physics.penetration;
+  const Measure depth = record.physics.penetration, off = record.physics.complementarity;
   std::string objection = record.certificate.refutation;
+  if (off && *off > kFarFromLaw)
+    objection = fmt::format("is off the law of contact by {:.2g} amplitudes in the mean", *off);
   if (rigid && depth && *depth > kDeepPenetration)
     objection = fmt::format("penetrates the stop by {:.2g} amplitudes", *depth);
   if (objection.empty()) return;

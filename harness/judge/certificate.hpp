@@ -40,7 +40,8 @@ CertifiedAnswer certify(const Problem& problem, std::shared_ptr<const Trajectory
                         Deadline deadline);
 
 /// The status that the harness gives: `inaccurate` where the method says converged, but penetrates a rigid
-/// stop by more than half the amplitude, or its certificate holds a refutation.
+/// stop by more than half the amplitude, is off the law of contact by as much in the mean over time
+/// (`Physics::complementarity`), or its certificate holds a refutation.
 void apply_verdict(Record& record);
 
 }  // namespace signorini

@@ -127,6 +127,29 @@ bool lacks_its_impulses(const Record& record) {
 }
 
 // The rule holds of every record in results/, and each was judged by it.
+/// The status after the verdict of an answer with these physics, on which the certificate is silent.
+Status verdict_on(const Physics& physics, const RepresentedLaw& law = Massless{}) {
+  Record record;
+  record.status = Status::converged;
+  record.certificate.status = CertificateStatus::uncertified;
+  record.law = law;
+  record.physics = physics;
+  apply_verdict(record);
+  return record.status;
+}
+
+TEST(ApplyVerdict, RefutesWhatBreaksTheLawOfContactByHalfTheAmplitude) {
+  EXPECT_EQ(verdict_on({}), Status::converged) << "nothing was measured";
+  EXPECT_EQ(verdict_on({.penetration = 0.1, .complementarity = 0.1}), Status::converged);
+  EXPECT_EQ(verdict_on({.penetration = 0.6, .complementarity = 0.1}), Status::inaccurate);
+  EXPECT_EQ(verdict_on({.penetration = 0.0, .complementarity = 230.0}), Status::inaccurate)
+      << "a stop that pushes from afar";
+  EXPECT_EQ(verdict_on({.penetration = 0.6, .complementarity = 0.1}, Penalty{.stiffness = {1.0}}),
+            Status::converged)
+      << "a spring yields";
+  EXPECT_EQ(verdict_on({.complementarity = 0.6}, Penalty{.stiffness = {1.0}}), Status::inaccurate);
+}
+
 TEST(CommittedRecords, AreNotCertifiedByMotionsWithoutTheImpulsesOfTheirOrbits) {
   for (const auto& folder : std::filesystem::directory_iterator(test::data_folder() / "../../results")) {
     const std::filesystem::path file = folder.path() / "records.jsonl";
