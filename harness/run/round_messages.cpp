@@ -27,8 +27,8 @@ const char* work_after(TrialStage last) {
 }
 
 /// A child that died after its answer had arrived. An answer whose check has died is nobody's: the check runs
-/// in the method's process, whose memory the method may have spoilt. Only a check that takes too long leaves
-/// the claim as it is, unproven.
+/// in the method's process, whose memory the method may have spoilt. Only a certificate that takes too long
+/// leaves the claim as it is, unproven: then its physics have been measured.
 void take_late_end(const ReceivedRound& lines, const ChildEnd& end, Record& record) {
   if (end.kind == ChildEnd::Kind::finished) return;
   const auto last = static_cast<TrialStage>(lines.size() - 1);
@@ -38,7 +38,7 @@ void take_late_end(const ReceivedRound& lines, const ChildEnd& end, Record& reco
     record.certificate.reason = as_message("the harness's own check ended by " + describe(end));
     const bool late =
         end.kind == ChildEnd::Kind::timed_out || end.kind == ChildEnd::Kind::out_of_processor_time;
-    if (late) return;
+    if (late && last == TrialStage::measured) return;
   }
   take_failure(end, record);
   record.message = work_after(last) + record.message;

@@ -100,6 +100,22 @@ TEST(FirstRound, LeavesNoClaimStandingWhoseCheckHasDied) {
       << record.certificate.reason;
 }
 
+TEST(FirstRound, LeavesAClaimUnprovenOnlyWhereItsPhysicsWereMeasuredInTime) {
+  const auto late_after = [](int stages) {
+    ChildEnd end = send_stages(
+        blank_record(), [] { _exit(3); }, stages);
+    end.kind = ChildEnd::Kind::timed_out;
+    return received(end);
+  };
+  const Record measured = late_after(3);
+  EXPECT_EQ(claim_of(measured), Claim::unproven);
+  EXPECT_TRUE(measured.certificate.reason.starts_with("the harness's own check ended by "));
+  const Record unmeasured = late_after(2);
+  EXPECT_EQ(unmeasured.status, Status::timeout);
+  EXPECT_EQ(claim_of(unmeasured), std::nullopt);
+  EXPECT_TRUE(unmeasured.message.starts_with("in the harness's check of its answer: ")) << unmeasured.message;
+}
+
 TEST(LaterRound, IsAddedToTheRecordWithItsTimesAndItsAnswer) {
   Record record = test::good_record("s", "m", "n=1", 0.1, 0.1);
   record.seconds->rounds = {{0.01, 0.09}};
