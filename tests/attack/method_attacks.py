@@ -74,9 +74,10 @@ def deed_violations(record, slower):
     if record is None:
         yield "no record"
         return
+    message = record.get("message", "")  # a method need not say anything
     if record["status"] == "converged":
-        yield f"converged ({record['certificate']['status']}): {record['message'][:200]}"
-    if len(record["message"].encode()) > LONGEST_MESSAGE or CONTROL.search(record["message"].encode()):
+        yield f"converged ({record['certificate']['status']}): {message[:200]}"
+    if len(message.encode()) > LONGEST_MESSAGE or CONTROL.search(message.encode()):
         yield "its message is long or raw"
     if record.get("elapsed", 0.0) > (SECONDS + 1.5) * slower + 1.5 and record["status"] == "timeout":
         yield f"{record['elapsed']:.1f} s of {SECONDS} s"
