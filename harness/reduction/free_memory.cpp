@@ -24,7 +24,7 @@ double number_after(const fs::path& path, std::string_view name, double absent) 
 }
 
 /// The number that a file consists of; `absent` where it is another word, such as `max`, or there is no file.
-double number_in(const fs::path& path, double absent) {
+double number_of_file(const fs::path& path, double absent) {
   double value = 0.0;
   return std::ifstream(path) >> value ? value : absent;
 }
@@ -44,9 +44,9 @@ double left_of_groups(const fs::path& mount, const std::string& group, const Gro
   double left = kUnbounded;
   for (fs::path inner = fs::path(group).relative_path();; inner = inner.parent_path()) {
     const fs::path folder = inner.empty() ? mount : mount / inner;
-    const double limit = number_in(folder / files.limit, kUnbounded);
+    const double limit = number_of_file(folder / files.limit, kUnbounded);
     const double taken =
-        number_in(folder / files.taken, 0.0) - number_after(folder / "memory.stat", files.dropped, 0.0);
+        number_of_file(folder / files.taken, 0.0) - number_after(folder / "memory.stat", files.dropped, 0.0);
     left = std::min(left, std::max(0.0, limit - taken));
     if (inner.empty()) return left;
   }
