@@ -17,12 +17,7 @@ fail() {
 for needed in "$program-reduce-mpi" mpirun; do
   command -v "$needed" >/dev/null || { echo "skipped: no $needed" && exit 77; }
 done
-rm -rf "$folder"
-mkdir -p "$folder"
-trap 'sh "$here/cluster.sh" down "$folder/cluster"' EXIT
-trap 'exit 1' HUP INT TERM
-sh "$here/cluster.sh" up "$folder/cluster" || exit $?
-export SLURM_CONF="$folder/cluster/slurm.conf"
+. "$here/in_cluster.sh"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 # Slurm's daemons need root, and so their jobs run
 
 # Two nodes of one host share the folder in which Slurm's PMIx keeps a step's files, hence srun on one of them.
@@ -32,12 +27,8 @@ cat >"$folder/job.sh" <<END
 #!/bin/sh
 set -eu
 reduce() { '$program' reduce block-nine-contacts --out '$folder'/by-"\$1".toml --mpi 2 --launcher "\$2"; }
-for name in $names; do
-  case \$name in
-    mpirun) reduce mpirun mpirun ;;
-    srun) reduce srun 'srun --mpi=pmix --nodes=1 --overcommit --overlap' ;;
-  esac
-done
+reduce mpirun mpirun
+[ '$names' = mpirun ] || reduce srun 'srun --mpi=pmix --nodes=1 --overcommit --overlap'
 END
 timeout 300 sbatch --quiet --wait --nodes=2 --ntasks=2 --output="$folder/log.txt" "$folder/job.sh" || fail 'the job'
 

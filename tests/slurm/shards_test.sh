@@ -9,12 +9,7 @@ here=$(dirname -- "$0")
 scenes='sdof-stop:sdof-far-stop:chain2-stop:chain3-stop'
 methods='hat-lcp[samples=512|1024]:penalty-hbm[harmonics=10]'
 
-rm -rf "$folder"
-mkdir -p "$folder"
-trap 'sh "$here/cluster.sh" down "$folder/cluster"' EXIT
-trap 'exit 1' HUP INT TERM
-sh "$here/cluster.sh" up "$folder/cluster" || exit $?
-export SLURM_CONF="$folder/cluster/slurm.conf"
+. "$here/in_cluster.sh"
 
 fail() {
   echo "failed: $*" >&2
