@@ -7,6 +7,8 @@
 #include <functional>
 #include <vector>
 
+#include "methods/discretisation/gauss_rule.hpp"
+
 namespace signorini {
 
 using Complex = std::complex<double>;
@@ -14,6 +16,8 @@ using Complex = std::complex<double>;
 namespace {
 
 constexpr double kSmall = 0.5;  // |z| below which (e^z - 1) / z is a series
+// Gauss' nodes by which the mean of e^{z s} over 0 <= s <= 1 is right to rounding for |z| <= 2 kSmall.
+constexpr int kNodes = 6;
 
 // (e^z - 1) / z for |z| <= kSmall.
 Complex mean_growth(Complex z) {
@@ -49,6 +53,19 @@ Terms sorted_terms(const Eigen::VectorXcd& rates, const Eigen::MatrixXcd& values
   return terms;
 }
 
+// What the terms from `first` on make together at the nodes, times their weights, kNodes x outputs.
+Eigen::MatrixXd weighed_at_nodes(const Terms& terms, Eigen::Index first, double duration) {
+  const GaussRule& rule = gauss_rule(kNodes);
+  const Eigen::Index count = terms.rates.size() - first;
+  Eigen::MatrixXd result(kNodes, terms.values.cols());
+  for (int q = 0; q < kNodes; ++q) {
+    const double time = 0.5 * (1.0 + rule.nodes[q]) * duration;
+    const Eigen::VectorXcd grown = (terms.rates.tail(count) * time).array().exp();
+    result.row(q) = 0.5 * rule.weights[q] * (terms.values.bottomRows(count).transpose() * grown).real();
+  }
+  return result;
+}
+
 // Some harmonics n of one interval, in real arrays: most of the time is spent on their quotients.
 class Harmonics {
  public:
@@ -67,7 +84,7 @@ class Harmonics {
 
   // The first terms, each by its quotient. Re c e^{nu t} = (c e^{nu t} + conj) / 2: harmonics by terms is one
   // matrix, terms by outputs another.
-  [[nodiscard]] Eigen::MatrixXcd of_fast(const Terms& terms, Eigen::Index fast) const {
+  [[nodiscard]] Eigen::MatrixXcd of_quotients(const Terms& terms, Eigen::Index fast) const {
     const Eigen::Index count = turn_.size(), outputs = terms.values.cols();
     Eigen::MatrixXcd integrals(count, 2 * fast), halves(2 * fast, outputs), sums(count, outputs);
     for (Eigen::Index k = 0; k < fast; ++k) {
@@ -82,6 +99,20 @@ class Harmonics {
     cblas_zgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, rows, static_cast<int>(outputs), inner, &one,
                 integrals.data(), rows, halves.data(), std::max(1, inner), &zero, sums.data(), rows);
     return sums;
+  }
+
+  // Whether the interval is short even for the last of these harmonics.
+  [[nodiscard]] bool brief() const { return angle_[angle_.size() - 1] <= kSmall; }
+
+  // Those with |nu| d <= kSmall of a short interval: by Gauss' rule. \param weighed  `weighed_at_nodes`
+  [[nodiscard]] Eigen::MatrixXcd of_brief(const Eigen::MatrixXd& weighed) const {
+    const GaussRule& rule = gauss_rule(kNodes);
+    Eigen::MatrixXcd turned(turn_.size(), kNodes);
+    for (int q = 0; q < kNodes; ++q) {
+      for (Eigen::Index n = 0; n < turned.rows(); ++n)
+        turned(n, q) = phase_[n] * std::polar(1.0, -0.5 * (1.0 + rule.nodes[q]) * angle_[n]);
+    }
+    return turned * weighed.cast<Complex>();
   }
 
   // The others, |nu| <= kSlow n w. With f what they make together, by parts
@@ -156,14 +187,20 @@ Eigen::MatrixXcd harmonic_integrals(const Eigen::VectorXcd& rates, const Eigen::
   constexpr Eigen::Index kAtOnce = 256;
   const double duration = end - begin;
   const Terms sorted = sorted_terms(rates, terms, duration);
+  const Eigen::Index steep = sorted.faster_than(kSmall / duration);
+  const Eigen::MatrixXd weighed = weighed_at_nodes(sorted, steep, duration);
   Eigen::MatrixXcd sums(harmonics + 1, terms.cols());
   for (Eigen::Index first = 0; first < sums.rows(); first += kAtOnce) {
     const Eigen::Index count = std::min(kAtOnce, sums.rows() - first);
     const Harmonics some(w, begin, duration, first, count);
+    auto part = sums.middleRows(first, count);
+    if (some.brief()) {
+      part = some.of_quotients(sorted, steep) + some.of_brief(weighed);
+      continue;
+    }
     const double slow = Harmonics::kSlow * w * static_cast<double>(first);
     const Eigen::Index fast = first == 0 ? sorted.rates.size() : sorted.faster_than(slow);
-    auto part = sums.middleRows(first, count);
-    part = some.of_fast(sorted, fast);
+    part = some.of_quotients(sorted, fast);
     if (fast < sorted.rates.size()) part += some.of_slow(sorted, fast);
   }
   return sums;

@@ -60,7 +60,7 @@ TEST(HarmonicIntegrals, AreThoseOfQuotientsAtHighHarmonics) {
     for (int k = 7; k > 1; --k) sum = 1.0 + sum * z / static_cast<double>(k);
     return sum;
   };
-  for (const double duration : {0.75, 0x1p-7, 0x1p-17}) {  // no rounding of the end
+  for (const double duration : {0.75, 0x1p-7, 0x1p-13, 0x1p-17, 0x1p-30}) {  // no rounding of the end
     const Eigen::MatrixXcd closed =
         harmonic_integrals(rates, terms, kBegin, kBegin + duration, kRate, kHarmonics);
     for (const int n : {255, 256, 257, 511, 512, 700, 1023, 1024, 2047, 2048, 2999, 3000}) {
