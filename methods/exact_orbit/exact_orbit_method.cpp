@@ -214,7 +214,9 @@ class PreparedReducedOrbit final : public PreparedMethod {
     search.expired = [&start] { return start.expired(); };
     Solution solution;
     try {
-      take(find(start, settings), solution);
+      ReducedOrbit found = find(start, settings);
+      take(found, solution);
+      near_ = std::move(found.corrected.space);
     } catch (const std::exception& error) {  // a mode whose flow cannot be formed, or no memory in a growth
       solution.message = fmt::format("no exact orbit: {}", error.what());
       whole_ = false;
@@ -226,15 +228,18 @@ class PreparedReducedOrbit final : public PreparedMethod {
   bool take_frequency(const Problem& problem) override {
     if (!whole_) return false;  // it would be made anew
     space_ = space_.of(problem);
+    if (near_) near_ = near_->of(problem);
     problem_ = &problem;
     return true;
   }
 
  private:
-  // From the guess, and where it leads to no orbit with a bar, by marching from rest.
+  // From the guess, on the vectors of the orbit before, and where it leads to no orbit with a bar, by
+  // marching from rest.
   [[nodiscard]] ReducedOrbit find(const Start& start, const OrbitCorrectionSettings& settings) const {
     if (!start.guess) return find_reduced_orbit(*problem_, space_, settings);
-    ReducedOrbit near = polish_reduced_orbit(*problem_, space_, *start.guess, settings);
+    ReducedOrbit near = near_ ? continue_reduced_orbit(*problem_, *near_, *start.guess, settings)
+                              : polish_reduced_orbit(*problem_, space_, *start.guess, settings);
     if (near.corrected.bar || start.expired()) return near;
     ReducedOrbit found = find_reduced_orbit(*problem_, space_, settings);
     found.iterations += near.iterations;
@@ -267,7 +272,8 @@ class PreparedReducedOrbit final : public PreparedMethod {
   const Problem* problem_;
   ExactOrbitMethod::Options options_;
   ContactSpace space_;
-  bool whole_ = true;  // the space, after all solves so far
+  std::optional<ContactSpace> near_ = {};  // of the last orbit, if it has a bar
+  bool whole_ = true;                      // the space, after all solves so far
 };
 
 }  // namespace

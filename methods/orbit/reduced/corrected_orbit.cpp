@@ -5,11 +5,13 @@
 #include <complex>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/linear_flow/shared_modes.hpp"
 #include "methods/orbit/reduced/closing_orbit.hpp"
+#include "methods/reduction/principal_directions.hpp"
 #include "methods/structure/periodic_response.hpp"
 
 namespace signorini {
@@ -33,6 +35,7 @@ constexpr double kTellingDefect = 1e-13;
 // as what is left, within these.
 constexpr double kLeastProbe = 1e-10, kLargestProbe = 1e-6;
 constexpr int kProbes = 4;
+constexpr std::string_view kNotConverging = "the corrections do not converge: more vectors are needed";
 // Harmonics of the response to a change of K that are looked at for resonances.
 constexpr int kResonanceHarmonics = 32;
 
@@ -105,18 +108,19 @@ class Correction {
     for (int correction = 0;; ++correction) {
       if (!result_.orbit.certified()) return refused("no admissible orbit: " + result_.orbit.reason);
       if (!measure()) return refused("the motion between events is not known as a sum of modes");
-      if (correction > 0 && settled_ && (enough() || rate() > kSlowestCorrection)) break;
+      if (settled_ && (enough() || rate() > kSlowestCorrection)) break;
       if (correction == settings_.corrections) break;
       correct();
     }
-    if (defect_rate() > kSlowestCorrection && !negligible_defect())
-      return refused("the corrections do not converge: more vectors are needed");
+    if (too_slow()) return refused(std::string(kNotConverging));
     if (!settled_) return refused("the last correction changed the sequence of events");
     if (!probe())
       return refused(
           "displacements as small as what is left change the "
           "sequence of events");
+    if (too_slow()) return refused(std::string(kNotConverging));
     conclude();
+    result_.space = std::move(space_);
     return std::move(result_);
   }
 
@@ -135,15 +139,18 @@ class Correction {
     if (force.size() == 0) return false;
     const Eigen::MatrixXd x = orbit.sample(kComparedInstants * order).x;
     size_ = size_about_mean(x);
-    const Eigen::MatrixXcd solved = contact_response(model_, base_, force);
     const double wanted = kNegligible * std::max(settings_.tolerance, rounding(x)) * size_;
-    if (space_.bound_size(base_, force) > wanted)
+    Eigen::VectorXd bound = space_.bound(base_, force);
+    if (root_mean_square(bound) > wanted) {
       space_ = space_.grown_for(base_, {{.force = force, .tolerance = wanted}});
+      bound = space_.bound(base_, force);
+    }
     space_ = space_.solved_for(base_, force, kLeftBySolved * settings_.tolerance * size_);
     result_.vectors = space_.whole().vectors();
     result_.solved = model_.vectors();
-    missing_ = space_.missing(base_, force);
-    Eigen::MatrixXcd defect = contact_response(space_.whole(), base_, force) - solved;
+    const Eigen::MatrixXcd whole = contact_response(space_.whole(), base_, force);
+    missing_ = whole - contact_response(space_.small(), base_, force);
+    Eigen::MatrixXcd defect = whole - contact_response(model_, base_, force);
     if (added_.rows() > 0) defect.topRows(added_.rows()) -= added_;
     if (!result_.defects.empty()) {
       const double change = std::sqrt((x - x_).array().square().mean()) / size_;
@@ -152,8 +159,7 @@ class Correction {
     }
     result_.peak = sample_series(defect, 2 * harmonics).cwiseAbs().maxCoeff() / size_;
     result_.tail = beyond(defect) / size_;
-    const Eigen::MatrixXcd bound = space_.bound(base_, force).cast<std::complex<double>>();
-    result_.outside = (series_norm(bound) + beyond(bound)) / size_;
+    result_.outside = (root_mean_square(bound) + beyond(bound.cast<std::complex<double>>())) / size_;
     result_.rounding = rounding(x);
     if (result_.defects.empty()) shifted_ = std::max(added_.rows(), shifted());
     result_.defects.push_back(series_norm(defect.topRows(shifted_)) / size_);
@@ -163,6 +169,7 @@ class Correction {
     defect.bottomRows(others) -= missing_.bottomRows(others);
     applied_ = series_norm(defect) / size_;
     x_ = x;
+    force_ = force.topRows(shifted_);
     return true;
   }
 
@@ -191,6 +198,7 @@ class Correction {
   /// How much more than themselves displacements change x. The first is x
   /// itself, as an error of the compliance would be; each further one is what
   /// the one before has changed, so that they turn to where x answers most.
+  /// Without a correction the last one tells the rate of corrections too.
   /// False where one of them changes the events.
   bool probe() {
     const Eigen::Index instants = x_.rows();
@@ -207,11 +215,20 @@ class Correction {
       result_.iterations += found.iterations;
       if (!found.orbit.certified() || !same_sequence(*found.orbit.trajectory, *result_.orbit.trajectory))
         return false;
+      if (result_.defects.size() == 1 && k + 1 == kProbes)
+        probed_rate_ = missing_change(*found.orbit.trajectory) / (least * size_);
       change = found.orbit.trajectory->sample(static_cast<int>(instants)).x - x_;
       const double ratio = std::sqrt(change.array().square().mean()) / (least * size_);
       result_.amplification = std::max(result_.amplification, ratio);
     }
     return true;
+  }
+
+  /// By how much another orbit's missing displacement differs in the harmonics that are added, which the next
+  /// correction would find to do [m].
+  [[nodiscard]] double missing_change(const ExactTrajectory& other) const {
+    const Eigen::MatrixXcd force = other.force_spectrum(static_cast<int>(shifted_) - 1);
+    return series_norm(space_.missing(base_, force) - space_.missing(base_, force_));
   }
 
   /// Harmonics that are added, the constant included: so many that the others
@@ -221,10 +238,11 @@ class Correction {
     return harmonics_to_add(missing_, least * size_, problem_.subharmonic, settings_);
   }
 
-  /// How the last defect compares with the one before.
+  /// How the last defect compares with the one before; without a correction, what a probe says of the next.
   [[nodiscard]] double defect_rate() const {
     const std::size_t count = result_.defects.size();
-    if (count < 2 || result_.defects[count - 2] == 0.0) return 0.0;
+    if (count < 2) return probed_rate_;
+    if (result_.defects[count - 2] == 0.0) return 0.0;
     return result_.defects[count - 1] / result_.defects[count - 2];
   }
   /// The same of all that further corrections reduce.
@@ -245,6 +263,8 @@ class Correction {
   [[nodiscard]] double promised() const {
     return kTypicalRate * result_.defects.back() + series_norm(missing_, shifted_) / size_;
   }
+
+  [[nodiscard]] bool too_slow() const { return defect_rate() > kSlowestCorrection && !negligible_defect(); }
 
   [[nodiscard]] bool enough() const {
     return kBarSafety * result_.amplification * reducible() <= settings_.tolerance ||
@@ -271,6 +291,8 @@ class Correction {
   std::vector<int> closing_;  // contacts that act in the orbits
   std::shared_ptr<SharedModes> shared_;
   Eigen::MatrixXcd missing_, added_;  // of the present orbit, and in it
+  Eigen::MatrixXcd force_;            // of the present orbit, in the harmonics that are added
+  double probed_rate_ = 0.0;
   Eigen::MatrixXd x_;
   bool settled_ = true;
   CorrectedOrbit result_;

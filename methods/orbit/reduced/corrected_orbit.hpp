@@ -42,6 +42,8 @@ struct CorrectedOrbit {
   /// On |x - x_true|; empty: none can be given [-].
   std::optional<double> bar = {};
   std::string refusal = {};  ///< why there is no bar, one clause
+  /// With a bar: the space given, grown and with the vectors to solve on that this orbit's force needs.
+  std::optional<ContactSpace> space = {};
 };
 
 /// Deferred correction of exact orbits. With lambda of an orbit, in closed form its Fourier coefficients, and
@@ -52,10 +54,11 @@ struct CorrectedOrbit {
 /// bar it is grown (`ContactSpace::grown_for`); the next orbit is one of the vectors that these forces need
 /// (`ContactSpace::solved_for`), so that what is not added falls too. Each orbit is polished from the events
 /// of the one before, and admissible. Corrections end where the bar is as small as is wanted, or the next one
-/// does not promise half of what is left.
+/// does not promise half of what is left; none is made where that holds of the first orbit.
 ///
 /// The bar is 2 A (d / (1 - theta) + unshifted + tail + outside + rounding) + the orbit's own: d the last
-/// defect, theta <= 1/2 the rate at which defects fell, A the amplification, rounding the measured one of the
+/// defect, theta <= 1/2 the rate at which defects fell, or without a correction by how much more than itself
+/// the last probe changes x_whole - x; A the amplification, rounding the measured one of the
 /// factors of K over the distance from resonance. A is the largest that corrections show, in which the
 /// displacement is what they take away of the defect in all harmonics, and four probes:
 /// orbits with displacements added as large as what is left, the first of them in proportion to x, each other
@@ -80,7 +83,7 @@ double size_about_mean(const Eigen::MatrixXd& x);
 
 /// Part of the tolerance on the bar that the vectors to solve on may leave out of the motion they are chosen
 /// for [-].
-inline constexpr double kLeftBySolved = 1e-2;
+inline constexpr double kLeftBySolved = 1e-3;
 
 /// `condensed(reduction)` with displacements added to the contacts.
 /// \param added  d_n, n = 0.., per harmonic and contact [m]

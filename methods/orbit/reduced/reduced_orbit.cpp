@@ -13,7 +13,45 @@
 
 namespace signorini {
 
-namespace {}  // namespace
+namespace {
+
+/// What the vectors of a space are chosen for, and what they miss is added from.
+struct Given {
+  Eigen::MatrixXcd force;  // of a motion
+  double left = 0.0;       // of x, that may be left out [m]
+};
+
+Given given_by(const Problem& problem, const Trajectory& motion, const OrbitCorrectionSettings& settings) {
+  constexpr int kInstants = 512;
+  const int order = problem.subharmonic;
+  return {.force = force_spectrum(motion, settings.shifted * order),
+          .left = kLeftBySolved * settings.tolerance * size_about_mean(motion.sample(kInstants * order).x)};
+}
+
+/// On the vectors that `space` solves on.
+ReducedOrbit orbit_near(const Problem& problem, const ContactSpace& space, const Trajectory& motion,
+                        const Given& given, const OrbitCorrectionSettings& settings) {
+  const double base = problem.base_frequency();
+  // What the vectors miss of the response to this force is added from the start: without it the motion is
+  // none of theirs, and contacts that touch briefly would come and go in another order.
+  Eigen::MatrixXcd added = space.missing(base, given.force);
+  added.conservativeResize(harmonics_to_add(added, given.left, problem.subharmonic, settings),
+                           Eigen::NoChange);
+  ReducedOrbit result{.corrected = {}, .start = "the motion given"};
+  result.corrected.solved = space.small().vectors();
+  std::vector<int> closing = pushing_contacts(motion);
+  OrbitSearch found =
+      find_closing_orbit(problem, displaced(space.small(), added, base), closing, motion, settings.search);
+  result.iterations = found.iterations;
+  result.corrected.orbit = std::move(found.orbit);
+  if (!result.corrected.orbit.certified()) return result;
+  result.corrected =
+      correct_orbit(problem, space, std::move(result.corrected.orbit), settings, std::move(added));
+  result.iterations += result.corrected.iterations;
+  return result;
+}
+
+}  // namespace
 
 std::string reduction_obstacle(const Problem& problem) {
   if (std::string obstacle = march_obstacle(problem); !obstacle.empty()) return obstacle;
@@ -43,29 +81,15 @@ ReducedOrbit find_reduced_orbit(const Problem& problem, const ContactSpace& spac
 
 ReducedOrbit polish_reduced_orbit(const Problem& problem, const ContactSpace& space, const Trajectory& motion,
                                   const OrbitCorrectionSettings& settings) {
-  constexpr int kInstants = 512;
-  const int order = problem.subharmonic;
-  const double base = problem.base_frequency();
-  const Eigen::MatrixXcd force = force_spectrum(motion, settings.shifted * order);
-  const double left =
-      kLeftBySolved * settings.tolerance * size_about_mean(motion.sample(kInstants * order).x);
-  const ContactSpace own = space.small_is_given() ? space : space.solved_for(base, force, left);
-  // What the vectors miss of the response to this force is added from the start: without it the motion is
-  // none of theirs, and contacts that touch briefly would come and go in another order.
-  Eigen::MatrixXcd added = own.missing(base, force);
-  added.conservativeResize(harmonics_to_add(added, left, order, settings), Eigen::NoChange);
-  ReducedOrbit result{.corrected = {}, .start = "the motion given"};
-  result.corrected.solved = own.small().vectors();
-  std::vector<int> closing = pushing_contacts(motion);
-  OrbitSearch found =
-      find_closing_orbit(problem, displaced(own.small(), added, base), closing, motion, settings.search);
-  result.iterations = found.iterations;
-  result.corrected.orbit = std::move(found.orbit);
-  if (!result.corrected.orbit.certified()) return result;
-  result.corrected =
-      correct_orbit(problem, own, std::move(result.corrected.orbit), settings, std::move(added));
-  result.iterations += result.corrected.iterations;
-  return result;
+  const Given given = given_by(problem, motion, settings);
+  if (space.small_is_given()) return orbit_near(problem, space, motion, given, settings);
+  const ContactSpace own = space.solved_for(problem.base_frequency(), given.force, given.left);
+  return orbit_near(problem, own, motion, given, settings);
+}
+
+ReducedOrbit continue_reduced_orbit(const Problem& problem, const ContactSpace& space,
+                                    const Trajectory& motion, const OrbitCorrectionSettings& settings) {
+  return orbit_near(problem, space, motion, given_by(problem, motion, settings), settings);
 }
 
 }  // namespace signorini

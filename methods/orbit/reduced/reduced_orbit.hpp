@@ -37,4 +37,9 @@ ReducedOrbit find_reduced_orbit(const Problem& problem, const ContactSpace& spac
 ReducedOrbit polish_reduced_orbit(const Problem& problem, const ContactSpace& space, const Trajectory& motion,
                                   const OrbitCorrectionSettings& settings);
 
+/// The same on the vectors that `space` solves on as they are, those of an orbit near the motion
+/// (`CorrectedOrbit::space`), as of the frequency before in a response: seldom to be corrected.
+ReducedOrbit continue_reduced_orbit(const Problem& problem, const ContactSpace& space,
+                                    const Trajectory& motion, const OrbitCorrectionSettings& settings);
+
 }  // namespace signorini

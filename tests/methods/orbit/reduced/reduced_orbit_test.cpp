@@ -68,6 +68,33 @@ TEST(ReducedOrbit, OfAnotherFrequencyNeedsNoOtherPreparation) {
   }
 }
 
+// On the vectors of the orbit before, a step of a response needs no correction; a step of a tenth does, and
+// its bar is of the same size. Both lead to the orbit found from rest within the bars.
+TEST(ReducedOrbit, ContinuedIsSeldomCorrected) {
+  const Problem block = test::padded_block_problem({});
+  const ContactSpace space(block);
+  const ReducedOrbit before = find_reduced_orbit(block, space, {});
+  ASSERT_TRUE(before.corrected.bar) << before.corrected.refusal;
+  ASSERT_TRUE(before.corrected.space);
+  const Samples start = before.corrected.orbit.trajectory->sample(1024);
+  for (const double step : {1e-3, 0.1}) {
+    Problem faster = block;
+    faster.frequency *= 1.0 + step;
+    const ReducedOrbit anew = find_reduced_orbit(faster, space.of(faster), {});
+    ASSERT_TRUE(anew.corrected.bar) << anew.corrected.refusal;
+    EXPECT_GT(anew.corrected.defects.size(), 1U);
+    const NodalTrajectory stretched(faster.period(), start.x, start.force);
+    const ReducedOrbit next =
+        continue_reduced_orbit(faster, before.corrected.space->of(faster), stretched, {});
+    ASSERT_TRUE(next.corrected.bar) << next.corrected.refusal << next.corrected.orbit.reason;
+    EXPECT_EQ(next.corrected.defects.size() == 1, step < 0.01) << next.corrected.defects.size();
+    EXPECT_LT(*next.corrected.bar, 1e-7);
+    const Eigen::MatrixXd x = anew.corrected.orbit.trajectory->sample(512).x;
+    EXPECT_LE((next.corrected.orbit.trajectory->sample(512).x - x).norm(),
+              (*next.corrected.bar + *anew.corrected.bar) * (x.rowwise() - x.colwise().mean()).norm());
+  }
+}
+
 TEST(ReducedOrbit, SaysWhatItDoesNotStandFor) {
   EXPECT_EQ(reduction_obstacle(test::massless_bar({.beta = 0.01}, 10)), "");
   EXPECT_EQ(reduction_obstacle(test::stopped_chain(5, 0.5, 1)),
