@@ -61,6 +61,10 @@ stand_in cmake <<'END'
 [ ! -e "$fail.$1" ] || { echo 'the reason it failed' && exit 1; }
 END
 : | stand_in ctest
+# Seconds of a clock on which all tests but the slow ones end after 10 minutes, or 40.
+stand_in date <<'END'
+if ! grep -q '^ctest' "$calls"; then echo 0; elif [ -e "$fail.late" ]; then echo 2400; else echo 600; fi
+END
 : | stand_in clang-format
 echo 'exit 1' | stand_in npm # no network
 stand_in python3 <<'END'
@@ -163,7 +167,7 @@ expect_lines 0 'a later run says nothing of its own'
 
 fresh 1000 all
 bench test
-expect_call "ctest <--test-dir> <$tree/build/release> <--output-on-failure> <--no-tests=error> <--parallel> <2> <-LE> <^(slow|long)\$>" 'test'
+expect_call "ctest <--test-dir> <$tree/build/release> <--output-on-failure> <--parallel> <2> <--no-tests=error> <-LE> <^(slow|long)\$>" 'test'
 expect_calls '^npm' 0 'test'
 bench test -R 'A b'
 expect_calls '<-LE> <^(slow|long)\$> <-R> <A b>' 1 'test with options'
@@ -174,8 +178,14 @@ expect_calls '<-LE>' 0 'all tests'
 expect_calls '^npm <pack>' 1 'all tests'
 : >"$calls"
 (cd / && CI=true PATH="$tools:/usr/bin:/bin" "$tree/bench" test >/dev/null)
-expect_calls '^ctest' 1 'CI=true'
-expect_calls '<-LE> <^long\$>' 1 'CI=true'
+expect_calls '^ctest' 2 'CI=true'
+expect_calls '<-LE> <^(slow|long)\$>' 1 'CI=true'
+expect_calls '<-L> <^slow\$> <-LE> <^long\$>' 1 'CI=true'
+: >"$calls"
+touch "$fail.late"
+(cd / && CI=true PATH="$tools:/usr/bin:/bin" "$tree/bench" test >/dev/null 2>"$work/err")
+expect_calls '^ctest' 1 'CI=true, late'
+grep -q 'slow are left out: 40 minutes' "$work/err" || report 'CI=true, late: not said'
 
 fresh 1000 all
 touch "$fail.--build"
