@@ -216,7 +216,7 @@ class PreparedReducedOrbit final : public PreparedMethod {
     try {
       ReducedOrbit found = find(start, settings);
       take(found, solution);
-      near_ = std::move(found.corrected.space);
+      last_ = std::move(found.corrected.space);
     } catch (const std::exception& error) {  // a mode whose flow cannot be formed, or no memory in a growth
       solution.message = fmt::format("no exact orbit: {}", error.what());
       whole_ = false;
@@ -227,22 +227,32 @@ class PreparedReducedOrbit final : public PreparedMethod {
 
   bool take_frequency(const Problem& problem) override {
     if (!whole_) return false;  // it would be made anew
-    space_ = space_.of(problem);
-    if (near_) near_ = near_->of(problem);
+    ContactSpace space = space_.of(problem);
+    std::optional<ContactSpace> near;
+    if (last_) near = last_->of(problem);
+    space_ = std::move(space);
+    near_ = std::move(near);
     problem_ = &problem;
     return true;
   }
 
  private:
-  // From the guess, on the vectors of the orbit before, and where it leads to no orbit with a bar, by
-  // marching from rest.
+  // From the guess, on the vectors of the orbit at the frequency before, then on those that its force needs,
+  // and where it leads to no orbit with a bar, by marching from rest.
   [[nodiscard]] ReducedOrbit find(const Start& start, const OrbitCorrectionSettings& settings) const {
     if (!start.guess) return find_reduced_orbit(*problem_, space_, settings);
-    ReducedOrbit near = near_ ? continue_reduced_orbit(*problem_, *near_, *start.guess, settings)
-                              : polish_reduced_orbit(*problem_, space_, *start.guess, settings);
-    if (near.corrected.bar || start.expired()) return near;
-    ReducedOrbit found = find_reduced_orbit(*problem_, space_, settings);
-    found.iterations += near.iterations;
+    long iterations = 0;
+    if (near_) {
+      ReducedOrbit near = continue_reduced_orbit(*problem_, *near_, *start.guess, settings);
+      if (near.corrected.bar || start.expired()) return near;
+      iterations = near.iterations;
+    }
+    ReducedOrbit found = polish_reduced_orbit(*problem_, space_, *start.guess, settings);
+    if (!found.corrected.bar && !start.expired()) {
+      iterations += found.iterations;
+      found = find_reduced_orbit(*problem_, space_, settings);
+    }
+    found.iterations += iterations;
     return found;
   }
 
@@ -272,7 +282,8 @@ class PreparedReducedOrbit final : public PreparedMethod {
   const Problem* problem_;
   ExactOrbitMethod::Options options_;
   ContactSpace space_;
-  std::optional<ContactSpace> near_ = {};  // of the last orbit, if it has a bar
+  std::optional<ContactSpace> near_ = {};  // of the last orbit at the frequency before, if it has a bar
+  std::optional<ContactSpace> last_ = {};  // of the last orbit
   bool whole_ = true;                      // the space, after all solves so far
 };
 

@@ -5,7 +5,6 @@
 #include <complex>
 #include <memory>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include "methods/discretisation/fourier_series.hpp"
@@ -35,7 +34,6 @@ constexpr double kTellingDefect = 1e-13;
 // as what is left, within these.
 constexpr double kLeastProbe = 1e-10, kLargestProbe = 1e-6;
 constexpr int kProbes = 4;
-constexpr std::string_view kNotConverging = "the corrections do not converge: more vectors are needed";
 // Harmonics of the response to a change of K that are looked at for resonances.
 constexpr int kResonanceHarmonics = 32;
 
@@ -108,18 +106,22 @@ class Correction {
     for (int correction = 0;; ++correction) {
       if (!result_.orbit.certified()) return refused("no admissible orbit: " + result_.orbit.reason);
       if (!measure()) return refused("the motion between events is not known as a sum of modes");
-      if (settled_ && (enough() || rate() > kSlowestCorrection)) break;
-      if (correction == settings_.corrections) break;
+      if (correction == 0 ? good_at_once() : correction == settings_.corrections || done()) break;
       correct();
     }
-    if (too_slow()) return refused(std::string(kNotConverging));
-    if (!settled_) return refused("the last correction changed the sequence of events");
-    if (!probe())
-      return refused(
-          "displacements as small as what is left change the "
-          "sequence of events");
-    if (too_slow()) return refused(std::string(kNotConverging));
+    if (result_.defects.size() > 1) {
+      if (too_slow()) return refused("the corrections do not converge: more vectors are needed");
+      if (!settled_) return refused("the last correction changed the sequence of events");
+      if (!probe())
+        return refused(
+            "displacements as small as what is left change the "
+            "sequence of events");
+    }
     conclude();
+    if (!std::isfinite(*result_.bar)) {
+      result_.bar.reset();
+      return refused("the error bar is not a number");
+    }
     result_.space = std::move(space_);
     return std::move(result_);
   }
@@ -129,6 +131,14 @@ class Correction {
     result_.refusal = std::move(why);
     return std::move(result_);
   }
+
+  /// Whether the first orbit needs no correction: what is left is no larger than what probes try, and the bar
+  /// that they lead to is as small as is wanted, or no correction promises less.
+  bool good_at_once() {
+    return reducible() <= kLargestProbe && enough() && probe() && !too_slow() && enough();
+  }
+
+  [[nodiscard]] bool done() const { return settled_ && (enough() || rate() > kSlowestCorrection); }
 
   /// Defect of the present orbit, and by how much it has changed. False without
   /// its force.
@@ -161,8 +171,12 @@ class Correction {
     result_.tail = beyond(defect) / size_;
     result_.outside = (root_mean_square(bound) + beyond(bound.cast<std::complex<double>>())) / size_;
     result_.rounding = rounding(x);
-    if (result_.defects.empty()) shifted_ = std::max(added_.rows(), shifted());
-    result_.defects.push_back(series_norm(defect.topRows(shifted_)) / size_);
+    if (result_.defects.empty()) {
+      shifted_ = std::max(added_.rows(), shifted());
+      added_.conservativeResizeLike(Eigen::MatrixXcd::Zero(shifted_, force.cols()));
+    }
+    defect_ = defect.topRows(shifted_);
+    result_.defects.push_back(series_norm(defect_) / size_);
     result_.unshifted = series_norm(defect, shifted_) / size_;
     // A correction takes away all but what its own vectors leave in the harmonics that are not added.
     const Eigen::Index others = defect.rows() - shifted_;
@@ -198,16 +212,21 @@ class Correction {
   /// How much more than themselves displacements change x. The first is x
   /// itself, as an error of the compliance would be; each further one is what
   /// the one before has changed, so that they turn to where x answers most.
-  /// Without a correction the last one tells the rate of corrections too.
-  /// False where one of them changes the events.
+  /// Without a correction they tell the rate of corrections too, and one more
+  /// is the defect itself. False where one of them changes the events.
   bool probe() {
     const Eigen::Index instants = x_.rows();
     const double least = std::clamp(result_.defects.back() + rest(), kLeastProbe, kLargestProbe);
     Eigen::MatrixXd change = x_.rowwise() - x_.colwise().mean();
-    for (int k = 0; k < kProbes; ++k) {
-      Eigen::MatrixXcd moved = force_spectrum(change, {}, problem_.period(), static_cast<int>(shifted_) - 1);
+    const bool corrected = result_.defects.size() > 1;
+    const int probes = corrected ? kProbes : kProbes + 1;
+    for (int k = 0; k < probes; ++k) {
+      Eigen::MatrixXcd moved =
+          k < kProbes ? force_spectrum(change, {}, problem_.period(), static_cast<int>(shifted_) - 1)
+                      : defect_;
       const double norm = series_norm(moved);
-      if (!(norm > 0.0)) return true;
+      if (norm == 0.0) continue;
+      if (!std::isfinite(norm)) return false;
       moved *= least * size_ / norm;
       OrbitFinder finder(problem_, with_open_contacts(displaced(model_, added_ + moved, base_), closing_),
                          shared_);
@@ -215,8 +234,11 @@ class Correction {
       result_.iterations += found.iterations;
       if (!found.orbit.certified() || !same_sequence(*found.orbit.trajectory, *result_.orbit.trajectory))
         return false;
-      if (result_.defects.size() == 1 && k + 1 == kProbes)
-        probed_rate_ = missing_change(*found.orbit.trajectory) / (least * size_);
+      if (!corrected) {
+        const Eigen::MatrixXcd force = found.orbit.trajectory->force_spectrum(static_cast<int>(shifted_) - 1);
+        if (force.size() == 0) return false;
+        probed_rate_ = std::max(probed_rate_, series_norm(misfit(force) - misfit(force_)) / (least * size_));
+      }
       change = found.orbit.trajectory->sample(static_cast<int>(instants)).x - x_;
       const double ratio = std::sqrt(change.array().square().mean()) / (least * size_);
       result_.amplification = std::max(result_.amplification, ratio);
@@ -224,11 +246,9 @@ class Correction {
     return true;
   }
 
-  /// By how much another orbit's missing displacement differs in the harmonics that are added, which the next
-  /// correction would find to do [m].
-  [[nodiscard]] double missing_change(const ExactTrajectory& other) const {
-    const Eigen::MatrixXcd force = other.force_spectrum(static_cast<int>(shifted_) - 1);
-    return series_norm(space_.missing(base_, force) - space_.missing(base_, force_));
+  /// What the vectors of the present orbit are wrong by under a force, in the harmonics that are added.
+  [[nodiscard]] Eigen::MatrixXcd misfit(const Eigen::MatrixXcd& force) const {
+    return contact_response(space_.whole(), base_, force) - contact_response(model_, base_, force);
   }
 
   /// Harmonics that are added, the constant included: so many that the others
@@ -238,7 +258,7 @@ class Correction {
     return harmonics_to_add(missing_, least * size_, problem_.subharmonic, settings_);
   }
 
-  /// How the last defect compares with the one before; without a correction, what a probe says of the next.
+  /// How the last defect compares with the one before; without a correction, what probes say of the next.
   [[nodiscard]] double defect_rate() const {
     const std::size_t count = result_.defects.size();
     if (count < 2) return probed_rate_;
@@ -264,7 +284,9 @@ class Correction {
     return kTypicalRate * result_.defects.back() + series_norm(missing_, shifted_) / size_;
   }
 
-  [[nodiscard]] bool too_slow() const { return defect_rate() > kSlowestCorrection && !negligible_defect(); }
+  [[nodiscard]] bool too_slow() const {
+    return !(defect_rate() <= kSlowestCorrection) && !negligible_defect();
+  }
 
   [[nodiscard]] bool enough() const {
     return kBarSafety * result_.amplification * reducible() <= settings_.tolerance ||
@@ -291,7 +313,7 @@ class Correction {
   std::vector<int> closing_;  // contacts that act in the orbits
   std::shared_ptr<SharedModes> shared_;
   Eigen::MatrixXcd missing_, added_;  // of the present orbit, and in it
-  Eigen::MatrixXcd force_;            // of the present orbit, in the harmonics that are added
+  Eigen::MatrixXcd force_, defect_;   // likewise, in the harmonics that are added
   double probed_rate_ = 0.0;
   Eigen::MatrixXd x_;
   bool settled_ = true;

@@ -54,17 +54,18 @@ struct CorrectedOrbit {
 /// bar it is grown (`ContactSpace::grown_for`); the next orbit is one of the vectors that these forces need
 /// (`ContactSpace::solved_for`), so that what is not added falls too. Each orbit is polished from the events
 /// of the one before, and admissible. Corrections end where the bar is as small as is wanted, or the next one
-/// does not promise half of what is left; none is made where that holds of the first orbit.
+/// does not promise half of what is left; none is made where the bar of the first orbit, by its probes, is
+/// so.
 ///
 /// The bar is 2 A (d / (1 - theta) + unshifted + tail + outside + rounding) + the orbit's own: d the last
-/// defect, theta <= 1/2 the rate at which defects fell, or without a correction by how much more than itself
-/// the last probe changes x_whole - x; A the amplification, rounding the measured one of the
-/// factors of K over the distance from resonance. A is the largest that corrections show, in which the
-/// displacement is what they take away of the defect in all harmonics, and four probes:
-/// orbits with displacements added as large as what is left, the first of them in proportion to x, each other
-/// one to what the one before has changed (power iteration on the response of the orbit). Refused: without
-/// the forces in closed form; where a correction finds no admissible orbit, or contacts that close more
-/// or less often in the end, or a probe does; where defects do not fall by half.
+/// defect, theta <= 1/2 the rate at which defects fell, or without a correction the largest |change of
+/// x_whole - x| / |displacement| of the probes, of which one is the defect itself; A the amplification,
+/// rounding the measured one of the factors of K over the distance from resonance. A is the largest that
+/// corrections show, in which the displacement is what they take away of the defect in all harmonics, and
+/// four probes: orbits with displacements added as large as what is left, the first of them in proportion to
+/// x, each other one to what the one before has changed (power iteration on the response of the orbit).
+/// Refused: without the forces in closed form; where a correction finds no admissible orbit, or contacts that
+/// close more or less often in the end, or a probe does; where defects do not fall by half.
 ///
 /// \param first  an orbit of `space.small()` with the displacements `added`
 /// \param added  d_n, n = 0.., per harmonic and contact; none by default [m]

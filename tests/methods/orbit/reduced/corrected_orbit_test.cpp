@@ -92,6 +92,23 @@ TEST(CorrectOrbit, ChoosesItsVectors) {
 
 // A displacement that is added to the contacts is the same as a stop that is moved the other way: here by a
 // constant, which a scene can say.
+// Nothing is left out, so that nothing is to be added, however many harmonics of it were given.
+TEST(CorrectOrbit, OfAllVectorsNeedsNoCorrection) {
+  const Problem bar = test::massless_bar(kStiff, 20);
+  const ContactSpace space(bar, {.small = 100, .whole = 100});
+  const ReducedOrbit found = find_reduced_orbit(bar, space, {});
+  ASSERT_TRUE(found.corrected.bar) << found.corrected.refusal;
+  for (const Eigen::Index given : {0, 1, 30}) {
+    const CorrectedOrbit again = correct_orbit(bar, space, found.corrected.orbit, {},
+                                               Eigen::MatrixXcd::Zero(given, given == 0 ? 0 : 1));
+    ASSERT_TRUE(again.bar) << again.refusal;
+    EXPECT_EQ(again.defects.size(), 1U);
+    EXPECT_LT(*again.bar, 1e-10);
+    EXPECT_GE(again.amplification, 1.0);
+    EXPECT_LT(again.amplification, 10.0);
+  }
+}
+
 TEST(Displaced, MovesTheStops) {
   const Problem bar = test::massless_bar(kStiff, 40);
   Problem nearer = bar;
