@@ -87,6 +87,64 @@ std::vector<int> closings(const ExactTrajectory& orbit) {
 
 bool same_sequence(const ExactTrajectory& a, const ExactTrajectory& b) { return closings(a) == closings(b); }
 
+/// An orbit of few vectors, and the displacements added to it.
+struct ProbedOrbit {
+  const Problem& problem;
+  const ContactSpace& space;
+  const ContactReduction& model;    // that it is one of
+  const std::vector<int>& closing;  // contacts that act in it
+  const ExactTrajectory& orbit;
+  const Eigen::MatrixXcd& added;
+  const Eigen::MatrixXcd& force;  // in as many harmonics
+  const Eigen::MatrixXd& x;       // samples
+  const SearchOptions& search;
+  std::shared_ptr<SharedModes> shared;
+
+  /// What the vectors are wrong by under a force.
+  [[nodiscard]] Eigen::MatrixXcd misfit(const Eigen::MatrixXcd& of) const {
+    const double base = problem.base_frequency();
+    return contact_response(space.whole(), base, of) - contact_response(model, base, of);
+  }
+};
+
+struct Probed {
+  bool same_events = false;
+  double amplification = 0.0;  // largest |change of x| / |displacement|
+  double rate = 0.0;           // largest |change of the misfit| / |displacement|, with a defect given
+  long iterations = 0;
+};
+
+/// How much more than themselves displacements of a length change x. The first is x itself, as an error of
+/// the compliance would be; each further one is what the one before has changed, so that they turn to where x
+/// answers most; the last one is the defect, if that is given.
+Probed probed_by(const ProbedOrbit& of, double length, const Eigen::MatrixXcd* defect) {
+  Probed result;
+  const int harmonics = static_cast<int>(of.added.rows()) - 1;
+  Eigen::MatrixXd change = of.x.rowwise() - of.x.colwise().mean();
+  for (int k = 0; k < kProbes + (defect == nullptr ? 0 : 1); ++k) {
+    Eigen::MatrixXcd moved =
+        k < kProbes ? force_spectrum(change, {}, of.problem.period(), harmonics) : *defect;
+    const double norm = series_norm(moved);
+    if (norm == 0.0) continue;
+    if (!std::isfinite(norm)) return result;
+    moved *= length / norm;
+    const CondensedStructure structure = displaced(of.model, of.added + moved, of.problem.base_frequency());
+    OrbitFinder finder(of.problem, with_open_contacts(structure, of.closing), of.shared);
+    const OrbitSearch found = finder.find(of.orbit.orbit(), of.search);
+    result.iterations += found.iterations;
+    if (!found.orbit.certified() || !same_sequence(*found.orbit.trajectory, of.orbit)) return result;
+    if (defect != nullptr) {
+      const Eigen::MatrixXcd force = found.orbit.trajectory->force_spectrum(harmonics);
+      if (force.size() == 0) return result;
+      result.rate = std::max(result.rate, series_norm(of.misfit(force) - of.misfit(of.force)) / length);
+    }
+    change = found.orbit.trajectory->sample(static_cast<int>(of.x.rows())).x - of.x;
+    result.amplification = std::max(result.amplification, std::sqrt(change.array().square().mean()) / length);
+  }
+  result.same_events = true;
+  return result;
+}
+
 /// One deferred correction of a scene.
 class Correction {
  public:
@@ -112,10 +170,7 @@ class Correction {
     if (result_.defects.size() > 1) {
       if (too_slow()) return refused("the corrections do not converge: more vectors are needed");
       if (!settled_) return refused("the last correction changed the sequence of events");
-      if (!probe())
-        return refused(
-            "displacements as small as what is left change the "
-            "sequence of events");
+      if (!probe()) return refused("displacements as small as what is left change the sequence of events");
     }
     conclude();
     if (!std::isfinite(*result_.bar)) {
@@ -140,8 +195,7 @@ class Correction {
 
   [[nodiscard]] bool done() const { return settled_ && (enough() || rate() > kSlowestCorrection); }
 
-  /// Defect of the present orbit, and by how much it has changed. False without
-  /// its force.
+  /// Defect of the present orbit, and by how much it has changed. False without its force.
   bool measure() {
     const ExactTrajectory& orbit = *result_.orbit.trajectory;
     const int order = problem_.subharmonic, harmonics = settings_.harmonics * order;
@@ -209,50 +263,19 @@ class Correction {
     settled_ = result_.orbit.trajectory && same_sequence(*before, *result_.orbit.trajectory);
   }
 
-  /// How much more than themselves displacements change x. The first is x
-  /// itself, as an error of the compliance would be; each further one is what
-  /// the one before has changed, so that they turn to where x answers most.
-  /// Without a correction they tell the rate of corrections too, and one more
-  /// is the defect itself. False where one of them changes the events.
+  /// False where a probe changes the events. Without a correction probes tell the rate of corrections too.
   bool probe() {
-    const Eigen::Index instants = x_.rows();
     const double least = std::clamp(result_.defects.back() + rest(), kLeastProbe, kLargestProbe);
-    Eigen::MatrixXd change = x_.rowwise() - x_.colwise().mean();
-    const bool corrected = result_.defects.size() > 1;
-    const int probes = corrected ? kProbes : kProbes + 1;
-    for (int k = 0; k < probes; ++k) {
-      Eigen::MatrixXcd moved =
-          k < kProbes ? force_spectrum(change, {}, problem_.period(), static_cast<int>(shifted_) - 1)
-                      : defect_;
-      const double norm = series_norm(moved);
-      if (norm == 0.0) continue;
-      if (!std::isfinite(norm)) return false;
-      moved *= least * size_ / norm;
-      OrbitFinder finder(problem_, with_open_contacts(displaced(model_, added_ + moved, base_), closing_),
-                         shared_);
-      const OrbitSearch found = finder.find(result_.orbit.trajectory->orbit(), settings_.search);
-      result_.iterations += found.iterations;
-      if (!found.orbit.certified() || !same_sequence(*found.orbit.trajectory, *result_.orbit.trajectory))
-        return false;
-      if (!corrected) {
-        const Eigen::MatrixXcd force = found.orbit.trajectory->force_spectrum(static_cast<int>(shifted_) - 1);
-        if (force.size() == 0) return false;
-        probed_rate_ = std::max(probed_rate_, series_norm(misfit(force) - misfit(force_)) / (least * size_));
-      }
-      change = found.orbit.trajectory->sample(static_cast<int>(instants)).x - x_;
-      const double ratio = std::sqrt(change.array().square().mean()) / (least * size_);
-      result_.amplification = std::max(result_.amplification, ratio);
-    }
-    return true;
+    const ProbedOrbit probing{problem_, space_, model_, closing_,         *result_.orbit.trajectory,
+                              added_,   force_, x_,     settings_.search, shared_};
+    const Probed probed = probed_by(probing, least * size_, result_.defects.size() == 1 ? &defect_ : nullptr);
+    result_.iterations += probed.iterations;
+    result_.amplification = std::max(result_.amplification, probed.amplification);
+    probed_rate_ = std::max(probed_rate_, probed.rate);
+    return probed.same_events;
   }
 
-  /// What the vectors of the present orbit are wrong by under a force, in the harmonics that are added.
-  [[nodiscard]] Eigen::MatrixXcd misfit(const Eigen::MatrixXcd& force) const {
-    return contact_response(space_.whole(), base_, force) - contact_response(model_, base_, force);
-  }
-
-  /// Harmonics that are added, the constant included: so many that the others
-  /// are below the rest of the bar.
+  /// Harmonics that are added, the constant included: so many that the others are below the rest of the bar.
   [[nodiscard]] Eigen::Index shifted() const {
     const double least = std::max(kLeftBySolved * settings_.tolerance, fixed());
     return harmonics_to_add(missing_, least * size_, problem_.subharmonic, settings_);
