@@ -186,6 +186,9 @@ touch "$fail.late"
 (cd / && CI=true PATH="$tools:/usr/bin:/bin" "$tree/bench" test >/dev/null 2>"$work/err")
 expect_calls '^ctest' 1 'CI=true, late'
 grep -q 'slow are left out: 40 minutes' "$work/err" || report 'CI=true, late: not said'
+: >"$calls"
+(cd / && CI=true PATH="$tools:/usr/bin:/bin" "$tree/bench" test -R slow >/dev/null)
+expect_calls '^ctest .*<-LE> <^long\$> <-R> <slow>' 1 'CI=true with options'
 
 fresh 1000 all
 touch "$fail.--build"

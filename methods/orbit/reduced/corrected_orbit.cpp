@@ -95,8 +95,7 @@ struct ProbedOrbit {
   const std::vector<int>& closing;  // contacts that act in it
   const ExactTrajectory& orbit;
   const Eigen::MatrixXcd& added;
-  const Eigen::MatrixXcd& force;  // in as many harmonics
-  const Eigen::MatrixXd& x;       // samples
+  const Eigen::MatrixXd& x;  // samples
   const SearchOptions& search;
   std::shared_ptr<SharedModes> shared;
 
@@ -136,7 +135,9 @@ Probed probed_by(const ProbedOrbit& of, double length, const Eigen::MatrixXcd* d
     if (defect != nullptr) {
       const Eigen::MatrixXcd force = found.orbit.trajectory->force_spectrum(harmonics);
       if (force.size() == 0) return result;
-      result.rate = std::max(result.rate, series_norm(of.misfit(force) - of.misfit(of.force)) / length);
+      // The misfit under the orbit's own force is what was added and what is left.
+      const double change_of_misfit = series_norm(of.misfit(force) - of.added - *defect);
+      result.rate = std::max(result.rate, change_of_misfit / length);
     }
     change = found.orbit.trajectory->sample(static_cast<int>(of.x.rows())).x - of.x;
     result.amplification = std::max(result.amplification, std::sqrt(change.array().square().mean()) / length);
@@ -237,7 +238,6 @@ class Correction {
     defect.bottomRows(others) -= missing_.bottomRows(others);
     applied_ = series_norm(defect) / size_;
     x_ = x;
-    force_ = force.topRows(shifted_);
     return true;
   }
 
@@ -266,8 +266,8 @@ class Correction {
   /// False where a probe changes the events. Without a correction probes tell the rate of corrections too.
   bool probe() {
     const double least = std::clamp(result_.defects.back() + rest(), kLeastProbe, kLargestProbe);
-    const ProbedOrbit probing{problem_, space_, model_, closing_,         *result_.orbit.trajectory,
-                              added_,   force_, x_,     settings_.search, shared_};
+    const ProbedOrbit probing{problem_, space_, model_,           closing_, *result_.orbit.trajectory,
+                              added_,   x_,     settings_.search, shared_};
     const Probed probed = probed_by(probing, least * size_, result_.defects.size() == 1 ? &defect_ : nullptr);
     result_.iterations += probed.iterations;
     result_.amplification = std::max(result_.amplification, probed.amplification);
@@ -336,7 +336,7 @@ class Correction {
   std::vector<int> closing_;  // contacts that act in the orbits
   std::shared_ptr<SharedModes> shared_;
   Eigen::MatrixXcd missing_, added_;  // of the present orbit, and in it
-  Eigen::MatrixXcd force_, defect_;   // likewise, in the harmonics that are added
+  Eigen::MatrixXcd defect_;           // of the present orbit, in the harmonics that are added
   double probed_rate_ = 0.0;
   Eigen::MatrixXd x_;
   bool settled_ = true;

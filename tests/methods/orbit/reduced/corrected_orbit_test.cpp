@@ -90,8 +90,6 @@ TEST(CorrectOrbit, ChoosesItsVectors) {
   EXPECT_LT(*found.corrected.bar, 1e-7);
 }
 
-// A displacement that is added to the contacts is the same as a stop that is moved the other way: here by a
-// constant, which a scene can say.
 // Nothing is left out, so that nothing is to be added, however many harmonics of it were given.
 TEST(CorrectOrbit, OfAllVectorsNeedsNoCorrection) {
   const Problem bar = test::massless_bar(kStiff, 20);
@@ -109,6 +107,8 @@ TEST(CorrectOrbit, OfAllVectorsNeedsNoCorrection) {
   }
 }
 
+// A displacement that is added to the contacts is the same as a stop that is moved the other way: here by a
+// constant, which a scene can say.
 TEST(Displaced, MovesTheStops) {
   const Problem bar = test::massless_bar(kStiff, 40);
   Problem nearer = bar;
