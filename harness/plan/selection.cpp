@@ -20,7 +20,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-[[noreturn]] void refuse(std::string_view text, std::string_view requirement) {
+[[noreturn]] void refuse_selection(std::string_view text, std::string_view requirement) {
   throw UsageError(fmt::format("methods = {} ({})", text, requirement));
 }
 
@@ -35,13 +35,13 @@ struct Piece {
 Piece parse_piece(const std::string& text) {
   const std::size_t open = text.find('[');
   if (open == std::string::npos) {
-    if (text.find(']') != std::string::npos) refuse(text, kForm);
+    if (text.find(']') != std::string::npos) refuse_selection(text, kForm);
     return {.glob = text};
   }
   const std::string_view inside = std::string_view(text).substr(open + 1);
   if (open == 0 || inside.empty() || inside.find('[') != std::string_view::npos ||
       inside.find(']') != inside.size() - 1) {
-    refuse(text, kForm);
+    refuse_selection(text, kForm);
   }
   return {.glob = text.substr(0, open),
           .bracketed = true,
@@ -93,16 +93,16 @@ std::vector<Settings> expand_settings(std::string_view text) {
   if (text.empty()) return sets;
   for (const std::string_view item : split(text, ',')) {
     const std::size_t equals = item.find('=');
-    if (equals == std::string_view::npos || equals == 0) refuse(text, kForm);
+    if (equals == std::string_view::npos || equals == 0) refuse_selection(text, kForm);
     const std::string key(item.substr(0, equals));
     for (const auto& [known, value] : sets.front()) {
-      if (known == key) refuse(text, "must set each option once");
+      if (known == key) refuse_selection(text, "must set each option once");
     }
     std::vector<Settings> longer;
     const std::vector<std::string_view> alternatives = split(item.substr(equals + 1), '|');
     for (const Settings& set : sets) {
       for (const std::string_view value : alternatives) {
-        if (value.empty()) refuse(text, kForm);
+        if (value.empty()) refuse_selection(text, kForm);
         longer.push_back(set);
         longer.back().emplace_back(key, value);
       }

@@ -59,7 +59,7 @@ std::vector<ExpectedFailure> read_expected(const SceneField& field) {
   return expected;
 }
 
-std::vector<SuiteResponse> read_responses(const SceneField& field) {
+std::vector<SuiteResponse> responses_of_suite(const SceneField& field) {
   std::vector<SuiteResponse> responses;
   if (!field.given()) return responses;
   for (const SceneField& item : field.items("must be tables with scene, from and to")) {
@@ -100,7 +100,7 @@ Suite parse_suite(std::string_view text, const std::string& file) {
   }
   suite.tags = texts(root["tags"], "must be a list of tags");
   suite.without_tags = texts(root["without_tags"], "must be a list of tags");
-  suite.responses = read_responses(root["response"]);
+  suite.responses = responses_of_suite(root["response"]);
   suite.by_steps = texts(root["by_steps"], "must be a list of name[key=value|value]");
   if (suite.responses.empty() && suite.scenes.empty() && suite.files.empty() && suite.tags.empty()) {
     root["scenes"].refuse("must be a list of globs on scene names, and scene files, unless tags are given");

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "harness/report/figures/canvas.hpp"
+
 namespace signorini {
 
 namespace {

@@ -2,15 +2,11 @@
 // The stops that are drawn with the motion of a contact.
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "problems/problem.hpp"
 
 namespace signorini {
-
-/// Their lines in gnuplot.
-inline constexpr std::string_view kStopStyle = "lc rgb '#D55E00' dt (12,6) lw 1.2";
 
 /// A stop of the displacement x of a contact.
 struct DrawnStop {

@@ -16,7 +16,7 @@ namespace signorini {
 namespace {
 
 constexpr std::size_t kMostPortraits = 12;
-constexpr int kInstants = 2048;
+constexpr int kDrawnInstants = 2048;
 constexpr int kTics = 4;
 
 /// The contact whose displacement has the largest range.
@@ -113,7 +113,7 @@ Figure orbit_plot(const Problem& problem, const std::vector<FoundOrbit>& orbits,
   figure.script = fmt::format(kOrbitFrame, rows, columns);
   Canvas canvas;
   for (std::size_t i = 0; i < count; ++i) {
-    const Samples motion = orbits[i].certified.motion->sample(kInstants * orbits[i].order);
+    const Samples motion = orbits[i].certified.motion->sample(kDrawnInstants * orbits[i].order);
     const Eigen::Index contact = liveliest(motion);
     canvas.draw(portrait_block(motion, contact), fmt::format("with lines {} lw 1.4", line_colour(i)),
                 "x [m], velocity [m/s]");

@@ -41,13 +41,13 @@ void require_no_less_than_zero(std::string_view group, const auto& object) {
 
 /// All texts of a value that nests no deeper than `depth`: each level is a call here, and the parser allows
 /// any number of them.
-void require_plain_texts(const nlohmann::ordered_json& json, int depth) {
+void require_plain_below(const nlohmann::ordered_json& json, int depth) {
   if (json.is_string()) require_plain(json.get_ref<const std::string&>());
   if (!json.is_structured()) return;
   if (depth == 0) throw BadRecord(fmt::format("value = nested (must be at most {} levels deep)", kDeepest));
   for (const auto& item : json.items()) {
     if (json.is_object()) require_plain(item.key());
-    require_plain_texts(item.value(), depth - 1);
+    require_plain_below(item.value(), depth - 1);
   }
 }
 
@@ -70,7 +70,7 @@ void require_plausible(const Record& record) {
 
 }  // namespace
 
-void require_plain_texts(const nlohmann::ordered_json& json) { require_plain_texts(json, kDeepest); }
+void require_plain_texts(const nlohmann::ordered_json& json) { require_plain_below(json, kDeepest); }
 
 std::string as_message(const std::string& text) { return one_line(text, kLongestMessage); }
 

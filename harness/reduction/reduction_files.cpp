@@ -39,20 +39,22 @@ std::string matrix_market(const SparseMatrix& A) {
 }
 
 /// A string as TOML has it.
-std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+std::string toml_string(const std::string& text) { return nlohmann::json(text).dump(); }
 
 std::string scene_text(const Problem& reduced, const std::string& name, const std::string& of, int vectors,
                        const ProportionalDamping& damping) {
-  std::string text = fmt::format("schema = 1\nname = {}\ntitle = {}\n", quoted(name),
-                                 quoted(fmt::format("{}, reduced to {} vectors", reduced.title, vectors)));
-  text += fmt::format("reference = {}\n",
-                      quoted(fmt::format("{}: its lowest Ritz vectors, and statically all the rest", of)));
+  std::string text =
+      fmt::format("schema = 1\nname = {}\ntitle = {}\n", toml_string(name),
+                  toml_string(fmt::format("{}, reduced to {} vectors", reduced.title, vectors)));
+  text +=
+      fmt::format("reference = {}\n",
+                  toml_string(fmt::format("{}: its lowest Ritz vectors, and statically all the rest", of)));
   std::vector<std::string> tags = reduced.tags;
   if (std::ranges::find(tags, "reduced") == tags.end()) tags.emplace_back("reduced");
   text += fmt::format("tags = {}\n\n", nlohmann::json(tags).dump());
   text += fmt::format(
       "[system]\nkind = \"matrices\"\nmass = {}\nstiffness = {}\nrayleigh = {{ alpha = {}, beta = {} }}\n\n",
-      quoted(name + "-M.mtx"), quoted(name + "-K.mtx"), damping.alpha, damping.beta);
+      toml_string(name + "-M.mtx"), toml_string(name + "-K.mtx"), damping.alpha, damping.beta);
   text += fmt::format("[forcing]\nfrequency = {}\n", reduced.frequency);
   if (reduced.subharmonic > 1) text += fmt::format("subharmonic = {}\n", reduced.subharmonic);
   for (const ForceTerm& term : reduced.force)

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kSolveColumns = 80, kNameWidth = 22;
 /// Rows of each part that one screen has room for.
-constexpr std::size_t kMostRows = 4;
+constexpr std::size_t kMostShownRows = 4;
 
 std::string named_line(const std::string& name, const std::string& text) {
   return fmt::format("{:<{}}{}\n", name, kNameWidth, text);
@@ -48,7 +48,7 @@ std::string contact_name(int contact) { return fmt::format("  contact {}", conta
 template <class Items, class Print>
 std::string rows_of(const Items& items, bool all, const Print& print) {
   std::string text;
-  const std::size_t shown = all || items.size() <= kMostRows ? items.size() : kMostRows - 1;
+  const std::size_t shown = all || items.size() <= kMostShownRows ? items.size() : kMostShownRows - 1;
   for (std::size_t i = 0; i < shown; ++i) text += print(items[i]);
   if (shown < items.size()) text += fmt::format("  and {} more (--verbose)\n", items.size() - shown);
   return text;
@@ -146,7 +146,7 @@ std::string multipliers(const FloquetMultipliers& all, bool verbose) {
   }
   std::ranges::stable_sort(kept, std::greater<>(),
                            [](const auto& mu) { return std::hypot(mu.first, mu.second); });
-  const std::size_t shown = verbose ? kept.size() : std::min(kMostRows, kept.size());
+  const std::size_t shown = verbose ? kept.size() : std::min(kMostShownRows, kept.size());
   std::string text;
   for (std::size_t i = 0; i < shown; ++i) {
     const auto [re, im] = kept[i];

@@ -11,26 +11,26 @@ namespace signorini {
 
 namespace {
 
-constexpr char kEnd = '\n';  // no text of a record holds one
+constexpr char kFieldEnd = '\n';  // no text of a record holds one
 
 std::string law_key(const std::optional<RepresentedLaw>& law) {
   return law ? JsonForm<RepresentedLaw>::write(*law).dump() : std::string();
 }
 
 std::string choice_key(const Record& record) {
-  std::string key = record.method + kEnd + record.same_equations_as + kEnd;
-  for (const auto& [name, value] : record.settings) key += name + "=" + value + kEnd;
-  key += kEnd;
+  std::string key = record.method + kFieldEnd + record.same_equations_as + kFieldEnd;
+  for (const auto& [name, value] : record.settings) key += name + "=" + value + kFieldEnd;
+  key += kFieldEnd;
   // The kind of a value first: 1 and "1" are two.
   for (const auto& [name, value] : record.options)
-    key += name + std::to_string(value.index()) + print_option(value) + kEnd;
+    key += name + std::to_string(value.index()) + print_option(value) + kFieldEnd;
   return key;
 }
 
 std::string scene_key(const Record& record) {
-  std::string key = record.scene + kEnd + law_key(record.scene_law) + kEnd;
+  std::string key = record.scene + kFieldEnd + law_key(record.scene_law) + kFieldEnd;
   for (const std::optional<int>& number : {record.coordinates, record.contacts})
-    key += number ? std::to_string(*number) + kEnd : std::string(1, kEnd);
+    key += number ? std::to_string(*number) + kFieldEnd : std::string(1, kFieldEnd);
   if (record.family) key += write_fields(*record.family).dump();
   return key;
 }

@@ -7,6 +7,9 @@
 
 namespace signorini {
 
+/// How gnuplot draws the line of a stop.
+inline constexpr std::string_view kStopStyle = "lc rgb '#D55E00' dt (12,6) lw 1.2";
+
 /// Collects blocks of data, and for one panel after the other what is plotted in it.
 class Canvas {
  public:

@@ -16,7 +16,7 @@ namespace signorini {
 namespace {
 
 /// The ranges of what is drawn on two logarithmic axes.
-struct Extremes {
+struct DrawnRange {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double least_cost = kInfinity, largest_cost = 0.0, least_error = kInfinity, largest_error = 0.0;
 
@@ -38,7 +38,7 @@ struct NamedCurve {
 /// One figure of errors over a cost.
 struct ErrorFigure {
   Canvas canvas = {};
-  Extremes extremes = {};
+  DrawnRange extremes = {};
   std::vector<NamedCurve> curves = {};
   std::string marks = {};  ///< commands that write resolutions beside marks
   std::vector<std::pair<double, double>> named_marks = {};
@@ -169,7 +169,7 @@ Figure error_figure(const std::string& name, std::span<const ErrorCurve> curves,
   for (const ErrorCurve& curve : curves) add_curve(curve, drawn);
   if (drawn.canvas.empty()) return {};
   constexpr double kMargin = 3.0, kUsualWidth = 17.0;  // [-], [cm]
-  const Extremes& e = drawn.extremes;
+  const DrawnRange& e = drawn.extremes;
   const double lowest = axes.floor > 0.0 ? std::min(e.least_error, axes.floor) : e.least_error;
   const double low = lowest / kMargin, high = e.largest_error * kMargin;
   if (axes.floor > 0.0)

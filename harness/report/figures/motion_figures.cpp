@@ -26,7 +26,6 @@ std::string waveform_lines(const Waveform& waveform, std::size_t contact) {
 }
 
 constexpr std::string_view kOrbitStyle = "lc rgb '#bbbbbb' lw 5";
-constexpr std::string_view kStopStyle = "lc rgb '#D55E00' dt (12,6) lw 1.2";
 constexpr std::string_view kImpactStyle = "lc rgb '#D55E00' pt 6 ps 0.9 lw 1.5";
 constexpr int kDisplacement = 2;  // column of the waveforms
 

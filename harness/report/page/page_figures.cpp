@@ -27,11 +27,11 @@ constexpr std::size_t kManySteps = 2000;
 constexpr double kLeastStep = 1.0 / kManySteps;
 
 /// With as many digits as a figure shows.
-double rounded(double value) { return std::stod(fmt::format("{:.4g}", value)); }
+double four_digits(double value) { return std::stod(fmt::format("{:.4g}", value)); }
 
-Json rounded(const std::vector<double>& values) {
+Json four_digits(const std::vector<double>& values) {
   Json list = Json::array();
-  for (const double value : values) list.push_back(rounded(value));
+  for (const double value : values) list.push_back(four_digits(value));
   return list;
 }
 
@@ -49,7 +49,7 @@ Json study_data(const Evaluation& evaluation, const ResolutionStudy& study) {
     const std::optional<double> seconds = time_axis().cost(*run.result);
     if (!run.error || !seconds) continue;
     marked.push_back(&run);
-    marks.push_back({rounded(*seconds), rounded(*run.error), evaluation.place_of(*run.result),
+    marks.push_back({four_digits(*seconds), four_digits(*run.error), evaluation.place_of(*run.result),
                      run.bounded ? 1 : 0, run.result->choice->resolution});
   }
   if (marked.empty()) return {};
@@ -64,11 +64,11 @@ Json study_data(const Evaluation& evaluation, const ResolutionStudy& study) {
 }
 
 Json signals(const Waveform& motion, std::size_t place) {
-  return {{"t", rounded(motion.t)},
-          {"x", rounded(motion.x[place])},
-          {"v", rounded(motion.velocity[place])},
-          {"f", rounded(motion.force[place])},
-          {"p", rounded(motion.impulse[place])}};
+  return {{"t", four_digits(motion.t)},
+          {"x", four_digits(motion.x[place])},
+          {"v", four_digits(motion.velocity[place])},
+          {"f", four_digits(motion.force[place])},
+          {"p", four_digits(motion.impulse[place])}};
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ Json work_precision_data(const Evaluation& evaluation, const std::string& scene)
     (another_law ? other : own).push_back(std::move(data));
   }
   if (own.empty() && other.empty()) return {};
-  return {{"floor", rounded(floor)}, {"own", std::move(own)}, {"other", std::move(other)}};
+  return {{"floor", four_digits(floor)}, {"own", std::move(own)}, {"other", std::move(other)}};
 }
 
 Json motion_data(const Evaluation& evaluation, const std::string& scene) {
@@ -103,7 +103,7 @@ Json motion_data(const Evaluation& evaluation, const std::string& scene) {
             {"orbit", signals(kept.orbit(), kept.place)},
             {"answers", std::move(answers)}};
   if (const std::optional<double> stop = stop_position(*kept.leader, kept.place))
-    data["stop"] = rounded(*stop);
+    data["stop"] = four_digits(*stop);
   return data;
 }
 
@@ -141,7 +141,7 @@ Json profile_data(const Evaluation& evaluation, std::size_t number) {
         const double share = profile.share(c, ratio);
         if (many && share - drawn < kLeastStep && ratio < profile.ratios[c].back()) continue;
         drawn = share;
-        steps.push_back({rounded(ratio), rounded(share)});
+        steps.push_back({four_digits(ratio), four_digits(share)});
       }
       curves.push_back({{"c", evaluation.place_of(group.configurations[c])},
                         {"label", group.configurations[c]},

@@ -46,7 +46,7 @@ std::string head_of(const std::string& title) {
       script_source(kChartLibrary), script_source(kPageScript), html_escaped(title), kPageStyle);
 }
 
-constexpr const char* kEnd = R"(</main>
+constexpr const char* kPageEnd = R"(</main>
 <dialog id="record" aria-labelledby="record-title"><h2 id="record-title"></h2><p id="record-facts"></p>
 <pre tabindex="0" aria-label="The record as it is kept"></pre><button type="button">Close</button></dialog>
 <div id="hint" aria-hidden="true" hidden></div>
@@ -63,7 +63,7 @@ std::string whole_page(const PageText& text, const Json& data) {
              "tables are complete without it. The records are in the .jsonl file beside this "
              "page.</p></noscript>\n",
              html_escaped(text.title), text.summary) +
-         text.main + kEnd +
+         text.main + kPageEnd +
          fmt::format(
              "<script type=\"application/octet-stream\" id=\"data\">{}</script>\n"
              "<script>{}</script>\n<script>{}</script>\n</body></html>\n",

@@ -19,7 +19,8 @@ namespace signorini {
 
 namespace {
 
-constexpr std::string_view kText = R"(`plain=true` is a method as the literature has it, each further setting
+constexpr std::string_view kAblationText =
+    R"(`plain=true` is a method as the literature has it, each further setting
 adds one of our additions, and what is not plain is ours. All runs at the resolution of the plain ones, of
 whatever law. Says converged tells whether the method gets to a solution of its equations, certified whether
 that is near an orbit of its law. Medians are over the certified runs of the row, which are not the same ones
@@ -82,7 +83,7 @@ Sections ablation_sections(const Evaluation& evaluation) {
     if (!has_start(choice.settings)) add(result, levels[level_of(choice)][place_of(choice)]);
   }
   Section section{.id = "ablation", .title = "From the literature's forms to ours"};
-  section.text = kText;
+  section.text = kAblationText;
   section.table.header = {"form", "runs", "says converged", "certified", "refuted", "error of x", "time"};
   for (const auto& [level, forms] : levels) {
     const bool compares = forms.size() > 1 && !std::get<bool>(forms.begin()->first);
