@@ -16,7 +16,7 @@ target_include_directories(signorini_build INTERFACE
 # Fused multiply-adds would make results differ between machines.
 target_compile_options(signorini_build INTERFACE -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  # GCC collects garbage whenever its heap has grown by so much: from 1 GiB on [KiB], a build takes a sixth less time.
+  # GCC collects no garbage below this heap [KiB]: a unit full of Eigen takes a sixth less time (docs/decisions/0017).
   target_compile_options(signorini_build INTERFACE $<BUILD_INTERFACE:--param=ggc-min-heapsize=1048576>)
 endif()
 set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
