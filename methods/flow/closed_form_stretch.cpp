@@ -17,7 +17,7 @@ void ClosedFormStretch::start(const ContactMode&, const FlowState& flow, double 
   arc_->start(flow.time, flow.state);
   angle_ = kTwoPi / (dense ? kDenseSteps : kSteps);
   // Interpolation between nodes meets the derivatives of a mode up to the highest that is kept.
-  const double longest = angle_ / (structure.highest_harmonic * structure.frequency);
+  const double longest = angle_ / structure.frequency;
   terms_ = dense ? arc_->fading_rates(noise(), longest, kNodeOrder) : arc_->fading_rates(noise());
 }
 

@@ -215,11 +215,17 @@ double FlowStructure::reduced_amplitude() const {
   for (std::size_t h = 0; h < rates.size(); ++h) {
     const std::complex<double> i_rate(0.0, rates[h]);
     const auto column = static_cast<Eigen::Index>(h);
+    const auto relaxed = 1.0 + relaxation * i_rate;
+    // Displacements that are added have many harmonics, of contacts alone.
+    if (load.col(column).isZero(0.0)) {
+      amplitude += (shift.col(column) / relaxed).cwiseAbs();
+      if (open_amplitude.size() > 0) open_amplitude += (open.shift.col(column) / relaxed).cwiseAbs();
+      continue;
+    }
     const Eigen::VectorXcd z = stiffness.diagonal().cast<std::complex<double>>() +
                                i_rate * damping.diagonal().cast<std::complex<double>>() +
                                i_rate * i_rate * mass.diagonal().cast<std::complex<double>>();
     const Eigen::VectorXcd u = load.col(column).cwiseQuotient(z);
-    const auto relaxed = 1.0 + relaxation * i_rate;
     amplitude += (directions.transpose() * u + shift.col(column) / relaxed).cwiseAbs();
     if (open_amplitude.size() > 0)
       open_amplitude += (open.normals.transpose() * u + open.shift.col(column) / relaxed).cwiseAbs();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -13,18 +14,10 @@ namespace signorini {
 
 using Complex = std::complex<double>;
 
-namespace {
-
-/// Whether e^{mu duration} is below e^-50, so that nothing is left of a mode.
-bool has_faded(Complex mu, double duration) { return mu.real() < 0.0 && mu.real() * duration < -50.0; }
-
-}  // namespace
-
 ModalFlow::ModalFlow(ModeEquations equations, std::shared_ptr<const ModalBasis> basis)
     : LinearFlow(std::move(equations)), basis_(std::move(basis)) {
   const Eigen::Index harmonics = equations_.harmonics();
   forced_ = Eigen::MatrixXcd::Zero(positions(), harmonics);
-  Eigen::MatrixXcd waves(states(), harmonics);
   // P_h = Q (of the modes' response), plus the offset of held contacts, which is constant.
   for (Eigen::Index h = 0; h < harmonics; ++h) {
     const Eigen::VectorXcd load = equations_.reduced_load(h);
@@ -35,6 +28,7 @@ ModalFlow::ModalFlow(ModeEquations equations, std::shared_ptr<const ModalBasis> 
   }
   forced_.col(0).head(size()) += equations_.form.offset.cast<Complex>();
   if (positions() > size()) force_relaxing();
+  Eigen::MatrixXcd waves(states(), harmonics);
   waves.topRows(positions()) = forced_;
   for (Eigen::Index h = 0; h < harmonics; ++h)
     waves.col(h).tail(size()) =
@@ -139,6 +133,10 @@ class ModalFlow::Arc final : public LinearArc {
   [[nodiscard]] double output(Eigen::Index row, double time, int order) const override;
   [[nodiscard]] double curvature_bound(Eigen::Index row, double time) const override;
   void differentiate(double time, int order, Eigen::Ref<Eigen::VectorXd> derivative) const;
+  [[nodiscard]] double fastest_wave(double floor, double step, int order) const;
+  template <class Outputs, class Shape>
+  [[nodiscard]] double largest_share(const Outputs& outputs, Complex amplitude, const Shape& shape,
+                                     double direct) const;
   [[nodiscard]] double rate(Eigen::Index h) const { return rates_[static_cast<std::size_t>(h)]; }
   void move_to(double time) const;
   struct Terms {
@@ -184,26 +182,10 @@ void ModalFlow::Arc::start(double time, const State& state) {
 
 std::vector<FadingRate> ModalFlow::Arc::fading_rates(double floor, double step, int order) const {
   constexpr double kForever = std::numeric_limits<double>::infinity();
-  const ContactDynamics& dynamics = *equations_.dynamics;
-  const FlowStructure& structure = dynamics.structure();
   std::vector<FadingRate> terms;
   for (Eigen::Index k = 0; k < amplitude_.size(); ++k) {
-    double share = 0.0;
-    for (int j = 0; j < dynamics.contact_count(); ++j) {
-      const Eigen::Index force = equations_.force_row(j);
-      share = std::max(share, force < 0 ? std::abs(contribution_(j, k)) / dynamics.scales().displacement
-                                        : std::abs(contribution_(force, k)) / dynamics.force_scale(j));
-    }
-    if (!structure.open.contacts.empty()) {  // the bound of what any of them shows
-      const double of_u =
-          std::abs(flow_.weight()[k] * amplitude_[k]) * flow_.basis_->shapes.col(k).head(flow_.size()).norm();
-      const double of_x = contribution_.col(k).head(dynamics.contact_count()).lpNorm<Eigen::Infinity>();
-      double reach = structure.open_row_norm * of_u + structure.open_contact_sum * of_x;
-      for (std::size_t c = 0; c < mode().active.size() && structure.open_compliance.size() > 0; ++c)
-        reach += structure.open_compliance[mode().active[c]] *
-                 std::abs(contribution_(equations_.force_row(mode().active[c]), k));
-      share = std::max(share, reach / dynamics.scales().displacement);
-    }
+    double share = largest_share(contribution_.col(k), flow_.weight()[k] * amplitude_[k],
+                                 flow_.basis_->shapes.col(k).head(flow_.size()), 0.0);
     const Complex mu = flow_.mu()[k];
     share *= std::pow(std::max(1.0, std::abs(mu) * step), order);
     const bool fades = mu.real() < 0.0;
@@ -212,10 +194,49 @@ std::vector<FadingRate> ModalFlow::Arc::fading_rates(double floor, double step, 
     terms.push_back(
         {.rate = std::abs(mu), .until = fades ? begin_ + std::log(share / floor) / -mu.real() : kForever});
   }
-  terms.push_back({.rate = std::max(rates_.back(), equations_.structure().frequency), .until = kForever});
-  std::sort(terms.begin(), terms.end(),
-            [](const FadingRate& a, const FadingRate& b) { return a.rate > b.rate; });
+  terms.push_back({.rate = fastest_wave(floor, step, order), .until = kForever});
+  std::ranges::sort(terms, std::greater(), &FadingRate::rate);
   return terms;
+}
+
+// The largest rate of a harmonic of the load that matters together with all faster ones, at least omega. Of
+// displacements that are added there are many harmonics, the last ones tiny.
+double ModalFlow::Arc::fastest_wave(double floor, double step, int order) const {
+  const Eigen::MatrixXcd& open_waves = equations_.structure().open_waves;
+  const double least = equations_.structure().frequency;
+  double sum = 0.0;
+  for (Eigen::Index h = wave_.size() - 1; h >= 0 && rate(h) > least; --h) {
+    const double direct = open_waves.size() > 0 ? open_waves.col(h).lpNorm<Eigen::Infinity>() : 0.0;
+    const double share =
+        largest_share(flow_.row_of_harmonic_.col(h), 1.0, flow_.forced_.col(h).head(flow_.size()), direct);
+    sum += share * std::pow(std::max(1.0, rate(h) * step), order);
+    if (sum > floor) return rate(h);
+  }
+  return least;
+}
+
+// Of a term in all guards: the larger of what it is in those of contacts that act, from its outputs, and a
+// bound of what it is in those of open ones, from its shape in u and its part in their waves.
+template <class Outputs, class Shape>
+double ModalFlow::Arc::largest_share(const Outputs& outputs, Complex amplitude, const Shape& shape,
+                                     double direct) const {
+  const ContactDynamics& dynamics = *equations_.dynamics;
+  const FlowStructure& structure = dynamics.structure();
+  double share = 0.0;
+  for (int j = 0; j < dynamics.contact_count(); ++j) {
+    const Eigen::Index force = equations_.force_row(j);
+    share = std::max(share, force < 0 ? std::abs(outputs[j]) / dynamics.scales().displacement
+                                      : std::abs(outputs[force]) / dynamics.force_scale(j));
+  }
+  if (structure.open.contacts.empty()) return share;
+  double reach =
+      structure.open_contact_sum * outputs.head(dynamics.contact_count()).template lpNorm<Eigen::Infinity>();
+  reach += direct + structure.open_row_norm * std::abs(amplitude) * shape.norm();
+  for (std::size_t c = 0; c < mode().active.size() && structure.open_compliance.size() > 0; ++c) {
+    reach += structure.open_compliance[mode().active[c]] *
+             std::abs(outputs[equations_.force_row(mode().active[c])]);
+  }
+  return std::max(share, reach / dynamics.scales().displacement);
 }
 
 // Harmonics of the load take the time itself, not the time since the beginning: their phase is that of the
@@ -370,9 +391,7 @@ bool ModalFlow::Arc::add_force_integrals(double begin, double end, double w, Eig
     terms.col(c).head(modes) = contribution_.row(row).transpose().cwiseProduct(growth_);
     terms.col(c).tail(waves) = flow_.row_of_harmonic_.row(row).transpose().cwiseProduct(wave_);
   }
-  const Eigen::MatrixXcd integrals = harmonic_integrals(rates, terms, begin, end, w, sums.rows() - 1);
-  for (Eigen::Index c = 0; c < terms.cols(); ++c)
-    sums.col(closed[static_cast<std::size_t>(c)]) += integrals.col(c);
+  sums(Eigen::all, closed) += harmonic_integrals(rates, terms, begin, end, w, sums.rows() - 1);
   return true;
 }
 

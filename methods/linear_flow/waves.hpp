@@ -1,10 +1,16 @@
 #pragma once
-// Complex exponentials of many harmonics at an instant.
+// Complex exponentials: of many harmonics at an instant, and of modes that fade.
 
 #include <Eigen/Core>
+#include <complex>
 #include <vector>
 
 namespace signorini {
+
+/// Whether e^{mu duration} is below e^-50, so that nothing is left of a mode.
+inline bool has_faded(std::complex<double> mu, double duration) {
+  return mu.real() < 0.0 && mu.real() * duration < -50.0;
+}
 
 /// Whether the rates are 0, r, 2 r, ... to rounding.
 bool evenly_spaced(const std::vector<double>& rates);

@@ -42,12 +42,13 @@ LimitedSample steepest(const LimitedOutput& f, double low, double high) {
   return sample(f, 0.5 * (low + high));
 }
 
-// Instants from `begin` to `end`, both included, a step apart that resolves the fastest rate left.
-std::vector<double> instants(double begin, double end, const std::vector<FadingRate>& terms) {
+// Instants from `begin` to `end`, both included, a step apart that resolves the fastest rate left, so many
+// steps at least.
+std::vector<double> instants(double begin, double end, const std::vector<FadingRate>& terms, int steps = 2) {
   constexpr double kAngle = kTwoPi / 16.0;  // a step, in terms of the fastest rate left
   std::vector<double> times{begin};
   for (double t = begin; t < end;) {
-    const double next = t + std::min(kAngle / fastest_left(terms, t), 0.5 * (end - begin));
+    const double next = t + std::min(kAngle / fastest_left(terms, t), (end - begin) / steps);
     t = next > t ? std::min(end, next) : end;  // an arc as short as rounding has no middle
     times.push_back(t);
   }
@@ -60,6 +61,46 @@ Eigen::Index row_of(const LimitedOutput& f, Eigen::Index rows) {
   const std::vector<int>& closed = f.arc.mode().active;
   return rows - (closed.end() - std::ranges::find(closed, f.contact));
 }
+
+// Outputs of one arc at several instants, all of contacts that act, or all of open ones.
+class SampledOutputs {
+ public:
+  SampledOutputs(std::span<const LimitedOutput> outputs, std::span<const double> times, int highest)
+      : outputs_(outputs), rows_(outputs.size()) {
+    const LinearArc& arc = outputs.front().arc;
+    const int acting = arc.contact_count();
+    if (outputs.front().contact < acting) {
+      derivatives_ = arc.outputs(times, highest);
+      for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = row_of(outputs[i], derivatives_[0].rows());
+    } else {
+      int first = outputs.front().contact, last = first;
+      for (const LimitedOutput& f : outputs) {
+        first = std::min(first, f.contact);
+        last = std::max(last, f.contact);
+      }
+      derivatives_ = arc.open_displacements(times, highest, first - acting, last - first + 1);
+      for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = outputs[i].contact - first;
+    }
+  }
+
+  // Output i at instant k, or its derivative.
+  [[nodiscard]] double value(std::size_t i, Eigen::Index k, int order) const {
+    return outputs_[i].limited(derivatives_[static_cast<std::size_t>(order)](rows_[i], k), order);
+  }
+
+ private:
+  std::span<const LimitedOutput> outputs_;
+  std::vector<Eigen::Index> rows_;  // of each output
+  std::vector<Eigen::MatrixXd> derivatives_;
+};
+
+// Instants whose outputs are evaluated at once.
+constexpr std::size_t kTogether = 64;
+std::span<const double> together(const std::vector<double>& times, std::size_t first) {
+  return std::span(times).subspan(first, std::min(kTogether, times.size() - first));
+}
+
+constexpr double kNone = -std::numeric_limits<double>::infinity();
 
 // What is not a number stays the peak.
 void raise_to(LimitedSample& peak, const LimitedSample& other) {
@@ -96,35 +137,76 @@ void raise_between(const LimitedOutput& f, const LimitedSample& a, const Limited
   }
 }
 
+// The maximum of a smooth function from its samples, with an estimate of what is between them: an eighth of
+// the step squared times the curvature, that of the second differences on either side, several times over.
+class BoundedMaximum {
+ public:
+  void take(double time, double value) {
+    if (count_ >= 2) {
+      const auto [t0, v0] = before_;
+      const auto [t1, v1] = last_;
+      const double curvature = 2.0 * ((value - v1) / (time - t1) - (v1 - v0) / (t1 - t0)) / (time - t0);
+      const double step = std::max(time - t1, t1 - t0);
+      const double bound = std::max({v0, v1, value}) + kSafety / 8.0 * step * step * std::abs(curvature);
+      if (!std::isnan(bound_) && !(bound <= bound_)) bound_ = bound;
+    }
+    before_ = std::exchange(last_, {time, value});
+    ++count_;
+  }
+  // Infinite with fewer than three samples; not a number where one is none.
+  [[nodiscard]] double bound() const { return count_ < 3 ? -kNone : bound_; }
+
+ private:
+  static constexpr double kSafety = 8.0;
+
+  std::pair<double, double> before_, last_;
+  double bound_ = kNone;
+  int count_ = 0;
+};
+
 }  // namespace
+
+std::vector<LimitedOutput> near_limit(const std::vector<LimitedOutput>& outputs, double begin, double end,
+                                      const std::vector<FadingRate>& terms) {
+  constexpr double kUnseen = 1e-7, kLeast = 1e-4;
+  constexpr int kSteps = 8;  // of fewer, one second difference may be zero where there is a maximum
+  constexpr double kWorthwhile = 0.75;  // of the instants, which cost a little less without derivatives
+  if (outputs.empty()) return outputs;
+  const std::vector<double> times = instants(begin, end, outputs.front().arc.fading_rates(kUnseen), kSteps);
+  const auto in_full = static_cast<double>(instants(begin, end, terms).size());
+  if (static_cast<double>(times.size()) > kWorthwhile * in_full) return outputs;
+  std::vector<BoundedMaximum> maxima(outputs.size());
+  for (std::size_t first = 0; first < times.size(); first += kTogether) {
+    const std::span<const double> some = together(times, first);
+    const SampledOutputs samples(outputs, some, 0);
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      for (Eigen::Index k = 0; k < std::ssize(some); ++k)
+        maxima[i].take(some[static_cast<std::size_t>(k)], samples.value(i, k, 0));
+    }
+  }
+  std::vector<LimitedOutput> near;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (!(maxima[i].bound() + kLeast < 0.0)) near.push_back(outputs[i]);
+  }
+  return near;
+}
 
 std::vector<LimitedSample> largest(std::span<const LimitedOutput> outputs, double begin, double end,
                                    const std::vector<FadingRate>& terms) {
-  constexpr std::size_t kTogether = 64;  // instants
-  constexpr double kNone = -std::numeric_limits<double>::infinity();
   std::vector<LimitedSample> peaks(outputs.size(), {.value = kNone}), before(outputs.size());
   if (outputs.empty()) return peaks;
-  const LinearArc& arc = outputs.front().arc;
-  const int acting = arc.contact_count();
-  const bool open = outputs.front().contact >= acting;
   const std::vector<double> times = instants(begin, end, terms);
   for (std::size_t first = 0; first < times.size(); first += kTogether) {
-    const std::span<const double> some =
-        std::span(times).subspan(first, std::min(kTogether, times.size() - first));
-    const std::vector<Eigen::MatrixXd> derivatives =
-        open ? arc.open_displacements(some, 2, outputs.front().contact - acting,
-                                      static_cast<int>(outputs.size()))
-             : arc.outputs(some, 2);
+    const std::span<const double> some = together(times, first);
+    const SampledOutputs samples(outputs, some, 2);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-      const LimitedOutput& f = outputs[i];
-      const Eigen::Index row = open ? static_cast<Eigen::Index>(i) : row_of(f, derivatives[0].rows());
       for (Eigen::Index k = 0; k < std::ssize(some); ++k) {
         const LimitedSample here{.time = some[static_cast<std::size_t>(k)],
-                                 .value = f.limited(derivatives[0](row, k), 0),
-                                 .rate = f.limited(derivatives[1](row, k), 1),
-                                 .curvature = f.limited(derivatives[2](row, k), 2)};
+                                 .value = samples.value(i, k, 0),
+                                 .rate = samples.value(i, k, 1),
+                                 .curvature = samples.value(i, k, 2)};
         raise_to(peaks[i], here);
-        if (first > 0 || k > 0) raise_between(f, before[i], here, peaks[i]);
+        if (first > 0 || k > 0) raise_between(outputs[i], before[i], here, peaks[i]);
         before[i] = here;
       }
     }

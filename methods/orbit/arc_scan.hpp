@@ -43,11 +43,22 @@ struct LimitedSample {
   bool minimum = false;    ///< a local minimum likewise
 };
 
+/// Those of the outputs of one arc, all of contacts that act or all of open ones (OpenContacts), that may be
+/// above zero between `begin` and `end`, by values alone at a sixteenth of the fastest period of all terms
+/// that make more than 1e-7. Of most contacts most of the time this is known without resolving what is
+/// smaller. Allowed for are eight times the estimate, by second differences, of what is between two samples,
+/// and 1e-4; an arc has eight steps at least. Where that takes more than three quarters of the
+/// instants of `largest`, all are returned.
+///
+/// \param terms  LinearArc::fading_rates of the arc, for `largest`
+std::vector<LimitedOutput> near_limit(const std::vector<LimitedOutput>& outputs, double begin, double end,
+                                      const std::vector<FadingRate>& terms);
+
 /// The largest value of each output from `begin` to `end`, both included, all of one arc: among samples at a
 /// sixteenth of the fastest period still alive and, where they come near zero, the local maxima between them,
 /// polished by Newton's method where the rate changes sign, found by where the rate turns where it is
-/// positive only between two samples. The outputs are of contacts that act, or all of open ones
-/// (OpenContacts). Samples of all outputs are taken together: the modes are evaluated once for each instant.
+/// positive only between two samples. The outputs are of contacts that act, or all of open ones.
+/// Samples of all outputs are taken together: the modes are evaluated once for each instant.
 ///
 /// \param terms  LinearArc::fading_rates of the arc
 std::vector<LimitedSample> largest(std::span<const LimitedOutput> outputs, double begin, double end,

@@ -57,7 +57,7 @@ const LinearArc& ExactTrajectory::arc_at(double& time) const {
 double ExactTrajectory::push(int contact, double begin, double end) const {
   const auto acting = static_cast<int>(std::ranges::find(contacts_, contact) - contacts_.begin());
   constexpr double kTurn = 0.8, kUnseen = 1e-9;  // rad; share of a scale
-  constexpr int kMostPieces = 4096;
+  constexpr int kMostPieces = 4096, kDerivatives = 4;
   std::vector<double> ends{begin, end};
   for (const ContactEvent& event : events_) {
     for (const double time : {event.time, event.time + period()}) {
@@ -71,7 +71,7 @@ double ExactTrajectory::push(int contact, double begin, double end) const {
     double middle = ends[i - 1] + 0.5 * length;  // within the arc, whatever rounding does to its ends
     const LinearArc& arc = arc_at(middle);
     const double start = middle - 0.5 * length;
-    const double rate = fastest_left(arc.fading_rates(kUnseen), start);
+    const double rate = fastest_left(arc.fading_rates(kUnseen, length, kDerivatives), start);
     const int pieces = std::clamp(static_cast<int>(std::ceil(rate * length / kTurn)), 1, kMostPieces);
     const auto derivatives = [&](int piece) {
       Derivatives values{};

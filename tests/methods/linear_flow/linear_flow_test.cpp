@@ -216,6 +216,21 @@ TEST(LinearArc, ModesBoundTheStepsUntilTheyFade) {
   EXPECT_EQ(arc.fading_rates(1e-2).size(), 1U);
 }
 
+// A harmonic of the load matters from some size on, the fastest one that does by its rate.
+TEST(LinearArc, TinyHarmonicsOfTheLoadBoundNoStep) {
+  const test::ImpactOscillator one{.damping = 0.2, .stiffness = 400.0, .frequency = 1.5};
+  Problem problem = test::to_problem(one);
+  problem.force.push_back({.dof = 0, .harmonic = 40, .cos = 1e-5 * one.load, .sin = 0.0});
+  const ContactDynamics dynamics(problem);
+  LinearFlows flows(dynamics);
+  const std::unique_ptr<LinearArc> arc = flows.of({false}).arc();
+  arc->start(0.0, dynamics.at_rest());
+  EXPECT_EQ(arc->fading_rates(1e-9).front().rate, 40.0 * one.frequency);
+  EXPECT_EQ(arc->fading_rates(1e-3).back().rate, one.frequency);
+  // In its derivatives it weighs more.
+  EXPECT_EQ(arc->fading_rates(1e-3, 1.0, 4).front().rate, 40.0 * one.frequency);
+}
+
 TEST(LinearArc, UndampedModesNeverFade) {
   const ContactDynamics dynamics(test::to_problem({.damping = 0.0, .stiffness = 400.0, .frequency = 1.5}));
   LinearFlows flows(dynamics);
