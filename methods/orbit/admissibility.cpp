@@ -35,7 +35,6 @@ struct Check {
   // No penetration and no tension between two events.
   void arc(const LinearArc& arc, double begin, double end) {
     constexpr double kUnseen = 0.01;  // of the tolerance: modes below do not move a contact
-    const std::vector<FadingRate> terms = arc.fading_rates(kUnseen * kAdmissible);
     const FlowStructure& structure = dynamics.structure();
     const double X = dynamics.scales().displacement;
     std::vector<LimitedOutput> guards, open;
@@ -51,12 +50,15 @@ struct Check {
       const int j = dynamics.contact_count() + static_cast<int>(open.size());
       open.push_back({.arc = arc, .contact = j, .of_force = false, .offset = gap, .unit = X});
     }
+    const std::vector<FadingRate> terms = arc.fading_rates(kUnseen * kAdmissible);
+    guards = near_limit(guards, begin, end, terms);
+    open = near_limit(open, begin, end, terms);
     const std::vector<LimitedSample> peaks = largest(guards, begin, end, terms);
     for (std::size_t j = 0; j < peaks.size(); ++j) {
       const LimitedSample& peak = peaks[j];
       result.violation = std::max(result.violation, peak.value);
       if (peak.value <= kAdmissible) continue;
-      const int contact = named(static_cast<int>(j));
+      const int contact = named(guards[j].contact);
       fail(guards[j].of_force
                ? fmt::format("contact {} pulls at t = {:.6g} s ({:.2g} of the force scale)", contact,
                              peak.time, peak.value)
@@ -91,6 +93,24 @@ struct Check {
     result.violation = std::max(result.violation, passed);
     result.reached = std::move(reached);
     fail(passing);
+  }
+
+  // Contacts that close or are struck together with the one whose guard vanishes are at their stops, too: one
+  // that is held before it is there neither penetrates nor pulls.
+  void together(std::size_t i) {
+    const SequenceEvent& event = orbit.events[i];
+    const std::vector<bool>& before = i == 0 ? orbit.start.closed : orbit.events[i - 1].closed;
+    for (int j = 0; j < dynamics.contact_count(); ++j) {
+      const auto index = static_cast<std::size_t>(j);
+      const bool meets = event.closed[index] || std::ranges::find(event.pushed, j) != event.pushed.end();
+      if (j == event.contact || before[index] || !meets) continue;
+      const double short_of =
+          (dynamics.structure().gaps[j] - equations.arcs()[i]->displacement(j, event.time)) /
+          dynamics.scales().displacement;
+      if (short_of <= kAdmissible) continue;
+      fail(fmt::format("contact {} is held at t = {:.6g} s, {:.2g} of the amplitude before its stop",
+                       named(j), event.time, short_of));
+    }
   }
 
   // Contacts close with x'_- > 0, and all that push take an impulse <= 0.
@@ -144,6 +164,7 @@ Admissibility check_admissible(const OrbitModel& model, const OrbitGuess& orbit,
     require_time(expired);
     check.arc(*equations.arcs()[i], begin, orbit.events[i].time);
     check.event(i);
+    check.together(i);
     begin = orbit.events[i].time;
   }
   check.arc(*equations.arcs().back(), begin, orbit.start.time + model.period);

@@ -37,9 +37,10 @@ struct Admissibility {
 /// Checks an orbit as last evaluated: between events no open contact beyond its stop, those included that are
 /// taken for open throughout, and no closed one pulling (sampled at a sixteenth of the fastest period still
 /// alive in the guards, local maxima polished by Newton's method, those between two samples found by where
-/// the rate turns), approach speeds positive, impulses compressive, each impact by the scene's law, all to
-/// kAdmissible in the scales of the motion. A contact that stops with e > 0 is accepted as the limit of a
-/// chatter if the rest of the geometric sequence displaces less than kLeftOut X.
+/// the rate turns), all contacts that an event closes at their stops, approach speeds positive, impulses
+/// compressive, each impact by the scene's law, all to kAdmissible in the scales of the motion. A contact
+/// that stops with e > 0 is accepted as the limit of a chatter if the rest of the geometric sequence
+/// displaces less than kLeftOut X.
 ///
 /// \param expired  asked before each arc \throws std::runtime_error if the time is up
 Admissibility check_admissible(const OrbitModel& model, const OrbitGuess& orbit,

@@ -67,6 +67,17 @@ void measure_error(const OrbitModel& model, const OrbitEquations& equations, con
   orbit.error_bar = std::max(orbit.error_bar, (inverse * again.residual()).lpNorm<Eigen::Infinity>());
 }
 
+// How often contacts close and stay: several may at one event.
+long closing_contacts(const OrbitGuess& path) {
+  const std::vector<bool>* before = &path.start.closed;
+  long count = 0;
+  for (const SequenceEvent& event : path.events) {
+    for (std::size_t j = 0; j < event.closed.size(); ++j) count += event.closed[j] && !(*before)[j] ? 1 : 0;
+    before = &event.closed;
+  }
+  return count;
+}
+
 void conclude(const OrbitEquations& equations, const PolishOptions& options, ExactOrbit& orbit) {
   constexpr double kUndetermined = 1e-3;  // an error bar of this size determines nothing
   const Admissibility& found = orbit.admissibility;
@@ -93,9 +104,7 @@ void conclude(const OrbitEquations& equations, const PolishOptions& options, Exa
   if (monodromy.size() > 0 && monodromy.allFinite()) orbit.multipliers = monodromy.eigenvalues();
   const bool chatter = found.chatter_error > 0.0;
   orbit.outcome = chatter ? OrbitOutcome::chatter : OrbitOutcome::converged;
-  const auto closings = std::count_if(path.events.begin(), path.events.end(), [](const SequenceEvent& event) {
-    return event.kind == ContactEvent::Kind::close;
-  });
+  const long closings = closing_contacts(path);
   orbit.reason =
       chatter ? fmt::format("complete chattering: {} impacts resolved, then contact", found.impacts)
               : fmt::format("periodic orbit, impacts {}, phases of contact {}", found.impacts, closings);

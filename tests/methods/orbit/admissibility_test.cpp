@@ -81,6 +81,37 @@ TEST(Admissibility, FindsAnImpactThatIsNotTheScenesLaw) {
   EXPECT_NE(found.reason.find("without the chatter"), std::string::npos) << found.reason;
 }
 
+// Two masses alike, apart from each other, that strike at one event: where the second one's stop is a little
+// further away it is struck before it is there, though nothing penetrates and nothing pulls.
+TEST(Admissibility, FindsAContactThatAnEventStopsBeforeItsStop) {
+  const test::ImpactOscillator o{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 0.8};
+  const OrbitGuess one = orbit_of(test::to_problem(o));
+  Problem two = test::to_problem(o);
+  two.edit_structure([](Structure& s) {
+    for (SparseMatrix* matrix : {&s.mass, &s.damping, &s.stiffness}) {
+      const double value = matrix->coeff(0, 0);
+      *matrix = SparseMatrix(Eigen::MatrixXd(value * Eigen::Matrix2d::Identity()).sparseView());
+    }
+  });
+  two.force.push_back(two.force[0]);
+  two.force[1].dof = 1;
+  two.contacts.push_back({.normal = {{1, 1.0}}, .gap = o.gap});
+  OrbitGuess both = one;
+  both.start.state.u = Eigen::Vector2d::Constant(one.start.state.u[0]);
+  both.start.state.v = Eigen::Vector2d::Constant(one.start.state.v[0]);
+  both.start.closed = {false, false};
+  ASSERT_EQ(both.events.size(), 1U);
+  both.events[0].pushed = {0, 1};
+  both.events[0].restitution = {o.restitution, o.restitution};
+  both.events[0].closed = {false, false};
+  const Admissibility alike = check(two, both);
+  EXPECT_TRUE(alike.ok) << alike.reason;
+  two.contacts[1].gap += 1e-9;
+  const Admissibility apart = check(two, both);
+  EXPECT_FALSE(apart.ok);
+  EXPECT_NE(apart.reason.find("contact 1 is held"), std::string::npos) << apart.reason;
+}
+
 TEST(Admissibility, CallsACompleteChatterWhatItIs) {
   const Problem problem =
       test::to_problem({.damping = 0.02, .frequency = 0.5, .gap = 0.2, .restitution = 0.5});
