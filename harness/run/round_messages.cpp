@@ -50,12 +50,14 @@ FirstRoundSender::FirstRoundSender(const LineSender& send, const Record& blank)
     : send_(send), known_(to_json(blank)) {}
 
 void FirstRoundSender::operator()(const Record& so_far) {
-  const Json record = to_json(so_far);
-  Json changes = Json::object();
-  for (const auto& [key, value] : record.items()) {
+  Record rest = so_far;
+  if (samples_sent_) rest.trajectory.reset();
+  samples_sent_ = samples_sent_ || rest.trajectory;
+  Json record = to_json(rest), changes = Json::object();
+  for (auto& [key, value] : record.get_ref<Json::object_t&>()) {
     if (known_.contains(key) && known_[key] == value) continue;
-    changes[key] = value;
-    known_[key] = value;
+    if (key != "trajectory") known_[key] = value;
+    changes[key] = std::move(value);
   }
   send_(json_line(changes));
   ++sent_;

@@ -13,7 +13,8 @@
 namespace signorini {
 
 /// In the child of a first round: after each stage of the trial, sends the keys of the record that the stage
-/// has added or changed.
+/// has added or changed. The samples of the trajectory, most of a record, are written once: no stage changes
+/// them after the one that has taken them.
 class FirstRoundSender {
  public:
   /// \param blank  what the parent knows of the record already
@@ -25,6 +26,7 @@ class FirstRoundSender {
  private:
   const LineSender& send_;
   int sent_ = 0;
+  bool samples_sent_ = false;
   nlohmann::ordered_json known_;
 };
 
