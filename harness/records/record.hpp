@@ -141,8 +141,9 @@ struct TrajectorySamples {
   std::vector<std::vector<double>> x = {}, velocity = {}, force = {};  ///< per contact
   std::vector<Impulse> impulses = {};
   std::optional<int> bandwidth = {};
-  std::vector<int> dofs = {};               ///< coordinates that were asked for
-  std::vector<std::vector<double>> u = {};  ///< of each of them
+  std::optional<std::vector<ContactEvent>> events = {};  ///< as the method lists them
+  std::vector<int> dofs = {};                            ///< coordinates that were asked for
+  std::vector<std::vector<double>> u = {};               ///< of each of them
 };
 
 /// A motion as it is drawn: polylines through common instants, as dense as the motion's bends ask for.

@@ -140,6 +140,14 @@ void visit_fields(Either<Impulse> auto& impulse, auto&& field) {
   field(required("value", "N s"), impulse.value);
 }
 
+void visit_fields(Either<ContactEvent> auto& event, auto&& field) {
+  field(required("kind"), event.kind);
+  field(required("contact"), event.contact);
+  field(required("time", "s"), event.time);
+  field(Field{"impulse", "N s"}, event.impulse);
+  field(Field{"push", "N s"}, event.push);
+}
+
 void visit_fields(Either<TrajectorySamples> auto& samples, auto&& field) {
   field(required("t", "s"), samples.t);
   field(required("x", "m"), samples.x);
@@ -147,6 +155,7 @@ void visit_fields(Either<TrajectorySamples> auto& samples, auto&& field) {
   field(required("force", "N"), samples.force);
   field(Field{"impulses", "", Presence::always}, samples.impulses);
   field(Field{"bandwidth"}, samples.bandwidth);
+  field(Field{"events"}, samples.events);
   field(Field{"dofs"}, samples.dofs);
   field(Field{"u", "m"}, samples.u);
 }

@@ -244,6 +244,7 @@ TrajectorySamples samples_of(const Trajectory& trajectory, int count) {
   result.force = columns(samples.force);
   result.impulses = trajectory.impulses();
   result.bandwidth = trajectory.bandwidth();
+  result.events = trajectory.events();
   return result;
 }
 
@@ -256,6 +257,7 @@ std::shared_ptr<const SampledTrajectory> trajectory_of(double period, const Traj
   data.samples.force = matrix(samples.force, samples.t.size(), contacts);
   data.impulses = samples.impulses;
   data.bandwidth = samples.bandwidth;
+  data.events = samples.events;
   try {
     return std::make_shared<SampledTrajectory>(std::move(data));
   } catch (const std::invalid_argument& error) {

@@ -32,6 +32,9 @@ std::shared_ptr<const SampledTrajectory> stretched(const Record& record, double 
   data.period *= factor;
   data.samples.velocity /= factor;
   for (Impulse& impulse : data.impulses) impulse.time *= factor;
+  if (data.events) {
+    for (ContactEvent& event : *data.events) event.time *= factor;
+  }
   return std::make_shared<SampledTrajectory>(std::move(data));
 }
 

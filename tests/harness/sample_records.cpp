@@ -78,14 +78,17 @@ Record full_record() {
                     .contact_ratio = 0.4,
                     .energy_reason = "because",
                     .effective_restitution = {0.9, 1.0}};
-  record.trajectory = TrajectorySamples{.t = {0.0, 0.5},
-                                        .x = {{1.0, 2.0}},
-                                        .velocity = {{3.0, 4.0}},
-                                        .force = {{-1.0, 0.0}},
-                                        .impulses = {{.contact = 0, .time = 0.25, .value = -2.0}},
-                                        .bandwidth = 10,
-                                        .dofs = {4},
-                                        .u = {{0.25, -0.25}}};
+  record.trajectory =
+      TrajectorySamples{.t = {0.0, 0.5},
+                        .x = {{1.0, 2.0}},
+                        .velocity = {{3.0, 4.0}},
+                        .force = {{-1.0, 0.0}},
+                        .impulses = {{.contact = 0, .time = 0.25, .value = -2.0}},
+                        .bandwidth = 10,
+                        .events = {{{.kind = ContactEvent::Kind::impact, .time = 0.25, .impulse = -2.0},
+                                    {.kind = ContactEvent::Kind::open, .time = 0.5, .push = -0.5}}},
+                        .dofs = {4},
+                        .u = {{0.25, -0.25}}};
   record.motion = full_motion();
   record.waveforms = full_waveforms();
   return record;

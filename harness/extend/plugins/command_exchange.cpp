@@ -109,6 +109,7 @@ std::vector<ContactEvent> read_events(const Json& json) {
 std::shared_ptr<const Trajectory> read_motion(const Json& json, double period) {
   TrajectorySamples samples;
   read_fields(json.at("trajectory"), samples);
+  samples.events.reset();  // a command lists its own beside the trajectory
   constexpr int kMostHarmonics = 1000000;
   if (samples.bandwidth && (*samples.bandwidth < 0 || *samples.bandwidth > kMostHarmonics))
     refuse(fmt::format("trajectory.bandwidth = {} (must be in 0..{})", *samples.bandwidth, kMostHarmonics));
@@ -170,8 +171,9 @@ Json command_request(const Problem& problem, const std::vector<OptionEcho>& opti
 
 std::string command_input(Json request, const Start& start) {
   if (start.guess) {
-    request["start"] = {{"period", start.guess->period()},
-                        {"trajectory", write_fields(samples_of(*start.guess, kStartSamples))}};
+    TrajectorySamples samples = samples_of(*start.guess, kStartSamples);
+    samples.events.reset();  // of another motion than the command's answer, into which they may be copied
+    request["start"] = {{"period", start.guess->period()}, {"trajectory", write_fields(samples)}};
   }
   if (start.deadline != std::chrono::steady_clock::time_point::max()) {
     request["seconds"] =

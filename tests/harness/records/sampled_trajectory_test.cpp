@@ -141,6 +141,15 @@ TEST(TrajectoryJson, ComesBackAsItWent) {
   const auto back = trajectory_of(source->period(), samples_of(sampled, 32));
   EXPECT_EQ(back->sample(32).x, sampled.sample(32).x);
   EXPECT_EQ(back->bandwidth(), source->bandwidth());
+  EXPECT_FALSE(back->events());
+  const SampledTrajectory listed(with_events());
+  const auto again = trajectory_of(listed.period(), samples_of(listed, 8))->events();
+  ASSERT_TRUE(again);
+  ASSERT_EQ(again->size(), listed.events()->size());
+  for (std::size_t i = 0; i < again->size(); ++i) {
+    EXPECT_EQ(again->at(i).kind, listed.events()->at(i).kind);
+    EXPECT_EQ(again->at(i).time, listed.events()->at(i).time);
+  }
   TrajectorySamples uneven = samples_of(sampled, 32);
   uneven.force[0].pop_back();
   EXPECT_THROW(trajectory_of(1.0, uneven), BadRecord);
@@ -154,6 +163,11 @@ TEST(TrajectoryJson, HoldsInstantsAndImpulses) {
   read_fields(json, back);
   EXPECT_EQ(back.impulses[0].value, -2.0);
   EXPECT_EQ(back.bandwidth, 10);
+  ASSERT_TRUE(back.events);
+  ASSERT_EQ(back.events->size(), 2U);
+  EXPECT_EQ(back.events->at(0).kind, ContactEvent::Kind::impact);
+  EXPECT_EQ(back.events->at(0).impulse, -2.0);
+  EXPECT_EQ(back.events->at(1).push, -0.5);
   const auto source = test::free_motion(test::one_mass());
   EXPECT_EQ(samples_of(*source, 4).t, (std::vector<double>{0.0, 0.25 * source->period(),
                                                            0.5 * source->period(), 0.75 * source->period()}));

@@ -87,6 +87,10 @@ TEST(ReadCommandAnswer, HandsOnTheEventsThatACommandLists) {
   EXPECT_EQ(events[1].impulse, 0.0);
   EXPECT_FALSE(events[0].push.has_value());
   EXPECT_EQ(events[1].push, -0.125);
+  // Those of a trajectory are of the motion that a command may have copied it from.
+  Json copied = answer();
+  copied["trajectory"]["events"] = json["events"];
+  EXPECT_FALSE(read_command_answer(copied.dump(), kPeriod).solution.trajectory->events());
 }
 
 TEST(ReadCommandAnswer, RefusesEventsThatCannotBe) {
