@@ -58,7 +58,8 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
   EXPECT_EQ(keys(json["physics"]), (Keys{"penetration", "complementarity", "energy_defect", "energy_reason",
                                          "effective_restitution", "contact_ratio"}));
   EXPECT_EQ(keys(json["trajectory"]),
-            (Keys{"t", "x", "velocity", "force", "impulses", "bandwidth", "dofs", "u"}));
+            (Keys{"t", "x", "velocity", "force", "impulses", "bandwidth", "events", "dofs", "u"}));
+  EXPECT_EQ(keys(json["trajectory"]["events"][0]), (Keys{"kind", "contact", "time", "impulse"}));
   EXPECT_EQ(keys(json["motion"]), (Keys{"x", "u", "no_u", "impacts", "contact_phases"}));
   EXPECT_EQ(keys(json["motion"]["u"][0]), (Keys{"dof", "mean", "min", "max", "amplitude", "harmonics"}));
   EXPECT_EQ(keys(json["motion"]["u"][0]["harmonics"][0]), (Keys{"frequency", "amplitude", "phase"}));
