@@ -216,19 +216,19 @@ double FlowStructure::reduced_amplitude() const {
     const std::complex<double> i_rate(0.0, rates[h]);
     const auto column = static_cast<Eigen::Index>(h);
     const auto relaxed = 1.0 + relaxation * i_rate;
+    Eigen::VectorXcd x = shift.col(column) / relaxed, open_x;
+    if (open_amplitude.size() > 0) open_x = open.shift.col(column) / relaxed;
     // Displacements that are added have many harmonics, of contacts alone.
-    if (load.col(column).isZero(0.0)) {
-      amplitude += (shift.col(column) / relaxed).cwiseAbs();
-      if (open_amplitude.size() > 0) open_amplitude += (open.shift.col(column) / relaxed).cwiseAbs();
-      continue;
+    if (!load.col(column).isZero(0.0)) {
+      const Eigen::VectorXcd z = stiffness.diagonal().cast<std::complex<double>>() +
+                                 i_rate * damping.diagonal().cast<std::complex<double>>() +
+                                 i_rate * i_rate * mass.diagonal().cast<std::complex<double>>();
+      const Eigen::VectorXcd u = load.col(column).cwiseQuotient(z);
+      x += directions.transpose() * u;
+      if (open_amplitude.size() > 0) open_x += open.normals.transpose() * u;
     }
-    const Eigen::VectorXcd z = stiffness.diagonal().cast<std::complex<double>>() +
-                               i_rate * damping.diagonal().cast<std::complex<double>>() +
-                               i_rate * i_rate * mass.diagonal().cast<std::complex<double>>();
-    const Eigen::VectorXcd u = load.col(column).cwiseQuotient(z);
-    amplitude += (directions.transpose() * u + shift.col(column) / relaxed).cwiseAbs();
-    if (open_amplitude.size() > 0)
-      open_amplitude += (open.normals.transpose() * u + open.shift.col(column) / relaxed).cwiseAbs();
+    amplitude += x.cwiseAbs();
+    if (open_amplitude.size() > 0) open_amplitude += open_x.cwiseAbs();
   }
   return std::max(largest_of(amplitude), largest_of(open_amplitude));
 }

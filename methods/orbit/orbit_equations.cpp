@@ -210,6 +210,18 @@ Eigen::MatrixXd OrbitEquations::monodromy() const {
   return P;
 }
 
+std::vector<int> OrbitGuess::closings() const {
+  const std::vector<bool>* before = &start.closed;
+  std::vector<int> count(before->size(), 0);
+  for (const SequenceEvent& event : events) {
+    for (std::size_t j = 0; j < count.size(); ++j) {
+      if (event.closed[j] && !(*before)[j]) ++count[j];
+    }
+    before = &event.closed;
+  }
+  return count;
+}
+
 OrbitGuess OrbitEquations::orbit(const Eigen::VectorXd& unknowns) const {
   OrbitGuess result = sequence_;
   result.start.state = {.u = x_unit_ * unknowns.head(p_), .v = v_unit_ * unknowns.segment(p_, n_)};

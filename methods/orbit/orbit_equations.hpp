@@ -50,6 +50,9 @@ struct OrbitGuess {
   FlowState start;                    ///< at the section
   std::vector<SequenceEvent> events;  ///< times ascending in (start.time, start.time + period)
   std::string origin;                 ///< how it was found, for messages
+
+  /// How often each contact closes and stays, Nc; several may at one event.
+  [[nodiscard]] std::vector<int> closings() const;
 };
 
 /// Asked now and then by what takes long; true ends it. Empty: no limit.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <numeric>
 
 #include "methods/orbit/exact_orbit.hpp"
 #include "methods/orbit/modal_green_function.hpp"
@@ -67,17 +68,6 @@ void measure_error(const OrbitModel& model, const OrbitEquations& equations, con
   orbit.error_bar = std::max(orbit.error_bar, (inverse * again.residual()).lpNorm<Eigen::Infinity>());
 }
 
-// How often contacts close and stay: several may at one event.
-long closing_contacts(const OrbitGuess& path) {
-  const std::vector<bool>* before = &path.start.closed;
-  long count = 0;
-  for (const SequenceEvent& event : path.events) {
-    for (std::size_t j = 0; j < event.closed.size(); ++j) count += event.closed[j] && !(*before)[j] ? 1 : 0;
-    before = &event.closed;
-  }
-  return count;
-}
-
 void conclude(const OrbitEquations& equations, const PolishOptions& options, ExactOrbit& orbit) {
   constexpr double kUndetermined = 1e-3;  // an error bar of this size determines nothing
   const Admissibility& found = orbit.admissibility;
@@ -104,7 +94,8 @@ void conclude(const OrbitEquations& equations, const PolishOptions& options, Exa
   if (monodromy.size() > 0 && monodromy.allFinite()) orbit.multipliers = monodromy.eigenvalues();
   const bool chatter = found.chatter_error > 0.0;
   orbit.outcome = chatter ? OrbitOutcome::chatter : OrbitOutcome::converged;
-  const long closings = closing_contacts(path);
+  const std::vector<int> of_contacts = path.closings();
+  const int closings = std::accumulate(of_contacts.begin(), of_contacts.end(), 0);
   orbit.reason =
       chatter ? fmt::format("complete chattering: {} impacts resolved, then contact", found.impacts)
               : fmt::format("periodic orbit, impacts {}, phases of contact {}", found.impacts, closings);

@@ -53,25 +53,11 @@ double beyond(const Eigen::MatrixXcd& series) { return series_norm(series, serie
 /// How often each acting contact closes in a period, -1 of one that is closed throughout. Which of two
 /// neighbours closes first within rounding is no difference between motions, nor where the period is cut
 /// open.
-std::vector<int> closings_of_acting(const ExactTrajectory& orbit) {
-  const std::vector<SequenceEvent>& events = orbit.orbit().events;
-  if (events.empty()) {
-    const std::vector<bool>& closed = orbit.orbit().start.closed;
-    std::vector<int> throughout(closed.size(), 0);
-    for (std::size_t j = 0; j < closed.size(); ++j) throughout[j] = closed[j] ? -1 : 0;
-    return throughout;
-  }
-  const std::vector<bool>* before = &events.back().closed;
-  std::vector<int> count(before->size(), 0);
+std::vector<int> closings_of_acting(const OrbitGuess& path) {
+  std::vector<int> count = path.closings();
   for (std::size_t j = 0; j < count.size(); ++j) {
-    if (std::ranges::all_of(events, [j](const SequenceEvent& event) { return bool{event.closed[j]}; }))
-      count[j] = -1;
-  }
-  for (const SequenceEvent& event : events) {
-    for (std::size_t j = 0; j < count.size(); ++j) {
-      if (event.closed[j] && !(*before)[j]) ++count[j];
-    }
-    before = &event.closed;
+    const auto closed = [j](const SequenceEvent& event) { return bool{event.closed[j]}; };
+    if (path.start.closed[j] && std::ranges::all_of(path.events, closed)) count[j] = -1;
   }
   return count;
 }
@@ -79,7 +65,7 @@ std::vector<int> closings_of_acting(const ExactTrajectory& orbit) {
 /// The same of all contacts of the scene.
 std::vector<int> closings(const ExactTrajectory& orbit) {
   std::vector<int> all(static_cast<std::size_t>(orbit.contact_count()), 0);
-  const std::vector<int> acting = closings_of_acting(orbit);
+  const std::vector<int> acting = closings_of_acting(orbit.orbit());
   for (std::size_t j = 0; j < acting.size(); ++j)
     all[static_cast<std::size_t>(orbit.scene_contact(static_cast<int>(j)))] = acting[j];
   return all;
