@@ -124,6 +124,7 @@ Trial Runner::trial_of(const Scene& scene, const Job& job, const StartPoint& sta
           .samples = extras.samples,
           .timed = extras.timed,
           .certified = extras.certified,
+          .measured = extras.measured,
           .waveforms = waveforms_,
           .summary = extras.summary};
 }

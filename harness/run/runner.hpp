@@ -25,6 +25,7 @@ struct SolveExtras {
   int samples = 0;                               ///< instants of the trajectory kept in the record; 0: none
   bool timed = true;
   bool certified = true;                       ///< look for the orbit behind the answer
+  bool measured = true;                        ///< as of Trial
   std::optional<SummaryRequest> summary = {};  ///< summarise the motion of the answer
   /// Called with what the method answers as soon as it has, before the harness judges it.
   std::function<void(const Record& answer)> on_answer = {};

@@ -10,6 +10,7 @@
 #include "harness/build_info.hpp"
 #include "harness/isolation/process_state.hpp"
 #include "harness/judge/certificate.hpp"
+#include "harness/judge/impacts.hpp"
 #include "harness/judge/measures.hpp"
 #include "harness/judge/waveform.hpp"
 #include "harness/plan/deadline.hpp"
@@ -283,8 +284,12 @@ void TrialSeries::run(const Trial& trial, Record record,
   static_cast<void>(usual.restore());  // said above
   record.processor.timing = processor.lap();
   stage_done(record);
-  motion->least = least_size(trial.scene.problem, space_of_large(trial).get());
-  record.physics = measure_physics(trial.scene.problem, trial.law, *motion, space_of_large(trial).get());
+  if (trial.measured || trial.certified) {
+    motion->least = least_size(trial.scene.problem, space_of_large(trial).get());
+    record.physics = measure_physics(trial.scene.problem, trial.law, *motion, space_of_large(trial).get());
+  } else if (trial.scene.problem.contact_count() > 0) {
+    record.physics.contact_ratio = contact_ratio(*motion);
+  }
   record.processor.measures = processor.lap();
   stage_done(record);
   if (trial.certified) {

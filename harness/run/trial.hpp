@@ -28,6 +28,8 @@ struct Trial {
   int samples = 0;                               ///< instants of the trajectory kept in the record; 0: none
   bool timed = true;
   bool certified = true;  ///< look for the orbit behind the answer
+  bool measured = true;   ///< measure energy, penetration and restitution, not the contact ratio alone;
+                          ///< certified answers are
   /// Keep the answer and its orbit as they are drawn, to this share of each signal's range.
   std::optional<double> waveforms = {};
   std::optional<SummaryRequest> summary = {};  ///< summarise the motion of the answer

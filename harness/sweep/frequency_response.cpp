@@ -17,7 +17,7 @@ namespace {
 
 /// Instants of an answer from which the next solve starts: of many contacts fewer, as many as marching has.
 int instants_kept(const Problem& problem) {
-  constexpr int kMost = 4096, kFewest = 256, kOfAllContacts = 1 << 17;
+  constexpr int kMost = 4096, kFewest = 256, kOfAllContacts = 1 << 15;
   return std::clamp(kOfAllContacts / std::max(1, problem.contact_count()), kFewest, kMost);
 }
 
@@ -138,6 +138,7 @@ std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoic
   const SolveExtras extras{.samples = instants_kept(scene.problem),
                            .timed = false,
                            .certified = limits.certified,
+                           .measured = limits.certified,  // a point tells the contact ratio alone
                            .summary = SummaryRequest{.harmonics = 0}};
   const auto take_record = [&](const Record& record) {
     const bool back = points.size() >= first.size();

@@ -56,6 +56,12 @@ OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expir
 void OrbitEquations::carry(Eigen::Index i, double duration) {
   const LinearFlow& flow = *flows_[static_cast<std::size_t>(i)];
   const Eigen::Index known = of_state_ + i;
+  if (kind_ == Columns::all && i == 0) {  // from the units alone
+    sensitivity_.leftCols(known) = flow.transition(duration);
+    sensitivity_.leftCols(p_) *= x_unit_;
+    sensitivity_.middleCols(p_, n_) *= v_unit_;
+    return;
+  }
   if (kind_ == Columns::all) {
     sensitivity_.leftCols(known) = (flow.transition(duration) * sensitivity_.leftCols(known)).eval();
     return;

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "methods/orbit/orbit_equations.hpp"
 #include "methods/solvers/damped_newton.hpp"
@@ -37,15 +38,20 @@ class NewtonOnOrbit {
     if (!step_.allFinite()) return std::nullopt;
     const double longest = longest_part();
     short_steps_ = longest < kMerging ? short_steps_ + 1 : 0;
+    tried_ = false;
     return merging() ? std::nullopt : std::optional(longest);
   }
+  // The first trial is mostly taken, and so is evaluated with its Jacobian; shorter ones are without.
   std::optional<double> merit_at(double length) {
     trial_ = unknowns_ + length * step_;
-    return equations_.evaluate(trial_) ? std::optional(norm()) : std::nullopt;
+    differentiated_ = !std::exchange(tried_, true);
+    const bool finite = differentiated_ ? equations_.evaluate(trial_) : equations_.evaluate_residual(trial_);
+    return finite ? std::optional(norm()) : std::nullopt;
   }
   void accept() {
     unknowns_ = trial_;
     residual_ = norm();
+    if (!differentiated_) static_cast<void>(equations_.evaluate(unknowns_));  // if not finite, so is the step
   }
 
   [[nodiscard]] bool interrupted() const { return interrupted_; }
@@ -83,6 +89,8 @@ class NewtonOnOrbit {
   double residual_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
   int short_steps_ = 0;
+  bool tried_ = false;           // a length of the present step
+  bool differentiated_ = false;  // the last trial
   bool refining_ = false;
   bool interrupted_ = false;
 };

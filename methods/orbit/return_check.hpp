@@ -21,7 +21,8 @@ struct ReturnCheck {
 /// by more than that, the error is measured, as four times the distance to a run with ten times the local
 /// tolerance, and believed up to 1e-6. By Adams' method; where that does not return, by backward
 /// differentiation too: the check is that of the two which comes nearer. `distance` is what the orbit is
-/// confirmed to.
+/// confirmed to. Stiff
+/// structures (FlowStructure::stiff) by backward differentiation alone.
 ///
 /// \param dynamics  of the scene that `orbit` was found on
 /// \throws FlowError, IntegrationError if the flow fails

@@ -11,7 +11,8 @@ namespace signorini::trial_test {
 namespace {
 
 /// The records of a trial of the fake method after each of its stages, in this process.
-std::vector<Record> stages_of(const std::string& behaviour, bool certified = true, int samples = 0) {
+std::vector<Record> stages_of(const std::string& behaviour, bool certified = true, int samples = 0,
+                              bool measured = true) {
   const Scene scene = test::one_mass_scene();
   const Case planned_case = test::fake_case(scene, behaviour);
   const Limits limits{.timeout = 5.0, .repetitions = 1, .certificate_timeout = 5.0};
@@ -26,7 +27,8 @@ std::vector<Record> stages_of(const std::string& behaviour, bool certified = tru
                     .orbits = orbits,
                     .samples = samples,
                     .timed = false,
-                    .certified = certified};
+                    .certified = certified,
+                    .measured = measured};
   std::vector<Record> records;
   Record record;
   record.law = trial.law;
@@ -73,6 +75,17 @@ TEST(RunTrial, StopsAfterTheSolveWhereThereIsNoAnswer) {
 TEST(RunTrial, DoesNotCatchWhatTheMethodThrows) {
   EXPECT_THROW(stages_of("throw_error"), std::exception);
   EXPECT_THROW(stages_of("throw_number"), int);
+}
+
+TEST(RunTrial, TellsTheContactRatioAloneWhereMeasuresAreNotAskedFor) {
+  const std::vector<Record> stages = stages_of("good", false, 0, false);
+  ASSERT_EQ(stages.size(), 4U);
+  const Physics& physics = stages.back().physics;
+  EXPECT_EQ(physics.contact_ratio, stages_of("good", false).back().physics.contact_ratio);
+  EXPECT_TRUE(physics.contact_ratio.has_value());
+  EXPECT_FALSE(physics.penetration.has_value());
+  EXPECT_FALSE(physics.energy_defect.has_value());
+  EXPECT_EQ(stages_of("good", true, 0, false).back().physics.penetration, 0.0);  // a certificate needs them
 }
 
 TEST(RunTrial, KeepsSamplesAndLeavesOutTheCertificateOnRequest) {

@@ -30,6 +30,22 @@ TEST(ReturnCheck, ConfirmsExactOrbits) {
   }
 }
 
+// Decay of 1e7 / s: Adams' method would take tens of millions of steps over the period.
+TEST(ReturnCheck, FollowsStiffStructuresByBackwardDifferentiation) {
+  Problem problem = test::stopped_chain(3, 0.0, 1, 0.3);
+  problem.edit_structure([](Structure& s) {
+    s.stiffness.coeffRef(0, 0) += 1e9;
+    s.damping.coeffRef(0, 0) += 1e7;
+  });
+  const auto found = test::cold_orbit(problem);
+  ASSERT_TRUE(found.orbit) << found.solution.message;
+  const ContactDynamics dynamics(problem);
+  ASSERT_TRUE(dynamics.structure().stiff);
+  const ReturnCheck check = cvode_return(dynamics, *found.orbit, kNever);
+  EXPECT_TRUE(check.returned);
+  EXPECT_LT(check.allowed, 1e-6);
+}
+
 TEST(ReturnCheck, RefusesTheOrbitOfAnotherScene) {
   // A millionth more damping moves the orbit by far more than the two integrations differ.
   const test::ImpactOscillator o{.damping = 0.1, .frequency = 2.2, .gap = 0.2};
