@@ -4,6 +4,7 @@
 #include <cmath>
 #include <new>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -14,7 +15,7 @@
 #include "harness/judge/impacts.hpp"
 #include "methods/solvers/constants.hpp"
 #include "methods/structure/condensation.hpp"
-#include "methods/structure/periodic_response.hpp"
+#include "methods/structure/dynamic_stiffness.hpp"
 #include "methods/structure/receptance.hpp"
 
 namespace signorini {
@@ -23,9 +24,8 @@ namespace {
 
 /// Coordinates of the largest structure whose field is compared for u_l2.
 constexpr int kLargestField = 10000;
-/// Harmonics and instants of the fields compared for u_l2.
+/// Harmonics of the fields compared for u_l2.
 constexpr int kFieldHarmonics = 512;
-constexpr int kFieldInstants = 2048;
 /// Harmonics of the response whose work is summed.
 constexpr int kEnergyHarmonics = 512;
 /// Impacts slower than this share of the largest speed say nothing about restitution.
@@ -40,22 +40,48 @@ Measure impulse_error(const Motion& answer, const Motion& orbit) {
   return (found - exact).cwiseAbs().maxCoeff() / scale;
 }
 
+/// The rows of a series in harmonics of a period that is `times` as long.
+Eigen::MatrixXcd spread(const Eigen::MatrixXcd& series, Eigen::Index times) {
+  Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(times * (series.rows() - 1) + 1, series.cols());
+  for (Eigen::Index n = 0; n < series.rows(); ++n) result.row(times * n) = series.row(n);
+  return result;
+}
+
+/// |u_answer - u_orbit| / |u_orbit - mean(u_orbit)|, root mean squares over time and coordinates, by the
+/// harmonics of the responses to the difference of the forces and to the orbit's: both from one factorisation
+/// of each Z_n.
 Measure field_error(const Problem& problem, const Motion& answer, const Motion& orbit) {
+  constexpr double kRoundOff = 1e-9;  // of u, below which its motion is no size
   if (problem.size() <= problem.contact_count() || problem.size() > kLargestField) return std::nullopt;
+  const int order = std::lcm(answer.order, orbit.order);
+  const Eigen::MatrixXcd found =
+      spread(force_series(problem, answer, kFieldHarmonics).lambda, order / answer.order);
+  Eigen::MatrixXcd exact = spread(force_series(problem, orbit, kFieldHarmonics).lambda, order / orbit.order);
+  const Eigen::Index harmonics = std::max(found.rows(), exact.rows());
+  exact.conservativeResizeLike(Eigen::MatrixXcd::Zero(harmonics, exact.cols()));
+  Eigen::MatrixXcd apart = -exact;
+  apart.topRows(found.rows()) += found;
+  const double base = kTwoPi / (order * orbit.forcing_period);
+  const SparseMatrix W = contact_directions(problem);
+  double error = 0.0, moving = 0.0, constant = 0.0;
   try {
-    const auto field = [&](const Motion& at_contacts) {
-      Motion motion;
-      motion.forcing_period = at_contacts.forcing_period;
-      motion.order = at_contacts.order;
-      motion.samples.x = PeriodicResponse(problem, force_series(problem, at_contacts, kFieldHarmonics))
-                             .displacement(kFieldInstants * motion.order);
-      motion.samples.velocity = Eigen::MatrixXd::Zero(motion.samples.x.rows(), motion.samples.x.cols());
-      return motion;
-    };
-    return distance(field(answer), field(orbit)).x_l2;
+    DynamicStiffness stiffness(problem);
+    for (Eigen::Index n = 0; n < harmonics; ++n) {
+      Eigen::MatrixXcd u(problem.size(), 2);
+      u << W * apart.row(n).transpose(), W * exact.row(n).transpose();
+      if (n % order == 0)
+        u.col(1) += (n == 0 ? 1.0 : 0.5) * load_harmonic(problem, static_cast<int>(n) / order);
+      if (u.isZero(0.0)) continue;
+      stiffness.factorise(exact_weights(static_cast<double>(n) * base));
+      u = stiffness.solve(u);
+      error += (n == 0 ? 1.0 : 2.0) * u.col(0).squaredNorm();
+      (n == 0 ? constant : moving) += (n == 0 ? 1.0 : 2.0) * u.col(1).squaredNorm();
+    }
   } catch (const std::exception&) {
     return std::nullopt;  // some harmonic excites an undamped eigenfrequency: the field is not determined
   }
+  const double unit = std::max(std::sqrt(moving), kRoundOff * std::sqrt(constant));
+  return unit > 0.0 ? Measure(std::sqrt(error) / unit) : std::nullopt;
 }
 
 /// The same on a space, in which the difference of two fields is the response to that of their forces.

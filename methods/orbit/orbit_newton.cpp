@@ -32,7 +32,11 @@ class NewtonOnOrbit {
   [[nodiscard]] double merit() const { return residual_; }
   std::optional<double> find_step() {
     interrupted_ = expired_ && expired_();
-    if (interrupted_) return std::nullopt;
+    if (residual_ <= 0.5 * halved_) {
+      halved_ = residual_;
+      slow_steps_ = 0;
+    }
+    if (interrupted_ || slow_steps_++ == kSlowest) return std::nullopt;
     lu_.compute(equations_.jacobian());
     step_ = -lu_.solve(equations_.residual());
     if (!step_.allFinite()) return std::nullopt;
@@ -56,11 +60,13 @@ class NewtonOnOrbit {
 
   [[nodiscard]] bool interrupted() const { return interrupted_; }
   [[nodiscard]] bool merging() const { return short_steps_ >= kPatience; }
+  [[nodiscard]] bool slow() const { return slow_steps_ > kSlowest; }
   [[nodiscard]] const Eigen::VectorXd& unknowns() const { return unknowns_; }
 
  private:
   static constexpr double kMerging = 1e-3;  // part of a step that an interval about to vanish leaves of it
   static constexpr int kPatience = 3;       // such steps in a row
+  static constexpr int kSlowest = 5;        // steps to halve the residual: of a wrong sequence they are many
 
   [[nodiscard]] double norm() const { return equations_.residual().lpNorm<Eigen::Infinity>(); }
 
@@ -89,6 +95,8 @@ class NewtonOnOrbit {
   double residual_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
   int short_steps_ = 0;
+  double halved_ = residual_;    // the residual when it was halved last,
+  int slow_steps_ = 0;           // and the steps since
   bool tried_ = false;           // a length of the present step
   bool differentiated_ = false;  // the last trial
   bool refining_ = false;
@@ -101,6 +109,7 @@ std::string failure(const NewtonOnOrbit& newton, const DampedNewtonResult& searc
       100.0;  // cancellation between the arcs of a sequence, beyond OrbitEquations::noise
   const double residual = newton.merit();
   if (newton.interrupted()) return "the time is up";
+  if (newton.slow()) return fmt::format("the steps are short (residual {:.2g})", residual);
   if (newton.merging()) return fmt::format("the steps close an interval (residual {:.2g})", residual);
   switch (search.end) {
     case NewtonEnd::singular:

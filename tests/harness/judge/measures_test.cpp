@@ -5,7 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "methods/structure/periodic_response.hpp"
 #include "tests/harness/fake_method.hpp"
+#include "tests/support/damped_chain.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
 namespace signorini::measures_test {
@@ -111,6 +113,28 @@ TEST(MeasureErrors, CompareTheWholeFieldWhereThereIsMoreThanTheContacts) {
   const Errors errors = measure_errors(problem, nothing, nothing);
   EXPECT_FALSE(errors.x_l2.has_value());
   EXPECT_EQ(errors.u_l2.value(), 0.0);
+}
+
+// Against both fields at the instants of the longer period.
+TEST(MeasureErrors, CompareFieldsOfDifferentOrders) {
+  constexpr int kInstants = 64;
+  Problem chain = test::damped_chain(4, 1);
+  chain.frequency = 2.0;
+  const auto none = [](double) { return 0.0; };
+  const FormulaMotion answer(
+      kPeriod, none, none, [](double t) { return -0.3 - 0.2 * std::cos(2.0 * t) - 0.1 * std::sin(4.0 * t); },
+      {}, 2);
+  const FormulaMotion orbit(
+      2.0 * kPeriod, none, none, [](double t) { return -0.2 - 0.1 * std::cos(t) - 0.2 * std::sin(2.0 * t); },
+      {}, 2);
+  const Eigen::MatrixXd half = PeriodicResponse(chain, answer).displacement(kInstants);
+  const Eigen::MatrixXd exact = PeriodicResponse(chain, orbit).displacement(2 * kInstants);
+  const Eigen::MatrixXd apart = exact - half.replicate(2, 1);
+  const Eigen::MatrixXd moving = exact.rowwise() - exact.colwise().mean();
+  const double expected = apart.norm() / moving.norm();
+  ASSERT_GT(expected, 0.01);
+  const Errors errors = measure_errors(chain, sample_motion(chain, answer), sample_motion(chain, orbit));
+  EXPECT_NEAR(errors.u_l2.value(), expected, 1e-12 * expected);
 }
 
 /// A motion of period T between impacts at t = 0: x = g - t (T - t)(b + c t), v_- = T (b + c T), v_+ = -T b.
