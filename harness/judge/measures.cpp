@@ -49,7 +49,7 @@ Eigen::MatrixXcd spread(const Eigen::MatrixXcd& series, Eigen::Index times) {
 
 /// |u_answer - u_orbit| / |u_orbit - mean(u_orbit)|, root mean squares over time and coordinates, by the
 /// harmonics of the responses to the difference of the forces and to the orbit's: both from one factorisation
-/// of each Z_n.
+/// of each Z_n; harmonics without force have no response.
 Measure field_error(const Problem& problem, const Motion& answer, const Motion& orbit) {
   constexpr double kRoundOff = 1e-9;  // of u, below which its motion is no size
   if (problem.size() <= problem.contact_count() || problem.size() > kLargestField) return std::nullopt;

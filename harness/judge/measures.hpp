@@ -14,7 +14,8 @@ namespace signorini {
 /// the impulse of the worst contact relative to the largest impulse of a contact, the contact force where it
 /// is a function of time (no impulse in either motion) as a root mean square relative to the orbit's, and u
 /// over the whole structure: on a ContactSpace where one is given, else where Nc < Nd <= 10 000 by the
-/// responses to the orbit's force and to the difference of both forces, harmonics 0..512. Absent where the unit is zero.
+/// responses to the orbit's force and to the difference of both forces, harmonics 0..512. Absent where the
+/// unit is zero.
 /// \param space  of this problem, for its field; null: none is known
 Errors measure_errors(const Problem& problem, const Motion& answer, const Motion& orbit,
                       const ContactSpace* space = nullptr);

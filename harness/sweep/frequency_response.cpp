@@ -17,7 +17,7 @@ namespace {
 
 /// Instants of an answer from which the next solve starts: of many contacts fewer, as many as marching has.
 int instants_kept(const Problem& problem) {
-  constexpr int kMost = 4096, kFewest = 256, kOfAllContacts = 1 << 15;
+  constexpr int kMost = 4096, kFewest = 256, kOfAllContacts = 1 << 17;
   return std::clamp(kOfAllContacts / std::max(1, problem.contact_count()), kFewest, kMost);
 }
 

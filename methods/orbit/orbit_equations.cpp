@@ -159,8 +159,6 @@ void OrbitEquations::pass(const Eigen::VectorXd& unknowns, bool derivatives) {
   if (derivatives) {
     of_state_ = states_;
     sensitivity_.setZero();
-    sensitivity_.topLeftCorner(p_, p_).diagonal().setConstant(x_unit_);
-    sensitivity_.block(p_, p_, n_, n_).diagonal().setConstant(v_unit_);
   }
   largest_state_ = 1.0;
   double begin = start;

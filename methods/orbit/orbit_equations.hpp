@@ -166,8 +166,8 @@ struct OrbitNewtonResult {
 /// Solves the equations from their guess by `damped_newton`. Steps are shortened so that no interval between
 /// events loses more than four fifths of its length, for beyond an event that overtakes another the equations
 /// mean nothing, and halved until the residual falls. Solved: residual <= max(tolerance, noise()),
-/// reduced by one more step where that is possible, or a residual that no longer falls and is within a
-/// hundred times its noise.
+/// reduced by one more step where that is possible, or a residual that no longer falls, or not by half in
+/// ten steps, and is within a hundred times its noise. Any other that falls so slowly is given up.
 /// \param expired  asked before every step; true ends the search unsolved
 OrbitNewtonResult solve(OrbitEquations& equations, double tolerance, int max_iterations,
                         const std::function<bool()>& expired = {});

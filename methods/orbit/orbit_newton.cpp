@@ -23,27 +23,30 @@ class NewtonOnOrbit {
         residual_(norm()) {}
 
   // From here on a residual counts as solved only if it is zero.
-  void refine() { refining_ = true; }
+  void refine() {
+    refining_ = true;
+    slow_steps_ = 0;
+  }
   // After a step that was not taken, the equations are at a trial.
   void return_to_iterate() { equations_.evaluate(unknowns_); }
 
   [[nodiscard]] double accepted() const { return std::max(tolerance_, equations_.noise()); }
-  [[nodiscard]] bool solved() const { return !refining_ && residual_ <= accepted(); }
+  [[nodiscard]] bool solved() const {
+    return !refining_ && residual_ <= accepted() && equations_.jacobian().allFinite();
+  }
   [[nodiscard]] double merit() const { return residual_; }
   std::optional<double> find_step() {
     interrupted_ = expired_ && expired_();
-    if (residual_ <= 0.5 * halved_) {
-      halved_ = residual_;
-      slow_steps_ = 0;
-    }
-    if (interrupted_ || slow_steps_++ == kSlowest) return std::nullopt;
+    if (interrupted_) return std::nullopt;
     lu_.compute(equations_.jacobian());
     step_ = -lu_.solve(equations_.residual());
     if (!step_.allFinite()) return std::nullopt;
     const double longest = longest_part();
     short_steps_ = longest < kMerging ? short_steps_ + 1 : 0;
+    slow_steps_ = residual_ <= 0.5 * halved_ ? 0 : slow_steps_ + 1;
+    if (slow_steps_ == 0) halved_ = residual_;
     tried_ = false;
-    return merging() ? std::nullopt : std::optional(longest);
+    return merging() || slow() ? std::nullopt : std::optional(longest);
   }
   // The first trial is mostly taken, and so is evaluated with its Jacobian; shorter ones are without.
   std::optional<double> merit_at(double length) {
@@ -66,7 +69,7 @@ class NewtonOnOrbit {
  private:
   static constexpr double kMerging = 1e-3;  // part of a step that an interval about to vanish leaves of it
   static constexpr int kPatience = 3;       // such steps in a row
-  static constexpr int kSlowest = 5;        // steps to halve the residual: of a wrong sequence they are many
+  static constexpr int kSlowest = 10;       // steps to halve the residual: of a wrong sequence they are many
 
   [[nodiscard]] double norm() const { return equations_.residual().lpNorm<Eigen::Infinity>(); }
 
@@ -109,13 +112,14 @@ std::string failure(const NewtonOnOrbit& newton, const DampedNewtonResult& searc
       100.0;  // cancellation between the arcs of a sequence, beyond OrbitEquations::noise
   const double residual = newton.merit();
   if (newton.interrupted()) return "the time is up";
-  if (newton.slow()) return fmt::format("the steps are short (residual {:.2g})", residual);
+  const bool round_off = residual <= std::max(newton.accepted(), kNoise * noise);
   if (newton.merging()) return fmt::format("the steps close an interval (residual {:.2g})", residual);
+  if (round_off && (newton.slow() || search.end == NewtonEnd::stalled)) return {};
+  if (newton.slow()) return fmt::format("the residual falls slowly (residual {:.2g})", residual);
   switch (search.end) {
     case NewtonEnd::singular:
       return "the equations are singular (a multiplier is 1, or an impact grazes)";
     case NewtonEnd::stalled:
-      if (residual <= std::max(newton.accepted(), kNoise * noise)) return {};
       return fmt::format("no descent along the Newton step (residual {:.2g})", residual);
     default:
       return fmt::format("no convergence in {} Newton steps (residual {:.2g})", search.steps, residual);

@@ -46,6 +46,7 @@ ReturnCheck cvode_return(const ContactDynamics& dynamics, const ExactTrajectory&
   // amplify it.
   constexpr double kFloor = 3e-11;
   constexpr double kLargest = 1e-6;
+  constexpr double kMostAdamsSteps = 1e5;
   constexpr double kSafety = 4.0;  // two runs may agree better than each of them does with the truth
   const MotionScales& scales = dynamics.scales();
   const State& start = orbit.orbit().start.state;
@@ -53,9 +54,10 @@ ReturnCheck cvode_return(const ContactDynamics& dynamics, const ExactTrajectory&
       std::min(kLargest, orbit.quality().error_bar + kFloor * growth_of_errors(orbit, scales));
   ReturnCheck check{.distance = std::numeric_limits<double>::infinity(), .allowed = expected};
   // Adams' steps in a stiff structure are as short as its fastest decay, however little is left of that.
-  const bool stiff = dynamics.structure().stiff;
+  const FlowStructure& structure = dynamics.structure();
+  const bool endless = structure.stiff && structure.fastest_rate * orbit.period() > kMostAdamsSteps;
   const std::vector<Integrator> methods =
-      stiff ? std::vector{Integrator::bdf} : std::vector{Integrator::adams, Integrator::bdf};
+      endless ? std::vector{Integrator::bdf} : std::vector{Integrator::adams, Integrator::bdf};
   for (const Integrator integrator : methods) {
     try {
       const State end = one_period_later(dynamics, orbit, integrator, kTolerance, expired);

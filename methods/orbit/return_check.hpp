@@ -20,9 +20,9 @@ struct ReturnCheck {
 /// fastest modes it follows through thousands of oscillations, may leave it more: where the orbit is missed
 /// by more than that, the error is measured, as four times the distance to a run with ten times the local
 /// tolerance, and believed up to 1e-6. By Adams' method; where that does not return, by backward
-/// differentiation too: the check is that of the two which comes nearer. `distance` is what the orbit is
-/// confirmed to. Stiff
-/// structures (FlowStructure::stiff) by backward differentiation alone.
+/// differentiation too: the check is that of the two which comes nearer. By the latter alone where a stiff
+/// structure (FlowStructure::stiff) would take Adams' method more than 1e5 steps. `distance` is what the
+/// orbit is confirmed to.
 ///
 /// \param dynamics  of the scene that `orbit` was found on
 /// \throws FlowError, IntegrationError if the flow fails

@@ -93,6 +93,28 @@ TEST(OrbitNewton, ConvergesQuadraticallyFromNearby) {
   EXPECT_NEAR(equations.orbit(result.unknowns).events[0].time, orbit.impact_time, 1e-12);
 }
 
+// Wherever it ends, after steps that were halved too.
+TEST(OrbitNewton, LeavesTheEquationsAtTheLastIterate) {
+  const auto orbit = test::single_impact_orbits(kOscillator).at(0);
+  int solved = 0;
+  for (int shift = -10; shift <= 10; ++shift) {
+    for (const int steps : {1, 2, 3, 40}) {
+      OrbitModel model(test::to_problem(kOscillator));
+      OrbitGuess guess = test::closed_form_guess(orbit, 0.5);
+      guess.start.state.u[0] += 0.1 * shift;
+      guess.events[0].time *= 1.0 + 0.08 * shift;
+      OrbitEquations equations(model, guess), fresh(model, guess);
+      const OrbitNewtonResult result = solve(equations, 1e-12, steps);
+      solved += result.solved ? 1 : 0;
+      ASSERT_TRUE(fresh.evaluate(result.unknowns));
+      EXPECT_EQ(equations.residual(), fresh.residual()) << shift << ", " << steps;
+      EXPECT_EQ(equations.jacobian(), fresh.jacobian()) << shift << ", " << steps;
+      EXPECT_EQ(result.residual, fresh.residual().lpNorm<Eigen::Infinity>()) << shift << ", " << steps;
+    }
+  }
+  EXPECT_GT(solved, 10);
+}
+
 TEST(OrbitNewton, SaysWhyItFails) {
   // The stop of the guess, moved to where no motion with one impact per period reaches it.
   const auto orbit = test::single_impact_orbits(kOscillator).at(0);
