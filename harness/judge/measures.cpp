@@ -47,6 +47,14 @@ Eigen::MatrixXcd spread(const Eigen::MatrixXcd& series, Eigen::Index times) {
   return result;
 }
 
+/// a - b, over the harmonics of either.
+Eigen::MatrixXcd series_difference(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b) {
+  Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(std::max(a.rows(), b.rows()), a.cols());
+  result.topRows(a.rows()) += a;
+  result.topRows(b.rows()) -= b;
+  return result;
+}
+
 /// |u_answer - u_orbit| / |u_orbit - mean(u_orbit)|, root mean squares over time and coordinates, by the
 /// harmonics of the responses to the difference of the forces and to the orbit's: both from one factorisation
 /// of each Z_n; harmonics without force have no response.
@@ -57,16 +65,14 @@ Measure field_error(const Problem& problem, const Motion& answer, const Motion& 
   const Eigen::MatrixXcd found =
       spread(force_series(problem, answer, kFieldHarmonics).lambda, order / answer.order);
   Eigen::MatrixXcd exact = spread(force_series(problem, orbit, kFieldHarmonics).lambda, order / orbit.order);
-  const Eigen::Index harmonics = std::max(found.rows(), exact.rows());
-  exact.conservativeResizeLike(Eigen::MatrixXcd::Zero(harmonics, exact.cols()));
-  Eigen::MatrixXcd apart = -exact;
-  apart.topRows(found.rows()) += found;
+  const Eigen::MatrixXcd apart = series_difference(found, exact);
+  exact.conservativeResizeLike(Eigen::MatrixXcd::Zero(apart.rows(), apart.cols()));
   const double base = kTwoPi / (order * orbit.forcing_period);
   const SparseMatrix W = contact_directions(problem);
   double error = 0.0, moving = 0.0, constant = 0.0;
   try {
     DynamicStiffness stiffness(problem);
-    for (Eigen::Index n = 0; n < harmonics; ++n) {
+    for (Eigen::Index n = 0; n < apart.rows(); ++n) {
       Eigen::MatrixXcd u(problem.size(), 2);
       u << W * apart.row(n).transpose(), W * exact.row(n).transpose();
       if (n % order == 0)
@@ -88,11 +94,9 @@ Measure field_error(const Problem& problem, const Motion& answer, const Motion& 
 Measure field_error_on(const ContactSpace& space, const Problem& problem, const Motion& answer,
                        const Motion& orbit) {
   if (answer.order != orbit.order) return std::nullopt;
-  Eigen::MatrixXcd force = force_series(problem, orbit, kFieldHarmonics).lambda;
-  const Eigen::MatrixXcd found = force_series(problem, answer, kFieldHarmonics).lambda;
-  Eigen::MatrixXcd apart = Eigen::MatrixXcd::Zero(std::max(force.rows(), found.rows()), force.cols());
-  apart.topRows(found.rows()) += found;
-  apart.topRows(force.rows()) -= force;
+  const Eigen::MatrixXcd force = force_series(problem, orbit, kFieldHarmonics).lambda;
+  const Eigen::MatrixXcd apart =
+      series_difference(force_series(problem, answer, kFieldHarmonics).lambda, force);
   const double base = kTwoPi / orbit.period();
   const auto load = [&](const Eigen::MatrixXcd& lambda) {
     return space.load().coefficients(base, static_cast<int>(lambda.rows()) - 1);
