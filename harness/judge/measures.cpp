@@ -13,6 +13,7 @@
 #include "harness/judge/contact_response.hpp"
 #include "harness/judge/contact_work.hpp"
 #include "harness/judge/impacts.hpp"
+#include "methods/discretisation/fourier_series.hpp"
 #include "methods/solvers/constants.hpp"
 #include "methods/structure/condensation.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
@@ -40,13 +41,6 @@ Measure impulse_error(const Motion& answer, const Motion& orbit) {
   return (found - exact).cwiseAbs().maxCoeff() / scale;
 }
 
-/// The rows of a series in harmonics of a period that is `times` as long.
-Eigen::MatrixXcd spread(const Eigen::MatrixXcd& series, Eigen::Index times) {
-  Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(times * (series.rows() - 1) + 1, series.cols());
-  for (Eigen::Index n = 0; n < series.rows(); ++n) result.row(times * n) = series.row(n);
-  return result;
-}
-
 /// a - b, over the harmonics of either.
 Eigen::MatrixXcd series_difference(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b) {
   Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(std::max(a.rows(), b.rows()), a.cols());
@@ -63,8 +57,9 @@ Measure field_error(const Problem& problem, const Motion& answer, const Motion& 
   if (problem.size() <= problem.contact_count() || problem.size() > kLargestField) return std::nullopt;
   const int order = std::lcm(answer.order, orbit.order);
   const Eigen::MatrixXcd found =
-      spread(force_series(problem, answer, kFieldHarmonics).lambda, order / answer.order);
-  Eigen::MatrixXcd exact = spread(force_series(problem, orbit, kFieldHarmonics).lambda, order / orbit.order);
+      repeated(force_series(problem, answer, kFieldHarmonics).lambda, order / answer.order);
+  Eigen::MatrixXcd exact =
+      repeated(force_series(problem, orbit, kFieldHarmonics).lambda, order / orbit.order);
   const Eigen::MatrixXcd apart = series_difference(found, exact);
   exact.conservativeResizeLike(Eigen::MatrixXcd::Zero(apart.rows(), apart.cols()));
   const double base = kTwoPi / (order * orbit.forcing_period);
@@ -73,15 +68,15 @@ Measure field_error(const Problem& problem, const Motion& answer, const Motion& 
   try {
     DynamicStiffness stiffness(problem);
     for (Eigen::Index n = 0; n < apart.rows(); ++n) {
+      const double sides = n == 0 ? 1.0 : 2.0;  // of the spectrum
       Eigen::MatrixXcd u(problem.size(), 2);
       u << W * apart.row(n).transpose(), W * exact.row(n).transpose();
-      if (n % order == 0)
-        u.col(1) += (n == 0 ? 1.0 : 0.5) * load_harmonic(problem, static_cast<int>(n) / order);
+      if (n % order == 0) u.col(1) += 1.0 / sides * load_harmonic(problem, static_cast<int>(n) / order);
       if (u.isZero(0.0)) continue;
       stiffness.factorise(exact_weights(static_cast<double>(n) * base));
       u = stiffness.solve(u);
-      error += (n == 0 ? 1.0 : 2.0) * u.col(0).squaredNorm();
-      (n == 0 ? constant : moving) += (n == 0 ? 1.0 : 2.0) * u.col(1).squaredNorm();
+      error += sides * u.col(0).squaredNorm();
+      (n == 0 ? constant : moving) += sides * u.col(1).squaredNorm();
     }
   } catch (const std::exception&) {
     return std::nullopt;  // some harmonic excites an undamped eigenfrequency: the field is not determined

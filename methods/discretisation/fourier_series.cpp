@@ -20,6 +20,13 @@ Eigen::MatrixXd sample_series(const Eigen::MatrixXcd& coefficients, int count) {
   return values;
 }
 
+Eigen::MatrixXcd repeated(const Eigen::MatrixXcd& coefficients, int times) {
+  Eigen::MatrixXcd result =
+      Eigen::MatrixXcd::Zero(times * (coefficients.rows() - 1) + 1, coefficients.cols());
+  for (Eigen::Index n = 0; n < coefficients.rows(); ++n) result.row(times * n) = coefficients.row(n);
+  return result;
+}
+
 Eigen::VectorXd pack_harmonics(const Eigen::MatrixXcd& spectrum) {
   const Eigen::Index harmonics = spectrum.rows() - 1;
   const Eigen::Index stride = 2 * harmonics + 1;

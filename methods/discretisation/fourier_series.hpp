@@ -34,6 +34,9 @@ inline Jet trigonometric_jet(const Eigen::Ref<const Eigen::VectorXcd>& y, double
 /// n = 0..H, (H+1) x k; exact whatever the count.
 Eigen::MatrixXd sample_series(const Eigen::MatrixXcd& coefficients, int count);
 
+/// The same functions in harmonics of `times` >= 1 of their periods, (times H + 1) x k.
+Eigen::MatrixXcd repeated(const Eigen::MatrixXcd& coefficients, int times);
+
 /// Per contact (s_0, sqrt(2) Re s_1, sqrt(2) Im s_1, ..., sqrt(2) Im s_H), contacts one after another.
 /// \param spectrum (H+1) x Nc; the imaginary part of s_0 is dropped
 Eigen::VectorXd pack_harmonics(const Eigen::MatrixXcd& spectrum);

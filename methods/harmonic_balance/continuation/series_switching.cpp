@@ -19,13 +19,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A force of the curve's period as one of `times` periods, (times H + 1) x Nc.
-Eigen::MatrixXcd repeated(const Eigen::MatrixXcd& force, int times) {
-  Eigen::MatrixXcd spread = Eigen::MatrixXcd::Zero(times * (force.rows() - 1) + 1, force.cols());
-  for (Eigen::Index n = 0; n < force.rows(); ++n) spread.row(times * n) = force.row(n);
-  return spread;
-}
-
 /// A nearest approach of a contact to its stop where it does not press.
 struct Approach {
   Eigen::Index contact = 0;

@@ -9,6 +9,17 @@
 namespace signorini::fourier_series_test {
 namespace {
 
+TEST(RepeatedSeries, IsTheSameFunctionOverSeveralPeriods) {
+  constexpr int kInstants = 7;
+  Eigen::MatrixXcd y(3, 2);
+  y << 0.5, -1.0, std::complex<double>(1.5, 0.2), 0.3, std::complex<double>(0.0, 1.0), -0.7;
+  const Eigen::MatrixXcd three = repeated(y, 3);
+  EXPECT_EQ(three.rows(), 7);
+  EXPECT_LT((sample_series(three, 3 * kInstants) - sample_series(y, kInstants).replicate(3, 1)).norm(),
+            1e-13);
+  EXPECT_EQ(repeated(y, 1), y);
+}
+
 TEST(TrigonometricJet, OfAnElementaryFunctionIsItsValueAndDerivatives) {
   // y = 0.5 + 3 cos(2 pi t) - 2 sin(4 pi t).
   Eigen::VectorXcd y(3);
