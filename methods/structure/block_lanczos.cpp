@@ -68,12 +68,14 @@ BlockLanczos::Remainder BlockLanczos::orthonormalise(const Eigen::MatrixXd& colu
   const Eigen::Index kept = count - dropped;
   const Eigen::MatrixXd vectors = directions.eigenvectors().rightCols(kept);
   const Eigen::VectorXd extent = squares.tail(kept).cwiseSqrt();
-  next_ = columns * (unit.asDiagonal() * vectors * extent.cwiseInverse().asDiagonal());
+  const Eigen::MatrixXd normalising = unit.asDiagonal() * vectors * extent.cwiseInverse().asDiagonal();
+  next_ = dense_product(columns, normalising);
   coupling_ = extent.asDiagonal() * vectors.transpose() * length.asDiagonal();
   if (kept > 0) polish_next(waiting);
   // What is left out, columns D^-1 X_dropped X_dropped^T D. The Gram matrix knows squared lengths to its own
   // precision alone: these are measured on the vectors themselves.
-  Remainder rest{.vectors = columns * (unit.asDiagonal() * directions.eigenvectors().leftCols(dropped)),
+  const Eigen::MatrixXd left_out = unit.asDiagonal() * directions.eigenvectors().leftCols(dropped);
+  Remainder rest{.vectors = dense_product(columns, left_out),
                  .coefficients = Eigen::MatrixXd(dropped, count),
                  .lengths = Eigen::VectorXd(dropped)};
   if (dropped == 0) return rest;
@@ -83,7 +85,7 @@ BlockLanczos::Remainder BlockLanczos::orthonormalise(const Eigen::MatrixXd& colu
   rest.coefficients = own.eigenvectors().transpose() *
                       directions.eigenvectors().leftCols(dropped).transpose() * length.asDiagonal();
   const Eigen::Index known = (own.eigenvalues().array() > kInvariant).count();
-  rest.vectors = rest.vectors * own.eigenvectors().rightCols(known);
+  rest.vectors = dense_product(rest.vectors, Eigen::MatrixXd(own.eigenvectors().rightCols(known)));
   return rest;
 }
 
@@ -145,8 +147,8 @@ void BlockLanczos::grow_along(const Eigen::MatrixXd& directions) {
   const Eigen::MatrixXd others = whole.rightCols(waits);
   Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(waits, size_ + taken);  // coefficients of what waits
   rest.middleCols(size_ - coupling_.cols(), coupling_.cols()) = others.transpose() * coupling_;
-  const Eigen::MatrixXd waiting = next_ * others;
-  basis_.emplace_back(next_ * whole.leftCols(taken));
+  const Eigen::MatrixXd waiting = dense_product(next_, others);
+  basis_.push_back(dense_product(next_, Eigen::MatrixXd(whole.leftCols(taken))));
   size_ += taken;
   rest.rightCols(taken) = extend(waiting);
   const Eigen::Index led = next_.cols();
@@ -243,7 +245,7 @@ Eigen::MatrixXd BlockLanczos::combined(const Eigen::MatrixXd& coefficients) cons
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(P_.rows(), coefficients.cols());
   Eigen::Index first = 0;
   for (const Eigen::MatrixXd& block : basis_) {
-    result.noalias() += block * coefficients.middleRows(first, block.cols());
+    subtract_product(block, -coefficients.middleRows(first, block.cols()), result);
     first += block.cols();
   }
   return result;
