@@ -31,6 +31,7 @@ RepresentedLaw AugmentedLagrangian::law(const Problem& problem) const {
 }
 
 std::unique_ptr<PreparedMethod> AugmentedLagrangian::prepare(const Problem& problem) const {
+  constexpr int kManyUnknowns = 400;  // after pivots a soft penalty is still to be hardened
   const HarmonicOptions shared = common();
   return prepare_harmonic_balance(problem, shared, [&](const Problem& solved) -> HarmonicMethod {
     return {.law_at =
@@ -42,7 +43,8 @@ std::unique_ptr<PreparedMethod> AugmentedLagrangian::prepare(const Problem& prob
                 options_.max_updates, options_.plain),
             .constant_is_chosen = true,  // as hard as that of the others once impacts are closed
             .solver_is_open = !options_.plain,
-            .on_grids_only = true};
+            .on_grids_only = true,
+            .many_unknowns = kManyUnknowns};
   });
 }
 

@@ -67,13 +67,19 @@ class MultiplierIteration {
     return lipschitz_.error(packed, lipschitz_.residual(packed));
   }
 
-  /// Solves the penalty rho with mu = 0, from the motion without contact forces through rising penalties or,
-  /// with pivots, from a penalty of the size of the highest dynamic stiffness. False where no way leads
-  /// there.
+  /// Solves the penalty rho with mu = 0: through rising penalties or, with pivots, from a penalty of the size
+  /// of the highest dynamic stiffness. False where no way leads there.
   bool begin(bool by_pivoting, const Start& start) {
     constexpr double kPivoted = 1.0 / 32.0;  // of rho: long contacts, which a grid resolves
-    const double first = by_pivoting ? kPivoted : softest_share();
-    return (by_pivoting ? pivot(first, start) : solve(equations_.receptance, first)) && harden(first);
+    return by_pivoting ? pivot(kPivoted, start) && harden(kPivoted) : rise();
+  }
+
+  /// Solves the penalty rho with mu = 0 through rising penalties, from the present lambda.
+  bool rise() {
+    multiplier_.resize(0, 0);
+    acceleration_ = AndersonAcceleration(accelerated_ ? kDepth : 0);
+    const double first = softest_share();
+    return solve(equations_.receptance, first) && harden(first);
   }
 
   /// One update of the multiplier, to lambda or, accelerated, beyond it; less far where Newton's method does
@@ -196,11 +202,15 @@ class MultiplierGridSolver final : public GridSolver {
         equations, {.samples = samples, .tolerance = settings_.tolerance, .deadline = start.deadline},
         std::move(lambda), !plain_);
     GridSolution solution{.finer_may_help = !plain_ && !start.expired()};
-    if (cold && !iteration.begin(!plain_, start)) {
+    bool begun = !cold || iteration.begin(!plain_, start);
+    if (begun && !iterate(iteration, "", solution) && !cold && !plain_ && may_go_on(iteration)) {
+      // As a multiplier the force given is too far away for Newton's method.
+      begun = iteration.rise();
+      if (begun) iterate(iteration, ", from soft penalties", solution);
+    }
+    if (!begun) {
       solution.message = "no solution of the penalty";
       solution.residual = iteration.residual();
-    } else {
-      solution.message = iterate(iteration, solution);
     }
     solution.solved = solution.residual <= settings_.tolerance;
     solution.lambda = iteration.lambda();
@@ -211,20 +221,23 @@ class MultiplierGridSolver final : public GridSolver {
   }
 
  private:
-  /// Updates the multiplier until the residual is accepted, or a limit is met, or it leads away. How it
-  /// ended.
-  std::string iterate(MultiplierIteration& iteration, GridSolution& solution) const {
-    const int most =
-        settings_.max_iterations > 0 ? settings_.max_iterations : std::numeric_limits<int>::max();
+  [[nodiscard]] bool may_go_on(const MultiplierIteration& iteration) const {
+    return settings_.max_iterations == 0 || iteration.newton_steps() < settings_.max_iterations;
+  }
+
+  /// Updates the multiplier until the residual is accepted, or a limit is met, or it leads away; residual and
+  /// message into `solution`. False where Newton's method does not follow.
+  bool iterate(MultiplierIteration& iteration, const char* origin, GridSolution& solution) const {
+    bool follows = true;
     Convergence convergence;
     convergence.add(iteration.residual());
     const char* end = "solved";
     while (!(convergence.last() <= settings_.tolerance)) {
       if (convergence.diverges()) {
         end = "divergence";
-      } else if (convergence.updates() >= updates_ || iteration.newton_steps() >= most) {
+      } else if (convergence.updates() >= updates_ || !may_go_on(iteration)) {
         end = "not converged";
-      } else if (!iteration.update()) {
+      } else if (follows = iteration.update(); !follows) {
         end = "Newton's method does not follow";
       } else {
         convergence.add(iteration.residual());
@@ -236,7 +249,9 @@ class MultiplierGridSolver final : public GridSolver {
     const std::string factor = convergence.updates() > 0
                                    ? fmt::format(", residual times {:.2g} in the last", convergence.factor())
                                    : "";
-    return fmt::format("{} after {} updates of the multiplier{}", end, convergence.updates(), factor);
+    solution.message =
+        fmt::format("{} after {} updates of the multiplier{}{}", end, convergence.updates(), factor, origin);
+    return follows;
   }
 
   SolverSettings settings_;

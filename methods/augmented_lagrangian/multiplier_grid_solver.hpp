@@ -24,7 +24,8 @@ namespace signorini {
 /// reaches through rising penalties, in factors of two or smaller ones where Newton's method does not follow,
 /// from one of the size of the highest dynamic stiffness that pivoting on the samples solves. Updates are
 /// accelerated (AndersonAcceleration), which converges where the update itself runs away, and are taken in
-/// part where Newton's method does not follow.
+/// part where Newton's method does not follow. From a force given that it does not follow at all, penalties
+/// rise from soft ones, solved from that force.
 ///
 /// `plain` is the literature's form: the first penalty is soft beside the structure and solved from the
 /// motion without contact forces, and updates are taken as they stand.

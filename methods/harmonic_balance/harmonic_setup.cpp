@@ -55,9 +55,9 @@ std::optional<ClosureSetup> closure_setup(const Problem& problem, const ContactR
 }
 
 /// The reduced structure to march, from the receptance's own space where there is one.
-std::optional<ContactReduction> reduction_to_march(const Problem& problem, int harmonics,
-                                                   ContactReduction found) {
-  if (harmonics * problem.contact_count() < kManyUnknowns || !march_obstacle(problem).empty())
+std::optional<ContactReduction> reduction_to_march(const HarmonicSetup& setup, ContactReduction found) {
+  const Problem& problem = *setup.problem;
+  if (!setup.way_is_open() || !setup.has_many_unknowns() || !march_obstacle(problem).empty())
     return std::nullopt;
   if (!found.obstacle.empty() && problem.size() <= kMostFactorised) found = reduce_to_contacts(problem);
   if (!found.obstacle.empty()) return std::nullopt;
@@ -80,8 +80,8 @@ HarmonicSetup harmonic_setup(const Problem& problem, int harmonics, const Harmon
                       .options = options,
                       .law = std::move(law),
                       .closure = std::move(closure),
-                      .problem = &problem,
-                      .marched = reduction_to_march(problem, harmonics, std::move(found.reduction))};
+                      .problem = &problem};
+  setup.marched = reduction_to_march(setup, std::move(found.reduction));
   if (setup.closure && setup.closure->response && !setup.closes_own_series())
     setup.closure->hat_grids =
         affordable_hat_grids(problem, setup.closure->restitution, options.max_iterations);

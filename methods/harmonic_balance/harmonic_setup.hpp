@@ -25,7 +25,9 @@ struct HarmonicMethod {
   bool constant_is_chosen = false;                ///< the user set the constant of the law
   bool solver_is_open = true;     ///< the way to the solution is left to the method, not set by an option
   bool newton_from_guess = true;  ///< whether a guess is given to project_exactly before any grid
-  bool on_grids_only = false;     ///< no attempt without a grid comes before its grid solver
+  bool on_grids_only = false;  ///< its grid solver finds every answer; other attempts give it a start alone
+  /// Harmonics times contacts from which the grid solver's own way to a start is longer than a march [-].
+  int many_unknowns = 800;
 };
 
 /// What a method adds for a scene, whose contacts its law is made for; the problem outlives what is made.
@@ -52,15 +54,21 @@ struct HarmonicSetup {
   std::optional<ClosureSetup> closure = {};
   /// The scene, for a continuation in frequency; null where the receptance is not that of a scene.
   const Problem* problem = nullptr;
-  /// What contacts feel of the structure, to march to a start; empty where few unknowns make pivots cheap, or
-  /// a march does not represent the scene.
+  /// What contacts feel of the structure, to march to a start; empty where few unknowns make the solver's own
+  /// start cheap, a march does not represent the scene, or options leave no start open.
   std::optional<ContactReduction> marched = {};
 
   /// The equations of all attempts; refers to this setup.
   [[nodiscard]] ProjectedEquations equations() const { return {receptance, gap, law}; }
+  /// Whether the options leave the way to a solution to the method.
+  [[nodiscard]] bool way_is_open() const {
+    return method.solver_is_open && options.grid_is_open(receptance.harmonics());
+  }
   /// Whether solves of the exactly projected equations may replace grids.
-  [[nodiscard]] bool without_grid() const {
-    return method.solver_is_open && !method.on_grids_only && options.grid_is_open(receptance.harmonics());
+  [[nodiscard]] bool without_grid() const { return way_is_open() && !method.on_grids_only; }
+  /// Whether there are `HarmonicMethod::many_unknowns`.
+  [[nodiscard]] bool has_many_unknowns() const {
+    return receptance.harmonics() * receptance.contacts() >= method.many_unknowns;
   }
   /// Whether the impacts to close are those of the method's own series: at restitution 1, which a series has,
   /// where its solver is set or is what the method is about.
@@ -72,9 +80,6 @@ struct HarmonicSetup {
   /// stays [-].
   [[nodiscard]] double closed_stiffness() const { return method.constant_is_chosen ? 1.0 : 8.0; }
 };
-
-/// Harmonics times contacts from which a path of pivots is longer than a march.
-inline constexpr int kManyUnknowns = 800;
 
 /// Sets a scene up with H harmonics; `problem` must outlive the result.
 /// \throws std::runtime_error if the structure cannot be factorised

@@ -94,20 +94,28 @@ HarmonicSetup with_few_harmonics(const HarmonicSetup& setup, const ContinuationP
           .law = std::move(law)};
 }
 
-/// Continuation in harmonics (harmonic_continuation): few of them are solved as permanent contact or on
-/// grids, and Newton's method carries that solution up to all. A path of pivots gets long with the grid,
-/// while the equations themselves change little from H to 2 H.
+/// The solution with few harmonics, as permanent contact or on grids; nothing where none is found.
+std::optional<Solution> solve_few_harmonics(const HarmonicSetup& setup, const ContinuationPoint& few,
+                                            const Start& start, Work& work) {
+  const HarmonicSetup reduced = with_few_harmonics(setup, few);
+  Work spent = setup.method.grid_solver->initial_counts();
+  std::optional<Solution> base = permanent_contact(reduced, start);
+  if (!base) base = solve_on_grids(reduced, start, spent);
+  add_effort(spent, work);
+  if (base->verdict != Verdict::converged) return std::nullopt;
+  return base;
+}
+
+/// Continuation in harmonics (harmonic_continuation): few of them are solved, and Newton's method carries
+/// that solution up to all. A path of pivots gets long with the grid, while the equations themselves change
+/// little from H to 2 H.
 std::optional<Solution> continuation_in_harmonics(const HarmonicSetup& setup, const Start& start,
                                                   Work& work) {
   if (start.guess || !setup.without_grid()) return std::nullopt;
   const ContinuationPoint first = continuation_start(setup.receptance);
   if (first.harmonics == 0) return std::nullopt;
-  const HarmonicSetup few = with_few_harmonics(setup, first);
-  Work spent = setup.method.grid_solver->initial_counts();
-  std::optional<Solution> base = permanent_contact(few, start);
-  if (!base) base = solve_on_grids(few, start, spent);
-  add_effort(spent, work);
-  if (base->verdict != Verdict::converged) return std::nullopt;
+  const std::optional<Solution> base = solve_few_harmonics(setup, first, start, work);
+  if (!base) return std::nullopt;
   const ExactProjection continued =
       continue_in_harmonics(setup.receptance, setup.gap, setup.method.law_at, first,
                             base->trajectory->force_coefficients(), setup.options.tolerance, start);
@@ -125,6 +133,40 @@ std::optional<Solution> continuation_in_frequency(const HarmonicSetup& setup, co
   return continue_in_frequency(setup, start, work);
 }
 
+/// A force to begin on grids at, (H+1) x Nc [N], and where it is from.
+struct NearbyForce {
+  Eigen::MatrixXcd lambda;
+  const char* origin = "";
+};
+
+/// For a method that finds every answer on grids: the force to which the reduced structure marches; where it
+/// cannot march, on springs and massless contacts that of few harmonics. Nothing where unknowns are few.
+std::optional<NearbyForce> nearby_force(const HarmonicSetup& setup, const Start& start, Work& work) {
+  if (start.guess || !setup.method.on_grids_only || !setup.way_is_open()) return std::nullopt;
+  if (setup.marched) {
+    Eigen::MatrixXcd force = marched_force(setup, start, work);
+    if (force.size() == 0) return std::nullopt;
+    return NearbyForce{.lambda = std::move(force), .origin = "a march"};
+  }
+  const ContinuationPoint few = continuation_start(setup.receptance);
+  if (setup.closure || few.harmonics == 0 || !setup.has_many_unknowns()) return std::nullopt;
+  const std::optional<Solution> base = solve_few_harmonics(setup, few, start, work);
+  if (!base) return std::nullopt;
+  return NearbyForce{.lambda = force_spectrum(*base->trajectory, setup.receptance.harmonics()),
+                     .origin = "few harmonics"};
+}
+
+/// The method's own solver on grids, at first from a nearby force where there is one. Always ends with a
+/// solution, converged or not.
+Solution own_solver(const HarmonicSetup& setup, const Start& start, Work& work) {
+  if (std::optional<NearbyForce> near = nearby_force(setup, start, work)) {
+    Solution solution = solve_on_grids(setup, start, work, std::move(near->lambda));
+    solution.message = fmt::format("from {}: {}", near->origin, solution.message);
+    if (solution.verdict == Verdict::converged || start.expired()) return solution;
+  }
+  return solve_on_grids(setup, start, work);
+}
+
 /// A solution of the projected equations, its impacts as the series has them: restitution 1 (theory.md,
 /// section 3). Each attempt is asked only where those before it gave nothing.
 Solution solve_series(HarmonicSetup& setup, const Start& start, Work& work) {
@@ -133,7 +175,7 @@ Solution solve_series(HarmonicSetup& setup, const Start& start, Work& work) {
   if (!series) series = newton_from_march(setup, start, work);
   if (!series) series = continuation_in_harmonics(setup, start, work);
   if (!series) series = continuation_in_frequency(setup, start, work);
-  if (!series) series = solve_on_grids(setup, start, work);  // the method's own solver; always ends with one
+  if (!series) series = own_solver(setup, start, work);
   return *std::move(series);
 }
 

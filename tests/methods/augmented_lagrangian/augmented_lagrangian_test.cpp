@@ -7,6 +7,7 @@
 #include "problems/scene/scene_file.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/structure_scenes.hpp"
 
 namespace signorini::augmented_lagrangian_test {
 namespace {
@@ -71,6 +72,28 @@ TEST(AugmentedLagrangian, SolvesASpringByItsOwnStiffnessWithoutAnUpdate) {
       solve<AugmentedLagrangian>(problem, {.harmonics = 12, .penalty = Scaled{60.0, false}});
   ASSERT_EQ(other.verdict, Verdict::converged) << other.message;
   EXPECT_LE(test::relative_distance(*solution.trajectory, *other.trajectory), 1e-3);
+}
+
+// A path of pivots over all nodes of ten contacts is long; a march is none.
+TEST(AugmentedLagrangian, BeginsAtAMarchWhereContactsAreMany) {
+  Problem problem = test::massless_beam({.alpha = 0.2, .beta = 0.02}, 10);
+  const auto expect_marched = [](const Solution& solution) {
+    ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+    EXPECT_EQ(solution.message.rfind("from a march: solved", 0), 0U) << solution.message;
+    EXPECT_EQ(solution.work.pivots, 0);
+  };
+  const Solution rigid = solve<AugmentedLagrangian>(problem, {.harmonics = 40});
+  expect_marched(rigid);
+  const Solution lipschitz = solve<FourierLipschitz>(problem, {.common = {.harmonics = 40}});
+  EXPECT_LE(test::relative_distance(*rigid.trajectory, *lipschitz.trajectory), 0.1);  // other constants
+  problem.law = Penalty{std::vector<double>(10, 10.0)};
+  const Solution sprung = solve<AugmentedLagrangian>(problem, {.harmonics = 40});
+  expect_marched(sprung);
+  const Solution same = solve<PenaltyHbm>(problem, {.common = {.harmonics = 40}});
+  ASSERT_EQ(same.verdict, Verdict::converged) << same.message;
+  EXPECT_LE(test::relative_distance(*sprung.trajectory, *same.trajectory), 1e-10);
+  const Solution plain = solve<AugmentedLagrangian>(problem, {.harmonics = 40, .plain = true});
+  EXPECT_EQ(plain.message.find("march"), std::string::npos) << plain.message;
 }
 
 TEST(AugmentedLagrangian, SaysWhichLawItRepresents) {

@@ -79,5 +79,28 @@ TEST(MultiplierGridSolver, EndsAtItsLimits) {
   EXPECT_NE(few.message.find("not converged after 2 updates"), std::string::npos) << few.message;
 }
 
+// A force that pulls is no multiplier that Newton's method could begin with.
+TEST(MultiplierGridSolver, GoesOnThroughSoftPenaltiesFromAForceThatIsFarAway) {
+  const Problem problem = test::to_problem(kStop);
+  const ContactReceptance receptance = fourier_receptance(problem, 20);
+  const Eigen::VectorXd gap = contact_gaps(problem);
+  const ProjectedLaw law{.constant = 32.0 * highest_dynamic_stiffness(receptance),
+                         .multiplier_weight = Eigen::VectorXd::Ones(1)};
+  const auto solve = [&](const Eigen::MatrixXcd& previous, int limit, bool plain) {
+    Work work;
+    return multiplier_grid_solver({.tolerance = 1e-8, .max_iterations = limit}, 150, plain)
+        ->solve({receptance, gap, law}, 160, previous, {}, work);
+  };
+  const GridSolution cold = solve({}, 0, false);
+  ASSERT_TRUE(cold.solved) << cold.message;
+  const Eigen::MatrixXcd far = -cold.lambda;
+  const GridSolution risen = solve(far, 0, false);
+  ASSERT_TRUE(risen.solved) << risen.message;
+  EXPECT_NE(risen.message.find("from soft penalties"), std::string::npos) << risen.message;
+  EXPECT_LE((risen.lambda - cold.lambda).norm(), 1e-6 * cold.lambda.norm());
+  for (const GridSolution& other : {solve(far, 1, false), solve(far, 0, true)})
+    EXPECT_EQ(other.message.find("soft"), std::string::npos) << other.message;
+}
+
 }  // namespace
 }  // namespace signorini::multiplier_grid_solver_test
