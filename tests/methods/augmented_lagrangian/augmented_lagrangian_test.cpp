@@ -96,6 +96,17 @@ TEST(AugmentedLagrangian, BeginsAtAMarchWhereContactsAreMany) {
   EXPECT_EQ(plain.message.find("march"), std::string::npos) << plain.message;
 }
 
+// Damping that is no combination of mass and stiffness leaves no reduced structure to march.
+TEST(AugmentedLagrangian, BeginsAtFewHarmonicsWhereNothingMarches) {
+  const Problem shaft = load_scene(find_scene("shaft-12-facets"));
+  const Solution solution = solve<AugmentedLagrangian>(shaft, {.harmonics = 80});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  EXPECT_EQ(solution.message.rfind("from few harmonics: solved", 0), 0U) << solution.message;
+  const Solution same = solve<PenaltyHbm>(shaft, {.common = {.harmonics = 80}});
+  ASSERT_EQ(same.verdict, Verdict::converged) << same.message;
+  EXPECT_LE(test::relative_distance(*solution.trajectory, *same.trajectory), 1e-8);
+}
+
 TEST(AugmentedLagrangian, SaysWhichLawItRepresents) {
   Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 0.5});
   EXPECT_EQ(std::get<Restitution>(AugmentedLagrangian({}).law(problem)).e, 1.0);
