@@ -218,7 +218,7 @@ void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::strin
   command->add_flag("--resume", arguments->resume,
                     "keep the records that are there, run what is missing or stale");
   command->add_option("--timeout", arguments->timeout, "wall time of one run [s]")->check(positive_seconds);
-  command->add_option("--memory", arguments->memory_mb, "address space of one run [MiB]")
+  command->add_option("--memory", arguments->memory_mb, "address space that one run may take [MiB]")
       ->check(CLI::Range(64, 1 << 24));
   command->add_option("--repetitions", arguments->repetitions, "rounds of timing")
       ->check(CLI::Range(1, 1000));

@@ -23,6 +23,7 @@
 #include "harness/isolation/child_process.hpp"
 #include "harness/plan/deadline.hpp"
 #include "methods/plugin/sanitizer.hpp"
+#include "methods/solvers/dense_products.hpp"
 
 namespace signorini {
 
@@ -66,13 +67,25 @@ void limit_soft(int resource, rlim_t value) {
 /// Limit of processor time, in whole seconds, that one thread cannot reach within this wall time.
 rlim_t processor_seconds(double wall_seconds) { return static_cast<rlim_t>(std::ceil(wall_seconds)) + 1; }
 
+/// Address space that this process has mapped [bytes].
+rlim_t mapped_bytes() {
+  rlim_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+}
+
+/// The program, its libraries and the work space of the BLAS are a quarter of a gigabyte, whatever the work.
+void limit_memory(long megabytes) {
+  map_work_space_of_products();
+  limit_soft(RLIMIT_AS, mapped_bytes() + (static_cast<rlim_t>(megabytes) << 20U));
+}
+
 void apply_limits(const IsolationLimits& limits) {
   std::signal(SIGXFSZ, SIG_IGN);  // output beyond kLogBytes is truncated and the work goes on
   limit_soft(RLIMIT_FSIZE, kLogBytes);
   limit_soft(RLIMIT_CORE, 0);
   limit_soft(RLIMIT_CPU, processor_seconds(limits.stage_seconds.front()));
-  if (limits.memory_mb && !kAddressSanitizer)
-    limit_soft(RLIMIT_AS, static_cast<rlim_t>(*limits.memory_mb) << 20U);
+  if (limits.memory_mb && !kAddressSanitizer) limit_memory(*limits.memory_mb);
 }
 
 void run_work(const IsolatedWork& work, int pipe) {

@@ -16,8 +16,10 @@ struct IsolationLimits {
   std::vector<double> stage_seconds{30.0};
   /// After the last one they begin anew with the first, in place of the last one holding.
   bool repeated = false;
-  double grace = 0.5;               ///< from SIGTERM to SIGKILL [s]
-  std::optional<long> memory_mb{};  ///< address space [MiB]; not enforced under the address sanitizer
+  double grace = 0.5;  ///< from SIGTERM to SIGKILL [s]
+  /// Address space beyond that of the program and its libraries [MiB]; not enforced under the address
+  /// sanitizer.
+  std::optional<long> memory_mb{};
 };
 
 /// How a child ended and what it had sent until then.

@@ -62,4 +62,11 @@ void subtract_product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& S, Eigen:
   multiply(CblasNoTrans, -1.0, A, S, 1.0, C);
 }
 
+void map_work_space_of_products() {
+  // C = A A^T of one number: of the products this is one that takes work space at any size.
+  const double a = 1.0;
+  double c = 0.0;
+  cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, 1, 1, 1.0, &a, 1, 0.0, &c, 1);
+}
+
 }  // namespace signorini

@@ -22,4 +22,8 @@ Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& A, const Eigen::Matrix
 /// C -= A S for C m x n, A m x k and S k x n.
 void subtract_product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& S, Eigen::MatrixXd& C);
 
+/// Has the BLAS map the memory that it works in. OpenBLAS does so at its first product, 128 MiB of address
+/// space, and where a limit of it refuses them it asks again without end: to be called before such a limit.
+void map_work_space_of_products();
+
 }  // namespace signorini

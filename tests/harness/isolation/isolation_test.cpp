@@ -14,6 +14,9 @@
 #include <string>
 #include <thread>
 
+#include "methods/plugin/sanitizer.hpp"
+#include "methods/solvers/dense_products.hpp"
+
 namespace signorini::isolation_test {
 
 namespace {
@@ -234,6 +237,24 @@ TEST(RunIsolatedTogether, HandsOverEachLineWhenItArrives) {
         told.push_back(std::move(line));
       });
   EXPECT_EQ(told, (std::vector<std::string>{"first", "second"}));
+}
+
+// Work that fits is done, and what does not is told: it waits for nothing. A limit in a process that has
+// mapped more than that before would refuse both.
+TEST(RunIsolated, LimitsWhatTheWorkTakesBeyondTheProgram) {
+  if (kAddressSanitizer) GTEST_SKIP() << "there is no limit of address space under the address sanitizer";
+  IsolationLimits limits = quick();
+  limits.memory_mb = 64;
+  const auto product = [](Eigen::Index size) {
+    return [size](const LineSender& send) {
+      const Eigen::MatrixXd A = Eigen::MatrixXd::Constant(size, size, 1.0);
+      send(std::to_string(dense_product(A, A).minCoeff()));
+    };
+  };
+  const ChildEnd small = run_isolated(product(300), limits);
+  EXPECT_EQ(small.kind, Kind::finished) << describe(small);
+  EXPECT_EQ(small.lines, (std::vector<std::string>{std::to_string(300.0)}));
+  EXPECT_EQ(run_isolated(product(3000), limits).kind, Kind::out_of_memory);
 }
 
 TEST(DescribeChildEnd, QuotesTheLastWordsWhereTheProcessDied) {
