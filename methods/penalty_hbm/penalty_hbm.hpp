@@ -29,7 +29,7 @@ class PenaltyHbm final : public Method, public CurveMethod {
       "penalty; restitution 0..1 (plain: 1) and massless by regularisation";
   static constexpr std::string_view kLimits =
       "On a rigid stop impacts must be separate: contact that lasts, sticks or chatters is refused. At "
-      "impacts the error of x falls like H^-3/2: 1e-3 takes some 30 harmonics, 1e-6 some 3600.";
+      "impacts the error of x falls like H^-3/2: 1e-3 takes some 60 harmonics, 1e-6 some 6000.";
   static constexpr std::string_view kLadder = "harmonics=10|40|160";
   static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <variant>
 
 #include "harness/records/record_store.hpp"
 #include "harness/records/run_folder.hpp"
@@ -56,7 +58,7 @@ Evaluation::Evaluation(CaseResults results, RecordReader read, const Limits& lim
   std::ranges::stable_sort(results_.all, before);
   repeated_ = repeated_problems(results_.all);
   studies_ = resolution_studies(results_.all);
-  groups_ = ranking_groups(studies_);
+  groups_ = ranking_groups(studies_, [this](const std::string& scene) { return is_ranked(scene); });
   for (const ResolutionStudy& study : studies_) {
     configurations_.push_back(study.configuration);
     if (scenes_.empty() || scenes_.back() != study.scene) scenes_.push_back(study.scene);
@@ -76,6 +78,17 @@ std::span<const ResolutionStudy> Evaluation::studies_of(const std::string& scene
 
 bool Evaluation::is_repeated(const ResolutionStudy& study) const {
   return std::ranges::all_of(study.runs, [&](const ScoredRun& run) { return is_repeated(*run.result); });
+}
+
+bool Evaluation::is_ranked(const std::string& scene) const {
+  const std::span<const CaseResult> results = results_of(scene);
+  const std::optional<RepresentedLaw>& law = results.front().scene->law;
+  if (law && std::holds_alternative<std::monostate>(*law)) return false;
+  const auto counts_elsewhere = [&](const CaseResult& result) { return is_repeated(result); };
+  const auto counts_here = [&](const CaseResult& result) {
+    return !is_repeated(result) && result.outcome.status != Status::not_applicable;
+  };
+  return std::ranges::any_of(results, counts_here) || std::ranges::none_of(results, counts_elsewhere);
 }
 
 std::size_t Evaluation::place_of(const CaseResult& result) const {

@@ -51,6 +51,9 @@ class Evaluation {
   [[nodiscard]] bool is_repeated(const CaseResult& result) const { return repeated_[place_of(result)]; }
   /// The same of all runs of a study.
   [[nodiscard]] bool is_repeated(const ResolutionStudy& study) const;
+  /// Whether rankings take a scene of this evaluation in: it has a contact, and states a problem of its own
+  /// to some method.
+  [[nodiscard]] bool is_ranked(const std::string& scene) const;
   /// Where a result of this evaluation stands among its results.
   [[nodiscard]] std::size_t place_of(const CaseResult& result) const;
   /// Where a configuration stands among all.

@@ -64,11 +64,14 @@ PerformanceProfile performance_profile(const Costs& costs) {
   return profile;
 }
 
-std::vector<RankingGroup> ranking_groups(const std::vector<ResolutionStudy>& studies) {
+std::vector<RankingGroup> ranking_groups(const std::vector<ResolutionStudy>& studies,
+                                         const std::function<bool(const std::string& scene)>& is_ranked) {
   std::map<std::string, std::map<std::string, const ResolutionStudy*>> by_scene;
   Names scenes;
   for (const ResolutionStudy& study : studies) {
-    if (scenes.empty() || scenes.back() != study.scene) scenes.push_back(study.scene);
+    const bool fresh = scenes.empty() || scenes.back() != study.scene;
+    if (fresh && !is_ranked(study.scene)) continue;
+    if (fresh) scenes.push_back(study.scene);
     if (study.eligibility != Eligibility::another_law) by_scene[study.scene][study.configuration] = &study;
   }
   std::map<Names, RankingGroup> by_configurations;

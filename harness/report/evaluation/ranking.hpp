@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -58,7 +59,9 @@ struct RankingGroup {
 /// Groups of studies, the largest first. A configuration that represents another law on a scene, or was not
 /// run there, is not ranked there. One that does not apply to a scene has not solved it; one that applies to
 /// no scene of a group is left out of the group. The result points into `studies`.
-std::vector<RankingGroup> ranking_groups(const std::vector<ResolutionStudy>& studies);
+/// \param is_ranked  whether a scene takes part
+std::vector<RankingGroup> ranking_groups(const std::vector<ResolutionStudy>& studies,
+                                         const std::function<bool(const std::string& scene)>& is_ranked);
 
 /// Costs of all configurations of a group on all of its scenes.
 Costs costs_to_error(const RankingGroup& group, const CostAxis& axis, double error);

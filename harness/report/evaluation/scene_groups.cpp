@@ -91,6 +91,10 @@ std::vector<SceneGroup> scene_groups(const Evaluation& evaluation) {
   for (const std::string& scene : evaluation.scenes()) {
     const auto kind = kinds.find(scene);
     if (kind == kinds.end()) continue;
+    if (!evaluation.is_ranked(scene)) {
+      kinds.erase(kind);
+      continue;
+    }
     groups[kind->second].kind = kind->second;
     groups[kind->second].scenes.push_back(scene);
   }

@@ -44,7 +44,8 @@ struct Standing {
   bool recommended = false;
 };
 
-/// The scenes of a kind, and the configurations that represent the law of one of them at least.
+/// The scenes of a kind that rankings take in (`Evaluation::is_ranked`), and the configurations that
+/// represent the law of one of them at least.
 struct SceneGroup {
   SceneKind kind = SceneKind::rigid_stop;
   std::vector<std::string> scenes = {};

@@ -1,4 +1,4 @@
-// Methods that solve the same equations by different algorithms: one result each, however many rows.
+// Methods that solve the same equations: one result each, however many rows.
 
 #include <fmt/format.h>
 
@@ -65,10 +65,12 @@ Sections identity_sections(const Evaluation& evaluation) {
   }
   Section section{.id = "equal-equations", .title = "Equal equations"};
   section.text =
-      "The methods of a row solve the same equations where their options are equal, by different algorithms: "
-      "their rows are one result, not two that confirm each other. Differences are relative, of the errors "
-      "of x, "
-      "over the cases that both solve on the same orbit.";
+      "The methods of a row solve the same equations where their options are equal: their rows are one "
+      "result, "
+      "not two that confirm each other. Where impacts are closed the way to it is one and the same, too, and "
+      "which of them is faster says nothing. Differences are relative, of the errors of x, over the cases "
+      "that "
+      "both solve on the same orbit.";
   section.table.header = {"method",
                           "same equations as",
                           "cases",

@@ -106,10 +106,10 @@ std::string repeated_remark(std::ptrdiff_t repeated) {
 }
 
 constexpr std::string_view kSummaryText = R"(Of the scenes whose law a method represents: on how many it is
-certified to have found a motion of that scene, at any of its resolutions; its least error of x, and the error of
+certified to have found a motion of that scene, stable or not, at any of its resolutions; its least error of x, and the error of
 the contact impulse of that answer, medians over these scenes; then how many it solves with an error of x of at
 most 1e-1, 1e-2 and 1e-3, and the median time of the cheapest resolution that does. A scene that is not solved
-counts as infinite. Under another law: scenes of which the method solves another problem, one with another law of
+counts as infinite, an error that is only known to be below a bound as that bound. Under another law: scenes of which the method solves another problem, one with another law of
 impact, and how many of those.)";
 
 constexpr std::string_view kOutcomesText = R"(Every run, of whatever law. A method that says converged is
@@ -117,12 +117,23 @@ certified (the harness has found the exact orbit of its answer), refuted (it has
 unproven (neither). Another orbit: certified, but not the motion reached from rest.)";
 
 constexpr std::string_view kSpeedText = R"(Each resolution over the scenes whose law the method represents.
-Medians take failures as infinite. Methods of other laws have other scenes, so that rows rank nothing: time at
-equal error and on equal scenes is in the sections on time to error.)";
+Medians are over all of them, failures as infinite: a time grows with the failures too. Methods of other laws have
+other scenes, so that rows rank nothing: time at equal error and on equal scenes is in the sections on time to
+error.)";
 
 /// Time of a certified answer; infinite for any other.
 double solved_time(const CaseResult& result) {
   return is_solved(result.outcome) ? result.seconds.value_or(kNeverReached) : kNeverReached;
+}
+
+/// Whether a case is one of a scene of which its method represents another law; where it does not apply, its
+/// other resolutions tell.
+bool is_of_another_law(const Evaluation& evaluation, const CaseResult& result) {
+  if (result.outcome.status != Status::not_applicable) return has_another_law(result.outcome);
+  const auto studies = evaluation.studies_of(result.scene->name);
+  const auto study =
+      std::ranges::find(studies, result.choice->configuration, &ResolutionStudy::configuration);
+  return study->eligibility == Eligibility::another_law;
 }
 
 /// By name of the resolution, in natural order.
@@ -135,11 +146,11 @@ std::vector<std::pair<std::string, Account>> accounts_by_resolution(const Evalua
   std::vector<std::pair<std::string, Account>> result;
   std::map<std::string, std::size_t> places;
   for (const CaseResult& r : evaluation.results()) {
-    if (r.outcome.status == Status::not_applicable || evaluation.is_repeated(r)) continue;
+    if (evaluation.is_repeated(r)) continue;
     const auto [place, fresh] = places.try_emplace(r.choice->resolution, result.size());
     if (fresh) result.push_back({place->first, {}});
     Account& account = result[place->second].second;
-    const bool another_law = has_another_law(r.outcome);
+    const bool another_law = is_of_another_law(evaluation, r);
     add_scene(another_law, claim_of(r.outcome) == Claim::certified ? &r : nullptr, account);
     if (another_law) continue;
     account.seconds.push_back(solved_time(r));

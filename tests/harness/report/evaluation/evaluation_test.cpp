@@ -34,6 +34,33 @@ TEST(Evaluation, SortsRecordsBySceneMethodAndCaseInNaturalOrder) {
                                  [](const Record& a, const Record& b) { return a.case_id < b.case_id; }));
 }
 
+TEST(Evaluation, RanksNoSceneWithoutContactAndNoneThatStatesThePreviousOnesProblem) {
+  std::vector<Record> records;
+  for (const char* scene : {"s1", "s2", "s3", "s4"}) {
+    for (const char* method : {"a", "b"})
+      records.push_back(test::good_record(scene, method, "n=1", 1e-3, 1.0));
+  }
+  records[0].problem = records[2].problem = "one";  // a on s1 and s2
+  records[1].problem = records[3].problem = "two";  // b
+  records[4].problem = "one";                       // a on s3, where b has a problem of its own
+  records[5].problem = "three";
+  records[6].scene_law = records[7].scene_law = std::monostate{};
+  const auto ranked = [&] {
+    const Evaluation evaluation(records);
+    Names scenes;
+    std::ranges::copy_if(evaluation.scenes(), std::back_inserter(scenes),
+                         [&](const std::string& scene) { return evaluation.is_ranked(scene); });
+    return scenes;
+  };
+  EXPECT_EQ(ranked(), (Names{"s1", "s3"}));
+  EXPECT_EQ(Evaluation(records).groups().front().scenes, (Names{"s1", "s3"}));
+  records[5].status = Status::not_applicable;
+  EXPECT_EQ(ranked(), (Names{"s1"}));
+  records[4].problem.clear();
+  records[4].status = Status::not_applicable;
+  EXPECT_EQ(ranked(), (Names{"s1", "s3"})) << "no method has a part in s3, nor in any problem like it";
+}
+
 TEST(Evaluation, KnowsThePlacesOfItsResultsAndConfigurations) {
   const Evaluation evaluation(test::records_of_two_methods(), {.timeout = 12.0});
   for (std::size_t i = 0; i < evaluation.results().size(); ++i)

@@ -92,6 +92,8 @@ TEST(PerformanceProfile, CountsTiesForBoth) {
 
 using Names = std::vector<std::string>;
 
+bool every_scene(const std::string&) { return true; }
+
 /// Two scenes that a, b and c represent; one that b does not.
 std::vector<Record> three_scenes() {
   std::vector<Record> records;
@@ -107,7 +109,7 @@ TEST(RankingGroups, NeverRankAMethodWithThoseThatSolveAnotherLaw) {
   const std::vector<Record> records = three_scenes();
   const CaseResults results = test::results_of(records);
   const std::vector<ResolutionStudy> studies = resolution_studies(results.all);
-  const std::vector<RankingGroup> groups = ranking_groups(studies);
+  const std::vector<RankingGroup> groups = ranking_groups(studies, every_scene);
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0].scenes, (Names{"s1", "s2"}));
   EXPECT_EQ(groups[0].configurations, (Names{"a", "b", "c"}));
@@ -122,11 +124,23 @@ TEST(RankingGroups, CountWhatDoesNotApplyAsUnsolvedUnlessItAppliesNowhere) {
   for (const std::size_t c : {2U, 5U, 8U}) records[c].status = Status::not_applicable;
   const CaseResults results = test::results_of(records);
   const std::vector<ResolutionStudy> studies = resolution_studies(results.all);
-  const std::vector<RankingGroup> groups = ranking_groups(studies);
+  const std::vector<RankingGroup> groups = ranking_groups(studies, every_scene);
   ASSERT_EQ(groups.size(), 1U);
   EXPECT_EQ(groups[0].configurations, (Names{"a", "b"}));
   const Costs costs = costs_to_error(groups[0], time_axis(), 1e-2);
   EXPECT_EQ(costs[1], (std::vector<double>{kNeverReached, 1.0, 1.0}));
+}
+
+TEST(RankingGroups, LeaveOutScenesThatAreNotRanked) {
+  const std::vector<Record> records = three_scenes();
+  const CaseResults results = test::results_of(records);
+  const std::vector<ResolutionStudy> studies = resolution_studies(results.all);
+  const auto but_the_first = [](const std::string& scene) { return scene != "s1"; };
+  const std::vector<RankingGroup> groups = ranking_groups(studies, but_the_first);
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0].scenes, (Names{"s2"}));
+  EXPECT_EQ(groups[0].studies[0].size(), 1U);
+  EXPECT_EQ(groups[1].scenes, (Names{"s3"}));
 }
 
 TEST(RankingGroups, KeepScenesThatNobodySolves) {
@@ -134,7 +148,7 @@ TEST(RankingGroups, KeepScenesThatNobodySolves) {
   for (const std::size_t i : {0U, 1U, 2U}) records[i].status = Status::timeout;
   const CaseResults results = test::results_of(records);
   const std::vector<ResolutionStudy> studies = resolution_studies(results.all);
-  EXPECT_EQ(ranking_groups(studies)[0].scenes, (Names{"s1", "s2"}));
+  EXPECT_EQ(ranking_groups(studies, every_scene)[0].scenes, (Names{"s1", "s2"}));
 }
 
 }  // namespace

@@ -31,10 +31,10 @@ TEST(AblationSections, GoFromThePlainFormToTheDefaultAndCountWhatIsConvergedAndC
   records[6].status = Status::inaccurate;     // b, plain
   records[9].status = Status::not_applicable;
   EXPECT_EQ(ablation(records),
-            (Rows{{"m[h=40,plain=true]", "3", "2", "1", "1", "1.0e-01", "4 s"},
-                  {"m[h=40,plain=true,solver=pivoting]", "3", "3", "3", "0", "5.0e-02", "8 s"},
-                  {"m[h=40,compensate=false]", "2", "2", "2", "0", "1.0e-02", "1 s"},
-                  {"m[h=40]", "3", "3", "3", "0", "1.0e-03", "2 s"}}));
+            (Rows{{"m[h=40,plain=true]", "3", "2", "1", "1", "1.0e-01", "0.01 (1)", "4 s"},
+                  {"m[h=40,plain=true,solver=pivoting]", "3", "3", "3", "0", "5.0e-02", "0.02 (3)", "8 s"},
+                  {"m[h=40,compensate=false]", "2", "2", "2", "0", "1.0e-02", "0.1 (2)", "1 s"},
+                  {"m[h=40]", "3", "3", "3", "0", "1.0e-03", "·", "2 s"}}));
 }
 
 TEST(AblationSections, CompareEqualResolutionsOfMethodsThatHaveAPlainForm) {
@@ -55,12 +55,24 @@ TEST(AblationSections, LeaveOutSolvesThatStartFromAnOrbit) {
             Rows{});
 }
 
+TEST(AblationSections, CompareErrorsOnOneOrbitAlone) {
+  std::vector<Record> records;
+  for (const char* scene : {"a", "b"}) {
+    records.push_back(test::good_record(scene, "m", "h=40", 1e-3, 1.0));
+    records.push_back(test::good_record(scene, "m", "h=40,plain=true", 1e-2, 1.0));
+  }
+  records[2].certificate.orbit = "another";  // of b, ours
+  EXPECT_EQ(ablation(records).front()[6], "0.1 (1)");
+  records[0].certificate.orbit = "another";
+  EXPECT_EQ(ablation(records).front()[6], "-");
+}
+
 TEST(AblationSections, PrintADashWhereNothingIsCertified) {
   std::vector<Record> records{test::good_record("a", "m", "h=40", 1e-3, 1.0),
                               test::good_record("a", "m", "h=40,plain=true", 1e-3, 1.0)};
   records[1].status = Status::timeout;
   EXPECT_EQ(ablation(records).front(),
-            (std::vector<std::string>{"m[h=40,plain=true]", "1", "0", "0", "0", "-", "-"}));
+            (std::vector<std::string>{"m[h=40,plain=true]", "1", "0", "0", "0", "-", "-", "-"}));
 }
 
 }  // namespace

@@ -99,6 +99,18 @@ TEST(SpeedSections, MeasureNothingWithoutABaseline) {
   EXPECT_EQ(row_of(speed_sections(Evaluation(records)).front(), "m[n=1]")[5], "not measured");
 }
 
+TEST(SpeedSections, CountWhatDoesNotApplyAsUnsolved) {
+  std::vector<Record> records{test::good_record("s", "m", "n=1", 0.1, 1.0),
+                              test::good_record("t", "m", "n=1", 0.1, 1.0),
+                              test::good_record("t", "m", "n=2", 0.1, 1.0)};
+  records[1].status = Status::not_applicable;
+  const auto row = [&] { return row_of(speed_sections(Evaluation(records)).front(), "m[n=1]"); };
+  EXPECT_EQ(row()[1], "1 of 2");
+  records[2].law_matches_scene = false;
+  EXPECT_EQ(row()[1], "1 of 1");
+  EXPECT_EQ(row().back(), "0 of 1") << "its other resolution tells that it would solve another law";
+}
+
 TEST(SpeedSections, HoldTheScenesLaw) {
   std::vector<Record> records{test::good_record("s", "m", "n=1", 0.1, 1.0),
                               test::good_record("t", "m", "n=1", 1e-6, 1e-3)};
