@@ -137,31 +137,16 @@ ImpactMotion::ImpactMotion(const ContactReceptance& response, const Eigen::Matri
                            const Eigen::VectorXd& gap, double restitution)
     : response_(response),
       free_(without_trailing_zeros(free)),
+      limit_(inertial_limit(response)),
       gap_(gap),
-      lost_((1.0 - restitution) / (1.0 + restitution)) {
-  // C_n n^2 and C_n n^3 tend to -a and -i b with an error of second order in 1/n: two harmonics remove it.
-  const int last = response.harmonics();
-  const int middle = std::max(1, last / 2);
-  const auto scaled = [&](int n) {
-    const double order = n;
-    return Eigen::MatrixXcd(-order * order * response.receptance[static_cast<std::size_t>(n)]);
-  };
-  const double ratio = static_cast<double>(middle) / last;
-  const double weight = middle < last ? 1.0 / (1.0 - ratio * ratio) : 1.0;
-  const Eigen::MatrixXcd far = scaled(last);
-  const Eigen::MatrixXcd near = scaled(middle);
-  inertance_ = weight * far.real() + (1.0 - weight) * near.real();
-  drag_ = weight * last * far.imag() + (1.0 - weight) * middle * near.imag();
-}
+      lost_((1.0 - restitution) / (1.0 + restitution)) {}
 
-double ImpactMotion::loss(int contact) const {
-  return std::numbers::pi * inertance_(contact, contact) * lost_;
-}
+double ImpactMotion::loss(int contact) const { return std::numbers::pi * limit_.a(contact, contact) * lost_; }
 
 Jet ImpactMotion::answer(int row, int column, double turn) const {
   const auto& receptance = response_.receptance;
-  const double a = inertance_(row, column);
-  const double b = drag_(row, column);
+  const double a = limit_.a(row, column);
+  const double b = limit_.b(row, column);
   const double theta = angle_of(turn);
   const Complex unit = std::polar(1.0, theta);
   Complex phase = 1.0;
@@ -203,7 +188,7 @@ std::optional<SettledImpacts> ImpactMotion::settle(const PeriodicImpacts& from, 
 }
 
 bool ImpactMotion::are_separate(const PeriodicImpacts& impacts) const {
-  const Eigen::MatrixXd& a = inertance_;
+  const Eigen::MatrixXd& a = limit_.a;
   for (int k = 0; k < impacts.count(); ++k) {
     for (int l = 0; l < k; ++l) {
       const int row = impacts.contacts[static_cast<std::size_t>(k)];
@@ -225,7 +210,7 @@ std::pair<double, double> ImpactMotion::velocities(const PeriodicImpacts& impact
     mean -= impacts.moments(1, l) * answer(c, impacts.contacts[static_cast<std::size_t>(l)], turn).slope;
   }
   // Half of the jump J / m per period: (W^T M^-1 W) T = a (2 pi)^2 / T.
-  const double half = 0.5 * kTwoPi * kTwoPi * inertance_(c, c) * impacts.moments(1, impact);
+  const double half = 0.5 * kTwoPi * kTwoPi * limit_.a(c, c) * impacts.moments(1, impact);
   return {mean + half, mean - half};
 }
 
@@ -236,8 +221,8 @@ Eigen::VectorXcd ImpactMotion::spectrum(const PeriodicImpacts& impacts, int cont
   x.head(loaded) = free_.col(contact).head(loaded);
   for (int l = 0; l < impacts.count(); ++l) {
     const int column = impacts.contacts[static_cast<std::size_t>(l)];
-    const double a = enriched ? inertance_(contact, column) : 0.0;
-    const double b = enriched ? drag_(contact, column) : 0.0;
+    const double a = enriched ? limit_.a(contact, column) : 0.0;
+    const double b = enriched ? limit_.b(contact, column) : 0.0;
     const Complex unit = std::polar(1.0, -kTwoPi * impacts.moments(0, l));
     Complex phase = -impacts.moments(1, l);
     x[0] += phase * receptance[0](contact, column);
@@ -262,8 +247,8 @@ double ImpactMotion::overshoot(const PeriodicImpacts& impacts) const {
     fft.inverse(spectrum(impacts, c, true), x);
     for (int l = 0; l < impacts.count(); ++l) {
       const int column = impacts.contacts[static_cast<std::size_t>(l)];
-      const double a = 2.0 * inertance_(c, column) * impacts.moments(1, l);
-      const double b = 2.0 * drag_(c, column) * impacts.moments(1, l);
+      const double a = 2.0 * limit_.a(c, column) * impacts.moments(1, l);
+      const double b = 2.0 * limit_.b(c, column) * impacts.moments(1, l);
       for (int i = 0; i < instants; ++i) {
         const auto [even, odd] =
             bernoulli_sums(angle_of(static_cast<double>(i) / instants - impacts.moments(0, l)));

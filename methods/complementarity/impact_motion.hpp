@@ -87,8 +87,7 @@ class ImpactMotion {
 
   const ContactReceptance& response_;
   Eigen::MatrixXcd free_;
-  Eigen::MatrixXd inertance_;  // a, (W^T M^-1 W)_ij = a (2 pi / T)^2
-  Eigen::MatrixXd drag_;       // b
+  InertialLimit limit_;  // of the response
   const Eigen::VectorXd& gap_;
   double lost_;  // (1 - e) / (1 + e)
 };

@@ -1,24 +1,52 @@
 #include "methods/harmonic_balance/harmonic_setup.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "methods/hat_functions/hat_contact.hpp"
 #include "methods/structure/contact_reduction.hpp"
+#include "problems/matrix_properties.hpp"
 
 namespace signorini {
 
 namespace {
 
-// Harmonics that the response to impacts has at least: what is neglected beyond the last falls with its third
-// power.
-constexpr int kClosedResponse = 128;
+// Harmonics that the response to impacts has at least, what is neglected beyond the last falling with its
+// third power, and at most, where modes that an impact excites lie higher.
+constexpr int kClosedResponse = 128, kMostClosedResponse = 1024;
 
 bool any_has_mass(const ContactReceptance& response, int harmonic) {
   for (int c = 0; c < response.contacts(); ++c) {
     if (is_mass_beyond(response, c, harmonic)) return true;
   }
   return false;
+}
+
+/// Whether a response shows the mass of each contact that answers like one: the impulse of an impact errs by
+/// as much as that. Modes beyond its last harmonic are missing.
+bool shows_masses(const ContactReceptance& response, const Eigen::MatrixXd& inertance, int harmonic) {
+  constexpr double kMissing = 1e-4;  // below what a series of 160 harmonics leaves of x
+  const Eigen::MatrixXd shown = inertial_limit(response).a;
+  for (int c = 0; c < response.contacts(); ++c) {
+    const double missing = std::abs(shown(c, c) - inertance(c, c));
+    if (missing > kMissing * inertance(c, c) && is_mass_beyond(response, c, harmonic)) return false;
+  }
+  return true;
+}
+
+/// `response` with as many harmonics as it takes to show the masses of the contacts, as far as contacts
+/// answer like masses there.
+ContactReceptance with_modes_of_impacts(const Problem& problem, ContactReceptance response, int harmonic) {
+  if (!is_definite(problem.mass())) return response;
+  const double base = problem.base_frequency();
+  const Eigen::MatrixXd inertance = delassus_matrix(problem) / (base * base);
+  while (2 * response.harmonics() <= kMostClosedResponse && !shows_masses(response, inertance, harmonic)) {
+    ContactReceptance longer = fourier_receptance(problem, 2 * response.harmonics());
+    if (!any_has_mass(longer, harmonic)) break;
+    response = std::move(longer);
+  }
+  return response;
 }
 
 /// The response beyond the harmonics of `kept`; nothing where no contact answers like a mass there.
@@ -29,7 +57,7 @@ std::optional<ContactReceptance> response_to_impacts(const Problem& problem, con
   try {
     ContactReceptance extended = fourier_receptance(problem, std::max(2 * harmonics, kClosedResponse));
     if (!any_has_mass(extended, harmonics)) return std::nullopt;
-    return extended;
+    return with_modes_of_impacts(problem, std::move(extended), harmonics);
   } catch (const SingularStiffness&) {
     return std::nullopt;  // an undamped mode answers to a harmonic beyond H
   }

@@ -245,6 +245,22 @@ Eigen::MatrixXcd contact_motion(const ContactReceptance& receptance, const Eigen
   return x;
 }
 
+InertialLimit inertial_limit(const ContactReceptance& receptance) {
+  // C_n n^2 and C_n n^3 tend to -a and -i b with an error of second order in 1/n: two harmonics remove it.
+  const int last = receptance.harmonics();
+  const int middle = std::max(1, last / 2);
+  const auto scaled = [&](int n) {
+    const double order = n;
+    return Eigen::MatrixXcd(-order * order * receptance.receptance[static_cast<std::size_t>(n)]);
+  };
+  const double ratio = static_cast<double>(middle) / last;
+  const double weight = middle < last ? 1.0 / (1.0 - ratio * ratio) : 1.0;
+  const Eigen::MatrixXcd far = scaled(last);
+  const Eigen::MatrixXcd near = scaled(middle);
+  return {.a = weight * far.real() + (1.0 - weight) * near.real(),
+          .b = weight * last * far.imag() + (1.0 - weight) * middle * near.imag()};
+}
+
 bool is_mass_beyond(const ContactReceptance& receptance, int contact, int harmonic) {
   constexpr double kLike = 0.5;
   const int last = receptance.harmonics();

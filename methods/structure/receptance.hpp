@@ -22,6 +22,16 @@ Eigen::MatrixXcd contact_motion(const ContactReceptance& receptance, const Eigen
 /// of it, a > 0 that of C_H.
 bool is_mass_beyond(const ContactReceptance& receptance, int contact, int harmonic);
 
+/// How contacts answer to fast forces, C_n -> -a / n^2 - i b / n^3, a and b of size Nc x Nc [m/N].
+struct InertialLimit {
+  Eigen::MatrixXd a = {};  ///< W^T M^-1 W over the square of the base frequency
+  Eigen::MatrixXd b = {};
+};
+
+/// Extrapolated from C_H/2 and C_H, H >= 1: where all modes lie far below H the error falls with its fourth
+/// power. What modes above H have of the mass is missing.
+InertialLimit inertial_limit(const ContactReceptance& receptance);
+
 /// A receptance, and the structure reduced to what its contacts feel where that was the way to it.
 struct ReducedReceptance {
   ContactReceptance value;  ///< C_n, n = 0..H [m/N]

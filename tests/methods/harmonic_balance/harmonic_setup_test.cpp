@@ -41,6 +41,33 @@ TEST(HarmonicSetup, ClosesImpactsOfAMassOnARigidStop) {
   EXPECT_FALSE(setup_of(spring, {}).closure);
 }
 
+// The scene with a mass of 0.1 kg on a damped spring behind its own, with a mode some 200 times as fast as
+// the load.
+Problem with_a_fast_mode() {
+  constexpr double kAttached = 0.1, kFast = 200.0 * 2.2, kDampingRatio = 0.15;
+  Problem problem = test::to_problem(kStop);
+  problem.edit_structure([](Structure& structure) {
+    const auto with = [](const SparseMatrix& own, double attached, double between) {
+      Eigen::Matrix2d A;
+      A << own.coeff(0, 0) + between, -between, -between, attached + between;
+      return SparseMatrix(A.sparseView());
+    };
+    structure.mass = with(structure.mass, kAttached, 0.0);
+    structure.damping = with(structure.damping, 0.0, 2.0 * kDampingRatio * kAttached * kFast);
+    structure.stiffness = with(structure.stiffness, 0.0, kAttached * kFast * kFast);
+  });
+  return problem;
+}
+
+TEST(HarmonicSetup, AnswersToImpactsWithAllModesThatTheyExcite) {
+  const Problem single = test::to_problem(kStop), fast = with_a_fast_mode();
+  EXPECT_EQ(setup_of(single, {}).closure->response->harmonics(), 128);
+  const ContactReceptance response = *setup_of(fast, {}).closure->response;
+  EXPECT_GE(response.harmonics(), 512);
+  const double base = fast.base_frequency();
+  EXPECT_NEAR(inertial_limit(response).a(0, 0) * base * base, 1.0, 1e-4) << "the mass that is struck is 1 kg";
+}
+
 // At restitution 1, which a series has, a solver that is set finds its impacts itself.
 TEST(HarmonicSetup, AsksHatFunctionsForImpactsUnlessASolverIsSetThatMayFindThem) {
   Problem problem = test::to_problem(kStop);

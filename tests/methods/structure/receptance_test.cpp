@@ -150,6 +150,21 @@ TEST(ContactReceptance, RefusesAnUndampedResonance) {
   EXPECT_THROW(fourier_receptance(problem, 2), std::runtime_error);
 }
 
+TEST(InertialLimit, IsThatOfTheMassWithAnErrorOfFourthOrder) {
+  constexpr double kDamping = 0.1, kFrequency = 2.2;
+  const Problem mass = test::to_problem({.damping = kDamping, .frequency = kFrequency, .gap = 0.2});
+  const double a = std::pow(kFrequency, -2), b = kDamping * std::pow(kFrequency, -3);  // of 1 kg
+  const auto error = [&](int harmonics) {
+    const InertialLimit limit = inertial_limit(fourier_receptance(mass, harmonics));
+    EXPECT_NEAR(limit.b(0, 0), b, 1e-2 * b);
+    return std::abs(limit.a(0, 0) / a - 1.0);
+  };
+  const double coarse = error(20), fine = error(40);
+  EXPECT_LE(coarse, 1e-4);
+  EXPECT_GT(coarse / fine, 12.0);
+  EXPECT_LT(coarse / fine, 20.0);
+}
+
 TEST(IsMassBeyond, TellsAMassFromWhatAnswersOtherwise) {
   const Problem mass = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2});
   EXPECT_TRUE(is_mass_beyond(fourier_receptance(mass, 20), 0, 10));
