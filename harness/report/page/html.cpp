@@ -31,8 +31,7 @@ std::string cell_text(const std::string& column, const Cell& cell) {
   const std::string text = html_escaped(with_unit_signs(cell.text));
   if (cell.record) return linked(record_anchor(*cell.record), text);
   if (column == "scene") return linked("scene-" + cell.text, text);
-  if (column == "method")
-    return fmt::format("<a href=\"#cases\" data-filter=\"{}\">{}</a>", text, breakable(cell.text));
+  if (column == "method") return link_to_cases(cell.text);
   return text;
 }
 
@@ -51,6 +50,10 @@ std::string row_text(const Table& table, const std::vector<std::size_t>& columns
 }
 
 }  // namespace
+
+std::string link_to_cases(const std::string& name) {
+  return fmt::format("<a href=\"#cases\" data-filter>{}</a>", breakable(name));
+}
 
 std::string html_escaped(std::string text) {
   // Control characters, which HTML forbids.

@@ -16,6 +16,9 @@ std::string html_text(const std::string& text);
 /// Text that may be broken where a method's settings begin and where one ends.
 std::string breakable(const std::string& title);
 
+/// A name of the table of all cases, as a link to its rows there (tables.js).
+std::string link_to_cases(const std::string& name);
+
 /// The anchor of the record at this place.
 std::string record_anchor(std::size_t place);
 

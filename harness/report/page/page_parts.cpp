@@ -21,11 +21,10 @@ using Json = nlohmann::ordered_json;
 /// One method's row of a verdict: the median time to each error, and on how many scenes.
 std::string standing_row(const Standing& standing) {
   std::string text = fmt::format(
-      "<tr{0}><th scope=\"row\">{1}<a href=\"#cases\" data-filter=\"{2}\">{3}</a></th>",
-      standing.recommended ? " class=\"best\"" : "",
+      "<tr{0}><th scope=\"row\">{1}{2}</th>", standing.recommended ? " class=\"best\"" : "",
       standing.recommended ? "<span aria-hidden=\"true\">* </span><span class=\"unseen\">recommended: </span>"
                            : "",
-      html_escaped(standing.configuration), breakable(standing.configuration));
+      link_to_cases(standing.configuration));
   for (const Reach& reach : standing.reach) {
     const double seconds = reach.median_seconds();
     text += std::isfinite(seconds)

@@ -118,8 +118,8 @@ for (const table of document.querySelectorAll("table")) {
   makeSortable(table);
 }
 
-// Names of methods and scenes lead to their rows among all cases.
+// Names of methods and scenes lead to their rows among all cases; a link without a value is such a name itself.
 const cases = document.querySelector("#cases table");
 for (const link of document.querySelectorAll("a[data-filter]")) {
-  link.addEventListener("click", () => cases?.filterBy?.(link.dataset.filter));
+  link.addEventListener("click", () => cases?.filterBy?.(link.dataset.filter || link.textContent));
 }
