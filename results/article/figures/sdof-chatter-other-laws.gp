@@ -1,6 +1,6 @@
 # gnuplot sdof-chatter-other-laws.gp makes sdof-chatter-other-laws.svg and sdof-chatter-other-laws.pdf of sdof-chatter-other-laws.dat
 data = 'sdof-chatter-other-laws.dat'
-svg = "svg size 643,378 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+svg = "svg size 643,378 font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
 pdf = "pdfcairo size 17.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
@@ -10,22 +10,22 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x, own law [-]'
-set xrange [6.77e-04:5.56e+00]
-set yrange [1.44e-12:1.07e-01]
+set xrange [1.92e-03:3.40e-01]
+set yrange [1.55e-12:1.07e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
-set key outside right top vertical Left reverse samplen 3 spacing 1.2 noenhanced
-floor = 4.333634e-12  # ten error bars of the least certain orbit
-plot floor with lines lc rgb '#888888' dt 3 lw 1 title 'error bar x 10', \
-  data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
-  data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#0072B2' dt 1 lw 1.6 pt 5 title 'aft-hbm (e = 1)', \
-  data index 2 with lines lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
-  data index 3 with points lc rgb '#0072B2' pt 7 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#0072B2' dt '.' lw 1.6 pt 7 title 'fourier-lipschitz (e = 1)', \
-  data index 4 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
-  data index 5 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#000000' dt '_.' lw 1.6 pt 7 title 'penalty-hbm (e = 1)'
+unset key
+set rmargin at screen 0.634
+set label 'augmented-lagrangian (e = 1)' at graph 1.06,0.8309 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.132847e-01,1.578510e-03 to graph 1.05,0.8309 nohead lc rgb '#E69F00' lw 0.5 back
+set label '10 error bars' at graph 0.99, first 4.647289e-12 right offset 0,-0.6 font ',7' textcolor rgb '#888888'
+set label '20' at 5.769035e-03,3.581846e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 6.835986e-03,1.192237e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 1.497546e-02,4.354223e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 1.132847e-01,1.578510e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+plot data index 0 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
+  data index 1 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
+  4.647289e-12 with lines lc rgb '#888888' dt 3 lw 1 notitle
 unset output
 }

@@ -1,7 +1,7 @@
 # gnuplot sdof-chatter-phase.gp makes sdof-chatter-phase.svg and sdof-chatter-phase.pdf of sdof-chatter-phase.dat
 data = 'sdof-chatter-phase.dat'
-svg = "svg size 491,491 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
-pdf = "pdfcairo size 13.0cm,13.0cm font 'sans,9' dashlength 0.7 rounded"
+svg = "svg size 454,378 font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 12.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
 eval 'set terminal '.(format eq 'svg' ? svg : pdf)
@@ -9,15 +9,16 @@ set output 'sdof-chatter-phase.'.format
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
-set key noenhanced Left reverse samplen 3
 set xlabel 'x [m]'
 set ylabel 'velocity [m/s]'
-set key outside bottom center horizontal
+unset key
 set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
-plot data index 0 using 2:3 with lines lc rgb '#bbbbbb' lw 5 title 'certified orbit', \
-  data index 1 using 2:3 with lines lc rgb '#E69F00' dt '..-' lw 1.6 title 'event-driven[flow=cvode,tolerance=1e-4]', \
-  data index 2 using 2:3 with lines lc rgb '#56B4E9' dt 1 lw 1.6 title 'event-driven[flow=modal,tolerance=1e-4]', \
-  data index 3 using 2:3 with lines lc rgb '#000000' dt '-' lw 1.6 title 'exact-orbit[samples=64]', \
-  data index 4 using 2:3 with lines lc rgb '#E69F00' dt '-' lw 1.6 title 'hat-lcp[samples=512]'
+set xtics 0.5
+set arrow 1 from 0.2, graph 0 to 0.2, graph 1 nohead lc rgb '#D55E00' dt (12,6) lw 1.2
+plot data index 1 with lines lc rgb '#bbbbbb' lw 5, \
+  data index 3 with lines lc rgb '#000000' dt '-' lw 1.6, \
+  data index 5 with lines lc rgb '#0072B2' dt '.' lw 1.6, \
+  data index 7 with lines lc rgb '#D55E00' dt '_.' lw 1.6, \
+  data index 9 with lines lc rgb '#000000' dt '_.' lw 1.6
 unset output
 }

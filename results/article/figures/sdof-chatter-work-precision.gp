@@ -1,6 +1,6 @@
 # gnuplot sdof-chatter-work-precision.gp makes sdof-chatter-work-precision.svg and sdof-chatter-work-precision.pdf of sdof-chatter-work-precision.dat
 data = 'sdof-chatter-work-precision.dat'
-svg = "svg size 643,378 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+svg = "svg size 643,378 font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
 pdf = "pdfcairo size 17.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
@@ -10,27 +10,45 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [1.76e-04:2.91e+00]
+set xrange [1.47e-04:7.06e-01]
 set yrange [2.22e-12:4.77e-02]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
-set key outside right top vertical Left reverse samplen 3 spacing 1.2 noenhanced
-floor = 6.475336e-09  # ten error bars of the least certain orbit
-plot floor with lines lc rgb '#888888' dt 3 lw 1 title 'error bar x 10', \
-  data index 0 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
-  data index 1 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
-  data index 2 with points lc rgb '#E69F00' pt 12 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#E69F00' dt '..-' lw 1.6 pt 13 title 'event-driven[flow=cvode]', \
-  data index 3 with lines lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
-  data index 4 with points lc rgb '#56B4E9' pt 15 ps 1.1 notitle, \
-  data index 5 with points lc rgb '#56B4E9' pt 14 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#56B4E9' dt 1 lw 1.6 pt 15 title 'event-driven[flow=modal]', \
-  data index 6 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
-  data index 7 with points lc rgb '#000000' pt 4 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#000000' dt '-' lw 1.6 pt 5 title 'exact-orbit', \
-  data index 8 with lines lc rgb '#E69F00' dt '-' lw 1.6 notitle, \
-  data index 9 with points lc rgb '#E69F00' pt 15 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#E69F00' dt '-' lw 1.6 pt 15 title 'hat-lcp'
+unset key
+set rmargin at screen 0.679
+set label 'exact-orbit' at graph 1.06,0.0462 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 2.233762e-03,6.658250e-12 to graph 1.05,0.0462 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'event-driven[flow=cvode]' at graph 1.06,0.1607 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 7.934525e-03,1.015246e-10 to graph 1.05,0.1607 nohead lc rgb '#000000' lw 0.5 back
+set label 'event-driven[flow=modal]' at graph 1.06,0.2227 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 8.511890e-04,1.015421e-10 to graph 1.05,0.2227 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'hat-lcp' at graph 1.06,0.8372 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 2.351739e-01,9.918905e-04 to graph 1.05,0.8372 nohead lc rgb '#000000' lw 0.5 back
+set label '10 error bars' at graph 0.99, first 6.475340e-09 right offset 0,-0.6 font ',7' textcolor rgb '#888888'
+set label '1e-4' at 2.811334e-03,6.000634e-06 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-6' at 4.015269e-03,1.113317e-07 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-8' at 5.896264e-03,6.475336e-09 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-10' at 7.934525e-03,1.015246e-10 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-4' at 4.787040e-04,1.574446e-08 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '1e-6' at 6.254530e-04,6.679506e-12 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '1e-8' at 7.454620e-04,6.475340e-09 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '1e-10' at 8.511890e-04,1.015421e-10 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '64' at 4.402860e-04,2.563641e-11 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '256' at 2.233762e-03,6.658250e-12 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '512' at 4.942242e-03,1.591127e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '2048' at 3.892289e-02,4.005317e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '8192' at 2.351739e-01,9.918905e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+plot data index 0 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 1 with points lc rgb '#000000' pt 5 ps 1.1 notitle, \
+  data index 2 with points lc rgb '#000000' pt 4 ps 1.1 notitle, \
+  data index 3 with lines lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
+  data index 4 with points lc rgb '#0072B2' pt 7 ps 1.1 notitle, \
+  data index 5 with points lc rgb '#0072B2' pt 6 ps 1.1 notitle, \
+  data index 6 with lines lc rgb '#D55E00' dt '_.' lw 1.6 notitle, \
+  data index 7 with points lc rgb '#D55E00' pt 8 ps 1.1 notitle, \
+  data index 8 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
+  data index 9 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
+  6.475340e-09 with lines lc rgb '#888888' dt 3 lw 1 notitle
 unset output
 }

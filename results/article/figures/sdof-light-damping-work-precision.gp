@@ -1,6 +1,6 @@
 # gnuplot sdof-light-damping-work-precision.gp makes sdof-light-damping-work-precision.svg and sdof-light-damping-work-precision.pdf of sdof-light-damping-work-precision.dat
 data = 'sdof-light-damping-work-precision.dat'
-svg = "svg size 643,378 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+svg = "svg size 643,378 font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
 pdf = "pdfcairo size 17.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
@@ -10,35 +10,70 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [2.07e-05:1.33e-01]
+set xrange [1.50e-05:1.23e-01]
 set yrange [6.50e-12:1.33e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
-set key outside right top vertical Left reverse samplen 3 spacing 1.2 noenhanced
-floor = 1.948987e-11  # ten error bars of the least certain orbit
-plot floor with lines lc rgb '#888888' dt 3 lw 1 title 'error bar x 10', \
-  data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
+unset key
+set rmargin at screen 0.679
+set label 'event-driven[flow=modal]' at graph 1.06,0.0463 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 7.317310e-04,1.948987e-11 to graph 1.05,0.0463 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'exact-orbit' at graph 1.06,0.1083 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 1.756220e-04,1.948987e-11 to graph 1.05,0.1083 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'event-driven[flow=cvode]' at graph 1.06,0.1703 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 4.114593e-02,5.551148e-11 to graph 1.05,0.1703 nohead lc rgb '#000000' lw 0.5 back
+set label 'penalty-hbm' at graph 1.06,0.7392 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 4.651640e-04,2.720697e-04 to graph 1.05,0.7392 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'aft-hbm' at graph 1.06,0.8012 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 4.491110e-04,2.725653e-04 to graph 1.05,0.8012 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'fourier-lipschitz' at graph 1.06,0.8632 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 4.482980e-04,2.725653e-04 to graph 1.05,0.8632 nohead lc rgb '#009E73' lw 0.5 back
+set label 'augmented-lagrangian' at graph 1.06,0.9252 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.005996e-02,2.725653e-04 to graph 1.05,0.9252 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'hat-lcp' at graph 1.06,0.9872 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.279259e-02,2.722282e-03 to graph 1.05,0.9872 nohead lc rgb '#000000' lw 0.5 back
+set label '10 error bars' at graph 0.99, first 1.948987e-11 right offset 0,-0.6 font ',7' textcolor rgb '#888888'
+set label '5' at 2.361820e-04,4.288185e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '10' at 2.383250e-04,1.625642e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '20' at 2.516460e-04,5.955383e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40' at 2.771320e-04,2.144328e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '80' at 3.248450e-04,7.655577e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 4.491110e-04,2.725653e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '5' at 3.189360e-04,4.288185e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '10' at 4.685590e-04,1.625642e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '20' at 1.586657e-03,5.955383e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 8.472266e-03,2.144328e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 3.536614e-03,7.655577e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 1.005996e-02,2.725653e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '1e-4' at 1.172492e-02,4.423105e-05 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-6' at 1.756755e-02,1.694384e-07 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-8' at 2.531244e-02,8.800417e-09 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-10' at 4.114593e-02,5.551148e-11 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-4' at 6.435390e-04,8.713759e-10 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '1e-6' at 6.903600e-04,1.948987e-11 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '64' at 4.487600e-05,1.948987e-11 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '256' at 1.756220e-04,1.948987e-11 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '512' at 4.518530e-04,4.435225e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '2048' at 2.340601e-03,1.093089e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '8192' at 1.279259e-02,2.722282e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#0072B2' dt 1 lw 1.6 pt 5 title 'aft-hbm', \
   data index 2 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
   data index 3 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#E69F00' dt '..-' lw 1.6 pt 13 title 'event-driven[flow=cvode]', \
-  data index 4 with lines lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
-  data index 5 with points lc rgb '#56B4E9' pt 15 ps 1.1 notitle, \
-  data index 6 with points lc rgb '#56B4E9' pt 14 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#56B4E9' dt 1 lw 1.6 pt 15 title 'event-driven[flow=modal]', \
-  data index 7 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
-  data index 8 with points lc rgb '#000000' pt 4 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#000000' dt '-' lw 1.6 pt 5 title 'exact-orbit', \
-  data index 9 with lines lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
-  data index 10 with points lc rgb '#0072B2' pt 7 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#0072B2' dt '.' lw 1.6 pt 7 title 'fourier-lipschitz', \
-  data index 11 with lines lc rgb '#E69F00' dt '-' lw 1.6 notitle, \
-  data index 12 with points lc rgb '#E69F00' pt 15 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#E69F00' dt '-' lw 1.6 pt 15 title 'hat-lcp', \
+  data index 4 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 5 with points lc rgb '#000000' pt 5 ps 1.1 notitle, \
+  data index 6 with lines lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
+  data index 7 with points lc rgb '#0072B2' pt 7 ps 1.1 notitle, \
+  data index 8 with points lc rgb '#0072B2' pt 6 ps 1.1 notitle, \
+  data index 9 with lines lc rgb '#D55E00' dt '_.' lw 1.6 notitle, \
+  data index 10 with points lc rgb '#D55E00' pt 8 ps 1.1 notitle, \
+  data index 11 with lines lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
+  data index 12 with points lc rgb '#009E73' pt 11 ps 1.1 notitle, \
   data index 13 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
   data index 14 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#000000' dt '_.' lw 1.6 pt 7 title 'penalty-hbm'
+  data index 15 with lines lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
+  data index 16 with points lc rgb '#D55E00' pt 11 ps 1.1 notitle, \
+  1.948987e-11 with lines lc rgb '#888888' dt 3 lw 1 notitle
 unset output
 }

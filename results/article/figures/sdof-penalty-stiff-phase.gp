@@ -1,7 +1,7 @@
 # gnuplot sdof-penalty-stiff-phase.gp makes sdof-penalty-stiff-phase.svg and sdof-penalty-stiff-phase.pdf of sdof-penalty-stiff-phase.dat
 data = 'sdof-penalty-stiff-phase.dat'
-svg = "svg size 491,491 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
-pdf = "pdfcairo size 13.0cm,13.0cm font 'sans,9' dashlength 0.7 rounded"
+svg = "svg size 454,378 font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 12.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
 eval 'set terminal '.(format eq 'svg' ? svg : pdf)
@@ -9,22 +9,25 @@ set output 'sdof-penalty-stiff-phase.'.format
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
-set key noenhanced Left reverse samplen 3
 set xlabel 'x [m]'
 set ylabel 'velocity [m/s]'
-set key outside bottom center horizontal
+unset key
 set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
-plot data index 0 using 2:3 with lines lc rgb '#bbbbbb' lw 5 title 'certified orbit', \
-  data index 1 using 2:3 with lines lc rgb '#0072B2' dt 1 lw 1.6 title 'aft-hbm[harmonics=20]', \
-  data index 2 using 2:3 with lines lc rgb '#009E73' dt '.' lw 1.6 title 'aft-hbm[harmonics=40,plain=true,homotopy=true]', \
-  data index 3 using 2:3 with lines lc rgb '#E69F00' dt '..-' lw 1.6 title 'event-driven[flow=cvode,tolerance=1e-4]', \
-  data index 4 using 2:3 with lines lc rgb '#56B4E9' dt 1 lw 1.6 title 'event-driven[flow=modal,tolerance=1e-4]', \
-  data index 5 using 2:3 with lines lc rgb '#000000' dt '-' lw 1.6 title 'exact-orbit[samples=64]', \
-  data index 6 using 2:3 with lines lc rgb '#0072B2' dt '.' lw 1.6 title 'fourier-lipschitz[harmonics=20]', \
-  data index 7 using 2:3 with lines lc rgb '#009E73' dt '..-' lw 1.6 title 'fourier-lipschitz[harmonics=40,plain=true,solver=pivoting]', \
-  data index 8 using 2:3 with lines lc rgb '#E69F00' dt '-' lw 1.6 title 'hat-lcp[samples=512]', \
-  data index 9 using 2:3 with lines lc rgb '#56B4E9' dt '.' lw 1.6 title 'hat-lcp[samples=512,plain=true]', \
-  data index 10 using 2:3 with lines lc rgb '#000000' dt '_.' lw 1.6 title 'penalty-hbm[harmonics=10]', \
-  data index 11 using 2:3 with lines lc rgb '#D55E00' dt 1 lw 1.6 title 'penalty-hbm[harmonics=40,plain=true,solver=pivoting]'
+set xtics 1
+set arrow 1 from 0.999964, graph 0 to 0.999964, graph 1 nohead lc rgb '#D55E00' dt (12,6) lw 1.2
+plot data index 1 with lines lc rgb '#bbbbbb' lw 5, \
+  data index 3 with lines lc rgb '#0072B2' dt 1 lw 1.6, \
+  data index 5 with lines lc rgb '#009E73' dt '.' lw 1.6, \
+  data index 7 with lines lc rgb '#E69F00' dt '..-' lw 1.6, \
+  data index 9 with lines lc rgb '#56B4E9' dt 1 lw 1.6, \
+  data index 11 with lines lc rgb '#000000' dt '-' lw 1.6, \
+  data index 13 with lines lc rgb '#0072B2' dt '.' lw 1.6, \
+  data index 15 with lines lc rgb '#D55E00' dt '_.' lw 1.6, \
+  data index 17 with lines lc rgb '#009E73' dt '..-' lw 1.6, \
+  data index 19 with lines lc rgb '#E69F00' dt '-' lw 1.6, \
+  data index 21 with lines lc rgb '#000000' dt '_.' lw 1.6, \
+  data index 23 with lines lc rgb '#0072B2' dt '..-' lw 1.6, \
+  data index 25 with lines lc rgb '#D55E00' dt 1 lw 1.6, \
+  data index 27 with lines lc rgb '#CC79A7' dt '.' lw 1.6
 unset output
 }

@@ -1,6 +1,6 @@
 # gnuplot sdof-penalty-stiff-work-precision.gp makes sdof-penalty-stiff-work-precision.svg and sdof-penalty-stiff-work-precision.pdf of sdof-penalty-stiff-work-precision.dat
 data = 'sdof-penalty-stiff-work-precision.dat'
-svg = "svg size 643,378 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+svg = "svg size 643,378 font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
 pdf = "pdfcairo size 17.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
@@ -10,47 +10,93 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [6.40e-05:2.03e+00]
+set xrange [5.28e-05:1.40e-01]
 set yrange [2.76e-12:2.68e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
-set key outside right top vertical Left reverse samplen 3 spacing 1.2 noenhanced
-floor = 8.276851e-12  # ten error bars of the least certain orbit
-plot floor with lines lc rgb '#888888' dt 3 lw 1 title 'error bar x 10', \
-  data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
+unset key
+set rmargin at screen 0.500
+set label 'event-driven[flow=modal]' at graph 1.06,0.0434 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.740590e-04,8.276851e-12 to graph 1.05,0.0434 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'exact-orbit' at graph 1.06,0.1054 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 1.053682e-02,8.276851e-12 to graph 1.05,0.1054 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'event-driven[flow=cvode]' at graph 1.06,0.1674 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.216945e-02,8.498355e-11 to graph 1.05,0.1674 nohead lc rgb '#000000' lw 0.5 back
+set label 'penalty-hbm' at graph 1.06,0.4420 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 1.415911e-03,7.497081e-05 to graph 1.05,0.4420 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'augmented-lagrangian' at graph 1.06,0.5040 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.459066e-02,7.497082e-05 to graph 1.05,0.5040 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'fourier-lipschitz' at graph 1.06,0.5660 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 2.184127e-03,1.111418e-04 to graph 1.05,0.5660 nohead lc rgb '#009E73' lw 0.5 back
+set label 'aft-hbm' at graph 1.06,0.6280 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 2.277637e-03,1.111418e-04 to graph 1.05,0.6280 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'hat-lcp' at graph 1.06,0.6900 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 2.267217e-02,6.196109e-03 to graph 1.05,0.6900 nohead lc rgb '#000000' lw 0.5 back
+set label 'penalty-hbm[plain=true,solver=pivoting]' at graph 1.06,0.7520 left font ',9' textcolor rgb '#CC79A7' noenhanced
+set arrow from 2.722830e-03,1.057116e-02 to graph 1.05,0.7520 nohead lc rgb '#CC79A7' lw 0.5 back
+set label 'augmented-lagrangian[plain=true]' at graph 1.06,0.8140 left font ',9' textcolor rgb '#56B4E9' noenhanced
+set arrow from 7.969265e-03,1.057289e-02 to graph 1.05,0.8140 nohead lc rgb '#56B4E9' lw 0.5 back
+set label 'aft-hbm[plain=true,homotopy=true]' at graph 1.06,0.8760 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 4.676118e-02,7.543210e-02 to graph 1.05,0.8760 nohead lc rgb '#009E73' lw 0.5 back
+set label 'fourier-lipschitz[plain=true,solver=pivoting]' at graph 1.06,0.9380 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 4.545893e-02,7.543210e-02 to graph 1.05,0.9380 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'hat-lcp[plain=true]' at graph 1.06,1.0000 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 5.231710e-04,8.947115e-02 to graph 1.05,1.0000 nohead lc rgb '#0072B2' lw 0.5 back
+set label '10 error bars' at graph 0.99, first 8.276851e-12 right offset 0,-0.6 font ',7' textcolor rgb '#888888'
+set label '20' at 4.807770e-04,5.441892e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40' at 1.353128e-03,1.725593e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '80' at 1.725563e-03,3.230520e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 2.277637e-03,1.111418e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40' at 4.676118e-02,7.543210e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '10' at 2.457160e-04,8.040905e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '20' at 6.811160e-04,3.242978e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 2.339369e-03,1.057289e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 3.554540e-03,2.064843e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 1.459066e-02,7.497082e-05 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 7.969265e-03,1.057289e-02 offset 0.4,0.5 font ',7' textcolor rgb '#56B4E9' noenhanced
+set label '1e-4' at 3.642152e-03,1.027873e-05 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-6' at 6.388399e-03,1.092166e-07 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-8' at 9.428923e-03,1.357492e-08 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-10' at 1.216945e-02,8.498355e-11 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-4' at 1.582670e-04,1.657559e-11 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '1e-6' at 1.740590e-04,8.276851e-12 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '64' at 1.053682e-02,8.276851e-12 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '256' at 6.473275e-03,8.276851e-12 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '512' at 5.282580e-04,8.947115e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '2048' at 2.267217e-02,6.196109e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '8192' at 1.952162e-02,3.243277e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '20' at 2.654560e-04,3.242978e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '40' at 8.739130e-04,1.057289e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '80' at 1.041614e-03,2.064843e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '160' at 1.415911e-03,7.497081e-05 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#0072B2' dt 1 lw 1.6 pt 5 title 'aft-hbm', \
   data index 2 with lines lc rgb '#009E73' dt '.' lw 1.6 notitle, \
   data index 3 with points lc rgb '#009E73' pt 9 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#009E73' dt '.' lw 1.6 pt 9 title 'aft-hbm[plain=true,homotopy=true]', \
   data index 4 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
   data index 5 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#E69F00' dt '..-' lw 1.6 pt 13 title 'event-driven[flow=cvode]', \
   data index 6 with lines lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
   data index 7 with points lc rgb '#56B4E9' pt 15 ps 1.1 notitle, \
-  data index 8 with points lc rgb '#56B4E9' pt 14 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#56B4E9' dt 1 lw 1.6 pt 15 title 'event-driven[flow=modal]', \
-  data index 9 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
-  data index 10 with points lc rgb '#000000' pt 4 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#000000' dt '-' lw 1.6 pt 5 title 'exact-orbit', \
-  data index 11 with lines lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
-  data index 12 with points lc rgb '#0072B2' pt 7 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#0072B2' dt '.' lw 1.6 pt 7 title 'fourier-lipschitz', \
-  data index 13 with lines lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
-  data index 14 with points lc rgb '#009E73' pt 11 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#009E73' dt '..-' lw 1.6 pt 11 title 'fourier-lipschitz[plain=true,solver=pivoting]', \
-  data index 15 with lines lc rgb '#E69F00' dt '-' lw 1.6 notitle, \
-  data index 16 with points lc rgb '#E69F00' pt 15 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#E69F00' dt '-' lw 1.6 pt 15 title 'hat-lcp', \
-  data index 17 with lines lc rgb '#56B4E9' dt '.' lw 1.6 notitle, \
-  data index 18 with points lc rgb '#56B4E9' pt 5 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#56B4E9' dt '.' lw 1.6 pt 5 title 'hat-lcp[plain=true]', \
+  data index 8 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 9 with points lc rgb '#000000' pt 5 ps 1.1 notitle, \
+  data index 10 with lines lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
+  data index 11 with points lc rgb '#0072B2' pt 7 ps 1.1 notitle, \
+  data index 12 with points lc rgb '#0072B2' pt 6 ps 1.1 notitle, \
+  data index 13 with lines lc rgb '#D55E00' dt '_.' lw 1.6 notitle, \
+  data index 14 with points lc rgb '#D55E00' pt 8 ps 1.1 notitle, \
+  data index 15 with lines lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
+  data index 16 with points lc rgb '#009E73' pt 11 ps 1.1 notitle, \
+  data index 17 with lines lc rgb '#E69F00' dt '-' lw 1.6 notitle, \
+  data index 18 with points lc rgb '#E69F00' pt 15 ps 1.1 notitle, \
   data index 19 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
   data index 20 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#000000' dt '_.' lw 1.6 pt 7 title 'penalty-hbm', \
-  data index 21 with lines lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
-  data index 22 with points lc rgb '#D55E00' pt 11 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#D55E00' dt 1 lw 1.6 pt 11 title 'penalty-hbm[plain=true,solver=pivoting]'
+  data index 21 with lines lc rgb '#0072B2' dt '..-' lw 1.6 notitle, \
+  data index 22 with points lc rgb '#0072B2' pt 9 ps 1.1 notitle, \
+  data index 23 with lines lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
+  data index 24 with points lc rgb '#D55E00' pt 11 ps 1.1 notitle, \
+  data index 25 with lines lc rgb '#CC79A7' dt '.' lw 1.6 notitle, \
+  data index 26 with points lc rgb '#CC79A7' pt 15 ps 1.1 notitle, \
+  8.276851e-12 with lines lc rgb '#888888' dt 3 lw 1 notitle
 unset output
 }

@@ -1,6 +1,6 @@
 # gnuplot sdof-stop-e08-work-precision.gp makes sdof-stop-e08-work-precision.svg and sdof-stop-e08-work-precision.pdf of sdof-stop-e08-work-precision.dat
 data = 'sdof-stop-e08-work-precision.dat'
-svg = "svg size 643,378 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+svg = "svg size 643,378 font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
 pdf = "pdfcairo size 17.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
@@ -10,26 +10,60 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [1.60e-05:3.23e-02]
+set xrange [1.06e-05:2.85e-02]
 set yrange [1.30e-12:1.06e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
-set key outside right top vertical Left reverse samplen 3 spacing 1.2 noenhanced
-floor = 3.914646e-12  # ten error bars of the least certain orbit
-plot floor with lines lc rgb '#888888' dt 3 lw 1 title 'error bar x 10', \
-  data index 0 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
-  data index 1 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#E69F00' dt '..-' lw 1.6 pt 13 title 'event-driven[flow=cvode]', \
-  data index 2 with lines lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
-  data index 3 with points lc rgb '#56B4E9' pt 15 ps 1.1 notitle, \
-  data index 4 with points lc rgb '#56B4E9' pt 14 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#56B4E9' dt 1 lw 1.6 pt 15 title 'event-driven[flow=modal]', \
-  data index 5 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
-  data index 6 with points lc rgb '#000000' pt 4 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#000000' dt '-' lw 1.6 pt 5 title 'exact-orbit', \
-  data index 7 with lines lc rgb '#E69F00' dt '-' lw 1.6 notitle, \
-  data index 8 with points lc rgb '#E69F00' pt 15 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#E69F00' dt '-' lw 1.6 pt 15 title 'hat-lcp'
+unset key
+set rmargin at screen 0.679
+set label 'event-driven[flow=modal]' at graph 1.06,0.0437 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.642350e-04,3.914646e-12 to graph 1.05,0.0437 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'exact-orbit' at graph 1.06,0.1057 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 6.381500e-05,3.914646e-12 to graph 1.05,0.1057 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'event-driven[flow=cvode]' at graph 1.06,0.2361 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 9.498368e-03,4.919484e-10 to graph 1.05,0.2361 nohead lc rgb '#000000' lw 0.5 back
+set label 'penalty-hbm' at graph 1.06,0.7144 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 3.592560e-04,8.133188e-05 to graph 1.05,0.7144 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'aft-hbm' at graph 1.06,0.7764 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 3.430420e-04,8.147548e-05 to graph 1.05,0.7764 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'fourier-lipschitz' at graph 1.06,0.8384 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 3.451840e-04,8.147548e-05 to graph 1.05,0.8384 nohead lc rgb '#009E73' lw 0.5 back
+set label 'hat-lcp' at graph 1.06,0.9004 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.513297e-03,2.450348e-03 to graph 1.05,0.9004 nohead lc rgb '#000000' lw 0.5 back
+set label '10 error bars' at graph 0.99, first 3.914646e-12 right offset 0,-0.6 font ',7' textcolor rgb '#888888'
+set label '5' at 1.183660e-04,1.274851e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '10' at 1.281910e-04,4.850412e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '20' at 1.386260e-04,1.779537e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40' at 1.645460e-04,6.410838e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '80' at 2.135880e-04,2.289053e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 3.430420e-04,8.147548e-05 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '1e-4' at 2.264036e-03,1.088913e-05 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-6' at 3.397156e-03,1.111216e-07 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-8' at 6.012478e-03,1.742009e-08 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-10' at 9.498368e-03,4.919484e-10 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-4' at 1.397480e-04,2.442214e-09 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '1e-6' at 1.525780e-04,3.914646e-12 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '64' at 3.168800e-05,3.914646e-12 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '256' at 6.381500e-05,3.914646e-12 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '512' at 8.414600e-05,3.537496e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '2048' at 3.437530e-04,9.822029e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '8192' at 1.513297e-03,2.450348e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
+  data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
+  data index 2 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 3 with points lc rgb '#000000' pt 5 ps 1.1 notitle, \
+  data index 4 with lines lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
+  data index 5 with points lc rgb '#0072B2' pt 7 ps 1.1 notitle, \
+  data index 6 with points lc rgb '#0072B2' pt 6 ps 1.1 notitle, \
+  data index 7 with lines lc rgb '#D55E00' dt '_.' lw 1.6 notitle, \
+  data index 8 with points lc rgb '#D55E00' pt 8 ps 1.1 notitle, \
+  data index 9 with lines lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
+  data index 10 with points lc rgb '#009E73' pt 11 ps 1.1 notitle, \
+  data index 11 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
+  data index 12 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
+  data index 13 with lines lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
+  data index 14 with points lc rgb '#D55E00' pt 11 ps 1.1 notitle, \
+  3.914646e-12 with lines lc rgb '#888888' dt 3 lw 1 notitle
 unset output
 }

@@ -1,6 +1,6 @@
 # gnuplot sdof-subharmonic-other-laws.gp makes sdof-subharmonic-other-laws.svg and sdof-subharmonic-other-laws.pdf of sdof-subharmonic-other-laws.dat
 data = 'sdof-subharmonic-other-laws.dat'
-svg = "svg size 643,378 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
+svg = "svg size 643,378 font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
 pdf = "pdfcairo size 17.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
@@ -10,22 +10,29 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x, own law [-]'
-set xrange [7.16e-05:4.76e-01]
-set yrange [2.67e-11:9.73e-02]
+set xrange [8.54e-05:9.52e-02]
+set yrange [3.80e-10:9.71e-02]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
-set key outside right top vertical Left reverse samplen 3 spacing 1.2 noenhanced
-floor = 8.021564e-11  # ten error bars of the least certain orbit
-plot floor with lines lc rgb '#888888' dt 3 lw 1 title 'error bar x 10', \
-  data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
-  data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#0072B2' dt 1 lw 1.6 pt 5 title 'aft-hbm (e = 1)', \
-  data index 2 with lines lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
-  data index 3 with points lc rgb '#0072B2' pt 7 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#0072B2' dt '.' lw 1.6 pt 7 title 'fourier-lipschitz (e = 1)', \
-  data index 4 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
-  data index 5 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
-  keyentry with linespoints lc rgb '#000000' dt '_.' lw 1.6 pt 7 title 'penalty-hbm (e = 1)'
+unset key
+set rmargin at screen 0.500
+set label 'augmented-lagrangian (e = 1)' at graph 1.06,0.6820 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 3.174685e-02,2.059059e-04 to graph 1.05,0.6820 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'augmented-lagrangian[plain=true] (e = 1)' at graph 1.06,0.8910 left font ',9' textcolor rgb '#56B4E9' noenhanced
+set arrow from 5.543129e-03,1.176001e-02 to graph 1.05,0.8910 nohead lc rgb '#56B4E9' lw 0.5 back
+set label '10 error bars' at graph 0.99, first 1.141469e-09 right offset 0,-0.6 font ',7' textcolor rgb '#888888'
+set label '5' at 2.563020e-04,3.235412e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '10' at 4.301310e-04,1.230028e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '20' at 1.460017e-03,4.510674e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 4.441886e-03,1.624469e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 5.486253e-03,5.796864e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 3.174685e-02,2.059059e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 5.543129e-03,1.176001e-02 offset 0.4,0.5 font ',7' textcolor rgb '#56B4E9' noenhanced
+plot data index 0 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
+  data index 1 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
+  data index 2 with lines lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
+  data index 3 with points lc rgb '#56B4E9' pt 15 ps 1.1 notitle, \
+  1.141469e-09 with lines lc rgb '#888888' dt 3 lw 1 notitle
 unset output
 }

@@ -1,7 +1,7 @@
 # gnuplot sdof-zero-gap-waveforms.gp makes sdof-zero-gap-waveforms.svg and sdof-zero-gap-waveforms.pdf of sdof-zero-gap-waveforms.dat
 data = 'sdof-zero-gap-waveforms.dat'
-svg = "svg size 643,680 font 'sans-serif,11' background '#ffffff' dashlength 0.7 rounded"
-pdf = "pdfcairo size 17.0cm,18.0cm font 'sans,9' dashlength 0.7 rounded"
+svg = "svg size 643,718 font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 17.0cm,19.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
 eval 'set terminal '.(format eq 'svg' ? svg : pdf)
@@ -9,49 +9,57 @@ set output 'sdof-zero-gap-waveforms.'.format
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
-set key noenhanced Left reverse samplen 3
-set multiplot layout 4,1 margins 0.11,0.98,0.25,0.98 spacing 0,0.03
+set multiplot layout 4,1 margins 0.11,0.98,0.268,0.98 spacing 0,0.03
 set xrange [0:2.856]
 set format x ''
 unset key
+set arrow 1 from graph 0, first -0.00078148 to graph 1, first -0.00078148 nohead lc rgb '#D55E00' dt (12,6) lw 1.2
+set label 1 'stop' at graph 1, first -0.00078148 right offset 0,-0.6 font ',8' textcolor rgb '#D55E00'
 set ylabel 'x [m]'
-plot data index 0 using 1:2 with lines lc rgb '#bbbbbb' lw 5 notitle, \
-  data index 1 using 1:2 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
-  data index 2 using 1:2 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
-  data index 3 using 1:2 with lines lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
-  data index 4 using 1:2 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
-  data index 5 using 1:2 with lines lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
-  data index 6 using 1:2 with lines lc rgb '#E69F00' dt '-' lw 1.6 notitle, \
-  data index 7 using 1:2 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle
+plot data index 0 using 1:2 with lines lc rgb '#bbbbbb' lw 5, \
+  data index 2 using 1:2 with lines lc rgb '#0072B2' dt 1 lw 1.6, \
+  data index 4 using 1:2 with lines lc rgb '#E69F00' dt '..-' lw 1.6, \
+  data index 6 using 1:2 with lines lc rgb '#000000' dt '-' lw 1.6, \
+  data index 8 using 1:2 with lines lc rgb '#0072B2' dt '.' lw 1.6, \
+  data index 10 using 1:2 with lines lc rgb '#D55E00' dt '_.' lw 1.6, \
+  data index 12 using 1:2 with lines lc rgb '#009E73' dt '..-' lw 1.6, \
+  data index 14 using 1:2 with lines lc rgb '#000000' dt '_.' lw 1.6, \
+  data index 16 using 1:2 with lines lc rgb '#D55E00' dt 1 lw 1.6, \
+  data index 18 with points lc rgb '#D55E00' pt 6 ps 0.9 lw 1.5
+unset arrow
+unset label
 set ylabel 'velocity [m/s]'
-plot data index 0 using 1:3 with lines lc rgb '#bbbbbb' lw 5 notitle, \
-  data index 1 using 1:3 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
-  data index 2 using 1:3 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
-  data index 3 using 1:3 with lines lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
-  data index 4 using 1:3 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
-  data index 5 using 1:3 with lines lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
-  data index 6 using 1:3 with lines lc rgb '#E69F00' dt '-' lw 1.6 notitle, \
-  data index 7 using 1:3 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle
-set ylabel 'force [N]'
-plot data index 0 using 1:4 with lines lc rgb '#bbbbbb' lw 5 notitle, \
-  data index 1 using 1:4 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
-  data index 2 using 1:4 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
-  data index 3 using 1:4 with lines lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
-  data index 4 using 1:4 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
-  data index 5 using 1:4 with lines lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
-  data index 6 using 1:4 with lines lc rgb '#E69F00' dt '-' lw 1.6 notitle, \
-  data index 7 using 1:4 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle
+plot data index 0 using 1:3 with lines lc rgb '#bbbbbb' lw 5, \
+  data index 2 using 1:3 with lines lc rgb '#0072B2' dt 1 lw 1.6, \
+  data index 4 using 1:3 with lines lc rgb '#E69F00' dt '..-' lw 1.6, \
+  data index 6 using 1:3 with lines lc rgb '#000000' dt '-' lw 1.6, \
+  data index 8 using 1:3 with lines lc rgb '#0072B2' dt '.' lw 1.6, \
+  data index 10 using 1:3 with lines lc rgb '#D55E00' dt '_.' lw 1.6, \
+  data index 12 using 1:3 with lines lc rgb '#009E73' dt '..-' lw 1.6, \
+  data index 14 using 1:3 with lines lc rgb '#000000' dt '_.' lw 1.6, \
+  data index 16 using 1:3 with lines lc rgb '#D55E00' dt 1 lw 1.6
+set ylabel 'force of the stop [N]'
+plot data index 0 using 1:4 with lines lc rgb '#bbbbbb' lw 5, \
+  data index 2 using 1:4 with lines lc rgb '#0072B2' dt 1 lw 1.6, \
+  data index 4 using 1:4 with lines lc rgb '#E69F00' dt '..-' lw 1.6, \
+  data index 6 using 1:4 with lines lc rgb '#000000' dt '-' lw 1.6, \
+  data index 8 using 1:4 with lines lc rgb '#0072B2' dt '.' lw 1.6, \
+  data index 10 using 1:4 with lines lc rgb '#D55E00' dt '_.' lw 1.6, \
+  data index 12 using 1:4 with lines lc rgb '#009E73' dt '..-' lw 1.6, \
+  data index 14 using 1:4 with lines lc rgb '#000000' dt '_.' lw 1.6, \
+  data index 16 using 1:4 with lines lc rgb '#D55E00' dt 1 lw 1.6
 set format x '%g'
 set xlabel 't [s]'
 set ylabel 'impulse so far [N s]'
-plot data index 0 using 1:5 with lines lc rgb '#bbbbbb' lw 5 notitle, \
-  data index 1 using 1:5 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
-  data index 2 using 1:5 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
-  data index 3 using 1:5 with lines lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
-  data index 4 using 1:5 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
-  data index 5 using 1:5 with lines lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
-  data index 6 using 1:5 with lines lc rgb '#E69F00' dt '-' lw 1.6 notitle, \
-  data index 7 using 1:5 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle
+plot data index 0 using 1:5 with lines lc rgb '#bbbbbb' lw 5, \
+  data index 2 using 1:5 with lines lc rgb '#0072B2' dt 1 lw 1.6, \
+  data index 4 using 1:5 with lines lc rgb '#E69F00' dt '..-' lw 1.6, \
+  data index 6 using 1:5 with lines lc rgb '#000000' dt '-' lw 1.6, \
+  data index 8 using 1:5 with lines lc rgb '#0072B2' dt '.' lw 1.6, \
+  data index 10 using 1:5 with lines lc rgb '#D55E00' dt '_.' lw 1.6, \
+  data index 12 using 1:5 with lines lc rgb '#009E73' dt '..-' lw 1.6, \
+  data index 14 using 1:5 with lines lc rgb '#000000' dt '_.' lw 1.6, \
+  data index 16 using 1:5 with lines lc rgb '#D55E00' dt 1 lw 1.6
 unset logscale
 unset border
 unset tics
@@ -62,19 +70,21 @@ unset title
 set lmargin at screen 0.02
 set rmargin at screen 0.98
 set bmargin at screen 0.00
-set tmargin at screen 0.18
+set tmargin at screen 0.20
 set xrange [0:1]
 set yrange [0:1]  # what must be plotted beside a key lies outside
-set key center center horizontal maxcols 2 Left reverse samplen 3 font ',9' noenhanced
+set key center center horizontal maxcols 1 Left reverse samplen 2 width -4 font ',8' noenhanced
 plot 2 notitle, \
   keyentry with linespoints lc rgb '#bbbbbb' lw 5 pt -1 title 'certified orbit', \
+  keyentry with points lc rgb '#D55E00' pt 6 ps 0.9 lw 1.5 title 'its impacts', \
   keyentry with linespoints lc rgb '#0072B2' dt 1 lw 1.6 pt -1 title 'aft-hbm[harmonics=5]', \
-  keyentry with linespoints lc rgb '#E69F00' dt '..-' lw 1.6 pt -1 title 'event-driven[flow=cvode,tolerance=1e-4]', \
-  keyentry with linespoints lc rgb '#56B4E9' dt 1 lw 1.6 pt -1 title 'event-driven[flow=modal,tolerance=1e-4]', \
-  keyentry with linespoints lc rgb '#000000' dt '-' lw 1.6 pt -1 title 'exact-orbit[samples=64]', \
-  keyentry with linespoints lc rgb '#0072B2' dt '.' lw 1.6 pt -1 title 'fourier-lipschitz[harmonics=5]', \
-  keyentry with linespoints lc rgb '#E69F00' dt '-' lw 1.6 pt -1 title 'hat-lcp[samples=512]', \
-  keyentry with linespoints lc rgb '#000000' dt '_.' lw 1.6 pt -1 title 'penalty-hbm[harmonics=5]'
+  keyentry with linespoints lc rgb '#E69F00' dt '..-' lw 1.6 pt -1 title 'augmented-lagrangian[harmonics=5]', \
+  keyentry with linespoints lc rgb '#000000' dt '-' lw 1.6 pt -1 title 'event-driven[flow=cvode,tolerance=1e-4]', \
+  keyentry with linespoints lc rgb '#0072B2' dt '.' lw 1.6 pt -1 title 'event-driven[flow=modal,tolerance=1e-4]', \
+  keyentry with linespoints lc rgb '#D55E00' dt '_.' lw 1.6 pt -1 title 'exact-orbit[samples=64]', \
+  keyentry with linespoints lc rgb '#009E73' dt '..-' lw 1.6 pt -1 title 'fourier-lipschitz[harmonics=5]', \
+  keyentry with linespoints lc rgb '#000000' dt '_.' lw 1.6 pt -1 title 'hat-lcp[samples=512]', \
+  keyentry with linespoints lc rgb '#D55E00' dt 1 lw 1.6 pt -1 title 'penalty-hbm[harmonics=5]'
 unset multiplot
 unset output
 }

@@ -1,0 +1,55 @@
+# gnuplot sdof-two-sided-convergence.gp makes sdof-two-sided-convergence.svg and sdof-two-sided-convergence.pdf of sdof-two-sided-convergence.dat
+data = 'sdof-two-sided-convergence.dat'
+svg = "svg size 643,378 font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 17.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded"
+do for [format in 'svg pdf'] {
+reset
+eval 'set terminal '.(format eq 'svg' ? svg : pdf)
+set output 'sdof-two-sided-convergence.'.format
+set logscale xy
+set format '10^{%T}'
+set xlabel 'harmonics, or samples of a period [-]'
+set ylabel 'error of x [-]'
+set xrange [1.67e+00:2.46e+04]
+set yrange [1.13e-04:1.69e-01]
+set grid back lc rgb '#cccccc' lw 0.5
+set border 3
+set tics nomirror
+unset key
+set rmargin at screen 0.724
+set label 'penalty-hbm' at graph 1.06,0.1502 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 1.600000e+02,3.376184e-04 to graph 1.05,0.1502 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'aft-hbm' at graph 1.06,0.2122 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.600000e+02,3.382368e-04 to graph 1.05,0.2122 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'fourier-lipschitz' at graph 1.06,0.2742 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 1.600000e+02,3.382368e-04 to graph 1.05,0.2742 nohead lc rgb '#009E73' lw 0.5 back
+set label 'augmented-lagrangian' at graph 1.06,0.3362 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,3.382368e-04 to graph 1.05,0.3362 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'hat-lcp' at graph 1.06,0.3982 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 8.192000e+03,9.775305e-04 to graph 1.05,0.3982 nohead lc rgb '#000000' lw 0.5 back
+set object polygon from 2.0000e+00,4.5016e-04 to 4.0000e+00,2.2508e-04 to 2.0000e+00,2.2508e-04 to 2.0000e+00,4.5016e-04 fillstyle empty border lc rgb '#666666'
+set label '1' at 4.0000e+00,3.1831e-04 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set object polygon from 2.0000e+00,7.2025e-03 to 4.0000e+00,1.8006e-03 to 2.0000e+00,1.8006e-03 to 2.0000e+00,7.2025e-03 fillstyle empty border lc rgb '#666666'
+set label '2' at 4.0000e+00,3.6013e-03 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set label '5' at 5.000000e+00,4.576414e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '10' at 1.000000e+01,2.146072e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '20' at 2.000000e+01,7.622385e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40' at 4.000000e+01,2.697958e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '80' at 8.000000e+01,9.545538e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 1.600000e+02,3.382368e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '128' at 1.280000e+02,5.644617e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '512' at 5.120000e+02,1.583138e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '2048' at 2.048000e+03,3.632747e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '8192' at 8.192000e+03,9.775305e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
+  data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
+  data index 2 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
+  data index 3 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
+  data index 4 with lines lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
+  data index 5 with points lc rgb '#009E73' pt 11 ps 1.1 notitle, \
+  data index 6 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
+  data index 7 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
+  data index 8 with lines lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
+  data index 9 with points lc rgb '#D55E00' pt 11 ps 1.1 notitle
+unset output
+}
