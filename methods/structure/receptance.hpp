@@ -25,7 +25,7 @@ bool is_mass_beyond(const ContactReceptance& receptance, int contact, int harmon
 /// How contacts answer to fast forces, C_n -> -a / n^2 - i b / n^3, a and b of size Nc x Nc [m/N].
 struct InertialLimit {
   Eigen::MatrixXd a = {};  ///< W^T M^-1 W over the square of the base frequency
-  Eigen::MatrixXd b = {};
+  Eigen::MatrixXd b = {};  ///< W^T M^-1 D M^-1 W over its third power
 };
 
 /// Extrapolated from C_H/2 and C_H, H >= 1: where all modes lie far below H the error falls with its fourth

@@ -5,6 +5,7 @@
 #include <optional>
 #include <variant>
 
+#include "harness/records/freed_at_once.hpp"
 #include "harness/records/record_store.hpp"
 #include "harness/records/run_folder.hpp"
 #include "harness/report/evaluation/outcome.hpp"
@@ -102,6 +103,7 @@ std::size_t Evaluation::place_of(const std::string& configuration) const {
 }
 
 Evaluation evaluation_of_run(const std::filesystem::path& folder, const Limits& limits) {
+  const FreedAtOnce freed;
   CaseResults results;
   std::vector<LinePlace> places;
   {
