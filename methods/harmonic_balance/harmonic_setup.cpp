@@ -23,6 +23,15 @@ bool any_has_mass(const ContactReceptance& response, int harmonic) {
   return false;
 }
 
+/// C_n, n = 0..L; nothing where an undamped mode answers to one of these harmonics.
+std::optional<ContactReceptance> receptance_of_damped(const Problem& problem, int harmonics) {
+  try {
+    return fourier_receptance(problem, harmonics);
+  } catch (const SingularStiffness&) {
+    return std::nullopt;
+  }
+}
+
 /// Whether a response shows the mass of each contact that answers like one: the impulse of an impact errs by
 /// as much as that. Modes beyond its last harmonic are missing.
 bool shows_masses(const ContactReceptance& response, const Eigen::MatrixXd& inertance, int harmonic) {
@@ -42,9 +51,9 @@ ContactReceptance with_modes_of_impacts(const Problem& problem, ContactReceptanc
   const double base = problem.base_frequency();
   const Eigen::MatrixXd inertance = delassus_matrix(problem) / (base * base);
   while (2 * response.harmonics() <= kMostClosedResponse && !shows_masses(response, inertance, harmonic)) {
-    ContactReceptance longer = fourier_receptance(problem, 2 * response.harmonics());
-    if (!any_has_mass(longer, harmonic)) break;
-    response = std::move(longer);
+    std::optional<ContactReceptance> longer = receptance_of_damped(problem, 2 * response.harmonics());
+    if (!longer || !any_has_mass(*longer, harmonic)) break;
+    response = *std::move(longer);
   }
   return response;
 }
@@ -54,13 +63,10 @@ std::optional<ContactReceptance> response_to_impacts(const Problem& problem, con
   const int harmonics = kept.harmonics();
   // A look at the harmonics at hand spares most structures with higher modes the search for more.
   if (!any_has_mass(kept, harmonics - std::max(1, harmonics / 8))) return std::nullopt;
-  try {
-    ContactReceptance extended = fourier_receptance(problem, std::max(2 * harmonics, kClosedResponse));
-    if (!any_has_mass(extended, harmonics)) return std::nullopt;
-    return with_modes_of_impacts(problem, std::move(extended), harmonics);
-  } catch (const SingularStiffness&) {
-    return std::nullopt;  // an undamped mode answers to a harmonic beyond H
-  }
+  std::optional<ContactReceptance> extended =
+      receptance_of_damped(problem, std::max(2 * harmonics, kClosedResponse));
+  if (!extended || !any_has_mass(*extended, harmonics)) return std::nullopt;
+  return with_modes_of_impacts(problem, *std::move(extended), harmonics);
 }
 
 /// The scene on hat functions with this restitution. Empty where it has too many contacts for as many nodes.

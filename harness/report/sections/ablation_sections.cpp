@@ -33,8 +33,8 @@ that of the row, the median over the scenes where both are certified by one orbi
 struct Form {
   OutcomeCounts counts = {};
   std::vector<double> errors = {}, seconds = {};  ///< of certified runs
-  std::map<std::string_view, const CaseResult*> with_an_error =
-      {};  ///< those of them with an error, by scene
+  /// Certified runs with an error, by scene.
+  std::map<std::string_view, const CaseResult*> by_scene = {};
 };
 
 /// Where a form stands in its table: plain ones first, with more and more additions, then ours, with fewer
@@ -62,7 +62,7 @@ void add(const CaseResult& result, Form& form) {
   form.counts.add(result.outcome);
   if (const Measure error = certified_error(result)) {
     form.errors.push_back(*error);
-    form.with_an_error[result.scene->name] = &result;
+    form.by_scene[result.scene->name] = &result;
   }
   if (claim_of(result.outcome) == Claim::certified && result.seconds) form.seconds.push_back(*result.seconds);
 }
@@ -70,9 +70,9 @@ void add(const CaseResult& result, Form& form) {
 /// Errors of `ours` over those of another form, where both are certified by one orbit.
 std::vector<double> error_ratios(const Form& ours, const Form& other) {
   std::vector<double> ratios;
-  for (const auto& [scene, a] : ours.with_an_error) {
-    const auto b = other.with_an_error.find(scene);
-    if (b == other.with_an_error.end() || a->orbit == nullptr || a->orbit != b->second->orbit) continue;
+  for (const auto& [scene, a] : ours.by_scene) {
+    const auto b = other.by_scene.find(scene);
+    if (b == other.by_scene.end() || a->orbit == nullptr || a->orbit != b->second->orbit) continue;
     const double ratio = *certified_error(*a) / *certified_error(*b->second);
     if (std::isfinite(ratio)) ratios.push_back(ratio);
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,11 @@
 namespace signorini {
 
 namespace {
+
+constexpr std::string_view kText = R"(The methods of a row solve the same equations where their options are
+equal: their rows are one result, not two that confirm each other. Where impacts are closed the way to it is one
+and the same, too, and which of them is faster says nothing. Differences are relative, of the errors of x, over
+the cases that both solve on the same orbit.)";
 
 /// Whether every option that both runs have has the same value.
 bool have_equal_options(const CaseChoice& a, const CaseChoice& b) {
@@ -64,13 +70,7 @@ Sections identity_sections(const Evaluation& evaluation) {
     }
   }
   Section section{.id = "equal-equations", .title = "Equal equations"};
-  section.text =
-      "The methods of a row solve the same equations where their options are equal: their rows are one "
-      "result, "
-      "not two that confirm each other. Where impacts are closed the way to it is one and the same, too, and "
-      "which of them is faster says nothing. Differences are relative, of the errors of x, over the cases "
-      "that "
-      "both solve on the same orbit.";
+  section.text = kText;
   section.table.header = {"method",
                           "same equations as",
                           "cases",
