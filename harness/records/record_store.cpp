@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "harness/failure.hpp"
-#include "harness/records/freed_at_once.hpp"
+#include "harness/isolation/freed_at_once.hpp"
 #include "harness/records/record_check.hpp"
 #include "harness/records/record_json.hpp"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <variant>
 
-#include "harness/records/freed_at_once.hpp"
+#include "harness/isolation/freed_at_once.hpp"
 #include "harness/records/record_store.hpp"
 #include "harness/records/run_folder.hpp"
 #include "harness/report/evaluation/outcome.hpp"

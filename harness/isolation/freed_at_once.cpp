@@ -1,4 +1,4 @@
-#include "harness/records/freed_at_once.hpp"
+#include "harness/isolation/freed_at_once.hpp"
 
 #include <dlfcn.h>
 #include <mimalloc.h>
