@@ -63,9 +63,11 @@ class PreparedExactOrbit final : public PreparedMethod {
   void search(const Start& start) {
     const Start cold{.guess = {}, .deadline = start.deadline};
     if (start.guess && polish(*start.guess, "the guess", search_options(start))) return;
-    if (attempt({grid_name(options_.samples, 0), [&] { return coarse_->solve(cold); }}, start)) return;
+    SearchOptions first = search_options(start);
+    first.followed = std::min(32, options_.marching);  // less than a shooting takes, and enough most often
+    if (attempt({grid_name(options_.samples, 0), [&] { return coarse_->solve(cold); }}, first)) return;
     for (const Attempt& next : further_attempts(cold)) {
-      if (attempt(next, start)) return;
+      if (attempt(next, search_options(start))) return;
     }
     if (!progress_.first) return;
     SearchOptions last = search_options(start);
@@ -96,7 +98,7 @@ class PreparedExactOrbit final : public PreparedMethod {
   }
 
   // True if the search has come to its end: an orbit is found, or the time is up.
-  bool attempt(const Attempt& next, const Start& start) {
+  bool attempt(const Attempt& next, const SearchOptions& options) {
     const Solution motion = next.motion();
     progress_.work.pivots = progress_.work.pivots.value_or(0) + motion.work.pivots.value_or(0);
     if (!motion.trajectory) {
@@ -104,7 +106,7 @@ class PreparedExactOrbit final : public PreparedMethod {
       return false;
     }
     if (!progress_.first) progress_.first = motion.trajectory;
-    return polish(*motion.trajectory, next.name, search_options(start));
+    return polish(*motion.trajectory, next.name, options);
   }
 
   bool polish(const Trajectory& motion, const std::string& name, const SearchOptions& options) {

@@ -9,9 +9,10 @@ namespace signorini {
 
 /// (1) Solves the scene coarsely on N nodes by pivoting: hat functions with the scene's own restitution,
 /// spring or massless contact (`hat_contact`). (2) Reads the sequence of impacts and contacts off the answer
-/// and polishes it to an exact orbit (`OrbitFinder`). Where that fails it shoots on the closed-form flow from
-/// there, takes other covering vectors and finer grids, where the law is conservative the projected Fourier
-/// equations too, and at the end shooting and marching. Represents the scene's own law always.
+/// and polishes it to an exact orbit (`OrbitFinder`). Where that fails it marches some periods on the
+/// closed-form flow from there and shoots, takes other covering vectors and finer grids, where the law is
+/// conservative the projected Fourier equations too, and at the end shooting and marching. Represents the
+/// scene's own law always.
 ///
 /// Guarantee: a converged answer solves the equations of motion, the impact law and the periodicity to
 /// `tolerance` (or to the round-off stated), does not penetrate, and pulls nowhere (1e-11 of the scales); its
@@ -39,7 +40,7 @@ class ExactOrbitMethod final : public Method {
     int restarts = 4;          ///< other covering vectors tried on each grid but the last [-]
     double tolerance = 1e-12;  ///< on the residual of the orbit's equations [-]
     int max_iterations = 40;   ///< Newton steps of one polish [-]
-    int marching = 200;        ///< periods marched when all else has failed [-]
+    int marching = 200;        ///< periods marched, the first 32 before finer grids [-]
 
     void visit(auto&& field) {
       field("samples", samples, "[-]", "nodes N per period of the coarse solve, 8..100000");
@@ -47,7 +48,8 @@ class ExactOrbitMethod final : public Method {
       field("restarts", restarts, "[-]", "other covering vectors tried on each grid, 0..16");
       field("tolerance", tolerance, "[-]", "residual of the orbit's equations accepted, in [1e-14, 1e-6]");
       field("max_iterations", max_iterations, "[-]", "limit on the Newton steps of one polish, >= 1");
-      field("marching", marching, "[-]", "periods marched when all else has failed; 0: none");
+      field("marching", marching, "[-]",
+            "periods marched where a coarse motion leads to no orbit, 32 before finer grids; 0: none");
     }
   };
 

@@ -13,8 +13,9 @@ Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& A) {
   return A.exp();
 }
 
-ExponentialFlow::ExponentialFlow(ModeEquations equations, const EnergyForm& energy)
-    : LinearFlow(std::move(equations)) {
+ExponentialFlow::ExponentialFlow(ModeEquations equations) : LinearFlow(std::move(equations)) {
+  const MassForm mass = equations_.mass_form();
+  const EnergyForm energy(mass, equations_.structure().frequency);
   const Eigen::MatrixXd& Q = equations_.form.basis;
   const RelaxingForm& relaxing = equations_.form.relaxing;
   const Eigen::Index n = equations_.free(), harmonics = equations_.harmonics();
@@ -22,13 +23,13 @@ ExponentialFlow::ExponentialFlow(ModeEquations equations, const EnergyForm& ener
   generator_ = Eigen::MatrixXd::Zero(y + 2 * harmonics, y + 2 * harmonics);
   generator_.topLeftCorner(2 * n, 2 * n) = energy.B.cast<double>();
   position_of_y_ = Eigen::MatrixXd::Zero(positions(), y);
-  position_of_y_.topLeftCorner(size(), n) = Q * ExtendedMatrix(energy.q_of_z * energy.z_of_e).cast<double>();
+  position_of_y_.topLeftCorner(size(), n) = Q * ExtendedMatrix(mass.q_of_z * energy.z_of_e).cast<double>();
   velocity_of_y_ = Eigen::MatrixXd::Zero(size(), y);
-  velocity_of_y_.middleCols(n, n) = Q * energy.q_of_z.cast<double>();
+  velocity_of_y_.middleCols(n, n) = Q * mass.q_of_z.cast<double>();
   y_of_state_ = Eigen::MatrixXd::Zero(y, states());
   y_of_state_.topLeftCorner(n, size()) =
-      ExtendedMatrix(energy.E.transpose() * energy.L.transpose()).cast<double>() * Q.transpose();
-  y_of_state_.block(n, positions(), n, size()) = energy.L.transpose().cast<double>() * Q.transpose();
+      ExtendedMatrix(energy.E.transpose() * mass.L.transpose()).cast<double>() * Q.transpose();
+  y_of_state_.block(n, positions(), n, size()) = mass.L.transpose().cast<double>() * Q.transpose();
   offset_ = Eigen::VectorXd::Zero(positions());
   offset_.head(size()) = equations_.form.offset;
   if (positions() > size()) relax();
@@ -39,7 +40,7 @@ ExponentialFlow::ExponentialFlow(ModeEquations equations, const EnergyForm& ener
     // Re f e^{i angle} = Re f cos - Im f sin, with the cosine in column c and the sine in column c + 1.
     const Eigen::Index c = y + 2 * h;
     const double rate = equations_.rates()[static_cast<std::size_t>(h)];
-    const Eigen::VectorXcd load = energy.q_of_z.transpose().cast<double>() * equations_.reduced_load(h);
+    const Eigen::VectorXcd load = mass.q_of_z.transpose().cast<double>() * equations_.reduced_load(h);
     generator_.block(n, c, n, 1) = load.real();
     generator_.block(n, c + 1, n, 1) = -load.imag();
     generator_(c, c + 1) = -rate;

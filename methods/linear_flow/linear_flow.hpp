@@ -194,15 +194,19 @@ struct ComplexModes {
   [[nodiscard]] Eigen::VectorXcd forced(const Eigen::VectorXcd& load, double rate) const;
 };
 
-/// The modes, found in the coordinates of the energy, with long double for up to 12 coordinates. None where
-/// they are ill-conditioned (critical damping, a rigid-body motion: three digits would cancel between them,
-/// four of more than 12 coordinates) or M or K is not definite.
-std::optional<ComplexModes> complex_modes(const EnergyForm& form);
+/// The modes. Where damping couples no undamped modes, each of these is an oscillator by itself, in closed
+/// form: K~ phi_k = l_k phi_k, mu^2 + d_k mu + l_k = 0, d_k = phi_k^T D~ phi_k. So they are taken where the
+/// coupling is within the rounding of D (in norm, 2 epsilon times the largest d_k) and K~ is symmetric and
+/// definite, its l_k within a factor of 9e3 / Nr. All others are found in the coordinates of the energy
+/// (EnergyForm with `rate`), with long double for up to 12 coordinates. None where they are ill-conditioned
+/// (critical damping, a rigid-body motion: three digits would cancel between them, four of more than 12
+/// coordinates) or M or K~ + rate^2 is not definite.
+std::optional<ComplexModes> complex_modes(const MassForm& form, double rate);
 
 /// The complex modes of a contact mode in all its coordinates, and of what relaxes alone (RelaxingForm), each
 /// with the rate -1 / beta: what no load enters.
 struct ModalBasis {
-  /// \param modes  complex_modes(equations.energy()); without entries where nothing moves
+  /// \param modes  complex_modes(equations.mass_form(), ...); without entries where nothing moves
   ModalBasis(const ModeEquations& equations, ComplexModes modes);
 
   ComplexModes reduced;          ///< in the coordinates that are free, those that relax alone left out
@@ -260,8 +264,7 @@ Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& A);
 /// damping included; each evaluation forms an exponential.
 class ExponentialFlow final : public LinearFlow {
  public:
-  /// \param energy  equations.energy()
-  ExponentialFlow(ModeEquations equations, const EnergyForm& energy);
+  explicit ExponentialFlow(ModeEquations equations);
 
   [[nodiscard]] std::unique_ptr<LinearArc> arc() const override;
   [[nodiscard]] Eigen::MatrixXd transition(double duration) const override;

@@ -71,8 +71,7 @@ std::unique_ptr<const LinearFlow> linear_flow(const ContactDynamics& dynamics, C
     if (basis && !resonates(equations, basis->reduced))
       return std::make_unique<ModalFlow>(std::move(equations), std::move(basis));
   }
-  const EnergyForm energy = equations.energy();
-  return std::make_unique<ExponentialFlow>(std::move(equations), energy);
+  return std::make_unique<ExponentialFlow>(std::move(equations));
 }
 
 const LinearFlow& LinearFlows::of(const std::vector<bool>& closed) {

@@ -51,7 +51,8 @@ ModalBasis::ModalBasis(const ModeEquations& equations, ComplexModes modes) : red
 
 std::shared_ptr<const ModalBasis> modal_basis(const ModeEquations& equations) {
   std::optional<ComplexModes> modes =
-      equations.free() == 0 ? ComplexModes{} : complex_modes(equations.energy());
+      equations.free() == 0 ? ComplexModes{}
+                            : complex_modes(equations.mass_form(), equations.structure().frequency);
   if (!modes) return nullptr;
   return std::make_shared<const ModalBasis>(equations, *std::move(modes));
 }

@@ -7,18 +7,24 @@
 
 namespace signorini {
 
-EnergyForm::EnergyForm(const ExtendedMatrix& M, const ExtendedMatrix& D, const ExtendedMatrix& K,
-                       double rate) {
-  const Eigen::Index n = M.rows();
-  const long double s = rate;
-  const ExtendedMatrix identity = ExtendedMatrix::Identity(n, n);
+MassForm::MassForm(const ExtendedMatrix& M, const ExtendedMatrix& D, const ExtendedMatrix& K) {
   const Eigen::LLT<ExtendedMatrix> mass(M);
+  definite = mass.info() == Eigen::Success;
   L = mass.matrixL();
+  q_of_z = mass.matrixU().solve(ExtendedMatrix::Identity(M.rows(), M.rows()));
   const auto transformed = [&](const ExtendedMatrix& A) {
     const ExtendedMatrix half = mass.matrixL().solve(A);
     return ExtendedMatrix(mass.matrixL().solve(ExtendedMatrix(half.transpose())).transpose());
   };
-  const ExtendedMatrix stiffness = transformed(K);
+  damping = transformed(D);
+  stiffness = transformed(K);
+}
+
+EnergyForm::EnergyForm(const MassForm& mass, double rate) {
+  const Eigen::Index n = mass.size();
+  const long double s = rate;
+  const ExtendedMatrix identity = ExtendedMatrix::Identity(n, n);
+  const ExtendedMatrix& stiffness = mass.stiffness;
   // The shift s^2 keeps E regular where K is not, at a rigid-body motion, and costs nothing elsewhere: s is a
   // rate of motions that matter, so that e and z' stay of one size in them.
   constexpr long double kRounding = 1e-12L;  // of a symmetric K on the way here
@@ -27,16 +33,15 @@ EnergyForm::EnergyForm(const ExtendedMatrix& M, const ExtendedMatrix& D, const E
   ExtendedMatrix elastic = stiffness + s * s * identity;
   if (circulates) elastic -= skew;
   const Eigen::LLT<ExtendedMatrix> energy(elastic);
-  definite = mass.info() == Eigen::Success && energy.info() == Eigen::Success;
+  definite = mass.definite && energy.info() == Eigen::Success;
   E = definite ? ExtendedMatrix(energy.matrixL()) : ExtendedMatrix(s * identity);
   z_of_e = E.transpose().triangularView<Eigen::Upper>().solve(identity);
-  q_of_z = mass.matrixU().solve(identity);
   B = ExtendedMatrix::Zero(2 * n, 2 * n);
   B.topRightCorner(n, n) = E.transpose();
   B.bottomLeftCorner(n, n) =
       definite ? ExtendedMatrix(s * s * z_of_e - E) : ExtendedMatrix(-stiffness * z_of_e);
   if (definite && circulates) B.bottomLeftCorner(n, n) -= skew * z_of_e;
-  B.bottomRightCorner(n, n) = -transformed(D);
+  B.bottomRightCorner(n, n) = -mass.damping;
 }
 
 ModeEquations::ModeEquations(const ContactDynamics& of, ContactMode contacts)
@@ -69,14 +74,14 @@ Eigen::VectorXcd ModeEquations::reduced_load(Eigen::Index h) const {
   return form.basis.transpose() * load;
 }
 
-EnergyForm ModeEquations::energy() const {
+MassForm ModeEquations::mass_form() const {
   const ExtendedMatrix Q = form.basis.cast<long double>();
   const auto reduced = [&](const Eigen::MatrixXd& A) -> ExtendedMatrix {
     if (Q.cols() == size()) return A.cast<long double>();  // nothing is held: Q is the identity
     return Q.transpose() * (A.cast<long double>() * Q);
   };
   const FlowStructure& s = structure();
-  return EnergyForm(reduced(s.mass), reduced(form.damping), reduced(form.stiffness), s.frequency);
+  return {reduced(s.mass), reduced(form.damping), reduced(form.stiffness)};
 }
 
 Eigen::Index ModeEquations::force_row(int contact) const {

@@ -13,25 +13,35 @@ namespace signorini {
 /// of a stiff structure by 1e-16 of that of the highest.
 using ExtendedMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// The free motion of M q'' + D q' + K q = 0 (Nr coordinates, M definite) in the coordinates of its energy,
+/// The free motion of M q'' + D q' + K q = 0 (Nr coordinates) with unit masses,
 ///
-///     (e, z')' = B (e, z'),   e = E^T z,   z = L^T q,   M = L L^T,
-///     B = [0, E^T; -K~ E^-T, -D~],   (K~, D~) = L^-1 (K, D) L^-T.
+///     z'' + D~ z' + K~ z = 0,   z = L^T q,   M = L L^T,   (K~, D~) = L^-1 (K, D) L^-T.
+struct MassForm {
+  MassForm(const ExtendedMatrix& M, const ExtendedMatrix& D, const ExtendedMatrix& K);
+
+  [[nodiscard]] Eigen::Index size() const { return L.rows(); }  ///< Nr
+
+  bool definite = false;     ///< M is
+  ExtendedMatrix L;          ///< Nr x Nr, lower triangular
+  ExtendedMatrix q_of_z;     ///< L^-T
+  ExtendedMatrix damping;    ///< D~, Nr x Nr
+  ExtendedMatrix stiffness;  ///< K~, Nr x Nr
+};
+
+/// The same in the coordinates of the energy,
+///
+///     (e, z')' = B (e, z'),   e = E^T z,   B = [0, E^T; -K~ E^-T, -D~].
 ///
 /// With E E^T = K~ + s^2 the lower left block is s^2 E^-T - E: B is nearly skew, no motion grows on its way
 /// however stiff the structure, and rounding of B changes frequencies, not their squares, by that of the
 /// largest. Of K~ the symmetric part. Where M or K~ + s^2 is not definite, `definite` is false and E = s.
 struct EnergyForm {
   /// \param rate  s, of a motion that matters [rad/s], > 0
-  EnergyForm(const ExtendedMatrix& M, const ExtendedMatrix& D, const ExtendedMatrix& K, double rate);
-
-  [[nodiscard]] Eigen::Index size() const { return L.rows(); }  ///< Nr
+  EnergyForm(const MassForm& mass, double rate);
 
   bool definite = false;  ///< M and K~ + s^2 are
-  ExtendedMatrix L;       ///< Nr x Nr, lower triangular
   ExtendedMatrix E;       ///< Nr x Nr, lower triangular
   ExtendedMatrix z_of_e;  ///< E^-T
-  ExtendedMatrix q_of_z;  ///< L^-T
   ExtendedMatrix B;       ///< 2 Nr x 2 Nr
 };
 
@@ -57,7 +67,7 @@ struct ModeEquations {
   /// Q^T (f_h - K u_g), Nr [N].
   [[nodiscard]] Eigen::VectorXcd reduced_load(Eigen::Index h) const;
   /// Structure and springs of the mode, in extended precision.
-  [[nodiscard]] EnergyForm energy() const;
+  [[nodiscard]] MassForm mass_form() const;
   /// Row of lambda_j among the outputs; -1 where contact j is open.
   [[nodiscard]] Eigen::Index force_row(int contact) const;
 

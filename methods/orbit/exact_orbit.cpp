@@ -1,6 +1,7 @@
 #include "methods/orbit/exact_orbit.hpp"
 
 #include <exception>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -15,9 +16,13 @@ class OrbitFinder::Search {
 
   OrbitSearch run(const OrbitGuess& guess) {
     if (attempt(guess) || rounds(guess.start)) return std::move(result_);
-    for (const auto follow : {&Search::shoot, &Search::march}) {
+    FlowState marched = guess.start;
+    const std::function<bool()> further[] = {[&] { return march(marched, options_.followed); },
+                                             [&] { return shoot(guess.start); },
+                                             [&] { return march(marched, options_.marched); }};
+    for (const auto& follow : further) {
       try {
-        if ((this->*follow)(guess.start)) break;
+        if (follow()) break;
       } catch (const std::exception&) {  // FlowError: the time is up, or there is nothing to follow
       }
     }
@@ -91,16 +96,19 @@ class OrbitFinder::Search {
     return rounds(orbit.start);
   }
 
-  // Sequences met on the way to an attractor.
-  bool march(const FlowState& from) {
+  // Sequences met on the way to an attractor; `from` is left where the last burst ended.
+  bool march(FlowState& from, int periods) {
     constexpr int kBurst = 8;  // periods between two attempts
+    if (periods == 0) return false;
     EventFlow flow(model_->dynamics, 1e-11, options_.expired, Integrator::modal);
-    FlowState state = flow.place(from.time, from.state);
-    for (int marched = 0; marched < options_.marched; marched += kBurst) {
+    const double section = from.time;
+    FlowState state = flow.place(section, from.state);
+    for (int marched = 0; marched < periods; marched += kBurst) {
       FlowRecord record;
       flow.advance(state, kBurst * model_->period, record);
-      state.time = from.time;
-      const auto sequence = simulated_sequence(*model_, state, options_.expired);
+      state.time = section;
+      from = state;
+      const auto sequence = simulated_sequence(*model_, from, options_.expired);
       if (sequence && attempt(*sequence)) return true;
     }
     return false;

@@ -117,8 +117,9 @@ struct OrbitSearch {
 struct SearchOptions {
   PolishOptions polish = {};  ///< of each attempt
   int rounds = 4;             ///< simulations from what the polish left
-  int shootings = 25;         ///< Newton steps of the shooting at the end; 0: none
-  int marched = 0;            ///< forcing periods marched at the very end, for stable orbits; 0: none
+  int followed = 0;           ///< periods marched next, for stable orbits; 0: none
+  int shootings = 25;         ///< Newton steps of the shooting that follows; 0: none
+  int marched = 0;            ///< periods marched on at the very end; 0: none
   std::function<bool()> expired = [] { return false; };  ///< true ends the search
 };
 
@@ -133,8 +134,9 @@ class OrbitFinder {
 
   /// Candidates in order, until one polishes to an admissible orbit: the sequence read off the contact force
   /// (`orbit_guess`); the one met in one period's flow from its state (`simulated_sequence`); those from the
-  /// states that inadmissible solutions left, for several rounds; those along Newton's method on the
-  /// stroboscopic map (`find_fixed_point`, whose sequence may change at each step); those met while marching.
+  /// states that inadmissible solutions left, for several rounds; those met while marching (`followed`);
+  /// those along Newton's method on the stroboscopic map (`find_fixed_point`, whose sequence may change at
+  /// each step); those met while marching on.
   OrbitSearch find(const Trajectory& trajectory, const SearchOptions& options = {});
   /// The same from a sequence.
   OrbitSearch find(const OrbitGuess& guess, const SearchOptions& options = {});

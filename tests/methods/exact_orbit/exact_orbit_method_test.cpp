@@ -93,6 +93,18 @@ TEST(ExactOrbitMethod, ClaimsNothingButTheClosedFormAtAnUndampedResonance) {
   }
 }
 
+// The grid's path of pivots ends on a ray, and the free motion that is left passes the stop: shooting from
+// there failed on six grids, some 270 Newton steps.
+TEST(ExactOrbitMethod, MarchesOnWhereTheGridHasNoAnswer) {
+  const test::ImpactOscillator oscillator{.damping = 0.003, .frequency = 1.6, .gap = 0.5};
+  const Solution solution = test::solve<ExactOrbitMethod>(test::to_problem(oscillator), {});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  EXPECT_NE(solution.message.find("from N = 64 by "), std::string::npos) << solution.message;
+  EXPECT_LE(*solution.work.iterations, 60);
+  const auto exact = test::single_impact_orbits(oscillator).front();
+  EXPECT_LT(test::relative_error(*solution.trajectory, [&](double t) { return exact.x(t); }), 1e-10);
+}
+
 TEST(ExactOrbitMethod, SaysWhatStoppedEachAttempt) {
   // Undamped and resonant: every coarse answer is round-off of a singular structure, further off than one
   // step of Newton.

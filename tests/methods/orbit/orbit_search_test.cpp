@@ -123,6 +123,23 @@ TEST(ExactOrbitSearch, EveryMethodsAnswerLeadsToTheSameOrbit) {
   EXPECT_LE(again.iterations, 2);
 }
 
+TEST(ExactOrbitSearch, MarchingMeetsAStableOrbitFromRest) {
+  const test::ImpactOscillator oscillator{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 0.7};
+  const auto exact = test::single_impact_orbits(oscillator).front();
+  for (const bool at_last : {false, true}) {
+    OrbitFinder finder(test::to_problem(oscillator));
+    const OrbitGuess rest{
+        .start = {.time = 0.0, .state = finder.model()->dynamics.at_rest(), .closed = {false}},
+        .origin = "rest"};
+    SearchOptions options{.rounds = 0, .shootings = 0};
+    EXPECT_FALSE(finder.find(rest, options).orbit.certified());
+    (at_last ? options.marched : options.followed) = 32;
+    const OrbitSearch found = finder.find(rest, options);
+    ASSERT_EQ(found.orbit.outcome, OrbitOutcome::converged) << found.orbit.reason;
+    EXPECT_LT(test::relative_error(*found.orbit.trajectory, [&](double t) { return exact.x(t); }), 1e-11);
+  }
+}
+
 TEST(ExactOrbitSearch, MasslessContactsAreTheSpringStopsTheyCondenseTo) {
   // A massless node on a spring k_e before the stop: bilinear with penalty k_e.
   Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2});
