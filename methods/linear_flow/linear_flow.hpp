@@ -264,6 +264,7 @@ Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& A);
 /// damping included; each evaluation forms an exponential.
 class ExponentialFlow final : public LinearFlow {
  public:
+  /// Of one contact mode.
   explicit ExponentialFlow(ModeEquations equations);
 
   [[nodiscard]] std::unique_ptr<LinearArc> arc() const override;

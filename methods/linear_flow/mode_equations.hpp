@@ -17,6 +17,7 @@ using ExtendedMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic
 ///
 ///     z'' + D~ z' + K~ z = 0,   z = L^T q,   M = L L^T,   (K~, D~) = L^-1 (K, D) L^-T.
 struct MassForm {
+  /// \param M,D,K  Nr x Nr, M symmetric
   MassForm(const ExtendedMatrix& M, const ExtendedMatrix& D, const ExtendedMatrix& K);
 
   [[nodiscard]] Eigen::Index size() const { return L.rows(); }  ///< Nr
