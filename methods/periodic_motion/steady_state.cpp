@@ -192,7 +192,9 @@ class March {
       if (!orbit.converged || !(orbit.largest_multiplier() < 1.0) || !contracts_to(orbit)) continue;
       const auto smallest = order_when_marched_on(map_, orbit, options_.accepted());
       if (!smallest) continue;
-      orbit.order = *smallest;
+      // The matrix of more periods than the motion's own is a power of its monodromy matrix.
+      if (*smallest < order) orbit = find_fixed_point(map_, orbit.start, *smallest, newton, expired_);
+      if (!orbit.converged) continue;
       orbit.iterations = map_.periods();
       orbit.message =
           fmt::format("{}, largest multiplier {:.6g}", success(*smallest), orbit.largest_multiplier());

@@ -34,9 +34,9 @@ int count_type(const std::vector<ExpectedEvent>& events, int type) {
   return count;
 }
 
-// From rest this one is chaotic for some two thousand periods and ends on one of three stable motions, by
-// chance: it begins at the motion expected, whose block of samples ends where it began, at a maximum of the
-// load.
+// From rest this one is chaotic for some two thousand periods and ends, by chance, on the impacting motion or
+// on the one that is free of contact, both stable: what is polished begins at the motion expected, whose
+// block of samples ends where it began, at a maximum of the load.
 std::shared_ptr<const Trajectory> start_of(const SteadyStateCase& expected) {
   if (expected.name != "chainB_w2_e0.9") return nullptr;
   const std::vector<double>& end = expected.samples.back();
@@ -53,7 +53,7 @@ std::shared_ptr<const Trajectory> start_of(const SteadyStateCase& expected) {
 TEST_P(SteadyState, AgreesWithTheIndependentCode) {
   const SteadyStateCase& expected = GetParam();
   const bool bar = expected.name.starts_with("bar");
-  const Solution solution = solve(expected.problem, {.tolerance = 1e-9}, start_of(expected));
+  const Solution solution = solve(expected.problem, {.tolerance = 1e-9});
   ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
   const double forcing_period = expected.problem.period();
   EXPECT_NEAR(solution.trajectory->period() / forcing_period, expected.order, 1e-12);

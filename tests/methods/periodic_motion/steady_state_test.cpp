@@ -2,7 +2,9 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <cstring>
 #include <numbers>
+#include <string>
 
 #include "methods/periodic_motion/periodic_motion.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
@@ -100,6 +102,22 @@ TEST(Marching, FindsOrderFourAndSixBetweenTwoSidedStops) {
     const Solution solution = solve(problem, {.tolerance = 1e-9});
     ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
     EXPECT_NEAR(solution.trajectory->period() * problem.frequency / (2.0 * std::numbers::pi), order, 1e-9);
+  }
+}
+
+// The free motion turns by a third in each period of the load, so that the motion from rest first repeats
+// nearly after three; the periodic one is of order one, and its multiplier that of one period.
+TEST(Marching, GivesTheMultiplierOfTheMotionsOwnOrder) {
+  const ImpactOscillator o{.damping = 0.1, .frequency = 3.0, .gap = 50.0, .restitution = 0.9};
+  for (const Integrator flow : {Integrator::modal, Integrator::cvode}) {
+    const Solution solution = solve(to_problem(o), {.tolerance = 1e-9, .flow = flow});
+    ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+    const double period = 2.0 * std::numbers::pi / o.frequency;
+    EXPECT_NEAR(solution.trajectory->period(), period, 1e-12);
+    const std::size_t place = solution.message.find("largest multiplier ");
+    ASSERT_NE(place, std::string::npos) << solution.message;
+    const double multiplier = std::stod(solution.message.substr(place + std::strlen("largest multiplier ")));
+    EXPECT_NEAR(multiplier, std::exp(-0.5 * o.damping * period), 1e-5) << solution.message;
   }
 }
 
