@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [1.67e-05:8.06e-01]
+set xrange [1.65e-05:8.19e-01]
 set yrange [3.10e-12:1.91e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
@@ -18,80 +18,80 @@ set tics nomirror
 unset key
 set rmargin at screen 0.500
 set label 'event-driven[flow=modal]' at graph 1.06,-0.1160 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 3.443419e-03,9.286077e-12 to graph 1.05,-0.1160 nohead lc rgb '#0072B2' lw 0.5 back
+set arrow from 3.476463e-03,9.286077e-12 to graph 1.05,-0.1160 nohead lc rgb '#0072B2' lw 0.5 back
 set label 'event-driven[flow=cvode]' at graph 1.06,-0.0540 left font ',9' textcolor rgb '#000000' noenhanced
-set arrow from 1.371310e-01,9.286077e-12 to graph 1.05,-0.0540 nohead lc rgb '#000000' lw 0.5 back
+set arrow from 1.485662e-01,9.286077e-12 to graph 1.05,-0.0540 nohead lc rgb '#000000' lw 0.5 back
 set label 'exact-orbit' at graph 1.06,0.0080 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 2.932347e-03,9.286077e-12 to graph 1.05,0.0080 nohead lc rgb '#D55E00' lw 0.5 back
+set arrow from 2.978536e-03,9.286077e-12 to graph 1.05,0.0080 nohead lc rgb '#D55E00' lw 0.5 back
 set label 'hat-lcp' at graph 1.06,0.0700 left font ',9' textcolor rgb '#000000' noenhanced
-set arrow from 3.483367e-02,3.570017e-06 to graph 1.05,0.0700 nohead lc rgb '#000000' lw 0.5 back
+set arrow from 3.578995e-02,3.570017e-06 to graph 1.05,0.0700 nohead lc rgb '#000000' lw 0.5 back
 set label 'fourier-lipschitz' at graph 1.06,0.1320 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 5.753516e-03,1.585295e-04 to graph 1.05,0.1320 nohead lc rgb '#009E73' lw 0.5 back
+set arrow from 5.856040e-03,1.585295e-04 to graph 1.05,0.1320 nohead lc rgb '#009E73' lw 0.5 back
 set label 'aft-hbm' at graph 1.06,0.1940 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 5.912402e-03,1.585295e-04 to graph 1.05,0.1940 nohead lc rgb '#0072B2' lw 0.5 back
+set arrow from 5.918557e-03,1.585295e-04 to graph 1.05,0.1940 nohead lc rgb '#0072B2' lw 0.5 back
 set label 'augmented-lagrangian' at graph 1.06,0.2560 left font ',9' textcolor rgb '#E69F00' noenhanced
-set arrow from 5.222195e-02,1.862522e-04 to graph 1.05,0.2560 nohead lc rgb '#E69F00' lw 0.5 back
+set arrow from 5.320870e-02,1.862522e-04 to graph 1.05,0.2560 nohead lc rgb '#E69F00' lw 0.5 back
 set label 'penalty-hbm' at graph 1.06,0.3180 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 1.263033e-02,3.543528e-04 to graph 1.05,0.3180 nohead lc rgb '#D55E00' lw 0.5 back
+set arrow from 1.319918e-02,3.543528e-04 to graph 1.05,0.3180 nohead lc rgb '#D55E00' lw 0.5 back
 set label 'hat-lcp[plain=true]' at graph 1.06,0.3800 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 2.276378e-03,6.937859e-04 to graph 1.05,0.3800 nohead lc rgb '#0072B2' lw 0.5 back
+set arrow from 2.336244e-03,6.937859e-04 to graph 1.05,0.3800 nohead lc rgb '#0072B2' lw 0.5 back
 set label 'fourier-lipschitz[plain=true,continuation=frequency]' at graph 1.06,0.4420 left font ',9' textcolor rgb '#CC79A7' noenhanced
-set arrow from 1.586978e-01,1.202827e-03 to graph 1.05,0.4420 nohead lc rgb '#CC79A7' lw 0.5 back
+set arrow from 1.601417e-01,1.202827e-03 to graph 1.05,0.4420 nohead lc rgb '#CC79A7' lw 0.5 back
 set label 'aft-hbm[plain=true,homotopy=true]' at graph 1.06,0.5040 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 1.237334e-02,1.202827e-03 to graph 1.05,0.5040 nohead lc rgb '#009E73' lw 0.5 back
+set arrow from 1.254827e-02,1.202827e-03 to graph 1.05,0.5040 nohead lc rgb '#009E73' lw 0.5 back
 set label 'aft-hbm[plain=true]' at graph 1.06,0.5660 left font ',9' textcolor rgb '#CC79A7' noenhanced
-set arrow from 7.458200e-04,1.202827e-03 to graph 1.05,0.5660 nohead lc rgb '#CC79A7' lw 0.5 back
+set arrow from 7.472870e-04,1.202827e-03 to graph 1.05,0.5660 nohead lc rgb '#CC79A7' lw 0.5 back
 set label 'fourier-lipschitz[plain=true,solver=pivoting]' at graph 1.06,0.6280 left font ',9' textcolor rgb '#E69F00' noenhanced
-set arrow from 1.154722e-02,1.202827e-03 to graph 1.05,0.6280 nohead lc rgb '#E69F00' lw 0.5 back
+set arrow from 1.184299e-02,1.202827e-03 to graph 1.05,0.6280 nohead lc rgb '#E69F00' lw 0.5 back
 set label 'aft-hbm[plain=true,continuation=frequency]' at graph 1.06,0.6900 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 2.145661e-02,1.202827e-03 to graph 1.05,0.6900 nohead lc rgb '#D55E00' lw 0.5 back
+set arrow from 2.233559e-02,1.202827e-03 to graph 1.05,0.6900 nohead lc rgb '#D55E00' lw 0.5 back
 set label 'fourier-lipschitz[plain=true]' at graph 1.06,0.7520 left font ',9' textcolor rgb '#56B4E9' noenhanced
-set arrow from 9.083037e-03,1.202827e-03 to graph 1.05,0.7520 nohead lc rgb '#56B4E9' lw 0.5 back
+set arrow from 9.197003e-03,1.202827e-03 to graph 1.05,0.7520 nohead lc rgb '#56B4E9' lw 0.5 back
 set label 'augmented-lagrangian[plain=true]' at graph 1.06,0.8140 left font ',9' textcolor rgb '#56B4E9' noenhanced
-set arrow from 6.640629e-03,1.405285e-03 to graph 1.05,0.8140 nohead lc rgb '#56B4E9' lw 0.5 back
+set arrow from 6.839062e-03,1.405285e-03 to graph 1.05,0.8140 nohead lc rgb '#56B4E9' lw 0.5 back
 set label 'penalty-hbm[plain=true,solver=pivoting]' at graph 1.06,0.8760 left font ',9' textcolor rgb '#CC79A7' noenhanced
-set arrow from 8.963309e-03,1.930541e-03 to graph 1.05,0.8760 nohead lc rgb '#CC79A7' lw 0.5 back
+set arrow from 9.026377e-03,1.930541e-03 to graph 1.05,0.8760 nohead lc rgb '#CC79A7' lw 0.5 back
 set label 'penalty-hbm[plain=true]' at graph 1.06,0.9380 left font ',9' textcolor rgb '#E69F00' noenhanced
-set arrow from 1.627089e-02,1.930541e-03 to graph 1.05,0.9380 nohead lc rgb '#E69F00' lw 0.5 back
+set arrow from 1.651476e-02,1.930541e-03 to graph 1.05,0.9380 nohead lc rgb '#E69F00' lw 0.5 back
 set label 'penalty-hbm[plain=true,continuation=frequency]' at graph 1.06,1.0000 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 2.686241e-01,1.930541e-03 to graph 1.05,1.0000 nohead lc rgb '#009E73' lw 0.5 back
+set arrow from 2.728653e-01,1.930541e-03 to graph 1.05,1.0000 nohead lc rgb '#009E73' lw 0.5 back
 set label '10 error bars' at graph 0.99, first 9.286077e-12 right offset 0,-0.6 font ',7' textcolor rgb '#888888'
-set label '5' at 6.510600e-05,6.350375e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '10' at 1.188180e-04,4.350662e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '20' at 3.605630e-04,6.159584e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '40' at 7.980400e-04,1.279388e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '80' at 1.835790e-03,4.451526e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '160' at 5.912402e-03,1.585295e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '40' at 2.145661e-02,1.202827e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '40' at 1.237334e-02,1.202827e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
-set label '5' at 3.114360e-04,4.197860e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '10' at 4.776760e-04,4.835650e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '20' at 1.485787e-03,6.497121e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '40' at 4.558180e-03,1.405285e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '80' at 1.292109e-02,5.199143e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '160' at 5.222195e-02,1.862522e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '40' at 6.640629e-03,1.405285e-03 offset 0.4,0.5 font ',7' textcolor rgb '#56B4E9' noenhanced
-set label '1e-4' at 2.803298e-02,6.724645e-06 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '1e-6' at 5.117600e-02,4.448558e-08 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '1e-8' at 8.816482e-02,4.505315e-10 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '1e-10' at 1.371310e-01,9.286077e-12 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '1e-4' at 3.163587e-03,4.775488e-11 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '1e-6' at 3.443419e-03,9.286077e-12 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '256' at 2.255475e-03,9.286077e-12 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '20' at 2.467390e-04,6.159584e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
-set label '40' at 1.586978e-01,1.202827e-03 offset 0.4,0.5 font ',7' textcolor rgb '#CC79A7' noenhanced
-set label '40' at 9.083037e-03,1.202827e-03 offset 0.4,0.5 font ',7' textcolor rgb '#56B4E9' noenhanced
-set label '128' at 3.307000e-04,1.071212e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '512' at 2.272962e-03,6.937859e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '2048' at 1.171991e-02,4.290382e-05 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '8192' at 3.483367e-02,3.570017e-06 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '5' at 5.261800e-05,4.812814e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '40' at 9.142160e-04,2.385689e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '80' at 2.598619e-03,9.211544e-04 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '160' at 1.263033e-02,3.543528e-04 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '40' at 2.686241e-01,1.930541e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
-set label '40' at 8.963309e-03,1.930541e-03 offset 0.4,0.5 font ',7' textcolor rgb '#CC79A7' noenhanced
-set label '40' at 1.627089e-02,1.930541e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '5' at 6.485600e-05,6.350375e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '10' at 1.189690e-04,4.350662e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '20' at 3.615670e-04,6.159584e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40' at 8.031120e-04,1.279388e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '80' at 1.871164e-03,4.451526e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 5.918557e-03,1.585295e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40' at 2.233559e-02,1.202827e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '40' at 1.254827e-02,1.202827e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '5' at 3.133940e-04,4.197860e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '10' at 4.869390e-04,4.835650e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '20' at 1.543712e-03,6.497121e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 4.821684e-03,1.405285e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 1.335340e-02,5.199143e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 5.320870e-02,1.862522e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 6.839062e-03,1.405285e-03 offset 0.4,0.5 font ',7' textcolor rgb '#56B4E9' noenhanced
+set label '1e-4' at 2.830091e-02,6.724645e-06 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-6' at 5.209902e-02,4.448558e-08 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-8' at 8.990078e-02,4.505315e-10 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-10' at 1.485662e-01,9.286077e-12 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-4' at 3.167537e-03,4.775488e-11 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '1e-6' at 3.417216e-03,9.286077e-12 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '256' at 2.286648e-03,9.286077e-12 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '20' at 2.455810e-04,6.159584e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '40' at 1.601417e-01,1.202827e-03 offset 0.4,0.5 font ',7' textcolor rgb '#CC79A7' noenhanced
+set label '40' at 9.197003e-03,1.202827e-03 offset 0.4,0.5 font ',7' textcolor rgb '#56B4E9' noenhanced
+set label '128' at 3.292170e-04,1.071212e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '512' at 2.330478e-03,6.937859e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '2048' at 1.200544e-02,4.290382e-05 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '8192' at 3.578995e-02,3.570017e-06 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '5' at 5.215700e-05,4.812814e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '40' at 9.238960e-04,2.385689e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '80' at 2.653279e-03,9.211544e-04 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '160' at 1.319918e-02,3.543528e-04 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '40' at 2.728653e-01,1.930541e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '40' at 9.026377e-03,1.930541e-03 offset 0.4,0.5 font ',7' textcolor rgb '#CC79A7' noenhanced
+set label '40' at 1.651476e-02,1.930541e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
 plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
   data index 2 with lines lc rgb '#D55E00' dt '-' lw 1.6 notitle, \

@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [1.01e-04:3.20e-01]
+set xrange [1.01e-04:3.31e-01]
 set yrange [3.47e-12:2.21e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
@@ -18,46 +18,46 @@ set tics nomirror
 unset key
 set rmargin at screen 0.511
 set label 'event-driven[flow=modal]' at graph 1.06,0.0442 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 1.624101e-03,1.041120e-11 to graph 1.05,0.0442 nohead lc rgb '#0072B2' lw 0.5 back
+set arrow from 1.645064e-03,1.041120e-11 to graph 1.05,0.0442 nohead lc rgb '#0072B2' lw 0.5 back
 set label 'exact-orbit' at graph 1.06,0.1062 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 9.474710e-04,1.041120e-11 to graph 1.05,0.1062 nohead lc rgb '#D55E00' lw 0.5 back
+set arrow from 9.526610e-04,1.041120e-11 to graph 1.05,0.1062 nohead lc rgb '#D55E00' lw 0.5 back
 set label 'event-driven[flow=cvode]' at graph 1.06,0.1682 left font ',9' textcolor rgb '#000000' noenhanced
-set arrow from 1.068218e-01,1.773977e-11 to graph 1.05,0.1682 nohead lc rgb '#000000' lw 0.5 back
+set arrow from 1.101800e-01,1.773977e-11 to graph 1.05,0.1682 nohead lc rgb '#000000' lw 0.5 back
 set label 'penalty-hbm' at graph 1.06,0.6280 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 3.274286e-03,2.205477e-04 to graph 1.05,0.6280 nohead lc rgb '#D55E00' lw 0.5 back
+set arrow from 3.259408e-03,2.205477e-04 to graph 1.05,0.6280 nohead lc rgb '#D55E00' lw 0.5 back
 set label 'aft-hbm' at graph 1.06,0.6900 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 3.211272e-03,2.209479e-04 to graph 1.05,0.6900 nohead lc rgb '#0072B2' lw 0.5 back
+set arrow from 3.219060e-03,2.209479e-04 to graph 1.05,0.6900 nohead lc rgb '#0072B2' lw 0.5 back
 set label 'fourier-lipschitz' at graph 1.06,0.7520 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 3.234251e-03,2.209479e-04 to graph 1.05,0.7520 nohead lc rgb '#009E73' lw 0.5 back
+set arrow from 3.193619e-03,2.209479e-04 to graph 1.05,0.7520 nohead lc rgb '#009E73' lw 0.5 back
 set label 'augmented-lagrangian' at graph 1.06,0.8140 left font ',9' textcolor rgb '#E69F00' noenhanced
-set arrow from 3.027722e-02,2.209479e-04 to graph 1.05,0.8140 nohead lc rgb '#E69F00' lw 0.5 back
+set arrow from 3.120248e-02,2.209479e-04 to graph 1.05,0.8140 nohead lc rgb '#E69F00' lw 0.5 back
 set label 'hat-lcp' at graph 1.06,0.8760 left font ',9' textcolor rgb '#000000' noenhanced
-set arrow from 2.317376e-02,1.227616e-03 to graph 1.05,0.8760 nohead lc rgb '#000000' lw 0.5 back
+set arrow from 2.326037e-02,1.227616e-03 to graph 1.05,0.8760 nohead lc rgb '#000000' lw 0.5 back
 set label 'augmented-lagrangian[plain=true]' at graph 1.06,0.9380 left font ',9' textcolor rgb '#56B4E9' noenhanced
-set arrow from 2.397526e-02,1.773017e-02 to graph 1.05,0.9380 nohead lc rgb '#56B4E9' lw 0.5 back
+set arrow from 2.454545e-02,1.773017e-02 to graph 1.05,0.9380 nohead lc rgb '#56B4E9' lw 0.5 back
 set label 'penalty-hbm[plain=true,solver=pivoting]' at graph 1.06,1.0000 left font ',9' textcolor rgb '#CC79A7' noenhanced
-set arrow from 3.049773e-03,4.654119e-02 to graph 1.05,1.0000 nohead lc rgb '#CC79A7' lw 0.5 back
+set arrow from 3.024825e-03,4.654119e-02 to graph 1.05,1.0000 nohead lc rgb '#CC79A7' lw 0.5 back
 set label '10 error bars' at graph 0.99, first 1.041120e-11 right offset 0,-0.6 font ',7' textcolor rgb '#888888'
-set label '10' at 1.395599e-03,1.299312e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '20' at 1.466162e-03,5.067281e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '40' at 1.614245e-03,1.742944e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '80' at 2.000933e-03,6.213566e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '160' at 3.211272e-03,2.209479e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '20' at 3.199568e-03,5.067281e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '40' at 6.984286e-03,1.742944e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '80' at 9.351061e-03,6.213566e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '160' at 3.027722e-02,2.209479e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '40' at 2.397526e-02,1.773017e-02 offset 0.4,0.5 font ',7' textcolor rgb '#56B4E9' noenhanced
-set label '1e-4' at 2.279565e-02,4.539119e-06 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '1e-6' at 3.746238e-02,5.400001e-08 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '1e-8' at 6.645674e-02,2.183175e-09 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '1e-10' at 1.068218e-01,1.773977e-11 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '1e-4' at 1.569906e-03,1.041120e-11 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '64' at 7.705520e-04,1.041120e-11 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '128' at 3.043860e-04,7.379318e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '2048' at 5.224341e-03,4.735112e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '8192' at 2.317376e-02,1.227616e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '40' at 3.049773e-03,4.654119e-02 offset 0.4,0.5 font ',7' textcolor rgb '#CC79A7' noenhanced
+set label '10' at 1.399660e-03,1.299312e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '20' at 1.471007e-03,5.067281e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40' at 1.620675e-03,1.742944e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '80' at 2.023796e-03,6.213566e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 3.219060e-03,2.209479e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '20' at 3.225331e-03,5.067281e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 7.108430e-03,1.742944e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 9.420059e-03,6.213566e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 3.120248e-02,2.209479e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 2.454545e-02,1.773017e-02 offset 0.4,0.5 font ',7' textcolor rgb '#56B4E9' noenhanced
+set label '1e-4' at 2.314883e-02,4.539119e-06 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-6' at 3.843928e-02,5.400001e-08 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-8' at 6.907852e-02,2.183175e-09 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-10' at 1.101800e-01,1.773977e-11 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-4' at 1.551999e-03,1.041120e-11 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '64' at 7.731040e-04,1.041120e-11 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '128' at 3.027220e-04,7.379318e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '2048' at 5.252080e-03,4.735112e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '8192' at 2.326037e-02,1.227616e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '40' at 3.024825e-03,4.654119e-02 offset 0.4,0.5 font ',7' textcolor rgb '#CC79A7' noenhanced
 plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
   data index 2 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \

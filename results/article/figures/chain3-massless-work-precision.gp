@@ -10,7 +10,7 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x [-]'
-set xrange [3.18e-05:1.36e+00]
+set xrange [3.11e-05:1.42e+00]
 set yrange [1.15e-11:2.76e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
@@ -18,69 +18,69 @@ set tics nomirror
 unset key
 set rmargin at screen 0.500
 set label 'exact-orbit' at graph 1.06,0.0460 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 8.545800e-04,3.453322e-11 to graph 1.05,0.0460 nohead lc rgb '#D55E00' lw 0.5 back
+set arrow from 8.569900e-04,3.453322e-11 to graph 1.05,0.0460 nohead lc rgb '#D55E00' lw 0.5 back
 set label 'event-driven[flow=modal]' at graph 1.06,0.1080 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 2.450540e-04,3.453322e-11 to graph 1.05,0.1080 nohead lc rgb '#0072B2' lw 0.5 back
+set arrow from 2.474770e-04,3.453322e-11 to graph 1.05,0.1080 nohead lc rgb '#0072B2' lw 0.5 back
 set label 'event-driven[flow=cvode]' at graph 1.06,0.1700 left font ',9' textcolor rgb '#000000' noenhanced
-set arrow from 2.119847e-02,1.765778e-10 to graph 1.05,0.1700 nohead lc rgb '#000000' lw 0.5 back
+set arrow from 2.207522e-02,1.765778e-10 to graph 1.05,0.1700 nohead lc rgb '#000000' lw 0.5 back
 set label 'hat-lcp' at graph 1.06,0.3180 left font ',9' textcolor rgb '#000000' noenhanced
-set arrow from 3.897576e-02,1.266682e-05 to graph 1.05,0.3180 nohead lc rgb '#000000' lw 0.5 back
+set arrow from 4.198925e-02,1.266682e-05 to graph 1.05,0.3180 nohead lc rgb '#000000' lw 0.5 back
 set label 'aft-hbm' at graph 1.06,0.3800 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 2.696686e-03,2.522940e-04 to graph 1.05,0.3800 nohead lc rgb '#0072B2' lw 0.5 back
+set arrow from 2.757575e-03,2.522940e-04 to graph 1.05,0.3800 nohead lc rgb '#0072B2' lw 0.5 back
 set label 'fourier-lipschitz' at graph 1.06,0.4420 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 2.526938e-03,2.522940e-04 to graph 1.05,0.4420 nohead lc rgb '#009E73' lw 0.5 back
+set arrow from 2.602016e-03,2.522940e-04 to graph 1.05,0.4420 nohead lc rgb '#009E73' lw 0.5 back
 set label 'augmented-lagrangian' at graph 1.06,0.5040 left font ',9' textcolor rgb '#E69F00' noenhanced
-set arrow from 7.760930e-02,3.273856e-04 to graph 1.05,0.5040 nohead lc rgb '#E69F00' lw 0.5 back
+set arrow from 7.821905e-02,3.273856e-04 to graph 1.05,0.5040 nohead lc rgb '#E69F00' lw 0.5 back
 set label 'hat-lcp[plain=true]' at graph 1.06,0.5660 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 3.811934e-03,4.874716e-04 to graph 1.05,0.5660 nohead lc rgb '#0072B2' lw 0.5 back
+set arrow from 3.944405e-03,4.874716e-04 to graph 1.05,0.5660 nohead lc rgb '#0072B2' lw 0.5 back
 set label 'penalty-hbm' at graph 1.06,0.6280 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 5.095499e-03,1.290375e-03 to graph 1.05,0.6280 nohead lc rgb '#D55E00' lw 0.5 back
+set arrow from 5.408826e-03,1.290375e-03 to graph 1.05,0.6280 nohead lc rgb '#D55E00' lw 0.5 back
 set label 'aft-hbm[plain=true,continuation=frequency]' at graph 1.06,0.6900 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 1.872982e-02,2.049411e-03 to graph 1.05,0.6900 nohead lc rgb '#D55E00' lw 0.5 back
+set arrow from 1.912447e-02,2.049411e-03 to graph 1.05,0.6900 nohead lc rgb '#D55E00' lw 0.5 back
 set label 'aft-hbm[plain=true,homotopy=true]' at graph 1.06,0.7520 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 3.218766e-02,2.049411e-03 to graph 1.05,0.7520 nohead lc rgb '#009E73' lw 0.5 back
+set arrow from 3.263284e-02,2.049411e-03 to graph 1.05,0.7520 nohead lc rgb '#009E73' lw 0.5 back
 set label 'fourier-lipschitz[plain=true,solver=pivoting]' at graph 1.06,0.8140 left font ',9' textcolor rgb '#E69F00' noenhanced
-set arrow from 3.143010e-02,2.049411e-03 to graph 1.05,0.8140 nohead lc rgb '#E69F00' lw 0.5 back
+set arrow from 3.131388e-02,2.049411e-03 to graph 1.05,0.8140 nohead lc rgb '#E69F00' lw 0.5 back
 set label 'fourier-lipschitz[plain=true,continuation=frequency]' at graph 1.06,0.8760 left font ',9' textcolor rgb '#CC79A7' noenhanced
-set arrow from 5.889700e-02,2.049411e-03 to graph 1.05,0.8760 nohead lc rgb '#CC79A7' lw 0.5 back
+set arrow from 6.117608e-02,2.049411e-03 to graph 1.05,0.8760 nohead lc rgb '#CC79A7' lw 0.5 back
 set label 'penalty-hbm[plain=true,solver=pivoting]' at graph 1.06,0.9380 left font ',9' textcolor rgb '#CC79A7' noenhanced
-set arrow from 2.432292e-02,5.406875e-03 to graph 1.05,0.9380 nohead lc rgb '#CC79A7' lw 0.5 back
+set arrow from 2.401241e-02,5.406875e-03 to graph 1.05,0.9380 nohead lc rgb '#CC79A7' lw 0.5 back
 set label 'penalty-hbm[plain=true,continuation=frequency]' at graph 1.06,1.0000 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 4.519302e-01,5.406875e-03 to graph 1.05,1.0000 nohead lc rgb '#009E73' lw 0.5 back
+set arrow from 4.720310e-01,5.406875e-03 to graph 1.05,1.0000 nohead lc rgb '#009E73' lw 0.5 back
 set label '10 error bars' at graph 0.99, first 3.453322e-11 right offset 0,-0.6 font ',7' textcolor rgb '#888888'
-set label '10' at 1.657640e-04,8.892529e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '20' at 4.697950e-04,7.758753e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '40' at 9.108390e-04,2.315190e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '80' at 1.384166e-03,7.702444e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '160' at 2.696686e-03,2.522940e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '40' at 1.872982e-02,2.049411e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '40' at 3.218766e-02,2.049411e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
-set label '5' at 3.581300e-04,9.202605e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '20' at 1.602119e-03,1.584734e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '40' at 6.888776e-03,2.731554e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '80' at 1.513896e-02,9.007636e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '160' at 7.760930e-02,3.273856e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '1e-4' at 6.741953e-03,1.041987e-05 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '1e-6' at 1.085574e-02,6.169463e-07 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '1e-8' at 1.512057e-02,2.958697e-09 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '1e-10' at 2.119847e-02,1.765778e-10 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '1e-4' at 2.254250e-04,4.009282e-10 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '1e-6' at 2.450540e-04,3.453322e-11 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '64' at 1.580150e-04,3.453322e-11 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '256' at 8.545800e-04,3.453322e-11 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '10' at 1.093240e-04,8.892529e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
-set label '20' at 3.057770e-04,7.758753e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
-set label '40' at 5.889700e-02,2.049411e-03 offset 0.4,0.5 font ',7' textcolor rgb '#CC79A7' noenhanced
-set label '128' at 2.021550e-04,8.961175e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '512' at 3.901356e-03,4.874716e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '2048' at 3.996373e-03,1.049774e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '8192' at 3.897576e-02,1.266682e-05 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '20' at 2.790810e-04,1.072303e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '40' at 8.941060e-04,8.388665e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '80' at 1.616600e-03,3.426578e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '160' at 5.095499e-03,1.290375e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '40' at 4.519302e-01,5.406875e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
-set label '40' at 2.432292e-02,5.406875e-03 offset 0.4,0.5 font ',7' textcolor rgb '#CC79A7' noenhanced
+set label '10' at 1.629020e-04,8.892529e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '20' at 4.676210e-04,7.758753e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40' at 9.272980e-04,2.315190e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '80' at 1.407741e-03,7.702444e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 2.757575e-03,2.522940e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40' at 1.912447e-02,2.049411e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '40' at 3.263284e-02,2.049411e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '5' at 3.624400e-04,9.202605e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '20' at 1.701599e-03,1.584734e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 7.084884e-03,2.731554e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 1.692909e-02,9.007636e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 7.821905e-02,3.273856e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '1e-4' at 7.072770e-03,1.041987e-05 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-6' at 1.106481e-02,6.169463e-07 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-8' at 1.608294e-02,2.958697e-09 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-10' at 2.207522e-02,1.765778e-10 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '1e-4' at 2.348220e-04,4.009282e-10 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '1e-6' at 2.457410e-04,3.453322e-11 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '64' at 1.557740e-04,3.453322e-11 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '256' at 8.569900e-04,3.453322e-11 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '10' at 1.101020e-04,8.892529e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '20' at 3.009640e-04,7.758753e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '40' at 6.117608e-02,2.049411e-03 offset 0.4,0.5 font ',7' textcolor rgb '#CC79A7' noenhanced
+set label '128' at 2.007320e-04,8.961175e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '512' at 3.922536e-03,4.874716e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '2048' at 4.106786e-03,1.049774e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '8192' at 4.198925e-02,1.266682e-05 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '20' at 2.782070e-04,1.072303e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '40' at 9.241110e-04,8.388665e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '80' at 1.678157e-03,3.426578e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '160' at 5.408826e-03,1.290375e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '40' at 4.720310e-01,5.406875e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '40' at 2.401241e-02,5.406875e-03 offset 0.4,0.5 font ',7' textcolor rgb '#CC79A7' noenhanced
 plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
   data index 2 with lines lc rgb '#D55E00' dt '-' lw 1.6 notitle, \

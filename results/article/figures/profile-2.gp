@@ -8,7 +8,7 @@ eval 'set terminal '.(format eq 'svg' ? svg : pdf)
 set output 'profile-2.'.format
 set multiplot layout 1,3 margins 0.11,0.99,0.469,0.903 spacing 0.03,0.000
 set logscale x
-set xrange [1:5.110949e+03]
+set xrange [1:5.352683e+03]
 set yrange [-0.02:1.02]
 set ytics 0,0.25,1
 set grid back lc rgb '#cccccc' lw 0.5

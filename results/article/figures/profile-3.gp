@@ -8,7 +8,7 @@ eval 'set terminal '.(format eq 'svg' ? svg : pdf)
 set output 'profile-3.'.format
 set multiplot layout 1,3 margins 0.11,0.99,0.352,0.881 spacing 0.03,0.000
 set logscale x
-set xrange [1:9.058377e+02]
+set xrange [1:8.251673e+02]
 set yrange [-0.02:1.02]
 set ytics 0,0.25,1
 set grid back lc rgb '#cccccc' lw 0.5

@@ -10,34 +10,34 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
 set ylabel 'error of x, own law [-]'
-set xrange [2.44e-05:3.63e-02]
-set yrange [9.36e-12:1.88e-01]
+set xrange [2.45e-05:3.68e-02]
+set yrange [9.44e-12:1.88e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
 unset key
 set rmargin at screen 0.500
-set label 'augmented-lagrangian (e = 1)' at graph 1.06,0.6742 left font ',9' textcolor rgb '#E69F00' noenhanced
-set arrow from 7.577404e-03,8.265643e-05 to graph 1.05,0.6742 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'augmented-lagrangian (e = 1)' at graph 1.06,0.6741 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 7.623431e-03,8.265643e-05 to graph 1.05,0.6741 nohead lc rgb '#E69F00' lw 0.5 back
 set label 'augmented-lagrangian[plain=true] (e = 1)' at graph 1.06,0.9380 left font ',9' textcolor rgb '#56B4E9' noenhanced
-set arrow from 1.211438e-02,5.908970e-02 to graph 1.05,0.9380 nohead lc rgb '#56B4E9' lw 0.5 back
+set arrow from 1.225439e-02,5.908970e-02 to graph 1.05,0.9380 nohead lc rgb '#56B4E9' lw 0.5 back
 set label 'hat-lcp[plain=true] (undetermined)' at graph 1.06,1.0000 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 7.330300e-05,6.268635e-02 to graph 1.05,1.0000 nohead lc rgb '#0072B2' lw 0.5 back
-set label '10 error bars' at graph 0.99, first 2.808476e-11 right offset 0,-0.6 font ',7' textcolor rgb '#888888'
-set label '5' at 2.847730e-04,1.295183e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '10' at 4.697610e-04,4.927725e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '20' at 1.192026e-03,1.807859e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '40' at 5.968717e-03,6.512404e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '80' at 2.872933e-03,2.324693e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '160' at 7.577404e-03,8.265643e-05 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '40' at 1.211438e-02,5.908970e-02 offset 0.4,0.5 font ',7' textcolor rgb '#56B4E9' noenhanced
-set label '512' at 7.330300e-05,6.268635e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set arrow from 7.361100e-05,6.268635e-02 to graph 1.05,1.0000 nohead lc rgb '#0072B2' lw 0.5 back
+set label '10 error bars' at graph 0.99, first 2.832512e-11 right offset 0,-0.6 font ',7' textcolor rgb '#888888'
+set label '5' at 2.852690e-04,1.295183e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '10' at 4.703840e-04,4.927725e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '20' at 1.199882e-03,1.807859e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 6.004661e-03,6.512404e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 2.882220e-03,2.324693e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 7.623431e-03,8.265643e-05 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 1.225439e-02,5.908970e-02 offset 0.4,0.5 font ',7' textcolor rgb '#56B4E9' noenhanced
+set label '512' at 7.361100e-05,6.268635e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
 plot data index 0 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
   data index 1 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
   data index 2 with lines lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
   data index 3 with points lc rgb '#56B4E9' pt 15 ps 1.1 notitle, \
   data index 4 with lines lc rgb '#0072B2' dt '..-' lw 1.6 notitle, \
   data index 5 with points lc rgb '#0072B2' pt 9 ps 1.1 notitle, \
-  2.808476e-11 with lines lc rgb '#888888' dt 3 lw 1 notitle
+  2.832512e-11 with lines lc rgb '#888888' dt 3 lw 1 notitle
 unset output
 }
