@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "problems/linear_algebra/orthogonal.hpp"
+
 namespace signorini {
 
 namespace {
@@ -162,7 +164,7 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& E, const Eigen:
     if (slope.maxCoeff(&steepest) <= kRoundingOfSum) break;
     passive.push_back(steepest);
     while (true) {
-      const Eigen::VectorXd z = E(Eigen::all, passive).colPivHouseholderQr().solve(f);
+      const Eigen::VectorXd z = pivoted_least_squares(E(Eigen::all, passive), f);
       const Eigen::VectorXd from = u(passive);
       double step = 1.0;
       Eigen::Index first = -1;  // entry to reach zero on the way from u to z

@@ -1,7 +1,5 @@
 #include "problems/matrix_properties.hpp"
 
-#include <Eigen/QR>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "problems/linear_algebra/orthogonal.hpp"
+#include "problems/linear_algebra/sparse_factors.hpp"
 #include "problems/sparse_cholesky.hpp"
 
 namespace signorini {
@@ -66,8 +66,8 @@ double smallest_pivot(const SparseMatrix& A, double shift) {
   if (A.rows() > kLarge || A.nonZeros() > kFull) {
     return (1.0 + shift) * SparseCholesky(scaled).smallest_pivot();
   }
-  const Eigen::SimplicialLDLT<SparseMatrix> factors(scaled);
-  return factors.info() == Eigen::Success ? factors.vectorD().minCoeff() : -1.0;
+  const SparseLdlt factors(scaled);
+  return factors.regular() ? factors.least_pivot() : -1.0;
 }
 
 // Gershgorin: enough for A to be positive semi-definite, without a factorisation.
@@ -123,7 +123,6 @@ class ScaledTriple {
         gram.diagonal().cwiseSqrt().unaryExpr([](double x) { return x > 0.0 ? x : 1.0; });
     const Eigen::Matrix2d angles =
         norms.cwiseInverse().asDiagonal() * gram * norms.cwiseInverse().asDiagonal();
-    const auto factors = angles.completeOrthogonalDecomposition();
     Eigen::Vector2d fit = Eigen::Vector2d::Zero();
     double largest = 0.0;
     for (int pass = 0; pass < 3; ++pass) {
@@ -134,7 +133,9 @@ class ScaledTriple {
         share += rest * Eigen::Vector2d(m, k);
         if (std::isnan(rest) || std::abs(rest) > largest) largest = std::abs(rest);  // NaN, once met, stays
       });
-      if (pass < 2) fit += norms.cwiseInverse().cwiseProduct(factors.solve(share.cwiseQuotient(norms)));
+      if (pass < 2)
+        fit += norms.cwiseInverse().cwiseProduct(
+            least_norm_solve(angles, Eigen::VectorXd(share.cwiseQuotient(norms))));
     }
     return {fit, largest};
   }

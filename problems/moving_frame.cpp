@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "problems/linear_algebra/orthogonal.hpp"
 #include "problems/validation.hpp"
 
 namespace signorini {
@@ -107,7 +108,7 @@ Eigen::MatrixX2d carried(const Group& group, const StopMotion& motion) {
     const auto moves = motion.find(group.contacts[row]);
     if (moves != motion.end()) asked.row(static_cast<Eigen::Index>(row)) = moves->second;
   }
-  Eigen::MatrixX2d r = group.directions.completeOrthogonalDecomposition().solve(asked);
+  Eigen::MatrixX2d r = least_norm_solve(group.directions, Eigen::MatrixXd(asked));
   const Eigen::VectorXd missed = (group.directions * r - asked).rowwise().lpNorm<Eigen::Infinity>();
   Eigen::Index worst = 0;
   if (missed.maxCoeff(&worst) > kRounding * asked.lpNorm<Eigen::Infinity>()) {

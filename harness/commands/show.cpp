@@ -18,6 +18,9 @@
 #include "harness/report/document/lines.hpp"
 #include "harness/schematic/schematic.hpp"
 #include "methods/catalogue.hpp"
+#include "problems/linear_algebra/cholesky.hpp"
+#include "problems/linear_algebra/general_eigen.hpp"
+#include "problems/linear_algebra/symmetric_eigen.hpp"
 #include "problems/matrix_properties.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "problems/scene/scene_layout.hpp"
@@ -47,14 +50,14 @@ std::string first_of(const std::vector<double>& found) {
 /// mass everywhere, or beyond kMostGyroscopic coordinates.
 std::vector<double> whirl_frequencies(const Problem& problem) {
   const Eigen::Index n = problem.size();
-  const Eigen::LLT<Eigen::MatrixXd> mass{Eigen::MatrixXd(problem.mass())};
-  if (n > kMostGyroscopic || mass.info() != Eigen::Success) return {};
+  const CholeskyFactors mass(Eigen::MatrixXd(problem.mass()));
+  if (n > kMostGyroscopic || !mass.definite()) return {};
   Eigen::MatrixXd state = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   state.topRightCorner(n, n).setIdentity();
   state.bottomLeftCorner(n, n) = -mass.solve(Eigen::MatrixXd(problem.stiffness()));
   state.bottomRightCorner(n, n) = -mass.solve(Eigen::MatrixXd(problem.damping()));
   std::vector<double> found;
-  for (const std::complex<double>& value : state.eigenvalues())
+  for (const std::complex<double>& value : general_eigenvalues(state))
     if (value.imag() > 0.0) found.push_back(value.imag());
   std::ranges::sort(found);
   return found;
@@ -68,16 +71,14 @@ std::string eigenfrequencies(const Problem& problem) {
   const Eigen::MatrixXd mass(problem.mass());
   const Eigen::MatrixXd stiffness(symmetric_part(problem.stiffness()));
   std::vector<double> found;
-  if (mass.llt().info() == Eigen::Success) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, mass,
-                                                                           Eigen::EigenvaluesOnly);
-    for (const double value : solver.eigenvalues()) found.push_back(std::sqrt(std::max(0.0, value)));
-  } else if (stiffness.llt().info() == Eigen::Success) {
+  if (CholeskyFactors(mass).definite()) {
+    for (const double value : generalised_eigenvalues(stiffness, mass))
+      found.push_back(std::sqrt(std::max(0.0, value)));
+  } else if (CholeskyFactors(stiffness).definite()) {
     // Massless coordinates have no eigenfrequency: of the inverse squares only those above round-off count.
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(mass, stiffness,
-                                                                           Eigen::EigenvaluesOnly);
-    const double largest = solver.eigenvalues().maxCoeff();
-    for (const double value : solver.eigenvalues().reverse()) {
+    const Eigen::VectorXd inverse_squares = generalised_eigenvalues(mass, stiffness);
+    const double largest = inverse_squares.maxCoeff();
+    for (const double value : inverse_squares.reverse()) {
       if (value > 1e-12 * largest) found.push_back(1.0 / std::sqrt(value));
     }
   } else {

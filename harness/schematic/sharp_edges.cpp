@@ -1,6 +1,6 @@
 #include "harness/schematic/sharp_edges.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <map>

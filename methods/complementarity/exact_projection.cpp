@@ -9,6 +9,7 @@
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/solvers/lcp.hpp"
 #include "methods/solvers/newton_krylov.hpp"
+#include "problems/linear_algebra/complex_lu.hpp"
 
 namespace signorini {
 
@@ -43,7 +44,7 @@ Eigen::MatrixXcd force_on_closed(const ProjectedEquations& equations, const std:
     block.diagonal() += (1.0 - law.multiplier_weight.array()).matrix();
     const Eigen::MatrixXcd held = block(closed, closed);
     const Eigen::VectorXcd load = law.constant.cwiseProduct(free)(closed);
-    const Eigen::VectorXcd force = -held.partialPivLu().solve(load);
+    const Eigen::VectorXcd force = -lu_solve(held, load);
     lambda(n, closed) = force.transpose();
   }
   return lambda;

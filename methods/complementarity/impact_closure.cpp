@@ -14,6 +14,7 @@
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/solvers/condition_estimate.hpp"
 #include "methods/solvers/constants.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
 
@@ -89,10 +90,10 @@ class BorderedSystem {
 
   /// Solves for z and writes the stops to `contacts`; false where the matrix is singular.
   bool solve(std::vector<ClosedContact>& contacts, std::optional<double>& condition) {
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix_);
+    const LuFactors lu(matrix_);
     solution_ = lu.solve(load_);
     if (!solution_.allFinite()) return false;
-    condition = condition_from(lu.rcond());
+    condition = condition_from(lu.reciprocal_condition());
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       const double c = equations_.law.constant[contacts[k].contact];
       const Eigen::Index place = border_ + 2 * static_cast<Eigen::Index>(k);

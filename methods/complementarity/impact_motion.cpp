@@ -12,6 +12,7 @@
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/solvers/constants.hpp"
 #include "methods/solvers/newton_krylov.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
 
@@ -77,7 +78,7 @@ class ImpactMotionSystem {
   }
 
   [[nodiscard]] KrylovSolve solve_jacobian(const Eigen::VectorXd& r) const {
-    return {.x = jacobian().partialPivLu().solve(r)};
+    return {.x = lu_solve(jacobian(), r)};
   }
 
   [[nodiscard]] double error(const Eigen::VectorXd& /*v*/, const Eigen::VectorXd& r) const {

@@ -1,12 +1,12 @@
 #include "methods/complementarity/jacobian_solver.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "methods/complementarity/nodal_jacobian.hpp"
 #include "methods/solvers/condition_estimate.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
 
@@ -19,8 +19,8 @@ constexpr double kTolerance = 1e-12;       // of GMRES and of corrections, relat
 constexpr double kAccepted = 1e-8;
 
 KrylovSolve factorised(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& r) {
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix);
-  return {.x = lu.solve(r), .condition = condition_from(lu.rcond())};
+  const LuFactors lu(matrix);
+  return {.x = lu.solve(r), .condition = condition_from(lu.reciprocal_condition())};
 }
 
 /// At the nodes, corrected; empty where a residual is left. What the force at the nodes adds to r may be far

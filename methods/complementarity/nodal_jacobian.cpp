@@ -104,7 +104,7 @@ KrylovSolve NodalJacobian::solve(const Eigen::VectorXd& r) const {
     }
   }
   if (!v.allFinite()) return {};
-  return {.x = std::move(v), .condition = condition_from(lu_.rcond())};
+  return {.x = std::move(v), .condition = condition_from(lu_.reciprocal_condition())};
 }
 
 }  // namespace signorini

@@ -2,12 +2,12 @@
 // The Jacobian of the projected contact equations, inverted at the instants of contact.
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <vector>
 
 #include "methods/complementarity/contact_nodes.hpp"
 #include "methods/complementarity/projected_law.hpp"
 #include "methods/solvers/newton_krylov.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
 
@@ -53,7 +53,7 @@ class NodalJacobian {
   const ContactSymbol& symbol_;
   std::vector<Touching> touching_;
   Eigen::MatrixXd factors_;
-  Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> lu_;
+  LuFactorsInPlace lu_;
 };
 
 }  // namespace signorini

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "methods/discretisation/fourier_series.hpp"
+#include "problems/linear_algebra/complex_lu.hpp"
 
 namespace signorini {
 
@@ -122,7 +123,7 @@ LastingContactInverse::LastingContactInverse(const ContactSymbol& symbol, const 
   for (Eigen::Index n = 0; n <= symbol.harmonics(); ++n) {
     Eigen::MatrixXcd block = Eigen::MatrixXcd::Identity(symbol.contacts(), symbol.contacts());
     for (const int c : lasting) block.row(c) += symbol.block(n).row(c);
-    inverses_.emplace_back(block.partialPivLu().inverse());
+    inverses_.push_back(inverse(block));
     // Nc x Nc only; where that is singular by accident, the identity serves as well.
     if (!inverses_.back().allFinite()) inverses_.back().setIdentity();
   }

@@ -1,7 +1,7 @@
 #pragma once
 // One step of pseudo-arclength continuation: tangent, corrector, step control, and a zero along the step.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <concepts>
@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "problems/linear_algebra/singular_values.hpp"
 
 namespace signorini {
 
@@ -70,13 +72,7 @@ Eigen::MatrixXd bordered_jacobian(Equations& equations, const Eigen::VectorXd& r
 
 /// The x of B x = (right; last; 0) for a matrix of bordered_jacobian: LU with pivoting, or least squares
 /// where conditions are held, which solve all rows as these are consistent.
-inline Eigen::VectorXd solve_bordered(const Eigen::MatrixXd& B, const Eigen::VectorXd& right, double last) {
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(B.rows());
-  all.head(right.size()) = right;
-  all[right.size()] = last;
-  if (B.rows() == B.cols()) return B.partialPivLu().solve(all);
-  return B.householderQr().solve(all);
-}
+Eigen::VectorXd solve_bordered(const Eigen::MatrixXd& B, const Eigen::VectorXd& right, double last);
 
 /// The point of the curve in the plane tangent . (x - predicted) = 0, by full Newton steps on [R; plane] with
 /// the Jacobian [R_x; tangent^T] and the conditions held, if any. Steps are not shortened: where Newton's
@@ -147,8 +143,7 @@ Eigen::VectorXd first_tangent(Equations& equations) {
     jacobian.conservativeResize(jacobian.rows() + C.rows(), Eigen::NoChange);
     jacobian.bottomRows(C.rows()) = C;
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullV);
-  return svd.matrixV().col(equations.size());
+  return right_singular_vectors(jacobian).col(equations.size());
 }
 
 /// The same of the sign that leads to larger parameters, or to smaller ones.

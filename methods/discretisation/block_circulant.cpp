@@ -93,7 +93,7 @@ Eigen::VectorXd BlockCirculant::solve(const Eigen::VectorXd& b) const {
     if (contacts_ == 1) {  // a division, where factors would be an allocation for each harmonic
       spectrum(n, 0) /= symbol_[place](0, 0) + tail_;
     } else {
-      spectrum.row(n) = factors()[place].solve(spectrum.row(n).transpose()).transpose().eval();
+      spectrum.row(n) = factors()[place].solve(Eigen::VectorXcd(spectrum.row(n).transpose())).transpose();
     }
   }
   spectrum.bottomRows(spectrum.rows() - kept) /= tail_;

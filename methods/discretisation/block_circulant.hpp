@@ -2,13 +2,13 @@
 // A block-circulant matrix known by its Fourier symbol: every periodic method's operator.
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/solvers/lcp.hpp"
+#include "problems/linear_algebra/complex_lu.hpp"
 
 namespace signorini {
 
@@ -57,7 +57,7 @@ class BlockCirculant final : public LcpMatrix {
     return lags_(difference + samples_, row_contact * contacts_ + col_contact);
   }
 
-  using Factors = std::vector<Eigen::PartialPivLU<Eigen::MatrixXcd>>;
+  using Factors = std::vector<ComplexLuFactors>;
   [[nodiscard]] const Factors& factors() const;
 
   int samples_;

@@ -7,6 +7,7 @@
 
 #include "methods/linear_flow/linear_flow.hpp"
 #include "methods/solvers/constants.hpp"
+#include "problems/linear_algebra/exponential.hpp"
 
 namespace signorini {
 

@@ -1,8 +1,11 @@
 #include "methods/linear_flow/contact_dynamics.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <utility>
+
+#include "problems/linear_algebra/cholesky.hpp"
+#include "problems/linear_algebra/orthogonal.hpp"
 
 namespace signorini {
 
@@ -11,10 +14,9 @@ namespace {
 // The inverse where there is one to working precision, else the pseudo-inverse; A is symmetric.
 Eigen::MatrixXd symmetric_inverse(const Eigen::MatrixXd& A) {
   constexpr double kDependent = 1e-13;
-  const Eigen::LLT<Eigen::MatrixXd> factors(A);
-  if (factors.info() == Eigen::Success && factors.rcond() > kDependent)
-    return factors.solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
-  return A.completeOrthogonalDecomposition().pseudoInverse();
+  const CholeskyFactors factors(A);
+  if (factors.definite() && factors.reciprocal_condition() > kDependent) return factors.inverse();
+  return pseudo_inverse(A);
 }
 
 }  // namespace

@@ -1,17 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
 
 #include "methods/linear_flow/linear_flow.hpp"
+#include "problems/linear_algebra/exponential.hpp"
 
 namespace signorini {
-
-Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& A) {
-  if (A.size() == 0) return A;  // nothing moves: a norm of no columns is undefined
-  return A.exp();
-}
 
 ExponentialFlow::ExponentialFlow(ModeEquations equations) : LinearFlow(std::move(equations)) {
   const MassForm mass = equations_.mass_form();

@@ -1,6 +1,6 @@
 #include "methods/linear_flow/flow_structure.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "methods/structure/dynamic_stiffness.hpp"
+#include "problems/linear_algebra/orthogonal.hpp"
 
 namespace signorini {
 
@@ -34,8 +35,8 @@ FlowStructure::FlowStructure(const Problem& problem, CondensedStructure condense
   if (!obstacle.empty()) throw std::runtime_error(obstacle);
   directions = normals;
   compliance = massless_compliance;
-  factors = std::make_shared<const Eigen::SimplicialLLT<SparseMatrix>>(mass);
-  if (factors->info() != Eigen::Success)
+  factors = std::make_shared<const SparseLlt>(mass);
+  if (!factors->definite())
     throw std::runtime_error("the mass matrix is singular on the coordinates with mass");
   if (const auto* law = std::get_if<Penalty>(&problem.law)) {
     if (relaxation > 0.0)
@@ -78,7 +79,7 @@ void FlowStructure::follow_open() {
   open_waves = open.shift;
   if (relaxing() > 0) {
     open_by_contacts =
-        massless_compliance.completeOrthogonalDecomposition().solve(open.compliance.transpose()).transpose();
+        least_norm_solve(massless_compliance, Eigen::MatrixXd(open.compliance.transpose())).transpose();
     find_unclear();
     open_contact_sum = open_by_contacts.cwiseAbs().rowwise().sum().maxCoeff();
     open_rows -= open_by_contacts * directions.transpose();
@@ -136,7 +137,7 @@ Eigen::MatrixXd FlowStructure::impulse_of_velocity(const std::vector<int>& pushe
   for (Eigen::Index k = 0; k < speeds.rows(); ++k)
     speeds.row(k) *= 1.0 + restitution[static_cast<std::size_t>(k)];
   if (speeds.rows() == 1) return -speeds / G(0, 0);
-  return -G.completeOrthogonalDecomposition().solve(speeds);
+  return -least_norm_solve(G, speeds);
 }
 
 // Power iteration, until it stands still; the factor covers its slow last digits. An estimate is enough: it
@@ -149,7 +150,7 @@ void FlowStructure::measure_rates() {
     double value = 0.0;
     for (int k = 0; k < kIterations && x.norm() > 0.0; ++k) {
       x.normalize();
-      x = factors->solve(A * x);
+      x = factors->solve(Eigen::VectorXd(A * x));
       const double before = std::exchange(value, x.norm());
       if (value == before) break;
     }

@@ -2,13 +2,13 @@
 // The structure that a flow moves: coordinates with mass, their load, and the contacts as they see them.
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <memory>
 #include <vector>
 
 #include "methods/structure/condensation.hpp"
 #include "methods/structure/state.hpp"
+#include "problems/linear_algebra/sparse_factors.hpp"
 
 namespace signorini {
 
@@ -79,10 +79,10 @@ class FlowStructure : public CondensedStructure {
   [[nodiscard]] Eigen::MatrixXd impulse_of_velocity(const std::vector<int>& pushed,
                                                     const std::vector<double>& restitution) const;
 
-  std::shared_ptr<const Eigen::SimplicialLLT<SparseMatrix>> factors;  ///< of M
-  Eigen::MatrixXd directions;                                         ///< W, the dense normals, Nd x Nc [-]
-  Eigen::MatrixXd velocity_per_impulse;                               ///< M^-1 W, Nd x Nc [1/kg]
-  Eigen::MatrixXd delassus;                                           ///< G = W^T M^-1 W, Nc x Nc [1/kg]
+  std::shared_ptr<const SparseLlt> factors;  ///< of M
+  Eigen::MatrixXd directions;                ///< W, the dense normals, Nd x Nc [-]
+  Eigen::MatrixXd velocity_per_impulse;      ///< M^-1 W, Nd x Nc [1/kg]
+  Eigen::MatrixXd delassus;                  ///< G = W^T M^-1 W, Nc x Nc [1/kg]
   Eigen::MatrixXd compliance;  ///< C = C_0 + diag(1 / k) of springs, C_0 the massless, Nc x Nc [m/N]
   Eigen::VectorXd gaps;        ///< g, Nc [m]
   Eigen::VectorXd open_gaps;   ///< those of `open`, No [m]

@@ -254,10 +254,6 @@ class ModalFlow final : public LinearFlow {
   OutputRows row_of_harmonic_;  // outputs x Nh
 };
 
-/// e^A of a square matrix, by scaling and squaring with Padé approximants (Higham 2005); its error is a small
-/// multiple of the rounding of ||A|| ||e^A|| as long as no power of e^A on the way is much larger than e^A.
-Eigen::MatrixXd matrix_exponential(const Eigen::MatrixXd& A);
-
 /// The exponential of the structure augmented by the harmonic generators of the load, (cos, sin)' =
 /// rate (-sin, cos), in the coordinates of the energy (EnergyForm): there no motion grows on its way, and
 /// squaring the exponential loses no digits to it. Defined for every structure, resonances and critical

@@ -1,9 +1,11 @@
 #include "methods/linear_flow/stops.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
+
+#include "problems/linear_algebra/orthogonal.hpp"
 
 namespace signorini {
 
@@ -86,11 +88,9 @@ class RigidStops final : public Stops {
     if (mode.active.empty()) return form;
     const int n = structure_.size();
     const Eigen::MatrixXd W = structure_.directions(Eigen::all, mode.active);
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(W);
-    const Eigen::MatrixXd whole = qr.householderQ() * Eigen::MatrixXd::Identity(n, n);
-    form.basis = whole.rightCols(n - qr.rank());
-    form.offset =
-        W.transpose().completeOrthogonalDecomposition().solve(Eigen::VectorXd(structure_.gaps(mode.active)));
+    const PivotedQr qr(W);
+    form.basis = qr.basis(n).rightCols(n - qr.rank());
+    form.offset = least_norm_solve(W.transpose(), Eigen::VectorXd(structure_.gaps(mode.active)));
     // lambda_A = -G_AA^-1 W_A^T M^-1 (f - K u - D u')
     const Eigen::MatrixXd back =
         mode.response * structure_.velocity_per_impulse(Eigen::all, mode.active).transpose();

@@ -1,9 +1,10 @@
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <utility>
 
 #include "methods/discretisation/periodic_time.hpp"
 #include "methods/orbit/orbit_guess.hpp"
+#include "problems/linear_algebra/orthogonal.hpp"
 
 namespace signorini {
 
@@ -76,8 +77,7 @@ std::optional<State> state_for_instants(OrbitModel& model, const OrbitGuess& gue
   const Eigen::Index states = equations.size() - equations.events();
   Eigen::VectorXd unknowns = equations.guess();
   if (!equations.evaluate(unknowns)) return std::nullopt;
-  unknowns.head(states) -=
-      equations.jacobian().leftCols(states).colPivHouseholderQr().solve(equations.residual());
+  unknowns.head(states) -= pivoted_least_squares(equations.jacobian().leftCols(states), equations.residual());
   if (!unknowns.allFinite()) return std::nullopt;
   return equations.orbit(unknowns).start.state;
 }

@@ -1,9 +1,12 @@
 #include "methods/orbit/modal_green_function.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <complex>
 
 #include "methods/discretisation/periodic_time.hpp"
+#include "problems/linear_algebra/cholesky.hpp"
+#include "problems/linear_algebra/complex_lu.hpp"
+#include "problems/linear_algebra/general_eigen.hpp"
 
 namespace signorini {
 
@@ -14,18 +17,18 @@ ModalGreenFunction::ModalGreenFunction(const ContactDynamics& dynamics, double p
   constexpr double kIllConditioned = 1e-8;
   const int n = dynamics.size();
   const double unit = 1.0 / dynamics.structure().frequency;  // velocities count as v / omega
-  const Eigen::LLT<Eigen::MatrixXd> mass{Eigen::MatrixXd(dynamics.structure().mass)};
+  const CholeskyFactors mass(Eigen::MatrixXd(dynamics.structure().mass));
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   A.topRightCorner(n, n).diagonal().setConstant(1.0 / unit);
   A.bottomLeftCorner(n, n) = -unit * mass.solve(Eigen::MatrixXd(dynamics.structure().stiffness));
   A.bottomRightCorner(n, n) = -mass.solve(Eigen::MatrixXd(dynamics.structure().damping));
-  const Eigen::EigenSolver<Eigen::MatrixXd> modes(A);
-  if (modes.info() != Eigen::Success) return;
-  const Eigen::FullPivLU<Eigen::MatrixXcd> lu(modes.eigenvectors());
-  mu_ = modes.eigenvalues();
+  const GeneralEigen modes = general_eigen(A);
+  if (!modes.converged) return;
+  const CompleteComplexLuFactors lu(modes.vectors);
+  mu_ = modes.values;
   const Eigen::ArrayXcd closing = 1.0 - (mu_.array() * period).exp();
-  if (!(lu.rcond() > kIllConditioned) || closing.abs().minCoeff() < kIllConditioned) return;
-  shapes_ = modes.eigenvectors().topRows(n);
+  if (!(lu.reciprocal_condition() > kIllConditioned) || closing.abs().minCoeff() < kIllConditioned) return;
+  shapes_ = modes.vectors.topRows(n);
   if (dynamics.contact_count() > 0) {
     Eigen::MatrixXcd struck = Eigen::MatrixXcd::Zero(2 * n, dynamics.contact_count());
     struck.bottomRows(n) = unit * dynamics.structure().velocity_per_impulse.cast<Complex>();
@@ -40,7 +43,7 @@ ModalGreenFunction::ModalGreenFunction(const ContactDynamics& dynamics, double p
         Eigen::MatrixXcd(dynamics.structure().stiffness.cast<Complex>()) +
         Complex(0.0, w) * Eigen::MatrixXcd(dynamics.structure().damping.cast<Complex>()) -
         w * w * Eigen::MatrixXcd(dynamics.structure().mass.cast<Complex>());
-    forced_.col(h) = Z.fullPivLu().solve(load.col(h));  // zero under no load, resonance or not
+    forced_.col(h) = CompleteComplexLuFactors(Z).solve(load.col(h));  // zero under no load, resonance or not
   }
   defined_ = forced_.allFinite();
 }

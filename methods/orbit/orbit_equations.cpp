@@ -1,10 +1,12 @@
 #include "methods/orbit/orbit_equations.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
+
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
 
@@ -209,8 +211,7 @@ Eigen::MatrixXd OrbitEquations::monodromy() const {
   // dh/dt is lower triangular: an event depends on those before it.
   const Eigen::MatrixXd along = jacobian_.bottomRightCorner(m_, m_);
   if (along.diagonal().cwiseAbs().minCoeff() == 0.0) return {};
-  P -= jacobian_.topRightCorner(states_, m_) *
-       along.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd(jacobian_.bottomLeftCorner(m_, states_)));
+  P -= jacobian_.topRightCorner(states_, m_) * lower_solve(along, jacobian_.bottomLeftCorner(m_, states_));
   return P;
 }
 

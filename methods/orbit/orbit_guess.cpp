@@ -1,6 +1,6 @@
 #include "methods/orbit/orbit_guess.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/periodic_time.hpp"
 #include "methods/flow/flow.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
 
@@ -155,10 +156,9 @@ std::optional<State> periodic_state(OrbitModel& model, double time, std::vector<
   const State struck = flow.response(impulses);
   Eigen::VectorXd sum(states);
   sum << end.u + struck.u, end.v + struck.v;
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(Eigen::MatrixXd::Identity(states, states) -
-                                                flow.transition(model.period));
+  const LuFactors lu(Eigen::MatrixXd::Identity(states, states) - flow.transition(model.period));
   const Eigen::VectorXd y = lu.solve(sum);
-  if (!y.allFinite() || !(lu.rcond() > 1e-13)) return std::nullopt;
+  if (!y.allFinite() || !(lu.reciprocal_condition() > 1e-13)) return std::nullopt;
   return State{.u = y.head(dynamics.positions()), .v = y.tail(dynamics.size())};
 }
 

@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "methods/orbit/orbit_equations.hpp"
 #include "methods/solvers/damped_newton.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
 
@@ -96,7 +97,7 @@ class NewtonOnOrbit {
   const std::function<bool()>& expired_;
   Eigen::VectorXd unknowns_, trial_, step_;
   double residual_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  LuFactors lu_;
   int short_steps_ = 0;
   double halved_ = residual_;    // the residual when it was halved last,
   int slow_steps_ = 0;           // and the steps since

@@ -8,12 +8,12 @@ PeriodicClosure::PeriodicClosure(const LinearFlow& flow, const MotionScales& sca
       Eigen::VectorXd::Constant(flow.size(), scales.velocity);
   const Eigen::MatrixXd transition =
       units_.cwiseInverse().asDiagonal() * flow.transition(period) * units_.asDiagonal();
-  lu_.compute(Eigen::MatrixXd::Identity(units_.size(), units_.size()) - transition);
+  lu_ = CompleteLuFactors(Eigen::MatrixXd::Identity(units_.size(), units_.size()) - transition);
 }
 
 bool PeriodicClosure::unique() const {
   constexpr double kUnique = 1e-12;
-  return lu_.matrixLU().diagonal().cwiseAbs().minCoeff() > kUnique;
+  return lu_.least_pivot() > kUnique;
 }
 
 Eigen::VectorXd PeriodicClosure::solve(const Eigen::VectorXd& d) const {

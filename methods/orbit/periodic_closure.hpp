@@ -1,9 +1,10 @@
 #pragma once
 // The states that return after a period of a structure's free motion.
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 
 #include "methods/linear_flow/linear_flow.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
 
@@ -23,7 +24,7 @@ class PeriodicClosure {
 
  private:
   Eigen::VectorXd units_;  // X and V, Ns
-  Eigen::FullPivLU<Eigen::MatrixXd> lu_;
+  CompleteLuFactors lu_;
 };
 
 }  // namespace signorini

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -9,6 +9,8 @@
 #include "methods/orbit/exact_orbit.hpp"
 #include "methods/orbit/modal_green_function.hpp"
 #include "methods/solvers/condition_estimate.hpp"
+#include "problems/linear_algebra/general_eigen.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
 
@@ -46,8 +48,8 @@ std::optional<double> distance_to_green_function(const OrbitModel& model, const 
 // By the first order, unknowns are wrong by J^-1 times what the residual is and what it cannot show.
 void measure_error(const OrbitModel& model, const OrbitEquations& equations, const PolishOptions& options,
                    ExactOrbit& orbit) {
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(equations.jacobian());
-  orbit.condition = condition_from(lu.rcond());
+  const LuFactors lu(equations.jacobian());
+  orbit.condition = condition_from(lu.reciprocal_condition());
   // An instant counts with the displacement that it costs: with the speed there.
   Eigen::VectorXd weight = Eigen::VectorXd::Ones(equations.size());
   for (Eigen::Index i = 0; i < equations.events(); ++i) {
@@ -91,7 +93,7 @@ void conclude(const OrbitEquations& equations, const PolishOptions& options, Exa
     return;
   }
   const Eigen::MatrixXd monodromy = equations.monodromy();
-  if (monodromy.size() > 0 && monodromy.allFinite()) orbit.multipliers = monodromy.eigenvalues();
+  if (monodromy.size() > 0 && monodromy.allFinite()) orbit.multipliers = general_eigenvalues(monodromy);
   const bool chatter = found.chatter_error > 0.0;
   orbit.outcome = chatter ? OrbitOutcome::chatter : OrbitOutcome::converged;
   const std::vector<int> of_contacts = path.closings();

@@ -1,6 +1,6 @@
 #include "methods/periodic_motion/period_map.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +9,8 @@
 
 #include "methods/solvers/condition_estimate.hpp"
 #include "methods/solvers/damped_newton.hpp"
+#include "problems/linear_algebra/general_eigen.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
 
@@ -59,10 +61,10 @@ class PeriodEquations {
     if (!at_.point.message.empty()) return std::nullopt;
     // P(y + s) - (y + s) = 0 to the first order: (I - P') s = P(y) - y.
     const Eigen::Index size = at_.defect.size();
-    lu_.compute(Eigen::MatrixXd::Identity(size, size) - at_.point.monodromy);
+    lu_ = CompleteLuFactors(Eigen::MatrixXd::Identity(size, size) - at_.point.monodromy);
     step_ = lu_.solve(at_.defect);
     // Of a matrix without full rank the estimate knows only the part that can be inverted.
-    if (!lu_.isInvertible() || !(lu_.rcond() > kSingular)) {
+    if (!lu_.regular() || !(lu_.reciprocal_condition() > kSingular)) {
       reason_ = "a multiplier is 1 (singular)";
       return std::nullopt;
     }
@@ -86,7 +88,7 @@ class PeriodEquations {
 
   void accept() {
     at_ = std::move(trial_);
-    condition_ = condition_from(lu_.rcond());
+    condition_ = condition_from(lu_.reciprocal_condition());
     reason_.clear();
   }
 
@@ -98,7 +100,7 @@ class PeriodEquations {
     point.message = point.converged   ? ""
                     : reason_.empty() ? "no convergence within the Newton steps allowed"
                                       : reason_;
-    if (point.converged) point.multipliers = point.monodromy.eigenvalues();
+    if (point.converged) point.multipliers = general_eigenvalues(point.monodromy);
     return point;
   }
 
@@ -145,7 +147,7 @@ class PeriodEquations {
   const std::function<bool()>& expired_;
   double accepted_ = limits_.accepted;
   Iterate at_, trial_;
-  Eigen::FullPivLU<Eigen::MatrixXd> lu_;
+  CompleteLuFactors lu_;
   Eigen::VectorXd step_;
   std::optional<double> condition_;
   std::string reason_;  // of the last failure

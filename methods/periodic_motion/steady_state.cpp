@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "methods/periodic_motion/periodic_motion.hpp"
+#include "problems/linear_algebra/complex_lu.hpp"
+#include "problems/linear_algebra/general_eigen.hpp"
 
 namespace signorini {
 
@@ -148,10 +150,10 @@ class March {
     constexpr double kIllConditioned = 1e8;
     const Eigen::VectorXd fixed = map_.scaled(orbit.start.state);
     Eigen::MatrixXcd to_modes = Eigen::MatrixXcd::Identity(fixed.size(), fixed.size());
-    const Eigen::EigenSolver<Eigen::MatrixXd> modes(orbit.monodromy);
-    if (modes.info() == Eigen::Success) {
-      const Eigen::FullPivLU<Eigen::MatrixXcd> lu(modes.eigenvectors());
-      if (lu.rcond() * kIllConditioned > 1.0) to_modes = lu.inverse();
+    const GeneralEigen modes = general_eigen(orbit.monodromy);
+    if (modes.converged) {
+      const CompleteComplexLuFactors lu(modes.vectors);
+      if (lu.reciprocal_condition() * kIllConditioned > 1.0) to_modes = lu.inverse();
     }
     std::vector<double> distance;
     for (const Eigen::VectorXd& state : past_) {

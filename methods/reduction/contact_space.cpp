@@ -14,6 +14,7 @@
 #include "methods/solvers/dense_products.hpp"
 #include "methods/structure/harmonic_pencil.hpp"
 #include "methods/structure/ritz_reduction.hpp"
+#include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
 
@@ -303,14 +304,13 @@ ContactSpace ContactSpace::solved_for(double base, const Eigen::MatrixXcd& force
   Eigen::MatrixXd taken = Eigen::MatrixXd::Zero(theta_.size(), kept);
   taken.topLeftCorner(others, principal.cols()) = principal;
   taken.bottomRightCorner(lowest, lowest).setIdentity();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> pairs(
-      transposed_product(taken, theta_.asDiagonal() * taken));
-  const Eigen::MatrixXd rows = transposed_product(dense_product(taken, pairs.eigenvectors()), ports_);
+  const SymmetricEigen pairs = symmetric_eigen(transposed_product(taken, theta_.asDiagonal() * taken));
+  const Eigen::MatrixXd rows = transposed_product(dense_product(taken, pairs.vectors), ports_);
   // What is not taken, without the softest vectors: subtracted as a whole their rounding would be left.
   const Eigen::MatrixXd left =
       other_ports - dense_product(principal, transposed_product(principal, other_ports));
   const SpaceProjection projection{
-      .pairs = {.values = pairs.eigenvalues(), .vectors = Eigen::MatrixXd::Identity(kept, kept)},
+      .pairs = {.values = pairs.values, .vectors = Eigen::MatrixXd::Identity(kept, kept)},
       .ritz = {},
       .contacts = rows.leftCols(contacts),
       .loads = rows.rightCols(rows.cols() - contacts),

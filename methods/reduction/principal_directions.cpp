@@ -1,11 +1,11 @@
 #include "methods/reduction/principal_directions.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "methods/solvers/dense_products.hpp"
+#include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
 
@@ -25,8 +25,8 @@ double root_mean_square(const Eigen::VectorXd& lengths) {
 Eigen::MatrixXd principal_directions(const Eigen::MatrixXd& mean_square, double tolerance,
                                      Eigen::Index most) {
   if (mean_square.size() == 0) return mean_square;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> directions(mean_square);
-  const Eigen::VectorXd& squares = directions.eigenvalues();  // rising
+  const SymmetricEigen directions = symmetric_eigen(mean_square);
+  const Eigen::VectorXd& squares = directions.values;  // rising
   const Eigen::Index count = squares.size();
   double left = 0.0;
   Eigen::Index dropped = 0;
@@ -35,7 +35,7 @@ Eigen::MatrixXd principal_directions(const Eigen::MatrixXd& mean_square, double 
     if (left > tolerance * tolerance) break;
     ++dropped;
   }
-  return directions.eigenvectors().rightCols(std::min(most, count - dropped));
+  return directions.vectors.rightCols(std::min(most, count - dropped));
 }
 
 }  // namespace signorini

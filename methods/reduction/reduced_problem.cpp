@@ -1,9 +1,11 @@
 #include "methods/reduction/reduced_problem.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <memory>
 #include <utility>
+
+#include "problems/linear_algebra/cholesky.hpp"
+#include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
 
@@ -15,9 +17,7 @@ constexpr double kDefinite = 1e-12;
 bool is_well_definite(const Eigen::MatrixXd& C) {
   if (!(C.diagonal().minCoeff() > 0.0)) return false;
   const Eigen::VectorXd unit = C.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(unit.asDiagonal() * C * unit.asDiagonal(),
-                                                              Eigen::EigenvaluesOnly);
-  return solver.eigenvalues().minCoeff() > kDefinite;
+  return symmetric_eigenvalues(unit.asDiagonal() * C * unit.asDiagonal()).minCoeff() > kDefinite;
 }
 
 Structure structure_of(const ContactReduction& reduction, const Eigen::MatrixXd& G) {
@@ -49,7 +49,7 @@ ReducedProblem reduced_problem(const Problem& scene, const ContactReduction& red
   if (!result.obstacle.empty()) return result;
   const Eigen::Index contacts = reduction.contacts();
   const auto vectors = static_cast<int>(reduction.vectors());
-  const Eigen::MatrixXd G = reduction.compliance.llt().solve(Eigen::MatrixXd::Identity(contacts, contacts));
+  const Eigen::MatrixXd G = CholeskyFactors(reduction.compliance).inverse();
   Problem& problem = result.problem;
   problem = scene;
   problem.kind = "matrices";

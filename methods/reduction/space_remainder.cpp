@@ -6,6 +6,7 @@
 
 #include "methods/reduction/principal_directions.hpp"
 #include "methods/solvers/dense_products.hpp"
+#include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
 
@@ -177,11 +178,11 @@ Eigen::MatrixXd SpaceRemainder::missing_columns(const Residuals& residuals, cons
   if (root_mean_square(weight.cwiseProduct(residuals.beyond)) <= kLeft * tolerance)
     return Eigen::MatrixXd(acting.rows(), 0);
   // beyond = L L^T: combinations D = L^-T q make R D of unit length for unit q.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own(beyond_);
-  const Eigen::VectorXd& squares = own.eigenvalues();  // rising
+  const SymmetricEigen own = symmetric_eigen(beyond_);
+  const Eigen::VectorXd& squares = own.values;  // rising
   const Eigen::Index known = (squares.array() > 10.0 * rounding_).count();
   if (known == 0) return Eigen::MatrixXd(acting.rows(), 0);
-  const Eigen::MatrixXd W = own.eigenvectors().rightCols(known);
+  const Eigen::MatrixXd W = own.vectors.rightCols(known);
   const Eigen::VectorXd length = squares.tail(known).cwiseSqrt();
   const Eigen::MatrixXd L = W * length.asDiagonal();
   const Eigen::MatrixXd largest =

@@ -1,12 +1,12 @@
 #include "methods/solvers/active_set_lcp.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include "methods/solvers/lcp.hpp"
+#include "problems/linear_algebra/cholesky.hpp"
+#include "problems/linear_algebra/orthogonal.hpp"
 
 namespace signorini {
 
@@ -19,12 +19,12 @@ constexpr Eigen::Index kMostStored = 20'000'000;
 
 // G_AA^-1; where G_AA is singular to rounding, its pseudo-inverse.
 Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& G) {
-  const Eigen::LLT<Eigen::MatrixXd> factor(G);
-  // rcond() of a factorisation that failed means nothing.
+  const CholeskyFactors factor(G);
+  // The condition of a factorisation that failed means nothing.
   const bool regular =
-      factor.info() == Eigen::Success && factor.rcond() > 16.0 * std::numeric_limits<double>::epsilon();
-  if (regular) return factor.solve(Eigen::MatrixXd::Identity(G.rows(), G.cols()));
-  return G.completeOrthogonalDecomposition().pseudoInverse();
+      factor.definite() && factor.reciprocal_condition() > 16.0 * std::numeric_limits<double>::epsilon();
+  if (regular) return factor.inverse();
+  return pseudo_inverse(G);
 }
 
 }  // namespace

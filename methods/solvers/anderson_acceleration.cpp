@@ -1,6 +1,6 @@
 #include "methods/solvers/anderson_acceleration.hpp"
 
-#include <Eigen/QR>
+#include "problems/linear_algebra/orthogonal.hpp"
 
 namespace signorini {
 
@@ -24,9 +24,7 @@ Eigen::VectorXd AndersonAcceleration::next(const Eigen::VectorXd& x, const Eigen
     dX.col(k) = x_differences_[static_cast<std::size_t>(k)];
     dF.col(k) = change_differences_[static_cast<std::size_t>(k)];
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(dF.rows(), columns);
-  qr.setThreshold(kDependent);
-  const Eigen::VectorXd c = qr.compute(dF).solve(change);
+  const Eigen::VectorXd c = pivoted_least_squares(dF, change, kDependent);
   return image - (dX + dF) * c;
 }
 

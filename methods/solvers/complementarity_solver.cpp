@@ -9,6 +9,7 @@
 
 #include "methods/solvers/condition_estimate.hpp"
 #include "methods/solvers/newton_krylov.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
 
@@ -90,8 +91,8 @@ class NormalMap {
   }
 
   [[nodiscard]] KrylovSolve factorised(const std::vector<int>& active, const Eigen::VectorXd& b) const {
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(lcp_.matrix->submatrix(active, active));
-    return {.x = lu.solve(b), .condition = condition_from(lu.rcond())};
+    const LuFactors lu(lcp_.matrix->submatrix(active, active));
+    return {.x = lu.solve(b), .condition = condition_from(lu.reciprocal_condition())};
   }
 
   const Lcp& lcp_;

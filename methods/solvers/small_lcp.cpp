@@ -1,4 +1,4 @@
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,6 +9,8 @@
 
 #include "methods/solvers/complementarity_solver.hpp"
 #include "methods/solvers/lcp.hpp"
+#include "problems/linear_algebra/lu.hpp"
+#include "problems/linear_algebra/orthogonal.hpp"
 
 namespace signorini {
 
@@ -38,7 +40,7 @@ class DenseMatrix final : public LcpMatrix {
   }
   [[nodiscard]] Eigen::VectorXd operator*(const Eigen::VectorXd& z) const override { return matrix_ * z; }
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const override {
-    return matrix_.partialPivLu().solve(b);
+    return lu_solve(matrix_, b);
   }
 
  private:
@@ -103,8 +105,7 @@ class PrincipalPivoting {
     const std::vector<int> basis = indices_of(basic_);
     z_.setZero(q_.size());
     if (!basis.empty()) {
-      const Eigen::MatrixXd block = A_(basis, basis);
-      z_(basis) = block.completeOrthogonalDecomposition().solve(Eigen::VectorXd(-q_(basis))).eval();
+      z_(basis) = least_norm_solve(A_(basis, basis), Eigen::VectorXd(-q_(basis)));
     }
     w_ = A_ * z_ + q_;
   }
@@ -150,10 +151,9 @@ std::optional<std::vector<bool>> lemke_basis(const Eigen::MatrixXd& A, const Eig
   Eigen::VectorXd offset = q(left);
   if (!equal.empty()) {
     const Eigen::MatrixXd block = A(equal, equal);
-    const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors(block);
     const Eigen::MatrixXd coupling = A(left, equal);
-    reduced -= coupling * factors.solve(Eigen::MatrixXd(coupling.transpose()));
-    offset -= coupling * factors.solve(Eigen::VectorXd(q(equal)));
+    reduced -= coupling * least_norm_solve(block, Eigen::MatrixXd(coupling.transpose()));
+    offset -= coupling * least_norm_solve(block, Eigen::VectorXd(q(equal)));
   }
   const Eigen::VectorXd scale = A.diagonal()(left).cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = scale.asDiagonal() * reduced * scale.asDiagonal();

@@ -1,10 +1,10 @@
 #include "methods/solvers/updated_qr.hpp"
 
 #include <Eigen/Jacobi>
-#include <Eigen/QR>
 #include <algorithm>
 
 #include "methods/solvers/condition_estimate.hpp"
+#include "problems/linear_algebra/orthogonal.hpp"
 
 namespace signorini {
 
@@ -24,10 +24,9 @@ void UpdatedQr::factorise(const Eigen::MatrixXd& matrix) {
   rows_ = cols_ = 0;  // nothing to keep when the memory grows
   const auto size = static_cast<int>(matrix.rows());
   reserve(size + 1);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(matrix);
-  const Eigen::MatrixXd q = qr.householderQ();
-  qt_.topLeftCorner(size, size) = q.transpose();
-  r_.topLeftCorner(size, size) = qr.matrixQR().triangularView<Eigen::Upper>();
+  const QrFactors qr = householder_qr(matrix);
+  qt_.topLeftCorner(size, size) = qr.Q.transpose();
+  r_.topLeftCorner(size, size) = qr.R;
   rows_ = size;
   cols_ = size;
 }

@@ -7,6 +7,9 @@
 #include <cmath>
 
 #include "methods/solvers/dense_products.hpp"
+#include "problems/linear_algebra/cholesky.hpp"
+#include "problems/linear_algebra/orthogonal.hpp"
+#include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
 
@@ -56,9 +59,8 @@ BlockLanczos::Remainder BlockLanczos::orthonormalise(const Eigen::MatrixXd& colu
   // s^2 tell how much each direction adds. A Cholesky factor would do as well while the columns are
   // independent; only eigenvectors order them by length, so that those of rounding size can be left out.
   const Eigen::VectorXd unit = length.unaryExpr([](double value) { return value > 0.0 ? 1.0 / value : 0.0; });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> directions(unit.asDiagonal() * gram *
-                                                                  unit.asDiagonal());
-  const Eigen::VectorXd& squares = directions.eigenvalues();  // rising
+  const SymmetricEigen directions = symmetric_eigen(unit.asDiagonal() * gram * unit.asDiagonal());
+  const Eigen::VectorXd& squares = directions.values;  // rising
   const Eigen::Index count = squares.size();
   const double least = count > 0 ? std::max(kRounding * squares[count - 1], kInvariant) : 0.0;
   Eigen::Index dropped = 0;
@@ -66,7 +68,7 @@ BlockLanczos::Remainder BlockLanczos::orthonormalise(const Eigen::MatrixXd& colu
   const Eigen::Index room = std::max<Eigen::Index>(0, most_ - size_ - waiting.cols());
   dropped = std::max(dropped, count - room);
   const Eigen::Index kept = count - dropped;
-  const Eigen::MatrixXd vectors = directions.eigenvectors().rightCols(kept);
+  const Eigen::MatrixXd vectors = directions.vectors.rightCols(kept);
   const Eigen::VectorXd extent = squares.tail(kept).cwiseSqrt();
   const Eigen::MatrixXd normalising = unit.asDiagonal() * vectors * extent.cwiseInverse().asDiagonal();
   next_ = dense_product(columns, normalising);
@@ -74,18 +76,18 @@ BlockLanczos::Remainder BlockLanczos::orthonormalise(const Eigen::MatrixXd& colu
   if (kept > 0) polish_next(waiting);
   // What is left out, columns D^-1 X_dropped X_dropped^T D. The Gram matrix knows squared lengths to its own
   // precision alone: these are measured on the vectors themselves.
-  const Eigen::MatrixXd left_out = unit.asDiagonal() * directions.eigenvectors().leftCols(dropped);
+  const Eigen::MatrixXd left_out = unit.asDiagonal() * directions.vectors.leftCols(dropped);
   Remainder rest{.vectors = dense_product(columns, left_out),
                  .coefficients = Eigen::MatrixXd(dropped, count),
                  .lengths = Eigen::VectorXd(dropped)};
   if (dropped == 0) return rest;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own(
-      symmetrised(transposed_product(rest.vectors, product(P_, rest.vectors))));
-  rest.lengths = own.eigenvalues().cwiseMax(0.0).cwiseSqrt();  // rising
-  rest.coefficients = own.eigenvectors().transpose() *
-                      directions.eigenvectors().leftCols(dropped).transpose() * length.asDiagonal();
-  const Eigen::Index known = (own.eigenvalues().array() > kInvariant).count();
-  rest.vectors = dense_product(rest.vectors, Eigen::MatrixXd(own.eigenvectors().rightCols(known)));
+  const SymmetricEigen own =
+      symmetric_eigen(symmetrised(transposed_product(rest.vectors, product(P_, rest.vectors))));
+  rest.lengths = own.values.cwiseMax(0.0).cwiseSqrt();  // rising
+  rest.coefficients =
+      own.vectors.transpose() * directions.vectors.leftCols(dropped).transpose() * length.asDiagonal();
+  const Eigen::Index known = (own.values.array() > kInvariant).count();
+  rest.vectors = dense_product(rest.vectors, Eigen::MatrixXd(own.vectors.rightCols(known)));
   return rest;
 }
 
@@ -103,9 +105,9 @@ void BlockLanczos::polish_next(const Eigen::MatrixXd& waiting) {
   };
   for (const Eigen::MatrixXd& block : basis_) take_out(block);
   take_out(waiting);
-  const Eigen::LLT<Eigen::MatrixXd> factor(symmetrised(gram));
-  factor.matrixU().solveInPlace<Eigen::OnTheRight>(next_);
-  coupling_ = factor.matrixU() * coupling_;
+  const CholeskyFactors factor(symmetrised(gram));
+  factor.normalise_columns(next_);
+  coupling_ = factor.upper_times(coupling_);
 }
 
 void BlockLanczos::grow() {
@@ -143,7 +145,7 @@ Eigen::MatrixXd BlockLanczos::extend(const Eigen::MatrixXd& waiting) {
 void BlockLanczos::grow_along(const Eigen::MatrixXd& directions) {
   const Eigen::Index taken = directions.cols(), waits = width() - taken;
   if (taken == 0) return;
-  const Eigen::MatrixXd whole = Eigen::HouseholderQR<Eigen::MatrixXd>(directions).householderQ();
+  const Eigen::MatrixXd whole = householder_basis(directions);
   const Eigen::MatrixXd others = whole.rightCols(waits);
   Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(waits, size_ + taken);  // coefficients of what waits
   rest.middleCols(size_ - coupling_.cols(), coupling_.cols()) = others.transpose() * coupling_;
@@ -313,8 +315,8 @@ double BlockLanczos::bytes() const {
 }
 
 RitzPairs ritz_pairs(const BlockLanczos& space) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(space.projected_mass());
-  return {modes.eigenvalues(), modes.eigenvectors()};
+  SymmetricEigen modes = symmetric_eigen(space.projected_mass());
+  return {std::move(modes.values), std::move(modes.vectors)};
 }
 
 }  // namespace signorini

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include "methods/structure/massless_elimination.hpp"
+#include "problems/linear_algebra/sparse_factors.hpp"
 #include "problems/matrix_properties.hpp"
 
 namespace signorini {
@@ -43,7 +43,7 @@ bool pulls_back(const SparseMatrix& K, const SparseMatrix& b) {
 // K_ib K_bb^-1 K_bi: by what the massless coordinates soften the others.
 SparseMatrix softening(const SparseMatrix& K, const SparseMatrix& i, const SparseMatrix& b) {
   const SparseMatrix K_bi = b.transpose() * K * i;
-  const Eigen::SimplicialLDLT<SparseMatrix> stiffness(SparseMatrix(b.transpose() * K * b));
+  const SparseLdlt stiffness(SparseMatrix(b.transpose() * K * b));
   const SparseMatrix follows = stiffness.solve(K_bi);  // u_b = -follows u_i
   const SparseMatrix pulled = K_bi.transpose() * follows;
   // Symmetric but for the rounding of the solves; methods rely on exact symmetry.
@@ -118,8 +118,8 @@ std::string flow_obstacle(const Problem& problem) {
   if (structure.relaxation > 0.0 && problem.size() > kMostRelaxing)
     return fmt::format("{} coordinates: at most {} are followed through time where massless ones are damped",
                        problem.size(), kMostRelaxing);
-  const Eigen::SimplicialLLT<SparseMatrix> mass(structure.mass);
-  return mass.info() == Eigen::Success ? "" : "the mass matrix is singular on the coordinates with mass";
+  const SparseLlt mass(structure.mass);
+  return mass.definite() ? "" : "the mass matrix is singular on the coordinates with mass";
 }
 
 }  // namespace signorini

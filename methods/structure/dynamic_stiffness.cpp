@@ -1,10 +1,10 @@
 #include "methods/structure/dynamic_stiffness.hpp"
 
-#include <Eigen/LU>
 #include <Eigen/UmfPackSupport>
 #include <limits>
 #include <memory>
 
+#include "problems/linear_algebra/complex_lu.hpp"
 #include "problems/matrix_properties.hpp"
 #include "problems/skew_parts.hpp"
 
@@ -52,7 +52,7 @@ struct DynamicStiffness::Factors {
           weights.mass * dense_mass + weights.damping * dense_damping + weights.stiffness * dense_stiffness;
       lu.compute(matrix);
       // An exact rcond costs as much as the solve; the estimate is enough to refuse a singular Z.
-      if (!(lu.rcond() > std::numeric_limits<double>::epsilon())) throw SingularStiffness();
+      if (!(lu.reciprocal_condition() > std::numeric_limits<double>::epsilon())) throw SingularStiffness();
       return;
     }
     sparse = weights.mass * mass + weights.damping * damping + weights.stiffness * stiffness;
@@ -75,7 +75,7 @@ struct DynamicStiffness::Factors {
   bool analysed = false;
   Eigen::MatrixXd dense_mass, dense_damping, dense_stiffness;
   Eigen::MatrixXcd matrix;
-  Eigen::PartialPivLU<Eigen::MatrixXcd> lu;
+  ComplexLuFactors lu;
   SparseComplex mass, damping, stiffness, sparse;
   std::unique_ptr<Eigen::UmfPackLU<SparseComplex>> sparse_lu;  // null where they are dense
 };

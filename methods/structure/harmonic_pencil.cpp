@@ -9,6 +9,7 @@
 
 #include "methods/solvers/dense_products.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
+#include "problems/linear_algebra/complex_lu.hpp"
 
 namespace signorini {
 
@@ -137,7 +138,7 @@ bool PencilElimination::advance(double tolerance, const Eigen::VectorXd& theta) 
 
 void PencilElimination::advance(Front& front, const HarmonicPencil& pencil, const Eigen::MatrixXcd& coupling,
                                 double least) const {
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> factors(front.pivot);
+  const ComplexLuFactors factors(front.pivot);
   const Eigen::MatrixXcd newest = factors.solve(front.rest);
   // What M carries out of the space is P-orthogonal to it: the residual, and the next block's right-hand
   // side.
@@ -151,7 +152,7 @@ void PencilElimination::advance(Front& front, const HarmonicPencil& pencil, cons
   front.converged = error <= 1.0;
   front.rest = outside;
   // Schur complement of the block just eliminated; the next diagonal block is added when the space has grown.
-  front.pivot = -pencil.mu * pencil.mu * (coupling * factors.solve(coupling.transpose()));
+  front.pivot = -pencil.mu * pencil.mu * (coupling * factors.solve(Eigen::MatrixXcd(coupling.transpose())));
 }
 
 PencilModes::PencilModes(const BlockLanczos& space, int contacts)

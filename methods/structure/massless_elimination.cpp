@@ -1,9 +1,9 @@
 #include "methods/structure/massless_elimination.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <complex>
 #include <map>
 
+#include "problems/linear_algebra/sparse_factors.hpp"
 #include "problems/matrix_properties.hpp"
 
 namespace signorini {
@@ -55,22 +55,22 @@ MasslessElimination eliminate_massless(const Problem& problem) {
                      b = coordinate_selection(result.massless, problem.size());
   const SparseMatrix W = contact_directions(problem);
   SparseMatrix K_bi;
-  Eigen::SimplicialLDLT<SparseMatrix> stiffness;
+  SparseMatrix K_bb;
   if (!result.massless.empty()) {
     const SparseMatrix K_b = b.transpose() * problem.stiffness();
-    const SparseMatrix K_bb = K_b * b;
+    K_bb = K_b * b;
     if (!is_definite(K_bb)) {
       result.obstacle = "coordinates without mass have no stiffness of their own";
       return result;
     }
     K_bi = K_b * i;
-    stiffness.compute(K_bb);
   }
   result.normals = i.transpose() * W;
   result.compliance = Eigen::MatrixXd::Zero(problem.contact_count(), problem.contact_count());
   take_load(problem, result);
   result.shift = Eigen::MatrixXcd::Zero(problem.contact_count(), result.load.cols());
   if (result.massless.empty()) return result;
+  const SparseLdlt stiffness(K_bb);
   const SparseMatrix W_b = b.transpose() * W;
   result.following = stiffness.solve(W_b);
   const SparseMatrix& moved = result.following;  // u_b = moved lambda

@@ -1,6 +1,6 @@
 #include "methods/structure/modal_reduction.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -8,6 +8,8 @@
 
 #include "methods/structure/condensation.hpp"
 #include "methods/structure/ritz_reduction.hpp"
+#include "problems/linear_algebra/cholesky.hpp"
+#include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
 
@@ -41,14 +43,14 @@ ContactReduction modal_reduction(const Problem& problem) {
   if (!is_symmetric(whole.damping) || !is_symmetric(whole.stiffness))
     return refused("the matrices are not symmetric");
   const Eigen::MatrixXd K(whole.stiffness), M(whole.mass);
-  if (K.llt().info() != Eigen::Success) return refused(kNotDefinite);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(M, K);
-  const Eigen::VectorXd theta = modes.eigenvalues().reverse();  // falling: the lowest mode first
-  if (modes.info() != Eigen::Success || !(theta.minCoeff() > 0.0))
+  if (!CholeskyFactors(K).definite()) return refused(kNotDefinite);
+  const SymmetricEigen modes = generalised_eigen(M, K);
+  const Eigen::VectorXd theta = modes.values.reverse();  // falling: the lowest mode first
+  if (!modes.converged || !(theta.minCoeff() > 0.0))
     return refused("the mass matrix is singular on the coordinates with mass");
   // phi^T K phi = 1 in the solver's scale.
   const Eigen::MatrixXd phi =
-      modes.eigenvectors().rowwise().reverse() * theta.cwiseSqrt().cwiseInverse().asDiagonal();
+      modes.vectors.rowwise().reverse() * theta.cwiseSqrt().cwiseInverse().asDiagonal();
   const Eigen::MatrixXd D = phi.transpose() * (whole.damping * phi);
   if (!is_decoupled(D)) return refused("the damping couples modes");
   ContactReduction result;

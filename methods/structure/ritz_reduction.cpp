@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "methods/solvers/dense_products.hpp"
+#include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
 
@@ -157,14 +158,13 @@ double refine_lowest(const Problem& problem, const BlockLanczos& space, const Co
   projection.loads = (pairs.vectors.transpose() * projection.loads).eval();
   pairs.vectors = Eigen::MatrixXd::Identity(count, count);
   // M x = theta K x, theta rising as in the pairs.
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> refined(M, K);
+  const SymmetricEigen refined = generalised_eigen(M, K);
   constexpr double kLeast = 4.0 * std::numeric_limits<double>::epsilon();
-  if (refined.info() != Eigen::Success) return 1.0;
-  const Eigen::VectorXd wrong =
-      (pairs.values.tail(lowest).cwiseQuotient(refined.eigenvalues()).array() - 1.0).abs();
-  const Eigen::MatrixXd better = vectors * refined.eigenvectors();
-  projection.ritz.rightCols(lowest) = (projection.ritz.rightCols(lowest) * refined.eigenvectors()).eval();
-  pairs.values.tail(lowest) = refined.eigenvalues();
+  if (!refined.converged) return 1.0;
+  const Eigen::VectorXd wrong = (pairs.values.tail(lowest).cwiseQuotient(refined.values).array() - 1.0).abs();
+  const Eigen::MatrixXd better = vectors * refined.vectors;
+  projection.ritz.rightCols(lowest) = (projection.ritz.rightCols(lowest) * refined.vectors).eval();
+  pairs.values.tail(lowest) = refined.values;
   projection.contacts.bottomRows(lowest) = (columns.normals.transpose() * better).transpose();
   projection.loads.bottomRows(lowest) = (columns.pushes.transpose() * better).transpose();
   const double largest = wrong.maxCoeff();

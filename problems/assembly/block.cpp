@@ -1,6 +1,6 @@
 #include "problems/assembly/block.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 

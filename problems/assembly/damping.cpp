@@ -1,8 +1,9 @@
 #include "problems/assembly/damping.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+
+#include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
 
@@ -21,9 +22,9 @@ SparseMatrix modal_damping(const std::vector<double>& ratios, const SparseMatrix
                            const SparseMatrix& stiffness) {
   const double shift = shift_to_definite(mass, stiffness);
   const Eigen::MatrixXd B = Eigen::MatrixXd(stiffness) + shift * Eigen::MatrixXd(mass);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(Eigen::MatrixXd(mass), B);
-  if (modes.info() != Eigen::Success) throw std::invalid_argument("modal damping: no eigenvectors");
-  const Eigen::VectorXd& mu = modes.eigenvalues();  // rising: the last belongs to the lowest frequency
+  const SymmetricEigen modes = generalised_eigen(Eigen::MatrixXd(mass), B);
+  if (!modes.converged) throw std::invalid_argument("modal damping: no eigenvectors");
+  const Eigen::VectorXd& mu = modes.values;  // rising: the last belongs to the lowest frequency
   const Eigen::Index size = mu.size();
   const double rounding = static_cast<double>(size) * std::numeric_limits<double>::epsilon();
   Eigen::VectorXd root = Eigen::VectorXd::Zero(size);  // sqrt(2 zeta w / mu)
@@ -35,7 +36,7 @@ SparseMatrix modal_damping(const std::vector<double>& ratios, const SparseMatrix
     const double frequency = std::sqrt(elastic / mu(column));
     root(column) = std::sqrt(2.0 * ratio * frequency / mu(column));
   }
-  const Eigen::MatrixXd factor = mass * modes.eigenvectors() * root.asDiagonal();
+  const Eigen::MatrixXd factor = mass * modes.vectors * root.asDiagonal();
   const Eigen::MatrixXd D = factor * factor.transpose();
   return (0.5 * (D + D.transpose())).sparseView();
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "problems/linear_algebra/symmetric_eigen.hpp"
+
 namespace signorini {
 
 namespace {
@@ -165,10 +167,10 @@ JacobiRule jacobi_rule(int points, int alpha) {
     const double b = 4.0 * n * n * (n + alpha) * (n + alpha) / (s * s * (s + 1.0) * (s - 1.0));
     J(k, k - 1) = J(k - 1, k) = std::sqrt(b);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(J);
+  const SymmetricEigen found = symmetric_eigen(J);
   const double whole = 1.0 / (alpha + 1.0);  // integral of the weight over 0..1
-  return {.points = (0.5 * (1.0 + solver.eigenvalues().array())).matrix(),
-          .weights = whole * solver.eigenvectors().row(0).transpose().array().square().matrix()};
+  return {.points = (0.5 * (1.0 + found.values.array())).matrix(),
+          .weights = whole * found.vectors.row(0).transpose().array().square().matrix()};
 }
 
 std::vector<QuadraturePoint> quadrature(const ElementShape& shape) {

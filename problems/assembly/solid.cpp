@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 
+#include "problems/linear_algebra/orthogonal.hpp"
+#include "problems/linear_algebra/singular_values.hpp"
 #include "problems/validation.hpp"
 
 namespace signorini {
@@ -155,14 +157,14 @@ class MassCarriers {
       around.col(static_cast<Eigen::Index>(i)) =
           mesh_.nodes[static_cast<std::size_t>(free[i])] - mesh_.nodes[static_cast<std::size_t>(node)];
     const Eigen::Vector3d middle = around.rowwise().mean();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> shape(around.colwise() - middle, Eigen::ComputeThinU);
-    const Eigen::Vector3d extents = shape.singularValues().head<3>();
+    const SingularValues shape = left_singular_vectors(around.colwise() - middle);
+    const Eigen::Vector3d extents = shape.values.head<3>();
     if (!(extents[2] > kFlat * extents[0])) return {};
     // In units of the extents along their own axes, however thin the elements.
     Eigen::MatrixXd motions(4, around.cols());
     motions.row(0).setOnes();
-    motions.bottomRows<3>() = extents.cwiseInverse().asDiagonal() * (shape.matrixU().transpose() * around);
-    const Eigen::VectorXd weights = motions.completeOrthogonalDecomposition().solve(Eigen::Vector4d::Unit(0));
+    motions.bottomRows<3>() = extents.cwiseInverse().asDiagonal() * (shape.U.transpose() * around);
+    const Eigen::VectorXd weights = least_norm_solve(motions, Eigen::VectorXd(Eigen::VectorXd::Unit(4, 0)));
     return weights.lpNorm<1>() <= kLargest ? weights : Eigen::VectorXd();
   }
 

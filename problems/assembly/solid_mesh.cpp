@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "problems/linear_algebra/lu.hpp"
 #include "problems/validation.hpp"
 
 namespace signorini {
@@ -35,7 +36,7 @@ void add_shares(const SolidMesh& mesh, const ElementList& elements, Eigen::Vecto
     const Eigen::Matrix3Xd places = places_of(mesh, nodes);
     for (const QuadraturePoint& point : rule) {
       const Eigen::MatrixXd edges = places * point.functions.rightCols(elements.shape->dimension);
-      const double measure = std::sqrt((edges.transpose() * edges).determinant());  // 1 of a point
+      const double measure = std::sqrt(determinant(edges.transpose() * edges));  // 1 of a point
       for (std::size_t i = 0; i < nodes.size(); ++i)
         shares[nodes[i]] += point.weight * measure * point.functions(static_cast<Eigen::Index>(i), 0);
     }

@@ -8,6 +8,7 @@
 
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/hat_functions/hat_contact.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
 
@@ -197,9 +198,9 @@ Eigen::MatrixXd SeriesCurve::doubled_jacobian() const {
 }
 
 double signed_pivots(const Eigen::MatrixXd& A) {
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(A);
-  const Eigen::VectorXd pivots = lu.matrixLU().diagonal();
-  auto sign = static_cast<double>(lu.permutationP().determinant());
+  const LuFactors lu(A);
+  const Eigen::VectorXd pivots = lu.pivots();
+  double sign = lu.permutation_sign();
   double logarithm = 0.0;
   for (const double pivot : pivots) {
     if (pivot == 0.0) return 0.0;

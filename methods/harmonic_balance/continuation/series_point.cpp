@@ -9,6 +9,7 @@
 
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/linear_flow/linear_flow.hpp"
+#include "problems/linear_algebra/general_eigen.hpp"
 
 namespace signorini {
 
@@ -136,7 +137,7 @@ BranchPoint branch_point(const SeriesCurve& curve) {
     point.amplitude.push_back(0.5 * (largest - least));
   }
   const Eigen::MatrixXd M = monodromy(curve);
-  if (M.size() > 0) point.multipliers = M.eigenvalues();
+  if (M.size() > 0) point.multipliers = general_eigenvalues(M);
   point.stability = stability_of(curve, point.multipliers);
   return point;
 }

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,8 @@
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/discretisation/fourier_series.hpp"
+#include "problems/linear_algebra/lu.hpp"
+#include "problems/linear_algebra/singular_values.hpp"
 
 namespace signorini {
 
@@ -64,14 +66,15 @@ bool press_further(SeriesCurve& curve, const Eigen::VectorXd& x, std::size_t int
   if (!curve.evaluate(x)) return false;
   std::vector<Approach> found = approaches(curve);
   if (found.size() > kNearest) found.resize(kNearest);
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(curve.jacobian().leftCols(curve.size()));
+  const LuFactors lu(curve.jacobian().leftCols(curve.size()));
   for (const Approach& approach : found) {
     Eigen::MatrixXcd push = Eigen::MatrixXcd::Zero(curve.harmonics() + 1, curve.motion().cols());
     for (Eigen::Index n = 0; n < push.rows(); ++n)
       push(n, approach.contact) =
           -std::polar(1.0, -2.0 * std::numbers::pi * static_cast<double>(n) * approach.time);
     Eigen::VectorXd direction = Eigen::VectorXd::Zero(x.size());
-    direction.head(curve.size()) = lu.solve(curve.weight().cwiseProduct(pack_harmonics(push)));
+    direction.head(curve.size()) =
+        lu.solve(Eigen::VectorXd(curve.weight().cwiseProduct(pack_harmonics(push))));
     if (!direction.allFinite() || direction.isZero(0.0)) continue;
     direction.normalize();
     for (const double size : {1e-4, -1e-4, 3e-4, -3e-4, 1e-3, -1e-3, 3e-3, -3e-3}) {
@@ -113,8 +116,7 @@ Eigen::VectorXd unrepeated_part(const Eigen::VectorXd& x, const SeriesCurve& cur
 }
 
 SeriesStart doubled_branch(const SeriesCurve& curve) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(curve.doubled_jacobian(), Eigen::ComputeFullV);
-  const Eigen::VectorXd null = svd.matrixV().rightCols(1);
+  const Eigen::VectorXd null = right_singular_vectors(curve.doubled_jacobian()).rightCols(1);
   const SeriesCurve twice(curve.family(), 2 * curve.multiple());
   const Eigen::Index stride = 2 * curve.harmonics();
   Eigen::MatrixXcd direction = Eigen::MatrixXcd::Zero(2 * curve.harmonics() + 1, curve.motion().cols());
@@ -144,8 +146,7 @@ std::vector<SeriesStart> both_ways(const SeriesCurve& curve, const Eigen::Vector
 }
 
 std::vector<SeriesStart> crossing_branches(const SeriesCurve& curve, const Eigen::VectorXd& tangent) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(curve.jacobian(), Eigen::ComputeFullV);
-  const Eigen::MatrixXd null = svd.matrixV().rightCols(2);
+  const Eigen::MatrixXd null = right_singular_vectors(curve.jacobian()).rightCols(2);
   Eigen::VectorXd in_plane = null.transpose() * tangent;
   const Eigen::Vector2d across(-in_plane[1], in_plane[0]);
   const Eigen::VectorXd direction = (null * across).normalized();

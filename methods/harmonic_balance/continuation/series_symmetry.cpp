@@ -1,12 +1,13 @@
 #include "methods/harmonic_balance/continuation/series_symmetry.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <variant>
 
 #include "methods/structure/receptance.hpp"
+#include "problems/linear_algebra/singular_values.hpp"
 
 namespace signorini {
 
@@ -128,13 +129,11 @@ Eigen::MatrixXd antisymmetric_block(const SeriesCurve& curve) {
 
 double pitchfork_test(const SeriesCurve& curve) {
   const Eigen::MatrixXd block = antisymmetric_block(curve);
-  const double smallest = Eigen::BDCSVD<Eigen::MatrixXd>(block).singularValues().tail(1)[0];
-  return std::copysign(smallest, signed_pivots(block));
+  return std::copysign(least_singular_value(block), signed_pivots(block));
 }
 
 std::vector<SeriesStart> pitchfork_branches(const SeriesCurve& curve, const Eigen::VectorXd& tangent) {
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(antisymmetric_block(curve), Eigen::ComputeFullV);
-  const Eigen::VectorXd null = svd.matrixV().rightCols(1);
+  const Eigen::VectorXd null = right_singular_vectors(antisymmetric_block(curve)).rightCols(1);
   const std::vector<PairedRow> pairs = paired_rows(curve);
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(curve.size() + 1);
   for (std::size_t r = 0; r < pairs.size(); ++r) {

@@ -1,12 +1,15 @@
 #include "methods/orbit/continuation/bifurcations.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <vector>
 
 #include "methods/continuation/arc_length.hpp"
+#include "problems/linear_algebra/general_eigen.hpp"
+#include "problems/linear_algebra/lu.hpp"
+#include "problems/linear_algebra/orthogonal.hpp"
 
 namespace signorini {
 
@@ -16,7 +19,7 @@ using Complex = std::complex<double>;
 
 // det A over the product of the norms of its rows.
 double relative_determinant(const Eigen::MatrixXd& A) {
-  return (A.rowwise().norm().cwiseInverse().asDiagonal() * A).partialPivLu().determinant();
+  return LuFactors(A.rowwise().norm().cwiseInverse().asDiagonal() * A).determinant();
 }
 
 // Re prod (mu_i mu_j - 1), i < j, by sign and mean magnitude; the product is real.
@@ -70,16 +73,16 @@ bool loses_nothing(const ExtendedEquations& equations) {
 
 Eigen::VectorXcd multipliers_of(const Eigen::MatrixXd& monodromy) {
   constexpr Eigen::Index kSmall = 16;
-  if (monodromy.rows() <= kSmall) return monodromy.eigenvalues();
+  if (monodromy.rows() <= kSmall) return general_eigenvalues(monodromy);
   // M P = Q R to rank r: M and R P^T Q, r x r, have the same eigenvalues but for zeros.
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(monodromy);
-  const double largest = std::abs(qr.matrixR()(0, 0));
+  const PivotedQr qr(monodromy);
+  const Eigen::VectorXd diagonal = qr.diagonal().cwiseAbs();
   Eigen::Index rank = 0;
-  while (rank < monodromy.rows() && std::abs(qr.matrixR()(rank, rank)) > kEpsilon * largest) ++rank;
+  while (rank < monodromy.rows() && diagonal[rank] > kEpsilon * diagonal[0]) ++rank;
   Eigen::VectorXcd all = Eigen::VectorXcd::Zero(monodromy.rows());
   if (rank == 0) return all;
-  const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(monodromy.rows(), rank);
-  all.head(rank) = Eigen::MatrixXd(Q.transpose() * monodromy * Q).eigenvalues();
+  const Eigen::MatrixXd Q = qr.basis(rank);
+  all.head(rank) = general_eigenvalues(Q.transpose() * monodromy * Q);
   return all;
 }
 

@@ -1,10 +1,11 @@
 #include "methods/orbit/continuation/grazing_families.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "methods/orbit/family/orbit_section.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
 
@@ -84,7 +85,7 @@ std::optional<TouchResponse> response_to(OrbitFamily& family, const SequencedOrb
   Eigen::MatrixXd instants(m, states);
   if (m > 0) {
     const Eigen::MatrixXd& J = own.jacobian();
-    instants = -J.block(states, states, m, m).partialPivLu().solve(J.block(states, 0, m, states));
+    instants = -lu_solve(J.block(states, states, m, m), Eigen::MatrixXd(J.block(states, 0, m, states)));
   }
   std::size_t touch = from;
   for (Eigen::Index i = 0; i < marked.count(); ++i) {
@@ -109,8 +110,8 @@ Eigen::MatrixXd grazing_response(OrbitFamily& family, const SequencedOrbit& base
     const Eigen::MatrixXd& M = response->monodromy;
     Eigen::MatrixXd power = Eigen::MatrixXd::Identity(M.rows(), M.cols());
     for (int k = 0; k < periods; ++k) power = (power * M).eval();
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(Eigen::MatrixXd::Identity(M.rows(), M.cols()) - power);
-    if (!(lu.matrixLU().diagonal().cwiseAbs().minCoeff() > kUnique)) return {};
+    const LuFactors lu(Eigen::MatrixXd::Identity(M.rows(), M.cols()) - power);
+    if (!(lu.pivots().cwiseAbs().minCoeff() > kUnique)) return {};
     Eigen::VectorXd y = lu.solve(response->impulse);
     for (int k = 0; k < periods; ++k, y = (M * y).eval()) {
       const Eigen::VectorXd moved = response->displacements * y;
@@ -138,7 +139,7 @@ std::vector<GrazingFamily> impact_patterns(const Eigen::MatrixXd& response, cons
     if (!represents_its_class(hits, touches, passages)) continue;
     const Eigen::VectorXd penetration = rates.replicate(passages / touches, 1);
     for (const double side : {1.0, -1.0}) {
-      const Eigen::VectorXd J = response(hits, hits).fullPivLu().solve(side * penetration(hits));
+      const Eigen::VectorXd J = CompleteLuFactors(response(hits, hits)).solve(side * penetration(hits));
       const Eigen::VectorXd gaps = response(Eigen::all, hits) * J - side * penetration;
       if (!J.allFinite() || !(J.minCoeff() > 0.0) ||
           !(gaps.minCoeff() > kTouching * std::max(1.0, gaps.maxCoeff())))

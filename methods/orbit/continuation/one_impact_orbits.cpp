@@ -1,6 +1,6 @@
 #include "methods/orbit/continuation/one_impact_orbits.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <memory>
 #include <optional>

@@ -1,11 +1,12 @@
 #include "methods/orbit/continuation/special_equations.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <stdexcept>
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/orbit/continuation/bifurcations.hpp"
+#include "problems/linear_algebra/singular_values.hpp"
 
 namespace signorini {
 
@@ -94,9 +95,9 @@ void SpecialEquations::differentiate() {
       (beside(x + kStep * Eigen::VectorXd::Unit(n + 2, n + 1)) - residual).head(n) / kStep;
   J.row(n).setZero();
   if (J.allFinite()) {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J.topRows(n), Eigen::ComputeFullV);
+    const Eigen::MatrixXd V = right_singular_vectors(J.topRows(n));
     for (Eigen::Index k = n; k < n + 2; ++k) {
-      const Eigen::VectorXd way = svd.matrixV().col(k);
+      const Eigen::VectorXd way = V.col(k);
       const double ahead = beside(x + kBeside * way)[n], behind = beside(x - kBeside * way)[n];
       J.row(n) += (ahead - behind) / (2.0 * kBeside) * way.transpose();
     }

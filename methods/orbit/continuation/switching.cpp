@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -12,6 +12,8 @@
 #include "methods/orbit/continuation/grazing_families.hpp"
 #include "methods/orbit/family/chatter.hpp"
 #include "methods/orbit/family/orbit_section.hpp"
+#include "problems/linear_algebra/general_eigen.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
 
@@ -96,17 +98,18 @@ std::optional<CurveStart> start_doubled(OrbitFamily& family, const SequencedOrbi
   if (!equations.evaluate(quiet->x)) return std::nullopt;
   const Eigen::MatrixXd M = equations.monodromy();
   if (M.size() == 0 || !M.allFinite()) return std::nullopt;
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(M);
+  const GeneralEigen found = general_eigen(M);
+  if (!found.converged) return std::nullopt;
   Eigen::Index nearest = 0;
-  (solver.eigenvalues().array() + 1.0).abs().minCoeff(&nearest);
-  const Eigen::VectorXd phi = solver.eigenvectors().col(nearest).real();
+  (found.values.array() + 1.0).abs().minCoeff(&nearest);
+  const Eigen::VectorXd phi = found.vectors.col(nearest).real();
   const Eigen::Index states = quiet->states(), m = quiet->count();
   Eigen::VectorXd way = Eigen::VectorXd::Zero(states + 2 * m + 1);
   way.head(states) = phi;
   if (m > 0) {
     const Eigen::MatrixXd& J = equations.jacobian();
     const Eigen::VectorXd follow =
-        -J.block(states, states, m, m).partialPivLu().solve(J.block(states, 0, m, states) * phi);
+        -lu_solve(J.block(states, states, m, m), Eigen::VectorXd(J.block(states, 0, m, states) * phi));
     way.segment(states, m) = follow;
     way.segment(states + m, m) = -follow;
   }

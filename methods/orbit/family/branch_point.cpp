@@ -1,9 +1,12 @@
 #include "methods/orbit/family/branch_point.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "problems/linear_algebra/lu.hpp"
+#include "problems/linear_algebra/singular_values.hpp"
 
 namespace signorini {
 
@@ -13,10 +16,9 @@ class BranchPointSystem {
  public:
   // Precondition: the equations are evaluated.
   explicit BranchPointSystem(ExtendedEquations& equations) : equations_(equations) {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(equations.accurate_jacobian(),
-                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
-    b_ = svd.matrixU().rightCols(1);
-    C_ = svd.matrixV().rightCols(2);
+    const SingularValues svd = singular_vectors(equations.accurate_jacobian());
+    b_ = svd.U.rightCols(1);
+    C_ = svd.V.rightCols(2);
   }
 
   [[nodiscard]] const Eigen::MatrixXd& null_space() const { return C_; }
@@ -41,7 +43,7 @@ class BranchPointSystem {
     right << -(equations_.residual() + nu * b_), -rank_condition();
     Eigen::MatrixXd B = bordered();
     B.bottomLeftCorner(2, n + 1) = H_ * C_.transpose();
-    return B.partialPivLu().solve(right);
+    return lu_solve(B, right);
   }
 
  private:
@@ -58,7 +60,7 @@ class BranchPointSystem {
     const Eigen::Index n = equations_.size();
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n + 2, 2);
     right.bottomRows(2).setIdentity();
-    return bordered().partialPivLu().solve(right).row(n + 1).transpose();
+    return lu_solve(bordered(), right).row(n + 1).transpose();
   }
 
   ExtendedEquations& equations_;

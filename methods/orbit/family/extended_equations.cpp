@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "methods/orbit/family/event_instants.hpp"
+#include "problems/linear_algebra/cholesky.hpp"
 
 namespace signorini {
 
@@ -158,7 +159,7 @@ double ExtendedEquations::ratio_at_release(Eigen::Index i) const {
   double own = G(j, j);
   if (!held.empty()) {
     const Eigen::VectorXd felt = G(held, j);
-    own -= felt.dot(G(held, held).ldlt().solve(felt));
+    own -= felt.dot(ldlt_solve(G(held, held), felt));
   }
   return -own * dynamics.force_scale(j) / dynamics.scales().displacement;
 }

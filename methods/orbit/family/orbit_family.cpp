@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/linear_algebra/sparse_factors.hpp"
 #include "problems/skew_parts.hpp"
 
 namespace signorini {
@@ -78,8 +79,8 @@ double OrbitFamily::typical_displacement() {
   const auto middle = model(scene_.middle());
   const FlowStructure& structure = middle->dynamics.structure();
   double X = structure.gaps.size() == 0 ? 0.0 : structure.gaps.cwiseAbs().maxCoeff();
-  const Eigen::SimplicialLDLT<SparseMatrix> factors(symmetric_part(structure.stiffness));
-  if (factors.info() == Eigen::Success) {
+  const SparseLdlt factors(symmetric_part(structure.stiffness));
+  if (factors.regular()) {
     const Eigen::MatrixXd deflections = factors.solve(Eigen::MatrixXd(structure.load.cwiseAbs()));
     if (deflections.allFinite()) X = std::max(X, deflections.cwiseAbs().rowwise().sum().maxCoeff());
   }

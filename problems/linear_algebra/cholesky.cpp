@@ -1,0 +1,29 @@
+#include "problems/linear_algebra/cholesky.hpp"
+
+namespace signorini {
+
+CholeskyFactors::CholeskyFactors(const Eigen::MatrixXd& A) : factors_(A) {}
+
+bool CholeskyFactors::definite() const { return factors_.info() == Eigen::Success; }
+
+Eigen::VectorXd CholeskyFactors::solve(const Eigen::VectorXd& b) const { return factors_.solve(b); }
+
+Eigen::MatrixXd CholeskyFactors::solve(const Eigen::MatrixXd& B) const { return factors_.solve(B); }
+
+Eigen::MatrixXd CholeskyFactors::inverse() const {
+  return factors_.solve(Eigen::MatrixXd::Identity(factors_.rows(), factors_.cols()));
+}
+
+double CholeskyFactors::reciprocal_condition() const { return factors_.rcond(); }
+
+Eigen::MatrixXd CholeskyFactors::upper_times(const Eigen::MatrixXd& B) const {
+  return factors_.matrixU() * B;
+}
+
+void CholeskyFactors::normalise_columns(Eigen::MatrixXd& B) const {
+  factors_.matrixU().solveInPlace<Eigen::OnTheRight>(B);
+}
+
+Eigen::VectorXd ldlt_solve(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) { return A.ldlt().solve(b); }
+
+}  // namespace signorini

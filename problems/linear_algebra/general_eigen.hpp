@@ -1,0 +1,21 @@
+#pragma once
+// Eigenvalues of dense real matrices that need not be symmetric, compiled once (docs/decisions/0052): up to
+// 31 rows by Eigen, above by LAPACK. Source: [golub2013], ch. 7.
+
+#include <Eigen/Core>
+
+namespace signorini {
+
+/// A x = mu x.
+struct GeneralEigen {
+  bool converged = false;    ///< else nothing below is meant
+  Eigen::VectorXcd values;   ///< n; of a conjugate pair the one above the real axis first
+  Eigen::MatrixXcd vectors;  ///< n x n, each of Euclidean length 1
+};
+
+/// Of real A, n x n. Not converged where an entry is not finite.
+GeneralEigen general_eigen(const Eigen::MatrixXd& A);
+/// The values alone; all NaN where they do not converge.
+Eigen::VectorXcd general_eigenvalues(const Eigen::MatrixXd& A);
+
+}  // namespace signorini

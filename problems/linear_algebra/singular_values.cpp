@@ -1,0 +1,71 @@
+#include "problems/linear_algebra/singular_values.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "problems/linear_algebra/lapack.hpp"
+
+namespace signorini {
+
+namespace {
+
+bool is_for_lapack(const Eigen::MatrixXd& A) {
+  return std::min(A.rows(), A.cols()) >= kLeastForLapack && A.allFinite();
+}
+
+// By divide and conquer; job as of dgesdd.
+SingularValues by_lapack(Eigen::MatrixXd A, char job) {
+  const int m = static_cast<int>(A.rows()), n = static_cast<int>(A.cols()), least = std::min(m, n);
+  const int left = job == 'A' ? m : job == 'S' ? least : 1, right = job == 'A' ? n : job == 'S' ? least : 1;
+  SingularValues result{
+      .values = Eigen::VectorXd(least), .U = Eigen::MatrixXd(job == 'N' ? 1 : m, left), .V = {}};
+  Eigen::MatrixXd transposed(right, job == 'N' ? 1 : n);
+  std::vector<int> integers(8 * static_cast<std::size_t>(least));
+  const int u_stride = static_cast<int>(result.U.rows()), v_stride = right;
+  int info = 0;
+  const auto solve = [&](double* work, int size) {
+    dgesdd_(&job, &m, &n, A.data(), &m, result.values.data(), result.U.data(), &u_stride, transposed.data(),
+            &v_stride, work, &size, integers.data(), &info, 1);
+  };
+  double best = 0.0;
+  solve(&best, -1);
+  std::vector<double> work(static_cast<std::size_t>(best));
+  solve(work.data(), static_cast<int>(work.size()));
+  if (info != 0) result.values.setConstant(std::numeric_limits<double>::quiet_NaN());
+  result.V = transposed.transpose();
+  return result;
+}
+
+}  // namespace
+
+SingularValues singular_vectors(const Eigen::MatrixXd& A) {
+  if (is_for_lapack(A)) return by_lapack(A, 'A');
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return {.values = svd.singularValues(), .U = svd.matrixU(), .V = svd.matrixV()};
+}
+
+SingularValues left_singular_vectors(const Eigen::MatrixXd& A) {
+  if (is_for_lapack(A)) {
+    SingularValues found = by_lapack(A, 'S');
+    found.V.resize(0, 0);
+    return found;
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeThinU);
+  return {.values = svd.singularValues(), .U = svd.matrixU(), .V = {}};
+}
+
+Eigen::MatrixXd right_singular_vectors(const Eigen::MatrixXd& A) {
+  if (is_for_lapack(A)) return by_lapack(A, 'A').V;
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(A, Eigen::ComputeFullV).matrixV();
+}
+
+double least_singular_value(const Eigen::MatrixXd& A) {
+  if (A.size() == 0) return std::numeric_limits<double>::infinity();
+  const Eigen::VectorXd values =
+      is_for_lapack(A) ? by_lapack(A, 'N').values : Eigen::JacobiSVD<Eigen::MatrixXd>(A).singularValues();
+  return values[values.size() - 1];
+}
+
+}  // namespace signorini
