@@ -308,6 +308,7 @@ bench lint --fix
 expect_code 0 'lint --fix'
 expect_calls '^clang-format <-i> <./part/' 1 'lint --fix formats'
 expect_call "python3 <-B> <$tree/tests/architecture/rooms.py> <$tree>" 'lint checks the tree'
+expect_call "python3 <-B> <$tree/tests/architecture/dear.py> <$tree>" 'lint checks dear headers'
 touch "$fail.python3"
 bench lint
 expect_code 1 'lint finds a circle'
