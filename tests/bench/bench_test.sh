@@ -11,7 +11,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 tree="$work/a tree"
 tools=$work/tools
-export calls="$work/calls" packages="$work/packages" fail="$work/fail"
+export calls="$work/calls" packages="$work/packages" fail="$work/fail" ninja_steps="$work/steps" tools
 mkdir -p "$tree/part" "$tools"
 cp "$bench_under_test" "$tree/bench"
 chmod +x "$tree/bench"
@@ -55,12 +55,35 @@ stand_in cmake <<'END'
 [ "$1" != -S ] || {
   build=$2/build/$4
   mkdir -p "$build/harness"
-  touch "$build/build.ninja"
-  echo "CMAKE_HOME_DIRECTORY:INTERNAL=$2" >"$build/CMakeCache.txt"
+  cat >"$build/build.ninja" <<MANIFEST
+build CMakeFiles/facts facts.cpp | \${cmake_ninja_workdir}CMakeFiles/facts \${cmake_ninja_workdir}facts.cpp: CUSTOM_COMMAND a || b
+  COMMAND = write facts.cpp
+build CMakeFiles/edit_cache.util: CUSTOM_COMMAND
+build pages.txt: CUSTOM_COMMAND harness/signorini
+MANIFEST
+  printf '%s\n' "CMAKE_HOME_DIRECTORY:INTERNAL=$2" "CMAKE_MAKE_PROGRAM:FILEPATH=$tools/ninja" >"$build/CMakeCache.txt"
 }
 [ ! -e "$fail.$1" ] || { echo 'the reason it failed' && exit 1; }
 END
-: | stand_in ctest
+# The lines of $ninja_steps are the steps that are left; each takes the seconds of $ninja_steps.pace. Told to end, it leaves a word.
+stand_in ninja <<'END'
+case " $* " in
+  *' build.ninja '*) exit 0 ;;
+  *' -n '*) [ ! -e "$ninja_steps" ] || cat "$ninja_steps"; exit 0 ;;
+esac
+trap 'echo ended >"$ninja_steps.ended"; exit 2' TERM
+[ ! -e "$fail.ninja" ] || { echo 'the reason it failed' && exit 1; }
+[ -e "$ninja_steps" ] || exit 0
+while IFS= read -r step; do
+  sleep "$(cat "$ninja_steps.pace")" &
+  wait
+  printf '%s\n' "$step"
+done <"$ninja_steps"
+END
+stand_in ctest <<'END'
+case " $* " in *' -N '*) [ ! -e "$ninja_steps.tests" ] || cat "$ninja_steps.tests" ;; esac
+END
+echo 'echo 2' | stand_in nproc
 # Seconds of a clock on which all tests but the slow ones end after 10 minutes, or 40.
 stand_in date <<'END'
 if ! grep -q '^ctest' "$calls"; then echo 0; elif [ -e "$fail.late" ]; then echo 2400; else echo 600; fi
@@ -87,7 +110,7 @@ program() {
 touch "$tree/part/one.cpp" "$tree/part/two.cpp"
 
 fresh() { # UID [PACKAGE...]: an unbuilt tree on a machine with these packages
-  rm -rf "$tree/build" "$packages".* "$fail".*
+  rm -rf "$tree/build" "$packages".* "$fail".* "$ninja_steps" "$ninja_steps".*
   echo "$1" >"$packages.id"
   shift
   printf '%s\n' "$@" >"$packages"
@@ -108,6 +131,7 @@ report() {
 expect_code() { [ "$code" -eq "$1" ] || report "$2: exit code $code instead of $1"; }
 expect_lines() { [ "$(wc -l <"$work/err")" -eq "$1" ] || report "$2: $(wc -l <"$work/err") lines instead of $1"; }
 expect_call() { grep -qxF -- "$1" "$calls" || report "$2: no call '$1'"; }
+expect_line() { grep -qxF -- "bench: $1" "$work/err" || report "no line '$1'"; }
 expect_calls() { # PATTERN COUNT WHAT
   count=$(grep -c -- "$1" "$calls") || true
   [ "$count" -eq "$2" ] || report "$3: $count calls of '$1' instead of $2"
@@ -162,36 +186,98 @@ expect_call 'signorini <run> <quick> <--scenes> <sdof* chain*> <--jobs> <2>' 'ru
 bench run full --resume
 expect_call 'signorini <run> <full> <--resume>' 'run with a suite'
 expect_calls '^cmake <-S>' 1 'three runs configure once'
-expect_calls '^cmake <--build>' 3 'three runs build thrice'
+expect_calls '^ninja <-C> <[^>]*> <-j> <2> <signorini>$' 3 'three runs build thrice'
 expect_lines 0 'a later run says nothing of its own'
+
+# What it says of a build. Two steps took 100 and 50 s before, the third never ran: it takes what a source did.
+fresh 1000 all
+program
+mkdir -p "$tree/problems"
+touch "$tree/problems/a.cpp" "$tree/problems/b.cpp"
+bench run
+rm -r "$tree/problems"
+expect_line 'the first build of signorini: configuring, then 2 sources, about 4 s on 2 cores'
+# shellcheck disable=SC2016  # ninja expands it
+printf '%s\n' 'build CMakeFiles/facts: phony' \
+  'build facts.cpp ${cmake_ninja_workdir}facts.cpp: CUSTOM_COMMAND a || b' '  COMMAND = write facts.cpp' \
+  'build CMakeFiles/edit_cache.util: CUSTOM_COMMAND' 'build pages.txt: CUSTOM_COMMAND harness/signorini' |
+  cmp -s - "$tree/build/release/bench.ninja" || report 'what runs at every build is counted'
+printf '%s\n' '[1/3] Building CXX object x/Unity/unity_0_cxx.cxx.o' '[2/3] Building CXX object x/b.cpp.o' \
+  '[3/3] Linking CXX static library x/libx.a' >"$ninja_steps"
+echo 1.2 >"$ninja_steps.pace"
+mkdir -p "$tree/build/release/x/Unity"
+seq 40 | sed 's/.*/#include "\/tree\/&.cpp"/' >"$tree/build/release/x/Unity/unity_0_cxx.cxx"
+printf '# ninja log v5\n0\t200\t1\tx/Unity/unity_0_cxx.cxx.o\taa\n0\t100000\t1\tx/Unity/unity_0_cxx.cxx.o\taa\n100\t1100\t1\tx/libx.a\taa\n' \
+  >"$tree/build/release/.ninja_log"
+bench run
+expect_code 0 'run with steps'
+expect_line 'building signorini: 3 steps, about 2 min on 2 cores (2 min of the processor)'
+sed -n 1p "$work/err" | grep -q building || report 'the estimate is not the first line'
+grep -q '^bench: \[[12]/3\] about [0-9]* s left$' "$work/err" || report 'no progress'
+[ "$(grep -c '/3\]' "$work/err")" -le 4 ] || report 'a flood of lines'
+tail -n 1 "$work/err" | grep -q 'bench: built in ' || report 'the build has no end'
+grep -q 'Linking' "$tree/build/build.log" || report 'the whole output is not kept'
+sed -i 's/100000/500/' "$tree/build/release/.ninja_log"
+bench run
+expect_line 'building signorini: 3 steps, about 1 s on 2 cores (2 s of the processor)'
+(cd / && PATH="$tools:/usr/bin:/bin" script -qec "'$tree/bench' run" /dev/null </dev/null >"$work/err") || report 'run on a terminal'
+tr '\r' '\n' <"$work/err" | grep -q '^.\[Kbench: \[[12]/3\] about [0-9]* s left Building CXX object x/' || report 'no status line on a terminal'
+[ "$(wc -l <"$work/err")" -le 2 ] || report 'the status line is not overwritten'
+
+echo 30 >"$ninja_steps.pace"
+for signal in TERM:143 INT:130; do
+  rm -f "$ninja_steps.ended"
+  (cd / && exec env --default-signal=INT PATH="$tools:/usr/bin:/bin" "$tree/bench" run >"$work/out" 2>"$work/err") &
+  pid=$!
+  waited=0
+  until grep -q building "$work/err" 2>/dev/null && tail -n 1 "$calls" | grep -q '<-j>' || [ "$waited" -ge 100 ]; do
+    sleep 0.1
+    waited=$((waited + 1))
+  done
+  kill -"${signal%:*}" "$pid"
+  code=0
+  wait "$pid" || code=$?
+  expect_code "${signal#*:}" "interrupted by ${signal%:*}"
+  expect_line interrupted
+  [ -e "$ninja_steps.ended" ] || report "ninja goes on after ${signal%:*}"
+  : >"$calls"
+done
 
 fresh 1000 all
 bench test
 expect_call "ctest <--test-dir> <$tree/build/release> <--output-on-failure> <--parallel> <2> <--no-tests=error> <-LE> <^(slow|long)\$>" 'test'
 expect_calls '^npm' 0 'test'
 bench test -R 'A b'
-expect_calls '<-LE> <^(slow|long)\$> <-R> <A b>' 1 'test with options'
+expect_calls '<--output-on-failure> .*<-LE> <^(slow|long)\$> <-R> <A b>' 1 'test with options'
+expect_calls '<-N> .*<-LE> <^(slow|long)\$> <-R> <A b>' 1 'tests are counted with the same options'
+printf '  Test  #1: Lcp.Solves\n  Test #12: Lcp.Ends\n\nTotal Tests: 2\n' >"$ninja_steps.tests"
+bench test
+expect_line 'running 2 tests, two at a time; how long they take is known after the first time'
+mkdir -p "$tree/build/release/Testing/Temporary"
+printf 'Lcp.Solves 3 100.5\nLcp.Ends 1 139.7\nLcp.Gone 1 4000\n---\nLcp.Ends\n' >"$tree/build/release/Testing/Temporary/CTestCostData.txt"
+bench test
+expect_line 'running 2 tests, two at a time: about 2 min'
 : >"$calls"
 bench test --all -V
-expect_calls '^ctest .*<-V>' 1 'all tests'
+expect_calls '^ctest .*<--output-on-failure> .*<-V>' 1 'all tests'
 expect_calls '<-LE>' 0 'all tests'
 expect_calls '^npm <pack>' 1 'all tests'
 : >"$calls"
 (cd / && CI=true PATH="$tools:/usr/bin:/bin" "$tree/bench" test >/dev/null)
-expect_calls '^ctest' 2 'CI=true'
-expect_calls '<-LE> <^(slow|long)\$>' 1 'CI=true'
-expect_calls '<-L> <^slow\$> <-LE> <^long\$>' 1 'CI=true'
+expect_calls '^ctest .*<--output-on-failure>' 2 'CI=true'
+expect_calls '<--output-on-failure> .*<-LE> <^(slow|long)\$>' 1 'CI=true'
+expect_calls '<--output-on-failure> .*<-L> <^slow\$> <-LE> <^long\$>' 1 'CI=true'
 : >"$calls"
 touch "$fail.late"
 (cd / && CI=true PATH="$tools:/usr/bin:/bin" "$tree/bench" test >/dev/null 2>"$work/err")
-expect_calls '^ctest' 1 'CI=true, late'
+expect_calls '^ctest .*<--output-on-failure>' 1 'CI=true, late'
 grep -q 'slow are left out: 40 minutes' "$work/err" || report 'CI=true, late: not said'
 : >"$calls"
 (cd / && CI=true PATH="$tools:/usr/bin:/bin" "$tree/bench" test -R slow >/dev/null)
-expect_calls '^ctest .*<-LE> <^long\$> <-R> <slow>' 1 'CI=true with options'
+expect_calls '^ctest .*<--output-on-failure> .*<-LE> <^long\$> <-R> <slow>' 1 'CI=true with options'
 
 fresh 1000 all
-touch "$fail.--build"
+touch "$fail.ninja"
 bench test
 expect_code 1 'build fails'
 grep -q 'the reason it failed' "$work/err" || report 'build fails: no reason shown'
@@ -203,8 +289,10 @@ expect_code 0 'lint'
 expect_calls '^run-clang-tidy <-quiet> <-j> <[0-9]*> <-p> <[^>]*/build/lint>$' 1 'lint checks all'
 expect_calls '^clang-format <--dry-run> <-Werror> <./part/' 1 'lint checks format'
 expect_calls '<-i>' 0 'lint changes nothing'
+seq 84 | sed 's/.*/  "file": "&.cpp"/' >"$tree/build/lint/compile_commands.json"
 touch "$fail.clang-tidy"
 bench lint
+expect_line 'clang-tidy: 84 units, about 14 min on 2 cores'
 expect_code 1 'lint finds something'
 grep -q '^two.cpp:1: error' "$work/err" || report 'lint finds something: not shown'
 ! grep -q 'generated\|^clang-tidy -p' "$work/err" || report 'lint finds something: noise shown'
@@ -220,6 +308,7 @@ bench lint --fix
 expect_code 0 'lint --fix'
 expect_calls '^clang-format <-i> <./part/' 1 'lint --fix formats'
 expect_call "python3 <-B> <$tree/tests/architecture/rooms.py> <$tree>" 'lint checks the tree'
+expect_call "python3 <-B> <$tree/tests/architecture/dear.py> <$tree>" 'lint checks dear headers'
 touch "$fail.python3"
 bench lint
 expect_code 1 'lint finds a circle'

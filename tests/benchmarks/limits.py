@@ -5,10 +5,10 @@ usage: limits.py BUILD [--before PROGRAM] [--only LINE ...] [--repetitions N] [-
 
 BUILD is the folder of a Release build with its benchmarks. With --before an older `signorini` is measured beside it, in
 turns. Lines, by name: exact-orbit, fourier, hat, curve, judge, case, records, build. `records` reports and merges N
-synthetic records (1,000,000 unless told; some minutes), `build` compiles the tree FOLDER anew (a quarter of an hour): both
-only where they are named in --only. Lines that are not measured keep what FOLDER/limits.csv has of them.
+synthetic records (1,000,000 unless told; some minutes), `build` compiles the tree FOLDER anew and runs its tests (half an
+hour; no program of BUILD is needed): both only where they are named in --only. Lines that are not measured keep what FOLDER/limits.csv has of them.
 
-Writes limits.csv, table.md and manifest.json into FOLDER, results/limits unless told. docs/performance.md says what each
+Writes limits.csv, units.csv (of a build, the units that take longest), table.md and manifest.json into FOLDER, results/limits unless told. docs/performance.md says what each
 limit is and what was tried.
 """
 
@@ -28,9 +28,12 @@ import sys
 import tempfile
 import time
 
+import build_cost
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COLUMNS = ("line", "what", "limit", "limit_seconds", "seconds", "ratio", "before_seconds", "gain", "goal", "reached", "commit",
-           "before")
+           "before", "wall_seconds", "load", "peak_mib")
+UNIT_COLUMNS = ("unit", "seconds", "ratio", "mib", "commit")
 SEED = 20261125
 PATIENCE = 10.0  # for one solve [s]
 
@@ -46,6 +49,7 @@ class Bench:
         self.records = arguments.records
         self.source = arguments.source
         self.google = {}
+        self.units = None
 
     def programs(self):
         return [program for program in (self.now, self.before) if program]
@@ -259,22 +263,12 @@ def records(bench):
 
 
 def build(bench):
-    """The tree, copied and compiled anew without a compiler cache."""
-    rows = []
-    with tempfile.TemporaryDirectory() as folder:
-        tree = pathlib.Path(folder, "tree")
-        subprocess.run(["git", "clone", "-q", bench.source, tree], check=True)
-        environment = {key: value for key, value in os.environ.items() if "LAUNCHER" not in key} | {"CCACHE_DISABLE": "1"}
-        begun = time.perf_counter()
-        subprocess.run(["cmake", "-S", tree, "--preset", "release"], env=environment, stdout=subprocess.DEVNULL, check=True)
-        for target, goal in (("signorini", 180.0), ("all", 360.0)):
-            subprocess.run(["cmake", "--build", tree / "build/release", "--parallel", str(os.cpu_count()), "--target", target],
-                           env=environment, stdout=subprocess.DEVNULL, check=True)
-            seconds = time.perf_counter() - begun
-            what = "the program" if target == "signorini" else "the program and its tests"
-            rows.append(row("build", f"{what} from a fresh clone on {os.cpu_count()} cores", "", None, seconds, None,
-                            f"{goal:g} s", seconds <= goal))
-    return rows
+    """The tree, cloned and compiled anew without a compiler cache, beside one fixed source; its units go into bench.units."""
+    lines, units = build_cost.build_lines(bench.source)
+    bench.units = [unit | {"commit": lines[0]["commit"]} for unit in units]
+    return [row("build", line["what"], "one source with three decompositions", line["reference"], line["seconds"], None, line["goal"],
+                line["reached"]) | {"wall_seconds": line["wall"], "load": line["load"], "peak_mib": line["mib"], "commit": line["commit"]}
+            for line in lines]
 
 
 LINES = {"exact-orbit": exact_orbit, "fourier": fourier, "hat": hat, "curve": curve, "judge": judge, "case": case,
@@ -295,21 +289,52 @@ def plain(value):
     return "" if value in (None, "") else f"{float(value):.3g}"
 
 
-def write_table(rows, file):
+def table(head, rows):
+    return "\n".join(f"| {' | '.join(cells)} |" for cells in (head, ["---"] * len(head), *rows)) + "\n"
+
+
+def write_table(rows, units, file):
     words = {"True": "yes", "False": "no", "": ""}
-    lines = ["| what | beside its limit, or another way | that takes | takes | ratio | before | gain | goal | reached |", "|---|---|---|---|---|---|---|---|---|"]
-    lines += [f"| {r['what']} | {r['limit']} | {short(r['limit_seconds'])} | {short(r['seconds'])} | {plain(r['ratio'])} | "
-              f"{short(r['before_seconds'])} | {plain(r['gain'])} | {r['goal']} | {words[str(r['reached'])]} |" for r in rows]
     commits = sorted({f"{r['commit']} after {r['before']}" if r["before"] else r["commit"] for r in rows})
-    file.write_text("# Limits\n\nMeasured by tests/benchmarks/limits.py, the fastest of some repetitions in turns; commits: "
-                    f"{', '.join(commits)}. "
-                    "What the limits are and what was tried: [docs/performance.md](../../docs/performance.md).\n\n"
-                    + "\n".join(lines) + "\n")
+    text = ("# Limits\n\nMeasured by tests/benchmarks/limits.py, the fastest of some repetitions in turns; commits: "
+            f"{', '.join(commits)}. "
+            "What the limits are and what was tried: [docs/performance.md](../../docs/performance.md).\n\n")
+    text += table(["what", "beside its limit, or another way", "that takes", "takes", "ratio", "before", "gain", "goal", "reached"],
+                  [[r["what"], r["limit"], short(r["limit_seconds"]), short(r["seconds"]), plain(r["ratio"]), short(r["before_seconds"]),
+                    plain(r["gain"]), r["goal"], words[str(r["reached"])]] for r in rows if r["line"] != "build"])
+    built = [r for r in rows if r["line"] == "build"]
+    if built:
+        text += "\n## Build\n\nProcessor time over that of one fixed source, compiled alone; two jobs.\n\n"
+        # Older rows have the wall time alone.
+        text += table(["what", "processor", "ratio", "wall", "load before", "largest process", "goal", "reached"],
+                      [[r["what"], short(r["seconds"]) if r["wall_seconds"] else "", plain(r["ratio"]), short(r["wall_seconds"] or r["seconds"]),
+                        plain(r["load"]), f"{float(r['peak_mib']):.0f} MiB" if r["peak_mib"] else "", r["goal"], words[str(r["reached"])]]
+                       for r in built])
+    if units:
+        text += f"\nUnits that take more than {build_cost.DEAR} of that source:\n\n"
+        text += table(["unit", "processor", "ratio", "memory"],
+                      [[u["unit"], short(u["seconds"]), plain(u["ratio"]), f"{float(u['mib']):.0f} MiB"] for u in units])
+    file.write_text(text)
+
+
+def read_rows(file, columns):
+    """The rows of a table, with empty cells for columns that it has not yet; none where there is no table."""
+    if not file.exists():
+        return []
+    with file.open(newline="") as lines:
+        return [dict.fromkeys(columns, "") | entry for entry in csv.DictReader(lines)]
+
+
+def write_rows(file, columns, rows):
+    with file.open("w", newline="") as lines:
+        writer = csv.DictWriter(lines, columns, lineterminator="\n", restval="")
+        writer.writeheader()
+        writer.writerows(rows)
 
 
 def commit_of(program):
-    """The commit that a program was built of, as it says."""
-    if not program:
+    """The commit that a program was built of, as it says; none of a program that is not there."""
+    if not program or not shutil.which(str(program)):
         return ""
     version = subprocess.run([program, "--version"], capture_output=True, text=True, check=False).stdout
     found = re.search(r"\(([^)]*)\)", version)
@@ -327,24 +352,25 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "results/limits")
     arguments = parser.parse_args()
     bench = Bench(arguments)
-    for program in bench.programs():
+    for program in bench.programs() if arguments.only != ["build"] else ():
         if not shutil.which(str(program)):
             sys.exit(f"limits: {program}: no such program")
     arguments.out.mkdir(parents=True, exist_ok=True)
-    table = arguments.out / "limits.csv"
-    rows = [dict.fromkeys(COLUMNS, "") | r for r in csv.DictReader(table.open())] if table.exists() else []
+    rows = read_rows(arguments.out / "limits.csv", COLUMNS)
+    units = read_rows(arguments.out / "units.csv", UNIT_COLUMNS)
     for name in arguments.only:
-        fresh = [entry | {"commit": commit_of(bench.now), "before": commit_of(bench.before)} for entry in LINES[name](bench)]
+        commits = {"commit": commit_of(bench.now), "before": commit_of(bench.before) if name != "build" else ""}
+        fresh = [dict.fromkeys(COLUMNS, "") | commits | entry for entry in LINES[name](bench)]
         for entry in fresh:
             print(f"{entry['what']}: {short(entry['seconds'])}, limit {short(entry['limit_seconds'])}, "
                   f"before {short(entry['before_seconds'])}", flush=True)
         rows = [entry for line in LINES for entry in (fresh if line == name else [r for r in rows if r["line"] == line])]
-        with table.open("w", newline="") as file:
-            writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-            writer.writeheader()
-            writer.writerows(rows)
-        write_table(rows, arguments.out / "table.md")
-    manifest = {"program": commit_of(bench.now), "before": commit_of(bench.before),
+        if name == "build":
+            units = bench.units
+            write_rows(arguments.out / "units.csv", UNIT_COLUMNS, units)
+        write_rows(arguments.out / "limits.csv", COLUMNS, rows)
+        write_table(rows, units, arguments.out / "table.md")
+    manifest = {"program": fresh[0]["commit"], "before": commit_of(bench.before),
                 "cores": os.cpu_count(), "machine": platform.machine(), "system": platform.system(),
                 "date": time.strftime("%Y-%m-%d"), "repetitions": bench.repetitions, "seed": SEED,
                 "lines": arguments.only}

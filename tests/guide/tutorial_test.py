@@ -71,8 +71,9 @@ def follow_readme(folder, program):
 
 def main():
     program, update = Path(sys.argv[1]).resolve(), "--update" in sys.argv
-    if shutil.which("gnuplot") is None:
-        print("skipped: gnuplot is not installed")
+    draws = ["gnuplot", "-e", "set terminal svg; set terminal pdfcairo"]
+    if shutil.which("gnuplot") is None or subprocess.run(draws, capture_output=True, check=False).returncode != 0:
+        print("skipped: no gnuplot with svg and pdfcairo is installed")
         sys.exit(77)
     page = PAGE.read_text(encoding="utf-8")
     commands = [line for kind, text in BLOCK.findall(page) if kind == "sh" for line in text.splitlines()]

@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "tests/plugin/installed_program.hpp"
+#include "tests/support/other_programs.hpp"
 
 namespace signorini::test::examples_test {
 namespace {
@@ -28,7 +29,7 @@ std::string command_aft() {
 constexpr const char* kPath = "PATH=/usr/bin:$PATH";
 
 bool python_has_numpy() {
-  return std::system(fmt::format("{} python3 -c 'import numpy' 2>/dev/null", kPath).c_str()) == 0;
+  return succeeds(fmt::format("{} python3 -c 'import numpy; numpy.zeros(1)'", kPath));
 }
 
 constexpr std::array kScenes{"chain2-stop", "chain2-stop-e05", "sdof-stop-e0", "sdof-stop-e05",

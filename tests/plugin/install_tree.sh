@@ -19,8 +19,12 @@ build_project() { # SOURCE BUILD [OPTION...]
   "$cmake" --build "$to" --parallel 2
 }
 build_project "$folder/prefix/share/signorini/examples/moreau_jean" "$folder/moreau_jean" "$@"
-if [ -d /usr/include/siconos ]; then
-  build_project "$folder/prefix/share/signorini/examples/rivals/siconos" "$folder/siconos" "$@"
+# Whether Siconos is there, all that the example uses, is its own question.
+if build_project "$folder/prefix/share/signorini/examples/rivals/siconos" "$folder/siconos" "$@" >"$folder/siconos.log" 2>&1; then
+  cat "$folder/siconos.log"
+else
+  tr '\n' ' ' <"$folder/siconos.log" | grep -q 'Siconos  *is  *not  *installed  *whole' || { cat "$folder/siconos.log" && exit 1; }
+  echo 'without Siconos'
 fi
 (cd "$folder" && "$folder/prefix/bin/signorini" new method begun-outside --out-of-tree)
 build_project "$folder/begun-outside" "$folder/begun" "$@"

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
 #include "tests/plugin/installed_program.hpp"
+#include "tests/support/other_programs.hpp"
 
 namespace signorini::test::rivals_test {
 namespace {
@@ -19,8 +19,6 @@ fs::path siconos() { return installed_tree() / "siconos" / "siconos_rivals.so"; 
 std::string rival(const char* file) {
   return (installed_tree() / "prefix/share/signorini/examples/rivals" / file).string();
 }
-
-bool succeeds(const std::string& command) { return std::system((command + " >/dev/null 2>&1").c_str()) == 0; }
 
 // Records of these methods on these scenes, by case; every run ends well.
 std::map<std::string, Record> records_of(const std::string& scenes, const std::string& methods,
@@ -38,7 +36,8 @@ std::map<std::string, Record> records_of(const std::string& scenes, const std::s
 class Siconos : public testing::Test {
  protected:
   void SetUp() override {
-    if (!fs::exists(siconos())) GTEST_SKIP() << "libsiconos-kernel-dev is not installed";
+    if (!fs::exists(siconos()))
+      GTEST_SKIP() << "Siconos is not installed whole (libsiconos-kernel-dev, libsiconos-numerics-dev)";
   }
 };
 
@@ -95,10 +94,13 @@ TEST_F(Siconos, DoesNotApplyToWhatItsIntegratorsCannotStep) {
   }
 }
 
+bool has_solve_ivp(const std::string& path) {
+  return succeeds(path + " python3 -c 'import signorini; from scipy.integrate import solve_ivp'");
+}
+
 TEST(Scipy, FindsCertifiedOrbitsWhereContactsAreImpacts) {
   const std::string path = fmt::format("PATH=/usr/bin:$PATH PYTHONPATH={}", python_package().string());
-  if (!succeeds(path + " python3 -c 'import scipy, signorini'"))
-    GTEST_SKIP() << "python3 with scipy is not installed";
+  if (!has_solve_ivp(path)) GTEST_SKIP() << "python3 with scipy is not installed";
   const auto records =
       records_of("sdof-stop-e05:sdof-two-sided-e08:chain2-stop-e05", "scipy-events[tolerance=1e-8]",
                  " --plugin " + rival("scipy/scipy-events.toml"), path);
@@ -112,8 +114,7 @@ TEST(Scipy, FindsCertifiedOrbitsWhereContactsAreImpacts) {
 
 TEST(Scipy, GivesUpWhereContactLasts) {
   const std::string path = fmt::format("PATH=/usr/bin:$PATH PYTHONPATH={}", python_package().string());
-  if (!succeeds(path + " python3 -c 'import scipy, signorini'"))
-    GTEST_SKIP() << "python3 with scipy is not installed";
+  if (!has_solve_ivp(path)) GTEST_SKIP() << "python3 with scipy is not installed";
   const TemporaryFolder folder;
   const Outcome solve = run_installed(
       folder, "solve sdof-stick --method scipy-events --plugin " + rival("scipy/scipy-events.toml"), path);
@@ -124,8 +125,8 @@ TEST(Scipy, GivesUpWhereContactLasts) {
 class Nlvib : public testing::Test {
  protected:
   void SetUp() override {
-    if (std::getenv("NLVIB") == nullptr || !succeeds("octave-cli --version"))
-      GTEST_SKIP() << "NLVIB names no sources of NLvib, or Octave is not installed";
+    if (!succeeds("test -f \"$NLVIB/solve_and_continue.m\" && octave-cli --version"))
+      GTEST_SKIP() << "NLVIB names no folder with NLvib's solve_and_continue.m, or Octave is not installed";
   }
 };
 

@@ -19,7 +19,7 @@ TIME = re.compile(r"\d+(\.\d+)?(e[-+]\d+)? (us|ms|s)\b")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.M | re.S)
 NOTEBOOKS = sorted((support.ROOT / "python" / "notebooks").glob("*.ipynb"))
 PAGE = support.ROOT / "docs" / "python.md"
-ALL = support.installed("matplotlib") and support.installed("pandas")
+ALL = support.installed("matplotlib.pyplot") and support.installed("pandas")
 
 
 def comparable(text):

@@ -23,7 +23,7 @@ def sweep_of(stability):
     return Response.from_steps(None, "exact-orbit", points)
 
 
-@unittest.skipUnless(support.installed("matplotlib"), "matplotlib is not installed")
+@unittest.skipUnless(support.installed("matplotlib.pyplot"), "matplotlib is not installed")
 class Figures(support.TemporaryFolder):
     @classmethod
     def setUpClass(cls):

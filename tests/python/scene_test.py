@@ -100,7 +100,7 @@ class Matrices(support.TemporaryFolder):
         first, second = catalogue.solve(), own.solve()
         np.testing.assert_allclose(second.x, first.x, atol=1e-11 * np.abs(first.x).max())
 
-    @unittest.skipUnless(support.installed("scipy"), "scipy is not installed")
+    @unittest.skipUnless(support.installed("scipy.sparse"), "scipy is not installed")
     def test_may_be_sparse_with_repeated_entries(self):
         from scipy import sparse
         K = sparse.coo_matrix(([2.0, -1.0, -1.0, 0.5, 0.5], ([0, 0, 1, 1, 1], [0, 1, 0, 1, 1])))

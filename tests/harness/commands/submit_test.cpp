@@ -14,6 +14,7 @@
 #include "harness/records/record_store.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
+#include "tests/support/other_programs.hpp"
 
 namespace signorini::submit_test {
 namespace {
@@ -59,7 +60,9 @@ TEST(CommandSubmit, CallsASubmissionThatTheLauncherRefusesBadUsage) {
 }
 
 TEST(CommandSubmit, RunsShardsByGnuParallel) {
-  if (std::system("command -v parallel >/dev/null") != 0) GTEST_SKIP() << "GNU parallel is not installed";
+  // moreutils has another program of that name.
+  if (!test::succeeds("parallel --version | grep '^GNU parallel'"))
+    GTEST_SKIP() << "GNU parallel is not installed";
   const auto folder = test::fresh_folder("parallel");
   const Outcome outcome = run("submit parallel " + folder.string() +
                               " --shards 2 --at-once 2 quick --scenes sdof-stop:sdof-far-stop --methods "

@@ -6,6 +6,7 @@
 #include "harness/files.hpp"
 #include "tests/harness/program.hpp"
 #include "tests/problems/temporary_folder.hpp"
+#include "tests/support/other_programs.hpp"
 
 namespace signorini::plot_file_test {
 namespace {
@@ -24,6 +25,7 @@ std::size_t files_in(const fs::path& folder) {
 }
 
 TEST(WritePlot, WritesTheFormatOfTheEndingAndNothingElse) {
+  if (!test::gnuplot_draws()) GTEST_SKIP() << test::kNoGnuplot;
   const test::TemporaryFolder folder;
   for (const auto& [name, magic] : {std::pair{"a.svg", "<?xml"}, {"a.pdf", "%PDF"}, {"a.png", "\x89PNG"}}) {
     write_plot(folder.path() / name, parabola());
@@ -33,6 +35,7 @@ TEST(WritePlot, WritesTheFormatOfTheEndingAndNothingElse) {
 }
 
 TEST(WritePlot, IsTheSameEachTime) {
+  if (!test::gnuplot_draws()) GTEST_SKIP() << test::kNoGnuplot;
   const test::TemporaryFolder folder;
   write_plot(folder.path() / "a.pdf", parabola());
   write_plot(folder.path() / "b.pdf", parabola());
@@ -40,6 +43,7 @@ TEST(WritePlot, IsTheSameEachTime) {
 }
 
 TEST(WritePlot, SaysWhatGnuplotDoesNotUnderstand) {
+  if (!test::gnuplot_draws()) GTEST_SKIP() << test::kNoGnuplot;
   const test::TemporaryFolder folder;
   EXPECT_THROW(write_plot(folder.path() / "a.svg", {.name = "bad", .script = "no such command\n"}),
                UsageError);
@@ -56,6 +60,7 @@ TEST(PlotObstacle, RefusesOtherEndingsAndFoldersThatAreNotThere) {
 }
 
 TEST(PlotOption, DrawsWhatEachCommandHasFound) {
+  if (!test::gnuplot_draws()) GTEST_SKIP() << test::kNoGnuplot;
   const test::TemporaryFolder folder;
   const auto drawn = [&](const std::string& command, const std::string& name) {
     const std::string file = (folder.path() / name).string();

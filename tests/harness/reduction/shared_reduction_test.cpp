@@ -12,6 +12,7 @@
 #include "harness/plan/scene_choice.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
+#include "tests/support/other_programs.hpp"
 
 namespace signorini::shared_reduction_test {
 namespace {
@@ -22,10 +23,12 @@ class SharedReduction : public testing::Test {
  protected:
   void SetUp() override {
     if (!fs::exists(fs::path(SIGNORINI_BINARY).parent_path() / kSharedReducer))
-      GTEST_SKIP() << "libmumps-dev is not installed";
+      GTEST_SKIP() << "built without MUMPS (libmumps-dev)";
     // As root, in a container, mpirun asks for these.
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    if (!test::succeeds("mpirun --oversubscribe -n 2 true"))
+      GTEST_SKIP() << "no mpirun of Open MPI starts two processes here (openmpi-bin)";
   }
 
   static test::Outcome reduce(const std::string& words) {

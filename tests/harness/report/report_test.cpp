@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <random>
@@ -14,6 +13,7 @@
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
+#include "tests/support/other_programs.hpp"
 
 namespace signorini::report_test {
 namespace {
@@ -29,10 +29,8 @@ std::map<std::string, std::string> contents(const fs::path& folder) {
   return files;
 }
 
-bool has_gnuplot() { return std::system("gnuplot --version >/dev/null 2>&1") == 0; }
-
 TEST(WriteReport, IsByteIdenticalWhateverTheOrderOfTheRecords) {
-  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
+  if (!test::gnuplot_draws()) GTEST_SKIP() << test::kNoGnuplot;
   std::vector<Record> records = test::records_of_a_run();
   const fs::path folder = test::fresh_folder("report");
   write_report(folder, Evaluation(records), kReportFormats);

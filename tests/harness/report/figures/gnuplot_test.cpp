@@ -9,6 +9,7 @@
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "tests/harness/fake_method.hpp"
+#include "tests/support/other_programs.hpp"
 
 namespace signorini::gnuplot_test {
 namespace {
@@ -37,7 +38,7 @@ TEST(WholeScript, MakesBothFormatsOfItsDataInTheSizeOfTheFigure) {
 }
 
 TEST(DrawFigures, LeavesScriptDataAndDrawingsThatGnuplotMakesAgain) {
-  if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  if (!test::gnuplot_draws()) GTEST_SKIP() << test::kNoGnuplot;
   const std::filesystem::path folder = test::fresh_folder("gnuplot");
   draw_figures(folder, std::vector{parabola()});
   const std::string svg = read_file(folder / "parabola.svg");
@@ -50,7 +51,7 @@ TEST(DrawFigures, LeavesScriptDataAndDrawingsThatGnuplotMakesAgain) {
 }
 
 TEST(DrawFigures, KeepsWhatGnuplotComplainsOf) {
-  if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  if (!test::gnuplot_draws()) GTEST_SKIP() << test::kNoGnuplot;
   const std::filesystem::path folder = test::fresh_folder("gnuplot");
   Figure bad = parabola();
   bad.script = "plot nonsense nonsense\n";
@@ -91,7 +92,7 @@ TEST(GnuplotString, HasNoCharacterThatEndsIt) {
 }
 
 TEST(DrawFigures, RunsNoCommandThatATitleHolds) {
-  if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  if (!test::gnuplot_draws()) GTEST_SKIP() << test::kNoGnuplot;
   const std::filesystem::path folder = test::fresh_folder("gnuplot-attack");
   Figure figure = parabola();
   figure.script = "set key noenhanced\nplot data using 1:2 title " +

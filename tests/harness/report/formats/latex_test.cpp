@@ -10,6 +10,7 @@
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
+#include "tests/support/other_programs.hpp"
 
 namespace signorini::latex_test {
 namespace {
@@ -52,7 +53,8 @@ TEST(ToLatex, HasAsManyCellsInEveryRowAsColumns) {
 }
 
 TEST(ToLatex, IsTypesetWithoutComplaint) {
-  if (std::system("pdflatex --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "pdflatex is not installed";
+  if (!test::succeeds("pdflatex --version && kpsewhich booktabs.sty && kpsewhich longtable.sty"))
+    GTEST_SKIP() << "pdflatex with booktabs and longtable is not installed (texlive-latex-recommended)";
   const fs::path folder = test::fresh_folder("latex");
   std::string document = "\\documentclass{article}\\usepackage{booktabs,longtable}\\begin{document}\\tiny\n";
   for (const Section& section : sections_of(Evaluation(test::records_of_a_run()))) {
