@@ -12,19 +12,21 @@ ExponentialFlow::ExponentialFlow(ModeEquations equations) : LinearFlow(std::move
   const MassForm mass = equations_.mass_form();
   const EnergyForm energy(mass, equations_.structure().frequency);
   const Eigen::MatrixXd& Q = equations_.form.basis;
+  const Eigen::MatrixXd q_of_z = extended::rounded(mass.q_of_z);
   const RelaxingForm& relaxing = equations_.form.relaxing;
   const Eigen::Index n = equations_.free(), harmonics = equations_.harmonics();
   const Eigen::Index alone = relaxing.of_z.cols(), y = 2 * n + alone;
   generator_ = Eigen::MatrixXd::Zero(y + 2 * harmonics, y + 2 * harmonics);
-  generator_.topLeftCorner(2 * n, 2 * n) = energy.B.cast<double>();
+  generator_.topLeftCorner(2 * n, 2 * n) = extended::rounded(energy.B);
   position_of_y_ = Eigen::MatrixXd::Zero(positions(), y);
-  position_of_y_.topLeftCorner(size(), n) = Q * ExtendedMatrix(mass.q_of_z * energy.z_of_e).cast<double>();
+  position_of_y_.topLeftCorner(size(), n) =
+      Q * extended::rounded(extended::product(mass.q_of_z, energy.z_of_e));
   velocity_of_y_ = Eigen::MatrixXd::Zero(size(), y);
-  velocity_of_y_.middleCols(n, n) = Q * mass.q_of_z.cast<double>();
+  velocity_of_y_.middleCols(n, n) = Q * q_of_z;
   y_of_state_ = Eigen::MatrixXd::Zero(y, states());
   y_of_state_.topLeftCorner(n, size()) =
-      ExtendedMatrix(energy.E.transpose() * mass.L.transpose()).cast<double>() * Q.transpose();
-  y_of_state_.block(n, positions(), n, size()) = mass.L.transpose().cast<double>() * Q.transpose();
+      extended::rounded(extended::transposed(extended::product(mass.L, energy.E))) * Q.transpose();
+  y_of_state_.block(n, positions(), n, size()) = extended::rounded(mass.L).transpose() * Q.transpose();
   offset_ = Eigen::VectorXd::Zero(positions());
   offset_.head(size()) = equations_.form.offset;
   if (positions() > size()) relax();
@@ -35,7 +37,7 @@ ExponentialFlow::ExponentialFlow(ModeEquations equations) : LinearFlow(std::move
     // Re f e^{i angle} = Re f cos - Im f sin, with the cosine in column c and the sine in column c + 1.
     const Eigen::Index c = y + 2 * h;
     const double rate = equations_.rates()[static_cast<std::size_t>(h)];
-    const Eigen::VectorXcd load = mass.q_of_z.transpose().cast<double>() * equations_.reduced_load(h);
+    const Eigen::VectorXcd load = q_of_z.transpose() * equations_.reduced_load(h);
     generator_.block(n, c, n, 1) = load.real();
     generator_.block(n, c + 1, n, 1) = -load.imag();
     generator_(c, c + 1) = -rate;

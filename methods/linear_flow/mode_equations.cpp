@@ -1,48 +1,10 @@
 #include "methods/linear_flow/mode_equations.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <complex>
 #include <utility>
 
 namespace signorini {
-
-MassForm::MassForm(const ExtendedMatrix& M, const ExtendedMatrix& D, const ExtendedMatrix& K) {
-  const Eigen::LLT<ExtendedMatrix> mass(M);
-  definite = mass.info() == Eigen::Success;
-  L = mass.matrixL();
-  q_of_z = mass.matrixU().solve(ExtendedMatrix::Identity(M.rows(), M.rows()));
-  const auto transformed = [&](const ExtendedMatrix& A) {
-    const ExtendedMatrix half = mass.matrixL().solve(A);
-    return ExtendedMatrix(mass.matrixL().solve(ExtendedMatrix(half.transpose())).transpose());
-  };
-  damping = transformed(D);
-  stiffness = transformed(K);
-}
-
-EnergyForm::EnergyForm(const MassForm& mass, double rate) {
-  const Eigen::Index n = mass.size();
-  const long double s = rate;
-  const ExtendedMatrix identity = ExtendedMatrix::Identity(n, n);
-  const ExtendedMatrix& stiffness = mass.stiffness;
-  // The shift s^2 keeps E regular where K is not, at a rigid-body motion, and costs nothing elsewhere: s is a
-  // rate of motions that matter, so that e and z' stay of one size in them.
-  constexpr long double kRounding = 1e-12L;  // of a symmetric K on the way here
-  const ExtendedMatrix skew = 0.5L * (stiffness - stiffness.transpose());
-  const bool circulates = skew.norm() > kRounding * stiffness.norm();
-  ExtendedMatrix elastic = stiffness + s * s * identity;
-  if (circulates) elastic -= skew;
-  const Eigen::LLT<ExtendedMatrix> energy(elastic);
-  definite = mass.definite && energy.info() == Eigen::Success;
-  E = definite ? ExtendedMatrix(energy.matrixL()) : ExtendedMatrix(s * identity);
-  z_of_e = E.transpose().triangularView<Eigen::Upper>().solve(identity);
-  B = ExtendedMatrix::Zero(2 * n, 2 * n);
-  B.topRightCorner(n, n) = E.transpose();
-  B.bottomLeftCorner(n, n) =
-      definite ? ExtendedMatrix(s * s * z_of_e - E) : ExtendedMatrix(-stiffness * z_of_e);
-  if (definite && circulates) B.bottomLeftCorner(n, n) -= skew * z_of_e;
-  B.bottomRightCorner(n, n) = -mass.damping;
-}
 
 ModeEquations::ModeEquations(const ContactDynamics& of, ContactMode contacts)
     : dynamics(&of), mode(std::move(contacts)), form(of.stops().free_form(mode)) {
@@ -63,7 +25,9 @@ ModeEquations::ModeEquations(const ContactDynamics& of, ContactMode contacts)
   output_of_load.bottomRows(active) = form.force_of_load;
   if (s.relaxing() > 0) return;
   // x = W^T u + s + C_0 lambda
-  const Eigen::MatrixXd give = s.massless_compliance(Eigen::all, mode.active);
+  Eigen::MatrixXd give(contact_count, active);
+  for (Eigen::Index k = 0; k < active; ++k)
+    give.col(k) = s.massless_compliance.col(mode.active[static_cast<std::size_t>(k)]);
   output_of_state.topRows(contact_count) += give * form.force_of_state;
   output_of_load.topRows(contact_count) += give * form.force_of_load;
 }
@@ -75,10 +39,11 @@ Eigen::VectorXcd ModeEquations::reduced_load(Eigen::Index h) const {
 }
 
 MassForm ModeEquations::mass_form() const {
-  const ExtendedMatrix Q = form.basis.cast<long double>();
-  const auto reduced = [&](const Eigen::MatrixXd& A) -> ExtendedMatrix {
-    if (Q.cols() == size()) return A.cast<long double>();  // nothing is held: Q is the identity
-    return Q.transpose() * (A.cast<long double>() * Q);
+  const ExtendedMatrix Q = extended::widened(form.basis);
+  const auto reduced = [&](const Eigen::MatrixXd& A) {
+    ExtendedMatrix wide = extended::widened(A);
+    if (Q.cols() == size()) return wide;  // nothing is held: Q is the identity
+    return extended::transposed_product(Q, extended::product(wide, Q));
   };
   const FlowStructure& s = structure();
   return {reduced(s.mass), reduced(form.damping), reduced(form.stiffness)};

@@ -1,3 +1,5 @@
+#include "methods/linear_flow/complex_modes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -8,8 +10,6 @@
 #include <optional>
 #include <vector>
 
-#include "methods/linear_flow/linear_flow.hpp"
-
 namespace signorini::complex_modes_test {
 namespace {
 
@@ -19,7 +19,7 @@ constexpr double kRate = 1.0;
 
 std::optional<ComplexModes> modes_of(const Eigen::MatrixXd& M, const Eigen::MatrixXd& D,
                                      const Eigen::MatrixXd& K) {
-  return complex_modes({M.cast<long double>(), D.cast<long double>(), K.cast<long double>()}, kRate);
+  return complex_modes({extended::widened(M), extended::widened(D), extended::widened(K)}, kRate);
 }
 
 std::optional<ComplexModes> one_mass(double m, double d, double k) {
@@ -142,6 +142,19 @@ TEST(ComplexModes, MoveTheStructureWhateverItsDamping) {
   const Eigen::MatrixXd D = turned * one_damper * turned.transpose();
   expect_motions_of(*modes_of(I, 0.5 * (D + D.transpose()), 3.0 * I), I, 0.5 * (D + D.transpose()), 3.0 * I,
                     1e-13);
+}
+
+TEST(ComplexModes, MoveAStructureOfManyCoordinates) {
+  const int n = 16;
+  const Eigen::MatrixXd K = chain_stiffness(n);
+  const Eigen::MatrixXd M = Eigen::VectorXd::LinSpaced(n, 1.0, 3.0).asDiagonal().toDenseMatrix() - K / 6.0;
+  for (const double damper : {0.1, 30.0}) {  // the latter overdamped
+    const Eigen::MatrixXd D = 0.01 * K + damper * Eigen::VectorXd::Unit(n, 2).asDiagonal().toDenseMatrix();
+    const auto modes = modes_of(M, D, K);
+    ASSERT_TRUE(modes);
+    EXPECT_EQ(modes->mu.size(), damper > 1.0 ? n + 1 : n);
+    expect_motions_of(*modes, M, D, K, 1e-12);
+  }
 }
 
 TEST(ComplexModes, AreRealShapesWhereDampingCouplesNone) {

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-
+#include "methods/solvers/extended/matrix.hpp"
 #include "tests/support/structure_scenes.hpp"
 
 namespace signorini::ritz_reduction_test {
@@ -12,7 +11,6 @@ namespace {
 // A slender block, whose softest bending is most of its compliance: what the space leaves out is a
 // thousandth of that and less, and known to six digits nonetheless, against sums in long double.
 TEST(StaticCompliance, KnowsWhatASpaceLeavesOut) {
-  using Long = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
   const Problem block = test::padded_block_problem(
       {.elements = {24, 2, 2}, .lengths = {2.0, 0.02, 0.02}, .patch = {{{1.5, 2.0}, {0.0, 0.02}}}});
   const ContactColumns columns = contact_columns(block);
@@ -24,15 +22,23 @@ TEST(StaticCompliance, KnowsWhatASpaceLeavesOut) {
   space.grow();
   const SpaceProjection projection = statics.projection(space);
   EXPECT_EQ(projection.contacts.topRows(before.contacts.rows()), before.contacts);
-  const Long K = Eigen::MatrixXd(block.stiffness()).cast<long double>();
-  const Long B = Eigen::MatrixXd(columns.all()).cast<long double>();
-  const Long V = space.combined(Eigen::MatrixXd::Identity(space.size(), space.size())).cast<long double>();
-  const Long whole = B.transpose() * Eigen::LDLT<Long>(K).solve(B), seen = V.transpose() * B;
-  const Long held = seen.transpose() * Eigen::LDLT<Long>(Long(V.transpose() * K * V)).solve(seen);
-  const Eigen::MatrixXd outside = (whole - held).cast<double>();
-  ASSERT_LT(outside.diagonal().maxCoeff(), 1e-3 * static_cast<double>(whole.diagonal().maxCoeff()));
+  // B^T K^-1 B = Y^T Y for K = L L^T and Y = L^-1 B.
+  const auto compliance = [](const ExtendedMatrix& K, const ExtendedMatrix& B) {
+    const ExtendedMatrix Y = extended::solve_lower(extended::cholesky(K).L, B);
+    return extended::transposed_product(Y, Y);
+  };
+  const ExtendedMatrix K = extended::widened(block.stiffness()), B = extended::widened(columns.all());
+  const ExtendedMatrix V =
+      extended::widened(space.combined(Eigen::MatrixXd::Identity(space.size(), space.size())));
+  ExtendedMatrix left_out = compliance(K, B);
+  const Eigen::MatrixXd whole = extended::rounded(left_out);
+  const ExtendedMatrix held = compliance(extended::transposed_product(V, extended::product(K, V)),
+                                         extended::transposed_product(V, B));
+  for (Eigen::Index i = 0; i < held.size(); ++i) left_out.data()[i] -= held.data()[i];
+  const Eigen::MatrixXd outside = extended::rounded(left_out);
+  ASSERT_LT(outside.diagonal().maxCoeff(), 1e-3 * whole.diagonal().maxCoeff());
   EXPECT_LT((projection.outside - outside).norm(), 1e-6 * outside.norm());
-  const Eigen::VectorXd lengths = whole.diagonal().cwiseSqrt().cast<double>();
+  const Eigen::VectorXd lengths = whole.diagonal().cwiseSqrt();
   statics.forget_vectors();
   const SpaceProjection anew = statics.projection(space);
   EXPECT_EQ(anew.contacts, projection.contacts);
