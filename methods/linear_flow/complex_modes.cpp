@@ -1,7 +1,5 @@
 #include "methods/linear_flow/complex_modes.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -12,6 +10,8 @@
 #include "methods/solvers/constants.hpp"
 #include "methods/solvers/extended/eigenbasis.hpp"
 #include "methods/solvers/extended/symmetric_eigenpairs.hpp"
+#include "problems/linear_algebra/complex_lu.hpp"
+#include "problems/linear_algebra/general_eigen.hpp"
 
 namespace signorini {
 
@@ -54,6 +54,7 @@ std::optional<RealModes> real_modes(const MassForm& form) {
   const auto lost = [n](long double largest) { return kRounding * static_cast<long double>(n) * largest; };
   // The l_k reach from below the least element of the diagonal to above the largest: most structures whose
   // l_k spread too far end here.
+  if (n == 0) return std::nullopt;
   long double least = form.stiffness(0, 0), largest = least, skew = 0.0L;
   for (Index j = 0; j < n; ++j) {
     least = std::min(least, form.stiffness(j, j));
@@ -188,19 +189,6 @@ std::optional<ComplexModes> modes_in_long_double(const MassForm& form, const Ene
   return modes;
 }
 
-struct EigenPairs {
-  Eigen::VectorXcd values;
-  Eigen::MatrixXcd vectors;
-};
-
-std::optional<EigenPairs> general_eigenpairs(const Eigen::MatrixXd& A) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
-  if (solver.info() != Eigen::Success) return std::nullopt;
-  return EigenPairs{.values = solver.eigenvalues(), .vectors = solver.eigenvectors()};
-}
-
-Eigen::MatrixXcd complex_inverse(const Eigen::MatrixXcd& A) { return A.partialPivLu().inverse(); }
-
 Eigen::MatrixXcd product_of(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B) { return A * B; }
 
 Eigen::MatrixXcd in_complex(const ExtendedMatrix& A) {
@@ -210,10 +198,10 @@ Eigen::MatrixXcd in_complex(const ExtendedMatrix& A) {
 }
 
 std::optional<ComplexModes> modes_in_double(const MassForm& form, const EnergyForm& energy) {
-  const auto pairs = general_eigenpairs(extended::rounded(energy.B));
-  if (!pairs) return std::nullopt;
+  const GeneralEigen pairs = general_eigen(extended::rounded(energy.B));
+  if (!pairs.converged) return std::nullopt;
   const Index n = form.size();
-  const Eigen::MatrixXcd &V = pairs->vectors, inverse = complex_inverse(V);
+  const Eigen::MatrixXcd &V = pairs.vectors, inverse = signorini::inverse(V);
   const Eigen::MatrixXcd of_z = inverse.rightCols(n);
   const Eigen::MatrixXcd shapes =
       product_of(in_complex(extended::product(form.q_of_z, energy.z_of_e)), V.topRows(n));
@@ -225,12 +213,12 @@ std::optional<ComplexModes> modes_in_double(const MassForm& form, const EnergyFo
   for (Index k = 0; k < 2 * n; ++k) {
     const double condition = V.col(k).norm() * inverse.row(k).norm();
     if (!(condition < most_cancelled(n))) return std::nullopt;
-    if (pairs->values[k].imag() >= 0.0) kept.push_back(k);
+    if (pairs.values[k].imag() >= 0.0) kept.push_back(k);
   }
   ComplexModes modes = modes_of_size(static_cast<Index>(kept.size()), n);
   for (Index place = 0; place < modes.mu.size(); ++place) {
     const Index k = kept[static_cast<std::size_t>(place)];
-    modes.mu[place] = pairs->values[k];
+    modes.mu[place] = pairs.values[k];
     modes.weight[place] = modes.mu[place].imag() > 0.0 ? 2.0 : 1.0;
     for (Index i = 0; i < n; ++i) {
       modes.shapes(i, place) = shapes(i, k);
