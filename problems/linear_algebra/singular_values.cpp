@@ -11,12 +11,8 @@ namespace signorini {
 
 namespace {
 
-bool is_for_lapack(const Eigen::MatrixXd& A) {
-  return std::min(A.rows(), A.cols()) >= kLeastForLapack && A.allFinite();
-}
-
 // By divide and conquer; job as of dgesdd.
-SingularValues by_lapack(Eigen::MatrixXd A, char job) {
+SingularValues singular_by_lapack(Eigen::MatrixXd A, char job) {
   const int m = static_cast<int>(A.rows()), n = static_cast<int>(A.cols()), least = std::min(m, n);
   const int left = job == 'A' ? m : job == 'S' ? least : 1, right = job == 'A' ? n : job == 'S' ? least : 1;
   SingularValues result{
@@ -41,14 +37,14 @@ SingularValues by_lapack(Eigen::MatrixXd A, char job) {
 }  // namespace
 
 SingularValues singular_vectors(const Eigen::MatrixXd& A) {
-  if (is_for_lapack(A)) return by_lapack(A, 'A');
+  if (is_for_lapack(A)) return singular_by_lapack(A, 'A');
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return {.values = svd.singularValues(), .U = svd.matrixU(), .V = svd.matrixV()};
 }
 
 SingularValues left_singular_vectors(const Eigen::MatrixXd& A) {
   if (is_for_lapack(A)) {
-    SingularValues found = by_lapack(A, 'S');
+    SingularValues found = singular_by_lapack(A, 'S');
     found.V.resize(0, 0);
     return found;
   }
@@ -57,14 +53,14 @@ SingularValues left_singular_vectors(const Eigen::MatrixXd& A) {
 }
 
 Eigen::MatrixXd right_singular_vectors(const Eigen::MatrixXd& A) {
-  if (is_for_lapack(A)) return by_lapack(A, 'A').V;
+  if (is_for_lapack(A)) return singular_by_lapack(A, 'A').V;
   return Eigen::JacobiSVD<Eigen::MatrixXd>(A, Eigen::ComputeFullV).matrixV();
 }
 
 double least_singular_value(const Eigen::MatrixXd& A) {
   if (A.size() == 0) return std::numeric_limits<double>::infinity();
-  const Eigen::VectorXd values =
-      is_for_lapack(A) ? by_lapack(A, 'N').values : Eigen::JacobiSVD<Eigen::MatrixXd>(A).singularValues();
+  const Eigen::VectorXd values = is_for_lapack(A) ? singular_by_lapack(A, 'N').values
+                                                  : Eigen::JacobiSVD<Eigen::MatrixXd>(A).singularValues();
   return values[values.size() - 1];
 }
 
