@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/algorithm/string/replace.hpp>
 
 #include "harness/failure.hpp"
+#include "harness/text/words.hpp"
 #include "problems/scene/toml_tree.hpp"
 
 namespace signorini {
@@ -26,7 +26,7 @@ std::string sbatch_lines(const Submission& s) {
 
 /// A path in a line of #SBATCH, which no shell reads: in double quotes, "%" of a name doubled.
 std::string sbatch_path(const std::filesystem::path& folder, std::string_view file) {
-  return fmt::format("\"{}/{}\"", boost::replace_all_copy(folder.string(), "%", "%%"), file);
+  return fmt::format("\"{}/{}\"", replaced(folder.string(), "%", "%%"), file);
 }
 
 std::string merge_command(const Submission& s) {
@@ -103,7 +103,7 @@ std::string parallel_script(const Submission& s) {
   // Cases that fail are records: exit code 1 is no reason to stop.
   const std::string run = parallel_run_command(s, "{}") + " || [ $? -eq 1 ]";
   return fmt::format("#!/bin/sh\nset -eu\nparallel --jobs {} --joblog {}/parallel.log {} ::: {}\nexec {}\n",
-                     s.at_once, shell_word(s.folder.string()), shell_word(run), fmt::join(numbers, " "),
+                     s.at_once, shell_word(s.folder.string()), shell_word(run), joined(numbers, " "),
                      merge_command(s));
 }
 

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -15,7 +14,8 @@
 #include "harness/interrupt.hpp"
 #include "harness/plan/suite.hpp"
 #include "harness/progress.hpp"
-#include "harness/records/json_fields.hpp"
+#include "harness/text/json.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -97,30 +97,28 @@ int check(const CheckArguments& arguments) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app, int& exit_code) {
-  auto* command =
-      app.add_subcommand("check",
-                         "What every method must pass: declared options and laws, determinism, time budget, "
-                         "invariances, convergence, "
-                         "and no claim that the harness refutes. Exit code 1 if something failed.");
+void add_check_command(const Command& program, int& exit_code) {
+  const Command command =
+      program.command("check",
+                      "What every method must pass: declared options and laws, determinism, time budget, "
+                      "invariances, convergence, "
+                      "and no claim that the harness refutes. Exit code 1 if something failed.");
   const auto arguments = std::make_shared<CheckArguments>();
-  command->add_option("method", arguments->method, "method name; see `signorini list methods`");
-  command->add_flag("--all", arguments->all, "every method there is");
-  command->add_option("--suite", arguments->suite, "whose scenes are asked about")->capture_default_str();
+  command.option("method", arguments->method, "method name; see `signorini list methods`");
+  command.flag("--all", arguments->all, "every method there is");
+  command.option("--suite", arguments->suite, "whose scenes are asked about").shows_default();
   command
-      ->add_option("--scenes", arguments->scenes,
-                   "instead: scenes by glob, A*:B*-C*, of all that ship, and files or folders of one's own; "
-                   "may be repeated")
-      ->allow_extra_args(false);
-  command
-      ->add_option("--checks", arguments->checks,
-                   fmt::format("by glob, of {}", fmt::join(check_names(), ", ")))
-      ->capture_default_str();
-  command->add_option("--timeout", arguments->timeout, "wall time of one solve [s]")
-      ->check(positive_seconds)
-      ->capture_default_str();
-  command->add_flag("--json", arguments->json, "print the findings as a JSON array");
-  command->callback([arguments, &exit_code] { exit_code = check(*arguments); });
+      .option("--scenes", arguments->scenes,
+              "instead: scenes by glob, A*:B*-C*, of all that ship, and files or folders of one's own; "
+              "may be repeated")
+      .one_word();
+  command.option("--checks", arguments->checks, fmt::format("by glob, of {}", joined(check_names(), ", ")))
+      .shows_default();
+  command.option("--timeout", arguments->timeout, "wall time of one solve [s]")
+      .check(positive_seconds)
+      .shows_default();
+  command.flag("--json", arguments->json, "print the findings as a JSON array");
+  command.on_run([arguments, &exit_code] { exit_code = check(*arguments); });
 }
 
 }  // namespace signorini

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -15,15 +13,15 @@
 #include <system_error>
 #include <utility>
 
+#include "harness/arguments/argument_parser.hpp"
+#include "harness/arguments/command_guide.hpp"
 #include "harness/build_info.hpp"
-#include "harness/commands/command_guide.hpp"
 #include "harness/extend/plugins/plugins.hpp"
 #include "harness/failure.hpp"
 #include "harness/isolation/one_thread.hpp"
 #include "harness/plots/plot_file.hpp"
 #include "harness/terminal/refusal_hint.hpp"
 #include "methods/options.hpp"
-#include "problems/scene/close_names.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "problems/scene/toml_tree.hpp"
 #include "problems/validation.hpp"
@@ -78,48 +76,17 @@ int complain_of_file(const std::filesystem::filesystem_error& error) {
       kBadUsage);
 }
 
-/// The command that the words lead to.
-const CLI::App& command_read(const CLI::App& app) {
-  const std::vector<CLI::App*> read = app.get_subcommands();
-  return read.empty() ? app : command_read(*read.front());
-}
-
-/// Options that words left over may have meant; several scenes that a shell made of one pattern.
-std::string hint_for_rest(const CLI::App& command) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
-  for (const std::string& word : command.remaining()) {
-    if (word.ends_with(".toml")) return "; several scenes: --scenes A.toml:B.toml, or the pattern in quotes";
-    if (!word.starts_with("--")) continue;
-    const std::string hint = suggestion(word.substr(0, word.find('=')), names);
-    if (!hint.empty()) return "; " + word + ": " + hint.substr(2);
-  }
-  return {};
-}
-
-/// Reports in one line why the command line cannot be parsed.
-int complain_usage(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return delivered(app.exit(error));  // --help, --version
-  const CLI::App& command = command_read(app);
-  std::string line = error.what();
-  line = line.substr(0, line.find('\n'));
-  line += hint_for_rest(command);
-  return complain(fmt::format("{} (see `{} --help`)", one_line(line, 500), full_name(command)), kBadUsage);
-}
-
-/// Names the commands where the first word, after those of --plugin, is none; CLI11 would only say that a
-/// command is missing. \throws UsageError
-void require_known_command(const CLI::App& app, const std::vector<std::string>& words) {
+/// Names the commands where the first word, after those of --plugin, is none; the parser would only say that
+/// a command is missing. \throws UsageError
+void require_known_command(const Command& program, const std::vector<std::string>& words) {
   std::size_t place = 1;
   while (place < words.size() && words[place].starts_with("--plugin"))
     place += words[place] == "--plugin" ? 2 : 1;  // "--plugin FILE" or "--plugin=FILE"
   if (place >= words.size() || words[place].starts_with('-')) return;
   std::string names;
-  for (const CLI::App* command : app.get_subcommands({})) {
-    if (command->get_name() == words[place]) return;
-    names += (names.empty() ? "" : ", ") + command->get_name();
+  for (const Command& command : program.commands()) {
+    if (command.name() == words[place]) return;
+    names += (names.empty() ? "" : ", ") + command.name();
   }
   throw UsageError(fmt::format("command = {} (must be one of {})", words[place], names));
 }
@@ -146,55 +113,44 @@ std::vector<OptionSetting> parse_settings(const std::vector<std::string>& texts)
   return settings;
 }
 
-std::string positive_seconds(const std::string& text) {
-  double value = 0.0;
-  const bool ok = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0.0;
-  return ok ? std::string{} : fmt::format("timeout = {} (must be a positive number of seconds)", text);
+void add_plot_option(const Command& command, std::string& file, const std::string& what) {
+  command.option("--plot", file, what + ", as a picture in FILE.svg, .pdf or .png; needs gnuplot")
+      .check(plot_obstacle)
+      .type_name("FILE");
 }
 
-void add_plot_option(CLI::App& command, std::string& file, const std::string& what) {
-  command.add_option("--plot", file, what + ", as a picture in FILE.svg, .pdf or .png; needs gnuplot")
-      ->check(plot_obstacle)
-      ->type_name("FILE");
-}
-
-void add_column_option(CLI::App& command, Column& column, const std::string& of) {
+void add_column_option(const Command& command, Column& column, const std::string& of) {
   command
-      .add_option_function<std::string>(
+      .word_option(
           "--column",
           [&column](const std::string& word) { column = word == "single" ? Column::single : Column::both; },
           fmt::format("width of {} for a journal: single ({} cm) or double ({} cm); letters keep their size",
                       of, kSingleColumn, kBothColumns))
-      ->check(CLI::IsMember({"single", "double"}));
+      .one_of({"single", "double"});
 }
 
-void add_plugin_options(CLI::App& app, const std::shared_ptr<std::vector<std::string>>& plugins) {
-  const auto add = [&](CLI::App& command) {
+void add_plugin_options(const Command& program, const std::shared_ptr<std::vector<std::string>>& plugins) {
+  const auto add = [&](const Command& command) {
     // Words before a command and after it come one after the other, so that none replaces the others.
     command
-        .add_option_function<std::vector<std::string>>(
+        .words_option(
             "--plugin",
             [plugins](const std::vector<std::string>& files) {
               plugins->insert(plugins->end(), files.begin(), files.end());
             },
             "load methods from a shared object or a command's description (*.toml), beside those in "
             "the folders of $SIGNORINI_PLUGIN_PATH; repeatable, before the command or after it")
-        ->allow_extra_args(false)
-        ->type_name("FILE");
+        .one_word()
+        .type_name("FILE");
   };
-  if (app.get_parent() == nullptr) add(app);
-  for (CLI::App* command : app.get_subcommands({})) {
-    if (!command->get_subcommands({}).empty()) {
-      add_plugin_options(*command, plugins);
-      continue;
-    }
-    add(*command);
+  add(program);
+  for (const Command& command : program.commands()) {
+    const std::vector<Command> inner = command.commands();
+    std::ranges::for_each(inner.empty() ? std::vector{command} : inner, add);
   }
 }
 
 int run_command_line(int argc, char** argv) {
-  CLI::App app{"Compares methods for periodic vibrations of structures with unilateral contact.",
-               "signorini"};
   int exit_code = kDone;
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of the write, which names the file
   open_standard_files();
@@ -203,27 +159,30 @@ int run_command_line(int argc, char** argv) {
   std::vector<std::string> words{"signorini"};
   words.insert(words.end(), argv + std::min(1, argc), argv + argc);
   words = without_help_command(std::move(words));
-  app.set_version_flag("--version", version_text);
-  app.require_subcommand(1);
+  ArgumentParser parser("signorini",
+                        "Compares methods for periodic vibrations of structures with unilateral contact.",
+                        version_text);
+  const Command program = parser.program();
+  program.require_command();
   for (const auto add : {add_list_command, add_show_command, add_solve_command, add_orbits_command,
                          add_reduce_command, add_completion_command, add_man_command})
-    add(app, exit_code);
-  add_sweep_command(app, exit_code, words);
-  add_run_command(app, exit_code, words);
+    add(program, exit_code);
+  add_sweep_command(program, exit_code, words);
+  add_run_command(program, exit_code, words);
   for (const auto add :
        {add_report_command, add_compare_command, add_verify_command, add_doctor_command, add_new_command,
         add_check_command, add_submit_command, add_status_command, add_merge_command})
-    add(app, exit_code);
-  guide_commands(app);
+    add(program, exit_code);
+  guide_commands(program);
   const auto plugins = std::make_shared<std::vector<std::string>>();
-  add_plugin_options(app, plugins);
-  app.parse_complete_callback([plugins] { load_plugins(*plugins); });  // before the callback of the command
+  add_plugin_options(program, plugins);
+  parser.before_run([plugins] { load_plugins(*plugins); });
   try {
-    require_known_command(app, words);
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend() - 1));  // CLI11 takes the last word first
+    require_known_command(program, words);
+    parser.run({words.begin() + 1, words.end()});
     return delivered(exit_code);
-  } catch (const CLI::ParseError& error) {
-    return complain_usage(app, error);
+  } catch (const BadArguments& error) {
+    return complain(error.what(), kBadUsage);
   } catch (const NothingMatched& error) {
     return complain(error.what(), kNothingMatched);
   } catch (const UsageError& error) {

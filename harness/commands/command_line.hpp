@@ -1,5 +1,5 @@
 #pragma once
-// The commands. CLI11 is known to the .cpp files of this folder only.
+// The commands.
 
 #include <memory>
 #include <optional>
@@ -7,11 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "harness/arguments/arguments.hpp"
 #include "harness/report/figures/column.hpp"
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
-class App;
-}
 
 namespace signorini {
 
@@ -32,43 +29,40 @@ enum ExitCode : int {
 int run_command_line(int argc, char** argv);
 
 // Each adds one subcommand that stores its exit code in `exit_code` when it is chosen.
-void add_list_command(CLI::App& app, int& exit_code);
-void add_show_command(CLI::App& app, int& exit_code);
-void add_solve_command(CLI::App& app, int& exit_code);
+void add_list_command(const Command& program, int& exit_code);
+void add_show_command(const Command& program, int& exit_code);
+void add_solve_command(const Command& program, int& exit_code);
 /// \param words  the command line, for the manifest
-void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::string>& words);
-void add_status_command(CLI::App& app, int& exit_code);
-void add_merge_command(CLI::App& app, int& exit_code);
-void add_compare_command(CLI::App& app, int& exit_code);
-void add_submit_command(CLI::App& app, int& exit_code);
-void add_check_command(CLI::App& app, int& exit_code);
-void add_new_command(CLI::App& app, int& exit_code);
-void add_sweep_command(CLI::App& app, int& exit_code, const std::vector<std::string>& words);
-void add_doctor_command(CLI::App& app, int& exit_code);
-void add_completion_command(CLI::App& app, int& exit_code);
-void add_man_command(CLI::App& app, int& exit_code);
-void add_report_command(CLI::App& app, int& exit_code);
-void add_orbits_command(CLI::App& app, int& exit_code);
-void add_reduce_command(CLI::App& app, int& exit_code);
-void add_verify_command(CLI::App& app, int& exit_code);
+void add_run_command(const Command& program, int& exit_code, const std::vector<std::string>& words);
+void add_status_command(const Command& program, int& exit_code);
+void add_merge_command(const Command& program, int& exit_code);
+void add_compare_command(const Command& program, int& exit_code);
+void add_submit_command(const Command& program, int& exit_code);
+void add_check_command(const Command& program, int& exit_code);
+void add_new_command(const Command& program, int& exit_code);
+void add_sweep_command(const Command& program, int& exit_code, const std::vector<std::string>& words);
+void add_doctor_command(const Command& program, int& exit_code);
+void add_completion_command(const Command& program, int& exit_code);
+void add_man_command(const Command& program, int& exit_code);
+void add_report_command(const Command& program, int& exit_code);
+void add_orbits_command(const Command& program, int& exit_code);
+void add_reduce_command(const Command& program, int& exit_code);
+void add_verify_command(const Command& program, int& exit_code);
 
 /// --plugin, before the command and after it.
-void add_plugin_options(CLI::App& app, const std::shared_ptr<std::vector<std::string>>& plugins);
+void add_plugin_options(const Command& program, const std::shared_ptr<std::vector<std::string>>& plugins);
 
 /// --starts, --subharmonics, --seed, --timeout: of the commands that search for orbits.
-void add_search_options(CLI::App& command, OrbitSearchOptions& options, std::optional<int>& subharmonics);
+void add_search_options(const Command& command, OrbitSearchOptions& options,
+                        std::optional<int>& subharmonics);
 
 /// --plot FILE, refused at once where no picture can be written there.
 /// \param what  is drawn, for --help
-void add_plot_option(CLI::App& command, std::string& file, const std::string& what);
+void add_plot_option(const Command& command, std::string& file, const std::string& what);
 /// --column single|double, of figures for a journal. \param of  which figures, for --help
-void add_column_option(CLI::App& command, Column& column, const std::string& of);
+void add_column_option(const Command& command, Column& column, const std::string& of);
 
 /// `key=value` as --set takes it, any number. \throws UsageError
 std::vector<std::pair<std::string, std::string>> parse_settings(const std::vector<std::string>& texts);
-
-/// Refuses what is no positive number of seconds; CLI::PositiveNumber says what is allowed by printing the
-/// largest double in full.
-std::string positive_seconds(const std::string& text);
 
 }  // namespace signorini

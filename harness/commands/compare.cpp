@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <memory>
 
@@ -44,11 +43,11 @@ int compare(const std::string& before, const std::string& after) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, int& exit_code) {
+void add_compare_command(const Command& program, int& exit_code) {
   struct Arguments {
     std::string before, after;
   };
-  auto* command = app.add_subcommand(
+  const Command command = program.command(
       "compare", fmt::format("What got slower, less accurate or broken from one run to another, beyond the "
                              "noise of both. A case is "
                              "slower if minimum and median of its time grew by {:.0f} % ({:.0f} % with fewer "
@@ -59,9 +58,9 @@ void add_compare_command(CLI::App& app, int& exit_code) {
                              100.0 * (kCaseFactor - 1.0), 100.0 * (kCaseFactorFewRounds - 1.0), kManyRounds,
                              100.0 * (kMethodFactor - 1.0)));
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("before", arguments->before, "folder of the run of before")->required();
-  command->add_option("after", arguments->after, "folder of the new run")->required();
-  command->callback([arguments, &exit_code] { exit_code = compare(arguments->before, arguments->after); });
+  command.option("before", arguments->before, "folder of the run of before").required();
+  command.option("after", arguments->after, "folder of the new run").required();
+  command.on_run([arguments, &exit_code] { exit_code = compare(arguments->before, arguments->after); });
 }
 
 }  // namespace signorini

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -8,6 +7,7 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/doctor/machine.hpp"
 #include "harness/table.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -31,18 +31,18 @@ void print_json(const std::vector<MachineProperty>& properties) {
     if (!one.advice.empty()) item["advice"] = one.advice;
     list.push_back(std::move(item));
   }
-  fmt::print("{}\n", list.dump());
+  fmt::print("{}\n", json_text(list));
 }
 
 }  // namespace
 
-void add_doctor_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand(
+void add_doctor_command(const Command& program, int& exit_code) {
+  const Command command = program.command(
       "doctor",
       "What makes times unreliable on this machine: governor, turbo, load, clock, other processes.");
   const auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "print a JSON array");
-  command->callback([json, &exit_code] {
+  command.flag("--json", *json, "print a JSON array");
+  command.on_run([json, &exit_code] {
     std::vector<MachineProperty> properties = examine_system();
     const std::vector<MachineProperty> running = examine_running();
     properties.insert(properties.end(), running.begin(), running.end());

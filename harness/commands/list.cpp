@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -9,6 +8,7 @@
 #include "harness/glob.hpp"
 #include "harness/plan/suite.hpp"
 #include "harness/report/document/lines.hpp"
+#include "harness/text/words.hpp"
 #include "methods/catalogue.hpp"
 #include "problems/scene/scene_file.hpp"
 
@@ -35,7 +35,7 @@ void list_scenes(const std::string& filter) {
     if (!filter.empty() && !filter_matches(filter, scene.name) && std::ranges::count(scene.tags, filter) == 0)
       continue;
     found = true;
-    fmt::print("{:<26} {} [{}]\n", scene.name, scene.title, fmt::join(scene.tags, ", "));
+    fmt::print("{:<26} {} [{}]\n", scene.name, scene.title, joined(scene.tags, ", "));
   }
   if (!found) throw NothingMatched(fmt::format("only = {} (matches no name of a scene and no tag)", filter));
 }
@@ -49,14 +49,14 @@ void list_suites() {
 
 }  // namespace
 
-void add_list_command(CLI::App& app, int& exit_code) {
-  auto* command =
-      app.add_subcommand("list", "Names and one-line descriptions of methods, scenes and suites.");
+void add_list_command(const Command& program, int& exit_code) {
+  const Command command =
+      program.command("list", "Names and one-line descriptions of methods, scenes and suites.");
   const auto what = std::make_shared<std::string>(), only = std::make_shared<std::string>();
-  command->add_option("what", *what, "methods, scenes or suites; all of them if absent")
-      ->check(CLI::IsMember({"methods", "scenes", "suites"}));
-  command->add_option("only", *only, "of scenes: those whose names match this glob, or that carry this tag");
-  command->callback([what, only, &exit_code] {
+  command.option("what", *what, "methods, scenes or suites; all of them if absent")
+      .one_of({"methods", "scenes", "suites"});
+  command.option("only", *only, "of scenes: those whose names match this glob, or that carry this tag");
+  command.on_run([what, only, &exit_code] {
     const bool all = what->empty();
     if (!only->empty() && *what != "scenes")
       throw UsageError(fmt::format("only = {} (must go with scenes)", *only));

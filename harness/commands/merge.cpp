@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -14,6 +13,7 @@
 #include "harness/records/manifest_check.hpp"
 #include "harness/records/status.hpp"
 #include "harness/report/report.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -39,7 +39,7 @@ void write_run(const RunFolder& run, std::span<const std::string> parts, const f
   write_whole(out / "records.jsonl", [&](const TextSink& sink) {
     for (const RecordEntry& record : run.records) sink(files[record.part].at(record.place) + "\n");
   });
-  write_whole(out / "manifest.json", run.manifest.dump(2) + "\n");
+  write_whole(out / "manifest.json", json_text(run.manifest, 2) + "\n");
   write_plan(out, run.plan);
 }
 
@@ -65,21 +65,21 @@ int merge(const std::vector<std::string>& folders, const std::string& out) {
 
 }  // namespace
 
-void add_merge_command(CLI::App& app, int& exit_code) {
+void add_merge_command(const Command& program, int& exit_code) {
   struct Arguments {
     std::vector<std::string> folders;
     std::string out;
   };
-  auto* command = app.add_subcommand(
+  const Command command = program.command(
       "merge",
       "Joins the records of several runs, such as shards, each case once. Refuses runs of different machines "
       "(processor, number of processors, governor), limits, builds, suites or cases at a time: their times "
       "would not "
       "be comparable.");
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("dirs", arguments->folders, "folders of runs")->required();
-  command->add_option("--out", arguments->out, "folder of the whole: new, or an earlier merge")->required();
-  command->callback([arguments, &exit_code] { exit_code = merge(arguments->folders, arguments->out); });
+  command.option("dirs", arguments->folders, "folders of runs").required();
+  command.option("--out", arguments->out, "folder of the whole: new, or an earlier merge").required();
+  command.on_run([arguments, &exit_code] { exit_code = merge(arguments->folders, arguments->out); });
 }
 
 }  // namespace signorini

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -60,23 +59,22 @@ void write_and_tell(const Scaffold& scaffold) {
   for (const std::string& line : scaffold.next) fmt::print("  {}\n", line);
 }
 
-void add_kind(CLI::App& command, int& exit_code, const std::string& kind, const char* description,
+void add_kind(const Command& command, int& exit_code, const std::string& kind, const char* description,
               Scaffold (*make)(const NewArguments&)) {
-  auto* sub = command.add_subcommand(kind, description);
+  const Command sub = command.command(kind, description);
   const auto arguments = std::make_shared<NewArguments>();
-  sub->add_option("name", arguments->name, "lower-kebab-case, such as my-" + kind)->required();
-  auto* tree = sub->add_option("--tree", arguments->tree,
-                               "source tree; if absent the current folder or the nearest above that is one");
-  sub->add_flag("--out-of-tree", arguments->out_of_tree,
-                "in the current folder, to be used without a source tree")
-      ->excludes(tree);
+  sub.option("name", arguments->name, "lower-kebab-case, such as my-" + kind).required();
+  const Argument tree =
+      sub.option("--tree", arguments->tree,
+                 "source tree; if absent the current folder or the nearest above that is one");
+  sub.flag("--out-of-tree", arguments->out_of_tree, "in the current folder, to be used without a source tree")
+      .excludes(tree);
   if (kind == "method") {
-    sub->add_flag(
-           "--python", arguments->python,
-           "in the current folder, as a function in Python; needs the package signorini (docs/python.md)")
-        ->excludes(tree);
+    sub.flag("--python", arguments->python,
+             "in the current folder, as a function in Python; needs the package signorini (docs/python.md)")
+        .excludes(tree);
   }
-  sub->callback([arguments, make, &exit_code] {
+  sub.on_run([arguments, make, &exit_code] {
     write_and_tell(make(*arguments));
     exit_code = kDone;
   });
@@ -84,17 +82,17 @@ void add_kind(CLI::App& command, int& exit_code, const std::string& kind, const 
 
 }  // namespace
 
-void add_new_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand(
-      "new", "A method or a scene to begin with, which builds and passes `check` at once.");
-  command->require_subcommand(1);
-  add_kind(*command, exit_code, "method",
+void add_new_command(const Command& program, int& exit_code) {
+  const Command command =
+      program.command("new", "A method or a scene to begin with, which builds and passes `check` at once.");
+  command.require_command();
+  add_kind(command, exit_code, "method",
            "methods/NAME with header, source, test and page, and two lines in methods/catalogue.cpp; out of "
            "tree a "
            "folder NAME that builds a plugin, or with --python one that holds a function in Python.",
            new_method);
   add_kind(
-      *command, exit_code, "scene",
+      command, exit_code, "scene",
       "problems/catalogue/NAME.toml, or NAME.toml in the current folder where that is in no source tree.",
       new_scene);
 }

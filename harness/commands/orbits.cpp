@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -16,6 +15,8 @@
 #include "harness/report/document/lines.hpp"
 #include "harness/summary/motion_summary.hpp"
 #include "harness/table.hpp"
+#include "harness/text/json.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -39,7 +40,7 @@ std::string method_names(const std::vector<std::string>& labels) {
     const std::string name = parse_method_label(label).method;
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
-  return fmt::format("{}", fmt::join(names, ", "));
+  return joined(names, ", ");
 }
 
 Cell orbit_number(double value) { return {fmt::format("{:.6g}", value), value}; }
@@ -112,7 +113,7 @@ int list_orbits(const OrbitsArguments& arguments) {
   if (arguments.json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const FoundOrbit& orbit : found.orbits) list.push_back(to_json(orbit));
-    fmt::print("{}\n", list.dump());
+    fmt::print("{}\n", json_text(list));
   } else if (!found.orbits.empty()) {
     fmt::print("{}{}", to_columns(orbit_table(found.orbits)), orbit_notes(found.orbits));
   }
@@ -127,33 +128,34 @@ int list_orbits(const OrbitsArguments& arguments) {
 
 }  // namespace
 
-void add_search_options(CLI::App& command, OrbitSearchOptions& options, std::optional<int>& subharmonics) {
-  command.add_option("--starts", options.starts, "random states to start from, at each order")
-      ->check(CLI::Range(0, 100000))
-      ->capture_default_str();
+void add_search_options(const Command& command, OrbitSearchOptions& options,
+                        std::optional<int>& subharmonics) {
+  command.option("--starts", options.starts, "random states to start from, at each order")
+      .range(0, 100000)
+      .shows_default();
   command
-      .add_option("--subharmonics", subharmonics,
-                  "search periods of 1 to this many forcing periods; if absent 3, or the scene's own if more")
-      ->check(CLI::Range(1, 64));
-  command.add_option("--seed", options.seed, "of the random states")->capture_default_str();
-  command.add_option("--timeout", options.timeout, "wall time of the search of one scene [s]")
-      ->check(positive_seconds)
-      ->capture_default_str();
+      .option("--subharmonics", subharmonics,
+              "search periods of 1 to this many forcing periods; if absent 3, or the scene's own if more")
+      .range(1, 64);
+  command.option("--seed", options.seed, "of the random states").shows_default();
+  command.option("--timeout", options.timeout, "wall time of the search of one scene [s]")
+      .check(positive_seconds)
+      .shows_default();
 }
 
-void add_orbits_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand(
+void add_orbits_command(const Command& program, int& exit_code) {
+  const Command command = program.command(
       "orbits",
       "Searches the coexisting orbits of a scene under its own law, stable or not, each of them certified; "
       "exit code 1 if none is found.");
   const auto arguments = std::make_shared<OrbitsArguments>();
-  command->add_option("scene", arguments->scene, "a scene of the catalogue, or a scene file")->required();
-  add_search_options(*command, arguments->options, arguments->subharmonics);
-  command->add_flag("--json", arguments->json, "print the orbits as a JSON array, events included");
-  add_plot_option(*command, arguments->plot,
+  command.option("scene", arguments->scene, "a scene of the catalogue, or a scene file").required();
+  add_search_options(command, arguments->options, arguments->subharmonics);
+  command.flag("--json", arguments->json, "print the orbits as a JSON array, events included");
+  add_plot_option(command, arguments->plot,
                   "the portrait of each orbit, the first 12, with multipliers and shares of starts");
-  add_column_option(*command, arguments->column, "the picture");
-  command->callback([arguments, &exit_code] { exit_code = list_orbits(*arguments); });
+  add_column_option(command, arguments->column, "the picture");
+  command.on_run([arguments, &exit_code] { exit_code = list_orbits(*arguments); });
 }
 
 }  // namespace signorini

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
@@ -48,30 +47,28 @@ int reduce(ReduceArguments arguments) {
 
 }  // namespace
 
-void add_reduce_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("reduce", "A large structure as a scene of what its contacts feel.");
+void add_reduce_command(const Command& program, int& exit_code) {
+  const Command command =
+      program.command("reduce", "A large structure as a scene of what its contacts feel.");
   const auto arguments = std::make_shared<ReduceArguments>();
-  command->add_option("scene", arguments->order.scene, "a scene of the catalogue, or a scene file")
-      ->required();
+  command.option("scene", arguments->order.scene, "a scene of the catalogue, or a scene file").required();
   command
-      ->add_option("--out", arguments->out,
-                   "NAME.toml: the scene to write, its matrices beside it in NAME-M.mtx and NAME-K.mtx")
-      ->required();
+      .option("--out", arguments->out,
+              "NAME.toml: the scene to write, its matrices beside it in NAME-M.mtx and NAME-K.mtx")
+      .required();
   command
-      ->add_option("--vectors", arguments->order.vectors,
-                   "vectors kept, or so many that whole powers of the Krylov space are; if absent, 90, "
-                   "or six powers, or of more than 20 contacts and loads 100")
-      ->check(CLI::Range(1, kMostVectors));
-  auto* mpi = command->add_option("--mpi", arguments->launch.processes,
-                                  "MPI processes that share the factors of the stiffness, by MUMPS: for "
-                                  "structures whose factors do not fit into the memory of one machine");
-  mpi->check(CLI::Range(1, kMostProcesses));
-  command
-      ->add_option("--launcher", arguments->launch.launcher,
-                   "what starts them, with its options, before -n N")
-      ->needs(mpi)
-      ->capture_default_str();
-  command->callback([arguments, &exit_code] { exit_code = reduce(*arguments); });
+      .option("--vectors", arguments->order.vectors,
+              "vectors kept, or so many that whole powers of the Krylov space are; if absent, 90, "
+              "or six powers, or of more than 20 contacts and loads 100")
+      .range(1, kMostVectors);
+  const Argument mpi = command.option("--mpi", arguments->launch.processes,
+                                      "MPI processes that share the factors of the stiffness, by MUMPS: for "
+                                      "structures whose factors do not fit into the memory of one machine");
+  mpi.range(1, kMostProcesses);
+  command.option("--launcher", arguments->launch.launcher, "what starts them, with its options, before -n N")
+      .needs(mpi)
+      .shows_default();
+  command.on_run([arguments, &exit_code] { exit_code = reduce(*arguments); });
 }
 
 }  // namespace signorini

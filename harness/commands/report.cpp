@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -77,26 +76,25 @@ void report(const ReportArguments& arguments) {
 
 }  // namespace
 
-void add_report_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand(
+void add_report_command(const Command& program, int& exit_code) {
+  const Command command = program.command(
       "report", "Tables, figures and a page from the records of a run, written to its folder.");
   const auto arguments = std::make_shared<ReportArguments>();
-  command->add_option("dir", arguments->folder, "folder with records.jsonl")->required();
+  command.option("dir", arguments->folder, "folder with records.jsonl").required();
   command
-      ->add_option(
+      .option(
           "--format", arguments->formats,
           "md (table.md), csv (table.csv, measures.csv), tex (tables/*.tex), html (report.html), screen "
           "(printed as at the end of run, no file), separated by commas; tex also draws figures/*.svg and "
           "*.pdf, which needs gnuplot")
-      ->delimiter(',')
-      ->check(CLI::IsMember(formats_known()))
-      ->capture_default_str();
-  add_column_option(*command, arguments->column, "figures/*");
-  command->add_option(
-      "--into", arguments->document,
-      "instead bring the tables in this Markdown file up to date, each between the lines <!-- "
-      "table RUN/SECTION [WORD] --> and <!-- /table -->; RUN is the folder's name");
-  command->callback([arguments, &exit_code] {
+      .separated_by(',')
+      .one_of(formats_known())
+      .shows_default();
+  add_column_option(command, arguments->column, "figures/*");
+  command.option("--into", arguments->document,
+                 "instead bring the tables in this Markdown file up to date, each between the lines <!-- "
+                 "table RUN/SECTION [WORD] --> and <!-- /table -->; RUN is the folder's name");
+  command.on_run([arguments, &exit_code] {
     report(*arguments);
     exit_code = kDone;
   });

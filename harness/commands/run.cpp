@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -27,6 +26,7 @@
 #include "harness/run/suite_run.hpp"
 #include "harness/terminal/run_output.hpp"
 #include "harness/terminal/terminal.hpp"
+#include "harness/text/json.hpp"
 #include "problems/scene/scene_file.hpp"
 
 namespace signorini {
@@ -101,7 +101,7 @@ void describe_run(RunFolder run, bool resume) {
     run.plan = joined_plan(before, run);
     join_plugins(run.manifest, before.manifest);
   }
-  write_whole(run.path / "manifest.json", run.manifest.dump(2) + "\n");
+  write_whole(run.path / "manifest.json", json_text(run.manifest, 2) + "\n");
   write_plan(run.path, run.plan);
 }
 
@@ -133,7 +133,7 @@ int run_response_suite(const RunArguments& arguments, const Suite& suite) {
   make_folder(folder);
   const Descriptor lock = lock_folder(folder);
   write_whole(folder / "manifest.json",
-              make_manifest(suite, limits, arguments.schedule, arguments.words).dump(2) + "\n");
+              json_text(make_manifest(suite, limits, arguments.schedule, arguments.words), 2) + "\n");
   watch_interrupts();
   const ResponseRunResult result = run_responses(suite, cases, limits, folder, arguments.resume);
   const std::vector<ResponseRecord> records = read_responses(folder);
@@ -200,62 +200,59 @@ int run_suite(const RunArguments& arguments) {
 
 }  // namespace
 
-void add_run_command(CLI::App& app, int& exit_code, const std::vector<std::string>& words) {
-  auto* command = app.add_subcommand(
+void add_run_command(const Command& program, int& exit_code, const std::vector<std::string>& words) {
+  const Command command = program.command(
       "run", "The benchmark: every method of a suite on every scene, at every step of its ladder.");
   const auto arguments = std::make_shared<RunArguments>();
   arguments->words = words;
-  command->add_option("suite", arguments->suite, "suite name or file")->capture_default_str();
-  command->add_option("--methods", arguments->narrowing.methods,
-                      "methods by glob, A*:B*-C*, options in brackets: name[key=v1|v2,key=v]");
+  command.option("suite", arguments->suite, "suite name or file").shows_default();
+  command.option("--methods", arguments->narrowing.methods,
+                 "methods by glob, A*:B*-C*, options in brackets: name[key=v1|v2,key=v]");
   command
-      ->add_option(
-          "--scenes", arguments->narrowing.scenes,
-          "scenes of the suite by glob, A*:B*-C*, and files, folders or globs of files of one's own, "
-          "own.toml:folder:'more/*.toml'; may be repeated")
-      ->allow_extra_args(false);
-  command->add_option("--out", arguments->out, "folder of the results; results/local-SUITE if absent");
-  command->add_flag("--resume", arguments->resume,
-                    "keep the records that are there, run what is missing or stale");
-  command->add_option("--timeout", arguments->timeout, "wall time of one run [s]")->check(positive_seconds);
-  command->add_option("--memory", arguments->memory_mb, "address space that one run may take [MiB]")
-      ->check(CLI::Range(64, 1 << 24));
-  command->add_option("--repetitions", arguments->repetitions, "rounds of timing")
-      ->check(CLI::Range(1, 1000));
-  command->add_flag(
+      .option("--scenes", arguments->narrowing.scenes,
+              "scenes of the suite by glob, A*:B*-C*, and files, folders or globs of files of one's own, "
+              "own.toml:folder:'more/*.toml'; may be repeated")
+      .one_word();
+  command.option("--out", arguments->out, "folder of the results; results/local-SUITE if absent");
+  command.flag("--resume", arguments->resume,
+               "keep the records that are there, run what is missing or stale");
+  command.option("--timeout", arguments->timeout, "wall time of one run [s]").check(positive_seconds);
+  command.option("--memory", arguments->memory_mb, "address space that one run may take [MiB]")
+      .range(64, 1 << 24);
+  command.option("--repetitions", arguments->repetitions, "rounds of timing").range(1, 1000);
+  command.flag(
       "--verbose", arguments->verbose,
       "print every table of table.md, each scene's as soon as it is done, before the closing screen");
-  command->add_flag("--waveforms", arguments->waveforms,
-                    "keep the motions in the records, for the figures of report; doubles their size");
+  command.flag("--waveforms", arguments->waveforms,
+               "keep the motions in the records, for the figures of report; doubles their size");
+  command.option("--seed", arguments->schedule.seed, "of the random order of a scene's cases in each round")
+      .check(not_negative)
+      .shows_default();
   command
-      ->add_option("--seed", arguments->schedule.seed, "of the random order of a scene's cases in each round")
-      ->check(not_negative)
-      ->capture_default_str();
-  command
-      ->add_option(
+      .option(
           "--jobs", arguments->schedule.parallel,
           "cases run at the same time; with more than one, times disturb each other and are not comparable, "
           "which manifest and records say")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+      .range(1, 1024)
+      .shows_default();
   command
-      ->add_option(
+      .option(
           "--beside", arguments->schedule.beside,
           "such runs on this machine at the same time, this one included: their times are marked likewise")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  auto* shard =
+      .range(1, 1024)
+      .shows_default();
+  const Argument shard =
       command
-          ->add_option("--shard", arguments->shard,
-                       "I/N: only part I of N, all methods of a scene in one part; merge joins them")
-          ->check(not_empty)
-          ->type_name("I/N");
+          .option("--shard", arguments->shard,
+                  "I/N: only part I of N, all methods of a scene in one part; merge joins them")
+          .check(not_empty)
+          .type_name("I/N");
   command
-      ->add_option("--durations", arguments->durations,
-                   "folder of an earlier run whose times balance the shards; the same for all of them")
-      ->needs(shard);
-  command->add_flag("--dry-run", arguments->dry_run, "print the plan, one case per line, and run nothing");
-  command->callback([arguments, &exit_code] { exit_code = run_suite(*arguments); });
+      .option("--durations", arguments->durations,
+              "folder of an earlier run whose times balance the shards; the same for all of them")
+      .needs(shard);
+  command.flag("--dry-run", arguments->dry_run, "print the plan, one case per line, and run nothing");
+  command.on_run([arguments, &exit_code] { exit_code = run_suite(*arguments); });
 }
 
 }  // namespace signorini

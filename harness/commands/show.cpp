@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -17,6 +16,7 @@
 #include "harness/report/document/cells.hpp"
 #include "harness/report/document/lines.hpp"
 #include "harness/schematic/schematic.hpp"
+#include "harness/text/words.hpp"
 #include "methods/catalogue.hpp"
 #include "problems/linear_algebra/cholesky.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
@@ -33,16 +33,15 @@ namespace {
 /// Largest number of coordinates for which eigenfrequencies are shown: the eigenproblem is solved dense.
 constexpr int kMostEigen = 1000;
 constexpr int kMostGyroscopic = 300;
-constexpr std::ptrdiff_t kMostShown = 12;
+constexpr std::size_t kMostShown = 12;
 constexpr std::size_t kMostContacts = 12;
 constexpr std::size_t kShownColumns = 80, kShowIndent = 18, kOptionIndent = 38;
 
 /// "1.2, 3.4, ... (20 in all)"
 std::string first_of(const std::vector<double>& found) {
-  const auto shown = std::min(kMostShown, static_cast<std::ptrdiff_t>(found.size()));
-  std::string text = fmt::format("{:.6g}", fmt::join(found.begin(), found.begin() + shown, ", "));
-  if (shown < static_cast<std::ptrdiff_t>(found.size()))
-    text += fmt::format(", ... ({} in all)", found.size());
+  const std::size_t shown = std::min(kMostShown, found.size());
+  std::string text = joined(std::span(found).first(shown), "{:.6g}", ", ");
+  if (shown < found.size()) text += fmt::format(", ... ({} in all)", found.size());
   return text + " rad/s";
 }
 
@@ -178,7 +177,7 @@ void show_scene(const Scene& scene, const std::vector<DampedStop>& damped) {
   const Problem& problem = scene.problem;
   show_title(problem.name, problem.title);
   if (!problem.reference.empty()) show_line("reference", problem.reference);
-  if (!problem.tags.empty()) show_line("tags", fmt::format("{}", fmt::join(problem.tags, ", ")));
+  if (!problem.tags.empty()) show_line("tags", joined(problem.tags, ", "));
   show_line("system", fmt::format("{}, {}; entries in M {}, D {}, K {}", problem.kind,
                                   plural(problem.size(), "coordinate"), problem.mass().nonZeros(),
                                   problem.damping().nonZeros(), problem.stiffness().nonZeros()));
@@ -224,14 +223,14 @@ void show(const std::string& name, const std::string& plot) {
 
 }  // namespace
 
-void add_show_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand(
+void add_show_command(const Command& program, int& exit_code) {
+  const Command command = program.command(
       "show", "A scene (sizes, eigenfrequencies, contacts, and its picture) or a method (options).");
   const auto name = std::make_shared<std::string>();
-  command->add_option("name", *name, "a method, a scene of the catalogue, or a scene file")->required();
+  command.option("name", *name, "a method, a scene of the catalogue, or a scene file").required();
   const auto plot = std::make_shared<std::string>();
-  add_plot_option(*command, *plot, "the mechanical system of the scene");
-  command->callback([name, plot, &exit_code] {
+  add_plot_option(command, *plot, "the mechanical system of the scene");
+  command.on_run([name, plot, &exit_code] {
     show(*name, *plot);
     exit_code = kDone;
   });

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,12 +12,12 @@
 #include "harness/plots/motion_plot.hpp"
 #include "harness/plots/plot_file.hpp"
 #include "harness/progress.hpp"
-#include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 #include "harness/run/runner.hpp"
 #include "harness/terminal/solve_output.hpp"
 #include "harness/terminal/terminal.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -131,50 +130,48 @@ constexpr int kMostHarmonics = 1000;
 
 }  // namespace
 
-void add_solve_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand(
+void add_solve_command(const Command& program, int& exit_code) {
+  const Command command = program.command(
       "solve", "One periodic motion, what it does and how good it is, by one method on one scene.");
   const auto arguments = std::make_shared<SolveArguments>();
-  command->add_option("scene", arguments->scene, "a scene of the catalogue, or a scene file")->required();
-  command->add_option("--method", arguments->method, "method name; see `signorini list methods`")->required();
-  command->add_option("--set", arguments->settings, "key=value: an option of the method; may be repeated")
-      ->allow_extra_args(false)
-      ->type_name("KEY=VALUE");
-  command->add_option("--samples", arguments->samples, "add the motion at this many instants of its period")
-      ->check(CLI::Range(1, kMostSamples));
+  command.option("scene", arguments->scene, "a scene of the catalogue, or a scene file").required();
+  command.option("--method", arguments->method, "method name; see `signorini list methods`").required();
+  command.option("--set", arguments->settings, "key=value: an option of the method; may be repeated")
+      .one_word()
+      .type_name("KEY=VALUE");
+  command.option("--samples", arguments->samples, "add the motion at this many instants of its period")
+      .range(1, kMostSamples);
   command
-      ->add_option("--dofs", arguments->dofs,
-                   "coordinates whose motion is wanted too, separated by commas, the first is 0")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("I,J");
+      .option("--dofs", arguments->dofs,
+              "coordinates whose motion is wanted too, separated by commas, the first is 0")
+      .separated_by(',')
+      .one_word()
+      .type_name("I,J");
   command
-      ->add_option("--harmonics", arguments->harmonics,
-                   "print amplitude and phase of this many harmonics of the motion's period")
-      ->check(CLI::Range(0, kMostHarmonics))
-      ->capture_default_str();
-  command->add_option("--start", arguments->start,
-                      "start from the motion in a file that solve --json --samples wrote");
+      .option("--harmonics", arguments->harmonics,
+              "print amplitude and phase of this many harmonics of the motion's period")
+      .range(0, kMostHarmonics)
+      .shows_default();
+  command.option("--start", arguments->start,
+                 "start from the motion in a file that solve --json --samples wrote");
   command
-      ->add_option("--certificate", arguments->certificate,
-                   "wall time of the search for the orbit behind the answer [s]")
-      ->check(CLI::Range(0.0, 86400.0))
-      ->capture_default_str();
+      .option("--certificate", arguments->certificate,
+              "wall time of the search for the orbit behind the answer [s]")
+      .range(0.0, 86400.0)
+      .shows_default();
   command
-      ->add_option_function<double>(
-          "--reference", [arguments](double seconds) { arguments->reference = seconds; },
+      .option(
+          "--reference", arguments->reference,
           "march from rest for so long [s], 60 if no time is given, to tell whether that ends on the same "
           "orbit; without this only the orbits of results/references tell")
-      ->check(CLI::Range(0.0, 86400.0))
-      ->expected(0, 1)
-      ->default_str("60")
-      ->run_callback_for_default(false);
-  command->add_flag("--json", arguments->json, "print the record as JSON");
-  command->add_flag("--verbose", arguments->verbose,
-                    "print every contact, impact and phase of contact, and what the solver counted");
-  add_plot_option(*command, arguments->plot, "displacement, velocity, impulse and portrait of the answer");
-  add_column_option(*command, arguments->column, "the picture");
-  command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });
+      .range(0.0, 86400.0)
+      .alone_means("60");
+  command.flag("--json", arguments->json, "print the record as JSON");
+  command.flag("--verbose", arguments->verbose,
+               "print every contact, impact and phase of contact, and what the solver counted");
+  add_plot_option(command, arguments->plot, "displacement, velocity, impulse and portrait of the answer");
+  add_column_option(command, arguments->column, "the picture");
+  command.on_run([arguments, &exit_code] { exit_code = solve(*arguments); });
 }
 
 }  // namespace signorini

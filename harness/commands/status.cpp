@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -10,6 +9,7 @@
 
 #include "harness/commands/command_line.hpp"
 #include "harness/table.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -92,25 +92,25 @@ int status(const std::string& folder, bool json) {
   }
   Json list = Json::array();
   for (const NamedStatus& one : statuses) list.push_back(to_json(one));
-  fmt::print("{}\n", list.dump());
+  fmt::print("{}\n", json_text(list));
   return kDone;
 }
 
 }  // namespace
 
-void add_status_command(CLI::App& app, int& exit_code) {
+void add_status_command(const Command& program, int& exit_code) {
   struct Arguments {
     std::string folder;
     bool json = false;
   };
-  auto* command =
-      app.add_subcommand("status",
-                         "How far a run has come: cases done, failed and pending, and the time that the "
-                         "rest will take. Of a folder of shards: each of them, and all.");
+  const Command command =
+      program.command("status",
+                      "How far a run has come: cases done, failed and pending, and the time that the "
+                      "rest will take. Of a folder of shards: each of them, and all.");
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("dir", arguments->folder, "folder of a run, or of shards")->required();
-  command->add_flag("--json", arguments->json, "print a JSON array, the sum last");
-  command->callback([arguments, &exit_code] { exit_code = status(arguments->folder, arguments->json); });
+  command.option("dir", arguments->folder, "folder of a run, or of shards").required();
+  command.flag("--json", arguments->json, "print a JSON array, the sum last");
+  command.on_run([arguments, &exit_code] { exit_code = status(arguments->folder, arguments->json); });
 }
 
 }  // namespace signorini

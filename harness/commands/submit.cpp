@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -43,11 +42,11 @@ struct Script {
 
 /// The shards of a command line: its options, and the words of `run` with plugins by absolute paths, for this
 /// command has parsed them itself.
-Submission submission_of(const SubmitArguments& arguments, const CLI::App& command) {
+Submission submission_of(const SubmitArguments& arguments, const Command& command) {
   Submission submission = arguments.submission;
   submission.program = fs::read_symlink("/proc/self/exe");
   submission.folder = fs::absolute(arguments.folder).lexically_normal();
-  submission.run_words = command.remaining();
+  submission.run_words = command.rest();
   for (const std::string& plugin : given_plugins()) {
     submission.run_words.emplace_back("--plugin");
     submission.run_words.push_back(fs::absolute(plugin).lexically_normal().string());
@@ -78,16 +77,15 @@ int submit(const SubmitArguments& arguments, const fs::path& folder, const std::
   return kDone;
 }
 
-std::shared_ptr<SubmitArguments> add_common(CLI::App& command) {
+std::shared_ptr<SubmitArguments> add_common(const Command& command) {
   auto arguments = std::make_shared<SubmitArguments>();
-  command
-      .add_option("dir", arguments->folder, "folder of the shards, of their logs, and of the whole (merged)")
-      ->required();
-  command.add_option("--shards", arguments->submission.shards, "parts; each scene is in one of them")
-      ->required()
-      ->check(CLI::Range(1, 10000));
-  command.add_flag("--dry-run", arguments->dry_run, "print the scripts, write and submit nothing");
-  command.allow_extras();
+  command.option("dir", arguments->folder, "folder of the shards, of their logs, and of the whole (merged)")
+      .required();
+  command.option("--shards", arguments->submission.shards, "parts; each scene is in one of them")
+      .required()
+      .range(1, 10000);
+  command.flag("--dry-run", arguments->dry_run, "print the scripts, write and submit nothing");
+  command.take_rest();
   command.footer(
       "All other words are those of `signorini run`: a suite, --scenes, --methods, --repetitions, ...");
   return arguments;
@@ -95,35 +93,35 @@ std::shared_ptr<SubmitArguments> add_common(CLI::App& command) {
 
 }  // namespace
 
-void add_submit_command(CLI::App& app, int& exit_code) {
-  auto* command =
-      app.add_subcommand("submit", "Runs a suite in shards, on a cluster or side by side, and merges them.");
-  command->require_subcommand(1);
-  auto* slurm = command->add_subcommand(
+void add_submit_command(const Command& program, int& exit_code) {
+  const Command command =
+      program.command("submit", "Runs a suite in shards, on a cluster or side by side, and merges them.");
+  command.require_command();
+  const Command slurm = command.command(
       "slurm",
       "A Slurm job array, one task for each shard on a node of its own, and a merge job that follows it.");
-  const auto array = add_common(*slurm);
+  const auto array = add_common(slurm);
   slurm
-      ->add_option("--sbatch", array->submission.sbatch_words,
-                   "an option of sbatch, as --sbatch=--time=60; repeatable")
-      ->allow_extra_args(false);
-  slurm->callback([slurm, array, &exit_code] {
-    const Submission s = submission_of(*array, *slurm);
+      .option("--sbatch", array->submission.sbatch_words,
+              "an option of sbatch, as --sbatch=--time=60; repeatable")
+      .one_word();
+  slurm.on_run([slurm, array, &exit_code] {
+    const Submission s = submission_of(*array, slurm);
     exit_code = submit(*array, s.folder, "sbatch", slurm_run_command(s, "1"),
                        {{"array.sh", slurm_array_script(s)},
                         {"merge.sh", slurm_merge_script(s)},
                         {"submit.sh", slurm_submit_script(s)}});
   });
-  auto* parallel =
-      command->add_subcommand("parallel", "Shards by GNU parallel on this machine, then the merge.");
-  const auto tasks = add_common(*parallel);
+  const Command parallel =
+      command.command("parallel", "Shards by GNU parallel on this machine, then the merge.");
+  const auto tasks = add_common(parallel);
   parallel
-      ->add_option("--at-once", tasks->submission.at_once,
-                   "shards at the same time; with more than one, times are not comparable")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  parallel->callback([parallel, tasks, &exit_code] {
-    const Submission s = submission_of(*tasks, *parallel);
+      .option("--at-once", tasks->submission.at_once,
+              "shards at the same time; with more than one, times are not comparable")
+      .range(1, 1024)
+      .shows_default();
+  parallel.on_run([parallel, tasks, &exit_code] {
+    const Submission s = submission_of(*tasks, parallel);
     exit_code = submit(*tasks, s.folder, "parallel", parallel_run_command(s, "1"),
                        {{"parallel.sh", parallel_script(s)}});
   });

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <boost/algorithm/string/split.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -17,13 +15,14 @@
 #include "harness/plots/plot_file.hpp"
 #include "harness/plots/response_plot.hpp"
 #include "harness/progress.hpp"
-#include "harness/records/json_fields.hpp"
 #include "harness/sweep/bifurcation_response.hpp"
 #include "harness/sweep/branch_response.hpp"
 #include "harness/sweep/frequency_response.hpp"
 #include "harness/sweep/response_folder.hpp"
 #include "harness/sweep/response_stream.hpp"
 #include "harness/terminal/sweep_output.hpp"
+#include "harness/text/json.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -210,8 +209,7 @@ MethodResponse kept_or_computed(const SweepArguments& arguments, const Scene& sc
 // Branches of several methods, by arc length where a method has a curve of its own.
 int sweep_branches(const SweepArguments& arguments) {
   const Scene scene = read_scene(find_scene(arguments.scene));
-  std::vector<std::string> names;
-  boost::algorithm::split(names, arguments.methods, [](char c) { return c == ':'; });
+  const std::vector<std::string> names = split(arguments.methods, ':');
   std::vector<MethodChoice> methods;
   for (const std::string& name : names)
     methods.push_back({&find_method(name), parse_settings(arguments.settings)});
@@ -281,18 +279,18 @@ int sweep(SweepArguments arguments) {
 
 }  // namespace
 
-void add_sweep_command(CLI::App& app, int& exit_code, const std::vector<std::string>& words) {
-  auto* command =
-      app.add_subcommand("sweep",
-                         "The response over the frequency or another number of the scene, and its picture. "
-                         "With --methods the branches of several methods, by arc length through folds and "
-                         "grazings where a method has its own; with --method one method at one frequency "
-                         "after another, each solve from the answer before. Exit code 1 if a solve did not "
-                         "converge, or no branch was found.");
+void add_sweep_command(const Command& program, int& exit_code, const std::vector<std::string>& words) {
+  const Command command =
+      program.command("sweep",
+                      "The response over the frequency or another number of the scene, and its picture. "
+                      "With --methods the branches of several methods, by arc length through folds and "
+                      "grazings where a method has its own; with --method one method at one frequency "
+                      "after another, each solve from the answer before. Exit code 1 if a solve did not "
+                      "converge, or no branch was found.");
   const auto arguments = std::make_shared<SweepArguments>();
   arguments->words = words;
-  add_sweep_options(*command, *arguments);
-  command->callback([arguments, &exit_code] { exit_code = sweep(*arguments); });
+  add_sweep_options(command, *arguments);
+  command.on_run([arguments, &exit_code] { exit_code = sweep(*arguments); });
 }
 
 }  // namespace signorini

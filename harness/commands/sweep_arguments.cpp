@@ -13,94 +13,90 @@ namespace signorini {
 namespace {
 
 /// Options of branches by arc length.
-void add_branch_options(CLI::App& command, SweepArguments& arguments) {
+void add_branch_options(const Command& command, SweepArguments& arguments) {
   command
-      .add_option(
-          "--parameter", arguments.parameter,
-          "by arc length: the number to follow, by its place in the scene file, such as contact[0].gap")
-      ->capture_default_str();
+      .option("--parameter", arguments.parameter,
+              "by arc length: the number to follow, by its place in the scene file, such as contact[0].gap")
+      .shows_default();
   command
-      .add_option("--max-order,--orders", arguments.branches.max_order,
-                  "by arc length: longest period [forcing periods]")
-      ->check(CLI::Range(1, 12))
-      ->capture_default_str();
-  command.add_option("--max-branches", arguments.branches.max_branches, "by arc length: branches in all")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  command.add_option("--max-points", arguments.branches.max_points, "by arc length: points of a branch")
-      ->check(CLI::Range(2, 1000000))
-      ->capture_default_str();
+      .option("--max-order,--orders", arguments.branches.max_order,
+              "by arc length: longest period [forcing periods]")
+      .range(1, 12)
+      .shows_default();
+  command.option("--max-branches", arguments.branches.max_branches, "by arc length: branches in all")
+      .range(1, 10000)
+      .shows_default();
+  command.option("--max-points", arguments.branches.max_points, "by arc length: points of a branch")
+      .range(2, 1000000)
+      .shows_default();
+  command.option("--total-time", arguments.branches.timeout, "by arc length: wall time of all branches [s]")
+      .check(positive_seconds)
+      .shows_default();
   command
-      .add_option("--total-time", arguments.branches.timeout, "by arc length: wall time of all branches [s]")
-      ->check(positive_seconds)
-      ->capture_default_str();
-  command
-      .add_option(
-          "--search", arguments.branches.searches,
-          "by arc length, of exact-orbit: begin also at all orbits that `signorini orbits` finds at so "
-          "many values inside, for isolated branches")
-      ->check(CLI::Range(0, 100))
-      ->capture_default_str();
-  command.add_flag(
+      .option("--search", arguments.branches.searches,
+              "by arc length, of exact-orbit: begin also at all orbits that `signorini orbits` finds at so "
+              "many values inside, for isolated branches")
+      .range(0, 100)
+      .shows_default();
+  command.flag(
       "--bifurcation", arguments.bifurcation,
       "with --plot, by arc length: a bifurcation diagram, the displacement at t = 0 of every forcing period");
 }
 
-void add_special_point_options(CLI::App& command, SweepArguments& arguments) {
-  command.add_option("--follow", arguments.follow,
-                     "with --methods exact-orbit: curves of these special points over the frequency and a "
-                     "second number: fold, period-doubling, neimark-sacker, grazing or contact-change");
-  command.add_option("--second", arguments.second.place,
-                     "with --follow: the second number, by its place in the scene file");
-  command.add_option("--second-from", arguments.second.from, "where curves begin");
-  command.add_option("--second-to", arguments.second.to, "where they end");
+void add_special_point_options(const Command& command, SweepArguments& arguments) {
+  command.option("--follow", arguments.follow,
+                 "with --methods exact-orbit: curves of these special points over the frequency and a "
+                 "second number: fold, period-doubling, neimark-sacker, grazing or contact-change");
+  command.option("--second", arguments.second.place,
+                 "with --follow: the second number, by its place in the scene file");
+  command.option("--second-from", arguments.second.from, "where curves begin");
+  command.option("--second-to", arguments.second.to, "where they end");
 }
 
 }  // namespace
 
-void add_sweep_options(CLI::App& command, SweepArguments& arguments) {
-  command.add_option("scene", arguments.scene, "a scene of the catalogue, or a scene file")->required();
-  command.add_option("--method", arguments.method, "method name; see `signorini list methods`");
-  command.add_option("--methods", arguments.methods,
-                     "A:B: branches of several methods, by arc length where a method has its own curve "
-                     "(exact-orbit, harmonic balance, hat functions), others by steps");
-  command.add_flag("--natural", arguments.natural, "with --methods: steps for all of them");
+void add_sweep_options(const Command& command, SweepArguments& arguments) {
+  command.option("scene", arguments.scene, "a scene of the catalogue, or a scene file").required();
+  command.option("--method", arguments.method, "method name; see `signorini list methods`");
+  command.option("--methods", arguments.methods,
+                 "A:B: branches of several methods, by arc length where a method has its own curve "
+                 "(exact-orbit, harmonic balance, hat functions), others by steps");
+  command.flag("--natural", arguments.natural, "with --methods: steps for all of them");
   add_branch_options(command, arguments);
-  command.add_option("--set", arguments.settings, "key=value: an option of the method; may be repeated")
-      ->allow_extra_args(false)
-      ->type_name("KEY=VALUE");
-  command.add_option("--from", arguments.from,
-                     "first frequency of the load [rad/s], or value of --parameter");
-  command.add_option("--to", arguments.to, "last one, above or below");
+  command.option("--set", arguments.settings, "key=value: an option of the method; may be repeated")
+      .one_word()
+      .type_name("KEY=VALUE");
+  command.option("--from", arguments.from, "first frequency of the load [rad/s], or value of --parameter");
+  command.option("--to", arguments.to, "last one, above or below");
   command
-      .add_option("--at", arguments.range.at,
-                  "w1,w2,...: points exactly there, on every branch; or steps to these frequencies")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+      .option("--at", arguments.range.at,
+              "w1,w2,...: points exactly there, on every branch; or steps to these frequencies")
+      .separated_by(',')
+      .one_word();
   add_special_point_options(command, arguments);
-  command.add_option("--points", arguments.range.points, "frequencies, both ends included")
-      ->check(CLI::Range(2, 1000000))
-      ->capture_default_str();
-  command.add_flag("--log", arguments.range.logarithmic, "equal ratios instead of equal steps");
-  command.add_flag("--down,--back", arguments.range.back,
-                   "and back again from the last answer: where the ways differ, several motions coexist");
-  command.add_flag("--certify", arguments.limits.certified,
-                   "look for the orbit behind each answer: whether there is one, and whether it is stable");
-  command.add_option("--timeout", arguments.limits.timeout, "wall time of one solve [s]")
-      ->check(positive_seconds)
-      ->capture_default_str();
+  command.option("--points", arguments.range.points, "frequencies, both ends included")
+      .range(2, 1000000)
+      .shows_default();
+  command.flag("--log", arguments.range.logarithmic, "equal ratios instead of equal steps");
+  command.flag("--down,--back", arguments.range.back,
+               "and back again from the last answer: where the ways differ, several motions coexist");
+  command.flag("--certify", arguments.limits.certified,
+               "look for the orbit behind each answer: whether there is one, and whether it is stable");
+  command.option("--timeout", arguments.limits.timeout, "wall time of one solve [s]")
+      .check(positive_seconds)
+      .shows_default();
   command
-      .add_option("--format", arguments.format,
-                  "text: where branches begin, change and end; md, csv, json: every point; jsonl: one JSON "
-                  "object per branch or step; csv and jsonl as they come")
-      ->check(CLI::IsMember({"text", "md", "csv", "json", "jsonl"}))
-      ->capture_default_str();
+      .option("--format", arguments.format,
+              "text: where branches begin, change and end; md, csv, json: every point; jsonl: one JSON "
+              "object per branch or step; csv and jsonl as they come")
+      .one_of({"text", "md", "csv", "json", "jsonl"})
+      .shows_default();
   add_plot_option(command, arguments.plot, "amplitude over frequency");
   add_column_option(command, arguments.column, "the picture");
-  command.add_option("--out", arguments.out,
-                     "keep what is computed in this folder as it comes: manifest.json, branches.jsonl");
-  command.add_flag("--resume", arguments.resume,
-                   "with --out: methods that the folder has whole are not computed again");
+  command.option("--out", arguments.out,
+                 "keep what is computed in this folder as it comes: manifest.json, branches.jsonl");
+  command.flag("--resume", arguments.resume,
+               "with --out: methods that the folder has whole are not computed again");
 }
 
 SweepRange interval(const SweepArguments& arguments) {

@@ -1,12 +1,12 @@
 #pragma once
 // The options of `signorini sweep`.
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "harness/arguments/arguments.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/report/figures/column.hpp"
 #include "harness/sweep/bifurcation_response.hpp"
@@ -37,7 +37,7 @@ struct SweepArguments {
 };
 
 /// Adds the options to the command; `arguments` outlives it.
-void add_sweep_options(CLI::App& command, SweepArguments& arguments);
+void add_sweep_options(const Command& command, SweepArguments& arguments);
 
 /// The range with its ends: those given, or the least and the largest of the values asked for.
 /// \throws UsageError where an end is missing, or a value is not between them

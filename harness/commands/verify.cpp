@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
 #include <utility>
@@ -87,8 +86,8 @@ void refuse_folder(const std::filesystem::path& folder) {
                   folder.string()));
 }
 
-void add_verify_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand(
+void add_verify_command(const Command& program, int& exit_code) {
+  const Command command = program.command(
       "verify",
       fmt::format(
           "Are the committed results still true? Of a folder of references: searches every scene's "
@@ -100,21 +99,21 @@ void add_verify_command(CLI::App& app, int& exit_code) {
           "if all is the same, 1 if not.",
           kErrorBars, kInstantFloor, kErrorFactor));
   const auto arguments = std::make_shared<VerifyArguments>();
-  command->add_option("dir", arguments->folder,
-                      "folder of references or of a run; results/references here or above if absent");
-  command->add_option("--scenes", arguments->scenes,
-                      "scenes by glob, A*:B*-C*; levels of families only where it speaks of them, as "
-                      "grazing@*; if absent the "
-                      "catalogue but for the scenes tagged large or long-search");
-  command->add_option("--cases", arguments->cases, "cases of a run by glob on SCENE/METHOD[OPTIONS]")
-      ->capture_default_str();
-  command->add_flag(
+  command.option("dir", arguments->folder,
+                 "folder of references or of a run; results/references here or above if absent");
+  command.option("--scenes", arguments->scenes,
+                 "scenes by glob, A*:B*-C*; levels of families only where it speaks of them, as "
+                 "grazing@*; if absent the "
+                 "catalogue but for the scenes tagged large or long-search");
+  command.option("--cases", arguments->cases, "cases of a run by glob on SCENE/METHOD[OPTIONS]")
+      .shows_default();
+  command.flag(
       "--update", arguments->update,
       "search, and keep what is found and what is still certified, instead of comparing; --starts, "
       "--subharmonics (if absent as far as before) and --seed are for this, a comparison searches as the "
       "files say");
-  add_search_options(*command, arguments->options, arguments->subharmonics);
-  command->callback([arguments, &exit_code] { exit_code = verify(*arguments); });
+  add_search_options(command, arguments->options, arguments->subharmonics);
+  command.on_run([arguments, &exit_code] { exit_code = verify(*arguments); });
 }
 
 }  // namespace signorini

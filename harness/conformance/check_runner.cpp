@@ -16,6 +16,8 @@
 #include "harness/isolation/isolation.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/run/runner.hpp"
+#include "harness/text/json.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -110,7 +112,7 @@ void run_checks(std::vector<PendingCheck>& checks, double limit) {
     const ChildEnd end = run_in_child(checks, next, limit);
     if (end.kind == ChildEnd::Kind::interrupted) return;
     for (const std::string& line : end.lines)
-      set_outcome(checks[next++].result, check_result_from_json(nlohmann::ordered_json::parse(line)));
+      set_outcome(checks[next++].result, check_result_from_json(parse_json(line)));
     if (end.kind == ChildEnd::Kind::finished) continue;
     const std::size_t culprit = next < checks.size() ? next++ : next - 1;
     set_outcome(checks[culprit].result, failed(describe(end)));
@@ -239,7 +241,7 @@ std::vector<CheckResult> check_method(const MethodEntry& entry, const CheckOptio
   const std::vector<std::string> names = check_names();
   if (std::ranges::none_of(names, [&](const auto& name) { return filter_matches(options.checks, name); }))
     throw NothingMatched(
-        fmt::format("checks = {} (matches none of {})", options.checks, fmt::join(names, ", ")));
+        fmt::format("checks = {} (matches none of {})", options.checks, joined(names, ", ")));
   return CheckRunner{entry, options, progress}.run();
 }
 

@@ -10,6 +10,7 @@
 #include "harness/orbits/orbit_file.hpp"
 #include "harness/records/record.hpp"
 #include "harness/records/record_json.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -186,8 +187,8 @@ OrbitDifferences compare_orbits(const OrbitFile& kept, const OrbitFile& now) {
     return result;
   }
   if (JsonForm<RepresentedLaw>::write(kept.law) != JsonForm<RepresentedLaw>::write(now.law)) {
-    result.differences.push_back(
-        fmt::format("{}: the law became {}", kept.scene, JsonForm<RepresentedLaw>::write(now.law).dump()));
+    result.differences.push_back(fmt::format("{}: the law became {}", kept.scene,
+                                             json_text(JsonForm<RepresentedLaw>::write(now.law))));
     return result;
   }
   std::vector<FoundOrbit> found = now.orbits;

@@ -7,6 +7,7 @@
 #include "harness/failure.hpp"
 #include "harness/records/record_check.hpp"
 #include "harness/records/record_json.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -74,20 +75,20 @@ std::string print_orbit_file(const OrbitFile& file) {
   json.update(write_fields(file));
   std::string text;
   for (const auto& [key, value] : json.items()) {
-    text +=
-        fmt::format("{}\"{}\": {}", text.empty() ? "{\n" : ",\n", key, key == "orbits" ? "[" : value.dump());
+    text += fmt::format("{}\"{}\": {}", text.empty() ? "{\n" : ",\n", key,
+                        key == "orbits" ? "[" : json_text(value));
   }
   for (std::size_t i = 0; i < file.orbits.size(); ++i)
-    text += (i == 0 ? "\n" : ",\n") + to_json(file.orbits[i]).dump();
+    text += (i == 0 ? "\n" : ",\n") + json_text(to_json(file.orbits[i]));
   return text + "\n]\n}\n";
 }
 
 OrbitFile parse_orbit_file(const std::string& text, const std::string& name) {
   try {
-    const Json json = Json::parse(text);
+    const Json json = parse_json(text);
     require_plain_texts(json);
     if (json.at("schema") != kOrbitSchema)
-      throw BadRecord(fmt::format("schema = {} (must be {})", json.at("schema").dump(), kOrbitSchema));
+      throw BadRecord(fmt::format("schema = {} (must be {})", json_text(json.at("schema")), kOrbitSchema));
     OrbitFile file;
     read_fields(json, file);
     return file;

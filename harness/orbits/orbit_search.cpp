@@ -15,6 +15,7 @@
 #include "harness/orbits/orbit_candidate.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record.hpp"
+#include "harness/text/json.hpp"
 #include "methods/orbit/reduced/reduced_orbit.hpp"
 #include "methods/structure/condensation.hpp"
 
@@ -172,8 +173,7 @@ void run_units(const std::vector<CandidateUnit>& units, Deadline deadline, Orbit
   const std::vector<ChildEnd> ends = run_isolated_together(
       work, {.stage_seconds = {kLineSeconds}, .memory_mb = kMemoryMb}, kSearchProcesses);
   for (std::size_t i = 0; i < units.size(); ++i) {
-    for (const std::string& line : ends[i].lines)
-      collection.add(orbit_candidate_from_json(Json::parse(line)));
+    for (const std::string& line : ends[i].lines) collection.add(orbit_candidate_from_json(parse_json(line)));
     if (ends[i].kind != ChildEnd::Kind::finished && ends[i].kind != ChildEnd::Kind::interrupted)
       collection.result.losses.push_back(fmt::format("{}: {}", units[i].name, describe(ends[i])));
   }

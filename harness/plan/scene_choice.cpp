@@ -9,6 +9,7 @@
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/glob.hpp"
+#include "harness/text/words.hpp"
 #include "problems/scene/close_names.hpp"
 
 namespace signorini {
@@ -214,7 +215,7 @@ std::vector<Scene> choose_scenes(const Suite& suite, const std::vector<std::stri
     throw NothingMatched(
         words.empty()
             ? fmt::format("suite = {} (must have scenes: what it asks for matches none)", suite.name)
-            : fmt::format("scenes = {} (leaves no scene of suite {})", fmt::join(words, " "), suite.name));
+            : fmt::format("scenes = {} (leaves no scene of suite {})", joined(words, " "), suite.name));
   }
   require_distinct(scenes);
   return scenes;

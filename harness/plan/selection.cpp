@@ -10,7 +10,7 @@ namespace signorini {
 
 namespace {
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
+std::vector<std::string_view> parts_of(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   while (true) {
     const std::size_t end = text.find(separator);
@@ -91,7 +91,7 @@ std::vector<OptionEcho> MethodChoice::options() const {
 std::vector<Settings> expand_settings(std::string_view text) {
   std::vector<Settings> sets{{}};
   if (text.empty()) return sets;
-  for (const std::string_view item : split(text, ',')) {
+  for (const std::string_view item : parts_of(text, ',')) {
     const std::size_t equals = item.find('=');
     if (equals == std::string_view::npos || equals == 0) refuse_selection(text, kForm);
     const std::string key(item.substr(0, equals));
@@ -99,7 +99,7 @@ std::vector<Settings> expand_settings(std::string_view text) {
       if (known == key) refuse_selection(text, "must set each option once");
     }
     std::vector<Settings> longer;
-    const std::vector<std::string_view> alternatives = split(item.substr(equals + 1), '|');
+    const std::vector<std::string_view> alternatives = parts_of(item.substr(equals + 1), '|');
     for (const Settings& set : sets) {
       for (const std::string_view value : alternatives) {
         if (value.empty()) refuse_selection(text, kForm);

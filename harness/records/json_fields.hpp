@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "harness/text/json.hpp"
 #include "methods/options.hpp"
 
 namespace signorini {
@@ -104,7 +105,7 @@ T whole_number(std::string_view field, const nlohmann::ordered_json& json) {
         std::in_range<T>(static_cast<std::int64_t>(value)))
       return static_cast<T>(value);
   }
-  throw BadRecord(std::string(field) + " = " + (json.is_number() ? json.dump() : json.type_name()) +
+  throw BadRecord(std::string(field) + " = " + (json.is_number() ? json_text(json) : json.type_name()) +
                   " (must be a whole number from " + std::to_string(std::numeric_limits<T>::min()) + " to " +
                   std::to_string(std::numeric_limits<T>::max()) + ")");
 }
@@ -235,11 +236,6 @@ nlohmann::ordered_json write_fields(const T& object) {
 template <class T>
 void read_fields(const nlohmann::ordered_json& json, T& object) {
   visit_fields(object, [&](const Field& field, auto& value) { read_field(json, field, value); });
-}
-
-/// One line; bytes that are not UTF-8 (a method may print any) become U+FFFD rather than an exception.
-inline std::string json_line(const nlohmann::ordered_json& json) {
-  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace signorini

@@ -11,6 +11,7 @@
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_check.hpp"
 #include "harness/records/shards.hpp"
+#include "harness/text/json.hpp"
 #include "problems/scene/kebab_case.hpp"
 #include "problems/scene/toml_tree.hpp"
 
@@ -139,7 +140,7 @@ void require(const Json& object, const Rule& rule, const std::string& group) {
   const Json::json_pointer place(rule.place);
   if (!object.contains(place) || rule.holds(object.at(place))) return;
   throw BadRecord(fmt::format("{}{} = {} ({})", group, field_of(rule.place),
-                              one_line(object.at(place).dump()), rule.requirement));
+                              one_line(json_text(object.at(place))), rule.requirement));
 }
 
 void require_plausible(const Json& manifest) {
@@ -154,7 +155,7 @@ void require_plausible(const Json& manifest) {
 }  // namespace
 
 Json parse_manifest(const std::string& text, const std::string& name) {
-  Json manifest = Json::parse(text, nullptr, false);
+  Json manifest = try_parse_json(text);
   try {
     if (!manifest.is_object()) throw BadRecord("manifest = unreadable (must be one JSON object)");
     require_plain_texts(manifest);

@@ -11,6 +11,7 @@
 #include "harness/failure.hpp"
 #include "harness/records/shards.hpp"
 #include "harness/table.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -34,8 +35,8 @@ std::optional<std::string> difference(const RunFolder& a, const RunFolder& b, co
   const std::string entry = place + patch.front().at("path").get<std::string>();
   std::string field = entry.substr(1);
   std::ranges::replace(field, '/', '.');
-  return fmt::format("{}: {} = {} (must be {} as in {})", b.path.string(), field, at(b, entry).dump(),
-                     at(a, entry).dump(), a.path.string());
+  return fmt::format("{}: {} = {} (must be {} as in {})", b.path.string(), field, json_text(at(b, entry)),
+                     json_text(at(a, entry)), a.path.string());
 }
 
 template <class Places>

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "harness/text/json.hpp"
+
 namespace signorini {
 
 namespace {
@@ -46,7 +48,8 @@ RepresentedLaw JsonForm<RepresentedLaw>::read(const Json& json) {
   if (json.contains("massless")) return Massless{};
   if (json.contains("undetermined")) return Undetermined{};
   if (json.contains("none")) return std::monostate{};
-  throw BadRecord("law = " + json.dump() + " (must be restitution, penalty, massless, undetermined or none)");
+  throw BadRecord("law = " + json_text(json) +
+                  " (must be restitution, penalty, massless, undetermined or none)");
 }
 
 Json JsonForm<RecordedOptions>::write(const RecordedOptions& options) {

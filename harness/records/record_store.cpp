@@ -13,6 +13,7 @@
 #include "harness/isolation/freed_at_once.hpp"
 #include "harness/records/record_check.hpp"
 #include "harness/records/record_json.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -23,7 +24,7 @@ using Json = nlohmann::ordered_json;
 
 /// The record of a line. \throws BadRecord
 Record parse_line(std::string_view line) {
-  const Json json = Json::parse(line, nullptr, false);
+  const Json json = try_parse_json(line);
   if (!json.is_object()) throw BadRecord("record = unreadable (must be one JSON object)");
   return checked_record(json);
 }

@@ -12,6 +12,7 @@
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/records/record_json.hpp"
+#include "harness/text/json.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {
@@ -269,7 +270,7 @@ std::shared_ptr<const SampledTrajectory> start_from_file(const std::string& path
   const auto refuse = [&](std::string_view requirement) {
     return UsageError(fmt::format("start = {} ({})", path, requirement));
   };
-  const auto json = nlohmann::ordered_json::parse(read_file(path), nullptr, false);
+  const auto json = try_parse_json(read_file(path));
   if (json.is_discarded()) throw refuse("must be JSON as printed by solve --json --samples N");
   try {
     const Record record = record_from_json(json);

@@ -12,6 +12,7 @@
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
+#include "harness/text/json.hpp"
 #include "methods/reduction/contact_space.hpp"
 #include "methods/reduction/reduced_problem.hpp"
 #include "problems/scene/kebab_case.hpp"
@@ -39,7 +40,7 @@ std::string matrix_market(const SparseMatrix& A) {
 }
 
 /// A string as TOML has it.
-std::string toml_string(const std::string& text) { return nlohmann::json(text).dump(); }
+std::string toml_string(const std::string& text) { return json_text(nlohmann::ordered_json(text)); }
 
 std::string scene_text(const Problem& reduced, const std::string& name, const std::string& of, int vectors,
                        const ProportionalDamping& damping) {
@@ -51,7 +52,7 @@ std::string scene_text(const Problem& reduced, const std::string& name, const st
                   toml_string(fmt::format("{}: its lowest Ritz vectors, and statically all the rest", of)));
   std::vector<std::string> tags = reduced.tags;
   if (std::ranges::find(tags, "reduced") == tags.end()) tags.emplace_back("reduced");
-  text += fmt::format("tags = {}\n\n", nlohmann::json(tags).dump());
+  text += fmt::format("tags = {}\n\n", json_text(nlohmann::ordered_json(tags)));
   text += fmt::format(
       "[system]\nkind = \"matrices\"\nmass = {}\nstiffness = {}\nrayleigh = {{ alpha = {}, beta = {} }}\n\n",
       toml_string(name + "-M.mtx"), toml_string(name + "-K.mtx"), damping.alpha, damping.beta);
@@ -63,7 +64,7 @@ std::string scene_text(const Problem& reduced, const std::string& name, const st
   for (const Contact& contact : reduced.contacts)
     text += fmt::format("\n[[contact]]\ndof = {}\ngap = {}\n", contact.normal.front().first, contact.gap);
   if (const auto* spring = std::get_if<Penalty>(&reduced.law))
-    text += fmt::format("\n[law]\npenalty = {}\n", nlohmann::json(spring->stiffness).dump());
+    text += fmt::format("\n[law]\npenalty = {}\n", json_text(nlohmann::ordered_json(spring->stiffness)));
   return text;
 }
 

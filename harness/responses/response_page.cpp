@@ -11,6 +11,8 @@
 #include "harness/report/page/page_parts.hpp"
 #include "harness/report/page/page_shell.hpp"
 #include "harness/responses/response_sections.hpp"
+#include "harness/text/json.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -88,7 +90,7 @@ std::string facts_of_exact(const ResponseRecord& exact, std::size_t place) {
       plural(exact.orders, "forcing period"));
   std::vector<std::string> open = exact.open_ends;
   if (!exact.message.empty()) open.push_back(exact.message);
-  if (!open.empty()) text += html_escaped(fmt::format("; left open: {}", fmt::join(open, "; ")));
+  if (!open.empty()) text += html_escaped(fmt::format("; left open: {}", joined(open, "; ")));
   return text + ".</p>\n";
 }
 
@@ -132,7 +134,7 @@ Json page_data(std::span<const ResponseRecord> records, const std::vector<std::s
   Json data{{"configurations", labels_of(records)}, {"steps", Json::array()}, {"cases", Json::array()}};
   for (const std::string& label : labels_of(records)) data["steps"].push_back(label.ends_with(" by steps"));
   for (const ResponseRecord& record : records) {
-    Json json = Json::parse(response_line(record));
+    Json json = parse_json(response_line(record));
     json.erase("branches");  // left to the figures
     data["cases"].push_back(is_exact(record) ? record.scene + ", exact response" : record.case_id);
     data["records"].push_back(printed(json));

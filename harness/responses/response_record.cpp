@@ -10,6 +10,7 @@
 #include "harness/records/record_check.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/sweep/branch_json.hpp"
+#include "harness/text/json.hpp"
 #include "problems/scene/kebab_case.hpp"
 
 namespace signorini {
@@ -106,7 +107,7 @@ std::string response_line(const ResponseRecord& record) { return json_line(write
 
 ResponseRecord response_from_line(std::string_view line) {
   try {
-    const auto json = nlohmann::ordered_json::parse(line);
+    const auto json = parse_json(line);
     require_plain_texts(json);
     ResponseRecord record;
     read_fields(json, record);

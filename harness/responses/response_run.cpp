@@ -20,6 +20,7 @@
 #include "harness/run/applicability.hpp"
 #include "harness/run/round_messages.hpp"
 #include "harness/sweep/branch_response.hpp"
+#include "harness/text/words.hpp"
 #include "methods/curve_method.hpp"
 
 namespace signorini {
@@ -284,9 +285,9 @@ std::vector<ResponseCase> response_cases(const Suite& suite, const Narrowing& na
       cases.push_back({i, choice, true, scene + "/" + choice.label() + " by steps"});
   }
   if (cases.empty())
-    throw NothingMatched(fmt::format(
-        "scenes = {} (matches no response of suite {})",
-        narrowing.scenes.empty() ? "*" : fmt::format("{}", fmt::join(narrowing.scenes, " ")), suite.name));
+    throw NothingMatched(fmt::format("scenes = {} (matches no response of suite {})",
+                                     narrowing.scenes.empty() ? "*" : joined(narrowing.scenes, " "),
+                                     suite.name));
   return cases;
 }
 

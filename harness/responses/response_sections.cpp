@@ -10,6 +10,7 @@
 #include "harness/report/document/lines.hpp"
 #include "harness/report/formats/screen_groups.hpp"
 #include "harness/sweep/branch_response.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -128,7 +129,7 @@ std::vector<Cell> case_row(const ResponseRecord& record, std::size_t place) {
           count_cell(located_points(c), std::ssize(c.points)),
           error_cell(largest_error(c)),
           seconds_cell(record.seconds),
-          fmt::format("{}", fmt::join(record.open_ends, "; "))};
+          joined(record.open_ends, "; ")};
 }
 
 Section case_section(std::span<const ResponseRecord> records) {
@@ -190,10 +191,10 @@ Section open_section(std::span<const ResponseRecord> records) {
     if (!is_exact(record)) continue;
     std::vector<std::string> open = record.open_ends;
     if (!record.message.empty()) open.push_back(record.message);
-    section.table.rows.push_back(
-        {record.scene, fmt::format("{:.6g}", record.from), fmt::format("{:.6g}", record.to),
-         count_cell(record.orders), count_cell(static_cast<std::ptrdiff_t>(record.branches.size())),
-         count_cell(record.points), open.empty() ? "nothing" : fmt::format("{}", fmt::join(open, "; "))});
+    section.table.rows.push_back({record.scene, fmt::format("{:.6g}", record.from),
+                                  fmt::format("{:.6g}", record.to), count_cell(record.orders),
+                                  count_cell(static_cast<std::ptrdiff_t>(record.branches.size())),
+                                  count_cell(record.points), open.empty() ? "nothing" : joined(open, "; ")});
   }
   return section;
 }

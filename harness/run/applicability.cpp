@@ -4,6 +4,7 @@
 
 #include "harness/interrupt.hpp"
 #include "harness/records/record_json.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -42,8 +43,7 @@ std::vector<Applicability> ask_applicability(const Scene& scene, std::span<const
           for (const Case* planned_case : rest) send_answer(scene, *planned_case, send);
         },
         {.stage_seconds = {seconds_per_method(scene.problem)}, .memory_mb = memory_mb});
-    for (const std::string& line : end.lines)
-      read_fields(nlohmann::ordered_json::parse(line), answers.emplace_back());
+    for (const std::string& line : end.lines) read_fields(parse_json(line), answers.emplace_back());
     // The method that ended the child gets its ending; those after it are asked in another child.
     if (end.kind != ChildEnd::Kind::finished && answers.size() < cases.size())
       answers.push_back({.failure = end});

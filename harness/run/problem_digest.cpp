@@ -6,6 +6,7 @@
 
 #include "harness/files.hpp"
 #include "harness/records/record_json.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -28,7 +29,7 @@ Eigen::VectorXd probe(Eigen::Index size) {
 std::string problem_digest(const Problem& problem, const RepresentedLaw& law) {
   constexpr std::size_t kDigits = 16;
   std::string bytes = fmt::format("{} {:a} {} {}\n", problem.size(), problem.frequency, problem.subharmonic,
-                                  JsonForm<RepresentedLaw>::write(law).dump());
+                                  json_text(JsonForm<RepresentedLaw>::write(law)));
   const Eigen::VectorXd vector = probe(problem.size());
   for (const SparseMatrix* matrix : {&problem.mass(), &problem.damping(), &problem.stiffness()}) {
     const Eigen::VectorXd product = *matrix * vector;

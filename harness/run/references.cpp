@@ -10,6 +10,7 @@
 #include "harness/plan/deadline.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -23,7 +24,7 @@ constexpr double kKeptSeconds = 1.0;
 
 std::string key_of(const RepresentedLaw& law, const Problem& problem) {
   const bool undetermined = std::holds_alternative<Undetermined>(law);
-  return JsonForm<RepresentedLaw>::write(undetermined ? as_represented(problem.law) : law).dump();
+  return json_text(JsonForm<RepresentedLaw>::write(undetermined ? as_represented(problem.law) : law));
 }
 
 /// As it is kept, or by marching from rest, which may take `seconds`.
@@ -45,7 +46,7 @@ Reference received_reference(const ChildEnd& end) {
     return reference;
   }
   try {
-    return reference_from_json(nlohmann::ordered_json::parse(end.lines.back()));
+    return reference_from_json(parse_json(end.lines.back()));
   } catch (const std::exception& error) {
     reference.reason = fmt::format("its computation left {}", error.what());
     return reference;

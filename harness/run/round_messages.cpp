@@ -7,6 +7,7 @@
 #include "harness/records/record_check.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/run/trial.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -70,7 +71,7 @@ void FirstRoundSender::fill() {
 
 Record record_of_answer(const Record& blank, const std::string& line) {
   Json json = to_json(blank);
-  json.update(Json::parse(line));
+  json.update(parse_json(line));
   return record_from_json(json);
 }
 
@@ -80,7 +81,7 @@ Record received_first_round(const Record& blank, const ReceivedRound& lines, con
     take_failure(end, record);
   } else {
     Json json = to_json(blank);
-    for (const std::string& line : lines) json.update(Json::parse(line));
+    for (const std::string& line : lines) json.update(parse_json(line));
     record = record_from_json(json);
     take_late_end(lines, end, record);
     apply_verdict(record);
@@ -101,7 +102,7 @@ void send_later_round(const RepeatedSolve& repeat, const LineSender& send) {
 
 void take_later_round(const ChildEnd& end, Record& record) {
   record.elapsed = record.elapsed.value_or(0.0) + end.seconds;
-  const Json json = end.lines.empty() ? Json::object() : Json::parse(end.lines.back());
+  const Json json = end.lines.empty() ? Json::object() : parse_json(end.lines.back());
   if (json.contains("setup")) {
     std::vector<TimedRound> rounds = record.seconds->rounds;
     rounds.push_back({.setup = json.at("setup"), .solve = json.at("solve")});

@@ -10,6 +10,8 @@
 #include <set>
 #include <utility>
 
+#include "harness/text/words.hpp"
+
 namespace signorini {
 
 namespace {
@@ -137,7 +139,7 @@ std::string load_text(const Problem& problem, int dof) {
       terms.push_back(term_text(-amplitude.imag(), "sin", harmonic));
   }
   if (terms.size() > kMostTerms) return "f(t)";
-  std::string text = fmt::format("{} N", fmt::join(terms, " + "));
+  std::string text = fmt::format("{} N", joined(terms, " + "));
   const std::string negative = "+ −";
   if (const std::size_t at = text.find(negative); at != std::string::npos)  // of two terms at most
     text.replace(at, negative.size(), "− ");

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
+#include "harness/text/words.hpp"
 #include "problems/scene/varied_scene.hpp"
 
 namespace signorini {
@@ -23,7 +24,7 @@ SpecialKind followed_kind(const std::string& name) {
   for (const SpecialKind kind : kFollowedKinds) {
     if (describe(kind) == name) return kind;
   }
-  throw UsageError(fmt::format("follow = {} (must be {})", name, fmt::join(followed_kinds(), ", ")));
+  throw UsageError(fmt::format("follow = {} (must be {})", name, joined(followed_kinds(), ", ")));
 }
 
 ScenePlane plane_of(const SceneSource& source, double from, double to, const SecondParameter& second) {

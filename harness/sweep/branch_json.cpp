@@ -8,6 +8,7 @@
 
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_check.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -73,8 +74,8 @@ std::vector<double> numbers_of_json(const Json& json) {
 std::size_t count_of_json(const Json& json, const char* field, std::size_t least, std::size_t most) {
   const Json& value = json.at(field);
   if (!value.is_number_integer() || value < least || value > most)
-    throw BadRecord(fmt::format("{} = {} (must be a whole number, {}..{})", field, as_message(value.dump()),
-                                least, most));
+    throw BadRecord(fmt::format("{} = {} (must be a whole number, {}..{})", field,
+                                as_message(json_text(value)), least, most));
   return value.get<std::size_t>();
 }
 

@@ -16,6 +16,7 @@
 #include "harness/records/record_check.hpp"
 #include "harness/records/run_folder.hpp"
 #include "harness/sweep/branch_json.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -54,7 +55,7 @@ ResponseFolder::ResponseFolder(const fs::path& folder, const Json& question,
   }
   Json manifest = program_manifest(command_line);
   manifest["sweep"] = question;
-  write_whole(folder / kManifest, manifest.dump(2) + "\n");
+  write_whole(folder / kManifest, json_text(manifest, 2) + "\n");
   // Lines of what was interrupted go, a torn one with them.
   std::string text;
   for (const auto& [method, kept] : complete_) {
@@ -77,13 +78,13 @@ void ResponseFolder::require_same(const Json& question) const {
       throw UsageError(
           fmt::format("{} = {} (must be {} as in {}, which answers another question; --out takes "
                       "another folder)",
-                      field, as_message(value.dump()), as_message(before.dump()),
+                      field, as_message(json_text(value)), as_message(json_text(before)),
                       as_message((folder_ / kManifest).string())));
   }
 }
 
 void ResponseFolder::take(const std::string& line, std::map<std::string, Kept>& begun) {
-  const Json json = Json::parse(line, nullptr, false);
+  const Json json = try_parse_json(line);
   if (!json.is_object() || !json.contains("method") || !json["method"].is_string())
     throw BadRecord("line = unreadable (must be one JSON object with a method)");
   require_plain_texts(json);

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "harness/records/json_fields.hpp"
 #include "harness/sweep/branch_json.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 

@@ -11,6 +11,7 @@
 
 #include "harness/report/document/cells.hpp"
 #include "harness/report/document/lines.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -193,8 +194,7 @@ std::string physics_lines(const Physics& physics) {
   if (!physics.energy_reason.empty())
     text += named_text("energy defect", "not defined: " + physics.energy_reason);
   if (!physics.effective_restitution.empty())
-    text += named_text("restitution found",
-                       fmt::format("{:.4f}", fmt::join(physics.effective_restitution, ", ")));
+    text += named_text("restitution found", joined(physics.effective_restitution, "{:.4f}", ", "));
   return text;
 }
 

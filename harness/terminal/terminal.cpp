@@ -2,11 +2,12 @@
 
 #include <unistd.h>
 
-#include <boost/algorithm/string/split.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
 #include <vector>
+
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -23,8 +24,7 @@ std::string_view environment(const char* variable) {
 /// What a shell runs that is asked for "signorini"; empty where it finds none.
 fs::path found_by_shell() {
   const std::string path(environment("PATH"));
-  std::vector<std::string> folders;
-  boost::algorithm::split(folders, path, [](char c) { return c == ':'; });
+  const std::vector<std::string> folders = split(path, ':');
   for (const std::string& folder : folders) {
     const fs::path program = fs::path(folder) / "signorini";
     if (access(program.c_str(), X_OK) == 0) return program;

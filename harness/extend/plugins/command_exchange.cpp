@@ -9,6 +9,7 @@
 #include "harness/records/record_json.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 #include "harness/run/trial.hpp"
+#include "harness/text/json.hpp"
 #include "problems/scene/toml_tree.hpp"
 
 namespace signorini {
@@ -132,7 +133,7 @@ Work read_work(const Json& json) {
   for (const auto& [key, value] : json.items()) {
     if (!known.contains(key)) refuse(fmt::format("work.{} = unknown", one_line(key)));
     if (!value.is_number() || value.get<double>() < 0.0)
-      refuse(fmt::format("work.{} = {} (must be 0 or more)", key, one_line(value.dump())));
+      refuse(fmt::format("work.{} = {} (must be 0 or more)", key, one_line(json_text(value))));
   }
   read_fields(json, work);
   return work.counts;
@@ -179,12 +180,12 @@ std::string command_input(Json request, const Start& start) {
     request["seconds"] =
         std::chrono::duration<double>(start.deadline - std::chrono::steady_clock::now()).count();
   }
-  return request.dump() + "\n";
+  return json_text(request) + "\n";
 }
 
 CommandAnswer read_command_answer(const std::string& output, double period) {
   try {
-    const Json json = Json::parse(output);
+    const Json json = parse_json(output);
     if (!json.is_object()) refuse("no JSON object");
     return {.solution = read_solution(json, period), .seconds = read_seconds(json)};
   } catch (const nlohmann::json::exception& error) {

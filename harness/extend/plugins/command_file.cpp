@@ -7,6 +7,7 @@
 
 #include "harness/extend/plugins/command_method.hpp"
 #include "harness/files.hpp"
+#include "harness/text/words.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "problems/scene/toml_tree.hpp"
@@ -180,7 +181,7 @@ std::string RepresentedLaws::text() const {
   if (penalty) texts.emplace_back("penalty");
   if (massless) texts.emplace_back("massless");
   if (texts.empty()) texts.emplace_back("none: scenes without contact only");
-  return fmt::format("{}", fmt::join(texts, ", "));
+  return joined(texts, ", ");
 }
 
 CommandDescription read_command_file(const fs::path& file) {

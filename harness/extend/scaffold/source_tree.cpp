@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
-#include <regex>
+#include <cctype>
 #include <sstream>
 
 #include "harness/extend/scaffold/scaffold.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -42,6 +43,22 @@ TextLine place_of_entry(const std::vector<std::string>& lines) {
   return place;
 }
 
+/// Whether the text holds this word or these words, with no letter before or after them.
+bool holds_words(const std::string& text, const std::string& words) {
+  const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
+    const std::size_t end = at + words.size();
+    if ((at == 0 || !is_letter(text[at - 1])) && (end == text.size() || !is_letter(text[end]))) return true;
+  }
+  return false;
+}
+
+/// Whether a source declares a type of this name.
+bool declares(const std::string& source, const std::string& type) {
+  return holds_words(source, "class " + type) || holds_words(source, "struct " + type) ||
+         holds_words(source, "using " + type);
+}
+
 }  // namespace
 
 std::optional<fs::path> find_tree(const fs::path& folder) {
@@ -52,11 +69,10 @@ std::optional<fs::path> find_tree(const fs::path& folder) {
 }
 
 std::optional<fs::path> header_declaring(const fs::path& tree, const std::string& type) {
-  const std::regex declaration("\\b(class|struct|using) " + type + "\\b");
   for (const char* part : {"problems", "methods", "harness"}) {
     if (!fs::is_directory(tree / part)) continue;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tree / part)) {
-      if (entry.path().extension() == ".hpp" && std::regex_search(read_file(entry.path()), declaration))
+      if (entry.path().extension() == ".hpp" && declares(read_file(entry.path()), type))
         return fs::relative(entry.path(), tree);
     }
   }
@@ -75,7 +91,7 @@ std::string with_entry(const std::string& catalogue, const std::string& folder, 
   const std::string indent = neighbour.substr(0, neighbour.find_first_not_of(' '));
   lines.insert(entry_place, fmt::format("{}method_entry<{}>(),", indent, type));
   lines.insert(place_of_include(lines, include), include);
-  return fmt::format("{}\n", fmt::join(lines, "\n"));
+  return joined(lines, "\n") + "\n";
 }
 
 }  // namespace signorini

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "harness/text/words.hpp"
+
 namespace signorini {
 
 namespace {
@@ -36,7 +38,7 @@ std::string law_text(const RepresentedLaw& law) {
       std::vector<double> shown = l.stiffness;
       const bool equal = std::ranges::adjacent_find(shown, std::ranges::not_equal_to{}) == shown.end();
       if (equal && !shown.empty()) shown.resize(1);
-      return fmt::format("k = {:g} N/m", fmt::join(shown, ", "));
+      return "k = " + joined(shown, "{:g}", ", ") + " N/m";
     }
     std::string operator()(Massless) const { return "massless"; }
     std::string operator()(Undetermined) const { return "undetermined"; }

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <regex>
+#include <cctype>
 #include <sstream>
+#include <string_view>
 
 namespace signorini {
 
@@ -12,8 +13,16 @@ std::string plural(std::ptrdiff_t count, const char* noun) {
 }
 
 std::string with_unit_signs(const std::string& text) {
-  static const std::regex plain("([0-9]) us\\b");
-  return std::regex_replace(text, plain, "$1 µs");
+  constexpr std::string_view kPlain = " us";
+  const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+  const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  std::string signs = text;
+  for (std::size_t at = signs.find(kPlain, 1); at != std::string::npos; at = signs.find(kPlain, at + 1)) {
+    const std::size_t end = at + kPlain.size();
+    if (is_digit(signs[at - 1]) && (end == signs.size() || !is_letter(signs[end])))
+      signs.replace(at, kPlain.size(), " µs");
+  }
+  return signs;
 }
 
 std::vector<std::string> wrapped_lines(const std::string& text, std::size_t width) {

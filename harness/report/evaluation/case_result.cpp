@@ -7,6 +7,7 @@
 
 #include "harness/plan/plan.hpp"
 #include "harness/records/record_json.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -15,7 +16,7 @@ namespace {
 constexpr char kFieldEnd = '\n';  // no text of a record holds one
 
 std::string law_key(const std::optional<RepresentedLaw>& law) {
-  return law ? JsonForm<RepresentedLaw>::write(*law).dump() : std::string();
+  return law ? json_text(JsonForm<RepresentedLaw>::write(*law)) : std::string();
 }
 
 std::string choice_key(const Record& record) {
@@ -32,7 +33,7 @@ std::string scene_key(const Record& record) {
   std::string key = record.scene + kFieldEnd + law_key(record.scene_law) + kFieldEnd;
   for (const std::optional<int>& number : {record.coordinates, record.contacts})
     key += number ? std::to_string(*number) + kFieldEnd : std::string(1, kFieldEnd);
-  if (record.family) key += write_fields(*record.family).dump();
+  if (record.family) key += json_text(write_fields(*record.family));
   return key;
 }
 

@@ -9,6 +9,7 @@
 
 #include "harness/records/record_json.hpp"
 #include "harness/report/evaluation/outcome.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -28,7 +29,8 @@ Eligibility eligibility_of(const std::vector<ScoredRun>& runs) {
 void take_laws_from_other_scenes(std::vector<ResolutionStudy>& studies) {
   const auto key_of = [](const ResolutionStudy& study) {
     const std::optional<RepresentedLaw>& law = study.runs.front().result->scene->law;
-    return std::pair(study.configuration, law ? JsonForm<RepresentedLaw>::write(*law).dump() : std::string());
+    return std::pair(study.configuration,
+                     law ? json_text(JsonForm<RepresentedLaw>::write(*law)) : std::string());
   };
   std::set<std::pair<std::string, std::string>> other;
   for (const ResolutionStudy& study : studies) {

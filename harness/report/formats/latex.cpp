@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "harness/report/formats/formats.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -16,7 +17,7 @@ namespace {
 constexpr std::size_t kPage = 45;  // rows
 
 std::string row_of(const std::vector<std::string>& cells) {
-  return fmt::format("{} \\\\\n", fmt::join(cells, " & "));
+  return fmt::format("{} \\\\\n", joined(cells, " & "));
 }
 
 std::string columns_of(const Table& table) {

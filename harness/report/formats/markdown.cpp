@@ -6,6 +6,7 @@
 #include "harness/failure.hpp"
 #include "harness/report/document/lines.hpp"
 #include "harness/report/formats/formats.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -13,9 +14,7 @@ namespace {
 
 constexpr std::size_t kLineLength = 110;
 
-std::string wrapped(const std::string& text) {
-  return fmt::format("{}\n", fmt::join(wrapped_lines(text, kLineLength), "\n"));
-}
+std::string wrapped(const std::string& text) { return joined(wrapped_lines(text, kLineLength), "\n") + "\n"; }
 
 /// The table that a marker's words ask for; of a section without one the text, line by line as it is.
 std::string table_for(const std::string& words, std::span<const Section> sections) {
@@ -27,7 +26,7 @@ std::string table_for(const std::string& words, std::span<const Section> section
   if (found == sections.end()) {
     std::vector<std::string> known;
     for (const Section& section : sections) known.push_back(section.id);
-    throw UsageError(fmt::format("table = {} (must be one of {})", id, fmt::join(known, ", ")));
+    throw UsageError(fmt::format("table = {} (must be one of {})", id, joined(known, ", ")));
   }
   if (found->table.header.empty()) return "```\n" + found->text + "```\n";
   Table table = found->table;

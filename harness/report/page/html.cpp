@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/algorithm/string/replace.hpp>
 #include <cctype>
 #include <cmath>
-#include <regex>
 #include <utility>
 
 #include "harness/report/document/lines.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -62,19 +61,28 @@ std::string html_escaped(std::string text) {
   // The ampersand first: the others are spelled with it.
   for (const auto& [plain, spelled] :
        {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})
-    boost::replace_all(text, plain, spelled);
+    text = replaced(text, plain, spelled);
   return text;
 }
 
 std::string html_text(const std::string& text) {
-  static const std::regex code("`([^`]*)`");
-  return std::regex_replace(html_escaped(text), code, "<code>$1</code>");
+  const std::string plain = html_escaped(text);
+  std::string marked;
+  std::size_t from = 0;
+  for (std::size_t open = plain.find('`'), close; open != std::string::npos; open = plain.find('`', from)) {
+    close = plain.find('`', open + 1);
+    if (close == std::string::npos) break;
+    marked +=
+        plain.substr(from, open - from) + "<code>" + plain.substr(open + 1, close - open - 1) + "</code>";
+    from = close + 1;
+  }
+  return marked + plain.substr(from);
 }
 
 std::string breakable(const std::string& title) {
   std::string text = html_escaped(title);
-  boost::replace_all(text, "[", "<wbr>[");
-  boost::replace_all(text, ",", ",<wbr>");
+  text = replaced(text, "[", "<wbr>[");
+  text = replaced(text, ",", ",<wbr>");
   return text;
 }
 

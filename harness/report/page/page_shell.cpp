@@ -7,6 +7,7 @@
 #include "harness/records/json_fields.hpp"
 #include "harness/report/page/html.hpp"
 #include "harness/report/page/packed.hpp"
+#include "harness/text/json.hpp"
 
 namespace signorini {
 
@@ -22,7 +23,7 @@ std::string facts_of(const Json& manifest) {
     if (!manifest.contains(place)) return;
     const Json& value = manifest[place];
     facts += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", html_escaped(name),
-                         html_escaped(value.is_string() ? value.get<std::string>() : value.dump()));
+                         html_escaped(value.is_string() ? value.get<std::string>() : json_text(value)));
   };
   add("suite", "/suite");
   add("date", "/date");
@@ -67,7 +68,7 @@ std::string whole_page(const PageText& text, const Json& data) {
          fmt::format(
              "<script type=\"application/octet-stream\" id=\"data\">{}</script>\n"
              "<script>{}</script>\n<script>{}</script>\n</body></html>\n",
-             packed(data.dump(-1, ' ', false, Json::error_handler_t::replace)), kChartLibrary, kPageScript);
+             packed(json_line(data)), kChartLibrary, kPageScript);
 }
 
 std::string printed(const Json& record) {

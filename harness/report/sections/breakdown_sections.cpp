@@ -9,6 +9,7 @@
 #include "harness/report/document/cells.hpp"
 #include "harness/report/evaluation/outcome.hpp"
 #include "harness/report/sections/sections.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -126,7 +127,7 @@ Section parameter_section(const Evaluation& evaluation) {
   for (const auto& [family, parameter] : parameters) {
     std::vector<std::string> levels;
     for (const auto& [severity, label] : labels[family]) levels.push_back(label);
-    section.table.rows.push_back({family, parameter, fmt::format("{}", fmt::join(levels, ", "))});
+    section.table.rows.push_back({family, parameter, joined(levels, ", ")});
   }
   return section;
 }

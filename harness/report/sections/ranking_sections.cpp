@@ -13,6 +13,7 @@
 #include "harness/report/figures/figures.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "harness/statistics.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -49,9 +50,9 @@ std::string contestants_text(const Evaluation& evaluation, const RankingGroup& g
   if (others.empty()) return "Of all methods, which represent the law of these scenes.";
   if (others.size() < group.configurations.size())
     return fmt::format("Of all methods but {}, which represent the law of these scenes.",
-                       fmt::join(others, ", "));
+                       joined(others, ", "));
   const bool one = group.configurations.size() == 1;
-  return fmt::format("Of {}, which alone {} the law of these scenes.", fmt::join(group.configurations, ", "),
+  return fmt::format("Of {}, which alone {} the law of these scenes.", joined(group.configurations, ", "),
                      one ? "represents" : "represent");
 }
 
@@ -150,7 +151,7 @@ std::string shift_remark(const RankingGroup& group, double limit) {
   if (changed.empty()) return "The order of the means is the same with all three shifts.";
   return fmt::format(
       "The order of the means changes with the shift at error {}, where it is therefore no ranking.",
-      fmt::join(changed, ", "));
+      joined(changed, ", "));
 }
 
 /// Medians over the scenes; "not counted" where a configuration has no such count on any of them.

@@ -12,7 +12,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
 
-namespace signorini::description_test {
+namespace signorini::command_description_test {
 namespace {
 
 using test::Outcome;
@@ -119,4 +119,4 @@ try signorini report resu
 }
 
 }  // namespace
-}  // namespace signorini::description_test
+}  // namespace signorini::command_description_test

@@ -1,6 +1,6 @@
 // --help in groups with examples, and the examples themselves.
 
-#include "harness/commands/command_guide.hpp"
+#include "harness/arguments/command_guide.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,8 @@
 // How --help and the manual present the commands: in groups, each with an example.
 
 #include <span>
-#include <string>
 
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
-class App;
-}
+#include "harness/arguments/arguments.hpp"
 
 namespace signorini {
 
@@ -23,9 +20,9 @@ std::span<const CommandExample> command_examples();
 /// Puts the commands into their groups (Use, Judge, Extend, Cluster), and has every --help printed in lines
 /// of 80 columns, with the examples of its command; that of the program says of each command the first
 /// sentence.
-void guide_commands(CLI::App& app);
+void guide_commands(const Command& program);
 
-/// The program with the commands of a command line, "signorini submit slurm".
-std::string full_name(const CLI::App& command);
+/// A command with those that it belongs to, "signorini submit slurm".
+std::string full_name(const Command& command);
 
 }  // namespace signorini

@@ -1,4 +1,4 @@
-#include "harness/commands/command_guide.hpp"
+#include "harness/arguments/command_guide.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "harness/report/document/lines.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -61,8 +62,13 @@ constexpr std::array<CommandGroup, 4> kGroups{{
     {"Cluster", "submit status merge "},
 }};
 
+std::string name_with_parents(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return (parent == nullptr ? "" : name_with_parents(*parent) + " ") + command.get_name();
+}
+
 std::string indented(const std::vector<std::string>& lines, std::size_t indent) {
-  return fmt::format("{}", fmt::join(lines, "\n" + std::string(indent, ' ')));
+  return joined(lines, "\n" + std::string(indent, ' '));
 }
 
 std::string first_sentence(const std::string& text) {
@@ -99,7 +105,7 @@ class GuideFormatter final : public CLI::Formatter {
                        beside ? "" : "\n" + std::string(kHelpIndent, ' '), indented(lines, kHelpIndent));
   }
   std::string make_footer(const CLI::App* app) const override {
-    const std::string path = full_name(*app);
+    const std::string path = name_with_parents(*app);
     const std::size_t blank = path.find(' ');
     const std::string footer = app->get_footer();
     const std::string text = footer.empty() ? "" : indented(wrapped_lines(footer, kHelpColumns), 0) + "\n";
@@ -118,20 +124,17 @@ class GuideFormatter final : public CLI::Formatter {
 
 std::span<const CommandExample> command_examples() { return kExamples; }
 
-std::string full_name(const CLI::App& command) {
-  const CLI::App* parent = command.get_parent();
-  return (parent == nullptr ? "" : full_name(*parent) + " ") + command.get_name();
-}
+std::string full_name(const Command& command) { return name_with_parents(command.app()); }
 
-void guide_commands(CLI::App& app) {
+void guide_commands(const Command& program) {
   const auto formatter = std::make_shared<GuideFormatter>();
-  app.formatter(formatter);
-  for (CLI::App* command : app.get_subcommands({})) {
-    command->formatter(formatter);
-    for (CLI::App* inner : command->get_subcommands({})) inner->formatter(formatter);
+  program.app().formatter(formatter);
+  for (const Command& command : program.commands()) {
+    command.app().formatter(formatter);
+    for (const Command& inner : command.commands()) inner.app().formatter(formatter);
     for (const CommandGroup& group : kGroups) {
-      if (group.commands.find(command->get_name() + " ") != std::string_view::npos)
-        command->group(group.title);
+      if (group.commands.find(command.name() + " ") != std::string_view::npos)
+        command.app().group(group.title);
     }
   }
 }

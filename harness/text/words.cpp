@@ -1,0 +1,39 @@
+#include "harness/text/words.hpp"
+
+#include <fmt/format.h>
+
+namespace signorini {
+
+std::string joined(std::span<const std::string> words, std::string_view between) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) text.append(i == 0 ? "" : between).append(words[i]);
+  return text;
+}
+
+std::string joined(std::span<const double> numbers, std::string_view format, std::string_view between) {
+  std::string text;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    text.append(i == 0 ? "" : between).append(fmt::format(fmt::runtime(format), numbers[i]));
+  return text;
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> words;
+  for (std::size_t end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
+    words.emplace_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  words.emplace_back(text);
+  return words;
+}
+
+std::string replaced(std::string_view text, std::string_view from, std::string_view to) {
+  std::string written;
+  for (std::size_t at = text.find(from); at != std::string_view::npos; at = text.find(from)) {
+    written.append(text.substr(0, at)).append(to);
+    text.remove_prefix(at + from.size());
+  }
+  return written.append(text);
+}
+
+}  // namespace signorini

@@ -1,0 +1,33 @@
+// Words in one text and apart: empty ones, separators at the ends, replacements that hold what is replaced.
+
+#include "harness/text/words.hpp"
+
+#include <gtest/gtest.h>
+
+namespace signorini::words_test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+TEST(Words, AreJoined) {
+  EXPECT_EQ(joined(Words{}, ", "), "");
+  EXPECT_EQ(joined(Words{"a"}, ", "), "a");
+  EXPECT_EQ(joined(Words{"a", "", "b"}, ", "), "a, , b");
+  EXPECT_EQ(joined(std::vector<double>{1.0, 0.25}, "{:.1f}", " "), "1.0 0.2");
+}
+
+TEST(Words, AreSplitAtEverySeparator) {
+  EXPECT_EQ(split("", ':'), (Words{""}));
+  EXPECT_EQ(split("a", ':'), (Words{"a"}));
+  EXPECT_EQ(split(":a::b:", ':'), (Words{"", "a", "", "b", ""}));
+}
+
+TEST(Words, AreReplacedOnceFromTheLeft) {
+  EXPECT_EQ(replaced("a-b-", "-", "\\-"), "a\\-b\\-");
+  EXPECT_EQ(replaced("aaa", "aa", "b"), "ba");
+  EXPECT_EQ(replaced("abc", "x", "y"), "abc");
+  EXPECT_EQ(replaced("", "x", "y"), "");
+}
+
+}  // namespace
+}  // namespace signorini::words_test
