@@ -5,7 +5,6 @@
 namespace signorini {
 
 Eigen::VectorXd AndersonAcceleration::next(const Eigen::VectorXd& x, const Eigen::VectorXd& image) {
-  constexpr double kDependent = 1e-10;  // part of the largest column
   const Eigen::VectorXd change = image - x;
   if (last_x_.size() > 0 && depth_ > 0) {
     x_differences_.push_front(x - last_x_);
@@ -24,7 +23,7 @@ Eigen::VectorXd AndersonAcceleration::next(const Eigen::VectorXd& x, const Eigen
     dX.col(k) = x_differences_[static_cast<std::size_t>(k)];
     dF.col(k) = change_differences_[static_cast<std::size_t>(k)];
   }
-  const Eigen::VectorXd c = pivoted_least_squares(dF, change, kDependent);
+  const Eigen::VectorXd c = pivoted_least_squares(dF, change);
   return image - (dX + dF) * c;
 }
 

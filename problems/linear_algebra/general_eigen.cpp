@@ -47,6 +47,8 @@ GeneralEigen general_by_lapack(Eigen::MatrixXd A, char job) {
 }  // namespace
 
 GeneralEigen general_eigen(const Eigen::MatrixXd& A) {
+  if (A.rows() == 0) return {.converged = true, .values = {}, .vectors = {}};
+  if (!A.allFinite()) return {};
   if (is_for_lapack(A)) return general_by_lapack(A, 'V');
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
   if (solver.info() != Eigen::Success) return {};
@@ -56,6 +58,7 @@ GeneralEigen general_eigen(const Eigen::MatrixXd& A) {
 Eigen::VectorXcd general_eigenvalues(const Eigen::MatrixXd& A) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const GeneralEigen found = [&]() -> GeneralEigen {
+    if (A.rows() == 0 || !A.allFinite()) return {};
     if (is_for_lapack(A)) return general_by_lapack(A, 'N');
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(A, false);
     return {.converged = solver.info() == Eigen::Success, .values = solver.eigenvalues(), .vectors = {}};

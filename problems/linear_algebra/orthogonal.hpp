@@ -7,7 +7,7 @@
 
 namespace signorini {
 
-/// A P = Q R with columns in the order of what they add, A m x n.
+/// A P = Q R with columns in the order of what they add, A m x n, neither of them 0.
 class PivotedQr {
  public:
   explicit PivotedQr(const Eigen::MatrixXd& A);
@@ -38,16 +38,15 @@ QrFactors householder_qr(const Eigen::MatrixXd& A);
 /// The x of least |A x - b|, A m x n of full rank n <= m, by QR without pivoting.
 Eigen::VectorXd full_rank_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
-/// The x of least |A x - b| by QR with pivoting, where columns that add less than `threshold` of the largest
-/// get none; `threshold` <= 0 means rounding.
-Eigen::VectorXd pivoted_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
-                                      double threshold = 0.0);
+/// The x of least |A x - b| by QR with pivoting, where columns that add less than rounding get none.
+Eigen::VectorXd pivoted_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
-/// The x of least |x| among those of least |A x - b|, by a complete orthogonal decomposition.
+/// The x of least |x| among those of least |A x - b|, by a complete orthogonal decomposition;
+/// NaN where A is not finite.
 Eigen::VectorXd least_norm_solve(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 /// The same of each column of B.
 Eigen::MatrixXd least_norm_solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
-/// A^+, n x m.
+/// A^+, n x m; NaN where A is not finite.
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& A);
 
 }  // namespace signorini
