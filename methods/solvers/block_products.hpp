@@ -1,0 +1,28 @@
+#pragma once
+// Products of parts of dense matrices, compiled once. Sums go in the order of Eigen's own products, whatever
+// the BLAS; those of large matrices: dense_products.hpp.
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace signorini {
+
+/// A B, A m x k and B k x n.
+Eigen::MatrixXd block_product(const Eigen::Ref<const Eigen::MatrixXd>& A,
+                              const Eigen::Ref<const Eigen::MatrixXd>& B);
+/// C = A B, which is part of neither factor.
+void set_product(Eigen::Ref<Eigen::MatrixXd> C, const Eigen::Ref<const Eigen::MatrixXd>& A,
+                 const Eigen::Ref<const Eigen::MatrixXd>& B);
+/// A v, A m x n.
+Eigen::VectorXd times(const Eigen::MatrixXd& A, const Eigen::VectorXd& v);
+/// The row r A, A m x n.
+Eigen::RowVectorXd row_times(const Eigen::Ref<const Eigen::RowVectorXd>& r,
+                             const Eigen::Ref<const Eigen::MatrixXd>& A);
+
+/// A_J^T v, A_J the columns J of A and v of length m, summed from the first entry on.
+Eigen::VectorXd transposed_columns_times(const Eigen::MatrixXd& A, const std::vector<int>& J,
+                                         const Eigen::VectorXd& v);
+/// The columns J of A, m x |J|.
+Eigen::MatrixXd chosen_columns(const Eigen::MatrixXd& A, const std::vector<int>& J);
+
+}  // namespace signorini
