@@ -14,11 +14,27 @@ void set_product(Eigen::Ref<Eigen::MatrixXd> C, const Eigen::Ref<const Eigen::Ma
   C.noalias() = A * B;
 }
 
-Eigen::VectorXd times(const Eigen::MatrixXd& A, const Eigen::VectorXd& v) { return A * v; }
+Eigen::MatrixXd transposed_times(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  return A.transpose() * B;
+}
+
+Eigen::VectorXd times(const Eigen::Ref<const Eigen::MatrixXd>& A,
+                      const Eigen::Ref<const Eigen::VectorXd>& v) {
+  return A * v;
+}
 
 Eigen::RowVectorXd row_times(const Eigen::Ref<const Eigen::RowVectorXd>& r,
                              const Eigen::Ref<const Eigen::MatrixXd>& A) {
   return r * A;
+}
+
+Eigen::VectorXd columns_times(const Eigen::MatrixXd& A, const std::vector<int>& J, const Eigen::VectorXd& v) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(A.rows());
+  for (std::size_t j = 0; j < J.size(); ++j) {
+    const double factor = v[static_cast<Eigen::Index>(j)];
+    for (Eigen::Index i = 0; i < A.rows(); ++i) result[i] += factor * A(i, J[j]);
+  }
+  return result;
 }
 
 Eigen::VectorXd transposed_columns_times(const Eigen::MatrixXd& A, const std::vector<int>& J,

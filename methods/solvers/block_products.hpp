@@ -13,12 +13,16 @@ Eigen::MatrixXd block_product(const Eigen::Ref<const Eigen::MatrixXd>& A,
 /// C = A B, which is part of neither factor.
 void set_product(Eigen::Ref<Eigen::MatrixXd> C, const Eigen::Ref<const Eigen::MatrixXd>& A,
                  const Eigen::Ref<const Eigen::MatrixXd>& B);
+/// A^T B, A k x m and B k x n.
+Eigen::MatrixXd transposed_times(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 /// A v, A m x n.
-Eigen::VectorXd times(const Eigen::MatrixXd& A, const Eigen::VectorXd& v);
+Eigen::VectorXd times(const Eigen::Ref<const Eigen::MatrixXd>& A, const Eigen::Ref<const Eigen::VectorXd>& v);
 /// The row r A, A m x n.
 Eigen::RowVectorXd row_times(const Eigen::Ref<const Eigen::RowVectorXd>& r,
                              const Eigen::Ref<const Eigen::MatrixXd>& A);
 
+/// A_J v, A_J the columns J of A and v of their number, summed column by column.
+Eigen::VectorXd columns_times(const Eigen::MatrixXd& A, const std::vector<int>& J, const Eigen::VectorXd& v);
 /// A_J^T v, A_J the columns J of A and v of length m, summed from the first entry on.
 Eigen::VectorXd transposed_columns_times(const Eigen::MatrixXd& A, const std::vector<int>& J,
                                          const Eigen::VectorXd& v);
