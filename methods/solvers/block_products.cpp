@@ -18,6 +18,23 @@ Eigen::MatrixXd transposed_times(const Eigen::MatrixXd& A, const Eigen::MatrixXd
   return A.transpose() * B;
 }
 
+Eigen::MatrixXd times_transposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  return A * B.transpose();
+}
+
+void set_times_transposed(Eigen::Ref<Eigen::MatrixXd> C, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  C.noalias() = A * B.transpose();
+}
+
+Eigen::MatrixXcd complex_block_product(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B) { return A * B; }
+
+Eigen::VectorXd transposed_times_vector(const Eigen::MatrixXd& A,
+                                        const Eigen::Ref<const Eigen::VectorXd>& v) {
+  return A.transpose() * v;
+}
+
+Eigen::VectorXd minus_times(const Eigen::MatrixXd& A, const Eigen::VectorXd& v) { return -A * v; }
+
 Eigen::VectorXd times(const Eigen::Ref<const Eigen::MatrixXd>& A,
                       const Eigen::Ref<const Eigen::VectorXd>& v) {
   return A * v;

@@ -15,6 +15,16 @@ void set_product(Eigen::Ref<Eigen::MatrixXd> C, const Eigen::Ref<const Eigen::Ma
                  const Eigen::Ref<const Eigen::MatrixXd>& B);
 /// A^T B, A k x m and B k x n.
 Eigen::MatrixXd transposed_times(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+/// A B^T, A m x k and B n x k.
+Eigen::MatrixXd times_transposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+/// C = A B^T likewise.
+void set_times_transposed(Eigen::Ref<Eigen::MatrixXd> C, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+/// A B of complex entries.
+Eigen::MatrixXcd complex_block_product(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B);
+/// A^T v, A m x n and v of length m.
+Eigen::VectorXd transposed_times_vector(const Eigen::MatrixXd& A, const Eigen::Ref<const Eigen::VectorXd>& v);
+/// (-A) v, A m x n.
+Eigen::VectorXd minus_times(const Eigen::MatrixXd& A, const Eigen::VectorXd& v);
 /// A v, A m x n.
 Eigen::VectorXd times(const Eigen::Ref<const Eigen::MatrixXd>& A, const Eigen::Ref<const Eigen::VectorXd>& v);
 /// The row r A, A m x n.
