@@ -15,6 +15,27 @@ void require_time(const Expired& expired) {
   if (expired && expired()) throw std::runtime_error("the time is up");
 }
 
+OrbitModel::OrbitModel(const Problem& problem, std::shared_ptr<SharedModes> shared)
+    : dynamics(problem), flows(dynamics, FlowForm::automatic, std::move(shared)), period(problem.period()) {}
+
+OrbitModel::OrbitModel(const Problem& problem, CondensedStructure condensed,
+                       std::shared_ptr<SharedModes> shared)
+    : dynamics(problem, std::move(condensed)),
+      flows(dynamics, FlowForm::automatic, std::move(shared)),
+      period(problem.period()) {}
+
+OrbitModel::OrbitModel(const OrbitModel& other, double frequency, std::shared_ptr<SharedModes> shared)
+    : dynamics(other.dynamics, frequency),
+      flows(dynamics, FlowForm::automatic, std::move(shared)),
+      period(other.period * other.dynamics.structure().frequency / frequency) {}
+
+OrbitModel::OrbitModel(const OrbitModel& other, FlowForm form)
+    : dynamics(other.dynamics), flows(dynamics, form), period(other.period) {}
+
+OrbitModel::~OrbitModel() = default;
+
+OrbitEquations::~OrbitEquations() = default;
+
 OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired, Columns columns)
     : model_(model),
       sequence_(guess),
