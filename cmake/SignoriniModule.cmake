@@ -62,7 +62,9 @@ function(signorini_position_independent target)
                                              VISIBILITY_INLINES_HIDDEN ON)
 endfunction()
 
-signorini_precompiled(signorini_precompiled HEADERS ${common_headers} LINK Eigen3::Eigen)
+# The kernels of dense products are compiled in problems alone, to which all that is made of these headers is linked.
+signorini_precompiled(signorini_precompiled
+  HEADERS ${common_headers} ${PROJECT_SOURCE_DIR}/problems/linear_algebra/eigen_kernels.hpp LINK Eigen3::Eigen)
 signorini_position_independent(signorini_precompiled)
 
 # signorini_module(NAME SOURCES ... LINK ...): a static library with the alias signorini::NAME.

@@ -1,15 +1,207 @@
 #include "methods/continuation/arc_length.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
 #include "problems/linear_algebra/lu.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
+#include "problems/linear_algebra/singular_values.hpp"
 
 namespace signorini {
+
+namespace {
+
+// The points of a step that are known: x(s) = x(0) + s x'(0) + s^2 q(s), and q is interpolated between the
+// nearest of them. As all are in their planes of the step, so is what is predicted.
+class PointsOfStep {
+ public:
+  explicit PointsOfStep(const CurveStep& step) : step_(step) {}
+
+  // In place of those next to it: differences of q are divided by what lies between.
+  void add(double length, const Eigen::VectorXd& x) {
+    constexpr double kApart = 1e-3;  // of the step
+    if (!(length > kApart * step_.length)) return;
+    std::erase_if(known_,
+                  [&](const Known& one) { return std::abs(one.length - length) <= kApart * step_.length; });
+    known_.push_back({length, (x - step_.x - length * step_.tangent) / (length * length)});
+  }
+
+  // The point of the curve at a length, by the curve's tangent alone where no other point is known.
+  [[nodiscard]] Eigen::VectorXd at(double length) {
+    constexpr std::size_t kNearest = 3;
+    std::sort(known_.begin(), known_.end(), [length](const Known& one, const Known& other) {
+      return std::abs(one.length - length) < std::abs(other.length - length);
+    });
+    const std::size_t count = std::min(kNearest, known_.size());
+    Eigen::VectorXd x = step_.x + length * step_.tangent;
+    for (std::size_t i = 0; i < count; ++i) {
+      double weight = length * length;  // Lagrange's
+      for (std::size_t k = 0; k < count; ++k) {
+        if (k != i) weight *= (length - known_[k].length) / (known_[i].length - known_[k].length);
+      }
+      x += weight * known_[i].q;
+    }
+    return x;
+  }
+
+ private:
+  struct Known {
+    double length;
+    Eigen::VectorXd q;
+  };
+  const CurveStep& step_;
+  std::vector<Known> known_;
+};
+
+// The equations as they are handed on.
+Eigen::MatrixXd bordered(AnyEquations& equations, const Eigen::VectorXd& row) {
+  const Eigen::Index n = equations.size();
+  const Eigen::MatrixXd C = equations.conditions();
+  Eigen::MatrixXd B(n + 1 + C.rows(), n + 1);
+  B.topRows(n) = equations.jacobian();
+  B.row(n) = row.transpose();
+  B.bottomRows(C.rows()) = C;
+  return B;
+}
+
+}  // namespace
+
+Eigen::MatrixXd bordered_jacobian(AnyEquations&& equations, const Eigen::VectorXd& row) {
+  return bordered(equations, row);
+}
 
 Eigen::VectorXd solve_bordered(const Eigen::MatrixXd& B, const Eigen::VectorXd& right, double last) {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(B.rows());
   all.head(right.size()) = right;
   all[right.size()] = last;
   return B.rows() == B.cols() ? lu_solve(B, all) : full_rank_least_squares(B, all);
+}
+
+std::optional<CorrectedPoint> corrected(AnyEquations&& equations, const Eigen::VectorXd& predicted,
+                                        const Eigen::VectorXd& tangent, const CorrectorLimits& limits) {
+  constexpr double kLost = 1e3, kNoise = 100.0;  // of R; of the noise
+  constexpr double kSettled = 1e-10;  // of x: a step from one rounding of stiff modes' forces to the next
+  Eigen::VectorXd x = predicted, step = Eigen::VectorXd::Ones(x.size());
+  double before = std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= limits.iterations; ++k) {
+    equations.settle(x);
+    if (!equations.evaluate(x)) return std::nullopt;
+    const double residual = equations.residual().lpNorm<Eigen::Infinity>();
+    if (!(residual < kLost)) return std::nullopt;
+    const double size = std::max(1.0, x.lpNorm<Eigen::Infinity>());
+    if (residual <= limits.tolerance * size) return CorrectedPoint{std::move(x), k};
+    const bool rounding =
+        residual < kNoise * equations.noise() || step.lpNorm<Eigen::Infinity>() < kSettled * size;
+    if (k >= 2 && rounding && residual > 0.5 * before) return CorrectedPoint{std::move(x), k};
+    before = residual;
+    step = solve_bordered(bordered(equations, tangent), -equations.residual(), -tangent.dot(x - predicted));
+    if (!step.allFinite()) return std::nullopt;
+    x += step;
+  }
+  return std::nullopt;
+}
+
+std::optional<int> correct(AnyEquations&& equations, const Eigen::VectorXd& predicted,
+                           const Eigen::VectorXd& tangent, const CorrectorLimits& limits) {
+  const auto point = corrected(std::move(equations), predicted, tangent, limits);
+  return point ? std::optional(point->iterations) : std::nullopt;
+}
+
+std::optional<int> correct_at_parameter(AnyEquations&& equations, const Eigen::VectorXd& predicted) {
+  return correct(std::move(equations), predicted,
+                 Eigen::VectorXd::Unit(predicted.size(), predicted.size() - 1), {.iterations = 15});
+}
+
+std::optional<Eigen::VectorXd> tangent_of(AnyEquations&& equations, const Eigen::VectorXd& previous) {
+  const Eigen::VectorXd t =
+      solve_bordered(bordered(equations, previous), Eigen::VectorXd::Zero(equations.size()), 1.0);
+  if (!t.allFinite() || t.isZero(0.0)) return std::nullopt;
+  return t.normalized();
+}
+
+Eigen::VectorXd first_tangent(AnyEquations&& equations) {
+  if (equations.size() == 0) return Eigen::VectorXd::Ones(1);  // the parameter alone
+  Eigen::MatrixXd jacobian = equations.jacobian();
+  const Eigen::MatrixXd C = equations.conditions();
+  jacobian.conservativeResize(jacobian.rows() + C.rows(), Eigen::NoChange);
+  jacobian.bottomRows(C.rows()) = C;
+  return right_singular_vectors(jacobian).col(equations.size());
+}
+
+Eigen::VectorXd first_tangent(AnyEquations&& equations, bool larger) {
+  const Eigen::VectorXd tangent = first_tangent(std::move(equations));
+  return tangent[equations.size()] * (larger ? 1.0 : -1.0) >= 0.0 ? tangent : -tangent;
+}
+
+double next_step(double length, int iterations, double turn, double largest) {
+  constexpr double kTurning = 0.15;  // rad
+  double factor = iterations <= 2 ? 1.6 : iterations == 3 ? 1.25 : iterations == 4 ? 1.0 : 0.6;
+  if (turn > kTurning) factor = std::min(factor, 0.75);
+  return std::min(length * factor, largest);
+}
+
+std::optional<double> first_passed(const std::vector<double>& values, double begin, double end) {
+  constexpr double kAt = 1e-12;
+  std::optional<double> first;
+  for (const double value : values) {
+    const bool passed = (begin - value) * (end - value) < 0.0 && std::abs(begin - value) > kAt;
+    if (passed && (!first || std::abs(begin - value) < std::abs(begin - *first))) first = value;
+  }
+  return first;
+}
+
+std::optional<double> locate(AnyEquations&& equations, const CurveStep& step,
+                             const std::function<std::optional<double>()>& f, std::optional<double> first,
+                             double last) {
+  constexpr CorrectorLimits kTight{.iterations = 14, .tolerance = 1e-14};
+  constexpr int kHalvings = 50, kIterations = 200;
+  constexpr double kZero = 2e-15;                                           // of f
+  constexpr double kNarrow = 4.0 * std::numeric_limits<double>::epsilon();  // of the step
+  PointsOfStep points(step);
+  const auto value = [&](double length) -> std::optional<double> {
+    const auto point = corrected(std::move(equations), points.at(length), step.tangent, kTight);
+    if (!point) return std::nullopt;
+    if (first) points.add(length, point->x);  // none while it is not known whether f exists
+    return f();
+  };
+  double a = 0.0, b = step.length, fb = last;
+  for (int k = 0; !first && k < kHalvings; ++k) {
+    const double middle = 0.5 * (a + b);
+    const auto there = value(middle);
+    if (there && *there * last > 0.0) {
+      b = middle;
+      fb = *there;
+    } else {
+      a = middle;
+      if (there) first = there;
+    }
+  }
+  if (!first) return value(b) ? std::optional(b) : std::nullopt;
+  if (!(*first * fb < 0.0)) return std::nullopt;
+  double fa = *first, width = std::abs(b - a);
+  for (int k = 0; k < kIterations && std::abs(b - a) > kNarrow * step.length; ++k) {
+    double s = b - fb * (b - a) / (fb - fa);
+    // Bisection where three steps have not halved the interval, as at a jump.
+    const bool slow = k % 4 == 3 && std::abs(b - a) > 0.5 * width;
+    if (k % 4 == 3) width = std::abs(b - a);
+    if (slow || !(s > std::min(a, b) && s < std::max(a, b))) s = 0.5 * (a + b);
+    const auto fs = value(s);
+    if (!fs) return std::nullopt;
+    if (std::abs(*fs) <= kZero || (!slow && std::abs(s - b) <= kNarrow * step.length)) return s;
+    // Illinois: an end that stays counts half.
+    if (*fs * fb < 0.0) {
+      a = b;
+      fa = fb;
+    } else {
+      fa *= 0.5;
+    }
+    b = s;
+    fb = *fs;
+  }
+  return value(b) ? std::optional(b) : std::nullopt;
 }
 
 }  // namespace signorini

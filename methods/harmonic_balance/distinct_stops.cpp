@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "methods/solvers/block_products.hpp"
+
 namespace signorini {
 
 namespace {
@@ -31,7 +33,8 @@ class RearrangedTrajectory final : public Trajectory {
   [[nodiscard]] double period() const override { return base_->period(); }
   [[nodiscard]] Samples sample(int count) const override {
     const Samples samples = base_->sample(count);
-    return {samples.x(Eigen::all, source_), samples.velocity(Eigen::all, source_), samples.force * shares_};
+    return {chosen_columns(samples.x, source_), chosen_columns(samples.velocity, source_),
+            block_product(samples.force, shares_)};
   }
   [[nodiscard]] std::vector<Impulse> impulses() const override {
     std::vector<Impulse> all;
@@ -48,7 +51,7 @@ class RearrangedTrajectory final : public Trajectory {
   [[nodiscard]] Eigen::MatrixXcd force_coefficients() const override {
     const Eigen::MatrixXcd coefficients = base_->force_coefficients();
     if (coefficients.size() == 0) return coefficients;
-    return coefficients * shares_.cast<std::complex<double>>();
+    return complex_block_product(coefficients, shares_.cast<std::complex<double>>());
   }
 
  private:

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "methods/solvers/block_products.hpp"
 #include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
@@ -13,6 +14,27 @@ namespace signorini {
 void require_time(const Expired& expired) {
   if (expired && expired()) throw std::runtime_error("the time is up");
 }
+
+OrbitModel::OrbitModel(const Problem& problem, std::shared_ptr<SharedModes> shared)
+    : dynamics(problem), flows(dynamics, FlowForm::automatic, std::move(shared)), period(problem.period()) {}
+
+OrbitModel::OrbitModel(const Problem& problem, CondensedStructure condensed,
+                       std::shared_ptr<SharedModes> shared)
+    : dynamics(problem, std::move(condensed)),
+      flows(dynamics, FlowForm::automatic, std::move(shared)),
+      period(problem.period()) {}
+
+OrbitModel::OrbitModel(const OrbitModel& other, double frequency, std::shared_ptr<SharedModes> shared)
+    : dynamics(other.dynamics, frequency),
+      flows(dynamics, FlowForm::automatic, std::move(shared)),
+      period(other.period * other.dynamics.structure().frequency / frequency) {}
+
+OrbitModel::OrbitModel(const OrbitModel& other, FlowForm form)
+    : dynamics(other.dynamics), flows(dynamics, form), period(other.period) {}
+
+OrbitModel::~OrbitModel() = default;
+
+OrbitEquations::~OrbitEquations() = default;
 
 OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired, Columns columns)
     : model_(model),
@@ -43,7 +65,7 @@ OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expir
     law.unit = law.of_force ? dynamics.force_scale(event.contact) : x_unit_;
     if (!event.pushed.empty()) {
       law.impulse = dynamics.structure().impulse_of_velocity(event.pushed, event.restitution);
-      law.response = dynamics.structure().velocity_per_impulse(Eigen::all, event.pushed);
+      law.response = chosen_columns(dynamics.structure().velocity_per_impulse, event.pushed);
     }
     laws_.push_back(std::move(law));
   }
@@ -65,12 +87,13 @@ void OrbitEquations::carry(Eigen::Index i, double duration) {
     return;
   }
   if (kind_ == Columns::all) {
-    sensitivity_.leftCols(known) = (flow.transition(duration) * sensitivity_.leftCols(known)).eval();
+    sensitivity_.leftCols(known) = block_product(flow.transition(duration), sensitivity_.leftCols(known));
     return;
   }
   const TransitionFactors factors = flow.transition_factors(duration);
   if (i > 0) {
-    sensitivity_.leftCols(known) = factors.writing * (factors.reading * sensitivity_.leftCols(known)).eval();
+    sensitivity_.leftCols(known) =
+        block_product(factors.writing, block_product(factors.reading, sensitivity_.leftCols(known)));
     return;
   }
   of_state_ = factors.writing.cols();
@@ -110,11 +133,12 @@ void OrbitEquations::differentiate_event(Eigen::Index i) {
   // A later event instant carries the state on along the motion, by F_- dt.
   sensitivity_.col(known - 1) = t_unit_ * rate_;
   const Eigen::RowVectorXd gradient = flows_[index]->gradient(event.contact, law.of_force);
+  Eigen::RowVectorXd by_all = row_times(gradient, sensitivity_.leftCols(known));
+  by_all /= law.unit;
   if (kind_ == Columns::all) {
-    jacobian_.row(row).head(known).noalias() = gradient * sensitivity_.leftCols(known) / law.unit;
+    jacobian_.row(row).head(known) = by_all;
   } else {
-    const Eigen::RowVectorXd by_all = gradient * sensitivity_.leftCols(known) / law.unit;
-    jacobian_.row(row).head(states_) = by_all.head(of_state_) * reading_;
+    jacobian_.row(row).head(states_) = row_times(by_all.head(of_state_), reading_);
     jacobian_.row(row).segment(states_, i + 1) = by_all.tail(i + 1);
   }
   jacobian_(row, row) =
@@ -131,14 +155,14 @@ void OrbitEquations::push(Eigen::Index i, bool derivatives) {
   const EventLaw& law = laws_[index];
   if (event.pushed.empty()) return;
   EventCrossing& crossing = crossings_[index];
-  crossing.speeds = dynamics.structure().directions(Eigen::all, event.pushed).transpose() * state_.v;
-  crossing.impulses = law.impulse * state_.v;
+  crossing.speeds = transposed_columns_times(dynamics.structure().directions, event.pushed, state_.v);
+  crossing.impulses = times(law.impulse, state_.v);
   // The law of impact is linear in v_-: the sensitivities pass it by the same R = I + M^-1 W_S (dp/dv_-).
   // Together with -F_+ dt at the beginning of the next arc this is the saltation, R F_- - F_+.
-  state_.v += law.response * crossing.impulses;
+  state_.v += times(law.response, crossing.impulses);
   if (!derivatives) return;
   auto rates = sensitivity_.bottomLeftCorner(n_, of_state_ + i + 1);
-  rates += law.response * (law.impulse * rates).eval();
+  rates += block_product(law.response, block_product(law.impulse, rates));
 }
 
 void OrbitEquations::differentiate_closure() {
@@ -146,7 +170,7 @@ void OrbitEquations::differentiate_closure() {
     jacobian_.topRows(p_) = sensitivity_.topRows(p_) / x_unit_;
     jacobian_.middleRows(p_, n_) = sensitivity_.bottomRows(n_) / v_unit_;
   } else {
-    jacobian_.topLeftCorner(states_, states_).noalias() = sensitivity_.leftCols(of_state_) * reading_;
+    set_product(jacobian_.topLeftCorner(states_, states_), sensitivity_.leftCols(of_state_), reading_);
     jacobian_.topRightCorner(states_, m_) = sensitivity_.middleCols(of_state_, m_);
     jacobian_.topRows(p_) /= x_unit_;
     jacobian_.middleRows(p_, n_) /= v_unit_;
@@ -211,7 +235,8 @@ Eigen::MatrixXd OrbitEquations::monodromy() const {
   // dh/dt is lower triangular: an event depends on those before it.
   const Eigen::MatrixXd along = jacobian_.bottomRightCorner(m_, m_);
   if (along.diagonal().cwiseAbs().minCoeff() == 0.0) return {};
-  P -= jacobian_.topRightCorner(states_, m_) * lower_solve(along, jacobian_.bottomLeftCorner(m_, states_));
+  P -= block_product(jacobian_.topRightCorner(states_, m_),
+                     lower_solve(along, jacobian_.bottomLeftCorner(m_, states_)));
   return P;
 }
 

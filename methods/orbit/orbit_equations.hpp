@@ -6,7 +6,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "methods/flow/flow_record.hpp"
@@ -19,23 +18,14 @@ namespace signorini {
 struct OrbitModel {
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
   /// \param shared  modes known from other scenes, if any
-  explicit OrbitModel(const Problem& problem, std::shared_ptr<SharedModes> shared = {})
-      : dynamics(problem),
-        flows(dynamics, FlowForm::automatic, std::move(shared)),
-        period(problem.period()) {}
+  explicit OrbitModel(const Problem& problem, std::shared_ptr<SharedModes> shared = {});
   /// `condensed` in place of condense(problem), as FlowStructure takes it.
-  OrbitModel(const Problem& problem, CondensedStructure condensed, std::shared_ptr<SharedModes> shared = {})
-      : dynamics(problem, std::move(condensed)),
-        flows(dynamics, FlowForm::automatic, std::move(shared)),
-        period(problem.period()) {}
+  OrbitModel(const Problem& problem, CondensedStructure condensed, std::shared_ptr<SharedModes> shared = {});
   /// The same scene with another frequency of its load.
-  OrbitModel(const OrbitModel& other, double frequency, std::shared_ptr<SharedModes> shared)
-      : dynamics(other.dynamics, frequency),
-        flows(dynamics, FlowForm::automatic, std::move(shared)),
-        period(other.period * other.dynamics.structure().frequency / frequency) {}
+  OrbitModel(const OrbitModel& other, double frequency, std::shared_ptr<SharedModes> shared);
   /// The same scene with flows of another form.
-  OrbitModel(const OrbitModel& other, FlowForm form)
-      : dynamics(other.dynamics), flows(dynamics, form), period(other.period) {}
+  OrbitModel(const OrbitModel& other, FlowForm form);
+  ~OrbitModel();
   /// Its parts refer to each other.
   OrbitModel(const OrbitModel&) = delete;
   OrbitModel& operator=(const OrbitModel&) = delete;
@@ -87,6 +77,9 @@ class OrbitEquations {
   /// \throws std::runtime_error if a flow cannot be formed, or the time is up
   OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired = {},
                  Columns columns = Columns::all);
+  ~OrbitEquations();
+  OrbitEquations(const OrbitEquations&) = delete;
+  OrbitEquations& operator=(const OrbitEquations&) = delete;
 
   [[nodiscard]] Eigen::Index size() const { return states_ + m_; }       ///< Ns + m
   [[nodiscard]] Eigen::Index events() const { return m_; }               ///< m

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "methods/continuation/arc_length.hpp"
+#include "methods/solvers/block_products.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/lu.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
@@ -82,7 +83,7 @@ Eigen::VectorXcd multipliers_of(const Eigen::MatrixXd& monodromy) {
   Eigen::VectorXcd all = Eigen::VectorXcd::Zero(monodromy.rows());
   if (rank == 0) return all;
   const Eigen::MatrixXd Q = qr.basis(rank);
-  all.head(rank) = general_eigenvalues(Q.transpose() * monodromy * Q);
+  all.head(rank) = general_eigenvalues(block_product(transposed_times(Q, monodromy), Q));
   return all;
 }
 

@@ -30,6 +30,8 @@ std::vector<SequenceEvent> events_of(const SequencedOrbit& orbit, const ContactD
 
 }  // namespace
 
+ExtendedEquations::~ExtendedEquations() = default;
+
 ExtendedEquations::ExtendedEquations(OrbitFamily& family, SequencedOrbit orbit)
     : family_(family), orbit_(std::move(orbit)) {
   jacobian_.resize(size(), size() + 1);

@@ -31,6 +31,9 @@ class ExtendedEquations {
  public:
   /// \param family  kept by the caller
   ExtendedEquations(OrbitFamily& family, SequencedOrbit orbit);
+  ~ExtendedEquations();
+  ExtendedEquations(const ExtendedEquations&) = delete;
+  ExtendedEquations& operator=(const ExtendedEquations&) = delete;
 
   [[nodiscard]] Eigen::Index size() const { return orbit_.x.size() - 1; }  ///< 2 Nd + m
   /// Evaluates R and its derivative but for dR/dp at x; false where anything is not finite or a flow cannot
