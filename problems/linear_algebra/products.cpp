@@ -27,6 +27,10 @@ Eigen::MatrixXd product_by_transposed(const Eigen::MatrixXd& A, const Eigen::Mat
   return A * B.transpose();
 }
 
+void subtract_product_of_transposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eigen::MatrixXd& C) {
+  C.noalias() -= A.transpose() * B;
+}
+
 Eigen::MatrixXd plus_product_of_transposed(const Eigen::MatrixXd& C, const Eigen::MatrixXd& A,
                                            const Eigen::MatrixXd& B) {
   return C + A.transpose() * B;

@@ -22,7 +22,9 @@ Eigen::MatrixXcd product_by_real_transposed(const Eigen::MatrixXcd& A, const Eig
 Eigen::MatrixXd product_of_transposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 /// A B^T, A m x k and B n x k.
 Eigen::MatrixXd product_by_transposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
-/// C + A^T B, C m x n.
+/// C -= A^T B, C m x n.
+void subtract_product_of_transposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eigen::MatrixXd& C);
+/// C + A^T B.
 Eigen::MatrixXd plus_product_of_transposed(const Eigen::MatrixXd& C, const Eigen::MatrixXd& A,
                                            const Eigen::MatrixXd& B);
 /// C + A B^T, C m x n.

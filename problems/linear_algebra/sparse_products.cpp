@@ -16,6 +16,12 @@ Eigen::VectorXd sparse_image_by_transposed(const Sparse& A, const Eigen::Ref<con
 
 Eigen::MatrixXd sparse_product(const Sparse& A, const Eigen::MatrixXd& B) { return A * B; }
 
+Eigen::MatrixXd product_by_rows(const Sparse& A, const Eigen::MatrixXd& B) {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const RowMajor rows = B;
+  return RowMajor(A * rows);
+}
+
 Sparse sparse_product(const Sparse& A, const Sparse& B) { return A * B; }
 
 Eigen::MatrixXd sparse_product_of_transposed(const Sparse& A, const Eigen::MatrixXd& B) {

@@ -17,6 +17,8 @@ Eigen::VectorXd sparse_image_by_transposed(const Eigen::SparseMatrix<double>& A,
                                            const Eigen::Ref<const Eigen::VectorXd>& v);
 /// A B, B n x k.
 Eigen::MatrixXd sparse_product(const Eigen::SparseMatrix<double>& A, const Eigen::MatrixXd& B);
+/// A B by rows of B, side by side in memory: several times faster where B has many columns.
+Eigen::MatrixXd product_by_rows(const Eigen::SparseMatrix<double>& A, const Eigen::MatrixXd& B);
 /// A B of sparse B.
 Eigen::SparseMatrix<double> sparse_product(const Eigen::SparseMatrix<double>& A,
                                            const Eigen::SparseMatrix<double>& B);

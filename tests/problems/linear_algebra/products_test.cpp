@@ -68,6 +68,9 @@ TEST_P(ProductsOfSize, OfMatricesAreSumsTermByTerm) {
   const Eigen::MatrixXd At = A.transpose(), Bt = B.transpose();
   Eigen::MatrixXd sum = C;
   add_product(A, B, sum);
+  Eigen::MatrixXd rest = C;
+  subtract_product_of_transposed(At, B, rest);
+  EXPECT_LE(distance(wide(rest), wide(C) - AB), kRounding);
   EXPECT_LE(distance(wide(product(A, B)), AB), kRounding);
   EXPECT_LE(distance(wide(sum), wide(C) + AB), kRounding);
   EXPECT_LE(distance(wide(product_of_transposed(At, B)), AB), kRounding);

@@ -40,6 +40,7 @@ TEST(SparseProducts, AreSumsTermByTerm) {
   const Sparse a = A.sparseView(), b = B.sparseView(), c = C.sparseView();
   const Eigen::MatrixXd At = A.transpose();
   EXPECT_LE(distance(sparse_product(a, B), summed(A, B)), kRounding);
+  EXPECT_LE(distance(product_by_rows(a, B), summed(A, B)), kRounding);
   EXPECT_LE(distance(Eigen::MatrixXd(sparse_product(a, b)), summed(A, B)), kRounding);
   EXPECT_LE(distance(sparse_product_of_transposed(a, C), summed(At, C)), kRounding);
   EXPECT_LE(distance(Eigen::MatrixXd(sparse_product_of_transposed(a, c)), summed(At, C)), kRounding);
