@@ -8,6 +8,7 @@
 #include "methods/linear_flow/linear_flow.hpp"
 #include "methods/solvers/constants.hpp"
 #include "problems/linear_algebra/exponential.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -94,7 +95,8 @@ void EventFlow::follow(Stretch& stretch, FlowState& flow, double end, FlowRecord
   if (!flow.state.u.allFinite() || !flow.state.v.allFinite())
     throw FlowError("the motion is no longer finite");
   events_->hold(flow.state, mode_);
-  if (record.tangent) record.derivative = transition(flow.closed, flow.time - begin) * record.derivative;
+  if (record.tangent)
+    record.derivative = product(transition(flow.closed, flow.time - begin), record.derivative);
   if (record.dense) record.nodes.push_back(stretch.node(flow.time, flow.state));
   if (crossing.contact >= 0) events_->resolve(flow, crossing.contact, record);
 }

@@ -4,6 +4,7 @@
 
 #include "methods/flow/stop_events.hpp"
 #include "methods/solvers/lcp.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -24,8 +25,9 @@ FlowState RelaxingEvents::place(double time, const State& state) const {
     // The nearest admissible xi in the metric of C^-1: xi - C z with 0 <= z, 0 <= gap + C z.
     const auto z = solve_small_lcp(structure.massless_compliance, gap, flow.closed);
     if (!z) throw FlowError("no displacement satisfies all gaps");
-    flow.state.u.tail(structure.relaxing()) -= structure.massless_compliance * *z;
-    gap += structure.massless_compliance * *z;
+    const Eigen::VectorXd moved = image(structure.massless_compliance, *z);
+    flow.state.u.tail(structure.relaxing()) -= moved;
+    gap += moved;
   }
   std::vector<bool> undecided(count);
   for (std::size_t j = 0; j < count; ++j) undecided[j] = gap[static_cast<Eigen::Index>(j)] <= touch_;
@@ -38,9 +40,9 @@ void RelaxingEvents::hold(State& state, const ContactMode& mode) const {
   if (mode.active.empty()) return;
   const FlowStructure& structure = dynamics_.structure();
   const Eigen::VectorXd beyond =
-      structure.unloaded(0.0, state.u, 0)(mode.active) - structure.gaps(mode.active);
+      entries_of(structure.unloaded(0.0, state.u, 0), mode.active) - entries_of(structure.gaps, mode.active);
   state.u.tail(structure.relaxing()) -=
-      structure.massless_compliance(Eigen::all, mode.active) * (mode.response * beyond);
+      image_by_columns(structure.massless_compliance, mode.active, image(mode.response, beyond));
 }
 
 // (u, xi, v)' in the mode that the flow is in.
@@ -57,21 +59,23 @@ void RelaxingEvents::pass(const FlowState& after, const Eigen::VectorXd& before,
                           Eigen::MatrixXd& derivative) const {
   const FlowStructure& structure = dynamics_.structure();
   const int n = dynamics_.size(), contacts = structure.relaxing();
-  const auto moved_by = [&](const auto& y, int j) {
-    return structure.directions.col(j).transpose() * y.topRows(n) + y.row(n + j);
+  const auto moved = [&](int j) {
+    Eigen::VectorXd result = image_by_transposed(derivative.topRows(n), structure.directions.col(j));
+    for (Eigen::Index i = 0; i < result.size(); ++i) result[i] += derivative(n + j, i);
+    return result;
   };
   const double speed = structure.directions.col(trigger).dot(before.head(n)) + before[n + trigger];
   if (after.closed[static_cast<std::size_t>(trigger)] && speed > 0.0) {
-    const Eigen::RowVectorXd earlier = moved_by(derivative, trigger) / speed;
+    const Eigen::RowVectorXd earlier = moved(trigger).transpose() / speed;
     derivative += (rates(after) - before) * earlier;
   }
   const ContactMode mode = dynamics_.mode(after.closed);
   if (mode.active.empty()) return;
   Eigen::MatrixXd beyond(mode.response.rows(), derivative.cols());
   for (std::size_t i = 0; i < mode.active.size(); ++i)
-    beyond.row(static_cast<Eigen::Index>(i)) = moved_by(derivative, mode.active[i]);
+    beyond.row(static_cast<Eigen::Index>(i)) = moved(mode.active[i]).transpose();
   derivative.middleRows(n, contacts) -=
-      structure.massless_compliance(Eigen::all, mode.active) * (mode.response * beyond);
+      product(columns_of(structure.massless_compliance, mode.active), product(mode.response, beyond));
 }
 
 void RelaxingEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) const {

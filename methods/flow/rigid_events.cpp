@@ -5,6 +5,7 @@
 #include "methods/flow/stop_events.hpp"
 #include "methods/solvers/constants.hpp"
 #include "methods/solvers/lcp.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -69,11 +70,13 @@ void RigidEvents::collide(FlowState& flow, Impact& impact) const {
     impact.restitution[i] = 0.0;
     impact.rest_of_chatter[index] = *rest;
   }
-  const auto impulses = newton_impulses(dynamics_.structure().delassus(impact.contacts, impact.contacts),
-                                        impact.approach, impact.restitution);
+  const auto impulses =
+      newton_impulses(block_of(dynamics_.structure().delassus, impact.contacts, impact.contacts),
+                      impact.approach, impact.restitution);
   if (!impulses) throw FlowError("no impulses satisfy the impact law: the stops depend on each other");
   impact.impulse = *impulses;
-  flow.state.v += dynamics_.structure().velocity_per_impulse(Eigen::all, impact.contacts) * impact.impulse;
+  flow.state.v +=
+      image_by_columns(dynamics_.structure().velocity_per_impulse, impact.contacts, impact.impulse);
 }
 
 // The events of one instant, and the entry of the sequence that they are together: an impulse belongs to the
@@ -121,8 +124,8 @@ Eigen::MatrixXd RigidEvents::saltation(const Impact& impact, const SequenceEvent
       at == impact.contacts.end() ? 0.0 : impact.approach[at - impact.contacts.begin()];
   Eigen::MatrixXd R = Eigen::MatrixXd::Identity(n, n);
   if (!entry.pushed.empty()) {
-    R += back(Eigen::all, entry.pushed) *
-         dynamics_.structure().impulse_of_velocity(entry.pushed, entry.restitution);
+    R += product(columns_of(back, entry.pushed),
+                 dynamics_.structure().impulse_of_velocity(entry.pushed, entry.restitution));
   }
   Eigen::MatrixXd S = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   S.topLeftCorner(n, n).setIdentity();
@@ -135,10 +138,10 @@ Eigen::MatrixXd RigidEvents::saltation(const Impact& impact, const SequenceEvent
     S.bottomLeftCorner(n, n) += (a - R * impact.acceleration) * along;
   }
   if (!mode.active.empty()) {  // what the next mode holds cannot deviate
-    const Eigen::MatrixXd hold =
-        back(Eigen::all, mode.active) * (mode.response * W(Eigen::all, mode.active).transpose());
-    S.topRows(n) -= (hold * S.topRows(n)).eval();
-    S.bottomRows(n) -= (hold * S.bottomRows(n)).eval();
+    const Eigen::MatrixXd hold = product(columns_of(back, mode.active),
+                                         product_by_transposed(mode.response, columns_of(W, mode.active)));
+    S.topRows(n) -= product(hold, S.topRows(n));
+    S.bottomRows(n) -= product(hold, S.bottomRows(n));
   }
   return S;
 }
@@ -146,7 +149,7 @@ Eigen::MatrixXd RigidEvents::saltation(const Impact& impact, const SequenceEvent
 void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) const {
   Impact impact;
   const Eigen::VectorXd gap =
-      dynamics_.structure().gaps - dynamics_.structure().directions.transpose() * flow.state.u;
+      dynamics_.structure().gaps - image_by_transposed(dynamics_.structure().directions, flow.state.u);
   for (int j = 0; j < dynamics_.contact_count(); ++j) {
     if (flow.closed[static_cast<std::size_t>(j)] || gap[j] <= touch_ || j == trigger)
       impact.contacts.push_back(j);
@@ -155,7 +158,8 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
   impact.before = flow.state;
   impact.acceleration = left.u.col(2);
   impact.jerk = left.u.col(3);
-  impact.approach = dynamics_.structure().directions(Eigen::all, impact.contacts).transpose() * flow.state.v;
+  impact.approach =
+      image_by_transposed_columns(dynamics_.structure().directions, impact.contacts, flow.state.v);
   collide(flow, impact);
 
   // Of the contacts at rest those are held that the accelerations press on their stops, or their rates.
@@ -170,7 +174,7 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
   hold(flow.state, mode);
   const SequenceEvent entry = log(impact, flow, closed, trigger, record);
   flow.closed = closed;
-  if (record.tangent) record.derivative = saltation(impact, entry, flow, mode) * record.derivative;
+  if (record.tangent) record.derivative = product(saltation(impact, entry, flow, mode), record.derivative);
 }
 
 FlowState RigidEvents::place(double time, const State& state) const {
@@ -178,12 +182,12 @@ FlowState RigidEvents::place(double time, const State& state) const {
   FlowState flow{.time = time, .state = state, .closed = open};
   FlowRecord ignored;
   const FlowStructure& structure = dynamics_.structure();
-  const Eigen::VectorXd gap = structure.gaps - structure.directions.transpose() * state.u;
+  const Eigen::VectorXd gap = structure.gaps - image_by_transposed(structure.directions, state.u);
   if (gap.size() > 0 && gap.minCoeff() < 0.0) {
     // The nearest admissible displacement in the metric of M: u - M^-1 W z with 0 <= z, 0 <= gap + G z.
     const auto z = solve_small_lcp(structure.delassus, gap, open);
     if (!z) throw FlowError("no displacement satisfies all gaps");
-    flow.state.u -= structure.velocity_per_impulse * *z;
+    flow.state.u -= image(structure.velocity_per_impulse, *z);
   }
   resolve(flow, -1, ignored);
   return flow;
@@ -191,11 +195,12 @@ FlowState RigidEvents::place(double time, const State& state) const {
 
 void RigidEvents::hold(State& state, const ContactMode& mode) const {
   if (mode.active.empty()) return;
-  const Eigen::MatrixXd rows = dynamics_.structure().directions(Eigen::all, mode.active).transpose();
+  const FlowStructure& structure = dynamics_.structure();
+  const Eigen::MatrixXd rows = columns_of(structure.directions, mode.active).transpose();
   const Eigen::MatrixXd back =
-      dynamics_.structure().velocity_per_impulse(Eigen::all, mode.active) * mode.response;
-  state.u -= back * (rows * state.u - dynamics_.structure().gaps(mode.active));
-  state.v -= back * (rows * state.v);
+      product(columns_of(structure.velocity_per_impulse, mode.active), mode.response);
+  state.u -= image(back, image(rows, state.u) - entries_of(structure.gaps, mode.active));
+  state.v -= image(back, image(rows, state.v));
 }
 
 }  // namespace signorini

@@ -1,10 +1,10 @@
 #include "methods/hat_functions/period_marching.hpp"
 
-#include <Eigen/SparseLU>
-
 #include "methods/solvers/complementarity_solver.hpp"
 #include "methods/solvers/lcp.hpp"
 #include "methods/structure/condensation.hpp"
+#include "problems/linear_algebra/sparse_factors.hpp"
+#include "problems/linear_algebra/sparse_products.hpp"
 
 namespace signorini {
 
@@ -21,15 +21,16 @@ class Recurrence {
     const double step = problem.period() / samples_;
     const bool consistent = scheme == HatScheme::galerkin;
     const double outer = consistent ? 1.0 / 6.0 : 0.0;
-    const SparseMatrix inertia = problem.mass() / (step * step);
-    const SparseMatrix drag = problem.damping() / (2.0 * step);
-    ahead_ = inertia + drag + outer * problem.stiffness();
-    here_ = (1.0 - 2.0 * outer) * problem.stiffness() - 2.0 * inertia;
-    behind_ = inertia - drag + outer * problem.stiffness();
-    ahead_.makeCompressed();
-    factors_.compute(ahead_);
+    SparseMatrix inertia = problem.mass(), drag = problem.damping();
+    inertia /= step * step;
+    drag /= 2.0 * step;
+    SparseMatrix ahead = sparse_sum(1.0, sparse_sum(1.0, inertia, 1.0, drag), outer, problem.stiffness());
+    here_ = sparse_sum(1.0 - 2.0 * outer, problem.stiffness(), -2.0, inertia);
+    behind_ = sparse_sum(1.0, sparse_sum(1.0, inertia, -1.0, drag), outer, problem.stiffness());
+    ahead.makeCompressed();
+    factors_ = SparseLu(ahead);
     if (!usable()) return;
-    compliance_ = directions_.transpose() * factors_.solve(Eigen::MatrixXd(directions_));
+    compliance_ = sparse_product_of_transposed(directions_, factors_.solve(Eigen::MatrixXd(directions_)));
     load_.resize(problem.size(), samples_);
     for (int k = 0; k < samples_; ++k) {
       // Hat functions weight each load by the mean over its two elements; nodal schemes take it as it is.
@@ -45,7 +46,7 @@ class Recurrence {
     now_ = before_;
   }
 
-  [[nodiscard]] bool usable() const { return factors_.info() == Eigen::Success; }
+  [[nodiscard]] bool usable() const { return factors_.regular(); }
 
   /// One period; false if the motion has grown beyond all bounds or a step has no solution.
   bool advance(Eigen::VectorXd& pressure) {
@@ -53,12 +54,13 @@ class Recurrence {
       // The step without contact, then the pressure p = -lambda that the condition asks for, then its effect:
       // a complementarity problem of size Nc in A_+^{-1} seen by the contacts, as Moreau's scheme solves one
       // per step.
-      Eigen::VectorXd next = factors_.solve(load_.col(k) - here_ * now_ - behind_ * before_);
-      const Eigen::VectorXd room =
-          (1.0 + restitution_) * gap_ - directions_.transpose() * (next + restitution_ * before_);
+      Eigen::VectorXd next = factors_.solve(
+          Eigen::VectorXd(load_.col(k) - sparse_image(here_, now_) - sparse_image(behind_, before_)));
+      const Eigen::VectorXd room = (1.0 + restitution_) * gap_ -
+                                   sparse_image_by_transposed(directions_, next + restitution_ * before_);
       const Eigen::VectorXd push = contact_pressure(room);
       if (push.size() == 0) return false;
-      if (push.maxCoeff() > 0.0) next -= factors_.solve(directions_ * push);
+      if (push.maxCoeff() > 0.0) next -= factors_.solve(sparse_image(directions_, push));
       for (int c = 0; c < contacts_; ++c) pressure[c * samples_ + k] = push[c];
       before_.swap(now_);
       now_.swap(next);
@@ -80,8 +82,8 @@ class Recurrence {
   int contacts_;
   double restitution_;
   double scale_ = 1.0;
-  SparseMatrix directions_, ahead_, here_, behind_;
-  Eigen::SparseLU<SparseMatrix> factors_;
+  SparseMatrix directions_, here_, behind_;
+  SparseLu factors_;  // of what is ahead
   Eigen::MatrixXd compliance_;
   Lcp instant_;  // the contacts at one instant, in units of scale_
   Eigen::MatrixXd load_;

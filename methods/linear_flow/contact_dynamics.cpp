@@ -6,6 +6,8 @@
 
 #include "problems/linear_algebra/cholesky.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
+#include "problems/linear_algebra/products.hpp"
+#include "problems/linear_algebra/sparse_products.hpp"
 
 namespace signorini {
 
@@ -60,7 +62,7 @@ ContactMode ContactDynamics::mode(const std::vector<bool>& closed) const {
     if (closed[static_cast<std::size_t>(j)]) result.active.push_back(j);
   }
   if (!result.active.empty())
-    result.response = symmetric_inverse(stops_->coupling()(result.active, result.active));
+    result.response = symmetric_inverse(block_of(stops_->coupling(), result.active, result.active));
   return result;
 }
 
@@ -81,8 +83,8 @@ void ContactDynamics::acceleration(const ContactMode& mode, double time,
     }
   } else {
     Eigen::VectorXd force = structure_->load_at(time);
-    force.noalias() -= structure_->stiffness * moved;
-    force.noalias() -= structure_->damping * v;
+    subtract_sparse_image(structure_->stiffness, moved, force);
+    subtract_sparse_image(structure_->damping, v, force);
     a = structure_->factors->solve(force);
   }
   if (!mode.active.empty()) stops_->add_acceleration(mode, time, u, v, a);
@@ -98,10 +100,11 @@ void ContactDynamics::rate(const ContactMode& mode, double time, const Eigen::Re
 }
 
 State ContactDynamics::with_mass(const State& whole, const Eigen::VectorXd& x) const {
-  State state{.u = Eigen::VectorXd(positions()), .v = whole.v(structure_->kept)};
-  state.u.head(size()) = whole.u(structure_->kept);
+  const Eigen::VectorXd kept = entries_of(whole.u, structure_->kept);
+  State state{.u = Eigen::VectorXd(positions()), .v = entries_of(whole.v, structure_->kept)};
+  state.u.head(size()) = kept;
   if (positions() > size())
-    state.u.tail(positions() - size()) = x - structure_->directions.transpose() * state.u.head(size());
+    state.u.tail(positions() - size()) = x - image_by_transposed(structure_->directions, kept);
   return state;
 }
 
@@ -116,8 +119,8 @@ Eigen::MatrixXd ContactDynamics::flow_matrix(const ContactMode& mode) const {
   B.bottomRightCorner(n, n) = from_v;
   if (p > n) {  // beta xi' = C_A lambda_A - xi
     const double beta = structure_->relaxation;
-    B.middleRows(n, p - n) = structure_->massless_compliance(Eigen::all, mode.active) / beta *
-                             stops_->free_form(mode).force_of_state;
+    B.middleRows(n, p - n) = product(columns_of(structure_->massless_compliance, mode.active) / beta,
+                                     stops_->free_form(mode).force_of_state);
     B.block(n, n, p - n, p - n).diagonal().array() -= 1.0 / beta;
   }
   return B;

@@ -5,6 +5,7 @@
 
 #include "methods/linear_flow/linear_flow.hpp"
 #include "problems/linear_algebra/exponential.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -20,24 +21,26 @@ ExponentialFlow::ExponentialFlow(ModeEquations equations) : LinearFlow(std::move
   generator_.topLeftCorner(2 * n, 2 * n) = extended::rounded(energy.B);
   position_of_y_ = Eigen::MatrixXd::Zero(positions(), y);
   position_of_y_.topLeftCorner(size(), n) =
-      Q * extended::rounded(extended::product(mass.q_of_z, energy.z_of_e));
+      product(Q, extended::rounded(extended::product(mass.q_of_z, energy.z_of_e)));
   velocity_of_y_ = Eigen::MatrixXd::Zero(size(), y);
-  velocity_of_y_.middleCols(n, n) = Q * q_of_z;
+  velocity_of_y_.middleCols(n, n) = product(Q, q_of_z);
   y_of_state_ = Eigen::MatrixXd::Zero(y, states());
   y_of_state_.topLeftCorner(n, size()) =
-      extended::rounded(extended::transposed(extended::product(mass.L, energy.E))) * Q.transpose();
-  y_of_state_.block(n, positions(), n, size()) = extended::rounded(mass.L).transpose() * Q.transpose();
+      product_by_transposed(extended::rounded(extended::transposed(extended::product(mass.L, energy.E))), Q);
+  y_of_state_.block(n, positions(), n, size()) =
+      product_by_transposed(extended::rounded(extended::transposed(mass.L)), Q);
   offset_ = Eigen::VectorXd::Zero(positions());
   offset_.head(size()) = equations_.form.offset;
   if (positions() > size()) relax();
   output_ = Eigen::MatrixXd::Zero(equations_.outputs(), generator_.cols());
-  output_.leftCols(y) = equations_.output_of_state.leftCols(positions()) * position_of_y_ +
-                        equations_.output_of_state.rightCols(size()) * velocity_of_y_;
+  Eigen::MatrixXd of_y = product(equations_.output_of_state.leftCols(positions()), position_of_y_);
+  add_product(equations_.output_of_state.rightCols(size()), velocity_of_y_, of_y);
+  output_.leftCols(y) = of_y;
   for (Eigen::Index h = 0; h < harmonics; ++h) {
     // Re f e^{i angle} = Re f cos - Im f sin, with the cosine in column c and the sine in column c + 1.
     const Eigen::Index c = y + 2 * h;
     const double rate = equations_.rates()[static_cast<std::size_t>(h)];
-    const Eigen::VectorXcd load = q_of_z.transpose() * equations_.reduced_load(h);
+    const Eigen::VectorXcd load = image_of_complex_by_transposed(q_of_z, equations_.reduced_load(h));
     generator_.block(n, c, n, 1) = load.real();
     generator_.block(n, c + 1, n, 1) = -load.imag();
     generator_(c, c + 1) = -rate;
@@ -45,7 +48,7 @@ ExponentialFlow::ExponentialFlow(ModeEquations equations) : LinearFlow(std::move
     output_.col(c) = equations_.output_of_load.col(h).real();
     output_.col(c + 1) = -equations_.output_of_load.col(h).imag();
   }
-  output_.col(y) += equations_.output_of_state.leftCols(positions()) * offset_;
+  output_.col(y) += image(equations_.output_of_state.leftCols(positions()), offset_);
   // An estimate by power iteration: the bound of a Gershgorin disc would be too large for M far from the
   // identity.
   const double structure = std::max(equations_.rates().back(), 1.1 * equations_.structure().fastest_rate);
@@ -57,10 +60,11 @@ void ExponentialFlow::relax() {
   const RelaxingForm& relaxing = equations_.form.relaxing;
   const double beta = equations_.structure().relaxation;
   const Eigen::Index n = equations_.free(), alone = relaxing.of_z.cols(), contacts = positions() - size();
-  position_of_y_.bottomLeftCorner(contacts, n) = relaxing.of_u * position_of_y_.topLeftCorner(size(), n);
+  position_of_y_.bottomLeftCorner(contacts, n) =
+      product(relaxing.of_u, position_of_y_.topLeftCorner(size(), n));
   position_of_y_.bottomRightCorner(contacts, alone) = relaxing.of_z;
   y_of_state_.block(2 * n, size(), alone, contacts) = relaxing.of_xi;
-  offset_.tail(contacts) = relaxing.of_u * equations_.form.offset + relaxing.offset;
+  offset_.tail(contacts) = image(relaxing.of_u, equations_.form.offset) + relaxing.offset;
   generator_.block(2 * n, 2 * n, alone, alone).diagonal().setConstant(-1.0 / beta);
   for (Eigen::Index h = 0; h < equations_.harmonics(); ++h) {
     const Eigen::Index c = 2 * n + alone + 2 * h;
@@ -71,10 +75,11 @@ void ExponentialFlow::relax() {
 
 Eigen::MatrixXd ExponentialFlow::transition(double duration) const {
   const Eigen::Index y = y_of_state_.rows();
-  const Eigen::MatrixXd reduced = matrix_exponential(generator_.topLeftCorner(y, y) * duration) * y_of_state_;
+  const Eigen::MatrixXd reduced =
+      product(matrix_exponential(generator_.topLeftCorner(y, y) * duration), y_of_state_);
   Eigen::MatrixXd result(states(), states());
-  result.topRows(positions()) = position_of_y_ * reduced;
-  result.bottomRows(size()) = velocity_of_y_ * reduced;
+  result.topRows(positions()) = product(position_of_y_, reduced);
+  result.bottomRows(size()) = product(velocity_of_y_, reduced);
   return result;
 }
 
@@ -87,7 +92,7 @@ State ExponentialFlow::response(const std::vector<Impulse>& impulses) const {
     if (positions() > size())
       struck.segment(size(), positions() - size()) =
           impulse.value / structure.relaxation * structure.massless_compliance.col(impulse.contact);
-    sum += transition(impulse.time) * struck;
+    sum += image(transition(impulse.time), struck);
   }
   return {.u = sum.head(positions()), .v = sum.tail(size())};
 }
@@ -103,8 +108,9 @@ class ExponentialFlow::Arc final : public LinearArc {
     begin_ = time;
     placed_ = false;
     first_.resize(flow_.generator_.cols());
-    first_.head(y) = flow_.y_of_state_.leftCols(flow_.positions()) * (state.u - flow_.offset_) +
-                     flow_.y_of_state_.rightCols(flow_.size()) * state.v;
+    Eigen::VectorXd start = image(flow_.y_of_state_.leftCols(flow_.positions()), state.u - flow_.offset_);
+    add_image(flow_.y_of_state_.rightCols(flow_.size()), state.v, start);
+    first_.head(y) = start;
     for (Eigen::Index h = 0; h < equations_.harmonics(); ++h) {
       const double angle = rates[static_cast<std::size_t>(h)] * time;
       first_[y + 2 * h] = std::cos(angle);
@@ -120,23 +126,24 @@ class ExponentialFlow::Arc final : public LinearArc {
   void state(double time, State& state) const override {
     move_to(time);
     const auto y = augmented_.head(flow_.y_of_state_.rows());
-    state.u = flow_.offset_ + flow_.position_of_y_ * y;
-    state.v = flow_.velocity_of_y_ * y;
+    state.u = flow_.offset_;
+    add_image(flow_.position_of_y_, y, state.u);
+    state.v = image(flow_.velocity_of_y_, y);
   }
 
   void rate(double time, Eigen::VectorXd& rate) const override {
     move_to(time);
-    const Eigen::VectorXd y = (flow_.generator_ * augmented_).head(flow_.y_of_state_.rows());
+    const Eigen::VectorXd y = image(flow_.generator_, augmented_).head(flow_.y_of_state_.rows());
     rate.resize(flow_.states());
-    rate.head(flow_.positions()) = flow_.position_of_y_ * y;
-    rate.tail(flow_.size()) = flow_.velocity_of_y_ * y;
+    rate.head(flow_.positions()) = image(flow_.position_of_y_, y);
+    rate.tail(flow_.size()) = image(flow_.velocity_of_y_, y);
   }
 
  private:
   [[nodiscard]] double output(Eigen::Index row, double time, int order) const override {
     move_to(time);
     Eigen::VectorXd state = augmented_;
-    for (int k = 0; k < order; ++k) state = (flow_.generator_ * state).eval();
+    for (int k = 0; k < order; ++k) state = image(flow_.generator_, state);
     return flow_.output_.row(row).dot(state);
   }
 
@@ -144,7 +151,7 @@ class ExponentialFlow::Arc final : public LinearArc {
     if (placed_ && now_ == time) return;
     placed_ = true;
     now_ = time;
-    augmented_ = matrix_exponential(flow_.generator_ * (time - begin_)) * first_;
+    augmented_ = image(matrix_exponential(flow_.generator_ * (time - begin_)), first_);
   }
 
   const ExponentialFlow& flow_;

@@ -10,6 +10,8 @@
 
 #include "methods/structure/dynamic_stiffness.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
+#include "problems/linear_algebra/products.hpp"
+#include "problems/linear_algebra/sparse_products.hpp"
 
 namespace signorini {
 
@@ -20,8 +22,10 @@ Eigen::VectorXd wave_derivative(const Eigen::MatrixXcd& amplitudes, const std::v
     if (rates[h] == 0.0 && order > 0) continue;
     const double angle = rates[h] * time + 0.5 * std::numbers::pi * order;
     const double factor = order == 0 ? 1.0 : std::pow(rates[h], order);
-    const auto column = amplitudes.col(static_cast<Eigen::Index>(h));
-    sum += factor * (std::cos(angle) * column.real() - std::sin(angle) * column.imag());
+    const double of_real = std::cos(angle), of_imaginary = std::sin(angle);
+    const std::complex<double>* column = amplitudes.col(static_cast<Eigen::Index>(h)).data();
+    for (Eigen::Index i = 0; i < sum.size(); ++i)
+      sum[i] += factor * (of_real * column[i].real() - of_imaginary * column[i].imag());
   }
   return sum;
 }
@@ -46,12 +50,12 @@ FlowStructure::FlowStructure(const Problem& problem, CondensedStructure condense
   }
   if (!open.contacts.empty()) {
     const Eigen::VectorXd all = gaps;
-    gaps = all(acting);
-    open_gaps = all(open.contacts);
+    gaps = entries_of(all, acting);
+    open_gaps = entries_of(all, open.contacts);
   }
   follow_open();
   velocity_per_impulse = factors->solve(directions);
-  delassus = directions.transpose() * velocity_per_impulse;
+  delassus = product_of_transposed(directions, velocity_per_impulse);
   measure_rates();
   set_frequency(problem.frequency);
   measure_scales(problem);
@@ -82,8 +86,8 @@ void FlowStructure::follow_open() {
         least_norm_solve(massless_compliance, Eigen::MatrixXd(open.compliance.transpose())).transpose();
     find_unclear();
     open_contact_sum = open_by_contacts.cwiseAbs().rowwise().sum().maxCoeff();
-    open_rows -= open_by_contacts * directions.transpose();
-    open_waves -= open_by_contacts * shift;
+    open_rows -= product_by_transposed(open_by_contacts, directions);
+    open_waves -= product_of_complex(open_by_contacts, shift);
   } else if (contact_count() > 0) {
     open_compliance = open.compliance.cwiseAbs().colwise().maxCoeff().transpose();
   }
@@ -96,7 +100,7 @@ void FlowStructure::follow_open() {
 void FlowStructure::find_unclear() {
   constexpr double kKnown = 1e-12;
   const double scale = massless_compliance.diagonal().maxCoeff();
-  const Eigen::MatrixXd rest = open_by_contacts * massless_compliance - open.compliance;
+  const Eigen::MatrixXd rest = product(open_by_contacts, massless_compliance) - open.compliance;
   open_unclear.clear();
   for (Eigen::Index k = 0; k < rest.rows(); ++k) {
     if (!(rest.row(k).cwiseAbs().maxCoeff() <= kKnown * scale)) open_unclear.push_back(static_cast<int>(k));
@@ -116,14 +120,20 @@ FlowStructure FlowStructure::at_frequency(double omega) const {
 Eigen::VectorXd FlowStructure::load_at(double time) const { return wave_derivative(load, rates, time, 0); }
 
 Eigen::VectorXd FlowStructure::free_force(double time, const Eigen::MatrixXd& u, int k) const {
-  return wave_derivative(load, rates, time, k) - stiffness * u.col(k).head(size()) -
-         damping * u.col(k + 1).head(size());
+  Eigen::VectorXd force = wave_derivative(load, rates, time, k);
+  subtract_sparse_image(stiffness, u.col(k).head(size()), force);
+  subtract_sparse_image(damping, u.col(k + 1).head(size()), force);
+  return force;
 }
 
 Eigen::VectorXd FlowStructure::unloaded(double time, const Eigen::Ref<const Eigen::VectorXd>& u,
                                         int order) const {
-  if (relaxing() > 0) return directions.transpose() * u.head(size()) + u.tail(relaxing());
-  return directions.transpose() * u + wave_derivative(shift, rates, time, order);
+  Eigen::VectorXd x = image_by_transposed(directions, u.head(size()));
+  if (relaxing() > 0)
+    x += u.tail(relaxing());
+  else
+    x += wave_derivative(shift, rates, time, order);
+  return x;
 }
 
 Eigen::VectorXd FlowStructure::shift_at(double time, int order) const {
@@ -132,8 +142,8 @@ Eigen::VectorXd FlowStructure::shift_at(double time, int order) const {
 
 Eigen::MatrixXd FlowStructure::impulse_of_velocity(const std::vector<int>& pushed,
                                                    const std::vector<double>& restitution) const {
-  const Eigen::MatrixXd G = delassus(pushed, pushed);
-  Eigen::MatrixXd speeds = directions(Eigen::all, pushed).transpose();
+  const Eigen::MatrixXd G = block_of(delassus, pushed, pushed);
+  Eigen::MatrixXd speeds = columns_of(directions, pushed).transpose();
   for (Eigen::Index k = 0; k < speeds.rows(); ++k)
     speeds.row(k) *= 1.0 + restitution[static_cast<std::size_t>(k)];
   if (speeds.rows() == 1) return -speeds / G(0, 0);
@@ -150,7 +160,7 @@ void FlowStructure::measure_rates() {
     double value = 0.0;
     for (int k = 0; k < kIterations && x.norm() > 0.0; ++k) {
       x.normalize();
-      x = factors->solve(Eigen::VectorXd(A * x));
+      x = factors->solve(sparse_image(A, x));
       const double before = std::exchange(value, x.norm());
       if (value == before) break;
     }
@@ -221,12 +231,15 @@ double FlowStructure::reduced_amplitude() const {
     if (open_amplitude.size() > 0) open_x = open.shift.col(column) / relaxed;
     // Displacements that are added have many harmonics, of contacts alone.
     if (!load.col(column).isZero(0.0)) {
-      const Eigen::VectorXcd z = stiffness.diagonal().cast<std::complex<double>>() +
-                                 i_rate * damping.diagonal().cast<std::complex<double>>() +
-                                 i_rate * i_rate * mass.diagonal().cast<std::complex<double>>();
+      Eigen::VectorXcd z(size());
+      for (int k = 0; k < size(); ++k) {
+        const std::complex<double> elastic = stiffness.coeff(k, k), drag = damping.coeff(k, k),
+                                   inertia = mass.coeff(k, k);
+        z[k] = elastic + i_rate * drag + i_rate * i_rate * inertia;
+      }
       const Eigen::VectorXcd u = load.col(column).cwiseQuotient(z);
-      x += directions.transpose() * u;
-      if (open_amplitude.size() > 0) open_x += open.normals.transpose() * u;
+      x += image_of_complex_by_transposed(directions, u);
+      if (open_amplitude.size() > 0) open_x += image_of_complex_by_transposed(open.normals, u);
     }
     amplitude += x.cwiseAbs();
     if (open_amplitude.size() > 0) open_amplitude += open_x.cwiseAbs();

@@ -4,6 +4,7 @@
 
 #include "methods/linear_flow/linear_flow.hpp"
 #include "methods/linear_flow/shared_modes.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -32,15 +33,16 @@ std::vector<Eigen::MatrixXd> LinearArc::open_displacements(std::span<const doubl
   for (std::size_t order = 0; order < derivatives.size(); ++order) {
     for (Eigen::Index i = 0; i < u.cols(); ++i)
       u.col(i) = derivative_of_u(times[static_cast<std::size_t>(i)], static_cast<int>(order));
-    Eigen::MatrixXd x = s.open_rows.middleRows(first, count) * u;
+    Eigen::MatrixXd x = product(s.open_rows.middleRows(first, count), u);
     for (Eigen::Index i = 0; i < u.cols(); ++i)
       x.col(i) +=
           wave_derivative(waves, s.rates, times[static_cast<std::size_t>(i)], static_cast<int>(order));
     const Eigen::MatrixXd& output = derivatives[order];
     if (s.relaxing() > 0)
-      x += s.open_by_contacts.middleRows(first, count) * output.topRows(s.contact_count());
+      x += product(s.open_by_contacts.middleRows(first, count), output.topRows(s.contact_count()));
     else if (!closed.empty())
-      x += s.open.compliance(Eigen::seqN(first, count), closed) * output.bottomRows(std::ssize(closed));
+      x += product(columns_of(s.open.compliance.middleRows(first, count), closed),
+                   output.bottomRows(std::ssize(closed)));
     derivatives[order] = std::move(x);
   }
   return derivatives;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "methods/linear_flow/linear_flow.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -33,20 +34,23 @@ ModalBasis::ModalBasis(const ModeEquations& equations, ComplexModes modes) : red
   weight = Eigen::VectorXd::Ones(moving + alone);
   weight.head(moving) = reduced.weight;
   shapes = Eigen::MatrixXcd::Zero(positions, moving + alone);
-  shapes.topLeftCorner(size, moving) = Q * reduced.shapes;
+  shapes.topLeftCorner(size, moving) = product_of_complex(Q, reduced.shapes);
   left = Eigen::MatrixXcd::Zero(moving + alone, positions + size);
-  left.topLeftCorner(moving, size) = reduced.left.leftCols(n) * Q.transpose();
-  left.topRightCorner(moving, size) = reduced.left.rightCols(n) * Q.transpose();
+  left.topLeftCorner(moving, size) = product_by_real_transposed(reduced.left.leftCols(n), Q);
+  left.topRightCorner(moving, size) = product_by_real_transposed(reduced.left.rightCols(n), Q);
   if (positions > size) {
     shapes.bottomLeftCorner(positions - size, moving) =
-        relaxing.of_u.cast<Complex>() * shapes.topLeftCorner(size, moving);
+        product_in_complex(relaxing.of_u, shapes.topLeftCorner(size, moving));
     shapes.bottomRightCorner(positions - size, alone) = relaxing.of_z.cast<Complex>();
     left.block(moving, size, alone, positions - size) = relaxing.of_xi.cast<Complex>();
   }
   Eigen::MatrixXcd states(positions + size, moving + alone);
   states.topRows(positions) = shapes;
-  states.bottomRows(size) = shapes.topRows(size) * mu.asDiagonal();
-  row_of_mode = equations.output_of_state * states * weight.asDiagonal();
+  for (Eigen::Index k = 0; k < mu.size(); ++k)
+    for (Eigen::Index i = 0; i < size; ++i) states(positions + i, k) = shapes(i, k) * mu[k];
+  row_of_mode = product_of_complex(equations.output_of_state, states);
+  for (Eigen::Index k = 0; k < mu.size(); ++k)
+    for (Eigen::Index row = 0; row < row_of_mode.rows(); ++row) row_of_mode(row, k) *= weight[k];
 }
 
 std::shared_ptr<const ModalBasis> modal_basis(const ModeEquations& equations) {

@@ -1,14 +1,10 @@
-#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <functional>
-#include <limits>
 #include <utility>
 
-#include "methods/linear_flow/harmonic_integrals.hpp"
 #include "methods/linear_flow/linear_flow.hpp"
 #include "methods/linear_flow/waves.hpp"
-#include "methods/solvers/dense_products.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -23,8 +19,8 @@ ModalFlow::ModalFlow(ModeEquations equations, std::shared_ptr<const ModalBasis> 
     const Eigen::VectorXcd load = equations_.reduced_load(h);
     if (!load.isZero(0.0))
       forced_.col(h).head(size()) =
-          equations_.form.basis *
-          basis_->reduced.forced(load, equations_.rates()[static_cast<std::size_t>(h)]);
+          image_of_complex(equations_.form.basis,
+                           basis_->reduced.forced(load, equations_.rates()[static_cast<std::size_t>(h)]));
   }
   forced_.col(0).head(size()) += equations_.form.offset.cast<Complex>();
   if (positions() > size()) force_relaxing();
@@ -33,7 +29,7 @@ ModalFlow::ModalFlow(ModeEquations equations, std::shared_ptr<const ModalBasis> 
   for (Eigen::Index h = 0; h < harmonics; ++h)
     waves.col(h).tail(size()) =
         Complex(0.0, equations_.rates()[static_cast<std::size_t>(h)]) * forced_.col(h).head(size());
-  row_of_harmonic_ = equations_.output_of_state * waves + equations_.output_of_load;
+  row_of_harmonic_ = product_of_complex(equations_.output_of_state, waves) + equations_.output_of_load;
 }
 
 // Of what relaxes alone, z = shift / (1 + i beta rate), and of what follows u.
@@ -43,8 +39,8 @@ void ModalFlow::force_relaxing() {
   const double beta = equations_.structure().relaxation;
   for (Eigen::Index h = 0; h < forced_.cols(); ++h) {
     const Complex factor = 1.0 / Complex(1.0, beta * equations_.rates()[static_cast<std::size_t>(h)]);
-    forced_.col(h).tail(contacts) = relaxing.of_u.cast<Complex>() * forced_.col(h).head(size()) +
-                                    factor * (relaxing.of_z.cast<Complex>() * relaxing.shift.col(h));
+    forced_.col(h).tail(contacts) = image_in_complex(relaxing.of_u, forced_.col(h).head(size())) +
+                                    image_in_complex(factor, relaxing.of_z, relaxing.shift.col(h));
   }
   forced_.col(0).tail(contacts) += relaxing.offset.cast<Complex>();
 }
@@ -52,12 +48,11 @@ void ModalFlow::force_relaxing() {
 // Deviations obey the homogeneous equation: Re sum_k w_k (U_k, mu_k U_k) e^{mu_k s} left_k.
 Eigen::MatrixXd ModalFlow::transition(double duration) const {
   const TransitionFactors factors = transition_factors(duration);
-  return factors.writing * factors.reading;
+  return product(factors.writing, factors.reading);
 }
 
 // Re(s l) = Re s Re l - Im s Im l: two columns of a pair, one of a real mode.
 TransitionFactors ModalFlow::transition_factors(double duration) const {
-  const int n = size();
   std::vector<Eigen::Index> alive;
   Eigen::Index columns = 0;
   for (Eigen::Index k = 0; k < mu().size(); ++k) {
@@ -70,12 +65,17 @@ TransitionFactors ModalFlow::transition_factors(double duration) const {
   Eigen::Index c = 0;
   for (const Eigen::Index k : alive) {
     const Complex growth = weight()[k] * std::exp(mu()[k] * duration);
-    const Eigen::VectorXcd position = growth * basis_->shapes.col(k), velocity = mu()[k] * position.head(n);
-    factors.writing.col(c) << position.real(), velocity.real();
-    factors.reading.row(c++) = basis_->left.row(k).real();
-    if (!(mu()[k].imag() > 0.0)) continue;
-    factors.writing.col(c) << -position.imag(), -velocity.imag();
-    factors.reading.row(c++) = basis_->left.row(k).imag();
+    const bool pair = mu()[k].imag() > 0.0;
+    for (Eigen::Index i = 0; i < states(); ++i) {
+      const Complex position = growth * basis_->shapes(i < positions() ? i : i - positions(), k);
+      const Complex written = i < positions() ? position : mu()[k] * position, read = basis_->left(k, i);
+      factors.writing(i, c) = written.real();
+      factors.reading(c, i) = read.real();
+      if (!pair) continue;
+      factors.writing(i, c + 1) = -written.imag();
+      factors.reading(c + 1, i) = read.imag();
+    }
+    c += pair ? 2 : 1;
   }
   return factors;
 }
@@ -84,317 +84,19 @@ State ModalFlow::response(const std::vector<Impulse>& impulses) const {
   if (impulses.empty()) return equations_.dynamics->at_rest();  // there may be no contact that takes one
   // All impulses excite the same modes: their amplitudes are summed before the shapes are taken.
   const FlowStructure& structure = equations_.structure();
-  Eigen::MatrixXcd excited = basis_->left.rightCols(size()) * structure.velocity_per_impulse;
+  Eigen::MatrixXcd excited = product_by_real(basis_->left.rightCols(size()), structure.velocity_per_impulse);
   if (positions() > size())  // xi takes C p / beta at once
-    excited += basis_->left.middleCols(size(), positions() - size()) *
-               (structure.massless_compliance / structure.relaxation);
+    excited += product_by_real(basis_->left.middleCols(size(), positions() - size()),
+                               structure.massless_compliance / structure.relaxation);
   Eigen::VectorXcd amplitude = Eigen::VectorXcd::Zero(mu().size());
   for (const Impulse& impulse : impulses) {
-    amplitude.array() +=
-        impulse.value * excited.col(impulse.contact).array() * (impulse.time * mu().array()).exp();
+    for (Eigen::Index k = 0; k < amplitude.size(); ++k)
+      amplitude[k] += impulse.value * excited(k, impulse.contact) * std::exp(impulse.time * mu()[k]);
   }
-  amplitude.array() *= weight().array();
+  for (Eigen::Index k = 0; k < amplitude.size(); ++k) amplitude[k] *= weight()[k];
   const Eigen::VectorXcd rates = mu().cwiseProduct(amplitude);
-  return {.u = (basis_->shapes * amplitude).real(), .v = (basis_->shapes.topRows(size()) * rates).real()};
+  return {.u = complex_image(basis_->shapes, amplitude).real(),
+          .v = complex_image(basis_->shapes.topRows(size()), rates).real()};
 }
-
-/// A motion as amplitudes of the modes.
-class ModalFlow::Arc final : public LinearArc {
- public:
-  explicit Arc(const ModalFlow& flow) : LinearArc(flow.equations_), flow_(flow), rates_(equations_.rates()) {
-    growth_.resize(flow.mu().size());
-    wave_.resize(equations_.harmonics());
-    amplitude_.resize(flow.mu().size());
-    constexpr Eigen::Index kMany = 32;
-    evenly_ = wave_.size() >= kMany && evenly_spaced(rates_);
-  }
-
-  void start(double time, const State& state) override;
-  [[nodiscard]] std::vector<FadingRate> fading_rates(double floor, double step, int order) const override;
-  void state(double time, State& state) const override {
-    state.u.resize(flow_.positions());
-    state.v.resize(flow_.size());
-    differentiate(time, 0, state.u);
-    differentiate(time, 1, state.v);
-  }
-  [[nodiscard]] bool add_force_integrals(double begin, double end, double w,
-                                         Eigen::MatrixXcd& sums) const override;
-  [[nodiscard]] std::vector<Eigen::MatrixXd> outputs(std::span<const double> times,
-                                                     int highest) const override;
-  [[nodiscard]] std::vector<Eigen::MatrixXd> open_displacements(std::span<const double> times, int highest,
-                                                                int first, int count) const override;
-  void rate(double time, Eigen::VectorXd& rate) const override {
-    rate.resize(flow_.states());
-    differentiate(time, 1, rate.head(flow_.positions()));
-    differentiate(time, 2, rate.tail(flow_.size()));
-  }
-
- private:
-  [[nodiscard]] double output(Eigen::Index row, double time, int order) const override;
-  [[nodiscard]] double curvature_bound(Eigen::Index row, double time) const override;
-  void differentiate(double time, int order, Eigen::Ref<Eigen::VectorXd> derivative) const;
-  [[nodiscard]] double fastest_wave(double floor, double step, int order) const;
-  template <class Outputs, class Shape>
-  [[nodiscard]] double largest_share(const Outputs& outputs, Complex amplitude, const Shape& shape,
-                                     double direct) const;
-  [[nodiscard]] double rate(Eigen::Index h) const { return rates_[static_cast<std::size_t>(h)]; }
-  void move_to(double time) const;
-  struct Terms {
-    std::vector<Eigen::Index> alive;  // modes that have not faded, m
-    Eigen::VectorXcd rates;           // of these and of the load, m + Nh
-    Eigen::MatrixXcd becomes;         // e^{rate t}, (m + Nh) x times
-  };
-  [[nodiscard]] Terms terms_at(std::span<const double> times) const;
-  [[nodiscard]] std::vector<Eigen::MatrixXd> derivatives(const Eigen::MatrixXcd& of_output, Terms terms,
-                                                         int highest) const;
-
-  const ModalFlow& flow_;
-  const std::vector<double>& rates_;  // of the load
-  double begin_ = 0.0;
-  Eigen::VectorXcd amplitude_;  // a_k
-  OutputRows contribution_;     // row_of_mode times a_k
-  bool evenly_ = false;         // whether rates are many and evenly spaced
-  mutable double now_ = 0.0;
-  mutable bool placed_ = false;
-  mutable Eigen::VectorXcd growth_, wave_;  // e^{mu_k s}, e^{i h omega t}
-};
-
-// a = left (y - y_forced), y = (u, v); the free motion is what the periodic response does not account for.
-// Scalar by scalar, for a product of Eigen's would allocate.
-void ModalFlow::Arc::start(double time, const State& state) {
-  begin_ = time;
-  placed_ = false;
-  const int n = flow_.size(), positions = flow_.positions();
-  for (Eigen::Index h = 0; h < wave_.size(); ++h) wave_[h] = std::polar(1.0, rate(h) * time);
-  amplitude_.setZero();
-  for (int i = 0; i < positions; ++i) {
-    double u = state.u[i], v = i < n ? state.v[i] : 0.0;
-    for (Eigen::Index h = 0; h < wave_.size(); ++h) {
-      const Complex part = flow_.forced_(i, h) * wave_[h];
-      u -= part.real();
-      v += rate(h) * part.imag();
-    }
-    amplitude_ += u * flow_.basis_->left.col(i);
-    if (i < n) amplitude_ += v * flow_.basis_->left.col(positions + i);
-  }
-  contribution_ = flow_.basis_->row_of_mode * amplitude_.asDiagonal();
-}
-
-std::vector<FadingRate> ModalFlow::Arc::fading_rates(double floor, double step, int order) const {
-  constexpr double kForever = std::numeric_limits<double>::infinity();
-  std::vector<FadingRate> terms;
-  for (Eigen::Index k = 0; k < amplitude_.size(); ++k) {
-    double share = largest_share(contribution_.col(k), flow_.weight()[k] * amplitude_[k],
-                                 flow_.basis_->shapes.col(k).head(flow_.size()), 0.0);
-    const Complex mu = flow_.mu()[k];
-    share *= std::pow(std::max(1.0, std::abs(mu) * step), order);
-    const bool fades = mu.real() < 0.0;
-    if (fades && share <= floor) continue;
-    // share e^{Re mu (t - begin)} = floor
-    terms.push_back(
-        {.rate = std::abs(mu), .until = fades ? begin_ + std::log(share / floor) / -mu.real() : kForever});
-  }
-  terms.push_back({.rate = fastest_wave(floor, step, order), .until = kForever});
-  std::ranges::sort(terms, std::greater(), &FadingRate::rate);
-  return terms;
-}
-
-// The largest rate of a harmonic of the load that matters together with all faster ones, at least omega. Of
-// displacements that are added there are many harmonics, the last ones tiny.
-double ModalFlow::Arc::fastest_wave(double floor, double step, int order) const {
-  const Eigen::MatrixXcd& open_waves = equations_.structure().open_waves;
-  const double least = equations_.structure().frequency;
-  double sum = 0.0;
-  for (Eigen::Index h = wave_.size() - 1; h >= 0 && rate(h) > least; --h) {
-    const double direct = open_waves.size() > 0 ? open_waves.col(h).lpNorm<Eigen::Infinity>() : 0.0;
-    const double share =
-        largest_share(flow_.row_of_harmonic_.col(h), 1.0, flow_.forced_.col(h).head(flow_.size()), direct);
-    sum += share * std::pow(std::max(1.0, rate(h) * step), order);
-    if (sum > floor) return rate(h);
-  }
-  return least;
-}
-
-// Of a term in all guards: the larger of what it is in those of contacts that act, from its outputs, and a
-// bound of what it is in those of open ones, from its shape in u and its part in their waves.
-template <class Outputs, class Shape>
-double ModalFlow::Arc::largest_share(const Outputs& outputs, Complex amplitude, const Shape& shape,
-                                     double direct) const {
-  const ContactDynamics& dynamics = *equations_.dynamics;
-  const FlowStructure& structure = dynamics.structure();
-  double share = 0.0;
-  for (int j = 0; j < dynamics.contact_count(); ++j) {
-    const Eigen::Index force = equations_.force_row(j);
-    share = std::max(share, force < 0 ? std::abs(outputs[j]) / dynamics.scales().displacement
-                                      : std::abs(outputs[force]) / dynamics.force_scale(j));
-  }
-  if (structure.open.contacts.empty()) return share;
-  double reach =
-      structure.open_contact_sum * outputs.head(dynamics.contact_count()).template lpNorm<Eigen::Infinity>();
-  reach += direct + structure.open_row_norm * std::abs(amplitude) * shape.norm();
-  for (std::size_t c = 0; c < mode().active.size() && structure.open_compliance.size() > 0; ++c) {
-    reach += structure.open_compliance[mode().active[c]] *
-             std::abs(outputs[equations_.force_row(mode().active[c])]);
-  }
-  return std::max(share, reach / dynamics.scales().displacement);
-}
-
-// Harmonics of the load take the time itself, not the time since the beginning: their phase is that of the
-// forcing, and no rounding of begin_ enters it.
-void ModalFlow::Arc::move_to(double time) const {
-  if (placed_ && now_ == time) return;
-  placed_ = true;
-  now_ = time;
-  const double s = time - begin_;
-  for (Eigen::Index k = 0; k < growth_.size(); ++k) {
-    const Complex mu = flow_.mu()[k];
-    growth_[k] = has_faded(mu, s) ? Complex(0.0) : std::polar(std::exp(mu.real() * s), mu.imag() * s);
-  }
-  if (evenly_)
-    turn_evenly(rates_, time, wave_);
-  else
-    for (Eigen::Index h = 0; h < wave_.size(); ++h)
-      wave_[h] = rate(h) == 0.0 ? Complex(1.0) : std::polar(1.0, rate(h) * time);
-}
-
-double ModalFlow::Arc::output(Eigen::Index row, double time, int order) const {
-  move_to(time);
-  double sum = 0.0;
-  for (Eigen::Index k = 0; k < growth_.size(); ++k) {
-    if (growth_[k] == Complex(0.0)) continue;
-    Complex term = contribution_(row, k) * growth_[k];
-    for (int i = 0; i < order; ++i) term *= flow_.mu()[k];
-    sum += term.real();
-  }
-  // Re (i r)^order c w.
-  const double sign = order % 4 == 0 || order % 4 == 3 ? 1.0 : -1.0;
-  for (Eigen::Index h = 0; h < wave_.size(); ++h) {
-    const Complex c = flow_.row_of_harmonic_(row, h), w = wave_[h];
-    double part = order % 2 == 0 ? c.real() * w.real() - c.imag() * w.imag()
-                                 : c.real() * w.imag() + c.imag() * w.real();
-    for (int i = 0; i < order; ++i) part *= rate(h);
-    sum += sign * part;
-  }
-  return sum;
-}
-
-// What becomes of the modes that have not faded by the first of some times, and of the waves.
-ModalFlow::Arc::Terms ModalFlow::Arc::terms_at(std::span<const double> times) const {
-  const double first = times.empty() ? begin_ : *std::ranges::min_element(times);
-  Terms terms;
-  for (Eigen::Index k = 0; k < growth_.size(); ++k)
-    if (!has_faded(flow_.mu()[k], first - begin_)) terms.alive.push_back(k);
-  const auto modes = std::ssize(terms.alive), harmonics = wave_.size();
-  terms.rates.resize(modes + harmonics);
-  terms.rates.head(modes) = flow_.mu()(terms.alive);
-  for (Eigen::Index h = 0; h < harmonics; ++h) terms.rates[modes + h] = Complex(0.0, rate(h));
-  terms.becomes.resize(modes + harmonics, std::ssize(times));
-  for (Eigen::Index i = 0; i < terms.becomes.cols(); ++i) {
-    move_to(times[static_cast<std::size_t>(i)]);
-    terms.becomes.col(i) << growth_(terms.alive), wave_;
-  }
-  return terms;
-}
-
-// Re (C G) = Re C Re G - Im C Im G, C the terms of each output, G what becomes of them.
-std::vector<Eigen::MatrixXd> ModalFlow::Arc::derivatives(const Eigen::MatrixXcd& of_output, Terms terms,
-                                                         int highest) const {
-  const Eigen::MatrixXd real = of_output.real(), imaginary = of_output.imag();
-  std::vector<Eigen::MatrixXd> result;
-  for (int order = 0; order <= highest; ++order) {
-    if (order > 0) terms.becomes = terms.rates.asDiagonal() * terms.becomes;
-    result.push_back(dense_product(real, Eigen::MatrixXd(terms.becomes.real())));
-    subtract_product(imaginary, terms.becomes.imag(), result.back());
-  }
-  return result;
-}
-
-std::vector<Eigen::MatrixXd> ModalFlow::Arc::outputs(std::span<const double> times, int highest) const {
-  Terms terms = terms_at(times);
-  Eigen::MatrixXcd of_output(equations_.outputs(), terms.rates.size());
-  of_output << contribution_(Eigen::all, terms.alive), flow_.row_of_harmonic_;
-  return derivatives(of_output, std::move(terms), highest);
-}
-
-std::vector<Eigen::MatrixXd> ModalFlow::Arc::open_displacements(std::span<const double> times, int highest,
-                                                                int first, int count) const {
-  Terms terms = terms_at(times);
-  const FlowStructure& s = equations_.structure();
-  const Eigen::Index modes = std::ssize(terms.alive), size = flow_.size(), contacts = s.contact_count();
-  const Eigen::VectorXcd weighted = flow_.weight().cwiseProduct(amplitude_);
-  Eigen::MatrixXcd of_u(size, terms.rates.size());
-  of_u << flow_.basis_->shapes(Eigen::seqN(0, size), terms.alive) * weighted(terms.alive).asDiagonal(),
-      flow_.forced_.topRows(size);
-  Eigen::MatrixXcd of_output = dense_product(Eigen::MatrixXd(s.open_rows.middleRows(first, count)), of_u);
-  of_output.rightCols(wave_.size()) += s.open_waves.middleRows(first, count);
-  const bool relaxes = s.relaxing() > 0;
-  const Eigen::MatrixXd follows =
-      relaxes ? Eigen::MatrixXd(s.open_by_contacts.middleRows(first, count))
-              : Eigen::MatrixXd(s.open.compliance(Eigen::seqN(first, count), mode().active));
-  if (follows.cols() > 0) {
-    const Eigen::Index begin = relaxes ? 0 : contacts;
-    Eigen::MatrixXcd of_contact(follows.cols(), terms.rates.size());
-    of_contact.leftCols(modes) = contribution_.middleRows(begin, follows.cols())(Eigen::all, terms.alive);
-    of_contact.rightCols(wave_.size()) = flow_.row_of_harmonic_.middleRows(begin, follows.cols());
-    of_output += dense_product(follows, of_contact);
-  }
-  return derivatives(of_output, std::move(terms), highest);
-}
-
-// The sum of the magnitudes of all terms, |z| <= |Re z| + |Im z|: modes fade, harmonics stay.
-double ModalFlow::Arc::curvature_bound(Eigen::Index row, double time) const {
-  const auto size = [](const Complex& z) { return std::abs(z.real()) + std::abs(z.imag()); };
-  move_to(time);
-  double sum = 0.0;
-  for (Eigen::Index k = 0; k < growth_.size(); ++k) {
-    const Complex mu = flow_.mu()[k];
-    if (mu.real() > 0.0) return LinearArc::curvature_bound(row, time);
-    sum += size(contribution_(row, k)) * std::norm(mu) * size(growth_[k]);
-  }
-  for (Eigen::Index h = 0; h < wave_.size(); ++h)
-    sum += size(flow_.row_of_harmonic_(row, h)) * rate(h) * rate(h);
-  return sum;
-}
-
-// order-th derivative (0..2) of the first coordinates of (u, xi).
-void ModalFlow::Arc::differentiate(double time, int order, Eigen::Ref<Eigen::VectorXd> derivative) const {
-  move_to(time);
-  const Eigen::Index n = derivative.size();
-  derivative.setZero();
-  for (Eigen::Index k = 0; k < growth_.size(); ++k) {
-    if (growth_[k] == Complex(0.0)) continue;
-    Complex a = flow_.weight()[k] * amplitude_[k] * growth_[k];
-    for (int i = 0; i < order; ++i) a *= flow_.mu()[k];
-    for (Eigen::Index i = 0; i < n; ++i) derivative[i] += (a * flow_.basis_->shapes(i, k)).real();
-  }
-  for (Eigen::Index h = 0; h < wave_.size(); ++h) {
-    const double r = rate(h);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const Complex part = flow_.forced_(i, h) * wave_[h];  // times (i r)^order
-      derivative[i] += order == 0 ? part.real() : order == 1 ? -r * part.imag() : -r * r * part.real();
-    }
-  }
-}
-
-// What relaxes alone pushes nowhere, and most shift harmonics and fast modes are below rounding.
-bool ModalFlow::Arc::add_force_integrals(double begin, double end, double w, Eigen::MatrixXcd& sums) const {
-  const std::vector<int>& closed = mode().active;
-  if (closed.empty()) return true;
-  const Eigen::Index modes = growth_.size(), waves = wave_.size();
-  Eigen::VectorXcd rates(modes + waves);
-  Eigen::MatrixXcd terms(modes + waves, std::ssize(closed));
-  move_to(begin);
-  rates.head(modes) = flow_.mu();
-  for (Eigen::Index h = 0; h < waves; ++h) rates[modes + h] = Complex(0.0, rate(h));
-  for (Eigen::Index c = 0; c < terms.cols(); ++c) {
-    const Eigen::Index row = equations_.force_row(closed[static_cast<std::size_t>(c)]);
-    terms.col(c).head(modes) = contribution_.row(row).transpose().cwiseProduct(growth_);
-    terms.col(c).tail(waves) = flow_.row_of_harmonic_.row(row).transpose().cwiseProduct(wave_);
-  }
-  sums(Eigen::all, closed) += harmonic_integrals(rates, terms, begin, end, w, sums.rows() - 1);
-  return true;
-}
-
-std::unique_ptr<LinearArc> ModalFlow::arc() const { return std::make_unique<Arc>(*this); }
 
 }  // namespace signorini

@@ -4,6 +4,9 @@
 #include <complex>
 #include <utility>
 
+#include "problems/linear_algebra/products.hpp"
+#include "problems/linear_algebra/sparse_products.hpp"
+
 namespace signorini {
 
 ModeEquations::ModeEquations(const ContactDynamics& of, ContactMode contacts)
@@ -28,14 +31,14 @@ ModeEquations::ModeEquations(const ContactDynamics& of, ContactMode contacts)
   Eigen::MatrixXd give(contact_count, active);
   for (Eigen::Index k = 0; k < active; ++k)
     give.col(k) = s.massless_compliance.col(mode.active[static_cast<std::size_t>(k)]);
-  output_of_state.topRows(contact_count) += give * form.force_of_state;
-  output_of_load.topRows(contact_count) += give * form.force_of_load;
+  output_of_state.topRows(contact_count) += product(give, form.force_of_state);
+  output_of_load.topRows(contact_count) += product_of_complex(give, form.force_of_load);
 }
 
 Eigen::VectorXcd ModeEquations::reduced_load(Eigen::Index h) const {
   Eigen::VectorXcd load = form.load.col(h);
-  if (h == 0) load -= (structure().stiffness * form.offset).cast<std::complex<double>>();
-  return form.basis.transpose() * load;
+  if (h == 0) load -= sparse_image(structure().stiffness, form.offset).cast<std::complex<double>>();
+  return image_of_complex_by_transposed(form.basis, load);
 }
 
 MassForm ModeEquations::mass_form() const {

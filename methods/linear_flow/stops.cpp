@@ -6,6 +6,8 @@
 #include <complex>
 
 #include "problems/linear_algebra/orthogonal.hpp"
+#include "problems/linear_algebra/products.hpp"
+#include "problems/linear_algebra/sparse_products.hpp"
 
 namespace signorini {
 
@@ -39,6 +41,12 @@ namespace {
 
 using Complex = std::complex<double>;
 
+// Writes the forces of the closed contacts A among those of all.
+void set_forces(const ContactMode& mode, const Eigen::VectorXd& of_closed, Eigen::Ref<Eigen::VectorXd> all) {
+  for (std::size_t i = 0; i < mode.active.size(); ++i)
+    all[mode.active[i]] = of_closed[static_cast<Eigen::Index>(i)];
+}
+
 class RigidStops final : public Stops {
  public:
   explicit RigidStops(const FlowStructure& structure) : Stops(structure, true) {}
@@ -46,7 +54,7 @@ class RigidStops final : public Stops {
   void add_acceleration(const ContactMode& mode, double, const Eigen::Ref<const Eigen::VectorXd>&,
                         const Eigen::Ref<const Eigen::VectorXd>&,
                         Eigen::Ref<Eigen::VectorXd> a) const override {
-    a += structure_.velocity_per_impulse(Eigen::all, mode.active) * multiplier(mode, a);
+    a += image_by_columns(structure_.velocity_per_impulse, mode.active, multiplier(mode, a));
   }
 
   void differentiate(const ContactMode& mode, double time, int k, Eigen::VectorXd load,
@@ -55,8 +63,8 @@ class RigidStops final : public Stops {
     Eigen::VectorXd next = structure_.factors->solve(load);
     if (!mode.active.empty()) {
       const Eigen::VectorXd lambda = multiplier(mode, next);
-      next += structure_.velocity_per_impulse(Eigen::all, mode.active) * lambda;
-      motion.lambda(mode.active, k) = lambda;
+      next += image_by_columns(structure_.velocity_per_impulse, mode.active, lambda);
+      set_forces(mode, lambda, motion.lambda.col(k));
     }
     motion.u.col(k + 2) = next;
   }
@@ -75,10 +83,11 @@ class RigidStops final : public Stops {
 
   // dv/dt -> (I - M^-1 W_A G_AA^-1 W_A^T) dv/dt: what accelerates a held contact is taken away.
   void constrain(const ContactMode& mode, Eigen::MatrixXd& from_u, Eigen::MatrixXd& from_v) const override {
-    const Eigen::MatrixXd active = structure_.directions(Eigen::all, mode.active);
-    const Eigen::MatrixXd back = structure_.velocity_per_impulse(Eigen::all, mode.active) * mode.response;
-    from_u -= back * (active.transpose() * from_u);
-    from_v -= back * (active.transpose() * from_v);
+    const Eigen::MatrixXd active = columns_of(structure_.directions, mode.active);
+    const Eigen::MatrixXd back =
+        product(columns_of(structure_.velocity_per_impulse, mode.active), mode.response);
+    from_u -= product(back, product_of_transposed(active, from_u));
+    from_v -= product(back, product_of_transposed(active, from_v));
   }
 
   // The constraint is removed, not penalised: W_A^T u = g_A is met by u_g, W_A^T Q = 0 by every q. So the
@@ -87,24 +96,25 @@ class RigidStops final : public Stops {
     FreeForm form = open_form();
     if (mode.active.empty()) return form;
     const int n = structure_.size();
-    const Eigen::MatrixXd W = structure_.directions(Eigen::all, mode.active);
+    const Eigen::MatrixXd W = columns_of(structure_.directions, mode.active);
     const PivotedQr qr(W);
     form.basis = qr.basis(n).rightCols(n - qr.rank());
-    form.offset = least_norm_solve(W.transpose(), Eigen::VectorXd(structure_.gaps(mode.active)));
+    form.offset = least_norm_solve(W.transpose(), entries_of(structure_.gaps, mode.active));
     // lambda_A = -G_AA^-1 W_A^T M^-1 (f - K u - D u')
     const Eigen::MatrixXd back =
-        mode.response * structure_.velocity_per_impulse(Eigen::all, mode.active).transpose();
+        product_by_transposed(mode.response, columns_of(structure_.velocity_per_impulse, mode.active));
     form.force_of_state.resize(back.rows(), 2 * n);
-    form.force_of_state.leftCols(n) = back * structure_.stiffness;
-    form.force_of_state.rightCols(n) = back * structure_.damping;
-    form.force_of_load = -back * structure_.load;
+    form.force_of_state.leftCols(n) = product_by_sparse(back, structure_.stiffness);
+    form.force_of_state.rightCols(n) = product_by_sparse(back, structure_.damping);
+    form.force_of_load = product_of_complex(-back, structure_.load);
     return form;
   }
 
  private:
   // lambda_A that cancels the acceleration W_A^T `free` of a structure without contact forces.
   [[nodiscard]] Eigen::VectorXd multiplier(const ContactMode& mode, const Eigen::VectorXd& free) const {
-    return -mode.response * (structure_.directions(Eigen::all, mode.active).transpose() * free);
+    return negative_image(mode.response,
+                          image_by_transposed_columns(structure_.directions, mode.active, free));
   }
 };
 
@@ -123,8 +133,8 @@ class CompliantStops final : public Stops {
                      MotionDerivatives& motion) const override {
     motion.x.col(k) = structure_.unloaded(time, motion.u.col(k), k);
     motion.lambda.col(k) = force(mode, motion.x.col(k), k);
-    motion.x.col(k) += structure_.massless_compliance * motion.lambda.col(k);
-    load += structure_.directions * motion.lambda.col(k);
+    motion.x.col(k) += image(structure_.massless_compliance, motion.lambda.col(k));
+    load += image(structure_.directions, motion.lambda.col(k));
     motion.u.col(k + 2) = structure_.factors->solve(load);
   }
 
@@ -134,13 +144,13 @@ class CompliantStops final : public Stops {
     rate = structure_.unloaded(time, state.v, 1);
     lambda = force(mode, x, 0);
     lambda_rate = force(mode, rate, 1);
-    x += structure_.massless_compliance * lambda;
-    rate += structure_.massless_compliance * lambda_rate;
+    x += image(structure_.massless_compliance, lambda);
+    rate += image(structure_.massless_compliance, lambda_rate);
   }
 
   [[nodiscard]] Eigen::MatrixXd stiffness(const ContactMode& mode) const override {
-    const Eigen::MatrixXd active = structure_.directions(Eigen::all, mode.active);
-    return Eigen::MatrixXd(structure_.stiffness) + active * mode.response * active.transpose();
+    const Eigen::MatrixXd active = columns_of(structure_.directions, mode.active);
+    return plus_product_by_transposed(structure_.stiffness, product(active, mode.response), active);
   }
 
   // lambda_A = -C_AA^-1 (W_A^T u + s_A - g_A): a stiffness and a load of the structure.
@@ -149,15 +159,16 @@ class CompliantStops final : public Stops {
     if (mode.active.empty()) return form;
     const int n = structure_.size();
     form.stiffness = stiffness(mode);
-    const Eigen::MatrixXd W = structure_.directions(Eigen::all, mode.active);
-    const Eigen::MatrixXd pull = W * mode.response;
-    Eigen::MatrixXcd depth = structure_.shift(mode.active, Eigen::all);
-    form.load -= pull * depth;
-    form.load.col(0) += (pull * structure_.gaps(mode.active)).cast<Complex>();
+    const Eigen::MatrixXd W = columns_of(structure_.directions, mode.active);
+    const Eigen::MatrixXd pull = product(W, mode.response);
+    Eigen::MatrixXcd depth = rows_of(structure_.shift, mode.active);
+    const Eigen::VectorXd g = entries_of(structure_.gaps, mode.active);
+    form.load -= product_of_complex(pull, depth);
+    form.load.col(0) += image(pull, g).cast<Complex>();
     form.force_of_state = Eigen::MatrixXd::Zero(mode.response.rows(), 2 * n);
-    form.force_of_state.leftCols(n) = -mode.response * W.transpose();
-    depth.col(0) -= structure_.gaps(mode.active).cast<Complex>();
-    form.force_of_load = -mode.response * depth;
+    form.force_of_state.leftCols(n) = product_by_transposed(-mode.response, W);
+    depth.col(0) -= g.cast<Complex>();
+    form.force_of_load = product_of_complex(-mode.response, depth);
     return form;
   }
 
@@ -176,9 +187,10 @@ class CompliantStops final : public Stops {
   [[nodiscard]] Eigen::VectorXd force(const ContactMode& mode, const Eigen::VectorXd& unloaded,
                                       int order) const {
     Eigen::VectorXd lambda = Eigen::VectorXd::Zero(structure_.contact_count());
-    Eigen::VectorXd depth = unloaded(mode.active);
-    if (order == 0) depth -= structure_.gaps(mode.active);
-    lambda(mode.active) = -mode.response * depth;
+    Eigen::VectorXd depth = entries_of(unloaded, mode.active);
+    for (Eigen::Index i = 0; i < depth.size() && order == 0; ++i)
+      depth[i] -= structure_.gaps[mode.active[static_cast<std::size_t>(i)]];
+    set_forces(mode, negative_image(mode.response, depth), lambda);
     return lambda;
   }
 };
@@ -205,7 +217,7 @@ class RelaxingStops final : public Stops {
     motion.x.col(k) = structure_.unloaded(time, motion.u.col(k), k);
     motion.lambda.col(k) = force(mode, time, motion.u.col(k).head(n), motion.u.col(k + 1).head(n), k);
     motion.u.col(k + 1).tail(r) = relaxed(time, motion.u.col(k).tail(r), motion.lambda.col(k), k);
-    load += structure_.directions * motion.lambda.col(k);
+    load += image(structure_.directions, motion.lambda.col(k));
     motion.u.col(k + 2).head(n) = structure_.factors->solve(load);
   }
 
@@ -219,10 +231,10 @@ class RelaxingStops final : public Stops {
   }
 
   [[nodiscard]] Eigen::MatrixXd stiffness(const ContactMode& mode) const override {
-    return structure_.stiffness + springs(mode);
+    return Eigen::MatrixXd(structure_.stiffness) + springs(mode);
   }
   [[nodiscard]] Eigen::MatrixXd damping(const ContactMode& mode) const override {
-    return structure_.damping + structure_.relaxation * springs(mode);
+    return Eigen::MatrixXd(structure_.damping) + structure_.relaxation * springs(mode);
   }
 
   // A mass G_jj^-1 on the spring and the dashpot of its stop alone.
@@ -241,18 +253,18 @@ class RelaxingStops final : public Stops {
     FreeForm form = open_form();
     const int n = structure_.size();
     const auto active = static_cast<Eigen::Index>(mode.active.size());
-    const Eigen::MatrixXd W = structure_.directions(Eigen::all, mode.active);
-    const Eigen::VectorXd g = structure_.gaps(mode.active);
+    const Eigen::MatrixXd W = columns_of(structure_.directions, mode.active);
+    const Eigen::VectorXd g = entries_of(structure_.gaps, mode.active);
     const Eigen::MatrixXd response = active > 0 ? mode.response : Eigen::MatrixXd(0, 0);
     form.stiffness = stiffness(mode);
     form.damping = damping(mode);
-    Eigen::MatrixXcd depth = structure_.shift(mode.active, Eigen::all);
+    Eigen::MatrixXcd depth = rows_of(structure_.shift, mode.active);
     depth.col(0) -= g.cast<Complex>();
     form.force_of_state = Eigen::MatrixXd::Zero(active, structure_.states());
-    form.force_of_state.leftCols(n) = -response * W.transpose();
+    form.force_of_state.leftCols(n) = product_by_transposed(-response, W);
     form.force_of_state.rightCols(n) = structure_.relaxation * form.force_of_state.leftCols(n);
-    form.force_of_load = -response.cast<Complex>() * depth;
-    form.load += W.cast<Complex>() * form.force_of_load;
+    form.force_of_load = product_in_complex(-response, depth);
+    form.load += product_in_complex(W, form.force_of_load);
     form.relaxing = relaxing(mode, W, g, response);
     return form;
   }
@@ -261,8 +273,8 @@ class RelaxingStops final : public Stops {
   // W_A C_AA^-1 W_A^T, Nd x Nd.
   [[nodiscard]] Eigen::MatrixXd springs(const ContactMode& mode) const {
     if (mode.active.empty()) return Eigen::MatrixXd::Zero(structure_.size(), structure_.size());
-    const Eigen::MatrixXd active = structure_.directions(Eigen::all, mode.active);
-    return active * mode.response * active.transpose();
+    const Eigen::MatrixXd active = columns_of(structure_.directions, mode.active);
+    return product_by_transposed(product(active, mode.response), active);
   }
 
   // order-th derivative of lambda from those of u and v, Nc.
@@ -279,14 +291,14 @@ class RelaxingStops final : public Stops {
       depth[static_cast<Eigen::Index>(i)] =
           w.dot(u) + structure_.relaxation * w.dot(v) + shift[j] - (order == 0 ? structure_.gaps[j] : 0.0);
     }
-    lambda(mode.active) = -mode.response * depth;
+    set_forces(mode, negative_image(mode.response, depth), lambda);
     return lambda;
   }
 
   // The next derivative of xi: beta xi' = s + C lambda - xi.
   [[nodiscard]] Eigen::VectorXd relaxed(double time, const Eigen::Ref<const Eigen::VectorXd>& xi,
                                         const Eigen::VectorXd& lambda, int order) const {
-    return (structure_.shift_at(time, order) + structure_.massless_compliance * lambda - xi) /
+    return (structure_.shift_at(time, order) + image(structure_.massless_compliance, lambda) - xi) /
            structure_.relaxation;
   }
 
@@ -303,18 +315,23 @@ class RelaxingStops final : public Stops {
                       .of_z = Eigen::MatrixXd::Zero(contacts, count),
                       .of_xi = Eigen::MatrixXd::Zero(count, contacts),
                       .offset = Eigen::VectorXd(contacts)};
-    const Eigen::MatrixXd carried = structure_.massless_compliance(open, mode.active) * response;
-    form.of_u(mode.active, Eigen::all) = -W.transpose();
-    form.of_u(open, Eigen::all) = -carried * W.transpose();
-    form.offset(mode.active) = g;
-    form.offset(open) = carried * g;
-    form.of_xi(Eigen::all, mode.active) = -carried;
+    const Eigen::MatrixXd carried =
+        product(block_of(structure_.massless_compliance, open, mode.active), response);
+    const Eigen::VectorXd offset = image(carried, g);
+    set_rows(form.of_u, mode.active, -W.transpose());
+    set_rows(form.of_u, open, product_by_transposed(-carried, W));
+    for (Eigen::Index k = 0; k < g.size(); ++k) {
+      const int j = mode.active[static_cast<std::size_t>(k)];
+      form.offset[j] = g[k];
+      form.of_xi.col(j) = -carried.col(k);
+    }
     for (Eigen::Index i = 0; i < count; ++i) {
       const int j = open[static_cast<std::size_t>(i)];
+      form.offset[j] = offset[i];
       form.of_z(j, i) = form.of_xi(i, j) = 1.0;
     }
-    form.shift = structure_.shift(open, Eigen::all) -
-                 carried.cast<Complex>() * structure_.shift(mode.active, Eigen::all);
+    form.shift = minus_product_in_complex(rows_of(structure_.shift, open), carried,
+                                          rows_of(structure_.shift, mode.active));
     return form;
   }
 };

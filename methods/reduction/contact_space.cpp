@@ -1,6 +1,6 @@
 #include "methods/reduction/contact_space.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -14,6 +14,8 @@
 #include "methods/solvers/dense_products.hpp"
 #include "methods/structure/harmonic_pencil.hpp"
 #include "methods/structure/ritz_reduction.hpp"
+#include "problems/linear_algebra/products.hpp"
+#include "problems/linear_algebra/sparse_products.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
@@ -44,7 +46,7 @@ SparseMatrix start_of_many(const ContactColumns& columns) {
   Eigen::MatrixXd parts(columns.normals.cols(), std::max(kLeastRandom, kStarted - columns.pushes.cols()));
   constexpr double kRange = 4294967296.0;
   for (double& value : parts.reshaped()) value = static_cast<double>(random()) / kRange - 0.5;
-  return side_by_side(columns.pushes, SparseMatrix(Eigen::MatrixXd(columns.normals * parts).sparseView()));
+  return side_by_side(columns.pushes, SparseMatrix(sparse_product(columns.normals, parts).sparseView()));
 }
 
 /// B^T B for B = [V U, D], U the Ritz vectors in V and D what follows statically.
@@ -53,9 +55,9 @@ Eigen::MatrixXd gram_of(const BlockLanczos& space, const Eigen::MatrixXd& ritz, 
   Eigen::MatrixXd gram(vectors + D.cols(), vectors + D.cols());
   gram.topLeftCorner(vectors, vectors) = transposed_product(ritz, dense_product(space.gram(), ritz));
   if (D.cols() == 0) return gram;
-  gram.topRightCorner(vectors, D.cols()) = ritz.transpose() * space.projected(D);
+  gram.topRightCorner(vectors, D.cols()) = product_of_transposed(ritz, space.projected(D));
   gram.bottomLeftCorner(D.cols(), vectors) = gram.topRightCorner(vectors, D.cols()).transpose();
-  gram.bottomRightCorner(D.cols(), D.cols()) = Eigen::MatrixXd(SparseMatrix(D.transpose() * D));
+  gram.bottomRightCorner(D.cols(), D.cols()) = sparse_product_of_transposed(D, D);
   return gram;
 }
 
@@ -270,7 +272,7 @@ ContactSpace ContactSpace::grown_for(double base, const std::vector<Wanted>& all
       }
       const Eigen::MatrixXd missing = result.remainder_.missing_columns(residuals, forces, tolerance);
       if (missing.cols() > 0) {
-        space.offer(space.solve(source_->all * missing));
+        space.offer(space.solve(sparse_product(source_->all, missing)));
         result.take(projected);  // the space is the same, what would come next is not
         residuals = result.residuals(base, forces, result.small_.contacts());
       }

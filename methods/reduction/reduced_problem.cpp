@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "problems/linear_algebra/cholesky.hpp"
+#include "problems/linear_algebra/products.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
@@ -22,9 +23,12 @@ bool is_well_definite(const Eigen::MatrixXd& C) {
 
 Structure structure_of(const ContactReduction& reduction, const Eigen::MatrixXd& G) {
   const Eigen::Index vectors = reduction.vectors(), contacts = reduction.contacts();
-  const Eigen::MatrixXd pulled = reduction.rows * G;
+  const Eigen::MatrixXd pulled = product(reduction.rows, G);
   Eigen::MatrixXd K(vectors + contacts, vectors + contacts);
-  K << pulled * reduction.rows.transpose(), -pulled, -pulled.transpose(), G;
+  K.topLeftCorner(vectors, vectors) = product_by_transposed(pulled, reduction.rows);
+  K.topRightCorner(vectors, contacts) = -pulled;
+  K.bottomLeftCorner(contacts, vectors) = -pulled.transpose();
+  K.bottomRightCorner(contacts, contacts) = G;
   K.diagonal().head(vectors) += reduction.squares;
   const Eigen::MatrixXd symmetric = 0.5 * (K + K.transpose());
   Structure structure;
@@ -58,8 +62,10 @@ ReducedProblem reduced_problem(const Problem& scene, const ContactReduction& red
   for (std::size_t h = 0; h < reduction.rates.size(); ++h) {
     const auto column = static_cast<Eigen::Index>(h);
     Eigen::VectorXcd load(vectors + contacts);
-    const Eigen::VectorXcd shifted = G * reduction.shift.col(column);
-    load << reduction.load.col(column) - reduction.rows * shifted, shifted;
+    const Eigen::VectorXcd shifted = image_of_complex(G, reduction.shift.col(column));
+    Eigen::VectorXcd of_vectors = reduction.load.col(column);
+    subtract_image_of_complex(reduction.rows, shifted, of_vectors);
+    load << of_vectors, shifted;
     const auto harmonic = static_cast<int>(std::lround(reduction.rates[h] / scene.frequency));
     for (int dof = 0; dof < load.size(); ++dof) {
       if (load[dof] == 0.0) continue;

@@ -1,11 +1,12 @@
 #include "methods/reduction/space_remainder.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "methods/reduction/principal_directions.hpp"
 #include "methods/solvers/dense_products.hpp"
+#include "problems/linear_algebra/products.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
@@ -39,8 +40,8 @@ SpaceRemainder::SpaceRemainder(const BlockLanczos& space, const SpaceProjection&
                                const StaticCompliance* statics) {
   const Eigen::MatrixXd& U = projection.ritz;
   const Eigen::VectorXd& theta = projection.pairs.values;
-  outside_ = space.coupling() * U.bottomRows(space.coupling().cols());
-  left_out_ = space.left_out() * U;
+  outside_ = product(space.coupling(), U.bottomRows(space.coupling().cols()));
+  left_out_ = product(space.left_out(), U);
   if (statics == nullptr) {
     left_out_of_start_ = space.left_out_of_start().norm();
     const Eigen::Index ports = projection.contacts.cols() + projection.loads.cols();
@@ -185,9 +186,9 @@ Eigen::MatrixXd SpaceRemainder::missing_columns(const Residuals& residuals, cons
   const Eigen::MatrixXd W = own.vectors.rightCols(known);
   const Eigen::VectorXd length = squares.tail(known).cwiseSqrt();
   const Eigen::MatrixXd L = W * length.asDiagonal();
-  const Eigen::MatrixXd largest =
-      principal_directions(L.transpose() * mean_square(acting, weight) * L, kLeft * tolerance, kMostAtOnce);
-  return W * (length.cwiseInverse().asDiagonal() * largest);
+  const Eigen::MatrixXd largest = principal_directions(
+      product(product_of_transposed(L, mean_square(acting, weight)), L), kLeft * tolerance, kMostAtOnce);
+  return product(W, length.cwiseInverse().asDiagonal() * largest);
 }
 
 }  // namespace signorini

@@ -1,33 +1,25 @@
 #include "methods/structure/block_lanczos.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "methods/solvers/dense_products.hpp"
 #include "problems/linear_algebra/cholesky.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
+#include "problems/linear_algebra/products.hpp"
+#include "problems/linear_algebra/sparse_products.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
 
 namespace {
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 // Squared length of a direction, relative to the longest of its block, below which it is rounding: the Gram
 // matrix knows squared lengths to its own precision only.
 constexpr double kRounding = 1e-14;
 // The same relative to the columns before they were made orthogonal to the basis, whose rounding it is then.
 constexpr double kInvariant = 1e-26;
-
-// Rows of the dense factor side by side in memory: several times faster than column by column.
-Eigen::MatrixXd product(const SparseMatrix& A, const Eigen::MatrixXd& columns) {
-  const RowMajor rows = columns;
-  return RowMajor(A * rows);
-}
 
 Eigen::MatrixXd symmetrised(const Eigen::MatrixXd& A) { return 0.5 * (A + A.transpose()); }
 
@@ -42,7 +34,7 @@ BlockLanczos::BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const S
       definite_(factors_->definite()) {
   if (!definite_) return;
   const Eigen::MatrixXd columns = factors_->solve(Eigen::MatrixXd(B));
-  const Eigen::MatrixXd gram = symmetrised(B.transpose() * columns);
+  const Eigen::MatrixXd gram = symmetrised(sparse_product_of_transposed(B, columns));
   // Loads and contacts in their own units.
   left_out_of_start_ =
       orthonormalise(columns, gram, gram.diagonal().cwiseMax(0.0).cwiseSqrt(), Eigen::MatrixXd(P.rows(), 0))
@@ -82,10 +74,10 @@ BlockLanczos::Remainder BlockLanczos::orthonormalise(const Eigen::MatrixXd& colu
                  .lengths = Eigen::VectorXd(dropped)};
   if (dropped == 0) return rest;
   const SymmetricEigen own =
-      symmetric_eigen(symmetrised(transposed_product(rest.vectors, product(P_, rest.vectors))));
+      symmetric_eigen(symmetrised(transposed_product(rest.vectors, product_by_rows(P_, rest.vectors))));
   rest.lengths = own.values.cwiseMax(0.0).cwiseSqrt();  // rising
-  rest.coefficients =
-      own.vectors.transpose() * directions.vectors.leftCols(dropped).transpose() * length.asDiagonal();
+  rest.coefficients = product_by_transposed(own.vectors.transpose(), directions.vectors.leftCols(dropped)) *
+                      length.asDiagonal();
   const Eigen::Index known = (own.values.array() > kInvariant).count();
   rest.vectors = dense_product(rest.vectors, Eigen::MatrixXd(own.vectors.rightCols(known)));
   return rest;
@@ -96,12 +88,12 @@ BlockLanczos::Remainder BlockLanczos::orthonormalise(const Eigen::MatrixXd& colu
 // unit length: next_ <- (next_ - V V^T P next_) U^{-1}, U^T U its Gram matrix, and U joins the coupling
 // ("twice is enough").
 void BlockLanczos::polish_next(const Eigen::MatrixXd& waiting) {
-  const Eigen::MatrixXd dual = product(P_, next_);
+  const Eigen::MatrixXd dual = product_by_rows(P_, next_);
   Eigen::MatrixXd gram = transposed_product(next_, dual);
   const auto take_out = [&](const Eigen::MatrixXd& block) {
     const Eigen::MatrixXd left = transposed_product(block, dual);
     subtract_product(block, left, next_);
-    gram.noalias() -= left.transpose() * left;
+    subtract_product_of_transposed(left, left, gram);
   };
   for (const Eigen::MatrixXd& block : basis_) take_out(block);
   take_out(waiting);
@@ -120,7 +112,7 @@ void BlockLanczos::grow() {
 Eigen::MatrixXd BlockLanczos::extend(const Eigen::MatrixXd& waiting) {
   // P^{-1} M V_j against the whole basis. In exact arithmetic two blocks would do; rounding brings converged
   // directions back into the newest block, and with them copies of their eigenvalues [grimes1994].
-  const Eigen::MatrixXd momentum = product(M_, basis_.back());
+  const Eigen::MatrixXd momentum = product_by_rows(M_, basis_.back());
   Eigen::MatrixXd columns = factors_->solve(momentum);
   // |P^{-1} m|_P^2 = m^T P^{-1} m for each column m of M V_j.
   // A power of two, by which nothing is rounded.
@@ -137,7 +129,7 @@ Eigen::MatrixXd BlockLanczos::extend(const Eigen::MatrixXd& waiting) {
   }
   const Eigen::MatrixXd in_waiting = transposed_product(waiting, momentum);
   subtract_product(waiting, in_waiting, columns);
-  const Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product(P_, columns)));
+  const Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product_by_rows(P_, columns)));
   left_out_.push_back(orthonormalise(columns, gram, Eigen::VectorXd::Constant(width, before), waiting));
   return in_waiting;
 }
@@ -148,7 +140,7 @@ void BlockLanczos::grow_along(const Eigen::MatrixXd& directions) {
   const Eigen::MatrixXd whole = householder_basis(directions);
   const Eigen::MatrixXd others = whole.rightCols(waits);
   Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(waits, size_ + taken);  // coefficients of what waits
-  rest.middleCols(size_ - coupling_.cols(), coupling_.cols()) = others.transpose() * coupling_;
+  rest.middleCols(size_ - coupling_.cols(), coupling_.cols()) = product_of_transposed(others, coupling_);
   const Eigen::MatrixXd waiting = dense_product(next_, others);
   basis_.push_back(dense_product(next_, Eigen::MatrixXd(whole.leftCols(taken))));
   size_ += taken;
@@ -165,13 +157,13 @@ void BlockLanczos::grow_along(const Eigen::MatrixXd& directions) {
 
 void BlockLanczos::offer(Eigen::MatrixXd columns) {
   const Eigen::MatrixXd waiting = std::move(next_), coupling = std::move(coupling_);
-  const Eigen::MatrixXd dual = product(P_, columns);
+  const Eigen::MatrixXd dual = product_by_rows(P_, columns);
   const Eigen::VectorXd length =
       columns.cwiseProduct(dual).colwise().sum().transpose().cwiseMax(0.0).cwiseSqrt();
   for (const Eigen::MatrixXd& block : basis_)
     subtract_product(block, transposed_product(block, dual), columns);
   subtract_product(waiting, transposed_product(waiting, dual), columns);
-  Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product(P_, columns)));
+  Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product_by_rows(P_, columns)));
   // What is left of a column may be its rounding.
   const Eigen::VectorXd known =
       (gram.diagonal().array() > kRounding * length.array().square()).cast<double>();
@@ -206,7 +198,8 @@ Eigen::MatrixXd BlockLanczos::projected(const SparseMatrix& A, Eigen::Index firs
   Eigen::MatrixXd rows(size_ - first, A.cols());
   Eigen::Index at = 0;
   for (const Eigen::MatrixXd& block : basis_) {
-    if (at >= first) rows.middleRows(at - first, block.cols()) = (A.transpose() * block).transpose();
+    if (at >= first)
+      rows.middleRows(at - first, block.cols()) = sparse_product_of_transposed(A, block).transpose();
     at += block.cols();
   }
   return rows;
@@ -223,7 +216,7 @@ Eigen::MatrixXd BlockLanczos::projected(const Eigen::MatrixXd& A, Eigen::Index f
 }
 
 Eigen::MatrixXd BlockLanczos::projected_on_next(const SparseMatrix& A) const {
-  return (A.transpose() * next_).transpose();
+  return sparse_product_of_transposed(A, next_).transpose();
 }
 
 Eigen::MatrixXd BlockLanczos::gram() const {
@@ -287,10 +280,10 @@ void BlockLanczos::grow_by_left_out() {
   }
   // Of unit length now, and what rounding has put into them of the basis is taken out before they are
   // compared.
-  const Eigen::MatrixXd dual = product(P_, columns);
+  const Eigen::MatrixXd dual = product_by_rows(P_, columns);
   for (const Eigen::MatrixXd& block : basis_)
     subtract_product(block, transposed_product(block, dual), columns);
-  const Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product(P_, columns)));
+  const Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product_by_rows(P_, columns)));
   orthonormalise(columns, gram, Eigen::VectorXd::Ones(width),
                  Eigen::MatrixXd(P_.rows(), 0));  // leaves out 1e-7 of what was left out
   grow();

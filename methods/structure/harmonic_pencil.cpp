@@ -1,6 +1,6 @@
 #include "methods/structure/harmonic_pencil.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +10,7 @@
 #include "methods/solvers/dense_products.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
 #include "problems/linear_algebra/complex_lu.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -98,7 +99,7 @@ Eigen::MatrixXcd start_columns(const HarmonicPencil& pencil, const Eigen::Matrix
   const bool loaded = pencil.load.size() > 0;
   Eigen::MatrixXcd columns(rows.rows(), contacts + (loaded ? 1 : 0));
   columns.leftCols(contacts) = rows.leftCols(contacts).cast<Complex>();
-  if (loaded) columns.col(contacts) = rows.rightCols(pencil.load.size()).cast<Complex>() * pencil.load;
+  if (loaded) columns.col(contacts) = image_in_complex(rows.rightCols(pencil.load.size()), pencil.load);
   return columns;
 }
 
@@ -142,8 +143,8 @@ void PencilElimination::advance(Front& front, const HarmonicPencil& pencil, cons
   const Eigen::MatrixXcd newest = factors.solve(front.rest);
   // What M carries out of the space is P-orthogonal to it: the residual, and the next block's right-hand
   // side.
-  const Eigen::MatrixXcd outside = -pencil.mu * (coupling * newest);
-  front.seen += front.rest.leftCols(contacts_).transpose() * newest.leftCols(contacts_);
+  const Eigen::MatrixXcd outside = complex_product(-pencil.mu, coupling, newest);
+  front.seen += complex_product_of_transposed(front.rest.leftCols(contacts_), newest.leftCols(contacts_));
   double error = outside.leftCols(contacts_).squaredNorm() / (least * front.seen.norm());
   if (pencil.load.size() > 0) {
     front.self += front.rest.col(contacts_).cwiseProduct(newest.col(contacts_)).sum();
@@ -152,18 +153,19 @@ void PencilElimination::advance(Front& front, const HarmonicPencil& pencil, cons
   front.converged = error <= 1.0;
   front.rest = outside;
   // Schur complement of the block just eliminated; the next diagonal block is added when the space has grown.
-  front.pivot = -pencil.mu * pencil.mu * (coupling * factors.solve(Eigen::MatrixXcd(coupling.transpose())));
+  front.pivot = complex_product(-pencil.mu * pencil.mu, coupling,
+                                factors.solve(Eigen::MatrixXcd(coupling.transpose())));
 }
 
 PencilModes::PencilModes(const BlockLanczos& space, int contacts)
     : contacts_(contacts), left_out_of_start_(space.left_out_of_start()) {
   const RitzPairs modes = ritz_pairs(space);
   theta_ = modes.values;
-  rows_ = modes.vectors.transpose() * space.projected_start();
+  rows_ = product_of_transposed(modes.vectors, space.projected_start());
   contact_rows_ = rows_.leftCols(contacts);
   seen_ = contact_rows_.transpose();
-  outside_ = space.coupling() * modes.vectors.bottomRows(space.coupling().cols());
-  left_out_ = space.left_out() * modes.vectors;
+  outside_ = product(space.coupling(), modes.vectors.bottomRows(space.coupling().cols()));
+  left_out_ = product(space.left_out(), modes.vectors);
 }
 
 std::optional<Eigen::VectorXcd> PencilModes::inverse_of(const HarmonicPencil& pencil) const {
@@ -179,11 +181,11 @@ Eigen::MatrixXcd PencilModes::receptance(const Eigen::VectorXcd& inverse) const 
 
 Eigen::VectorXcd PencilModes::free_response(const HarmonicPencil& pencil,
                                             const Eigen::VectorXcd& inverse) const {
-  return seen_ * inverse.cwiseProduct(load_of(pencil));
+  return image_of_complex(seen_, inverse.cwiseProduct(load_of(pencil)));
 }
 
 Eigen::VectorXcd PencilModes::load_of(const HarmonicPencil& pencil) const {
-  return rows_.rightCols(pencil.load.size()).cast<Complex>() * pencil.load;
+  return image_in_complex(rows_.rightCols(pencil.load.size()), pencil.load);
 }
 
 PencilModes::Error PencilModes::relative_error(const HarmonicPencil& pencil) const {
@@ -210,8 +212,9 @@ PencilModes::Error PencilModes::relative_error(const HarmonicPencil& pencil) con
       receptance(inverse).norm());
   if (pencil.load.size() == 0) return error;
   const Eigen::VectorXcd load = load_of(pencil), y = inverse.cwiseProduct(load);
-  add(turn * (outside_ * y).norm(),
-      turn * (left_out_ * y).norm() + (left_out_of_start_.rightCols(pencil.load.size()) * pencil.load).norm(),
+  add(turn * image_of_complex(outside_, y).norm(),
+      turn * image_of_complex(left_out_, y).norm() +
+          image_of_complex(left_out_of_start_.rightCols(pencil.load.size()), pencil.load).norm(),
       std::abs(load.dot(y)));
   return error;
 }

@@ -1,6 +1,6 @@
 #include "methods/structure/ritz_reduction.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "methods/solvers/dense_products.hpp"
+#include "problems/linear_algebra/products.hpp"
+#include "problems/linear_algebra/sparse_products.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
@@ -76,7 +78,8 @@ Eigen::MatrixXcd LoadColumns::coefficients(double base, int harmonics) const {
   for (std::size_t h = 0; h < rates.size(); ++h) {
     const long n = std::lround(rates[h] / base);
     if (n > harmonics) continue;
-    result.row(n) += (n == 0 ? 1.0 : 0.5) * weight.col(static_cast<Eigen::Index>(h)).transpose();
+    for (Eigen::Index c = 0; c < weight.rows(); ++c)
+      result(n, c) += (n == 0 ? 1.0 : 0.5) * weight(c, static_cast<Eigen::Index>(h));
   }
   return result;
 }
@@ -124,13 +127,13 @@ ContactColumns contact_columns(const Problem& problem) {
   MasslessElimination seen = eliminate_massless(ports);
   result.obstacle = std::move(seen.obstacle);
   if (!result.obstacle.empty()) return result;
-  const SparseMatrix columns = coordinate_selection(seen.kept, problem.size()) * seen.normals;
+  const SparseMatrix columns = sparse_product(coordinate_selection(seen.kept, problem.size()), seen.normals);
   const Eigen::Index contacts = problem.contact_count();
-  result.normals = columns.leftCols(contacts);
-  result.pushes = columns.rightCols(columns.cols() - contacts);
+  result.normals = sparse_columns(columns, 0, contacts);
+  result.pushes = sparse_columns(columns, contacts, columns.cols() - contacts);
   result.compliance = std::move(seen.compliance);
   if (!seen.massless.empty())
-    result.following = coordinate_selection(seen.massless, problem.size()) * seen.following;
+    result.following = sparse_product(coordinate_selection(seen.massless, problem.size()), seen.following);
   result.with_mass = std::ssize(seen.kept);
   if (columns.cols() == 0) result.obstacle = "nothing acts on the structure";
   return result;
@@ -154,19 +157,19 @@ double refine_lowest(const Problem& problem, const BlockLanczos& space, const Co
   const Eigen::MatrixXd vectors = space.combined(pairs.vectors.rightCols(lowest));
   const Eigen::MatrixXd K = long_projection(problem.stiffness(), vectors);
   const Eigen::MatrixXd M = long_projection(problem.mass(), vectors);
-  projection.contacts = (pairs.vectors.transpose() * projection.contacts).eval();
-  projection.loads = (pairs.vectors.transpose() * projection.loads).eval();
+  projection.contacts = product_of_transposed(pairs.vectors, projection.contacts);
+  projection.loads = product_of_transposed(pairs.vectors, projection.loads);
   pairs.vectors = Eigen::MatrixXd::Identity(count, count);
   // M x = theta K x, theta rising as in the pairs.
   const SymmetricEigen refined = generalised_eigen(M, K);
   constexpr double kLeast = 4.0 * std::numeric_limits<double>::epsilon();
   if (!refined.converged) return 1.0;
   const Eigen::VectorXd wrong = (pairs.values.tail(lowest).cwiseQuotient(refined.values).array() - 1.0).abs();
-  const Eigen::MatrixXd better = vectors * refined.vectors;
-  projection.ritz.rightCols(lowest) = (projection.ritz.rightCols(lowest) * refined.vectors).eval();
+  const Eigen::MatrixXd better = product(vectors, refined.vectors);
+  projection.ritz.rightCols(lowest) = product(projection.ritz.rightCols(lowest), refined.vectors);
   pairs.values.tail(lowest) = refined.values;
-  projection.contacts.bottomRows(lowest) = (columns.normals.transpose() * better).transpose();
-  projection.loads.bottomRows(lowest) = (columns.pushes.transpose() * better).transpose();
+  projection.contacts.bottomRows(lowest) = sparse_product_of_transposed(columns.normals, better).transpose();
+  projection.loads.bottomRows(lowest) = sparse_product_of_transposed(columns.pushes, better).transpose();
   const double largest = wrong.maxCoeff();
   return std::max({kLeast, wrong[0], largest * largest});
 }
@@ -176,21 +179,21 @@ StaticCompliance::StaticCompliance(const Problem& problem, BlockLanczos& space, 
   constexpr Eigen::Index kAtOnce = 32, kMost = 40;
   const Eigen::Index lowest = std::min(kMost, space.size() / 2), count = all_.cols();
   const Eigen::MatrixXd Q = space.combined(ritz_pairs(space).vectors.rightCols(lowest));
-  carried_ = problem.stiffness() * Q;
-  held_ = (all_.transpose() * Q).transpose();
+  carried_ = sparse_product(problem.stiffness(), Q);
+  held_ = sparse_product_of_transposed(all_, Q).transpose();
   rest_.resize(count, count);
   for (Eigen::Index first = 0; first < count; first += kAtOnce) {
     const Eigen::Index taken = std::min(kAtOnce, count - first);
     const Eigen::MatrixXd held = held_.middleCols(first, taken);
     const Eigen::MatrixXd moved =
-        space.solve(Eigen::MatrixXd(all_.middleCols(first, taken)) - dense_product(carried_, held));
-    rest_.middleCols(first, taken) =
-        all_.transpose() * moved - held_.transpose() * transposed_product(carried_, moved);
+        space.solve(Eigen::MatrixXd(sparse_columns(all_, first, taken)) - dense_product(carried_, held));
+    rest_.middleCols(first, taken) = sparse_product_of_transposed(all_, moved) -
+                                     product_of_transposed(held_, transposed_product(carried_, moved));
     for (Eigen::Index j = 0; j < taken; ++j) {
       const double stiff = rest_(first + j, first + j);
       if (stiff > 0.0)
         largest_quotient_ =
-            std::max(largest_quotient_, moved.col(j).dot(problem.mass() * moved.col(j)) / stiff);
+            std::max(largest_quotient_, moved.col(j).dot(sparse_image(problem.mass(), moved.col(j))) / stiff);
     }
   }
   rest_ = (0.5 * (rest_ + rest_.transpose())).eval();
@@ -227,8 +230,7 @@ ContactReduction reduction_on(const ContactColumns& columns, const SpaceProjecti
   const Eigen::Index contacts = columns.normals.cols();
   const Eigen::MatrixXcd& weight = columns.load.weight;
   result.compliance = columns.compliance.topLeftCorner(contacts, contacts);
-  result.shift =
-      columns.compliance.topRightCorner(contacts, weight.rows()).cast<std::complex<double>>() * weight;
+  result.shift = product_in_complex(columns.compliance.topRightCorner(contacts, weight.rows()), weight);
   result.rates = columns.load.rates;
   const Eigen::VectorXd& theta = space.pairs.values;  // rising
   const Eigen::Index count = theta.size();
@@ -238,15 +240,16 @@ ContactReduction reduction_on(const ContactColumns& columns, const SpaceProjecti
   const Eigen::VectorXd omega = theta.tail(kept).reverse().cwiseSqrt().cwiseInverse();
   result.squares = omega.cwiseAbs2();
   result.damp(columns.damping);
-  result.rows = omega.asDiagonal() * (vectors.transpose() * space.contacts);
-  const Eigen::MatrixXd modal = omega.asDiagonal() * (vectors.transpose() * space.loads);
-  result.load = modal.cast<std::complex<double>>() * weight;
-  const auto rest = space.pairs.vectors.leftCols(count - kept);
-  const Eigen::MatrixXd left = rest.transpose() * space.contacts;
-  const Eigen::MatrixXd pushed = left.transpose() * (rest.transpose() * space.loads);
-  result.compliance += space.outside.topLeftCorner(contacts, contacts) + left.transpose() * left;
+  result.rows = omega.asDiagonal() * product_of_transposed(vectors, space.contacts);
+  const Eigen::MatrixXd modal = omega.asDiagonal() * product_of_transposed(vectors, space.loads);
+  result.load = product_in_complex(modal, weight);
+  const Eigen::MatrixXd rest = space.pairs.vectors.leftCols(count - kept);
+  const Eigen::MatrixXd left = product_of_transposed(rest, space.contacts);
+  const Eigen::MatrixXd pushed = product_of_transposed(left, product_of_transposed(rest, space.loads));
+  result.compliance +=
+      plus_product_of_transposed(space.outside.topLeftCorner(contacts, contacts), left, left);
   const Eigen::MatrixXd follows = space.outside.topRightCorner(contacts, weight.rows()) + pushed;
-  result.shift += follows.cast<std::complex<double>>() * weight;
+  result.shift += product_in_complex(follows, weight);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "problems/linear_algebra/sparse_factors.hpp"
 
 #include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 
@@ -47,5 +48,18 @@ Eigen::MatrixXd SparseLdlt::solve(const Eigen::MatrixXd& B) const { return facto
 Eigen::SparseMatrix<double> SparseLdlt::solve(const Eigen::SparseMatrix<double>& B) const {
   return factors_->ldlt.solve(B);
 }
+
+struct SparseLu::Factors {
+  explicit Factors(const Eigen::SparseMatrix<double>& A) : lu(A) {}
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
+};
+
+SparseLu::SparseLu(const Eigen::SparseMatrix<double>& A) : factors_(std::make_shared<const Factors>(A)) {}
+
+bool SparseLu::regular() const { return factors_ && factors_->lu.info() == Eigen::Success; }
+
+Eigen::VectorXd SparseLu::solve(const Eigen::VectorXd& b) const { return factors_->lu.solve(b); }
+
+Eigen::MatrixXd SparseLu::solve(const Eigen::MatrixXd& B) const { return factors_->lu.solve(B); }
 
 }  // namespace signorini

@@ -41,4 +41,21 @@ class SparseLdlt {
   std::shared_ptr<const Factors> factors_;
 };
 
+/// P A Q = L U with partial pivoting, of A that need be neither symmetric nor definite, in an order of little
+/// fill [davis2004]. Copies share their factors.
+class SparseLu {
+ public:
+  SparseLu() = default;
+  explicit SparseLu(const Eigen::SparseMatrix<double>& A);  ///< A compressed
+
+  /// Whether A was regular; false without one.
+  [[nodiscard]] bool regular() const;
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;  ///< A^-1 b
+  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;  ///< A^-1 B, n x k
+
+ private:
+  struct Factors;
+  std::shared_ptr<const Factors> factors_;
+};
+
 }  // namespace signorini

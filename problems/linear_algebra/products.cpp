@@ -1,0 +1,163 @@
+#include "problems/linear_algebra/products.hpp"
+
+namespace signorini {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+Eigen::MatrixXd product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) { return A * B; }
+
+Eigen::MatrixXcd product_of_complex(const Eigen::MatrixXd& A, const Eigen::MatrixXcd& B) { return A * B; }
+
+void add_product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eigen::MatrixXd& C) {
+  C.noalias() += A * B;
+}
+
+Eigen::MatrixXcd product_by_real(const Eigen::MatrixXcd& A, const Eigen::MatrixXd& B) { return A * B; }
+
+Eigen::MatrixXcd product_by_real_transposed(const Eigen::MatrixXcd& A, const Eigen::MatrixXd& B) {
+  return A * B.transpose();
+}
+
+Eigen::MatrixXd product_of_transposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  return A.transpose() * B;
+}
+
+Eigen::MatrixXd product_by_transposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  return A * B.transpose();
+}
+
+void subtract_product_of_transposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eigen::MatrixXd& C) {
+  C.noalias() -= A.transpose() * B;
+}
+
+Eigen::MatrixXd plus_product_of_transposed(const Eigen::MatrixXd& C, const Eigen::MatrixXd& A,
+                                           const Eigen::MatrixXd& B) {
+  return C + A.transpose() * B;
+}
+
+Eigen::MatrixXd plus_product_by_transposed(const Eigen::MatrixXd& C, const Eigen::MatrixXd& A,
+                                           const Eigen::MatrixXd& B) {
+  return C + A * B.transpose();
+}
+
+Eigen::MatrixXcd complex_product(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B) { return A * B; }
+
+Eigen::MatrixXcd complex_product(Complex factor, const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B) {
+  return factor * (A * B);
+}
+
+Eigen::MatrixXcd complex_product_of_transposed(const Eigen::Ref<const Eigen::MatrixXcd>& A,
+                                               const Eigen::Ref<const Eigen::MatrixXcd>& B) {
+  return A.transpose() * B;
+}
+
+Eigen::MatrixXcd product_in_complex(const Eigen::MatrixXd& A, const Eigen::MatrixXcd& B) {
+  return A.cast<Complex>() * B;
+}
+
+Eigen::MatrixXcd minus_product_in_complex(const Eigen::MatrixXcd& C, const Eigen::MatrixXd& A,
+                                          const Eigen::MatrixXcd& B) {
+  return C - A.cast<Complex>() * B;
+}
+
+Eigen::VectorXd image(const Eigen::Ref<const Eigen::MatrixXd>& A,
+                      const Eigen::Ref<const Eigen::VectorXd>& v) {
+  return A * v;
+}
+
+void add_image(const Eigen::Ref<const Eigen::MatrixXd>& A, const Eigen::Ref<const Eigen::VectorXd>& v,
+               Eigen::VectorXd& y) {
+  y.noalias() += A * v;
+}
+
+Eigen::VectorXd negative_image(const Eigen::MatrixXd& A, const Eigen::Ref<const Eigen::VectorXd>& v) {
+  return -A * v;
+}
+
+Eigen::VectorXd image_by_transposed(const Eigen::Ref<const Eigen::MatrixXd>& A,
+                                    const Eigen::Ref<const Eigen::VectorXd>& v) {
+  return A.transpose() * v;
+}
+
+Eigen::VectorXcd image_of_complex(const Eigen::Ref<const Eigen::MatrixXd>& A, const Eigen::VectorXcd& v) {
+  return A * v;
+}
+
+void subtract_image_of_complex(const Eigen::MatrixXd& A, const Eigen::VectorXcd& v, Eigen::VectorXcd& y) {
+  y.noalias() -= A * v;
+}
+
+Eigen::VectorXcd image_in_complex(const Eigen::Ref<const Eigen::MatrixXd>& A,
+                                  const Eigen::Ref<const Eigen::VectorXcd>& v) {
+  return A.cast<Complex>() * v;
+}
+
+Eigen::VectorXcd image_in_complex(Complex factor, const Eigen::MatrixXd& A,
+                                  const Eigen::Ref<const Eigen::VectorXcd>& v) {
+  return factor * (A.cast<Complex>() * v);
+}
+
+Eigen::VectorXcd complex_image(const Eigen::Ref<const Eigen::MatrixXcd>& A, const Eigen::VectorXcd& v) {
+  return A * v;
+}
+
+Eigen::VectorXcd image_of_complex_by_transposed(const Eigen::MatrixXd& A, const Eigen::VectorXcd& v) {
+  return A.transpose() * v;
+}
+
+// Column by column, so that no columns are copied.
+Eigen::VectorXd image_by_columns(const Eigen::MatrixXd& A, const std::vector<int>& J,
+                                 const Eigen::VectorXd& v) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(A.rows());
+  for (std::size_t j = 0; j < J.size(); ++j) {
+    const double factor = v[static_cast<Index>(j)];
+    for (Index i = 0; i < A.rows(); ++i) result[i] += factor * A(i, J[j]);
+  }
+  return result;
+}
+
+Eigen::VectorXd image_by_transposed_columns(const Eigen::MatrixXd& A, const std::vector<int>& J,
+                                            const Eigen::Ref<const Eigen::VectorXd>& v) {
+  Eigen::VectorXd result(static_cast<Index>(J.size()));
+  for (std::size_t j = 0; j < J.size(); ++j) {
+    double sum = 0.0;
+    for (Index i = 0; i < A.rows(); ++i) sum += A(i, J[j]) * v[i];
+    result[static_cast<Index>(j)] = sum;
+  }
+  return result;
+}
+
+Eigen::MatrixXd columns_of(const Eigen::MatrixXd& A, const std::vector<int>& J) {
+  Eigen::MatrixXd result(A.rows(), static_cast<Index>(J.size()));
+  for (std::size_t j = 0; j < J.size(); ++j) result.col(static_cast<Index>(j)) = A.col(J[j]);
+  return result;
+}
+
+Eigen::MatrixXcd rows_of(const Eigen::MatrixXcd& A, const std::vector<int>& I) {
+  Eigen::MatrixXcd result(static_cast<Index>(I.size()), A.cols());
+  for (Index j = 0; j < result.cols(); ++j)
+    for (Index i = 0; i < result.rows(); ++i) result(i, j) = A(I[static_cast<std::size_t>(i)], j);
+  return result;
+}
+
+Eigen::MatrixXd block_of(const Eigen::MatrixXd& A, const std::vector<int>& I, const std::vector<int>& J) {
+  Eigen::MatrixXd result(static_cast<Index>(I.size()), static_cast<Index>(J.size()));
+  for (Index j = 0; j < result.cols(); ++j)
+    for (Index i = 0; i < result.rows(); ++i)
+      result(i, j) = A(I[static_cast<std::size_t>(i)], J[static_cast<std::size_t>(j)]);
+  return result;
+}
+
+Eigen::VectorXd entries_of(const Eigen::VectorXd& v, const std::vector<int>& I) {
+  Eigen::VectorXd result(static_cast<Index>(I.size()));
+  for (Index i = 0; i < result.size(); ++i) result[i] = v[I[static_cast<std::size_t>(i)]];
+  return result;
+}
+
+void set_rows(Eigen::MatrixXd& A, const std::vector<int>& I, const Eigen::MatrixXd& B) {
+  for (Index j = 0; j < B.cols(); ++j)
+    for (Index i = 0; i < B.rows(); ++i) A(I[static_cast<std::size_t>(i)], j) = B(i, j);
+}
+
+}  // namespace signorini
