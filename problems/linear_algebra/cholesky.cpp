@@ -1,10 +1,19 @@
 #include "problems/linear_algebra/cholesky.hpp"
 
+#include <cmath>
+
 namespace signorini {
 
 CholeskyFactors::CholeskyFactors(const Eigen::MatrixXd& A) : factors_(A) {}
 
-bool CholeskyFactors::definite() const { return factors_.info() == Eigen::Success; }
+bool CholeskyFactors::definite() const {
+  if (factors_.info() != Eigen::Success) return false;
+  // NaN passes Eigen's test of the pivots, and reaches the diagonal.
+  for (Eigen::Index i = 0; i < factors_.rows(); ++i) {
+    if (!std::isfinite(factors_.matrixLLT()(i, i))) return false;
+  }
+  return true;
+}
 
 Eigen::VectorXd CholeskyFactors::solve(const Eigen::VectorXd& b) const { return factors_.solve(b); }
 

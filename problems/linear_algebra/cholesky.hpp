@@ -11,7 +11,7 @@ class CholeskyFactors {
  public:
   explicit CholeskyFactors(const Eigen::MatrixXd& A);
 
-  /// Whether A is positive definite to working precision; all else means nothing where it is not.
+  /// Whether A is finite and positive definite to working precision; all else means nothing where it is not.
   [[nodiscard]] bool definite() const;
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;  ///< A^-1 b
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;  ///< A^-1 B, n x k

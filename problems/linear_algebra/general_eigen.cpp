@@ -13,9 +13,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-bool is_for_lapack(const Eigen::MatrixXd& A) { return A.rows() >= kLeastForLapack && A.allFinite(); }
-
-GeneralEigen by_lapack(Eigen::MatrixXd A, char job) {
+GeneralEigen general_by_lapack(Eigen::MatrixXd A, char job) {
   const int n = static_cast<int>(A.rows()), one = 1;
   Eigen::VectorXd real(n), imaginary(n);
   Eigen::MatrixXd parts(job == 'V' ? n : 0, job == 'V' ? n : 0);
@@ -49,7 +47,9 @@ GeneralEigen by_lapack(Eigen::MatrixXd A, char job) {
 }  // namespace
 
 GeneralEigen general_eigen(const Eigen::MatrixXd& A) {
-  if (is_for_lapack(A)) return by_lapack(A, 'V');
+  if (A.rows() == 0) return {.converged = true, .values = {}, .vectors = {}};
+  if (!A.allFinite()) return {};
+  if (is_for_lapack(A)) return general_by_lapack(A, 'V');
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
   if (solver.info() != Eigen::Success) return {};
   return {.converged = true, .values = solver.eigenvalues(), .vectors = solver.eigenvectors()};
@@ -58,7 +58,8 @@ GeneralEigen general_eigen(const Eigen::MatrixXd& A) {
 Eigen::VectorXcd general_eigenvalues(const Eigen::MatrixXd& A) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const GeneralEigen found = [&]() -> GeneralEigen {
-    if (is_for_lapack(A)) return by_lapack(A, 'N');
+    if (A.rows() == 0 || !A.allFinite()) return {};
+    if (is_for_lapack(A)) return general_by_lapack(A, 'N');
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(A, false);
     return {.converged = solver.info() == Eigen::Success, .values = solver.eigenvalues(), .vectors = {}};
   }();

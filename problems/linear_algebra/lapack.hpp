@@ -3,6 +3,7 @@
 // texts as Fortran compilers pass them. Arrays are column by column; `info` is 0 where a routine succeeds.
 // With a work space of size -1 it tells the best size in its first entry and does nothing else.
 
+#include <Eigen/Core>
 #include <cstddef>
 
 extern "C" {
@@ -30,5 +31,8 @@ namespace signorini {
 /// Rows and columns from which LAPACK is called: below, Eigen's loops are as fast and of the same bits on
 /// every processor.
 inline constexpr int kLeastForLapack = 32;
+
+/// Whether A, m x n, goes to LAPACK: large enough, and finite, for its iterations may not end on NaN.
+bool is_for_lapack(const Eigen::MatrixXd& A);
 
 }  // namespace signorini

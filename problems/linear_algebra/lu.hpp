@@ -21,7 +21,8 @@ class LuFactors {
   /// A^-1 B, n x k.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
   [[nodiscard]] Eigen::MatrixXd inverse() const;
-  /// An estimate of 1 / (|A|_1 |A^-1|_1), mostly within a factor of three [-].
+  /// An estimate of 1 / (|A|_1 |A^-1|_1), mostly within a factor of three [-]; of a singular matrix rounding,
+  /// 0 or NaN.
   [[nodiscard]] double reciprocal_condition() const;
   [[nodiscard]] double determinant() const;
   /// The diagonal of U, n.

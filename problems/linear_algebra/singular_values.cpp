@@ -11,12 +11,21 @@ namespace signorini {
 
 namespace {
 
-bool is_for_lapack(const Eigen::MatrixXd& A) {
-  return std::min(A.rows(), A.cols()) >= kLeastForLapack && A.allFinite();
+// Of a matrix that is not finite, on which LAPACK may loop for ever and Eigen leaves its arrays unwritten.
+SingularValues without_answer(Eigen::Index values, Eigen::Index rows, Eigen::Index left, Eigen::Index right) {
+  return {.values = Eigen::VectorXd::Constant(values, std::numeric_limits<double>::quiet_NaN()),
+          .U = Eigen::MatrixXd::Constant(rows, left, std::numeric_limits<double>::quiet_NaN()),
+          .V = Eigen::MatrixXd::Constant(right, right, std::numeric_limits<double>::quiet_NaN())};
+}
+
+// Of a matrix without rows or columns, which Eigen does not take: all of space is its null space.
+SingularValues of_nothing(Eigen::Index rows, Eigen::Index left, Eigen::Index right) {
+  return {
+      .values = {}, .U = Eigen::MatrixXd::Identity(rows, left), .V = Eigen::MatrixXd::Identity(right, right)};
 }
 
 // By divide and conquer; job as of dgesdd.
-SingularValues by_lapack(Eigen::MatrixXd A, char job) {
+SingularValues singular_by_lapack(Eigen::MatrixXd A, char job) {
   const int m = static_cast<int>(A.rows()), n = static_cast<int>(A.cols()), least = std::min(m, n);
   const int left = job == 'A' ? m : job == 'S' ? least : 1, right = job == 'A' ? n : job == 'S' ? least : 1;
   SingularValues result{
@@ -41,14 +50,19 @@ SingularValues by_lapack(Eigen::MatrixXd A, char job) {
 }  // namespace
 
 SingularValues singular_vectors(const Eigen::MatrixXd& A) {
-  if (is_for_lapack(A)) return by_lapack(A, 'A');
+  if (A.size() == 0) return of_nothing(A.rows(), A.rows(), A.cols());
+  if (!A.allFinite()) return without_answer(std::min(A.rows(), A.cols()), A.rows(), A.rows(), A.cols());
+  if (is_for_lapack(A)) return singular_by_lapack(A, 'A');
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return {.values = svd.singularValues(), .U = svd.matrixU(), .V = svd.matrixV()};
 }
 
 SingularValues left_singular_vectors(const Eigen::MatrixXd& A) {
+  if (A.size() == 0) return of_nothing(A.rows(), 0, 0);
+  const Eigen::Index least = std::min(A.rows(), A.cols());
+  if (!A.allFinite()) return without_answer(least, A.rows(), least, 0);
   if (is_for_lapack(A)) {
-    SingularValues found = by_lapack(A, 'S');
+    SingularValues found = singular_by_lapack(A, 'S');
     found.V.resize(0, 0);
     return found;
   }
@@ -57,14 +71,17 @@ SingularValues left_singular_vectors(const Eigen::MatrixXd& A) {
 }
 
 Eigen::MatrixXd right_singular_vectors(const Eigen::MatrixXd& A) {
-  if (is_for_lapack(A)) return by_lapack(A, 'A').V;
+  if (A.size() == 0) return of_nothing(0, 0, A.cols()).V;
+  if (!A.allFinite()) return without_answer(0, 0, 0, A.cols()).V;
+  if (is_for_lapack(A)) return singular_by_lapack(A, 'A').V;
   return Eigen::JacobiSVD<Eigen::MatrixXd>(A, Eigen::ComputeFullV).matrixV();
 }
 
 double least_singular_value(const Eigen::MatrixXd& A) {
   if (A.size() == 0) return std::numeric_limits<double>::infinity();
-  const Eigen::VectorXd values =
-      is_for_lapack(A) ? by_lapack(A, 'N').values : Eigen::JacobiSVD<Eigen::MatrixXd>(A).singularValues();
+  if (!A.allFinite()) return std::numeric_limits<double>::quiet_NaN();
+  const Eigen::VectorXd values = is_for_lapack(A) ? singular_by_lapack(A, 'N').values
+                                                  : Eigen::JacobiSVD<Eigen::MatrixXd>(A).singularValues();
   return values[values.size() - 1];
 }
 

@@ -8,7 +8,8 @@ namespace signorini {
 
 /// A = U diag(s) V^T, A m x n.
 struct SingularValues {
-  Eigen::VectorXd values;  ///< s, min(m, n), falling; not a number where LAPACK did not converge
+  Eigen::VectorXd values;  ///< s, min(m, n), falling; not a number where A is not finite or LAPACK did not
+                           ///< converge
   Eigen::MatrixXd U;       ///< m x m, or m x min(m, n) of `left_singular_vectors`
   Eigen::MatrixXd V;       ///< n x n; empty where they were not asked for
 };

@@ -1,6 +1,8 @@
 #include "problems/linear_algebra/sparse_factors.hpp"
 
 #include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
 
 namespace signorini {
 
@@ -11,7 +13,15 @@ struct SparseLlt::Factors {
 
 SparseLlt::SparseLlt(const Eigen::SparseMatrix<double>& A) : factors_(std::make_shared<const Factors>(A)) {}
 
-bool SparseLlt::definite() const { return factors_->llt.info() == Eigen::Success; }
+bool SparseLlt::definite() const {
+  if (factors_->llt.info() != Eigen::Success) return false;
+  // NaN passes Eigen's test of the pivots; the diagonal is the first entry of each column.
+  const auto& L = factors_->llt.matrixL().nestedExpression();
+  for (Eigen::Index j = 0; j < L.cols(); ++j) {
+    if (!std::isfinite(L.valuePtr()[L.outerIndexPtr()[j]])) return false;
+  }
+  return true;
+}
 
 Eigen::VectorXd SparseLlt::solve(const Eigen::VectorXd& b) const { return factors_->llt.solve(b); }
 
@@ -24,7 +34,11 @@ struct SparseLdlt::Factors {
 
 SparseLdlt::SparseLdlt(const Eigen::SparseMatrix<double>& A) : factors_(std::make_shared<const Factors>(A)) {}
 
-bool SparseLdlt::regular() const { return factors_->ldlt.info() == Eigen::Success; }
+bool SparseLdlt::regular() const {
+  if (factors_->ldlt.info() != Eigen::Success) return false;
+  const Eigen::VectorXd pivots = factors_->ldlt.vectorD();
+  return std::all_of(pivots.begin(), pivots.end(), [](double pivot) { return std::isfinite(pivot); });
+}
 
 double SparseLdlt::least_pivot() const { return factors_->ldlt.vectorD().minCoeff(); }
 

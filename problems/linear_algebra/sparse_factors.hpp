@@ -13,7 +13,7 @@ class SparseLlt {
  public:
   explicit SparseLlt(const Eigen::SparseMatrix<double>& A);
 
-  /// Whether A is positive definite to working precision; solutions mean nothing where it is not.
+  /// Whether A is finite and positive definite to working precision; solutions mean nothing where it is not.
   [[nodiscard]] bool definite() const;
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;  ///< A^-1 b
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;  ///< A^-1 B, n x k
@@ -28,7 +28,7 @@ class SparseLdlt {
  public:
   explicit SparseLdlt(const Eigen::SparseMatrix<double>& A);
 
-  /// Whether no pivot is zero; solutions mean nothing where one is.
+  /// Whether all pivots are finite and none is zero; solutions mean nothing where one is.
   [[nodiscard]] bool regular() const;
   /// The least entry of D.
   [[nodiscard]] double least_pivot() const;

@@ -1,9 +1,11 @@
 #include "problems/linear_algebra/symmetric_eigen.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
 #include <limits>
 #include <vector>
 
+#include "problems/linear_algebra/cholesky.hpp"
 #include "problems/linear_algebra/lapack.hpp"
 
 namespace signorini {
@@ -14,8 +16,20 @@ Eigen::VectorXd no_values(Eigen::Index size) {
   return Eigen::VectorXd::Constant(size, std::numeric_limits<double>::quiet_NaN());
 }
 
-// LAPACK may loop for ever on NaN.
-bool is_for_lapack(const Eigen::MatrixXd& A) { return A.rows() >= kLeastForLapack && A.allFinite(); }
+// LAPACK may loop for ever on NaN, and Eigen takes some matrices that are not finite for converged.
+bool lower_finite(const Eigen::MatrixXd& A) {
+  for (Eigen::Index j = 0; j < A.cols(); ++j) {
+    for (Eigen::Index i = j; i < A.rows(); ++i) {
+      if (!std::isfinite(A(i, j))) return false;
+    }
+  }
+  return true;
+}
+
+// Whether A x = lambda B x has an answer; the Cholesky factor of B tells LAPACK, and Eigen does not look.
+bool has_answer(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  return lower_finite(A) && lower_finite(B) && (is_for_lapack(A) || CholeskyFactors(B).definite());
+}
 
 // Calls `solve(work, integers)` of a routine twice: for the sizes of its work space, then with it.
 template <class Solve>
@@ -28,7 +42,7 @@ void with_work_space(const Solve& solve) {
   solve(work.data(), static_cast<int>(work.size()), integers.data(), static_cast<int>(integers.size()));
 }
 
-SymmetricEigen by_lapack(Eigen::MatrixXd A, char job) {
+SymmetricEigen symmetric_by_lapack(Eigen::MatrixXd A, char job) {
   const int n = static_cast<int>(A.rows());
   int info = 0;
   SymmetricEigen result{.values = Eigen::VectorXd(n), .vectors = {}};
@@ -41,7 +55,7 @@ SymmetricEigen by_lapack(Eigen::MatrixXd A, char job) {
   return result;
 }
 
-SymmetricEigen by_lapack(Eigen::MatrixXd A, Eigen::MatrixXd B, char job) {
+SymmetricEigen symmetric_by_lapack(Eigen::MatrixXd A, Eigen::MatrixXd B, char job) {
   constexpr int kType = 1;  // A x = lambda B x
   const int n = static_cast<int>(A.rows());
   int info = 0;
@@ -70,23 +84,29 @@ Eigen::VectorXd values_of(SymmetricEigen found, Eigen::Index size) {
 }  // namespace
 
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& A) {
-  if (is_for_lapack(A)) return by_lapack(A, 'V');
+  if (A.rows() == 0) return {.converged = true, .values = {}, .vectors = {}};
+  if (!lower_finite(A)) return {};
+  if (is_for_lapack(A)) return symmetric_by_lapack(A, 'V');
   return taken_from(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A), true);
 }
 
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& A) {
-  if (is_for_lapack(A)) return values_of(by_lapack(A, 'N'), A.rows());
+  if (A.rows() == 0 || !lower_finite(A)) return no_values(A.rows());
+  if (is_for_lapack(A)) return values_of(symmetric_by_lapack(A, 'N'), A.rows());
   return values_of(
       taken_from(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly), false), A.rows());
 }
 
 SymmetricEigen generalised_eigen(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
-  if (is_for_lapack(A) && B.allFinite()) return by_lapack(A, B, 'V');
+  if (A.rows() == 0) return {.converged = true, .values = {}, .vectors = {}};
+  if (!has_answer(A, B)) return {};
+  if (is_for_lapack(A)) return symmetric_by_lapack(A, B, 'V');
   return taken_from(Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(A, B), true);
 }
 
 Eigen::VectorXd generalised_eigenvalues(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
-  if (is_for_lapack(A) && B.allFinite()) return values_of(by_lapack(A, B, 'N'), A.rows());
+  if (A.rows() == 0 || !has_answer(A, B)) return no_values(A.rows());
+  if (is_for_lapack(A)) return values_of(symmetric_by_lapack(A, B, 'N'), A.rows());
   return values_of(
       taken_from(Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(A, B, Eigen::EigenvaluesOnly),
                  false),
