@@ -1,6 +1,5 @@
 #include "methods/complementarity/exact_projection.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <vector>
 

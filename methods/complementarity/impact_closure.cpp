@@ -1,6 +1,5 @@
 #include "methods/complementarity/impact_closure.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -1,6 +1,5 @@
 #include "methods/complementarity/impact_motion.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <bit>
 #include <cmath>

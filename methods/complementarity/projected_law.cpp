@@ -1,6 +1,5 @@
 #include "methods/complementarity/projected_law.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,5 @@
 #include "methods/solvers/complementarity_solver.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <optional>

@@ -1,6 +1,5 @@
 #include "problems/assembly/element_shapes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -1,6 +1,5 @@
 #include "methods/harmonic_balance/continuation/series_curve.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>

@@ -1,6 +1,5 @@
 #include "methods/harmonic_balance/continuation/series_point.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <exception>
