@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -16,6 +15,7 @@
 #include "methods/aft_hbm/aft_hbm.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
+#include "problems/linear_algebra/complex_lu.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
@@ -200,7 +200,7 @@ void expect_fourier_solution(const Problem& problem, const Trajectory& trajector
     const double w = n * problem.frequency;
     const Eigen::VectorXcd load =
         (n == 1 ? 0.5 : 0.0) * load_harmonic(problem, 1) + W * lambda_n.row(n).transpose();
-    const Eigen::VectorXcd u = Eigen::MatrixXcd(K - w * w * M + Complex(0.0, w) * D).fullPivLu().solve(load);
+    const Eigen::VectorXcd u = lu_solve(K - w * w * M + Complex(0.0, w) * D, load);
     EXPECT_LE((W.transpose() * u - x_n.row(n).transpose()).norm(), kRecheck * x_scale) << "harmonic " << n;
   }
   for (int c = 0; c < problem.contact_count(); ++c) {

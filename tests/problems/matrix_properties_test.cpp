@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <random>
 
+#include "problems/linear_algebra/orthogonal.hpp"
+#include "problems/linear_algebra/singular_values.hpp"
 #include "tests/problems/chain_problems.hpp"
 
 namespace signorini::matrix_properties_test {
@@ -85,7 +87,7 @@ TEST(Combination, IsTheSumWhereverEntriesAreMissing) {
 TEST(Definiteness, OfFullMatricesIsThatOfTheirSpectrum) {
   constexpr int kSize = 600;
   std::mt19937 random(3);
-  const Eigen::MatrixXd Q = random_matrix(kSize, kSize, random).householderQr().householderQ();
+  const Eigen::MatrixXd Q = householder_basis(random_matrix(kSize, kSize, random));
   Eigen::VectorXd spectrum = Eigen::VectorXd::LinSpaced(kSize, 0.1, 10.0);
   const auto full = [&] {
     const Eigen::MatrixXd A = Q * spectrum.asDiagonal() * Q.transpose();
@@ -114,8 +116,7 @@ TEST(Definiteness, DoesNotDependOnUnits) {
     const int size = 2 + trial % 9;
     const Eigen::MatrixXd B = random_matrix(size, size - 1, random);  // B B^T: one null direction
     const Eigen::MatrixXd semidefinite = B * B.transpose();
-    const Eigen::VectorXd null =
-        Eigen::FullPivLU<Eigen::MatrixXd>(B.transpose()).kernel().col(0).normalized();
+    const Eigen::VectorXd null = right_singular_vectors(B.transpose()).col(size - 1);
     const Eigen::VectorXd units =
         random_matrix(size, 1, random).unaryExpr([](double x) { return std::pow(10.0, 3.0 * x); });
     const Eigen::MatrixXd E = units.asDiagonal();

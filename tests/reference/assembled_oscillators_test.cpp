@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <array>
 #include <random>
 
@@ -10,6 +10,7 @@
 #include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
+#include "problems/linear_algebra/orthogonal.hpp"
 #include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
@@ -51,7 +52,7 @@ Problem assembly(double restitution) {
   std::normal_distribution<double> draw;
   Eigen::MatrixXd A(kFree, kFree);
   for (Eigen::Index i = 0; i < A.size(); ++i) A.data()[i] = draw(random);
-  const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(A).householderQ();
+  const Eigen::MatrixXd Q = householder_basis(A);
   const Eigen::VectorXd spring = Eigen::Vector4d(1.0, 3.0, 9.0, 20.0);
   Eigen::MatrixXd M = Eigen::MatrixXd::Identity(kAll, kAll), D = M, K = M;
   D.topLeftCorner(kFree, kFree) = 0.1 * Eigen::MatrixXd::Identity(kFree, kFree);

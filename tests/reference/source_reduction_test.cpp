@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <unsupported/Eigen/KroneckerProduct>
 
+#include "problems/linear_algebra/complex_lu.hpp"
+#include "problems/linear_algebra/lu.hpp"
 #include "tests/reference/source_basis.hpp"
 
 namespace signorini::source_reduction_test {
@@ -45,10 +46,10 @@ class SourceReduction : public testing::Test {
   // A_r of (43).
   [[nodiscard]] MatrixXd reduced(bool as_printed) const {
     const MatrixXd a = system(as_printed);
-    return unit_.inverse() *
+    return LuFactors(unit_).inverse() *
            (a.bottomRightCorner(size_, size_) -
             a.bottomLeftCorner(size_, inner_) *
-                a.topLeftCorner(inner_, inner_).lu().solve(a.topRightCorner(inner_, size_)));
+                lu_solve(a.topLeftCorner(inner_, inner_), MatrixXd(a.topRightCorner(inner_, size_))));
   }
 
   // What (45) must be: u_2 = C_n lambda harmonic by harmonic, from the complex dynamic stiffness.
@@ -58,7 +59,7 @@ class SourceReduction : public testing::Test {
       const double w = n * kOmega;
       const Eigen::MatrixXcd z =
           (stiffness_ - w * w * mass_).cast<std::complex<double>>() + std::complex<double>(0.0, w) * damping_;
-      const std::complex<double> c = z.inverse()(2, 2);
+      const std::complex<double> c = inverse(z)(2, 2);
       r(n, n) = c.real();
       if (n == 0) continue;
       // a cos + b sin = Re((a - i b) e^{iwt}).
@@ -105,13 +106,14 @@ TEST_F(SourceReduction, Equation41NeedsTheGramMatrixOnTheLoad) {
   VectorXd load = VectorXd::Zero(3 * size_);
   load[1] = 1.0;
   load[size_ + kHarmonics + 2] = -0.7;
-  const VectorXd u = a.lu().solve(Eigen::kroneckerProduct(MatrixXd::Identity(3, 3), unit_).eval() * load);
-  const auto inner = a.topLeftCorner(inner_, inner_).lu();
-  const VectorXd from_contact = inner.solve(a.topRightCorner(inner_, size_) * u.tail(size_));
+  const VectorXd u =
+      lu_solve(a, VectorXd(Eigen::kroneckerProduct(MatrixXd::Identity(3, 3), unit_).eval() * load));
+  const LuFactors inner(a.topLeftCorner(inner_, inner_));
+  const VectorXd from_contact = inner.solve(VectorXd(a.topRightCorner(inner_, size_) * u.tail(size_)));
   const VectorXd weighted =
       Eigen::kroneckerProduct(MatrixXd::Identity(2, 2), unit_).eval() * load.head(inner_);
   const VectorXd corrected = -from_contact + inner.solve(weighted);
-  const VectorXd printed = -from_contact + inner.solve(load.head(inner_));
+  const VectorXd printed = -from_contact + inner.solve(VectorXd(load.head(inner_)));
   EXPECT_LE((corrected - u.head(inner_)).norm(), 1e-12 * u.norm());
   EXPECT_GE((printed - u.head(inner_)).norm(), 0.1 * u.norm());
 }
@@ -124,11 +126,11 @@ TEST_F(SourceReduction, Equations42To45FollowFromTheWholeSystem) {
   const VectorXd lambda = VectorXd::LinSpaced(size_, -0.8, 0.3);
   VectorXd push = load;
   push.tail(size_) += lambda;
-  const VectorXd u = a.lu().solve(weigh * push);
-  const VectorXd inner =
-      a.topLeftCorner(inner_, inner_).lu().solve(weigh.topLeftCorner(inner_, inner_) * load.head(inner_));
+  const VectorXd u = lu_solve(a, VectorXd(weigh * push));
+  const VectorXd inner = lu_solve(a.topLeftCorner(inner_, inner_),
+                                  VectorXd(weigh.topLeftCorner(inner_, inner_) * load.head(inner_)));
   const VectorXd reduced_load =
-      unit_.inverse() * (unit_ * load.tail(size_) - a.bottomLeftCorner(size_, inner_) * inner);
+      LuFactors(unit_).inverse() * (unit_ * load.tail(size_) - a.bottomLeftCorner(size_, inner_) * inner);
   EXPECT_LE((reduced(false) * u.tail(size_) - lambda - reduced_load).norm(), 1e-12 * load.norm());
 }
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -19,6 +19,7 @@
 
 #include "methods/catalogue.hpp"
 #include "methods/event_driven/event_driven.hpp"
+#include "problems/linear_algebra/complex_lu.hpp"
 #include "problems/validation.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/expected_failure.hpp"
@@ -180,7 +181,7 @@ struct HeldMotion {
     A.bottomLeftCorner(a, n) = W(Eigen::all, closed).transpose();
     Eigen::VectorXcd right = Eigen::VectorXcd::Zero(n + a);
     right.head(n) = load_harmonic(problem, 1);
-    const Eigen::VectorXcd z = A.fullPivLu().solve(right);
+    const Eigen::VectorXcd z = CompleteComplexLuFactors(A).solve(right);
     x = W.transpose() * z.head(n);
     lambda = Eigen::VectorXcd::Zero(problem.contact_count());
     lambda(closed) = z.tail(a);

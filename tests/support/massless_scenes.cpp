@@ -1,12 +1,13 @@
 #include "tests/support/massless_scenes.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <stdexcept>
 
+#include "problems/linear_algebra/lu.hpp"
 #include "tests/support/random_springs.hpp"
 
 namespace signorini::test {
@@ -120,7 +121,7 @@ StaticContact static_contact(const Problem& problem, const std::vector<int>& mas
     A.bottomLeftCorner(a, b) = W_b(Eigen::all, closed).transpose();
     Eigen::VectorXd right(b + a);
     right << load, gap(closed);
-    const Eigen::VectorXd z = A.fullPivLu().solve(right);
+    const Eigen::VectorXd z = CompleteLuFactors(A).solve(right);
     StaticContact found{.x = W_b.transpose() * z.head(b),
                         .lambda = Eigen::VectorXd::Zero(problem.contact_count())};
     found.lambda(closed) = z.tail(a);

@@ -1,6 +1,8 @@
 #include "tests/support/moreau_stepping.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini::test {
 
@@ -17,7 +19,7 @@ Eigen::VectorXd impulses(const Eigen::MatrixXd& G, const Eigen::VectorXd& v) {
     Eigen::VectorXd p = Eigen::VectorXd::Zero(m);
     if (!in.empty()) {
       const Eigen::MatrixXd block = G(in, in);
-      const Eigen::VectorXd part = -block.inverse() * Eigen::VectorXd(v(in));
+      const Eigen::VectorXd part = -lu_solve(block, Eigen::VectorXd(v(in)));
       p(in) = part;
     }
     const double noise = 1e-12 * (v.cwiseAbs().maxCoeff() + 1e-300);
@@ -34,7 +36,7 @@ Eigen::MatrixXd moreau_steady_state(const Problem& problem, int steps, int perio
   const Eigen::MatrixXd M(problem.mass()), K(problem.stiffness()), D(problem.damping()),
       W(contact_directions(problem));
   const Eigen::VectorXd g = contact_gaps(problem);
-  const Eigen::MatrixXd A = (M + 0.5 * h * D + 0.25 * h * h * K).inverse();
+  const Eigen::MatrixXd A = LuFactors(M + 0.5 * h * D + 0.25 * h * h * K).inverse();
   Eigen::VectorXd u = Eigen::VectorXd::Zero(n), v = u;
   Eigen::MatrixXd x(steps, W.cols());
   for (int k = 0; k < periods * steps; ++k) {

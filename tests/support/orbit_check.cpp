@@ -1,9 +1,11 @@
 #include "tests/support/orbit_check.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <unsupported/Eigen/MatrixFunctions>
+
+#include "problems/linear_algebra/exponential.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini::test {
 
@@ -19,7 +21,7 @@ class Follower {
         W_(contact_directions(problem)),
         g_(contact_gaps(problem)),
         n_(problem.size()) {
-    M_ = Eigen::MatrixXd(problem.mass()).inverse();
+    M_ = LuFactors(problem.mass()).inverse();
     if (const auto* law = std::get_if<Restitution>(&problem.law)) e_ = law->e;
     if (const auto* law = std::get_if<Penalty>(&problem.law)) springs_ = law->stiffness;
   }
@@ -91,7 +93,7 @@ class Follower {
       for (std::size_t i = 0; i < active_.size(); ++i)
         multiplier_.row(static_cast<Eigen::Index>(i)) *= springs_[static_cast<std::size_t>(active_[i])];
     } else if (!active_.empty()) {
-      multiplier_ = -(W.transpose() * M_ * W).inverse() * (W.transpose() * M_ * rate);
+      multiplier_ = -lu_solve(W.transpose() * M_ * W, Eigen::MatrixXd(W.transpose() * M_ * rate));
     }
     rate += W * multiplier_;
     generator_.block(0, n_, n_, n_).setIdentity();
@@ -109,8 +111,7 @@ class Follower {
       z_[2 * n_ + 2 * static_cast<Eigen::Index>(k) + 1] = std::sin(angle);
     }
     z_[z_.size() - 1] = 1.0;
-    const Eigen::MatrixXd exponent = generator_ * ((end - time_) / kSteps);
-    const Eigen::MatrixXd step = exponent.exp();
+    const Eigen::MatrixXd step = matrix_exponential(generator_ * ((end - time_) / kSteps));
     const double begin = time_;
     for (int i = 1; i <= kSteps; ++i) {
       z_ = step * z_;

@@ -1,9 +1,10 @@
 #pragma once
 // Random complementarity problems, and an oracle that shares no code with their solvers.
 
-#include <Eigen/LU>
 #include <random>
 #include <vector>
+
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini::test {
 
@@ -18,8 +19,8 @@ inline std::vector<Eigen::VectorXd> enumerate_solutions(const Eigen::MatrixXd& a
     }
     Eigen::VectorXd z = Eigen::VectorXd::Zero(size);
     if (!active.empty()) {
-      const Eigen::FullPivLU<Eigen::MatrixXd> lu(a(active, active));
-      if (!lu.isInvertible()) continue;
+      const CompleteLuFactors lu(a(active, active));
+      if (!lu.regular()) continue;
       z(active) = lu.solve(-q(active));
     }
     const Eigen::VectorXd w = q + a * z;

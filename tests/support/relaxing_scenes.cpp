@@ -1,11 +1,12 @@
 #include "tests/support/relaxing_scenes.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <unsupported/Eigen/MatrixFunctions>
 
+#include "problems/linear_algebra/exponential.hpp"
+#include "problems/linear_algebra/lu.hpp"
 #include "tests/support/massless_scenes.hpp"
 
 namespace signorini::test {
@@ -65,7 +66,7 @@ DescriptorFlow::DescriptorFlow(const Problem& problem) {
                         W = contact_directions(problem);
   masses_ = std::ssize(i);
   const Eigen::Index n = masses_, nb = std::ssize(b), size = 2 * n + nb;
-  const Eigen::MatrixXd free_b = D(b, b).inverse(), free_i = M(i, i).inverse();
+  const Eigen::MatrixXd free_b = LuFactors(D(b, b)).inverse(), free_i = LuFactors(M(i, i)).inverse();
   Eigen::MatrixXd to_b(nb, size), to_i(n, size);
   to_b << -free_b * K(b, i), -free_b * D(b, i), -free_b * K(b, b);
   to_i << -K(i, i), -D(i, i), -K(i, b);
@@ -106,7 +107,7 @@ Eigen::MatrixXd DescriptorFlow::projection(const std::vector<int>& active) const
   Eigen::MatrixXd P = Eigen::MatrixXd::Identity(size(), size());
   if (active.empty()) return P;
   const Eigen::MatrixXd E = E_(active, Eigen::all), B = B_(Eigen::all, active);
-  return P - B * (E * B).inverse() * E;
+  return P - B * LuFactors(E * B).inverse() * E;
 }
 
 Eigen::VectorXd DescriptorFlow::rate(const std::vector<int>& active, double time,
@@ -119,12 +120,12 @@ Eigen::VectorXd DescriptorFlow::force(const std::vector<int>& active, double tim
   Eigen::VectorXd lambda = Eigen::VectorXd::Zero(E_.rows());
   if (active.empty()) return lambda;
   const Eigen::MatrixXd E = E_(active, Eigen::all), B = B_(Eigen::all, active);
-  lambda(active) = -(E * B).inverse() * (E * (A_ * y + load(time)));
+  lambda(active) = -LuFactors(E * B).inverse() * (E * (A_ * y + load(time)));
   return lambda;
 }
 
 Eigen::MatrixXd DescriptorFlow::transition(const std::vector<int>& active, double duration) const {
-  return (projection(active) * A_ * duration).exp();
+  return matrix_exponential(projection(active) * A_ * duration);
 }
 
 Eigen::VectorXd DescriptorFlow::after(const std::vector<int>& active, double time, const Eigen::VectorXd& y,
@@ -145,7 +146,7 @@ Eigen::VectorXd DescriptorFlow::after(const std::vector<int>& active, double tim
     first[c] = std::cos(rate * time);
     first[c + 1] = std::sin(rate * time);
   }
-  const Eigen::MatrixXd grown = (generator * duration).exp();
+  const Eigen::MatrixXd grown = matrix_exponential(generator * duration);
   return (grown * first).head(n);
 }
 
@@ -153,7 +154,7 @@ Eigen::VectorXd DescriptorFlow::state(const Eigen::VectorXd& u, const Eigen::Vec
                                       const Eigen::VectorXd& x) const {
   Eigen::VectorXd y(size());
   const Eigen::MatrixXd of_b = E_.rightCols(size() - 2 * masses_);
-  y << u.head(masses_), v, of_b.fullPivLu().solve(x);
+  y << u.head(masses_), v, CompleteLuFactors(of_b).solve(x);
   return y;
 }
 
@@ -161,14 +162,14 @@ Eigen::MatrixXd implicit_euler(const Problem& problem, Eigen::VectorXd u, Eigen:
   const double dt = problem.forcing_period() / steps;
   const Eigen::MatrixXd M = problem.mass(), D = problem.damping(), K = problem.stiffness(),
                         W = contact_directions(problem);
-  const Eigen::PartialPivLU<Eigen::MatrixXd> step(M + dt * D + dt * dt * K);
+  const LuFactors step(M + dt * D + dt * dt * K);
   const Eigen::MatrixXd moved = dt * step.solve(W);            // v by lambda
   const Eigen::MatrixXd reached = dt * W.transpose() * moved;  // x by lambda
   const Eigen::VectorXd gap = contact_gaps(problem);
   const Eigen::Index contacts = gap.size();
   Eigen::MatrixXd x(steps, contacts);
   for (int k = 1; k <= steps; ++k) {
-    const Eigen::VectorXd free = step.solve(M * v + dt * (load_at(problem, k * dt) - K * u));
+    const Eigen::VectorXd free = step.solve(Eigen::VectorXd(M * v + dt * (load_at(problem, k * dt) - K * u)));
     const Eigen::VectorXd beyond = W.transpose() * (u + dt * free) - gap;
     bool solved = false;
     for (unsigned set = 0; set < (1U << contacts) && !solved; ++set) {  // every set of closed contacts
@@ -178,8 +179,7 @@ Eigen::MatrixXd implicit_euler(const Problem& problem, Eigen::VectorXd u, Eigen:
       }
       Eigen::VectorXd lambda = Eigen::VectorXd::Zero(contacts);
       if (!active.empty())
-        lambda(active) = Eigen::VectorXd(-Eigen::MatrixXd(reached(active, active)).inverse() *
-                                         Eigen::VectorXd(beyond(active)));
+        lambda(active) = -lu_solve(reached(active, active), Eigen::VectorXd(beyond(active)));
       solved = lambda.maxCoeff() <= 0.0 && (beyond + reached * lambda).maxCoeff() <= 1e-13;
       if (solved) v = free + moved * lambda;
     }

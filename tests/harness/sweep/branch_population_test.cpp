@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -17,6 +17,7 @@
 #include "methods/orbit/continuation/branch_section.hpp"
 #include "methods/orbit/family/chatter.hpp"
 #include "methods/orbit/family/survey.hpp"
+#include "problems/linear_algebra/general_eigen.hpp"
 #include "tests/harness/sweep/random_scenes.hpp"
 #include "tests/harness/sweep/sound_branches.hpp"
 
@@ -53,7 +54,7 @@ bool holds(OrbitFamily& family, const BranchDiagram& diagram, double frequency, 
       });
       const OrbitSurvey found = survey(equations);
       const double amplitude = 0.5 * (found.highest - found.lowest).maxCoeff();
-      const double largest = equations.monodromy().eigenvalues().cwiseAbs().maxCoeff();
+      const double largest = general_eigenvalues(equations.monodromy()).cwiseAbs().maxCoeff();
       const bool chatters = !chatter_ends(equations).empty();
       if (chatters == (sought.contact_phases() > 0) && (chatters || impacts == sought.impacts()) &&
           std::abs(amplitude - sought.amplitude) < kSameAmplitude * sought.amplitude &&

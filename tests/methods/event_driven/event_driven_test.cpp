@@ -2,13 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>
 
 #include "methods/structure/periodic_response.hpp"
+#include "problems/linear_algebra/complex_lu.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
 #include "tests/support/massless_scenes.hpp"
 
@@ -80,8 +81,7 @@ TEST(EventDriven, ReturnsTheLinearResponseOfASceneWithoutContact) {
     const Eigen::MatrixXcd Z = Eigen::MatrixXcd(problem.stiffness().cast<std::complex<double>>()) +
                                iw * Eigen::MatrixXcd(problem.damping().cast<std::complex<double>>()) +
                                iw * iw * Eigen::MatrixXcd(problem.mass().cast<std::complex<double>>());
-    const Eigen::VectorXcd response =
-        std::exp(iw * start.time) * Z.partialPivLu().solve(load_harmonic(problem, h));
+    const Eigen::VectorXcd response = std::exp(iw * start.time) * lu_solve(Z, load_harmonic(problem, h));
     u += response;
     v += iw * response;
   }

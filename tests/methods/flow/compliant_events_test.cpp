@@ -2,11 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <random>
 #include <vector>
 
 #include "methods/flow/stop_events.hpp"
+#include "problems/linear_algebra/lu.hpp"
 #include "tests/support/exact_scenes.hpp"
 
 namespace signorini::compliant_events_test {
@@ -56,7 +57,7 @@ std::vector<bool> only_admissible_set(const Eigen::MatrixXd& C, const Eigen::Vec
     }
     Eigen::VectorXd push = Eigen::VectorXd::Zero(gap.size());
     if (!active.empty()) {
-      const Eigen::VectorXd solved = C(active, active).lu().solve(Eigen::VectorXd(-gap(active)));
+      const Eigen::VectorXd solved = lu_solve(C(active, active), Eigen::VectorXd(-gap(active)));
       push(active) = solved;
     }
     const Eigen::VectorXd opening = C * push + gap;

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <random>
 #include <vector>
 
 #include "methods/flow/flow.hpp"
+#include "problems/linear_algebra/lu.hpp"
+#include "problems/linear_algebra/orthogonal.hpp"
 #include "tests/support/relaxing_scenes.hpp"
 
 namespace signorini::relaxing_events_test {
@@ -50,7 +52,7 @@ State at_stops(const ContactDynamics& dynamics, double time, const Eigen::Vector
   State state = dynamics.at_rest();
   state.u.tail(s.contact_count()) = s.gaps;
   const Eigen::VectorXd relaxed = (s.shift_at(time, 0) - s.gaps) / s.relaxation;
-  state.v = s.directions.transpose().completeOrthogonalDecomposition().solve(a - relaxed);
+  state.v = least_norm_solve(s.directions.transpose(), Eigen::VectorXd(a - relaxed));
   return state;
 }
 
@@ -215,8 +217,8 @@ TEST(RelaxingEvents, AConstantLoadKeepsTheContactWhereItsStopIs) {
   problem.force = {{.dof = 2, .harmonic = 0, .cos = 3.0, .sin = 0.0}};
   const ContactDynamics dynamics(problem);
   const Eigen::MatrixXd K = problem.stiffness();
-  const Eigen::VectorXd u = K.lu().solve(Eigen::Vector4d(0.0, 0.0, 3.0, 0.0));
-  const Eigen::MatrixXd C = K.inverse();
+  const Eigen::VectorXd u = lu_solve(K, Eigen::VectorXd(Eigen::Vector4d(0.0, 0.0, 3.0, 0.0)));
+  const Eigen::MatrixXd C = LuFactors(K).inverse();
   for (const Integrator integrator : {Integrator::modal, Integrator::cvode}) {
     EventFlow flow(dynamics, 1e-11, kNever, integrator);
     FlowState state = flow.place(0.0, dynamics.at_rest());

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <array>
 #include <chrono>
 #include <numbers>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "methods/structure/receptance.hpp"
+#include "problems/linear_algebra/lu.hpp"
 #include "tests/support/damped_chain.hpp"
 #include "tests/support/impact_oscillator.hpp"
 #include "tests/support/structure_scenes.hpp"
@@ -108,7 +108,7 @@ Eigen::MatrixXd ring_solution(const Problem& problem, HatScheme scheme) {
     load.segment(i * size, size) = outer * (load_at(problem, (i - 1) * dt) + load_at(problem, (i + 1) * dt)) +
                                    (1.0 - 2.0 * outer) * load_at(problem, i * dt);
   }
-  const Eigen::VectorXd u = ring.partialPivLu().solve(load);
+  const Eigen::VectorXd u = lu_solve(ring, load);
   const Eigen::MatrixXd directions(contact_directions(problem));
   return (directions.transpose() * u.reshaped(size, kNodes)).transpose();
 }

@@ -10,6 +10,8 @@
 #include <optional>
 #include <vector>
 
+#include "problems/linear_algebra/orthogonal.hpp"
+
 namespace signorini::complex_modes_test {
 namespace {
 
@@ -138,7 +140,7 @@ TEST(ComplexModes, MoveTheStructureWhateverItsDamping) {
   // Equal masses on equal springs have one frequency, whose shapes the damper of one of them chooses.
   const Eigen::MatrixXd I = Eigen::MatrixXd::Identity(n, n);
   const Eigen::MatrixXd one_damper = 0.2 * Eigen::VectorXd::Unit(n, 2).asDiagonal().toDenseMatrix();
-  const Eigen::MatrixXd turned = Eigen::HouseholderQR<Eigen::MatrixXd>(K + M).householderQ();
+  const Eigen::MatrixXd turned = householder_basis(K + M);
   const Eigen::MatrixXd D = turned * one_damper * turned.transpose();
   expect_motions_of(*modes_of(I, 0.5 * (D + D.transpose()), 3.0 * I), I, 0.5 * (D + D.transpose()), 3.0 * I,
                     1e-13);

@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
+#include "problems/linear_algebra/lu.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/massless_scenes.hpp"
 #include "tests/support/structure_scenes.hpp"
@@ -44,7 +45,7 @@ class WholeStructure {
     const Eigen::VectorXd rhs = load_at(problem_, node_ * step_) + M_ * (h_v + sigma_ * h_u) + D_ * h_u;
     Eigen::VectorXd u = factors_.solve(rhs);
     const Eigen::VectorXd lambda = forces(contact_gaps(problem_) - W_.transpose() * u);
-    u += factors_.solve(W_ * lambda);
+    u += factors_.solve(Eigen::VectorXd(W_ * lambda));
     u_before_ = u_;
     v_before_ = v_;
     u_ = u;
@@ -63,7 +64,7 @@ class WholeStructure {
       }
       if (!set.empty()) {
         const Eigen::MatrixXd block = G_(set, set);
-        const Eigen::VectorXd part = block.fullPivLu().solve(Eigen::VectorXd(room(set)));
+        const Eigen::VectorXd part = CompleteLuFactors(block).solve(room(set));
         for (std::size_t k = 0; k < set.size(); ++k) lambda[set[k]] = part[static_cast<Eigen::Index>(k)];
       }
       Eigen::VectorXd rest = room - G_ * lambda;
@@ -76,7 +77,7 @@ class WholeStructure {
   const Problem& problem_;
   double step_, sigma_;
   Eigen::MatrixXd M_, D_, W_, G_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
+  LuFactors factors_;
   Eigen::VectorXd u_, u_before_, v_, v_before_;
   int node_ = 0;
 };

@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "methods/marching/periodic_march.hpp"
 #include "methods/structure/massless_elimination.hpp"
+#include "problems/linear_algebra/symmetric_eigen.hpp"
 #include "tests/support/structure_scenes.hpp"
 
 namespace signorini::reduced_orbit_test {
@@ -16,16 +17,12 @@ constexpr int kSamples = 1024;
 ContactReduction all_modes(const Problem& problem) {
   const Eigen::MatrixXd K(problem.stiffness()), M(problem.mass()), W(contact_directions(problem));
   const Eigen::VectorXd f = load_harmonic(problem, 1).real();
-  const Eigen::LLT<Eigen::MatrixXd> factor(K);
-  Eigen::MatrixXd T = factor.matrixL().solve(M);
-  T = factor.matrixL().solve(Eigen::MatrixXd(T.transpose()));
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(0.5 * (T + T.transpose()));
-  const Eigen::VectorXd& theta = modes.eigenvalues();
+  const SymmetricEigen modes = generalised_eigen(M, K);
+  const Eigen::VectorXd& theta = modes.values;
   Eigen::Index count = 0;
   while (count < theta.size() && theta[theta.size() - 1 - count] > 1e-13 * theta[theta.size() - 1]) ++count;
   const Eigen::VectorXd omega = theta.tail(count).cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd Phi =
-      factor.matrixU().solve(Eigen::MatrixXd(modes.eigenvectors().rightCols(count))) * omega.asDiagonal();
+  const Eigen::MatrixXd Phi = modes.vectors.rightCols(count) * omega.asDiagonal();
   ContactReduction all;
   all.squares = omega.cwiseAbs2();
   all.damp(*proportional_damping(problem.mass(), problem.stiffness(), problem.damping()));

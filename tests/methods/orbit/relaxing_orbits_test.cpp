@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <complex>
 #include <vector>
@@ -10,6 +10,7 @@
 #include "methods/orbit/family/orbit_family.hpp"
 #include "methods/orbit/return_check.hpp"
 #include "methods/periodic_motion/period_map.hpp"
+#include "problems/linear_algebra/general_eigen.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/relaxing_scenes.hpp"
 
@@ -64,7 +65,7 @@ TEST(RelaxingOrbits, AreFoundWithTheMultipliersOfTheWholeStructure) {
     EXPECT_GE(found.orbit->orbit().events.size(), 2U);
     EXPECT_EQ(found.orbit->quality().multipliers.size(), 7);
     const auto own = sorted(found.orbit->quality().multipliers);
-    const auto whole = sorted(descriptor_monodromy(problem, *found.orbit).eigenvalues());
+    const auto whole = sorted(general_eigenvalues(descriptor_monodromy(problem, *found.orbit)));
     ASSERT_EQ(whole.size(), own.size());
     for (std::size_t k = 0; k < own.size(); ++k) EXPECT_LT(std::abs(own[k] - whole[k]), 1e-8);
     const ReturnCheck check = cvode_return(ContactDynamics(problem), *found.orbit, kNever);

@@ -1,12 +1,13 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <cstring>
 #include <numbers>
 #include <string>
 
 #include "methods/periodic_motion/periodic_motion.hpp"
+#include "problems/linear_algebra/lu.hpp"
 #include "tests/methods/event_driven/scenes.hpp"
 #include "tests/methods/periodic_motion/steady_state_cases.hpp"
 
@@ -190,7 +191,7 @@ TEST(NewtonOrbit, MultipliersAreThoseOfTheClosedForm) {
     const FixedPoint found = find_fixed_point(map, guess, 1, {.accepted = 1e-10}, [] { return false; });
     ASSERT_TRUE(found.converged) << found.message;
     EXPECT_NEAR(found.monodromy.trace(), orbit.trace, 1e-8);
-    EXPECT_NEAR(found.monodromy.determinant(), orbit.determinant, 1e-9);
+    EXPECT_NEAR(determinant(found.monodromy), orbit.determinant, 1e-9);
   }
 }
 

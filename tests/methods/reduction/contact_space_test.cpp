@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -11,6 +10,7 @@
 #include "methods/structure/dynamic_stiffness.hpp"
 #include "methods/structure/receptance.hpp"
 #include "methods/structure/ritz_reduction.hpp"
+#include "problems/linear_algebra/symmetric_eigen.hpp"
 #include "tests/support/structure_scenes.hpp"
 
 namespace signorini::contact_space_test {
@@ -51,10 +51,8 @@ std::vector<SpaceCase> space_cases() {
 
 // eps times the condition of K: what both factorisations may lose, 2e-5 for the beam.
 double rounding_of_factors(const Problem& problem) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(problem.stiffness()),
-                                                              Eigen::EigenvaluesOnly);
-  return std::numeric_limits<double>::epsilon() * solver.eigenvalues().maxCoeff() /
-         solver.eigenvalues().minCoeff();
+  const Eigen::VectorXd values = symmetric_eigenvalues(Eigen::MatrixXd(problem.stiffness()));
+  return std::numeric_limits<double>::epsilon() * values.maxCoeff() / values.minCoeff();
 }
 
 // The response of the larger space is as near to that of all coordinates as the bound says, at low harmonics

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <random>
+
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini::active_set_lcp_test {
 namespace {
@@ -19,7 +21,7 @@ Eigen::VectorXd enumerated(const Eigen::MatrixXd& G, const Eigen::VectorXd& q) {
     Eigen::VectorXd z = Eigen::VectorXd::Zero(m);
     if (!set.empty()) {
       const Eigen::MatrixXd block = G(set, set);
-      const Eigen::VectorXd part = block.partialPivLu().solve(Eigen::VectorXd(-q(set)));
+      const Eigen::VectorXd part = lu_solve(block, Eigen::VectorXd(-q(set)));
       for (std::size_t k = 0; k < set.size(); ++k) z[set[k]] = part[static_cast<Eigen::Index>(k)];
     }
     Eigen::VectorXd w = q + G * z;

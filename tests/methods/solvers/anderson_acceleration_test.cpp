@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini::anderson_acceleration_test {
 namespace {
@@ -13,7 +13,7 @@ struct AffineMap {
 
   Eigen::VectorXd operator()(const Eigen::VectorXd& x) const { return A * x + b; }
   [[nodiscard]] Eigen::VectorXd fixed_point() const {
-    return (Eigen::MatrixXd::Identity(A.rows(), A.cols()) - A).lu().solve(b);
+    return lu_solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()) - A, b);
   }
 };
 

@@ -1,10 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <random>
 
 #include "methods/solvers/lcp.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini::small_lcp_test {
 namespace {
@@ -27,7 +28,7 @@ Eigen::VectorXd by_enumeration(const Eigen::MatrixXd& A, const Eigen::VectorXd& 
     if (!basis.empty()) {
       const Eigen::MatrixXd block = A(basis, basis);
       const Eigen::VectorXd right = -q(basis);
-      const Eigen::VectorXd part = block.partialPivLu().solve(right);
+      const Eigen::VectorXd part = lu_solve(block, right);
       z(basis) = part;
     }
     const Eigen::VectorXd w = A * z + q;

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <random>
+
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini::updated_qr_test {
 namespace {
@@ -58,7 +59,7 @@ class Twin {
     EXPECT_LE((matrix_ * x - b).norm(), 1e-13 * scale) << "size " << matrix_.rows();
     // Of R, which has the condition of the matrix to a factor of its size.
     const double condition = qr_.condition(), rows = static_cast<double>(matrix_.rows());
-    const double exact = 1.0 / Eigen::PartialPivLU<Eigen::MatrixXd>(matrix_).rcond();
+    const double exact = 1.0 / LuFactors(matrix_).reciprocal_condition();
     EXPECT_GE(condition, exact / (4.0 * rows));
     EXPECT_LE(condition, exact * (4.0 * rows));
   }

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "problems/linear_algebra/complex_lu.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/massless_scenes.hpp"
 #include "tests/support/structure_scenes.hpp"
@@ -48,9 +49,9 @@ void expect_same_receptance(const Problem& problem) {
   for (std::size_t h = 0; h < condensed.rates.size(); ++h) {
     const auto column = static_cast<Eigen::Index>(h);
     const double w = condensed.rates[h];
-    const Eigen::FullPivLU<Eigen::MatrixXcd> whole(
+    const CompleteComplexLuFactors whole(
         stiffness(problem.mass(), problem.damping(), problem.stiffness(), w));
-    const Eigen::FullPivLU<Eigen::MatrixXcd> reduced(
+    const CompleteComplexLuFactors reduced(
         stiffness(condensed.mass, condensed.damping, condensed.stiffness, w));
     const Eigen::MatrixXcd C = W.transpose() * whole.solve(W);
     const Complex relaxing = 1.0 / Complex(1.0, condensed.relaxation * w);

@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "methods/structure/dynamic_stiffness.hpp"
 #include "methods/structure/receptance.hpp"
+#include "problems/linear_algebra/complex_lu.hpp"
+#include "problems/linear_algebra/symmetric_eigen.hpp"
 #include "tests/support/damped_chain.hpp"
 
 namespace signorini::harmonic_pencil_test {
@@ -92,7 +92,7 @@ double projected_error(const BlockLanczos& space, const std::vector<HarmonicPenc
   for (std::size_t n = 0; n < pencils.size(); ++n) {
     Eigen::MatrixXcd z = pencils[n].mu * t;
     z.diagonal().array() += pencils[n].kappa;
-    const Eigen::MatrixXcd projected = r.transpose() * z.partialPivLu().solve(r);
+    const Eigen::MatrixXcd projected = r.transpose() * ComplexLuFactors(z).solve(r);
     const Eigen::MatrixXcd& c = exact.receptance[n];
     largest = std::max(largest, (projected - c).norm() / c.norm());
   }
@@ -106,8 +106,7 @@ TEST(PencilElimination, EndsWhereTheProjectionSufficesForEveryHarmonicAndNotMuch
   const ContactReceptance exact = factorised_receptance(problem, kHarmonics, weights, true);
   BlockLanczos space(problem.stiffness(), problem.mass(), loads.columns);
   ASSERT_TRUE(space.definite());
-  const Eigen::VectorXd theta =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(space.projected_mass()).eigenvalues();
+  const Eigen::VectorXd theta = symmetric_eigenvalues(space.projected_mass());
   PencilElimination elimination(space, pencils, problem.contact_count());
   int growths = 0;
   while (!elimination.advance(kTolerance, theta)) {

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "problems/linear_algebra/lu.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/massless_scenes.hpp"
 
@@ -20,7 +21,8 @@ TEST(EliminateMassless, IsTheStaticResponseOfTheMasslessCoordinates) {
     ASSERT_EQ(seen.kept.size() + seen.massless.size(), static_cast<std::size_t>(problem.size()));
     for (const int dof : seen.massless) EXPECT_EQ(problem.mass().coeff(dof, dof), 0.0);
     const Eigen::MatrixXd K(problem.stiffness()), W(contact_directions(problem));
-    const Eigen::PartialPivLU<Eigen::MatrixXd> stiffness(Eigen::MatrixXd(K(seen.massless, seen.massless)));
+    const Eigen::MatrixXd K_bb = K(seen.massless, seen.massless);
+    const LuFactors stiffness(K_bb);
     const Eigen::MatrixXd W_b = W(seen.massless, Eigen::all), K_bi = K(seen.massless, seen.kept);
     const Eigen::MatrixXd N =
         Eigen::MatrixXd(W(seen.kept, Eigen::all)) - K_bi.transpose() * stiffness.solve(W_b);

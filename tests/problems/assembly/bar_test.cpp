@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "problems/assembly/beam.hpp"
+#include "problems/linear_algebra/cholesky.hpp"
+#include "problems/linear_algebra/orthogonal.hpp"
+#include "problems/linear_algebra/symmetric_eigen.hpp"
 #include "problems/matrix_properties.hpp"
 #include "problems/validation.hpp"
 
@@ -27,9 +30,7 @@ double wave_speed(const Bar& bar) { return std::sqrt(bar.young / bar.density); }
 
 // Rising, [rad/s].
 Eigen::VectorXd frequencies(const Structure& structure) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
-      Eigen::MatrixXd(structure.stiffness), Eigen::MatrixXd(structure.mass), Eigen::EigenvaluesOnly);
-  return modes.eigenvalues().cwiseSqrt();
+  return generalised_eigenvalues(structure.stiffness, structure.mass).cwiseSqrt();
 }
 
 // w_k of the continuous clamped-free bar, k from 1.
@@ -107,7 +108,7 @@ TEST(AssembleBar, StretchesAsHookeSaysAtEveryNode) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(kElements);
   load(kElements - 1) = 500.0;
 
-  const Eigen::VectorXd u = Eigen::MatrixXd(structure.stiffness).ldlt().solve(load);
+  const Eigen::VectorXd u = ldlt_solve(structure.stiffness, load);
 
   const double tip = 500.0 * bar.length / (bar.young * bar.area);
   for (int i = 0; i < kElements; ++i) EXPECT_NEAR(u(i), tip * (i + 1) / kElements, 1e-12 * tip);
@@ -139,8 +140,8 @@ TEST(AssembleBar, KeepsMassAndMomentsWithoutMassAtContacts) {
       const double row = Eigen::VectorXd(structure.mass.row(i).transpose()).cwiseAbs().sum();
       EXPECT_EQ(row == 0.0, touched) << "coordinate " << i;
     }
-    const Eigen::FullPivLU<Eigen::MatrixXd> lu{Eigen::MatrixXd(structure.mass)};
-    EXPECT_EQ(lu.rank(), kElements - static_cast<int>(contacts.size())) << "no other mass is lost";
+    EXPECT_EQ(PivotedQr(structure.mass).rank(), kElements - static_cast<int>(contacts.size()))
+        << "no other mass is lost";
   }
 }
 

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
+#include "problems/linear_algebra/cholesky.hpp"
+#include "problems/linear_algebra/complex_lu.hpp"
+#include "problems/linear_algebra/symmetric_eigen.hpp"
 #include "problems/matrix_properties.hpp"
 #include "problems/validation.hpp"
 
@@ -26,10 +29,9 @@ Beam steel_beam(int elements, ContactMass contact_mass = ContactMass::consistent
 
 // (w_k / w_unit)^(1/2), w_unit = sqrt(E I / (rho A L^4)): the roots of cos(b) cosh(b) = -1 if exact.
 double root(const Beam& beam, const Structure& structure, int k) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
-      Eigen::MatrixXd(structure.stiffness), Eigen::MatrixXd(structure.mass), Eigen::EigenvaluesOnly);
+  const Eigen::VectorXd squares = generalised_eigenvalues(structure.stiffness, structure.mass);
   const double unit = beam.young * beam.inertia / (beam.density * beam.area * std::pow(beam.length, 4));
-  return std::pow(modes.eigenvalues()(k - 1) / unit, 0.25);
+  return std::pow(squares(k - 1) / unit, 0.25);
 }
 
 TEST(AssembleBeam, HasTheTabulatedFrequenciesOfACantilever) {
@@ -70,8 +72,8 @@ TEST(AssembleBeam, BendsExactlyUnderTipLoads) {
   Eigen::VectorXd couple = Eigen::VectorXd::Zero(2 * kElements);
   couple(2 * kElements - 1) = 10.0;  // 10 N m
 
-  const Eigen::VectorXd bent = K.ldlt().solve(force);
-  const Eigen::VectorXd turned = K.ldlt().solve(couple);
+  const Eigen::VectorXd bent = ldlt_solve(K, force);
+  const Eigen::VectorXd turned = ldlt_solve(K, couple);
 
   const double tip = 100.0 * L * L * L / (3.0 * EI);
   for (int node = 1; node <= kElements; ++node) {
@@ -166,9 +168,7 @@ Shaft shaft(int elements, double bearing_stiffness) {
 
 // Rising, [rad/s].
 Eigen::VectorXd frequencies(const Structure& structure) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
-      Eigen::MatrixXd(structure.stiffness), Eigen::MatrixXd(structure.mass), Eigen::EigenvaluesOnly);
-  return modes.eigenvalues().cwiseSqrt();
+  return generalised_eigenvalues(structure.stiffness, structure.mass).cwiseSqrt();
 }
 
 TEST(AssembleShaft, OnStiffBearingsIsTheSimplySupportedBeamInBothPlanesAtOrderFour) {
@@ -189,7 +189,7 @@ TEST(AssembleShaft, SagsUnderItsDiscAsTheBeamDoes) {
   const int disc = 4 * 3;
   for (const int plane : {0, 2}) {
     const Eigen::VectorXd force = Eigen::VectorXd::Unit(K.rows(), disc + plane);
-    const Eigen::VectorXd sag = K.ldlt().solve(force);
+    const Eigen::VectorXd sag = ldlt_solve(K, force);
     EXPECT_NEAR(sag(disc + plane), 1.0 / 48.0 + 1.0 / (2.0 * kBearing), 1e-12);
     EXPECT_NEAR(sag(plane), 1.0 / (2.0 * kBearing), 1e-12);
     EXPECT_EQ(sag(disc + 2 - plane), 0.0) << "the other plane";
@@ -221,11 +221,11 @@ TEST(AssembleShaft, WhirlsForwardAndBackwardAsOneComplexPlaneDoes) {
   for (const double way : {1.0, -1.0}) {
     Eigen::MatrixXcd one = dynamic(resting)(plane, plane);
     one(2 * kNode + 1, 2 * kNode + 1) += way * kFrequency * 8.0 * 0.5;
-    const Eigen::VectorXcd expected = one.fullPivLu().solve(Eigen::VectorXcd::Unit(8, 2 * kNode));
+    const Eigen::VectorXcd expected = lu_solve(one, Eigen::VectorXcd::Unit(8, 2 * kNode));
     Eigen::VectorXcd load = Eigen::VectorXcd::Zero(16);
     load[4 * kNode] = 1.0;
     load[4 * kNode + 2] = std::complex<double>(0.0, -way);
-    const Eigen::VectorXcd found = dynamic(structure).fullPivLu().solve(load);
+    const Eigen::VectorXcd found = lu_solve(dynamic(structure), load);
     EXPECT_LT((found(plane) - expected).norm(), 1e-12 * expected.norm());
   }
 }

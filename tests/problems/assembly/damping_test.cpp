@@ -2,11 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/chain.hpp"
+#include "problems/linear_algebra/symmetric_eigen.hpp"
 #include "problems/matrix_properties.hpp"
 
 namespace signorini::damping_test {
@@ -19,10 +20,9 @@ struct Ratios {
 };
 
 Ratios ratios(const Structure& structure, const SparseMatrix& damping) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(Eigen::MatrixXd(structure.stiffness),
-                                                                        Eigen::MatrixXd(structure.mass));
-  const Eigen::VectorXd w = modes.eigenvalues().cwiseSqrt();
-  const Eigen::MatrixXd C = modes.eigenvectors().transpose() * (damping * modes.eigenvectors());
+  const SymmetricEigen modes = generalised_eigen(structure.stiffness, structure.mass);
+  const Eigen::VectorXd w = modes.values.cwiseSqrt();
+  const Eigen::MatrixXd C = modes.vectors.transpose() * (damping * modes.vectors);
   const Eigen::MatrixXd scaled =
       w.cwiseSqrt().cwiseInverse().asDiagonal() * C * w.cwiseSqrt().cwiseInverse().asDiagonal();
   const Eigen::MatrixXd off = scaled - Eigen::MatrixXd(scaled.diagonal().asDiagonal());

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -13,6 +13,7 @@
 
 #include "methods/orbit/family/extended_equations.hpp"
 #include "methods/orbit/family/survey.hpp"
+#include "problems/linear_algebra/lu.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
 namespace signorini::grazing_families_test {
@@ -53,7 +54,7 @@ int index_sum(const Eigen::Matrix2d& M, const Eigen::Vector2d& b, const Eigen::V
       for (int k = 0; k < n; k += m) {
         for (const int hit : family.hits) hits.push_back(hit + k);
       }
-      sum += m * (C(hits, hits).determinant() > 0.0 ? 1 : -1);
+      sum += m * (determinant(C(hits, hits)) > 0.0 ? 1 : -1);
     }
   }
   return sum;
@@ -146,7 +147,7 @@ TEST(ImpactPatterns, OfTwoTouchesKeepTheIndexToo) {
     families += static_cast<int>(found.size());
     std::array<int, 2> sums{0, rates[1] > 0.0 ? 1 : 0};  // beyond; where both touches clear their stops
     for (const GrazingFamily& family : found)
-      sums[family.beyond ? 0 : 1] += C(family.hits, family.hits).determinant() > 0.0 ? 1 : -1;
+      sums[family.beyond ? 0 : 1] += determinant(C(family.hits, family.hits)) > 0.0 ? 1 : -1;
     EXPECT_EQ(sums[0], sums[1]) << trial;
   }
   EXPECT_GT(families, 80);
