@@ -11,10 +11,10 @@
 #include "methods/complementarity/contact_nodes.hpp"
 #include "methods/complementarity/projected_residual.hpp"
 #include "methods/discretisation/fourier_series.hpp"
-#include "methods/solvers/block_products.hpp"
 #include "methods/solvers/condition_estimate.hpp"
 #include "methods/solvers/constants.hpp"
 #include "problems/linear_algebra/lu.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -123,8 +123,8 @@ class BorderedSystem {
     const Eigen::VectorXcd symbol = doubled_symbol(equations_, contacts_[k].contact, contacts_[l].contact);
     const Eigen::MatrixXcd answer = here.phases * symbol.asDiagonal();
     // The real part of answer times the conjugate of the other phases.
-    const Eigen::MatrixXd product = times_transposed(answer.real(), there.phases.real()) +
-                                    times_transposed(answer.imag(), there.phases.imag());
+    const Eigen::MatrixXd product = product_by_transposed(answer.real(), there.phases.real()) +
+                                    product_by_transposed(answer.imag(), there.phases.imag());
     matrix_.block(first_[k], first_[l], here.weight.size(), there.weight.size()) +=
         product * there.weight.asDiagonal();
   }

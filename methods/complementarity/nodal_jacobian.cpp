@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "methods/discretisation/fourier_series.hpp"
-#include "methods/solvers/block_products.hpp"
 #include "methods/solvers/condition_estimate.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -79,7 +79,7 @@ Eigen::MatrixXd NodalJacobian::answers_of(const Touching& row) const {
 Eigen::MatrixXd NodalJacobian::matrix() const {
   Eigen::MatrixXd matrix(count(), count());
   for (const Touching& row : touching_)
-    set_times_transposed(matrix.middleRows(row.first, row.waves.rows()), row.waves, answers_of(row));
+    set_product_by_transposed(matrix.middleRows(row.first, row.waves.rows()), row.waves, answers_of(row));
   matrix.diagonal().array() += 1.0;
   return matrix;
 }
@@ -90,14 +90,15 @@ KrylovSolve NodalJacobian::solve(const Eigen::VectorXd& r) const {
   const Eigen::MatrixXcd rate = symbol_.rate(r);
   Eigen::VectorXd load(count());
   for (const Touching& one : touching_)
-    load.segment(one.first, one.waves.rows()) = minus_times(one.waves, scaled_parts(rate.col(one.contact)));
+    load.segment(one.first, one.waves.rows()) =
+        negative_image(one.waves, scaled_parts(rate.col(one.contact)));
   const Eigen::VectorXd pressed = lu_.solve(load);
   Eigen::VectorXd v = r;
   const Eigen::Index harmonics = symbol_.harmonics();
   for (const Touching& one : touching_) {
     // The force of the nodes, packed: its imaginary parts are those of e^{-2 pi i n t}.
     const Eigen::VectorXd waves =
-        transposed_times_vector(one.waves, pressed.segment(one.first, one.waves.rows()));
+        image_by_transposed(one.waves, pressed.segment(one.first, one.waves.rows()));
     auto packed = v.segment(one.contact * (2 * harmonics + 1), 2 * harmonics + 1);
     packed[0] += waves[0];
     for (Eigen::Index n = 1; n <= harmonics; ++n) {

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "methods/solvers/block_products.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -33,8 +33,8 @@ class RearrangedTrajectory final : public Trajectory {
   [[nodiscard]] double period() const override { return base_->period(); }
   [[nodiscard]] Samples sample(int count) const override {
     const Samples samples = base_->sample(count);
-    return {chosen_columns(samples.x, source_), chosen_columns(samples.velocity, source_),
-            block_product(samples.force, shares_)};
+    return {columns_of(samples.x, source_), columns_of(samples.velocity, source_),
+            product(samples.force, shares_)};
   }
   [[nodiscard]] std::vector<Impulse> impulses() const override {
     std::vector<Impulse> all;
@@ -51,7 +51,7 @@ class RearrangedTrajectory final : public Trajectory {
   [[nodiscard]] Eigen::MatrixXcd force_coefficients() const override {
     const Eigen::MatrixXcd coefficients = base_->force_coefficients();
     if (coefficients.size() == 0) return coefficients;
-    return complex_block_product(coefficients, shares_.cast<std::complex<double>>());
+    return complex_product(coefficients, shares_.cast<std::complex<double>>());
   }
 
  private:

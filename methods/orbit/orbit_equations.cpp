@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "methods/solvers/block_products.hpp"
 #include "problems/linear_algebra/lu.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -65,7 +65,7 @@ OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expir
     law.unit = law.of_force ? dynamics.force_scale(event.contact) : x_unit_;
     if (!event.pushed.empty()) {
       law.impulse = dynamics.structure().impulse_of_velocity(event.pushed, event.restitution);
-      law.response = chosen_columns(dynamics.structure().velocity_per_impulse, event.pushed);
+      law.response = columns_of(dynamics.structure().velocity_per_impulse, event.pushed);
     }
     laws_.push_back(std::move(law));
   }
@@ -87,13 +87,13 @@ void OrbitEquations::carry(Eigen::Index i, double duration) {
     return;
   }
   if (kind_ == Columns::all) {
-    sensitivity_.leftCols(known) = block_product(flow.transition(duration), sensitivity_.leftCols(known));
+    sensitivity_.leftCols(known) = product(flow.transition(duration), sensitivity_.leftCols(known));
     return;
   }
   const TransitionFactors factors = flow.transition_factors(duration);
   if (i > 0) {
     sensitivity_.leftCols(known) =
-        block_product(factors.writing, block_product(factors.reading, sensitivity_.leftCols(known)));
+        product(factors.writing, product(factors.reading, sensitivity_.leftCols(known)));
     return;
   }
   of_state_ = factors.writing.cols();
@@ -133,12 +133,12 @@ void OrbitEquations::differentiate_event(Eigen::Index i) {
   // A later event instant carries the state on along the motion, by F_- dt.
   sensitivity_.col(known - 1) = t_unit_ * rate_;
   const Eigen::RowVectorXd gradient = flows_[index]->gradient(event.contact, law.of_force);
-  Eigen::RowVectorXd by_all = row_times(gradient, sensitivity_.leftCols(known));
+  Eigen::RowVectorXd by_all = row_image(gradient, sensitivity_.leftCols(known));
   by_all /= law.unit;
   if (kind_ == Columns::all) {
     jacobian_.row(row).head(known) = by_all;
   } else {
-    jacobian_.row(row).head(states_) = row_times(by_all.head(of_state_), reading_);
+    jacobian_.row(row).head(states_) = row_image(by_all.head(of_state_), reading_);
     jacobian_.row(row).segment(states_, i + 1) = by_all.tail(i + 1);
   }
   jacobian_(row, row) =
@@ -155,14 +155,14 @@ void OrbitEquations::push(Eigen::Index i, bool derivatives) {
   const EventLaw& law = laws_[index];
   if (event.pushed.empty()) return;
   EventCrossing& crossing = crossings_[index];
-  crossing.speeds = transposed_columns_times(dynamics.structure().directions, event.pushed, state_.v);
-  crossing.impulses = times(law.impulse, state_.v);
+  crossing.speeds = image_by_transposed_columns(dynamics.structure().directions, event.pushed, state_.v);
+  crossing.impulses = image(law.impulse, state_.v);
   // The law of impact is linear in v_-: the sensitivities pass it by the same R = I + M^-1 W_S (dp/dv_-).
   // Together with -F_+ dt at the beginning of the next arc this is the saltation, R F_- - F_+.
-  state_.v += times(law.response, crossing.impulses);
+  state_.v += image(law.response, crossing.impulses);
   if (!derivatives) return;
   auto rates = sensitivity_.bottomLeftCorner(n_, of_state_ + i + 1);
-  rates += block_product(law.response, block_product(law.impulse, rates));
+  rates += product(law.response, product(law.impulse, rates));
 }
 
 void OrbitEquations::differentiate_closure() {
@@ -235,8 +235,8 @@ Eigen::MatrixXd OrbitEquations::monodromy() const {
   // dh/dt is lower triangular: an event depends on those before it.
   const Eigen::MatrixXd along = jacobian_.bottomRightCorner(m_, m_);
   if (along.diagonal().cwiseAbs().minCoeff() == 0.0) return {};
-  P -= block_product(jacobian_.topRightCorner(states_, m_),
-                     lower_solve(along, jacobian_.bottomLeftCorner(m_, states_)));
+  P -= product(jacobian_.topRightCorner(states_, m_),
+               lower_solve(along, jacobian_.bottomLeftCorner(m_, states_)));
   return P;
 }
 

@@ -5,7 +5,15 @@ namespace signorini {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-Eigen::MatrixXd product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) { return A * B; }
+Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& A,
+                        const Eigen::Ref<const Eigen::MatrixXd>& B) {
+  return A * B;
+}
+
+void set_product(Eigen::Ref<Eigen::MatrixXd> C, const Eigen::Ref<const Eigen::MatrixXd>& A,
+                 const Eigen::Ref<const Eigen::MatrixXd>& B) {
+  C.noalias() = A * B;
+}
 
 Eigen::MatrixXcd product_of_complex(const Eigen::MatrixXd& A, const Eigen::MatrixXcd& B) { return A * B; }
 
@@ -25,6 +33,11 @@ Eigen::MatrixXd product_of_transposed(const Eigen::MatrixXd& A, const Eigen::Mat
 
 Eigen::MatrixXd product_by_transposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
   return A * B.transpose();
+}
+
+void set_product_by_transposed(Eigen::Ref<Eigen::MatrixXd> C, const Eigen::MatrixXd& A,
+                               const Eigen::MatrixXd& B) {
+  C.noalias() = A * B.transpose();
 }
 
 void subtract_product_of_transposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eigen::MatrixXd& C) {
@@ -78,6 +91,11 @@ Eigen::VectorXd negative_image(const Eigen::MatrixXd& A, const Eigen::Ref<const 
 Eigen::VectorXd image_by_transposed(const Eigen::Ref<const Eigen::MatrixXd>& A,
                                     const Eigen::Ref<const Eigen::VectorXd>& v) {
   return A.transpose() * v;
+}
+
+Eigen::RowVectorXd row_image(const Eigen::Ref<const Eigen::RowVectorXd>& r,
+                             const Eigen::Ref<const Eigen::MatrixXd>& A) {
+  return r * A;
 }
 
 Eigen::VectorXcd image_of_complex(const Eigen::Ref<const Eigen::MatrixXd>& A, const Eigen::VectorXcd& v) {

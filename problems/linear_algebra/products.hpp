@@ -9,7 +9,11 @@
 namespace signorini {
 
 /// A B, A m x k and B k x n.
-Eigen::MatrixXd product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& A,
+                        const Eigen::Ref<const Eigen::MatrixXd>& B);
+/// C = A B, which is part of neither factor.
+void set_product(Eigen::Ref<Eigen::MatrixXd> C, const Eigen::Ref<const Eigen::MatrixXd>& A,
+                 const Eigen::Ref<const Eigen::MatrixXd>& B);
 /// The same of complex B.
 Eigen::MatrixXcd product_of_complex(const Eigen::MatrixXd& A, const Eigen::MatrixXcd& B);
 /// C += A B, C m x n.
@@ -22,6 +26,9 @@ Eigen::MatrixXcd product_by_real_transposed(const Eigen::MatrixXcd& A, const Eig
 Eigen::MatrixXd product_of_transposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 /// A B^T, A m x k and B n x k.
 Eigen::MatrixXd product_by_transposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+/// C = A B^T likewise.
+void set_product_by_transposed(Eigen::Ref<Eigen::MatrixXd> C, const Eigen::MatrixXd& A,
+                               const Eigen::MatrixXd& B);
 /// C -= A^T B, C m x n.
 void subtract_product_of_transposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eigen::MatrixXd& C);
 /// C + A^T B.
@@ -55,6 +62,9 @@ Eigen::VectorXd negative_image(const Eigen::MatrixXd& A, const Eigen::Ref<const 
 /// A^T v, v of length m.
 Eigen::VectorXd image_by_transposed(const Eigen::Ref<const Eigen::MatrixXd>& A,
                                     const Eigen::Ref<const Eigen::VectorXd>& v);
+/// The row r A, A m x n.
+Eigen::RowVectorXd row_image(const Eigen::Ref<const Eigen::RowVectorXd>& r,
+                             const Eigen::Ref<const Eigen::MatrixXd>& A);
 /// A v of real A and complex v.
 Eigen::VectorXcd image_of_complex(const Eigen::Ref<const Eigen::MatrixXd>& A, const Eigen::VectorXcd& v);
 /// y -= A v likewise.

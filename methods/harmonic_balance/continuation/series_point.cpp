@@ -8,8 +8,8 @@
 
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/linear_flow/linear_flow.hpp"
-#include "methods/solvers/block_products.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -91,7 +91,7 @@ Eigen::MatrixXd monodromy(const SeriesCurve& curve) {
       std::vector<bool> closed;
       for (const auto& pressing : curve.contacts())
         closed.push_back(presses(pressing, 0.5 * (instants[i] + instants[i + 1])));
-      M = block_product(flows.of(closed).transition((instants[i + 1] - instants[i]) * sprung->period()), M);
+      M = product(flows.of(closed).transition((instants[i + 1] - instants[i]) * sprung->period()), M);
     }
     return M;
   } catch (const std::exception&) {

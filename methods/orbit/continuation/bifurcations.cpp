@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "methods/continuation/arc_length.hpp"
-#include "methods/solvers/block_products.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/lu.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -83,7 +83,7 @@ Eigen::VectorXcd multipliers_of(const Eigen::MatrixXd& monodromy) {
   Eigen::VectorXcd all = Eigen::VectorXcd::Zero(monodromy.rows());
   if (rank == 0) return all;
   const Eigen::MatrixXd Q = qr.basis(rank);
-  all.head(rank) = general_eigenvalues(block_product(transposed_times(Q, monodromy), Q));
+  all.head(rank) = general_eigenvalues(product(product_of_transposed(Q, monodromy), Q));
   return all;
 }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "methods/orbit/family/orbit_section.hpp"
-#include "methods/solvers/block_products.hpp"
 #include "problems/linear_algebra/lu.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -110,12 +110,12 @@ Eigen::MatrixXd grazing_response(OrbitFamily& family, const SequencedOrbit& base
     if (!response) return {};
     const Eigen::MatrixXd& M = response->monodromy;
     Eigen::MatrixXd power = Eigen::MatrixXd::Identity(M.rows(), M.cols());
-    for (int k = 0; k < periods; ++k) power = block_product(power, M);
+    for (int k = 0; k < periods; ++k) power = product(power, M);
     const LuFactors lu(Eigen::MatrixXd::Identity(M.rows(), M.cols()) - power);
     if (!(lu.pivots().cwiseAbs().minCoeff() > kUnique)) return {};
     Eigen::VectorXd y = lu.solve(response->impulse);
-    for (int k = 0; k < periods; ++k, y = times(M, y)) {
-      const Eigen::VectorXd moved = times(response->displacements, y);
+    for (int k = 0; k < periods; ++k, y = image(M, y)) {
+      const Eigen::VectorXd moved = image(response->displacements, y);
       if (k == 0 && !(std::abs(moved[b]) > kNone * response->displacements.row(b).norm() * y.norm()))
         return {};
       for (int a = 0; a < K; ++a) {
@@ -141,7 +141,7 @@ std::vector<GrazingFamily> impact_patterns(const Eigen::MatrixXd& response, cons
     const Eigen::VectorXd penetration = rates.replicate(passages / touches, 1);
     for (const double side : {1.0, -1.0}) {
       const Eigen::VectorXd J = CompleteLuFactors(response(hits, hits)).solve(side * penetration(hits));
-      const Eigen::VectorXd gaps = columns_times(response, hits, J) - side * penetration;
+      const Eigen::VectorXd gaps = image_by_columns(response, hits, J) - side * penetration;
       if (!J.allFinite() || !(J.minCoeff() > 0.0) ||
           !(gaps.minCoeff() > kTouching * std::max(1.0, gaps.maxCoeff())))
         continue;

@@ -12,9 +12,9 @@
 #include "methods/orbit/continuation/grazing_families.hpp"
 #include "methods/orbit/family/chatter.hpp"
 #include "methods/orbit/family/orbit_section.hpp"
-#include "methods/solvers/block_products.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/lu.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -110,7 +110,7 @@ std::optional<CurveStart> start_doubled(OrbitFamily& family, const SequencedOrbi
   if (m > 0) {
     const Eigen::MatrixXd& J = equations.jacobian();
     const Eigen::VectorXd follow =
-        -lu_solve(J.block(states, states, m, m), times(J.block(states, 0, m, states), phi));
+        -lu_solve(J.block(states, states, m, m), image(J.block(states, 0, m, states), phi));
     way.segment(states, m) = follow;
     way.segment(states + m, m) = -follow;
   }

@@ -9,6 +9,7 @@
 
 #include "methods/flow/stop_events.hpp"
 #include "methods/linear_flow/linear_flow.hpp"
+#include "problems/linear_algebra/exponential.hpp"
 #include "tests/support/relaxing_scenes.hpp"
 
 namespace signorini::relaxing_flow_test {

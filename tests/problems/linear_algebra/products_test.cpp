@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <complex>
+#include <cstdlib>
 #include <limits>
 #include <random>
 #include <vector>
@@ -144,6 +146,77 @@ TEST(Products, PartsAreTheEntriesNamed) {
     EXPECT_EQ(Eigen::RowVectorXd(changed.row(row)), Eigen::RowVectorXd(random_matrix(2, 4, 3).row(i)));
   }
   EXPECT_EQ(Eigen::RowVectorXd(changed.row(0)), Eigen::RowVectorXd(A.row(0)));
+}
+
+/// A B by its definition.
+Eigen::MatrixXd summed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  Eigen::MatrixXd C = Eigen::MatrixXd::Zero(A.rows(), B.cols());
+  for (Eigen::Index i = 0; i < C.rows(); ++i) {
+    for (Eigen::Index j = 0; j < C.cols(); ++j) {
+      for (Eigen::Index k = 0; k < A.cols(); ++k) C(i, j) += A(i, k) * B(k, j);
+    }
+  }
+  return C;
+}
+
+double difference(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  return A.size() == 0 && B.size() == 0 ? 0.0 : (A - B).cwiseAbs().maxCoeff();
+}
+
+// Small ones are summed as they stand, large ones go through the kernels, single rows and columns by their
+// own.
+class PartsOfMatrices : public testing::TestWithParam<std::array<Eigen::Index, 3>> {
+ protected:
+  void SetUp() override { std::srand(7); }
+};
+
+TEST_P(PartsOfMatrices, EqualTheirDefinition) {
+  const auto [m, k, n] = GetParam();
+  const double tolerance = 1e-15 * static_cast<double>(std::max<Eigen::Index>(k, 1));
+  const Eigen::MatrixXd around = Eigen::MatrixXd::Random(m + 2, k + 3), B = Eigen::MatrixXd::Random(k, n);
+  const Eigen::MatrixXd A = around.block(1, 2, m, k), AB = summed(A, B), transposed = B.transpose();
+  const Eigen::VectorXd v = Eigen::VectorXd::Random(k);
+  EXPECT_LT(difference(product(around.block(1, 2, m, k), B), AB), tolerance);
+  EXPECT_LT(difference(product_by_transposed(A, transposed), AB), tolerance);
+  EXPECT_LT(difference(product_of_transposed(A.transpose(), B), AB), tolerance);
+  EXPECT_LT(difference(image(A, v), summed(A, v)), tolerance);
+  EXPECT_LT(difference(negative_image(A, v), -summed(A, v)), tolerance);
+  EXPECT_LT(difference(image_by_transposed(A.transpose(), v), summed(A, v)), tolerance);
+  EXPECT_LT(difference(row_image(v.transpose(), B), summed(v.transpose(), B)), tolerance);
+  const Eigen::MatrixXcd Z = std::complex<double>(0.0, 2.0) * A;
+  EXPECT_LT(difference(complex_product(Z, B).imag(), 2.0 * AB), 2.0 * tolerance);
+}
+
+TEST_P(PartsOfMatrices, AreWrittenToTheirPlaceAlone) {
+  const auto [m, k, n] = GetParam();
+  const double tolerance = 1e-15 * static_cast<double>(std::max<Eigen::Index>(k, 1));
+  const Eigen::MatrixXd A = Eigen::MatrixXd::Random(m, k), B = Eigen::MatrixXd::Random(k, n);
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Ones(m + 2, n + 1);
+  expected.block(1, 1, m, n) = summed(A, B);
+  Eigen::MatrixXd C = Eigen::MatrixXd::Ones(m + 2, n + 1), D = C;
+  set_product(C.block(1, 1, m, n), A, B);
+  set_product_by_transposed(D.block(1, 1, m, n), A, B.transpose());
+  EXPECT_LT(difference(C, expected), tolerance);
+  EXPECT_LT(difference(D, expected), tolerance);
+}
+
+using Sizes = std::array<Eigen::Index, 3>;
+INSTANTIATE_TEST_SUITE_P(SmallAndLarge, PartsOfMatrices,
+                         testing::Values(Sizes{2, 3, 4}, Sizes{1, 9, 5}, Sizes{9, 5, 1}, Sizes{40, 33, 27},
+                                         Sizes{3, 0, 2}, Sizes{0, 3, 2}));
+
+TEST(ColumnsOfAMatrix, AreChosenInTheirOrder) {
+  const Eigen::MatrixXd A = Eigen::MatrixXd::Random(5, 4);
+  const std::vector<int> J{3, 1};
+  const Eigen::MatrixXd chosen = columns_of(A, J);
+  EXPECT_EQ(chosen.col(0), A.col(3));
+  EXPECT_EQ(chosen.col(1), A.col(1));
+  EXPECT_LT(difference(image_by_columns(A, J, Eigen::Vector2d(2.0, -1.0)), 2.0 * A.col(3) - A.col(1)), 1e-15);
+  const Eigen::VectorXd v = Eigen::VectorXd::Random(5);
+  EXPECT_LT(
+      difference(image_by_transposed_columns(A, J, v), Eigen::Vector2d(A.col(3).dot(v), A.col(1).dot(v))),
+      1e-14);
+  EXPECT_EQ(columns_of(A, {}).cols(), 0);
 }
 
 }  // namespace
