@@ -1,6 +1,5 @@
 #pragma once
-// Eigenvalues of dense symmetric matrices, compiled once (docs/decisions/0052): up to 31 rows by Eigen, above
-// by LAPACK. Source: [golub2013], ch. 8.
+// Eigenvalues of dense symmetric matrices, compiled once (docs/decisions/0052). Source: [golub2013], ch. 8.
 
 #include <Eigen/Core>
 
