@@ -132,8 +132,9 @@ Eigen::VectorXd first_tangent(AnyEquations&& equations) {
 }
 
 Eigen::VectorXd first_tangent(AnyEquations&& equations, bool larger) {
+  const Eigen::Index parameter = equations.size();
   const Eigen::VectorXd tangent = first_tangent(std::move(equations));
-  return tangent[equations.size()] * (larger ? 1.0 : -1.0) >= 0.0 ? tangent : -tangent;
+  return tangent[parameter] * (larger ? 1.0 : -1.0) >= 0.0 ? tangent : -tangent;
 }
 
 double next_step(double length, int iterations, double turn, double largest) {
