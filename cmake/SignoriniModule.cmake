@@ -98,13 +98,15 @@ function(signorini_test name)
   endif()
   # Where ctest has not run them yet the long ones begin first: none is left alone at the end. [s]
   set(cost 0)
+  set(timeout 600)
   if(slow IN_LIST arg_LABELS)
     set(cost 100)
+    set(timeout 1800)
   endif()
   set(list ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
   add_custom_command(TARGET ${name} POST_BUILD BYPRODUCTS ${list}
     COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${name}> -DOUTPUT=${list} -DCOST=${cost}
-            "-DPROPERTIES=LABELS [=[${arg_LABELS}]=] TIMEOUT 600" -P ${PROJECT_SOURCE_DIR}/cmake/discover_suites.cmake
+            "-DPROPERTIES=LABELS [=[${arg_LABELS}]=] TIMEOUT ${timeout}" -P ${PROJECT_SOURCE_DIR}/cmake/discover_suites.cmake
     VERBATIM)
   # Until it is built, its tests are one that fails.
   set(include ${CMAKE_CURRENT_BINARY_DIR}/${name}_include.cmake)
