@@ -8,6 +8,7 @@
 
 extern "C" {
 /// Singular values of A, m x n, falling, and vectors: job 'A' all, 'S' the first min(m, n), 'N' none.
+// NOLINTNEXTLINE(readability-identifier-naming): Fortran's name of it
 void dgesdd_(const char* job, const int* m, const int* n, double* a, const int* a_stride, double* s,
              double* u, const int* u_stride, double* vt, const int* vt_stride, double* work,
              const int* work_size, int* integers, int* info, std::size_t);
