@@ -87,7 +87,8 @@ function(signorini_method name)
   set_property(GLOBAL APPEND PROPERTY SIGNORINI_METHODS ${name})
 endfunction()
 
-# signorini_test(NAME SOURCES ... LINK ... [LABELS ...]): a GoogleTest program whose suites ctest knows one by one.
+# signorini_test(NAME SOURCES ... LINK ... [LABELS ...]): a GoogleTest program whose suites ctest knows one by one, of slow ones the
+# cases.
 function(signorini_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;LABELS")
   add_executable(${name} ${arg_SOURCES})
@@ -96,17 +97,15 @@ function(signorini_test name)
   if(NOT arg_LABELS)
     set(arg_LABELS unit)
   endif()
-  # Where ctest has not run them yet the long ones begin first: none is left alone at the end. [s]
-  set(cost 0)
-  set(timeout 600)
+  # The cases of slow ones side by side; where ctest has not run them yet they begin first: none is left alone at the end.
   if(slow IN_LIST arg_LABELS)
-    set(cost 100)
-    set(timeout 1800)
+    gtest_discover_tests(${name} PROPERTIES LABELS "${arg_LABELS}" COST 100 TIMEOUT 600 DISCOVERY_TIMEOUT 60)
+    return()
   endif()
   set(list ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
   add_custom_command(TARGET ${name} POST_BUILD BYPRODUCTS ${list}
-    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${name}> -DOUTPUT=${list} -DCOST=${cost}
-            "-DPROPERTIES=LABELS [=[${arg_LABELS}]=] TIMEOUT ${timeout}" -P ${PROJECT_SOURCE_DIR}/cmake/discover_suites.cmake
+    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${name}> -DOUTPUT=${list}
+            "-DPROPERTIES=LABELS [=[${arg_LABELS}]=] TIMEOUT 600" -P ${PROJECT_SOURCE_DIR}/cmake/discover_suites.cmake
     VERBATIM)
   # Until it is built, its tests are one that fails.
   set(include ${CMAKE_CURRENT_BINARY_DIR}/${name}_include.cmake)
