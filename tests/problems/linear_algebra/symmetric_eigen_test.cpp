@@ -78,7 +78,10 @@ TEST(SymmetricEigen, KeepMultipleValuesApart) {
   for (const int size : kSizes) {
     const Matrix Q = orthogonal_matrix(size, 3);
     Matrix D = Matrix::Zero(size, size);
-    for (int k = 0; k < size; ++k) D(k, k) = k / 2 - size / 4;
+    for (int k = 0; k < size; ++k) {
+      const int value = k / 2 - size / 4;
+      D(k, k) = value;
+    }
     const Matrix A = product(product(Q, D), transposed(Q));
     const SymmetricEigen found = symmetric_eigen(A);
     ASSERT_TRUE(found.converged) << size;
