@@ -56,7 +56,7 @@ class PointsOfStep {
   std::vector<Known> known_;
 };
 
-// The equations as they are handed on.
+// The matrix [R_x; row; C] of bordered_jacobian.
 Eigen::MatrixXd bordered(AnyEquations& equations, const Eigen::VectorXd& row) {
   const Eigen::Index n = equations.size();
   const Eigen::MatrixXd C = equations.conditions();
