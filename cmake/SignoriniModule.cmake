@@ -87,13 +87,33 @@ function(signorini_method name)
   set_property(GLOBAL APPEND PROPERTY SIGNORINI_METHODS ${name})
 endfunction()
 
-# signorini_test(NAME SOURCES ... LINK ... [LABELS ...]): a GoogleTest program whose suites ctest knows one by one, of slow ones the
-# cases.
+# signorini_test_program(TARGET): the executable TARGET consists of GoogleTest's cases. They are compiled without optimisation, in
+# two thirds of the time. What they test is optimised, and so are the functions that both instantiate: of several copies the
+# linker takes the first, and our libraries come first, whole.
+function(signorini_test_program target)
+  get_target_property(linked ${target} LINK_LIBRARIES)
+  set(libraries signorini_problems)
+  if(signorini_test_support IN_LIST linked)
+    list(PREPEND libraries signorini_methods signorini_numerics)
+  endif()
+  if(signorini::harness IN_LIST linked)
+    list(PREPEND libraries signorini_harness)
+  endif()
+  list(TRANSFORM libraries REPLACE "(.+)" "$<TARGET_FILE:\\1>")
+  list(JOIN libraries " " libraries)
+  target_link_options(${target} PRIVATE "SHELL:-Wl,--whole-archive ${libraries} -Wl,--no-whole-archive")
+  target_link_libraries(${target} PRIVATE signorini_warnings GTest::gtest_main)
+  target_precompile_headers(${target} REUSE_FROM signorini_precompiled_tests)
+  target_compile_options(${target} PRIVATE ${signorini_test_options})
+endfunction()
+
+# signorini_test(NAME SOURCES ... LINK ... [LABELS ...] [SLOW Suite.Case ...]): a GoogleTest program whose suites ctest knows one by
+# one, of slow ones the cases. SLOW names cases, Suite.* for all of one, that are labelled slow in a program that is not.
 function(signorini_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;LABELS;SLOW")
   add_executable(${name} ${arg_SOURCES})
-  target_link_libraries(${name} PRIVATE signorini_warnings ${arg_LINK} GTest::gtest_main)
-  target_precompile_headers(${name} REUSE_FROM signorini_precompiled_tests)
+  target_link_libraries(${name} PRIVATE ${arg_LINK})
+  signorini_test_program(${name})
   if(NOT arg_LABELS)
     set(arg_LABELS unit)
   endif()
@@ -105,7 +125,7 @@ function(signorini_test name)
   set(list ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
   add_custom_command(TARGET ${name} POST_BUILD BYPRODUCTS ${list}
     COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${name}> -DOUTPUT=${list}
-            "-DPROPERTIES=LABELS [=[${arg_LABELS}]=] TIMEOUT 600" -P ${PROJECT_SOURCE_DIR}/cmake/discover_suites.cmake
+            "-DPROPERTIES=LABELS [=[${arg_LABELS}]=] TIMEOUT 600" "-DSLOW=${arg_SLOW}" -P ${PROJECT_SOURCE_DIR}/cmake/discover_suites.cmake
     VERBATIM)
   # Until it is built, its tests are one that fails.
   set(include ${CMAKE_CURRENT_BINARY_DIR}/${name}_include.cmake)

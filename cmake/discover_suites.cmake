@@ -1,29 +1,55 @@
 # Run when the test program PROGRAM has been built: writes OUTPUT, a file of ctest with one entry per suite, its cases in
 # one process. Entries begin in the order of their cases, the largest first, for none to be left alone at the end.
-# PROPERTIES are those of each entry.
+# PROPERTIES are those of each entry. SLOW names cases, Suite.Case or Suite.*, that are entries of their own, labelled slow.
+cmake_policy(VERSION 3.25)
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed TIMEOUT 60 COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX REPLACE "\n$" "" listed "${listed}")
 string(REPLACE ";" "," listed "${listed}")
 string(REPLACE "\n" ";" lines "${listed}")
 set(script "")
+set(unknown ${SLOW})
+
+macro(entry name filter cost)
+  string(APPEND script "add_test([=[${name}]=] \"${PROGRAM}\" [=[--gtest_filter=${filter}]=])\n"
+                       "set_tests_properties([=[${name}]=] PROPERTIES COST ${cost} ${PROPERTIES} SKIP_REGULAR_EXPRESSION [=["
+                       "PASSED  \\] 0 tests\\.\n\\[  SKIPPED \\] [^\n]*\n(\\[  SKIPPED \\] [^\n]*\n)*$]=])\n")
+endmacro()
 
 macro(end_suite)
-  if(cases GREATER 0)
-    string(APPEND script "add_test([=[${suite}]=] \"${PROGRAM}\" [=[--gtest_filter=${suite}.*]=])\n"
-                         "set_tests_properties([=[${suite}]=] PROPERTIES COST ${cases} ${PROPERTIES} SKIP_REGULAR_EXPRESSION [=["
-                         "PASSED  \\] 0 tests\\.\n\\[  SKIPPED \\] [^\n]*\n(\\[  SKIPPED \\] [^\n]*\n)*$]=])\n")
+  set(filter "${suite}.*")
+  if(slow)
+    string(REPLACE ";" ":" left_out "${slow}")
+    string(APPEND filter "-${left_out}")
   endif()
+  if(cases GREATER 0)
+    entry("${suite}" "${filter}" ${cases})
+  endif()
+  foreach(name IN LISTS slow)
+    entry("${name}" "${name}" 100)
+    string(APPEND script "set_tests_properties([=[${name}]=] PROPERTIES LABELS slow)\n")
+  endforeach()
 endmacro()
 
 set(cases 0)
+set(slow "")
 foreach(line IN LISTS lines)
   if(line MATCHES "^([^ ]+)\\.( |$)")
     end_suite()
     set(suite ${CMAKE_MATCH_1})
     set(cases 0)
-  elseif(line MATCHES "^  ")
-    math(EXPR cases "${cases} + 1")
+    set(slow "")
+  elseif(line MATCHES "^  ([^ ]+)")
+    set(name "${suite}.${CMAKE_MATCH_1}")
+    if(name IN_LIST SLOW OR "${suite}.*" IN_LIST SLOW)
+      list(APPEND slow "${name}")
+      list(REMOVE_ITEM unknown "${name}" "${suite}.*")
+    else()
+      math(EXPR cases "${cases} + 1")
+    endif()
   endif()
 endforeach()
 end_suite()
+if(unknown)
+  message(FATAL_ERROR "${PROGRAM} has no case ${unknown}, which is to be slow")
+endif()
 file(WRITE ${OUTPUT} "${script}")

@@ -3,7 +3,7 @@
 
 usage: limits.py BUILD [--before PROGRAM] [--only LINE ...] [--repetitions N] [--records N] [--source FOLDER] [--out FOLDER]
 
-BUILD is the folder of a Release build with its benchmarks. With --before an older `signorini` is measured beside it, in
+BUILD is the folder of a Release build, in which the benchmarks are built if they are not yet. With --before an older `signorini` is measured beside it, in
 turns. Lines, by name: exact-orbit, fourier, hat, curve, judge, case, records, build. `records` reports and merges N
 synthetic records (1,000,000 unless told; some minutes), `build` compiles the tree FOLDER anew and runs its tests (half an
 hour; no program of BUILD is needed): both only where they are named in --only. Lines that are not measured keep what FOLDER/limits.csv has of them.
@@ -92,6 +92,7 @@ class Bench:
     def benchmark(self, program, name):
         """Seconds per iteration of a line of a Google Benchmark program, the fastest repetition."""
         if program not in self.google:
+            subprocess.run(["cmake", "--build", self.build, "--target", program], stdout=subprocess.DEVNULL, check=True)
             command = [self.build / "tests" / program, "--benchmark_format=json", "--benchmark_repetitions=5"]
             answer = subprocess.run(command, capture_output=True, text=True, check=True)
             self.google[program] = json.loads(answer.stdout)["benchmarks"]

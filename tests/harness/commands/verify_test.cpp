@@ -26,18 +26,18 @@ Outcome run(const std::string& arguments) { return test::run_program(arguments);
 /// Kept orbits of one scene, for a test to spoil.
 std::filesystem::path kept_orbits(const char* name) {
   const auto folder = test::fresh_folder(name);
-  const Outcome update = run("verify --update --scenes sdof-subharmonic --starts 8 " + folder.string());
+  const Outcome update = run("verify --update --scenes sdof-two-sided-e08 --starts 8 --subharmonics 1 " + folder.string());
   EXPECT_EQ(update.code, 0) << update.err << update.out;
   return folder;
 }
 
 Outcome verify(const std::filesystem::path& folder) {
-  return run("verify " + folder.string() + " --scenes sdof-subharmonic");
+  return run("verify " + folder.string() + " --scenes sdof-two-sided-e08");
 }
 
 TEST(Verify, PassesWhatIsUnchangedAndKeepsNothingOfTheMachine) {
   const auto folder = kept_orbits("verify-same");
-  const std::string text = read_file(folder / "sdof-subharmonic.json");
+  const std::string text = read_file(folder / "sdof-two-sided-e08.json");
   EXPECT_EQ(text.find("tmp"), std::string::npos);
   EXPECT_EQ(text.find("seconds"), std::string::npos);
   const Outcome outcome = verify(folder);
@@ -67,7 +67,7 @@ TEST(Verify, UpdateForgetsNoOrbitThatIsStillCertified) {
 
 TEST(Verify, FindsTamperedOrbits) {
   const auto folder = kept_orbits("verify-tampered");
-  const auto file = folder / "sdof-subharmonic.json";
+  const auto file = folder / "sdof-two-sided-e08.json";
   const Json kept = Json::parse(read_file(file));
   Json changed = kept;
   changed["orbits"][0]["events"][0]["time"] = kept["orbits"][0]["events"][0]["time"].get<double>() + 1e-5;
@@ -104,17 +104,17 @@ TEST(Verify, FindsAMissingFileAndAChangedScene) {
   const auto folder = test::fresh_folder("verify-missing");
   Outcome outcome = verify(folder);
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_NE(outcome.out.find("sdof-subharmonic: no orbits are kept"), std::string::npos) << outcome.out;
-  std::ofstream(folder / "sdof-subharmonic.json")
-      << R"({"schema": 1, "scene": "sdof-subharmonic", "scene_sha256": "other", "law": {"restitution": 0.8},
+  EXPECT_NE(outcome.out.find("sdof-two-sided-e08: no orbits are kept"), std::string::npos) << outcome.out;
+  std::ofstream(folder / "sdof-two-sided-e08.json")
+      << R"({"schema": 1, "scene": "sdof-two-sided-e08", "scene_sha256": "other", "law": {"restitution": 0.8},
             "search": {"starts": 8, "subharmonics": 2, "seed": 1}, "orbits": []})";
   outcome = verify(folder);
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_NE(outcome.out.find("sdof-subharmonic: the scene file has changed"), std::string::npos);
-  std::ofstream(folder / "sdof-subharmonic.json") << "{ nonsense";
+  EXPECT_NE(outcome.out.find("sdof-two-sided-e08: the scene file has changed"), std::string::npos);
+  std::ofstream(folder / "sdof-two-sided-e08.json") << "{ nonsense";
   outcome = verify(folder);
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_NE(outcome.err.find("sdof-subharmonic.json: "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("sdof-two-sided-e08.json: "), std::string::npos) << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
