@@ -196,7 +196,7 @@ mkdir -p "$tree/problems"
 touch "$tree/problems/a.cpp" "$tree/problems/b.cpp"
 bench run
 rm -r "$tree/problems"
-expect_line 'the first build of signorini: configuring, then 2 sources, about 4 s on 2 cores'
+expect_line 'the first build of signorini: configuring, then 2 sources, about 2 s on 2 cores'
 # shellcheck disable=SC2016  # ninja expands it
 printf '%s\n' 'build CMakeFiles/facts: phony' \
   'build facts.cpp ${cmake_ninja_workdir}facts.cpp: CUSTOM_COMMAND a || b' '  COMMAND = write facts.cpp' \
