@@ -15,10 +15,11 @@ struct Sample {
 
 using Function = std::function<double(const Guard&)>;
 
-// Zero of `f`, positive at `low` and not positive at `high`: regula falsi in Illinois form with
+// Zero of `f`, positive at `a` and not positive at `b`: regula falsi in Illinois form with
 // bisections in between, down to neighbouring numbers. Returns the end that is not positive.
-double zero_between(const std::function<Guard(double)>& guard, const Function& f, double low, double high) {
-  double f_low = f(guard(low)), f_high = f(guard(high));
+double zero_between(const std::function<Guard(double)>& guard, const Function& f, const Sample& a,
+                    const Sample& b) {
+  double low = a.time, high = b.time, f_low = f(a.guard), f_high = f(b.guard);
   // Regula falsi keeps one end for ever where f is curved. Illinois: the value of an end that stays twice in
   // a row counts half, which makes the order 1.44; every eighth step halves the bracket whatever happens.
   constexpr int kIterations = 200;
@@ -46,13 +47,12 @@ double fall_of(const Guard& guard) { return -guard.rate; }
 std::optional<double> armed_crossing(const std::function<Guard(double)>& guard, const Sample& a,
                                      const Sample& b) {
   if (b.guard.value < 0.0) {
-    return a.guard.value > 0.0 ? zero_between(guard, value_of, a.time, b.time) : a.time;
+    return a.guard.value > 0.0 ? zero_between(guard, value_of, a, b) : a.time;
   }
   if (a.guard.rate < 0.0 && b.guard.rate > 0.0) {
-    const double lowest = zero_between(guard, fall_of, a.time, b.time);
-    if (guard(lowest).value < 0.0 && a.guard.value > 0.0) {
-      return zero_between(guard, value_of, a.time, lowest);
-    }
+    const double time = zero_between(guard, fall_of, a, b);
+    const Sample lowest{time, guard(time)};
+    if (lowest.guard.value < 0.0 && a.guard.value > 0.0) return zero_between(guard, value_of, a, lowest);
   }
   return std::nullopt;
 }
@@ -62,13 +62,14 @@ std::optional<double> fresh_crossing(const std::function<Guard(double)>& guard, 
                                      const Sample& b, double floor) {
   if (b.guard.value >= 0.0) return std::nullopt;
   if (a.guard.rate > 0.0 && b.guard.rate < 0.0) {
-    const double highest = zero_between(guard, rise_of, a.time, b.time);
-    if (guard(highest).value > 0.0) return zero_between(guard, value_of, highest, b.time);
+    const double time = zero_between(guard, rise_of, a, b);
+    const Sample highest{time, guard(time)};
+    if (highest.guard.value > 0.0) return zero_between(guard, value_of, highest, b);
   }
   if (b.guard.value >= -floor) return std::nullopt;
   if (a.guard.value <= -floor) return b.time;
   const Function above_floor = [floor](const Guard& g) { return g.value + floor; };
-  return zero_between(guard, above_floor, a.time, b.time);
+  return zero_between(guard, above_floor, a, b);
 }
 
 }  // namespace
