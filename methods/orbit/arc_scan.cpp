@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "methods/solvers/bracketed_zero.hpp"
 #include "methods/solvers/constants.hpp"
 
 namespace signorini {
@@ -15,31 +16,21 @@ LimitedSample sample(const LimitedOutput& f, double t) {
   return {.time = t, .value = f.value(t, 0), .rate = f.value(t, 1), .curvature = f.value(t, 2)};
 }
 
-// Local extreme between two instants where the rate falls through zero, or rises.
-double polished_peak(const LimitedOutput& f, double low, double high, bool falls = true) {
-  // Newton's method on the rate, in a bracket that shrinks with every iterate and is halved where a step
-  // leaves it.
-  double t = 0.5 * (low + high);
-  for (int k = 0; k < 30; ++k) {
-    const double rate = f.value(t, 1), curvature = f.value(t, 2);
-    ((rate > 0.0) == falls ? low : high) = t;
-    double next = t - rate / curvature;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (std::abs(next - t) <= 1e-14 * std::abs(t)) break;
-    t = next;
-  }
-  return t;
+// Local extreme between two instants, at one of which the value rises and at the other it falls.
+double polished_peak(const LimitedOutput& f, double rises, double falls) {
+  constexpr double kSettled = 1e-14;  // of the time
+  const auto rate = [&](double t) { return ValueAndSlope{f.value(t, 1), f.value(t, 2)}; };
+  const double middle = 0.5 * (rises + falls);
+  const SignChange ends{.negative = falls, .positive = rises};
+  return newton_zero_between(rate, ends, kSettled * std::abs(middle)).value_or(middle);
 }
 
-// Extremum of the rate between two samples on either side of it.
-LimitedSample steepest(const LimitedOutput& f, double low, double high) {
-  constexpr int kBisections = 40;
-  const bool falls = f.value(low, 2) < 0.0;
-  for (int k = 0; k < kBisections; ++k) {
-    const double middle = 0.5 * (low + high);
-    ((f.value(middle, 2) < 0.0) == falls ? low : high) = middle;
-  }
-  return sample(f, 0.5 * (low + high));
+// Extremum of the rate between two samples whose curvatures have different signs.
+LimitedSample steepest(const LimitedOutput& f, const LimitedSample& a, const LimitedSample& b) {
+  constexpr double kNarrow = 1e-12;  // of the step
+  const Bracket step{a.time, a.curvature, b.time, b.curvature};
+  const auto curvature = [&](double t) { return f.value(t, 2); };
+  return sample(f, bracketed_zero(curvature, step, kNarrow * (b.time - a.time)).value_or(step).a);
 }
 
 // Instants from `begin` to `end`, both included, a step apart that resolves the fastest rate left, so many
@@ -131,7 +122,7 @@ void raise_between(const LimitedOutput& f, const LimitedSample& a, const Limited
     raise(a, b);
   } else if (a.curvature * b.curvature < 0.0) {
     // The rate turns in between: a bump too short for its signs at the samples, as after an impact at e = 0.
-    const LimitedSample turn = steepest(f, a.time, b.time);
+    const LimitedSample turn = steepest(f, a, b);
     raise(a, turn);
     raise(turn, b);
   }
@@ -222,7 +213,7 @@ std::vector<LimitedSample> extremes(const LimitedOutput& f, double begin, double
   const auto between = [&](const LimitedSample& a, const LimitedSample& b) {
     if (!(a.rate * b.rate < 0.0)) return;
     const bool falls = b.rate < 0.0;
-    const double there = polished_peak(f, a.time, b.time, falls);
+    const double there = falls ? polished_peak(f, a.time, b.time) : polished_peak(f, b.time, a.time);
     found.push_back({.time = there, .value = f.value(there, 0), .maximum = falls, .minimum = !falls});
   };
   const auto at = [&](double t) { return LimitedSample{.time = t, .rate = f.value(t, 1)}; };
@@ -234,10 +225,12 @@ std::vector<LimitedSample> extremes(const LimitedOutput& f, double begin, double
     const double next = t + std::max(fine, quiet);
     LimitedSample here = at(next > t ? std::min(end, next) : end);
     if (!(quiet > fine)) {
-      const double first = f.value(t, 2), last = f.value(here.time, 2);
-      const bool turns = first * last < 0.0 && before.rate * last > 0.0 && before.rate * here.rate > 0.0;
+      before.curvature = f.value(t, 2);
+      here.curvature = f.value(here.time, 2);
+      const bool turns = before.curvature * here.curvature < 0.0 && before.rate * here.curvature > 0.0 &&
+                         before.rate * here.rate > 0.0;
       if (turns) {  // towards zero and back again
-        const LimitedSample turn = steepest(f, t, here.time);
+        const LimitedSample turn = steepest(f, before, here);
         between(before, turn);
         between(turn, here);
       } else {
