@@ -11,6 +11,7 @@
 #include "methods/complementarity/contact_nodes.hpp"
 #include "methods/complementarity/projected_residual.hpp"
 #include "methods/discretisation/fourier_series.hpp"
+#include "methods/solvers/bracketed_zero.hpp"
 #include "methods/solvers/condition_estimate.hpp"
 #include "methods/solvers/constants.hpp"
 #include "problems/linear_algebra/lu.hpp"
@@ -175,17 +176,8 @@ double edge_of_contact(const Eigen::VectorXcd& y, double constant, const ClosedC
     inside = outside;
     outside = (k + 1.0) * reach / kStretches;
   }
-  double t = 0.5 * (inside + outside);
-  for (int k = 0; k < 60; ++k) {
-    const Jet jet = at(t);
-    (jet.value > 0.0 ? inside : outside) = t;
-    double next = t - jet.value / jet.slope;
-    const bool between = (next - inside) * (next - outside) < 0.0;
-    if (!between) next = 0.5 * (inside + outside);
-    if (std::abs(next - t) <= 4.0 * kEpsilon) return next;
-    t = next;
-  }
-  return t;
+  constexpr double kSettled = 4.0 * kEpsilon;  // of the period
+  return newton_zero_between(at, {.negative = outside, .positive = inside}, kSettled).value_or(reach);
 }
 
 /// y = c (x - g) - alpha lambda of one contact, its stop in its place, n = 0..H [N].
