@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "methods/discretisation/fourier_series.hpp"
+#include "methods/solvers/bracketed_zero.hpp"
 
 namespace signorini {
 
@@ -14,19 +15,14 @@ namespace {
 /// The extremum of y near an instant by Newton's method on y'; empty where it is of the other kind, or more
 /// than a quarter of the shortest harmonic's period away.
 std::optional<double> extremum_near(const Eigen::VectorXcd& y, bool minimum, double time) {
-  constexpr int kSteps = 12;
   constexpr double kSettled = 1e-15;  // of the period
+  const auto slope = [&](double t) {
+    const Jet jet = trigonometric_jet(y, t);
+    const bool sought = (minimum ? jet.curvature : -jet.curvature) > 0.0;
+    return ValueAndSlope{jet.slope, sought ? jet.curvature : std::numeric_limits<double>::quiet_NaN()};
+  };
   const double reach = 0.25 / static_cast<double>(y.size() - 1);
-  double at = time;
-  for (int k = 0; k < kSteps; ++k) {
-    const Jet jet = trigonometric_jet(y, at);
-    if (!((minimum ? jet.curvature : -jet.curvature) > 0.0)) return std::nullopt;
-    const double step = jet.slope / jet.curvature;
-    at -= step;
-    if (!(std::abs(at - time) <= reach)) return std::nullopt;
-    if (std::abs(step) <= kSettled) break;
-  }
-  return at;
+  return newton_zero_near(slope, {.guess = time, .reach = reach, .settled = kSettled});
 }
 
 std::optional<ContactDepth> depth_near(const SeriesCurve& curve, Eigen::Index contact, bool gap,

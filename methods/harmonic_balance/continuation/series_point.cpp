@@ -8,6 +8,7 @@
 
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/linear_flow/linear_flow.hpp"
+#include "methods/solvers/bracketed_zero.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/products.hpp"
 
@@ -15,19 +16,19 @@ namespace signorini {
 
 namespace {
 
-/// The extremum of y near `t`, between the samples beside it, by Newton's method on y' kept inside.
+/// The extremum of y near `t`, between the samples beside it, by Newton's method on y': the best of its
+/// steps.
 double polished_extremum(const Eigen::VectorXcd& y, double t, double spacing) {
-  constexpr int kSteps = 8;
-  double best = trigonometric_jet(y, t).value, at = t;
-  const double side = trigonometric_jet(y, t).curvature < 0.0 ? 1.0 : -1.0;
-  for (int k = 0; k < kSteps; ++k) {
+  constexpr double kSettled = 1e-12;  // of the period: y is flat there
+  const Jet first = trigonometric_jet(y, t);
+  const double side = first.curvature < 0.0 ? 1.0 : -1.0;
+  double best = first.value;
+  const auto slope = [&](double at) {
     const Jet jet = trigonometric_jet(y, at);
     if (side * jet.value > side * best) best = jet.value;
-    if (jet.curvature == 0.0) break;
-    const double next = at - jet.slope / jet.curvature;
-    if (!(std::abs(next - t) <= spacing) || next == at) break;
-    at = next;
-  }
+    return ValueAndSlope{jet.slope, jet.curvature};
+  };
+  newton_zero_near(slope, {.guess = t, .reach = spacing, .settled = kSettled});
   return best;
 }
 

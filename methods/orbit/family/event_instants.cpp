@@ -4,6 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "methods/solvers/bracketed_zero.hpp"
+
 namespace signorini {
 
 namespace {
@@ -12,22 +14,6 @@ namespace {
 double equation_of(const SequenceEvent& event, const LinearArc& arc, double gap, double time, int order) {
   if (event.kind == ContactEvent::Kind::open) return arc.force(event.contact, time, order);
   return arc.displacement(event.contact, time, order) - (order == 0 ? gap : 0.0);
-}
-
-// Its zero by Newton's method, to a tolerance that rounding of a slow approach may need; empty where that
-// goes astray.
-std::optional<double> zero_of(const SequenceEvent& event, const LinearArc& arc, double gap, double guess,
-                              double farthest, double tolerance) {
-  constexpr int kIterations = 20;
-  double time = guess, step = farthest;
-  for (int k = 0; k < kIterations; ++k) {
-    step = -equation_of(event, arc, gap, time, 0) / equation_of(event, arc, gap, time, 1);
-    if (!std::isfinite(step)) return std::nullopt;
-    time += step;
-    if (std::abs(time - guess) > farthest) return std::nullopt;
-    if (std::abs(step) <= 2.0 * kEpsilon * std::abs(time)) break;
-  }
-  return std::abs(step) <= tolerance ? std::optional(time) : std::nullopt;
 }
 
 }  // namespace
@@ -56,8 +42,14 @@ std::optional<Eigen::VectorXd> event_instants(OrbitModel& model, const Sequenced
     const double flight = flies ? -2.0 * arc->displacement(j, time, 1) / arc->displacement(j, time, 2) : 0.0;
     const bool brief = flight > 0.0 && flight * omega < kShort;
     if (brief) guess = time + flight;
-    const auto at = zero_of(event, *arc, structure.gaps[j], guess, brief ? 0.5 * flight : kFarthest / omega,
-                            brief ? kSameFlight * flight : kSame / omega);
+    const auto distance = [&](double t) {
+      return ValueAndSlope{equation_of(event, *arc, structure.gaps[j], t, 0),
+                           equation_of(event, *arc, structure.gaps[j], t, 1)};
+    };
+    // To a tolerance that rounding of a slow approach may need.
+    const auto at = newton_zero_near(distance, {.guess = guess,
+                                                .reach = brief ? 0.5 * flight : kFarthest / omega,
+                                                .accepted = brief ? kSameFlight * flight : kSame / omega});
     if (!at || !(*at > time)) return std::nullopt;
     time = *at;
     phases[i] = time * omega - orbit.section;
