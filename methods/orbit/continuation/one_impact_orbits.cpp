@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "methods/orbit/periodic_closure.hpp"
+#include "methods/solvers/bracketed_zero.hpp"
 
 namespace signorini {
 
@@ -78,7 +79,7 @@ class ImpactBalance {
 }  // namespace
 
 std::vector<SequencedOrbit> one_impact_orbits(OrbitFamily& family, double parameter, int contact, int order) {
-  constexpr int kSamples = 256, kBisections = 50;
+  constexpr int kSamples = 256;
   const auto model = family.model(parameter);
   if (!model->dynamics.rigid()) return {};
   const ImpactBalance balance(*model, contact, order);
@@ -91,14 +92,12 @@ std::vector<SequencedOrbit> one_impact_orbits(OrbitFamily& family, double parame
   } else {
     double before = balance.defect(0.0);
     for (int i = 1; i <= kSamples; ++i) {
-      double low = (i - 1) * T / kSamples, high = i * T / kSamples;
+      const double low = (i - 1) * T / kSamples, high = i * T / kSamples;
       const double after = balance.defect(high);
       if (before * after < 0.0) {
-        for (int k = 0; k < kBisections; ++k) {
-          const double middle = 0.5 * (low + high);
-          (balance.defect(middle) * after < 0.0 ? low : high) = middle;
-        }
-        times.push_back(0.5 * (low + high));
+        const auto defect = [&](double time) { return balance.defect(time); };
+        const auto zero = bracketed_zero(defect, {low, before, high, after}, kEpsilon * T);
+        if (zero) times.push_back(zero->a);
       }
       before = after;
     }
