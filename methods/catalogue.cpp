@@ -6,6 +6,7 @@
 
 #include "methods/aft_hbm/aft_hbm.hpp"
 #include "methods/augmented_lagrangian/augmented_lagrangian.hpp"
+#include "methods/closed_hbm/closed_hbm.hpp"
 #include "methods/event_driven/event_driven.hpp"
 #include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
@@ -26,6 +27,7 @@ std::vector<MethodEntry> methods_of_the_program() {
       method_entry<PenaltyHbm>(),
       method_entry<AftHbm>(),
       method_entry<AugmentedLagrangian>(),
+      method_entry<ClosedHbm>(),
       method_entry<EventDriven>(),
       method_entry<ExactOrbitMethod>(),
   };

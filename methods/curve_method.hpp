@@ -33,8 +33,6 @@ class CurveMethod {
   /// \param from, to  > 0, different [rad/s]
   [[nodiscard]] virtual BranchDiagram follow(const Problem& problem, double from, double to,
                                              const CurveLimits& limits) const = 0;
-  /// The contact law of those branches, which may be another than that of the method's single solves.
-  [[nodiscard]] virtual RepresentedLaw curve_law(const Problem& problem) const = 0;
 };
 
 }  // namespace signorini

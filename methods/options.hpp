@@ -110,10 +110,22 @@ OptionValue echo_of(const T& field) {
   }
 }
 
+/// What an option struct says of an option that it no longer has, by its member `kFormer`: pairs of a name
+/// and what is said; empty where it says nothing.
+template <class Options>
+std::string_view said_of_former(std::string_view key) {
+  if constexpr (requires { Options::kFormer; }) {
+    for (const auto& [name, said] : Options::kFormer)
+      if (name == key) return said;
+  }
+  return {};
+}
+
 }  // namespace option_detail
 
 /// Applies settings to an option struct, in order.
-/// \throws InvalidOption on an unknown key (listing the known ones) or an unreadable value.
+/// \throws InvalidOption on an unknown key (listing the known ones, or saying what became of it) or an
+/// unreadable value.
 /// Ranges are checked by the method's constructor, which sees all options together.
 template <class Options>
 void apply_settings(Options& options, std::span<const OptionSetting> settings) {
@@ -130,7 +142,10 @@ void apply_settings(Options& options, std::span<const OptionSetting> settings) {
         option_detail::parse_into(field, key, text);
       }
     });
-    if (!known) throw InvalidOption(option_detail::refuse(key, text, "unknown option; known: " + names));
+    if (known) continue;
+    const std::string_view former = option_detail::said_of_former<Options>(key);
+    throw InvalidOption(
+        option_detail::refuse(key, text, former.empty() ? "unknown option; known: " + names : former));
   }
 }
 

@@ -68,15 +68,12 @@ ResponseRecord blank(const SuiteResponse& response, const Scene& scene) {
           .contacts = scene.problem.contact_count()};
 }
 
-/// The law that the method represents, if it applies: in single solves, or on its own curves.
+/// The law that the method represents, if it applies.
 void take_law(const Scene& scene, const MethodChoice& method, int memory_mb, ResponseRecord& record) {
   const Case asked{.choice = method};
   const Case* const list = &asked;
-  const std::unique_ptr<Method> made = method.make();
-  const auto* curve = record.by_steps ? nullptr : dynamic_cast<const CurveMethod*>(made.get());
   for (const Applicability& answer : ask_applicability(scene, std::span(&list, 1), memory_mb)) {
     record.law = answer.law;
-    if (answer.law && curve != nullptr) record.law = curve->curve_law(scene.problem);
     if (record.law) record.law_matches_scene = law_matches(*record.law, scene.problem.law);
   }
 }

@@ -23,10 +23,6 @@ Support AftHbm::supports(const Problem& problem) const {
 }
 
 RepresentedLaw AftHbm::law(const Problem& problem) const {
-  return options_.common.represented(problem, curve_law(problem));
-}
-
-RepresentedLaw AftHbm::curve_law(const Problem& problem) const {
   return projected_method_law(problem, options_.penalty);
 }
 
@@ -46,7 +42,6 @@ std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
     return {.law_at = law_at(solved),
             .grid_solver = aft_grid_solver(
                 {.tolerance = common.tolerance, .max_iterations = common.max_iterations}, homotopy),
-            .constant_is_chosen = options_.c.has_value() || options_.penalty.has_value() || common.plain,
             .solver_is_open = homotopy,
             .newton_from_guess = false};  // its own Newton method takes the guess, on the first grid
   });
@@ -54,7 +49,7 @@ std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
 
 BranchDiagram AftHbm::follow(const Problem& problem, double from, double to,
                              const CurveLimits& limits) const {
-  return projected_diagram<AftHbm>(options_, law_at(problem), problem, from, to, limits);
+  return series_diagram(problem, from, to, series_method(*this, options_.common, law_at(problem)), limits);
 }
 
 }  // namespace signorini

@@ -16,8 +16,6 @@ AugmentedLagrangian::AugmentedLagrangian(const Options& options) : options_(opti
 HarmonicOptions AugmentedLagrangian::common() const {
   return {.harmonics = options_.harmonics,
           .quadrature = Quadrature::exact,
-          .compensate = options_.compensate.value_or(!options_.plain),
-          .restitution = ClosedRestitution::none,  // its own solver finds all that it claims
           .tolerance = options_.tolerance,
           .max_iterations = options_.max_iterations};
 }
@@ -41,7 +39,6 @@ std::unique_ptr<PreparedMethod> AugmentedLagrangian::prepare(const Problem& prob
             .grid_solver = multiplier_grid_solver(
                 {.tolerance = shared.tolerance, .max_iterations = shared.max_iterations},
                 options_.max_updates, options_.plain),
-            .constant_is_chosen = true,  // as hard as that of the others once impacts are closed
             .solver_is_open = !options_.plain,
             .on_grids_only = true,
             .many_unknowns = kManyUnknowns};

@@ -14,38 +14,35 @@ namespace signorini {
 /// lambda until that changes nothing (multiplier_grid_solver) [alart1991, wriggers2006]. The source paper
 /// names it in section 6 and does not write it out. What it converges to solves the Lipschitz form with c =
 /// rho, without the penetration of a penalty, at any rho; rho decides whether and how fast it converges. The
-/// contact integral is exact; the impacts found are then closed at restitution 1, the law represented
-/// (closed_answer.hpp), and what cannot be closed is not claimed. A scene whose stop is a
-/// spring is solved by its own penalty.
+/// contact integral is exact, the law represented restitution 1. A scene whose stop is a spring is solved by
+/// its own penalty.
 ///
-/// `plain` is the literature's form: updates as they stand, from rising penalties, impacts as the series has
-/// them.
+/// `plain` is the literature's form: updates as they stand, from rising penalties.
 class AugmentedLagrangian final : public Method {
  public:
   static constexpr std::string_view kName = "augmented-lagrangian";
   static constexpr std::string_view kTitle = "Harmonic balance with a penalty and updates of a multiplier";
   static constexpr std::string_view kLaws = "restitution 1; penalty; massless";
   static constexpr std::string_view kLimits =
-      "On a rigid stop restitution 1 and separate impacts alone. Follows no curve in sweep.";
+      "On a rigid stop restitution 1 alone, and at impacts the error of x falls like 1/H: 10 % takes some 40 "
+      "harmonics, 1 % some 300. Follows no curve in sweep.";
   static constexpr std::string_view kLadder = "harmonics=10|40|160";
 
   struct Options {
-    std::optional<int> harmonics = {};    ///< H >= 1 [-]
-    std::optional<Scaled> penalty = {};   ///< rho > 0 [N/m], or times contact_stiffness_scale
-    std::optional<bool> compensate = {};  ///< impacts closed: right with all harmonics
-    int max_updates = 150;                ///< of the multiplier [-]
-    double tolerance = 1e-10;             ///< on the relative residual of the Lipschitz form [-]
-    int max_iterations = 0;               ///< Newton steps; 0: not limited [-]
-    bool plain = false;                   ///< as the literature does it
+    std::optional<int> harmonics = {};   ///< H >= 1 [-]
+    std::optional<Scaled> penalty = {};  ///< rho > 0 [N/m], or times contact_stiffness_scale
+    int max_updates = 150;               ///< of the multiplier [-]
+    double tolerance = 1e-10;            ///< on the relative residual of the Lipschitz form [-]
+    int max_iterations = 0;              ///< Newton steps; 0: not limited [-]
+    bool plain = false;                  ///< as the literature does it
+
+    static constexpr auto kFormer = kOptionsOfClosure;
 
     void visit(auto&& field) {
       field("harmonics", harmonics, "[-]",
             "highest harmonic H kept, 1..100000; auto: 20, where that fails twice as many, up to 160");
       field("penalty", penalty, "[N/m]",
             "rho, 1e6 or 100x the contact's stiffness; auto: 32x the dynamic one near H, a spring's own");
-      field("compensate", compensate, "[-]",
-            "impacts closed, their law asked of all harmonics: true | false (the series alone); auto: unless "
-            "plain");
       field("max_updates", max_updates, "[-]", "limit on updates of the multiplier, 1..100000");
       field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
       field("max_iterations", max_iterations, "[-]",

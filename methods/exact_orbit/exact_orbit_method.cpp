@@ -158,8 +158,7 @@ class PreparedExactOrbit final : public PreparedMethod {
       return {.law_at = law, .grid_solver = lcp_grid_solver({})};
     };
     try {
-      return prepare_harmonic_balance(problem_, {.harmonics = harmonics, .compensate = false}, method_for)
-          ->solve(cold);
+      return prepare_harmonic_balance(problem_, {.harmonics = harmonics}, method_for)->solve(cold);
     } catch (const std::runtime_error& error) {
       return {.message = error.what()};
     }

@@ -16,13 +16,7 @@ Support FourierLipschitz::supports(const Problem& problem) const {
   return supports_harmonics(problem, options_.common);
 }
 
-RepresentedLaw FourierLipschitz::law(const Problem& problem) const {
-  return options_.common.represented(problem, curve_law(problem));
-}
-
-RepresentedLaw FourierLipschitz::curve_law(const Problem& problem) const {
-  return projected_method_law(problem);
-}
+RepresentedLaw FourierLipschitz::law(const Problem& problem) const { return projected_method_law(problem); }
 
 LawAt FourierLipschitz::law_at(const Problem& problem) const {
   return [&problem, c = options_.common.lipschitz_constant(options_.c)](const ContactReceptance& receptance) {
@@ -34,14 +28,13 @@ std::unique_ptr<PreparedMethod> FourierLipschitz::prepare(const Problem& problem
   return prepare_harmonic_balance(problem, options_.common, [&](const Problem& solved) -> HarmonicMethod {
     return {.law_at = law_at(solved),
             .grid_solver = lcp_grid_solver(lcp_settings(options_.common, options_.solver)),
-            .constant_is_chosen = options_.c.has_value() || options_.common.plain,
             .solver_is_open = leaves_solver_open(options_.common, options_.solver)};
   });
 }
 
 BranchDiagram FourierLipschitz::follow(const Problem& problem, double from, double to,
                                        const CurveLimits& limits) const {
-  return projected_diagram<FourierLipschitz>(options_, law_at(problem), problem, from, to, limits);
+  return series_diagram(problem, from, to, series_method(*this, options_.common, law_at(problem)), limits);
 }
 
 }  // namespace signorini

@@ -18,22 +18,6 @@ Quadrature HarmonicOptions::contact_integral() const {
   return quadrature.value_or(plain ? Quadrature::sampled : Quadrature::exact);
 }
 
-bool HarmonicOptions::closes_impacts() const {
-  return compensate.value_or(!plain) && contact_integral() == Quadrature::exact;
-}
-
-std::optional<double> HarmonicOptions::closed_restitution(const Problem& problem) const {
-  const auto* law = std::get_if<Restitution>(&problem.law);
-  if (law == nullptr || !closes_impacts()) return std::nullopt;
-  const auto unasked = plain ? ClosedRestitution::none : ClosedRestitution::scene;
-  return restitution.value_or(unasked) == ClosedRestitution::scene ? law->e : 1.0;
-}
-
-RepresentedLaw HarmonicOptions::represented(const Problem& problem, const RepresentedLaw& projected) const {
-  const std::optional<double> closed = closed_restitution(problem);
-  return closed ? RepresentedLaw(Restitution{*closed}) : projected;
-}
-
 std::optional<int> HarmonicOptions::fixed_samples(int harmonics) const {
   constexpr int kPlain = 32;
   return plain ? samples.value_or(kPlain * harmonics) : samples;
@@ -72,9 +56,6 @@ void validate(const HarmonicOptions& options) {
                  "must be at most 10000000");
   require_option(options.continuation == Continuation::none || options.plain, "continuation",
                  options.continuation, "must be none unless plain = true");
-  require_option(options.restitution != ClosedRestitution::scene || options.closes_impacts(), "restitution",
-                 options.restitution,
-                 "must be none if plain = true, compensate = false or quadrature = sampled");
   require_option(options.tolerance > 0.0 && options.tolerance <= 1e-2, "tolerance", options.tolerance,
                  "must be in (0, 1e-2]");
   require_option(options.max_iterations >= 0, "max_iterations", options.max_iterations, "must be 0 or more");

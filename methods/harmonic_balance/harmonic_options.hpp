@@ -32,33 +32,26 @@ struct EnumNames<Continuation> {
   static constexpr std::array<std::string_view, 2> values{"none", "frequency"};
 };
 
-/// The restitution at which impacts on a rigid stop are closed (closed_answer.hpp): none, 1, as the projected
-/// equations have it; or the scene's own.
-enum class ClosedRestitution { none, scene };
-
-/// The values of the option `restitution`.
-template <>
-struct EnumNames<ClosedRestitution> {
-  /// In the order of the enumerators.
-  static constexpr std::array<std::string_view, 2> values{"none", "scene"};
-};
-
 /// H where it is left to the method and nothing asks for more.
 inline constexpr int kDefaultHarmonics = 20;
 /// Harmonics beyond which none are tried unasked.
 inline constexpr int kMostHarmonics = 160;
 
+/// Options that methods of harmonic balance no longer have, and what is said to who sets them.
+inline constexpr std::array<std::array<std::string_view, 2>, 2> kOptionsOfClosure{
+    {{"compensate", "unknown option: impacts stay as the series has them; the method closed-hbm closes them"},
+     {"restitution",
+      "unknown option: rigid stops have restitution 1; the method closed-hbm has the scene's"}}};
+
 /// Options of every method of harmonic balance. A method adds those of its contact law and of its solver.
 struct HarmonicOptions {
-  std::optional<int> harmonics = {};                  ///< H >= 1 [-]
-  std::optional<int> samples = {};                    ///< N >= 2 H + 1 [-]
-  std::optional<Quadrature> quadrature = {};          ///< of the contact integral
-  std::optional<bool> compensate = {};                ///< impacts closed: right with all harmonics
-  std::optional<ClosedRestitution> restitution = {};  ///< of impacts on rigid stops
-  Continuation continuation = Continuation::none;     ///< of the plain form
-  double tolerance = 1e-10;  ///< on the relative residual of the method's equations [-]
-  int max_iterations = 0;    ///< pivots and Newton steps in all; 0: the solver's own limit [-]
-  bool plain = false;        ///< as the literature does it
+  std::optional<int> harmonics = {};               ///< H >= 1 [-]
+  std::optional<int> samples = {};                 ///< N >= 2 H + 1 [-]
+  std::optional<Quadrature> quadrature = {};       ///< of the contact integral
+  Continuation continuation = Continuation::none;  ///< of the plain form
+  double tolerance = 1e-10;                        ///< on the relative residual of the method's equations [-]
+  int max_iterations = 0;  ///< pivots and Newton steps in all; 0: the solver's own limit [-]
+  bool plain = false;      ///< as the literature does it
 
   /// Visits all options in the order in which users see them; `law` and `solver` visit the method's own.
   void visit(auto&& field, auto&& law, auto&& solver) {
@@ -70,13 +63,6 @@ struct HarmonicOptions {
     field("quadrature", quadrature, "[-]",
           "exact: contact integral between its edges | sampled: on the N samples; auto: exact, sampled if "
           "plain");
-    field("compensate", compensate, "[-]",
-          "impacts closed, their law asked of all harmonics: true | false (the series alone); auto: unless "
-          "plain");
-    field("restitution", restitution, "[-]",
-          "at which impacts on rigid stops are closed: scene | none (restitution 1); auto: scene unless "
-          "plain, or "
-          "compensate = false");
     solver();
     field("continuation", continuation, "[-]",
           "if plain: none | frequency: in steps of the load's frequency, from where nothing touches");
@@ -87,13 +73,6 @@ struct HarmonicOptions {
 
   /// The contact integral to take: the one asked for; else exact, sampled if `plain`.
   [[nodiscard]] Quadrature contact_integral() const;
-  /// Whether impacts are closed: as asked for, else unless `plain`; only with the exact contact integral.
-  [[nodiscard]] bool closes_impacts() const;
-  /// The restitution to close impacts at where the stops are rigid with mass behind them and impacts are
-  /// closed: the scene's or 1, as asked for, else the scene's unless `plain`.
-  [[nodiscard]] std::optional<double> closed_restitution(const Problem& problem) const;
-  /// The law represented on a scene, `projected` being that of the projected equations alone.
-  [[nodiscard]] RepresentedLaw represented(const Problem& problem, const RepresentedLaw& projected) const;
   /// N to solve on with H harmonics: the one asked for; else 32 H if `plain`, and empty (as fine as the solve
   /// turns out to need) otherwise.
   [[nodiscard]] std::optional<int> fixed_samples(int harmonics) const;

@@ -10,19 +10,14 @@
 #include "methods/harmonic_balance/grid_solver.hpp"
 #include "methods/harmonic_balance/harmonic_options.hpp"
 #include "methods/marching/periodic_march.hpp"
-#include "methods/refinement.hpp"
 #include "methods/structure/receptance.hpp"
 
 namespace signorini {
-
-/// Nodes times contacts that a grid of hat functions beside a solve may have.
-inline constexpr int kMostHatUnknowns = 8192;
 
 /// What one method adds to the common options: its cell of the cube of methods.
 struct HarmonicMethod {
   LawAt law_at;                                   ///< the contact law as it imposes it
   std::shared_ptr<const GridSolver> grid_solver;  ///< what it does on a grid of samples
-  bool constant_is_chosen = false;                ///< the user set the constant of the law
   bool solver_is_open = true;     ///< the way to the solution is left to the method, not set by an option
   bool newton_from_guess = true;  ///< whether a guess is given to project_exactly before any grid
   bool on_grids_only = false;  ///< its grid solver finds every answer; other attempts give it a start alone
@@ -33,16 +28,6 @@ struct HarmonicMethod {
 /// What a method adds for a scene, whose contacts its law is made for; the problem outlives what is made.
 using HarmonicMethodFor = std::function<HarmonicMethod(const Problem&)>;
 
-/// What closing impacts takes besides the equations (closed_answer.hpp).
-struct ClosureSetup {
-  double restitution = 1.0;  ///< to close impacts at, 0 <= e <= 1 [-]
-  /// C_n, n = 0..L, L > H, of the structure; empty where no contact answers like a mass beyond H.
-  std::optional<ContactReceptance> response = {};
-  /// The same scene on hat functions with that restitution, where impacts are looked for; empty where the
-  /// method's own solver is to find them, or the contacts are too many.
-  std::optional<Resolutions> hat_grids = {};
-};
-
 /// A scene prepared with H harmonics.
 struct HarmonicSetup {
   ContactReceptance receptance;  ///< n = 0..H
@@ -50,8 +35,6 @@ struct HarmonicSetup {
   HarmonicMethod method;         ///< law, solver on a grid, what is left open
   HarmonicOptions options;       ///< as of the method
   ProjectedLaw law;              ///< for H
-  /// Where impacts are closed; empty: they stay as the series has them, and the law represented is e = 1.
-  std::optional<ClosureSetup> closure = {};
   /// The scene, for a continuation in frequency; null where the receptance is not that of a scene.
   const Problem* problem = nullptr;
   /// What contacts feel of the structure, to march to a start; empty where few unknowns make the solver's own
@@ -70,15 +53,6 @@ struct HarmonicSetup {
   [[nodiscard]] bool has_many_unknowns() const {
     return receptance.harmonics() * receptance.contacts() >= method.many_unknowns;
   }
-  /// Whether the impacts to close are those of the method's own series: at restitution 1, which a series has,
-  /// where its solver is set or is what the method is about.
-  [[nodiscard]] bool closes_own_series() const {
-    return closure && closure->restitution == 1.0 && (!method.solver_is_open || method.on_grids_only);
-  }
-  /// Factor on the law's constant once impacts are closed: the harder the law, the nearer the force is to an
-  /// impulse, and the error to that of truncation alone (docs/decisions/0038). A constant that the user chose
-  /// stays [-].
-  [[nodiscard]] double closed_stiffness() const { return method.constant_is_chosen ? 1.0 : 8.0; }
 };
 
 /// Sets a scene up with H harmonics; `problem` must outlive the result.

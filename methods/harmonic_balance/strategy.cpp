@@ -1,6 +1,6 @@
-// The strategy of a Fourier solve. `solve_with_harmonics` is the list of its attempts, in their order. The
-// functions before it are those attempts that take a few lines; the others stand in the units included below.
-// Why these, and in this order: docs/theory.md, section 4.
+// The strategy of a Fourier solve. `solve_series` is the list of its attempts, in their order. The functions
+// before it are those attempts that take a few lines; the others stand in the units included below. Why
+// these, and in this order: docs/theory.md, section 4.
 
 #include "methods/harmonic_balance/strategy.hpp"
 
@@ -14,7 +14,6 @@
 
 #include "methods/complementarity/exact_projection.hpp"
 #include "methods/complementarity/exact_quadrature.hpp"
-#include "methods/harmonic_balance/closed_answer.hpp"
 #include "methods/harmonic_balance/distinct_stops.hpp"
 #include "methods/harmonic_balance/frequency_continuation.hpp"
 #include "methods/harmonic_balance/harmonic_continuation.hpp"
@@ -140,7 +139,7 @@ struct NearbyForce {
 };
 
 /// For a method that finds every answer on grids: the force to which the reduced structure marches; where it
-/// cannot march, on springs and massless contacts that of few harmonics. Nothing where unknowns are few.
+/// cannot march, that of few harmonics. Nothing where unknowns are few.
 std::optional<NearbyForce> nearby_force(const HarmonicSetup& setup, const Start& start, Work& work) {
   if (start.guess || !setup.method.on_grids_only || !setup.way_is_open()) return std::nullopt;
   if (setup.marched) {
@@ -149,7 +148,7 @@ std::optional<NearbyForce> nearby_force(const HarmonicSetup& setup, const Start&
     return NearbyForce{.lambda = std::move(force), .origin = "a march"};
   }
   const ContinuationPoint few = continuation_start(setup.receptance);
-  if (setup.closure || few.harmonics == 0 || !setup.has_many_unknowns()) return std::nullopt;
+  if (few.harmonics == 0 || !setup.has_many_unknowns()) return std::nullopt;
   const std::optional<Solution> base = solve_few_harmonics(setup, few, start, work);
   if (!base) return std::nullopt;
   return NearbyForce{.lambda = force_spectrum(*base->trajectory, setup.receptance.harmonics()),
@@ -167,68 +166,19 @@ Solution own_solver(const HarmonicSetup& setup, const Start& start, Work& work) 
   return solve_on_grids(setup, start, work);
 }
 
-/// A solution of the projected equations, its impacts as the series has them: restitution 1 (theory.md,
-/// section 3). Each attempt is asked only where those before it gave nothing.
-Solution solve_series(HarmonicSetup& setup, const Start& start, Work& work) {
-  std::optional<Solution> series = newton_from_guess(setup, start, work);
-  if (!series) series = permanent_contact(setup, start);
-  if (!series) series = newton_from_march(setup, start, work);
-  if (!series) series = continuation_in_harmonics(setup, start, work);
-  if (!series) series = continuation_in_frequency(setup, start, work);
-  if (!series) series = own_solver(setup, start, work);
-  return *std::move(series);
-}
-
-/// A solve with some number of harmonics.
-struct HarmonicSolve {
-  Solution solution;
-  bool harmonics_may_help = true;  ///< more of them, where this did not converge
-};
-
-/// One solve with the harmonics of the setup: the series, or its impacts closed. A series whose impacts
-/// cannot be closed is not claimed: with few harmonics some rattle and are near no orbit.
-HarmonicSolve solve_with_harmonics(HarmonicSetup& setup, const Start& start, Work& work) {
-  if (!setup.closure) return {solve_series(setup, start, work)};
-  ClosedAnswer closed;
-  if (!setup.closes_own_series()) closed = close_answer(setup, start, work);
-  if (closed.answer) return {*std::move(closed.answer)};
-  Solution series;
-  if (setup.closure->restitution == 1.0 && !is_spent(setup.options.max_iterations, work)) {
-    series = solve_series(setup, start, work);
-    if (series.verdict != Verdict::converged) return {std::move(series)};
-    ClosedAnswer of_series = close_series(setup, series, start, work);
-    if (of_series.answer) return {*std::move(of_series.answer)};
-    if (closed.reason.empty()) closed.reason = std::move(of_series.reason);
-    closed.harmonics_may_help = true;  // a series may have other impacts with more of them
-  }
-  series.verdict = Verdict::not_converged;
-  series.message = is_spent(setup.options.max_iterations, work) ? "the limit of max_iterations is reached"
-                                                                : "impacts not closed: " + closed.reason;
-  return {std::move(series), closed.harmonics_may_help};
-}
-
-/// The same with its work.
-HarmonicSolve solve_with_work(HarmonicSetup& setup, const Start& start) {
-  const ContactReceptance& receptance = setup.receptance;
-  if (receptance.contacts() == 0) return {contact_free_response(receptance)};
-  Work work = setup.method.grid_solver->initial_counts();
-  work.unknowns = (2L * receptance.harmonics() + 1) * receptance.contacts();
-  HarmonicSolve solve = solve_with_harmonics(setup, start, work);
-  solve.solution.work = work;
-  return solve;
-}
-
 class HarmonicBalance final : public PreparedMethod {
  public:
   /// A stop that stands twice makes the equations of its forces singular, and no impact on it could be
   /// closed: the scene is solved with each stop once.
-  HarmonicBalance(const Problem& problem, const HarmonicOptions& options, const HarmonicMethodFor& method_for)
+  HarmonicBalance(const Problem& problem, const HarmonicOptions& options, const HarmonicMethodFor& method_for,
+                  MakeHarmonicSolver make_solver)
       : stops_(distinct_stops(problem)),
         problem_(stops_ ? stops_->problem : problem),
         options_(options),
         method_(method_for(problem_)),
+        make_solver_(std::move(make_solver)),
         first_(options.first_harmonics(problem)),
-        setup_(harmonic_setup(problem_, first_, options_, method_)) {}
+        solver_(solver(first_)) {}
 
   Solution solve(const Start& start) override {
     if (!stops_) return solve_distinct(start);
@@ -242,7 +192,7 @@ class HarmonicBalance final : public PreparedMethod {
  private:
   /// With the first number of harmonics, and with twice as many where so many do not converge and more may.
   Solution solve_distinct(const Start& start) {
-    HarmonicSolve solve = solve_with_work(setup_, start);
+    HarmonicSolve solve = solver_->solve(start);
     for (int harmonics = 2 * first_; harmonics <= most(); harmonics *= 2) {
       if (solve.solution.verdict == Verdict::converged || !solve.harmonics_may_help || start.expired()) break;
       const Work spent = solve.solution.work;
@@ -253,12 +203,15 @@ class HarmonicBalance final : public PreparedMethod {
     return std::move(solve.solution);
   }
 
+  [[nodiscard]] std::unique_ptr<HarmonicSolver> solver(int harmonics) const {
+    return make_solver_(harmonic_setup(problem_, harmonics, options_, method_));
+  }
+
   /// Where more harmonics cannot be prepared, an undamped resonance lying among them or memory being short,
   /// there is no motion.
   [[nodiscard]] HarmonicSolve prepare_and_solve(int harmonics, const Start& start) const {
     try {
-      HarmonicSetup setup = harmonic_setup(problem_, harmonics, options_, method_);
-      return solve_with_work(setup, start);
+      return solver(harmonics)->solve(start);
     } catch (const std::exception& error) {
       return {{.message = error.what()}};
     }
@@ -266,8 +219,7 @@ class HarmonicBalance final : public PreparedMethod {
 
   /// The largest number of harmonics to be tried.
   [[nodiscard]] int most() const {
-    const bool left_open =
-        !options_.harmonics && !options_.plain && method_.solver_is_open && options_.grid_is_open(first_);
+    const bool left_open = !options_.harmonics && !options_.plain && solver_->setup().way_is_open();
     return left_open ? kMostHarmonics : first_;
   }
 
@@ -275,20 +227,50 @@ class HarmonicBalance final : public PreparedMethod {
   const Problem& problem_;              ///< with each stop once
   HarmonicOptions options_;
   HarmonicMethod method_;
+  MakeHarmonicSolver make_solver_;
   int first_;
-  HarmonicSetup setup_;
+  std::unique_ptr<HarmonicSolver> solver_;  ///< with the first number of harmonics
 };
 
 }  // namespace
 
-Solution solve_by_harmonic_balance(HarmonicSetup& setup, const Start& start) {
-  return solve_with_work(setup, start).solution;
+Solution solve_series(const HarmonicSetup& setup, const Start& start, Work& work) {
+  std::optional<Solution> series = newton_from_guess(setup, start, work);
+  if (!series) series = permanent_contact(setup, start);
+  if (!series) series = newton_from_march(setup, start, work);
+  if (!series) series = continuation_in_harmonics(setup, start, work);
+  if (!series) series = continuation_in_frequency(setup, start, work);
+  if (!series) series = own_solver(setup, start, work);
+  return *std::move(series);
+}
+
+HarmonicSolve HarmonicSolver::solve(const Start& start) {
+  const ContactReceptance& receptance = setup_.receptance;
+  if (receptance.contacts() == 0) return {contact_free_response(receptance)};
+  Work work = setup_.method.grid_solver->initial_counts();
+  work.unknowns = (2L * receptance.harmonics() + 1) * receptance.contacts();
+  HarmonicSolve solve = solve_contacts(start, work);
+  solve.solution.work = work;
+  return solve;
+}
+
+HarmonicSolve HarmonicSolver::solve_contacts(const Start& start, Work& work) {
+  return {solve_series(setup_, start, work)};
 }
 
 std::unique_ptr<PreparedMethod> prepare_harmonic_balance(const Problem& problem,
                                                          const HarmonicOptions& options,
                                                          const HarmonicMethodFor& method_for) {
-  return std::make_unique<HarmonicBalance>(problem, options, method_for);
+  return prepare_harmonic_balance(problem, options, method_for, [](HarmonicSetup setup) {
+    return std::make_unique<HarmonicSolver>(std::move(setup));
+  });
+}
+
+std::unique_ptr<PreparedMethod> prepare_harmonic_balance(const Problem& problem,
+                                                         const HarmonicOptions& options,
+                                                         const HarmonicMethodFor& method_for,
+                                                         MakeHarmonicSolver make_solver) {
+  return std::make_unique<HarmonicBalance>(problem, options, method_for, std::move(make_solver));
 }
 
 }  // namespace signorini

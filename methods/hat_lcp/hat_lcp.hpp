@@ -83,7 +83,6 @@ class HatLcp final : public Method, public CurveMethod {
   /// Of one grid, the one asked for or the first (hat_diagram).
   [[nodiscard]] BranchDiagram follow(const Problem& problem, double from, double to,
                                      const CurveLimits& limits) const override;
-  [[nodiscard]] RepresentedLaw curve_law(const Problem& problem) const override { return law(problem); }
 
  private:
   /// The impact law asked for.

@@ -18,10 +18,6 @@ Support PenaltyHbm::supports(const Problem& problem) const {
 }
 
 RepresentedLaw PenaltyHbm::law(const Problem& problem) const {
-  return options_.common.represented(problem, curve_law(problem));
-}
-
-RepresentedLaw PenaltyHbm::curve_law(const Problem& problem) const {
   return projected_method_law(problem, options_.penalty);
 }
 
@@ -34,14 +30,13 @@ std::unique_ptr<PreparedMethod> PenaltyHbm::prepare(const Problem& problem) cons
   return prepare_harmonic_balance(problem, options_.common, [&](const Problem& solved) -> HarmonicMethod {
     return {.law_at = law_at(solved),
             .grid_solver = lcp_grid_solver(lcp_settings(options_.common, options_.solver)),
-            .constant_is_chosen = options_.penalty.has_value() || options_.common.plain,
             .solver_is_open = leaves_solver_open(options_.common, options_.solver)};
   });
 }
 
 BranchDiagram PenaltyHbm::follow(const Problem& problem, double from, double to,
                                  const CurveLimits& limits) const {
-  return projected_diagram<PenaltyHbm>(options_, law_at(problem), problem, from, to, limits);
+  return series_diagram(problem, from, to, series_method(*this, options_.common, law_at(problem)), limits);
 }
 
 }  // namespace signorini

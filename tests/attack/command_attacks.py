@@ -27,7 +27,7 @@ def scene_for(random, number):
 def searches(program, random, count, folder, findings):
     """check, orbits, sweep and solve under small limits."""
     campaign = Campaign("`check`, `orbits`, `sweep`, `solve` on random, hand-made and damaged scenes", findings)
-    methods = ["hat-lcp", "fourier-lipschitz", "penalty-hbm", "aft-hbm", "event-driven", "exact-orbit"]
+    methods = ["hat-lcp", "fourier-lipschitz", "penalty-hbm", "aft-hbm", "closed-hbm", "event-driven", "exact-orbit"]
     for number in range(count):
         text = scene_for(random, number)
         (folder / "scene.toml").write_bytes(text)

@@ -190,7 +190,7 @@ def waiting_for_references(attacked):
 def duplicated_stops(attacked):
     """The same stop once, twice and twenty times is one stop."""
     found = []
-    for method in ("fourier-lipschitz", "penalty-hbm", "aft-hbm"):
+    for method in ("fourier-lipschitz", "penalty-hbm", "aft-hbm", "closed-hbm"):
         errors = []
         for copies in (1, 2, 20):
             attacked.scene(one_mass(gaps=(0.2,) * copies, law="restitution = 0.8"))

@@ -9,7 +9,7 @@ from file_attacks import TREE, small
 from generators import damaged, hand_made_scenes, random_scene
 
 METHODS = ["hat-lcp[samples=256]", "fourier-lipschitz[harmonics=20]", "penalty-hbm[harmonics=20]",
-           "aft-hbm[harmonics=20]", "augmented-lagrangian[harmonics=20]", "event-driven[flow=modal]",
+           "aft-hbm[harmonics=20]", "augmented-lagrangian[harmonics=20]", "closed-hbm[harmonics=20]", "event-driven[flow=modal]",
            "exact-orbit[samples=64]"]
 # A case may end badly only where it says so; these would be ends that nobody asked for.
 FAULTS = ("crashed", "exception", "invalid-output", "out-of-memory")

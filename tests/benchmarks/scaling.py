@@ -98,7 +98,7 @@ LINES = {
                [(2**k, of_catalogue("chain10-stops")) for k in range(6, 13)]),
               ("hat-lcp by marching, block of nine contacts: nodes", "hat-lcp[scheme=bdf2]", "samples",
                [(2**k, of_catalogue("block-nine-contacts")) for k in range(8, 15)])],
-    "harmonics": [("fourier-lipschitz, one mass: harmonics", "fourier-lipschitz", "harmonics",
+    "harmonics": [("closed-hbm, one mass: harmonics", "closed-hbm", "harmonics",
                    [(20 * 2**k, of_catalogue("sdof-stop")) for k in range(7)]),
                   ("fourier-lipschitz, block of nine contacts: harmonics", "fourier-lipschitz", "harmonics",
                    [(20 * 2**k, of_catalogue("block-nine-contacts")) for k in range(5)])],

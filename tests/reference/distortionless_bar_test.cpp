@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "methods/discretisation/trajectories.hpp"
 #include "methods/event_driven/event_driven.hpp"
@@ -54,7 +55,7 @@ Solution projected(int harmonics) {
                       .method = {.law_at = law, .grid_solver = lcp_grid_solver({})},
                       .options = {},
                       .law = law(receptance)};
-  return solve_by_harmonic_balance(setup, {});
+  return HarmonicSolver(std::move(setup)).solve({}).solution;
 }
 
 // Relative L2 distance of samples from a grid function of as many points.

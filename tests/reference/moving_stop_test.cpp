@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
+#include "methods/closed_hbm/closed_hbm.hpp"
 #include "methods/event_driven/event_driven.hpp"
 #include "methods/exact_orbit/exact_orbit_method.hpp"
-#include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
 #include "problems/moving_frame.hpp"
@@ -141,7 +141,7 @@ TEST(MovingStop, OrbitsAreThoseInCoordinatesAtRest) {
 
 TEST(MovingStop, IsMetByMethodsOfTimeAndOfFrequency) {
   const auto orbits = orbits_at_rest(0.8);
-  const Solution series = test::solve<FourierLipschitz>(scene(0.8), {.common = {.harmonics = 80}});
+  const Solution series = test::solve<ClosedHbm>(scene(0.8), {.harmonics = 80});
   ASSERT_EQ(series.verdict, Verdict::converged) << series.message;
   EXPECT_LT(distance(*series.trajectory, orbits), 2e-3) << "what 80 harmonics cut off at a kink";
   std::vector<double> errors;

@@ -100,7 +100,7 @@ Solution from_the_mode(const NonsmoothBar& bar, HarmonicSetup setup, double fact
   const auto guess = std::make_shared<test::GivenMotion>(
       bar.period, [bar](double t) { return bar.u(1.0, t); },
       [bar, factor](double t) { return factor * bar.force(t); });
-  return solve_by_harmonic_balance(setup, {.guess = guess});
+  return HarmonicSolver(std::move(setup)).solve({.guess = guess}).solution;
 }
 
 // Oracle 1e1: the energies of independent computations with c = 4 and 20 samples per harmonic, and how near
@@ -146,8 +146,7 @@ TEST(NonsmoothBar, HarmonicBalanceTendsToItAtTheRateOfItsKinks) {
 
 TEST(NonsmoothBar, RestIsWhatAColdStartFinds) {
   const NonsmoothBar bar;
-  HarmonicSetup setup = setup_of(bar, 20, constant(4.0));
-  const Solution solution = solve_by_harmonic_balance(setup, {});
+  const Solution solution = HarmonicSolver(setup_of(bar, 20, constant(4.0))).solve({}).solution;
   ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
   EXPECT_EQ(solution.trajectory->force_coefficients().norm(), 0.0);
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 
+#include "methods/closed_hbm/closed_hbm.hpp"
 #include "methods/complementarity/projected_law.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
@@ -89,11 +90,10 @@ TEST(FourierLipschitz, ApproachesTheExactOrbitsOfRestitutionOneAtFirstOrder) {
     std::vector<double> steps, errors, impulse_errors, closed_errors;
     for (const int harmonics : {10, 20, 40, 80, 160}) {
       const auto guess = truncated(orbit, problem, harmonics);
-      FourierLipschitz::Options options{{.harmonics = harmonics, .samples = 32 * harmonics}};
-      const Solution closed = solve<FourierLipschitz>(problem, options, guess);
+      const FourierLipschitz::Options options{{.harmonics = harmonics, .samples = 32 * harmonics}};
+      const Solution closed = solve<ClosedHbm>(problem, {.harmonics = harmonics}, guess);
       ASSERT_EQ(closed.verdict, Verdict::converged) << closed.message;
       closed_errors.push_back(test::relative_error(*closed.trajectory, [&](double t) { return orbit.x(t); }));
-      options.common.compensate = false;
       const Solution solution = solve<FourierLipschitz>(problem, options, guess);
       ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
       const auto& data = dynamic_cast<const FourierTrajectory&>(*solution.trajectory).data();

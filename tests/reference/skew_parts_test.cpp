@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "methods/aft_hbm/aft_hbm.hpp"
+#include "methods/closed_hbm/closed_hbm.hpp"
 #include "methods/event_driven/event_driven.hpp"
 #include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
@@ -180,7 +181,7 @@ TEST(SkewParts, StopsAreMetAsATimeIntegrationMeetsThem) {
     const Solution marched = test::solve<EventDriven>(problem, {});
     ASSERT_EQ(marched.verdict, Verdict::converged) << marched.message;
     EXPECT_LT(distance(*marched.trajectory, exact), 1e-6);
-    const Solution series = test::solve<FourierLipschitz>(problem, {.common = {.harmonics = 80}});
+    const Solution series = test::solve<ClosedHbm>(problem, {.harmonics = 80});
     ASSERT_EQ(series.verdict, Verdict::converged) << series.message;
     EXPECT_LT(distance(*series.trajectory, exact), 5e-3);
     const Solution nodes = test::solve<HatLcp>(problem, {.samples = 2048});

@@ -39,6 +39,26 @@ TEST(CommandSolve, SolvesAndPrintsOneRecordThatStartsAnotherSolve) {
   EXPECT_LT(Json::parse(second.out)["errors"]["x_l2"].get<double>(), 1e-6);
 }
 
+// What the projected equations are worth by themselves, and with the law of impact asked of all harmonics.
+TEST(CommandSolve, TellsTheErrorsOfHarmonicBalanceByItsOwnEquationsAndWithImpactsClosed) {
+  const auto error = [](const std::string& method) {
+    const Outcome outcome = run("solve sdof-stop --json --method " + method);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return Json::parse(outcome.out)["errors"]["x_l2"].get<double>();
+  };
+  EXPECT_NEAR(error("fourier-lipschitz"), 0.1447807, 1e-7);
+  EXPECT_NEAR(error("closed-hbm"), 0.0018078586759211867, 1e-12);
+}
+
+TEST(CommandSolve, NamesTheMethodThatHasAnOptionWhichIsNoLongerOneOfThisMethod) {
+  for (const std::string method : {"fourier-lipschitz", "penalty-hbm", "aft-hbm", "augmented-lagrangian"}) {
+    const Outcome outcome = run("solve sdof-stop --set compensate=true --method " + method);
+    EXPECT_EQ(outcome.code, 2) << method;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("closed-hbm"), std::string::npos) << outcome.err;
+  }
+}
+
 TEST(CommandSolve, ReportsASolveInWords) {
   const Outcome outcome = run("solve sdof-stop --method hat-lcp");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -69,7 +89,7 @@ TEST(CommandSolve, TellsWhatTheMotionDoes) {
 
 // Every method's coordinate at the contact is its contact displacement.
 TEST(CommandSolve, TellsTheMotionOfCoordinatesByEveryMethod) {
-  for (const std::string method : {"exact-orbit", "event-driven", "fourier-lipschitz", "hat-lcp"}) {
+  for (const std::string method : {"exact-orbit", "event-driven", "closed-hbm", "hat-lcp"}) {
     const Outcome outcome = run("solve chain3-stop --method " + method + " --dofs 2,0 --harmonics 2 --json");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Json json = Json::parse(outcome.out), &motion = json["motion"];

@@ -59,14 +59,19 @@ INSTANTIATE_TEST_SUITE_P(Harmonics, AftEqualsItsTwin, testing::Values(3, 10, 25)
 
 TEST(AftHbm, NewtonAloneIsWhatTheHomotopyRepairs) {
   const Problem problem = test::to_problem(kStop);
-  const Solution alone = solve<AftHbm>(
-      problem, {.common = {.harmonics = 20, .samples = 640, .restitution = ClosedRestitution::none},
-                .homotopy = false});
+  const Solution alone =
+      solve<AftHbm>(problem, {.common = {.harmonics = 20, .samples = 640}, .homotopy = false});
   EXPECT_EQ(alone.verdict, Verdict::not_converged);
   EXPECT_GT(alone.residual.value(), 1e-10);
-  const Solution repaired =
-      solve<AftHbm>(problem, {{.harmonics = 20, .samples = 640, .restitution = ClosedRestitution::none}});
+  const Solution repaired = solve<AftHbm>(problem, {{.harmonics = 20, .samples = 640}});
   EXPECT_EQ(repaired.verdict, Verdict::converged) << repaired.message;
+}
+
+// Cold, at its defaults, its own iteration is what runs.
+TEST(AftHbm, AlternatesBetweenFrequencyAndTime) {
+  const Solution solution = solve<AftHbm>(test::to_problem(kStop), {});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  EXPECT_NE(solution.message.find("Newton-Krylov"), std::string::npos) << solution.message;
 }
 
 TEST(AftHbm, NeedsAtMostTwoStepsFromTheAnswer) {

@@ -20,11 +20,9 @@ TEST(AugmentedLagrangian, SolvesTheLipschitzFormWithItsPenaltyAsConstant) {
   for (const double penalty : {100.0, 1e3, 1e4}) {
     const Problem problem = test::to_problem(kStop);
     const Solution solution = solve<AugmentedLagrangian>(
-        problem,
-        {.harmonics = 10, .penalty = Scaled{penalty, true}, .compensate = false, .tolerance = 1e-12});
+        problem, {.harmonics = 10, .penalty = Scaled{penalty, true}, .tolerance = 1e-12});
     ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
-    const auto lipschitz =
-        FourierLipschitz({.common = {.harmonics = 10, .compensate = false}, .c = penalty}).prepare(problem);
+    const auto lipschitz = FourierLipschitz({.common = {.harmonics = 10}, .c = penalty}).prepare(problem);
     const Solution same = lipschitz->solve({.guess = solution.trajectory});
     ASSERT_EQ(same.verdict, Verdict::converged) << same.message;
     EXPECT_LE(test::relative_distance(*solution.trajectory, *same.trajectory), 1e-10) << penalty;
@@ -36,12 +34,10 @@ TEST(AugmentedLagrangian, IsRidOfThePenaltysPenetration) {
   const Problem problem =
       test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = -30.0, .restitution = 1.0});
   const Scaled soft{100.0, true};
-  const Solution with =
-      solve<AugmentedLagrangian>(problem, {.harmonics = 2, .penalty = soft, .compensate = false});
+  const Solution with = solve<AugmentedLagrangian>(problem, {.harmonics = 2, .penalty = soft});
   ASSERT_EQ(with.verdict, Verdict::converged) << with.message;
   EXPECT_LE((with.trajectory->sample(64).x.array() + 30.0).abs().maxCoeff(), 1e-9);
-  const Solution without =
-      solve<PenaltyHbm>(problem, {.common = {.harmonics = 2, .compensate = false}, .penalty = soft});
+  const Solution without = solve<PenaltyHbm>(problem, {.common = {.harmonics = 2}, .penalty = soft});
   ASSERT_EQ(without.verdict, Verdict::converged) << without.message;
   EXPECT_GE((without.trajectory->sample(64).x.array() + 30.0).abs().maxCoeff(), 0.1);
 }

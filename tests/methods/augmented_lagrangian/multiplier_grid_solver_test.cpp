@@ -67,7 +67,7 @@ TEST(MultiplierGridSolver, TellsThatTheMultiplierRunsAway) {
   EXPECT_TRUE(solve_with(problem, 40, 1.0, 150, work, false).solved);  // accelerated
   const ContactReceptance receptance = fourier_receptance(problem, 40);
   const auto constant = highest_dynamic_stiffness(receptance)[0] / contact_stiffness_scale(problem)[0];
-  const auto newton = FourierLipschitz({.common = {.harmonics = 40, .compensate = false}, .c = constant});
+  const auto newton = FourierLipschitz({.common = {.harmonics = 40}, .c = constant});
   EXPECT_EQ(newton.prepare(problem)->solve({}).verdict, Verdict::converged);
 }
 

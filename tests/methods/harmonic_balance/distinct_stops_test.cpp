@@ -64,7 +64,8 @@ TEST(DistinctStops, ShareTheForceOfOne) {
 
 // The same stop given twice or twenty times is the same scene.
 TEST(HarmonicBalance, SolvesARepeatedStopAsOne) {
-  for (const char* method : {"fourier-lipschitz", "penalty-hbm", "aft-hbm", "augmented-lagrangian"}) {
+  for (const char* method :
+       {"fourier-lipschitz", "penalty-hbm", "aft-hbm", "augmented-lagrangian", "closed-hbm"}) {
     const Solution once = solve(with_copies("sdof-stop-e08", 1), method);
     ASSERT_EQ(once.verdict, Verdict::converged) << method;
     for (const int copies : {2, 20}) {

@@ -53,10 +53,9 @@ TEST(ContinuationStart, HasFewerHarmonicsWhereThereAreManyContacts) {
 
 TEST(ContinueInHarmonics, ReachesWhatPivotingOnTheFineGridFinds) {
   const Problem problem = test::to_problem(kStop);
-  const Solution continued = test::solve<FourierLipschitz>(problem, {{.harmonics = 60, .compensate = false}});
+  const Solution continued = test::solve<FourierLipschitz>(problem, {{.harmonics = 60}});
   const Solution pivoted = test::solve<FourierLipschitz>(
-      problem, {.common = {.harmonics = 60, .samples = 64 * 60, .compensate = false},
-                .solver = ComplementaritySolver::pivoting});
+      problem, {.common = {.harmonics = 60, .samples = 64 * 60}, .solver = ComplementaritySolver::pivoting});
   ASSERT_EQ(continued.verdict, Verdict::converged) << continued.message;
   ASSERT_EQ(pivoted.verdict, Verdict::converged) << pivoted.message;
   EXPECT_NE(continued.message.find("20 harmonics first"), std::string::npos) << continued.message;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "methods/aft_hbm/aft_hbm.hpp"
+#include "methods/augmented_lagrangian/augmented_lagrangian.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
 #include "tests/support/impact_oscillator.hpp"
@@ -24,33 +25,27 @@ std::vector<std::string> names() {
 // Records and users know the options by these names, in this order.
 TEST(HarmonicOptions, AreEchoedInTheirOrderWithTheMethodsOwnAmongThem) {
   EXPECT_EQ(names<FourierLipschitz>(),
-            (std::vector<std::string>{"harmonics", "samples", "c", "quadrature", "compensate", "restitution",
-                                      "solver", "continuation", "tolerance", "max_iterations", "plain"}));
-  EXPECT_EQ(
-      names<PenaltyHbm>(),
-      (std::vector<std::string>{"harmonics", "samples", "penalty", "quadrature", "compensate", "restitution",
-                                "solver", "continuation", "tolerance", "max_iterations", "plain"}));
+            (std::vector<std::string>{"harmonics", "samples", "c", "quadrature", "solver", "continuation",
+                                      "tolerance", "max_iterations", "plain"}));
+  EXPECT_EQ(names<PenaltyHbm>(),
+            (std::vector<std::string>{"harmonics", "samples", "penalty", "quadrature", "solver",
+                                      "continuation", "tolerance", "max_iterations", "plain"}));
   EXPECT_EQ(names<AftHbm>(),
-            (std::vector<std::string>{"harmonics", "samples", "law", "c", "penalty", "quadrature",
-                                      "compensate", "restitution", "homotopy", "continuation", "tolerance",
-                                      "max_iterations", "plain"}));
+            (std::vector<std::string>{"harmonics", "samples", "law", "c", "penalty", "quadrature", "homotopy",
+                                      "continuation", "tolerance", "max_iterations", "plain"}));
 }
 
 TEST(HarmonicOptions, PlainSetsWhatIsLeftOpen) {
   const HarmonicOptions open;
   EXPECT_EQ(open.contact_integral(), Quadrature::exact);
-  EXPECT_TRUE(open.closes_impacts());
   EXPECT_FALSE(open.fixed_samples(10));
   EXPECT_TRUE(open.grid_is_open(10));
   const HarmonicOptions plain{.plain = true};
   EXPECT_EQ(plain.contact_integral(), Quadrature::sampled);
-  EXPECT_FALSE(plain.closes_impacts());
   EXPECT_EQ(plain.fixed_samples(10), 320);
   EXPECT_FALSE(plain.grid_is_open(10));
-  const HarmonicOptions asked{
-      .samples = 64, .quadrature = Quadrature::exact, .compensate = true, .plain = true};
+  const HarmonicOptions asked{.samples = 64, .quadrature = Quadrature::exact, .plain = true};
   EXPECT_EQ(asked.contact_integral(), Quadrature::exact);
-  EXPECT_TRUE(asked.closes_impacts());
   EXPECT_EQ(asked.fixed_samples(10), 64);
 }
 
@@ -69,26 +64,30 @@ TEST(HarmonicOptions, PlainTakesTheLiteraturesConstantsUnlessOneIsGiven) {
   EXPECT_FALSE(plain.penalty({}, spring)) << "the spring's own stiffness";
 }
 
-TEST(HarmonicOptions, CloseImpactsOnlyWhereTheContactIntegralIsExact) {
-  EXPECT_FALSE((HarmonicOptions{.quadrature = Quadrature::sampled, .compensate = true}.closes_impacts()));
+/// What a method says of a setting that it does not take.
+template <class Method>
+std::string said_of(const char* key) {
+  typename Method::Options options;
+  const OptionSetting setting{key, "false"};
+  try {
+    apply_settings(options, {&setting, 1});
+  } catch (const InvalidOption& error) {
+    return error.what();
+  }
+  return {};
 }
 
-TEST(HarmonicOptions, CloseImpactsAtTheRestitutionOfRigidStops) {
-  Problem problem = test::to_problem({.frequency = 2.2, .gap = 0.2, .restitution = 0.5});
-  const HarmonicOptions left_open, asked{.restitution = ClosedRestitution::scene},
-      plain{.quadrature = Quadrature::exact, .compensate = true, .plain = true},
-      none{.restitution = ClosedRestitution::none};
-  EXPECT_EQ(left_open.closed_restitution(problem), 0.5);
-  EXPECT_EQ(asked.closed_restitution(problem), 0.5);
-  EXPECT_TRUE(law_matches(left_open.represented(problem, Restitution{1.0}), problem.law));
-  EXPECT_EQ(plain.closed_restitution(problem), 1.0);
-  EXPECT_EQ(none.closed_restitution(problem), 1.0);
-  EXPECT_FALSE((HarmonicOptions{.compensate = false}.closed_restitution(problem)));
-  for (const HarmonicOptions& elastic : {plain, none, HarmonicOptions{.compensate = false}})
-    EXPECT_FALSE(law_matches(elastic.represented(problem, Restitution{1.0}), problem.law));
-  problem.law = Penalty{{300.0}};
-  EXPECT_FALSE(left_open.closed_restitution(problem));
-  EXPECT_TRUE(law_matches(left_open.represented(problem, as_represented(problem.law)), problem.law));
+TEST(HarmonicOptions, NameTheMethodThatClosesImpacts) {
+  const std::string said =
+      "compensate = false (unknown option: impacts stay as the series has them; the method closed-hbm "
+      "closes them)";
+  EXPECT_EQ(said_of<FourierLipschitz>("compensate"), said);
+  EXPECT_EQ(said_of<PenaltyHbm>("compensate"), said);
+  EXPECT_EQ(said_of<AftHbm>("compensate"), said);
+  EXPECT_EQ(said_of<AugmentedLagrangian>("compensate"), said);
+  EXPECT_NE(said_of<FourierLipschitz>("restitution").find("closed-hbm"), std::string::npos);
+  EXPECT_NE(said_of<FourierLipschitz>("compensated").find("unknown option; known: harmonics, "),
+            std::string::npos);
 }
 
 TEST(HarmonicOptions, AGridIsFixedByEachOfItsOptions) {
@@ -127,14 +126,6 @@ TEST(HarmonicOptions, AreRefusedOutOfTheirRanges) {
   EXPECT_EQ(refusal({.continuation = Continuation::frequency}),
             "continuation = frequency (must be none unless plain = true)");
   EXPECT_EQ(refusal({.continuation = Continuation::frequency, .plain = true}), "");
-  const auto closed = ClosedRestitution::scene;
-  const std::string needs_exact =
-      "restitution = scene (must be none if plain = true, compensate = false or "
-      "quadrature = sampled)";
-  EXPECT_EQ(refusal({.restitution = closed}), "");
-  EXPECT_EQ(refusal({.restitution = closed, .plain = true}), needs_exact);
-  EXPECT_EQ(refusal({.compensate = false, .restitution = closed}), needs_exact);
-  EXPECT_EQ(refusal({.quadrature = Quadrature::sampled, .restitution = closed}), needs_exact);
   EXPECT_EQ(refusal({.tolerance = 1.0}), "tolerance = 1 (must be in (0, 1e-2])");
   EXPECT_EQ(refusal({.max_iterations = -1}), "max_iterations = -1 (must be 0 or more)");
 }

@@ -142,7 +142,7 @@ class SolverOnFineGrids final : public GridSolver {
 };
 
 HarmonicSetup setup_with(const std::shared_ptr<const GridSolver>& solver,
-                         const HarmonicOptions& options = {.harmonics = 10, .compensate = false}) {
+                         const HarmonicOptions& options = {.harmonics = 10}) {
   // The gap is so wide that nothing touches: no force solves the equations.
   const Problem problem = test::to_problem({.frequency = 2.2, .gap = 3.0});
   return harmonic_setup(
@@ -173,18 +173,15 @@ std::vector<int> grids_asked(const HarmonicOptions& options, int fewest) {
 }
 
 TEST(SolveOnGrids, BeginsCoarseWhereTheExactIntegralFollows) {
-  EXPECT_EQ(grids_asked({.harmonics = 20, .compensate = false}, 1), (std::vector<int>{160}));
-  EXPECT_EQ(grids_asked({.harmonics = 3, .compensate = false}, 1), (std::vector<int>{64}));
-  EXPECT_EQ(grids_asked({.harmonics = 20, .quadrature = Quadrature::sampled, .compensate = false}, 1),
-            (std::vector<int>{640}));
+  EXPECT_EQ(grids_asked({.harmonics = 20}, 1), (std::vector<int>{160}));
+  EXPECT_EQ(grids_asked({.harmonics = 3}, 1), (std::vector<int>{64}));
+  EXPECT_EQ(grids_asked({.harmonics = 20, .quadrature = Quadrature::sampled}, 1), (std::vector<int>{640}));
 }
 
 TEST(SolveOnGrids, DoublesUpTo128SamplesPerHarmonicUnlessTheUserFixedThem) {
   constexpr int kNever = 1000000;
-  EXPECT_EQ(grids_asked({.harmonics = 20, .compensate = false}, kNever),
-            (std::vector<int>{160, 320, 640, 1280, 2560}));
-  EXPECT_EQ(grids_asked({.harmonics = 20, .samples = 777, .compensate = false}, kNever),
-            (std::vector<int>{777}));
+  EXPECT_EQ(grids_asked({.harmonics = 20}, kNever), (std::vector<int>{160, 320, 640, 1280, 2560}));
+  EXPECT_EQ(grids_asked({.harmonics = 20, .samples = 777}, kNever), (std::vector<int>{777}));
 }
 
 /// Claims to have solved with a force whose first harmonic does net work; notes the grids it is asked for.
@@ -203,8 +200,7 @@ class WorkingForce final : public GridSolver {
 
 TEST(SolveOnGrids, RefinesASampledIntegralUntilTheEnergyIdentityHoldsOrNoGridIsLeft) {
   const auto solver = std::make_shared<WorkingForce>();
-  const HarmonicSetup setup =
-      setup_with(solver, {.harmonics = 10, .quadrature = Quadrature::sampled, .compensate = false});
+  const HarmonicSetup setup = setup_with(solver, {.harmonics = 10, .quadrature = Quadrature::sampled});
   Work work;
   const Solution solution = solve_on_grids(setup, {}, work);
   EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;  // as asked for

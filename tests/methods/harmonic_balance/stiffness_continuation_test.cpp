@@ -36,9 +36,8 @@ TEST(ContinueInStiffness, FindsFromNoForceWhatPivotingFinds) {
   EXPECT_LE(found.residual, 1e-10);
   EXPECT_LE(found.iterations, 150);
   const Solution pivoted = test::solve<FourierLipschitz>(
-      test::to_problem(kStop),
-      {.common = {.harmonics = kHarmonics, .samples = 64 * kHarmonics, .compensate = false},
-       .solver = ComplementaritySolver::pivoting});
+      test::to_problem(kStop), {.common = {.harmonics = kHarmonics, .samples = 64 * kHarmonics},
+                                .solver = ComplementaritySolver::pivoting});
   ASSERT_EQ(pivoted.verdict, Verdict::converged) << pivoted.message;
   const Eigen::MatrixXcd& force = pivoted.trajectory->force_coefficients();
   EXPECT_LE((found.lambda - force).norm(), 1e-7 * force.norm());

@@ -52,8 +52,7 @@ bool begins(const Solution& solution, const std::string& words) { return solutio
 TEST(Strategy, DoublesHarmonicsUpTo160WhereNothingConverges) {
   const auto solver = std::make_shared<FailingSolver>();
   const Problem problem = test::to_problem(kStop);
-  const Solution solution =
-      prepare_harmonic_balance(problem, {.compensate = false}, method_of(solver, true))->solve({});
+  const Solution solution = prepare_harmonic_balance(problem, {}, method_of(solver, true))->solve({});
   EXPECT_EQ(solution.verdict, Verdict::not_converged);
   // Beyond 20 harmonics the start of the continuation is asked before the grids of all of them.
   EXPECT_EQ(solver->harmonics, (std::vector<int>{20, 20, 40, 20, 80, 20, 160}));
@@ -68,17 +67,17 @@ TEST(Strategy, StaysWithTheHarmonicsOfAUserWhoSetsThemOrTheSolver) {
     (void)prepare_harmonic_balance(problem, options, method_of(solver, open))->solve({});
     return solver->harmonics;
   };
-  EXPECT_EQ(asked({.harmonics = 40, .compensate = false}, true), (std::vector<int>{20, 40}));
-  EXPECT_EQ(asked({.compensate = false}, false), (std::vector<int>{20}));
-  EXPECT_EQ(asked({.compensate = false, .max_iterations = 100}, true), (std::vector<int>{20}));
-  EXPECT_EQ(asked({.harmonics = 40, .samples = 512, .compensate = false}, true), (std::vector<int>{40}));
+  EXPECT_EQ(asked({.harmonics = 40}, true), (std::vector<int>{20, 40}));
+  EXPECT_EQ(asked({}, false), (std::vector<int>{20}));
+  EXPECT_EQ(asked({.max_iterations = 100}, true), (std::vector<int>{20}));
+  EXPECT_EQ(asked({.harmonics = 40, .samples = 512}, true), (std::vector<int>{40}));
 }
 
 TEST(Strategy, EndsWithItsTimeBudget) {
   const auto solver = std::make_shared<FailingSolver>();
   const Problem problem = test::to_problem(kStop);
   const Start late{.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1)};
-  (void)prepare_harmonic_balance(problem, {.compensate = false}, method_of(solver, true))->solve(late);
+  (void)prepare_harmonic_balance(problem, {}, method_of(solver, true))->solve(late);
   EXPECT_EQ(solver->harmonics, (std::vector<int>{20}));
 }
 
@@ -87,13 +86,12 @@ TEST(Strategy, ThrowsOnlyWhereTheFirstHarmonicsCannotBePrepared) {
   Problem problem =
       test::to_problem(test::ImpactOscillator{.damping = 0.0, .frequency = 1.0 / 30.0, .gap = 0.2});
   const auto solver = std::make_shared<FailingSolver>();
-  const auto prepared = prepare_harmonic_balance(problem, {.compensate = false}, method_of(solver, true));
+  const auto prepared = prepare_harmonic_balance(problem, {}, method_of(solver, true));
   const Solution solution = prepared->solve({});
   EXPECT_EQ(solution.verdict, Verdict::not_converged);
   EXPECT_EQ(solver->harmonics, (std::vector<int>{20}));
   EXPECT_NE(solution.message.find("singular"), std::string::npos) << solution.message;
-  EXPECT_THROW((void)prepare_harmonic_balance(problem, {.harmonics = 40, .compensate = false},
-                                              method_of(solver, true)),
+  EXPECT_THROW((void)prepare_harmonic_balance(problem, {.harmonics = 40}, method_of(solver, true)),
                std::runtime_error);
 }
 
@@ -113,7 +111,7 @@ TEST(Strategy, AsksNoSolverWhereContactIsPermanentOrAbsent) {
 
 TEST(Strategy, TakesAGuessUpByNewtonAtOnce) {
   const Problem problem = test::to_problem(kStop);
-  const FourierLipschitz::Options options{{.harmonics = 40, .compensate = false}};
+  const FourierLipschitz::Options options{{.harmonics = 40}};
   const Solution cold = test::solve<FourierLipschitz>(problem, options);
   EXPECT_TRUE(begins(cold, "20 harmonics first, Newton from there")) << cold.message;
   const Solution warm = test::solve<FourierLipschitz>(problem, options, cold.trajectory);
@@ -122,42 +120,6 @@ TEST(Strategy, TakesAGuessUpByNewtonAtOnce) {
   EXPECT_FALSE(warm.work.pivots.has_value());
   EXPECT_LE(warm.work.iterations.value(), 1);
   EXPECT_LE(test::relative_distance(*cold.trajectory, *warm.trajectory), 1e-12);
-}
-
-TEST(Strategy, ClosesTheImpactsThatASolverFindsWhichTheUserSets) {
-  const Problem problem = test::to_problem(kStop);
-  const auto orbit = test::single_impact_orbits(kStop).front();
-  const auto error = [&](const Solution& found) {
-    return test::relative_error(*found.trajectory, [&](double t) { return orbit.x(t); });
-  };
-  for (const auto solver : {ComplementaritySolver::automatic, ComplementaritySolver::pivoting}) {
-    const Solution closed =
-        test::solve<FourierLipschitz>(problem, {.common = {.harmonics = 20}, .solver = solver});
-    const Solution series = test::solve<FourierLipschitz>(
-        problem, {.common = {.harmonics = 20, .compensate = false}, .solver = solver});
-    ASSERT_EQ(closed.verdict, Verdict::converged) << closed.message;
-    const bool hats = closed.message.find("hat functions first") != std::string::npos;
-    EXPECT_EQ(hats, solver == ComplementaritySolver::automatic) << closed.message;
-    EXPECT_LT(8.0 * error(closed), error(series));
-  }
-}
-
-// Whether a contact lasts is not a matter of harmonics.
-TEST(Strategy, DoublesNoHarmonicsWhereAContactLasts) {
-  const Problem problem =
-      test::to_problem({.damping = 0.1, .frequency = 0.4, .gap = -0.3, .restitution = 0.0});
-  const Solution found = test::solve<FourierLipschitz>(problem, {});
-  EXPECT_EQ(found.verdict, Verdict::not_converged);
-  EXPECT_EQ(found.message, "impacts not closed: a contact lasts: only separate impacts are closed");
-}
-
-// With 20 harmonics the series of this scene rattles and is near no orbit.
-TEST(Strategy, ClaimsNoSeriesWhoseImpactsCannotBeClosed) {
-  const Problem problem = test::to_problem(test::hard_population(140).back());
-  const Solution found = test::solve<FourierLipschitz>(
-      problem, {.common = {.harmonics = 20}, .solver = ComplementaritySolver::pivoting});
-  EXPECT_EQ(found.verdict, Verdict::not_converged);
-  EXPECT_TRUE(begins(found, "impacts not closed: ")) << found.message;
 }
 
 // From 800 harmonics times contacts on massless contacts begin at a march; what Newton's method finds from

@@ -40,7 +40,6 @@ SeriesFamily lipschitz_family(const Problem& problem, int harmonics) {
 bool lead_to_answer(SeriesCurve& curve, const Problem& problem) {
   FourierLipschitz::Options options;
   options.common.harmonics = curve.harmonics();
-  options.common.compensate = false;
   const Solution solution = FourierLipschitz(options).prepare(problem)->solve({});
   if (!solution.trajectory) return false;
   const Eigen::VectorXd x =

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "methods/closed_hbm/closure_setup.hpp"
 #include "methods/complementarity/impact_motion.hpp"
 #include "methods/harmonic_balance/harmonic_setup.hpp"
 #include "methods/solution.hpp"
@@ -29,7 +30,7 @@ struct ClosedAnswer {
   bool harmonics_may_help = false;
 };
 
-/// A periodic motion of the scene under the restitution e of `setup.closure`, 0 <= e <= 1, as a series of H
+/// A periodic motion of the scene under the restitution e of `closure`, 0 <= e <= 1, as a series of H
 /// harmonics. In turn from
 ///
 ///   1. the guess;
@@ -44,12 +45,13 @@ struct ClosedAnswer {
 /// constant itself. So an answer cannot be of another restitution: X'_+ = -e X'_- holds in X at every impact.
 ///
 /// Contacts that last, or stick, are not closed, nor impacts on contacts that do not answer like a mass
-/// beyond H, or nearer than the series resolves. `setup.closure` must be given.
-ClosedAnswer close_answer(HarmonicSetup& setup, const Start& start, Work& work);
+/// beyond H, or nearer than the series resolves.
+ClosedAnswer close_answer(const HarmonicSetup& setup, ClosureSetup& closure, const Start& start, Work& work);
 
 /// The same from a converged series of the projected equations, whose impacts have restitution 1, as
-/// `setup.closure` must ask for. A series in which each contact presses throughout or never is the answer as
-/// it stands.
-ClosedAnswer close_series(const HarmonicSetup& setup, const Solution& series, const Start& start, Work& work);
+/// `closure` must ask for. A series in which each contact presses throughout or never is the answer as it
+/// stands.
+ClosedAnswer close_series(const HarmonicSetup& setup, const ClosureSetup& closure, const Solution& series,
+                          const Start& start, Work& work);
 
 }  // namespace signorini

@@ -1,21 +1,20 @@
 // Harmonic balance under the scene's own restitution, judged by closed-form and exact orbits.
 
-#include "methods/harmonic_balance/closed_answer.hpp"
+#include "methods/closed_hbm/closed_answer.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "methods/aft_hbm/aft_hbm.hpp"
+#include "methods/closed_hbm/closed_hbm.hpp"
 #include "methods/discretisation/trajectories.hpp"
 #include "methods/exact_orbit/exact_orbit_method.hpp"
-#include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/harmonic_balance/grid_solver.hpp"
-#include "methods/harmonic_balance/series_solution.hpp"
-#include "methods/penalty_hbm/penalty_hbm.hpp"
+#include "methods/harmonic_balance/strategy.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
@@ -27,8 +26,6 @@ namespace {
 using test::ImpactOscillator;
 using test::relative_distance;
 using test::solve;
-
-constexpr auto kScene = ClosedRestitution::scene;
 
 ImpactOscillator oscillator(double restitution) {
   return {.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = restitution};
@@ -50,36 +47,27 @@ double error_over_cut(const ImpactOscillator& scene, const Solution& solution, i
   return best;
 }
 
-template <class Method>
-void expect_closed(double restitution) {
-  const ImpactOscillator scene = oscillator(restitution);
+class ClosedAnswerAt : public testing::TestWithParam<double> {};
+
+TEST_P(ClosedAnswerAt, IsTheOrbitOfTheScenesRestitution) {
+  const ImpactOscillator scene = oscillator(GetParam());
   const Problem problem = test::to_problem(scene);
   for (const int harmonics : {10, 40, 160}) {
-    const typename Method::Options options{{.harmonics = harmonics, .restitution = kScene}};
-    const Solution found = solve<Method>(problem, options);
+    const Solution found = solve<ClosedHbm>(problem, {.harmonics = harmonics});
     ASSERT_EQ(found.verdict, Verdict::converged) << found.message;
     EXPECT_NE(found.message.find("1 impact closed at restitution"), std::string::npos) << found.message;
     EXPECT_LE(error_over_cut(scene, found, harmonics), 1.02);
     EXPECT_LE(found.work.iterations.value(), 16) << "Newton steps, those that settle the impacts included";
-    EXPECT_TRUE(law_matches(Method(options).law(problem), problem.law));
   }
-}
-
-class ClosedAnswerAt : public testing::TestWithParam<double> {};
-
-TEST_P(ClosedAnswerAt, IsTheOrbitOfTheScenesRestitutionInEachMethod) {
-  expect_closed<FourierLipschitz>(GetParam());
-  expect_closed<PenaltyHbm>(GetParam());
-  expect_closed<AftHbm>(GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(OneMass, ClosedAnswerAt, testing::Values(1.0, 0.8, 0.5, 0.2, 0.0));
 
 TEST(ClosedAnswer, IsOfRestitutionOneWhereNoneIsAskedFor) {
   const Problem problem = test::to_problem(oscillator(0.5));
-  const FourierLipschitz::Options none{{.harmonics = 40, .restitution = ClosedRestitution::none}};
-  EXPECT_FALSE(law_matches(FourierLipschitz(none).law(problem), problem.law));
-  const Solution found = solve<FourierLipschitz>(problem, none);
+  const ClosedHbm::Options none{.harmonics = 40, .restitution = ClosedHbm::ImpactLaw::none};
+  EXPECT_FALSE(law_matches(ClosedHbm(none).law(problem), problem.law));
+  const Solution found = solve<ClosedHbm>(problem, none);
   ASSERT_EQ(found.verdict, Verdict::converged) << found.message;
   EXPECT_LE(error_over_cut(oscillator(1.0), found, 40), 1.02);
 }
@@ -89,18 +77,18 @@ TEST(ClosedAnswer, IsNotTheContactFreeMotionWhereThatTouchesForAnInstant) {
   ImpactOscillator scene = oscillator(0.8);
   const double amplitude = 1.0 / std::hypot(1.0 - 2.2 * 2.2, 0.1 * 2.2);
   scene.gap = amplitude * (1.0 - 1e-7);
-  const Solution touching = solve<FourierLipschitz>(test::to_problem(scene), {{.harmonics = 20}});
+  const Solution touching = solve<ClosedHbm>(test::to_problem(scene), {.harmonics = 20});
   EXPECT_EQ(touching.message.find("nothing touches"), std::string::npos) << touching.message;
   scene.gap = amplitude * (1.0 + 1e-9);
-  const Solution beside = solve<FourierLipschitz>(test::to_problem(scene), {{.harmonics = 20}});
+  const Solution beside = solve<ClosedHbm>(test::to_problem(scene), {.harmonics = 20});
   EXPECT_NE(beside.message.find("nothing touches"), std::string::npos) << beside.message;
 }
 
 TEST(ClosedAnswer, KeepsWithinALimitOnSteps) {
   const Problem problem = test::to_problem(oscillator(0.5));
-  const Solution short_of = solve<FourierLipschitz>(problem, {{.max_iterations = 4}});
+  const Solution short_of = solve<ClosedHbm>(problem, {.max_iterations = 4});
   EXPECT_EQ(short_of.verdict, Verdict::not_converged);
-  const Solution found = solve<FourierLipschitz>(problem, {{.max_iterations = 100}});
+  const Solution found = solve<ClosedHbm>(problem, {.max_iterations = 100});
   EXPECT_EQ(found.verdict, Verdict::converged) << found.message;
   EXPECT_LE(found.work.iterations.value() + found.work.pivots.value_or(0), 100);
 }
@@ -118,8 +106,7 @@ TEST(ClosedAnswer, ConvergesOnChainsWithTwoStopsAsTheBestSeriesDoes) {
   std::vector<double> steps;
   std::vector<double> errors;
   for (const int harmonics : {20, 40, 80, 160}) {
-    const Solution found =
-        solve<FourierLipschitz>(problem, {{.harmonics = harmonics, .restitution = kScene}});
+    const Solution found = solve<ClosedHbm>(problem, {.harmonics = harmonics});
     ASSERT_EQ(found.verdict, Verdict::converged) << found.message;
     steps.push_back(1.0 / harmonics);
     errors.push_back(distance_from_orbit(problem, found));
@@ -134,7 +121,7 @@ TEST(ClosedAnswer, ConvergesBetweenTwoStopsAsTheBestSeriesDoes) {
   std::vector<double> steps;
   std::vector<double> errors;
   for (const int harmonics : {20, 40, 80, 160}) {
-    const Solution found = solve<PenaltyHbm>(problem, {{.harmonics = harmonics, .restitution = kScene}});
+    const Solution found = solve<ClosedHbm>(problem, {.harmonics = harmonics});
     ASSERT_EQ(found.verdict, Verdict::converged) << found.message;
     steps.push_back(1.0 / harmonics);
     errors.push_back(distance_from_orbit(problem, found));
@@ -144,54 +131,77 @@ TEST(ClosedAnswer, ConvergesBetweenTwoStopsAsTheBestSeriesDoes) {
 
 TEST(ClosedAnswer, IsContinuousInTheRestitution) {
   const auto of = [](double restitution) {
-    return solve<FourierLipschitz>(test::to_problem(oscillator(restitution)),
-                                   {{.harmonics = 20, .restitution = kScene}});
+    return solve<ClosedHbm>(test::to_problem(oscillator(restitution)), {.harmonics = 20});
   };
   EXPECT_LE(relative_distance(*of(1.0).trajectory, *of(1.0 - 1e-6).trajectory), 1e-5);
 }
 
+/// A scene set up with H harmonics, its series and what closes it at restitution 1.
+struct OwnSeries {
+  OwnSeries(const Problem& problem, int harmonics)
+      : setup(harmonic_setup(
+            problem, harmonics, {.harmonics = harmonics},
+            {.law_at =
+                 [&problem](const ContactReceptance& level) { return lipschitz_law(problem, {}, level); },
+             .grid_solver = lcp_grid_solver({})})),
+        closure(closure_setup(setup, {.restitution = 1.0})),
+        series(solve_series(setup, {}, work)) {}
+  OwnSeries(const OwnSeries&) = delete;
+  OwnSeries& operator=(const OwnSeries&) = delete;
+
+  [[nodiscard]] ClosedAnswer closed() { return close_series(setup, closure.value(), series, {}, work); }
+
+  HarmonicSetup setup;
+  std::optional<ClosureSetup> closure;
+  Work work = {};
+  Solution series;
+};
+
 TEST(ClosedAnswer, IsTheSameFromTheImpactsOfASeriesAtRestitutionOne) {
   const Problem problem = test::to_problem(oscillator(1.0));
-  const Solution of_hats = solve<FourierLipschitz>(problem, {{.harmonics = 20}});
-  const Solution of_series = solve<FourierLipschitz>(
-      problem, {.common = {.harmonics = 20}, .solver = ComplementaritySolver::pivoting});
-  ASSERT_EQ(of_series.verdict, Verdict::converged) << of_series.message;
-  EXPECT_LE(relative_distance(*of_hats.trajectory, *of_series.trajectory), 1e-9);
+  const Solution of_hats = solve<ClosedHbm>(problem, {.harmonics = 20});
+  EXPECT_NE(of_hats.message.find("hat functions first"), std::string::npos) << of_hats.message;
+  OwnSeries own(problem, 20);
+  ASSERT_EQ(own.series.verdict, Verdict::converged) << own.series.message;
+  const ClosedAnswer of_series = own.closed();
+  ASSERT_TRUE(of_series.answer) << of_series.reason;
+  EXPECT_LE(relative_distance(*of_hats.trajectory, *of_series.answer->trajectory), 1e-9);
+}
+
+// With 20 harmonics the series of this scene rattles and is near no orbit.
+TEST(ClosedAnswer, IsNoneOfASeriesWhoseImpactsCannotBeClosed) {
+  const Problem problem = test::to_problem(test::hard_population(140).back());
+  OwnSeries own(problem, 20);
+  ASSERT_EQ(own.series.verdict, Verdict::converged) << own.series.message;
+  const ClosedAnswer closed = own.closed();
+  EXPECT_FALSE(closed.answer);
+  EXPECT_FALSE(closed.reason.empty());
 }
 
 // Where a contact presses throughout there is nothing to close: the series is the answer as it stands.
 TEST(ClosedAnswer, OfASeriesThatNothingStrikesIsTheSeries) {
   const Problem pressed =
       test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = -2.0, .restitution = 1.0});
-  const HarmonicSetup setup = harmonic_setup(
-      pressed, 10, {.harmonics = 10},
-      {.law_at = [&](const ContactReceptance& level) { return lipschitz_law(pressed, {}, level); },
-       .grid_solver = lcp_grid_solver({}),
-       .solver_is_open = false});
-  Work work;
-  const Solution series = solve_on_grids(setup, {}, work);
-  ASSERT_EQ(series.verdict, Verdict::converged) << series.message;
-  const ClosedAnswer closed = close_series(setup, series, {}, work);
+  OwnSeries own(pressed, 10);
+  ASSERT_EQ(own.series.verdict, Verdict::converged) << own.series.message;
+  const ClosedAnswer closed = own.closed();
   ASSERT_TRUE(closed.answer) << closed.reason;
-  EXPECT_EQ(closed.answer->trajectory, series.trajectory);
+  EXPECT_EQ(closed.answer->trajectory, own.series.trajectory);
 }
 
 // Motions near which series of twenty harmonics rattle.
 TEST(ClosedAnswer, IsFoundWhereFewHarmonicsRattle) {
   const Problem problem = test::to_problem(test::hard_population(140).back());
-  for (const Solution& found :
-       {solve<FourierLipschitz>(problem, {{.harmonics = 20}}),
-        solve<PenaltyHbm>(problem, {{.harmonics = 20}}), solve<AftHbm>(problem, {{.harmonics = 20}})}) {
-    ASSERT_EQ(found.verdict, Verdict::converged) << found.message;
-    EXPECT_LE(distance_from_orbit(problem, found), 0.02);
-  }
+  const Solution found = solve<ClosedHbm>(problem, {.harmonics = 20});
+  ASSERT_EQ(found.verdict, Verdict::converged) << found.message;
+  EXPECT_LE(distance_from_orbit(problem, found), 0.02);
 }
 
 TEST(ClosedAnswer, RefusesContactThatSticksOrChatters) {
   for (const ImpactOscillator& scene :
        {ImpactOscillator{.damping = 0.1, .frequency = 0.4, .gap = -0.3, .restitution = 0.0},
         ImpactOscillator{.damping = 0.1, .frequency = 0.4, .gap = 0.0, .restitution = 0.3}}) {
-    const Solution found = solve<FourierLipschitz>(test::to_problem(scene), {{.restitution = kScene}});
+    const Solution found = solve<ClosedHbm>(test::to_problem(scene), {});
     EXPECT_EQ(found.verdict, Verdict::not_converged) << found.message;
     EXPECT_FALSE(found.message.empty());
   }
@@ -199,12 +209,12 @@ TEST(ClosedAnswer, RefusesContactThatSticksOrChatters) {
 
 TEST(ClosedAnswer, IsTheContactFreeMotionOrTheHeldOneWhereNoImpactIs) {
   const Problem free = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 2.0, .restitution = 0.3});
-  const Solution open = solve<AftHbm>(free, {{.restitution = kScene}});
+  const Solution open = solve<ClosedHbm>(free, {});
   ASSERT_EQ(open.verdict, Verdict::converged) << open.message;
   EXPECT_EQ(open.trajectory->force_coefficients().norm(), 0.0);
   const Problem pressed =
       test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = -2.0, .restitution = 0.3});
-  const Solution held = solve<AftHbm>(pressed, {{.restitution = kScene}});
+  const Solution held = solve<ClosedHbm>(pressed, {});
   ASSERT_EQ(held.verdict, Verdict::converged) << held.message;
   EXPECT_NEAR(held.trajectory->sample(64).x.minCoeff(), -2.0, 1e-9);
 }
@@ -213,9 +223,8 @@ TEST(ClosedAnswer, FollowsAGuess) {
   const Problem problem = test::to_problem(oscillator(0.5));
   ImpactOscillator moved = oscillator(0.5);
   moved.frequency = 2.21;
-  const Solution first = solve<FourierLipschitz>(problem, {{.harmonics = 40, .restitution = kScene}});
-  const Solution next = solve<FourierLipschitz>(test::to_problem(moved),
-                                                {{.harmonics = 40, .restitution = kScene}}, first.trajectory);
+  const Solution first = solve<ClosedHbm>(problem, {.harmonics = 40});
+  const Solution next = solve<ClosedHbm>(test::to_problem(moved), {.harmonics = 40}, first.trajectory);
   ASSERT_EQ(next.verdict, Verdict::converged) << next.message;
   EXPECT_EQ(next.message.find("impacts of the guess"), 0U) << next.message;
   EXPECT_FALSE(next.work.pivots) << "no hat functions";
@@ -227,7 +236,7 @@ TEST(ClosedAnswer, ClaimsOnlyOrbitsOfTheScenesOwnRestitution) {
   int claimed = 0;
   for (const Problem& problem : test::restitution_population(40)) {
     if (std::get<Restitution>(problem.law).e == 1.0) continue;
-    const Solution found = solve<FourierLipschitz>(problem, {{.harmonics = 20, .restitution = kScene}});
+    const Solution found = solve<ClosedHbm>(problem, {.harmonics = 20});
     if (found.verdict != Verdict::converged) continue;
     ++claimed;
     if (found.message.find("closed") == std::string::npos) continue;

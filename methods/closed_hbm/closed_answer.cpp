@@ -1,4 +1,4 @@
-#include "methods/harmonic_balance/closed_answer.hpp"
+#include "methods/closed_hbm/closed_answer.hpp"
 
 #include <fmt/format.h>
 
@@ -50,9 +50,8 @@ void append(int contact, double turn, double force, std::vector<int>& contacts,
 /// One solve by impact closure.
 class ImpactClosing {
  public:
-  ImpactClosing(const HarmonicSetup& setup, const Start& start, Work& work)
-      : setup_(setup), start_(start), work_(work) {
-    const ClosureSetup& closure = *setup.closure;
+  ImpactClosing(const HarmonicSetup& setup, const ClosureSetup& closure, const Start& start, Work& work)
+      : setup_(setup), closure_(closure), start_(start), work_(work) {
     if (closure.response)
       motion_.emplace(*closure.response, setup.receptance.free_response, setup.gap, closure.restitution);
   }
@@ -120,7 +119,7 @@ class ImpactClosing {
   [[nodiscard]] bool all_have_mass(const PeriodicImpacts& impacts) const {
     const int harmonics = setup_.receptance.harmonics();
     return motion_ && std::ranges::all_of(impacts.contacts, [&](int contact) {
-             return is_mass_beyond(*setup_.closure->response, contact, harmonics);
+             return is_mass_beyond(*closure_.response, contact, harmonics);
            });
   }
 
@@ -132,7 +131,7 @@ class ImpactClosing {
 
   std::optional<Solution> closed(const PeriodicImpacts& impacts, const std::string& how) {
     const int samples = kResolvingSamples * std::max(setup_.receptance.harmonics(), kFewestOnGrid);
-    const double hard = setup_.closed_stiffness();
+    const double hard = closure_.stiffness_factor;
     for (const double factor : {hard, 1.0}) {
       const ProjectedLaw law{factor * setup_.law.constant, setup_.law.multiplier_weight};
       const ImpactClosure closure = close_impacts(
@@ -156,14 +155,15 @@ class ImpactClosing {
         .verdict = Verdict::converged,
         .message = fmt::format("{}; {} impact{} closed at restitution {:g}, stops moved by up to {:.1e}, net "
                                "contact work {:.1e}",
-                               how, impacts, impacts == 1 ? "" : "s", setup_.closure->restitution,
-                               closure.largest, net_work_ratio(data.x, data.lambda)),
+                               how, impacts, impacts == 1 ? "" : "s", closure_.restitution, closure.largest,
+                               net_work_ratio(data.x, data.lambda)),
         .trajectory = std::make_shared<FourierTrajectory>(std::move(data)),
         .residual = closure.residual,
         .condition = closure.condition};
   }
 
   const HarmonicSetup& setup_;
+  const ClosureSetup& closure_;
   const Start& start_;
   Work& work_;
   std::optional<ImpactMotion> motion_;  // none where no contact has mass
@@ -172,9 +172,9 @@ class ImpactClosing {
 };
 
 /// From the scene on hat functions, from coarse to fine.
-std::optional<Solution> close_from_hat_functions(HarmonicSetup& setup, const Start& start, Work& work,
-                                                 ImpactClosing& closing) {
-  std::optional<Resolutions>& affordable = setup.closure->hat_grids;
+std::optional<Solution> close_from_hat_functions(const HarmonicSetup& setup, ClosureSetup& closure,
+                                                 const Start& start, Work& work, ImpactClosing& closing) {
+  std::optional<Resolutions>& affordable = closure.hat_grids;
   if (!affordable) return closing.failed("no contact has mass beyond the harmonics, or they are too many");
   Resolutions& grids = *affordable;
   grids.forget_from(0);  // preparing them is part of this solve
@@ -238,22 +238,22 @@ ImpactSeeds impact_seeds(const Trajectory& motion) {
   return seeds;
 }
 
-ClosedAnswer close_answer(HarmonicSetup& setup, const Start& start, Work& work) {
-  ImpactClosing closing(setup, start, work);
+ClosedAnswer close_answer(const HarmonicSetup& setup, ClosureSetup& closure, const Start& start, Work& work) {
+  ImpactClosing closing(setup, closure, start, work);
   ClosedAnswer result;
   if (start.guess) result.answer = closing.from(*start.guess, "impacts of the guess");
   if (!result.answer) result.answer = closing.contact_free();
   if (!result.answer) result.answer = closing.permanent_contact();
-  if (!result.answer) result.answer = close_from_hat_functions(setup, start, work, closing);
+  if (!result.answer) result.answer = close_from_hat_functions(setup, closure, start, work, closing);
   if (!result.answer) result.reason = start.expired() ? "the time is up" : closing.reason();
   result.harmonics_may_help = closing.harmonics_may_help();
   return result;
 }
 
-ClosedAnswer close_series(const HarmonicSetup& setup, const Solution& series, const Start& start,
-                          Work& work) {
+ClosedAnswer close_series(const HarmonicSetup& setup, const ClosureSetup& closure, const Solution& series,
+                          const Start& start, Work& work) {
   if (presses_throughout_or_never(*series.trajectory)) return {.answer = series};
-  ImpactClosing closing(setup, start, work);
+  ImpactClosing closing(setup, closure, start, work);
   ClosedAnswer result{.answer = closing.from(*series.trajectory, series.message)};
   if (!result.answer) result.reason = closing.reason();
   result.harmonics_may_help = closing.harmonics_may_help();
