@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
+#include "methods/closed_hbm/closed_hbm.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/accuracy.hpp"
@@ -33,7 +33,7 @@ TEST(GyroscopicShaft, SeriesApproachTheOrbit) {
   ASSERT_TRUE(cold.orbit) << cold.solution.message;
   std::vector<double> errors;
   for (const int harmonics : {20, 80}) {
-    const Solution series = test::solve<FourierLipschitz>(problem, {{.harmonics = harmonics}});
+    const Solution series = test::solve<ClosedHbm>(problem, {.harmonics = harmonics});
     ASSERT_EQ(series.verdict, Verdict::converged) << series.message;
     errors.push_back(test::relative_distance(*cold.orbit, *series.trajectory));
   }

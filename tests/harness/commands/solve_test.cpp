@@ -21,12 +21,12 @@ Outcome run(const std::string& arguments) { return test::run_program(arguments);
 
 TEST(CommandSolve, SolvesAndPrintsOneRecordThatStartsAnotherSolve) {
   const Outcome first =
-      run("solve sdof-stop --method fourier-lipschitz --set harmonics=10 --json --samples 64");
+      run("solve sdof-stop --method fourier-lipschitz --set harmonics=40 --json --samples 64");
   ASSERT_EQ(first.code, 0) << first.err;
   EXPECT_EQ(std::count(first.out.begin(), first.out.end(), '\n'), 1);
   const Json json = Json::parse(first.out);
   EXPECT_EQ(json["status"], "converged");
-  EXPECT_EQ(json["options"]["harmonics"], 10);
+  EXPECT_EQ(json["options"]["harmonics"], 40);
   EXPECT_EQ(json["trajectory"]["t"].size(), 64U);
   EXPECT_EQ(json["trajectory"]["x"][0].size(), 64U);
   EXPECT_EQ(json["certificate"]["status"], "certified");

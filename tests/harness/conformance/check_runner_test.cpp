@@ -51,7 +51,7 @@ void PrintTo(const Defect& defect, std::ostream* out) {
 class Defects : public testing::TestWithParam<Defect> {};
 
 TEST_P(Defects, AreFoundAndNothingElseIs) {
-  const CheckOptions options{.scenes = scenes({"sdof-zero-gap", "chain2-stop"})};
+  const CheckOptions options{.scenes = scenes({"sdof-zero-gap", "chain3-stop"})};
   const std::vector<CheckResult> results = check_method(test::flawed_method(GetParam().flaw), options);
   EXPECT_EQ(failed_checks(results), GetParam().found)
       << review_text(test::flawed_method(GetParam().flaw), results);
@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Conformance, ASoundMethodPasses) {
   const MethodEntry entry = test::flawed_method(Flaw::none);
   const std::vector<CheckResult> results =
-      check_method(entry, {.scenes = scenes({"sdof-zero-gap", "chain2-stop", "sdof-contact-free"})});
+      check_method(entry, {.scenes = scenes({"sdof-zero-gap", "chain3-stop", "sdof-contact-free"})});
   EXPECT_FALSE(any_failed(results)) << review_text(entry, results);
   // Each check of a scene on each scene, and each had something to look at on the scenes with a stop.
   std::size_t passed = 0;
