@@ -26,7 +26,8 @@ Outcome run(const std::string& arguments) { return test::run_program(arguments);
 /// Kept orbits of one scene, for a test to spoil.
 std::filesystem::path kept_orbits(const char* name) {
   const auto folder = test::fresh_folder(name);
-  const Outcome update = run("verify --update --scenes sdof-two-sided-e08 --starts 8 --subharmonics 1 " + folder.string());
+  const Outcome update =
+      run("verify --update --scenes sdof-two-sided-e08 --starts 8 --subharmonics 1 " + folder.string());
   EXPECT_EQ(update.code, 0) << update.err << update.out;
   return folder;
 }
