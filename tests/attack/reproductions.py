@@ -69,6 +69,11 @@ def claims(record):
     return record.get("status") == "converged" and record["certificate"]["status"] == "certified"
 
 
+def converges(record):
+    """Restitution is 1 whatever the scene says: there is an answer, and no claim on the scene."""
+    return record.get("status") == "converged"
+
+
 def origin_far_away(attacked):
     """A motion that stands still before a stop 1000 m away."""
     standing = one_mass(gaps=(1000.2,), law="restitution = 0.8", force="dof = 0\nharmonic = 0\ncos = 1000.0\n"
@@ -191,11 +196,12 @@ def duplicated_stops(attacked):
     """The same stop once, twice and twenty times is one stop."""
     found = []
     for method in ("fourier-lipschitz", "penalty-hbm", "aft-hbm", "closed-hbm"):
+        solves = claims if method == "closed-hbm" else converges
         errors = []
         for copies in (1, 2, 20):
             attacked.scene(one_mass(gaps=(0.2,) * copies, law="restitution = 0.8"))
             record, broken = attacked.solved(method, "--set", "harmonics=20")
-            found += broken + ([] if claims(record) else [f"{method}, {copies} copies: {record.get('status')}"])
+            found += broken + ([] if solves(record) else [f"{method}, {copies} copies: {record.get('status')}"])
             errors.append(record.get("x_l2", 1.0))
         found += [f"{method}: errors {errors}"] if max(errors) > 1.01 * min(errors) else []
     return found
