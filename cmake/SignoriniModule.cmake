@@ -87,6 +87,9 @@ function(signorini_method name)
   set_property(GLOBAL APPEND PROPERTY SIGNORINI_METHODS ${name})
 endfunction()
 
+# Of test programs and of their precompiled headers, which must agree.
+set(signorini_test_options $<$<CONFIG:Release>:-O0>)
+
 # signorini_test_program(TARGET): the executable TARGET consists of GoogleTest's cases. They are compiled without optimisation, in
 # two thirds of the time. What they test is optimised, and so are the functions that both instantiate: of several copies the
 # linker takes the first, and our libraries come first, whole.
