@@ -12,7 +12,7 @@ namespace signorini {
 
 /// A solve with some number of harmonics.
 struct HarmonicSolve {
-  Solution solution = {};
+  Solution solution = {};           ///< the answer, or the best iterate
   bool harmonics_may_help = true;  ///< more of them, where this did not converge
 };
 
@@ -26,11 +26,13 @@ Solution solve_series(const HarmonicSetup& setup, const Start& start, Work& work
 /// equations have more in them derives from it.
 class HarmonicSolver {
  public:
+  /// A solver of this scene by these options; throws nothing.
   explicit HarmonicSolver(HarmonicSetup setup) : setup_(std::move(setup)) {}
   virtual ~HarmonicSolver() = default;
   HarmonicSolver(const HarmonicSolver&) = delete;  // its parts refer to the setup
   HarmonicSolver& operator=(const HarmonicSolver&) = delete;
 
+  /// The scene, its options and its linear part, for as long as the solver lives.
   [[nodiscard]] const HarmonicSetup& setup() const { return setup_; }
   /// One solve with these harmonics and its work. Without contacts the linear response.
   HarmonicSolve solve(const Start& start);
