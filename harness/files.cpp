@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "harness/failure.hpp"
-#include "problems/scene/input_file.hpp"
+#include "problems/files/input_file.hpp"
 
 namespace signorini {
 

@@ -12,7 +12,7 @@
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
-#include "problems/scene/kebab_case.hpp"
+#include "problems/files/kebab_case.hpp"
 
 namespace signorini {
 

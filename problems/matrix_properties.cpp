@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "problems/linear_algebra/orthogonal.hpp"
-#include "problems/linear_algebra/sparse_factors.hpp"
+#include "problems/linear_algebra/sparse/sparse_factors.hpp"
 #include "problems/sparse_cholesky.hpp"
 
 namespace signorini {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "harness/arguments/command_guide.hpp"
-#include "problems/scene/close_names.hpp"
-#include "problems/scene/toml_tree.hpp"
+#include "problems/files/close_names.hpp"
+#include "problems/files/toml_tree.hpp"
 
 namespace signorini {
 

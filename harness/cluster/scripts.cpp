@@ -6,7 +6,7 @@
 
 #include "harness/failure.hpp"
 #include "harness/text/words.hpp"
-#include "problems/scene/toml_tree.hpp"
+#include "problems/files/toml_tree.hpp"
 
 namespace signorini {
 

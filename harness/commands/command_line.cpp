@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "harness/arguments/argument_parser.hpp"
+#include "harness/arguments/command_description.hpp"
 #include "harness/arguments/command_guide.hpp"
 #include "harness/build_info.hpp"
 #include "harness/extend/plugins/plugins.hpp"
@@ -22,8 +23,8 @@
 #include "harness/plots/plot_file.hpp"
 #include "harness/terminal/refusal_hint.hpp"
 #include "methods/options.hpp"
+#include "problems/files/toml_tree.hpp"
 #include "problems/scene/scene_file.hpp"
-#include "problems/scene/toml_tree.hpp"
 #include "problems/validation.hpp"
 
 namespace signorini {
@@ -202,6 +203,26 @@ int run_command_line(int argc, char** argv) {
   } catch (...) {
     return complain("internal error: " + current_exception_text(), kInternalError);
   }
+}
+
+void add_completion_command(const Command& program, int& exit_code) {
+  const Command command =
+      program.command("completion", "A script that completes commands and options in a shell.");
+  const auto shell = std::make_shared<std::string>();
+  command.option("shell", *shell, "bash or zsh").required().one_of({"bash", "zsh"});
+  command.on_run([program, shell, &exit_code] {
+    fmt::print("{}", *shell == "bash" ? bash_completion(program) : zsh_completion(program));
+    exit_code = kDone;
+  });
+}
+
+void add_man_command(const Command& program, int& exit_code) {
+  const Command command =
+      program.command("man", "This description as a page for man: signorini man | man -l -");
+  command.on_run([program, &exit_code] {
+    fmt::print("{}", man_page(program));
+    exit_code = kDone;
+  });
 }
 
 }  // namespace signorini

@@ -1,4 +1,4 @@
-#include "harness/records/merge.hpp"
+#include "harness/run_folder/merge.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/records/line_file.hpp"
-#include "harness/records/manifest_check.hpp"
-#include "harness/records/status.hpp"
 #include "harness/report/report.hpp"
+#include "harness/run_folder/manifest_check.hpp"
+#include "harness/run_folder/status.hpp"
 #include "harness/text/json.hpp"
 
 namespace signorini {

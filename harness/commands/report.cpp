@@ -10,10 +10,10 @@
 
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
-#include "harness/records/run_folder.hpp"
 #include "harness/report/formats/screen.hpp"
 #include "harness/responses/response_report.hpp"
 #include "harness/responses/response_sections.hpp"
+#include "harness/run_folder/run_folder.hpp"
 #include "harness/terminal/terminal.hpp"
 
 namespace signorini {

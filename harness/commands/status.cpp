@@ -1,4 +1,4 @@
-#include "harness/records/status.hpp"
+#include "harness/run_folder/status.hpp"
 
 #include <fmt/format.h>
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "harness/commands/command_line.hpp"
 #include "harness/commands/sweep_arguments.hpp"
+#include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/plots/plot_file.hpp"

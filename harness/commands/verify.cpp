@@ -14,7 +14,7 @@
 #include "harness/orbits/orbit_file.hpp"
 #include "harness/plan/case_name.hpp"
 #include "harness/progress.hpp"
-#include "harness/records/run_folder.hpp"
+#include "harness/run_folder/run_folder.hpp"
 #include "harness/statistics.hpp"
 #include "harness/table.hpp"
 

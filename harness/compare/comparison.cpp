@@ -9,8 +9,8 @@
 #include <set>
 
 #include "harness/compare/rerun.hpp"
-#include "harness/records/merge.hpp"
 #include "harness/report/document/cells.hpp"
+#include "harness/run_folder/merge.hpp"
 
 namespace signorini {
 

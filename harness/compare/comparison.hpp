@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "harness/records/record.hpp"
-#include "harness/records/run_folder.hpp"
+#include "harness/run_folder/run_folder.hpp"
 
 namespace signorini {
 

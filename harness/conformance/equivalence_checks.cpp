@@ -11,7 +11,7 @@
 #include "harness/conformance/checks.hpp"
 #include "harness/conformance/resolution_series.hpp"
 #include "harness/conformance/transformations.hpp"
-#include "harness/judge/motion.hpp"
+#include "harness/judge/measures/motion.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"

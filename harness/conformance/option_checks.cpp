@@ -11,7 +11,7 @@
 #include "harness/conformance/checks.hpp"
 #include "harness/failure.hpp"
 #include "harness/plan/plan.hpp"
-#include "problems/scene/kebab_case.hpp"
+#include "problems/files/kebab_case.hpp"
 
 namespace signorini {
 

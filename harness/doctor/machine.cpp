@@ -13,7 +13,7 @@
 
 #include "harness/build_info.hpp"
 #include "harness/files.hpp"
-#include "harness/records/run_folder.hpp"
+#include "harness/run_folder/run_folder.hpp"
 #include "harness/statistics.hpp"
 
 namespace signorini {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "harness/judge/contact_agreement.hpp"
+#include "harness/judge/measures/contact_agreement.hpp"
 #include "harness/judge/orbit.hpp"
 #include "methods/refinement.hpp"
 

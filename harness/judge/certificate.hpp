@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "harness/judge/motion.hpp"
+#include "harness/judge/measures/motion.hpp"
 #include "harness/judge/reference.hpp"
 #include "harness/records/record.hpp"
 

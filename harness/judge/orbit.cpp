@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "harness/files.hpp"
-#include "harness/judge/impacts.hpp"
+#include "harness/judge/measures/impacts.hpp"
 #include "methods/discretisation/periodic_time.hpp"
 
 namespace signorini {

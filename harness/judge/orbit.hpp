@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/judge/motion.hpp"
+#include "harness/judge/measures/motion.hpp"
 #include "harness/records/record.hpp"
 
 namespace signorini {

@@ -6,9 +6,9 @@
 #include <exception>
 #include <string>
 
-#include "harness/judge/motion.hpp"
+#include "harness/judge/measures/motion.hpp"
 #include "methods/linear_flow/contact_dynamics.hpp"
-#include "methods/structure/condensation.hpp"
+#include "methods/structure/bases/condensation.hpp"
 
 namespace signorini {
 

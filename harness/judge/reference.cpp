@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "harness/judge/motion.hpp"
+#include "harness/judge/measures/motion.hpp"
 #include "harness/judge/orbit.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record.hpp"

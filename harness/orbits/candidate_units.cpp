@@ -9,7 +9,7 @@
 #include <random>
 #include <utility>
 
-#include "harness/judge/motion.hpp"
+#include "harness/judge/measures/motion.hpp"
 #include "harness/orbits/orbit_candidate.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/records/record.hpp"
@@ -17,7 +17,7 @@
 #include "methods/hat_functions/hat_contact.hpp"
 #include "methods/periodic_motion/periodic_motion.hpp"
 #include "methods/refinement.hpp"
-#include "methods/structure/condensation.hpp"
+#include "methods/structure/bases/condensation.hpp"
 
 namespace signorini {
 

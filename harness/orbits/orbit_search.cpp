@@ -17,7 +17,7 @@
 #include "harness/records/record.hpp"
 #include "harness/text/json.hpp"
 #include "methods/orbit/reduced/reduced_orbit.hpp"
-#include "methods/structure/condensation.hpp"
+#include "methods/structure/bases/condensation.hpp"
 
 namespace signorini {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/judge/motion.hpp"
+#include "harness/judge/measures/motion.hpp"
 #include "harness/judge/orbit_solver.hpp"
 #include "harness/orbits/orbit_candidate.hpp"
 

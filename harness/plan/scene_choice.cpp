@@ -10,7 +10,7 @@
 #include "harness/files.hpp"
 #include "harness/glob.hpp"
 #include "harness/text/words.hpp"
-#include "problems/scene/close_names.hpp"
+#include "problems/files/close_names.hpp"
 
 namespace signorini {
 

@@ -4,7 +4,7 @@
 
 #include "harness/glob.hpp"
 #include "harness/plan/plan.hpp"
-#include "problems/scene/close_names.hpp"
+#include "problems/files/close_names.hpp"
 
 namespace signorini {
 

@@ -8,10 +8,10 @@
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/glob.hpp"
-#include "problems/scene/kebab_case.hpp"
+#include "problems/files/kebab_case.hpp"
+#include "problems/files/toml_tree.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/scene_file.hpp"
-#include "problems/scene/toml_tree.hpp"
 
 namespace signorini {
 

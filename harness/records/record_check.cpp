@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "harness/records/record_json.hpp"
-#include "problems/scene/kebab_case.hpp"
-#include "problems/scene/toml_tree.hpp"
+#include "problems/files/kebab_case.hpp"
+#include "problems/files/toml_tree.hpp"
 
 namespace signorini {
 

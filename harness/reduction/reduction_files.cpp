@@ -15,7 +15,7 @@
 #include "harness/text/json.hpp"
 #include "methods/reduction/contact_space.hpp"
 #include "methods/reduction/reduced_problem.hpp"
-#include "problems/scene/kebab_case.hpp"
+#include "problems/files/kebab_case.hpp"
 #include "problems/sparse_cholesky.hpp"
 
 namespace signorini {

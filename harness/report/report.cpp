@@ -8,8 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/files.hpp"
-#include "harness/records/manifest_check.hpp"
-#include "harness/records/run_folder.hpp"
 #include "harness/report/document/cells.hpp"
 #include "harness/report/document/lines.hpp"
 #include "harness/report/figures/figures.hpp"
@@ -20,6 +18,8 @@
 #include "harness/report/page/page.hpp"
 #include "harness/report/page/page_parts.hpp"
 #include "harness/report/sections/sections.hpp"
+#include "harness/run_folder/manifest_check.hpp"
+#include "harness/run_folder/run_folder.hpp"
 
 namespace signorini {
 

@@ -11,7 +11,7 @@
 #include "harness/records/record_json.hpp"
 #include "harness/sweep/branch_json.hpp"
 #include "harness/text/json.hpp"
-#include "problems/scene/kebab_case.hpp"
+#include "problems/files/kebab_case.hpp"
 
 namespace signorini {
 

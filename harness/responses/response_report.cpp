@@ -7,13 +7,13 @@
 #include <optional>
 
 #include "harness/files.hpp"
-#include "harness/records/manifest_check.hpp"
-#include "harness/records/run_folder.hpp"
 #include "harness/report/figures/canvas.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 #include "harness/report/formats/formats.hpp"
 #include "harness/responses/response_page.hpp"
 #include "harness/responses/response_sections.hpp"
+#include "harness/run_folder/manifest_check.hpp"
+#include "harness/run_folder/run_folder.hpp"
 
 namespace signorini {
 

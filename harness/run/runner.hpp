@@ -10,7 +10,7 @@
 
 #include "harness/build_info.hpp"
 #include "harness/judge/exact_certificate.hpp"
-#include "harness/judge/waveform.hpp"
+#include "harness/judge/measures/waveform.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/records/record.hpp"
 #include "harness/run/applicability.hpp"

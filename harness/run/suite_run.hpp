@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "harness/plan/plan.hpp"
-#include "harness/records/record_store.hpp"
-#include "harness/records/run_folder.hpp"
 #include "harness/run/runner.hpp"
+#include "harness/run_folder/record_store.hpp"
+#include "harness/run_folder/run_folder.hpp"
 
 namespace signorini {
 

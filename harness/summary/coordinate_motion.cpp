@@ -4,7 +4,7 @@
 #include <complex>
 #include <vector>
 
-#include "harness/judge/contact_response.hpp"
+#include "harness/judge/measures/contact_response.hpp"
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/solvers/constants.hpp"
 #include "problems/matrix_properties.hpp"

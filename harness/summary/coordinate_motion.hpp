@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "harness/judge/motion.hpp"
+#include "harness/judge/measures/motion.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <variant>
 
-#include "harness/judge/impacts.hpp"
+#include "harness/judge/measures/impacts.hpp"
 #include "harness/summary/coordinate_motion.hpp"
 #include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/real_fft.hpp"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "harness/judge/motion.hpp"
+#include "harness/judge/measures/motion.hpp"
 #include "harness/records/motion_summary.hpp"
 #include "methods/method.hpp"
 #include "problems/problem.hpp"

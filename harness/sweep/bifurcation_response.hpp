@@ -7,7 +7,7 @@
 
 #include "harness/sweep/branch_response.hpp"
 #include "harness/table.hpp"
-#include "methods/orbit/continuation/bifurcation_curve.hpp"
+#include "methods/orbit/bifurcation_curves/bifurcation_curve.hpp"
 
 namespace signorini {
 

@@ -12,9 +12,9 @@
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/records/json_fields.hpp"
-#include "harness/records/manifest_check.hpp"
 #include "harness/records/record_check.hpp"
-#include "harness/records/run_folder.hpp"
+#include "harness/run_folder/manifest_check.hpp"
+#include "harness/run_folder/run_folder.hpp"
 #include "harness/sweep/branch_json.hpp"
 #include "harness/text/json.hpp"
 

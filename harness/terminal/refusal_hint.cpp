@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "problems/scene/close_names.hpp"
+#include "problems/files/close_names.hpp"
 
 namespace signorini {
 

@@ -9,7 +9,7 @@
 #include "methods/complementarity/forms.hpp"
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/harmonic_balance/harmonic_setup.hpp"
-#include "methods/solvers/complementarity_solver.hpp"
+#include "methods/solvers/lcp/complementarity_solver.hpp"
 #include "methods/solvers/newton_krylov.hpp"
 #include "methods/structure/periodic_response.hpp"
 

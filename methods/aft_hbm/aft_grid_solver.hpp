@@ -10,7 +10,7 @@
 #include "methods/complementarity/projected_law.hpp"
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/harmonic_balance/grid_solver.hpp"
-#include "methods/solvers/lcp.hpp"
+#include "methods/solvers/lcp/lcp.hpp"
 #include "methods/solvers/newton_krylov.hpp"
 
 namespace signorini {

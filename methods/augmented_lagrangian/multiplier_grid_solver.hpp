@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "methods/harmonic_balance/grid_solver.hpp"
-#include "methods/solvers/lcp.hpp"
+#include "methods/solvers/lcp/lcp.hpp"
 
 namespace signorini {
 

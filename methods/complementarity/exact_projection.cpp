@@ -6,7 +6,7 @@
 #include "methods/complementarity/projected_residual.hpp"
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/discretisation/real_fft.hpp"
-#include "methods/solvers/lcp.hpp"
+#include "methods/solvers/lcp/lcp.hpp"
 #include "methods/solvers/newton_krylov.hpp"
 #include "problems/linear_algebra/complex_lu.hpp"
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "methods/complementarity/projected_law.hpp"
-#include "methods/solvers/lcp.hpp"
+#include "methods/solvers/lcp/lcp.hpp"
 #include "methods/structure/receptance.hpp"
 #include "problems/problem.hpp"
 

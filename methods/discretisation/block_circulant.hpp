@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "methods/discretisation/real_fft.hpp"
-#include "methods/solvers/lcp.hpp"
+#include "methods/solvers/lcp/lcp.hpp"
 #include "problems/linear_algebra/complex_lu.hpp"
 
 namespace signorini {

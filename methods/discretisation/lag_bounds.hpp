@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "methods/solvers/lcp.hpp"
+#include "methods/solvers/lcp/lcp.hpp"
 
 namespace signorini {
 

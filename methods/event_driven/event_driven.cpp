@@ -2,7 +2,7 @@
 
 #include "methods/linear_flow/contact_dynamics.hpp"
 #include "methods/periodic_motion/periodic_motion.hpp"
-#include "methods/structure/condensation.hpp"
+#include "methods/structure/bases/condensation.hpp"
 
 namespace signorini {
 

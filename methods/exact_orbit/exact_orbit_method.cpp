@@ -19,7 +19,7 @@
 #include "methods/linear_flow/linear_flow.hpp"
 #include "methods/orbit/exact_orbit.hpp"
 #include "methods/orbit/reduced/reduced_orbit.hpp"
-#include "methods/structure/condensation.hpp"
+#include "methods/structure/bases/condensation.hpp"
 
 namespace signorini {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "methods/flow/stop_events.hpp"
-#include "methods/solvers/lcp.hpp"
+#include "methods/solvers/lcp/lcp.hpp"
 #include "problems/linear_algebra/products.hpp"
 
 namespace signorini {

@@ -4,7 +4,7 @@
 
 #include "methods/flow/stop_events.hpp"
 #include "methods/solvers/constants.hpp"
-#include "methods/solvers/lcp.hpp"
+#include "methods/solvers/lcp/lcp.hpp"
 #include "problems/linear_algebra/products.hpp"
 
 namespace signorini {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "methods/solvers/lcp.hpp"
+#include "methods/solvers/lcp/lcp.hpp"
 
 namespace signorini {
 

@@ -9,7 +9,7 @@
 #include "methods/complementarity/projected_law.hpp"
 #include "methods/harmonic_balance/harmonic_options.hpp"
 #include "methods/method.hpp"
-#include "methods/solvers/complementarity_solver.hpp"
+#include "methods/solvers/lcp/complementarity_solver.hpp"
 
 namespace signorini {
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "methods/complementarity/exact_projection.hpp"
-#include "methods/solvers/lcp.hpp"
+#include "methods/solvers/lcp/lcp.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
 

@@ -15,7 +15,7 @@
 #include "methods/hat_functions/marched_contact.hpp"
 #include "methods/hat_functions/period_marching.hpp"
 #include "methods/marching/periodic_march.hpp"
-#include "methods/solvers/complementarity_solver.hpp"
+#include "methods/solvers/lcp/complementarity_solver.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
 

@@ -10,7 +10,7 @@
 #include "methods/discretisation/symbols.hpp"
 #include "methods/method.hpp"
 #include "methods/refinement.hpp"
-#include "methods/solvers/lcp.hpp"
+#include "methods/solvers/lcp/lcp.hpp"
 #include "methods/structure/receptance.hpp"
 
 namespace signorini {

@@ -1,10 +1,10 @@
 #include "methods/hat_functions/period_marching.hpp"
 
-#include "methods/solvers/complementarity_solver.hpp"
-#include "methods/solvers/lcp.hpp"
-#include "methods/structure/condensation.hpp"
-#include "problems/linear_algebra/sparse_factors.hpp"
-#include "problems/linear_algebra/sparse_products.hpp"
+#include "methods/solvers/lcp/complementarity_solver.hpp"
+#include "methods/solvers/lcp/lcp.hpp"
+#include "methods/structure/bases/condensation.hpp"
+#include "problems/linear_algebra/sparse/sparse_factors.hpp"
+#include "problems/linear_algebra/sparse/sparse_products.hpp"
 
 namespace signorini {
 

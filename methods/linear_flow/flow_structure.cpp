@@ -11,7 +11,7 @@
 #include "methods/structure/dynamic_stiffness.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
 #include "problems/linear_algebra/products.hpp"
-#include "problems/linear_algebra/sparse_products.hpp"
+#include "problems/linear_algebra/sparse/sparse_products.hpp"
 
 namespace signorini {
 

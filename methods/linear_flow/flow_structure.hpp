@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "methods/structure/condensation.hpp"
+#include "methods/structure/bases/condensation.hpp"
 #include "methods/structure/state.hpp"
-#include "problems/linear_algebra/sparse_factors.hpp"
+#include "problems/linear_algebra/sparse/sparse_factors.hpp"
 
 namespace signorini {
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "methods/linear_flow/complex_modes.hpp"
 #include "methods/linear_flow/mode_equations.hpp"
+#include "methods/linear_flow/modes/complex_modes.hpp"
 #include "methods/solution.hpp"
 
 namespace signorini {

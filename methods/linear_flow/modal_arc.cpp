@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
-#include "methods/linear_flow/harmonic_integrals.hpp"
 #include "methods/linear_flow/linear_flow.hpp"
-#include "methods/linear_flow/waves.hpp"
+#include "methods/linear_flow/modes/harmonic_integrals.hpp"
+#include "methods/linear_flow/modes/waves.hpp"
 #include "methods/solvers/dense_products.hpp"
 #include "problems/linear_algebra/products.hpp"
 

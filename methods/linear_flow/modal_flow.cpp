@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "methods/linear_flow/linear_flow.hpp"
-#include "methods/linear_flow/waves.hpp"
+#include "methods/linear_flow/modes/waves.hpp"
 #include "problems/linear_algebra/products.hpp"
 
 namespace signorini {

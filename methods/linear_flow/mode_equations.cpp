@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "problems/linear_algebra/products.hpp"
-#include "problems/linear_algebra/sparse_products.hpp"
+#include "problems/linear_algebra/sparse/sparse_products.hpp"
 
 namespace signorini {
 

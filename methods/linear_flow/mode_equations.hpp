@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "methods/linear_flow/contact_dynamics.hpp"
-#include "methods/linear_flow/energy_form.hpp"
+#include "methods/linear_flow/modes/energy_form.hpp"
 
 namespace signorini {
 

@@ -7,7 +7,7 @@
 
 #include "problems/linear_algebra/orthogonal.hpp"
 #include "problems/linear_algebra/products.hpp"
-#include "problems/linear_algebra/sparse_products.hpp"
+#include "problems/linear_algebra/sparse/sparse_products.hpp"
 
 namespace signorini {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "methods/solvers/active_set_lcp.hpp"
+#include "methods/solvers/lcp/active_set_lcp.hpp"
 #include "methods/structure/contact_reduction.hpp"
 #include "problems/problem.hpp"
 

@@ -12,10 +12,10 @@
 
 #include "methods/reduction/principal_directions.hpp"
 #include "methods/solvers/dense_products.hpp"
+#include "methods/structure/bases/ritz_reduction.hpp"
 #include "methods/structure/harmonic_pencil.hpp"
-#include "methods/structure/ritz_reduction.hpp"
 #include "problems/linear_algebra/products.hpp"
-#include "problems/linear_algebra/sparse_products.hpp"
+#include "problems/linear_algebra/sparse/sparse_products.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "methods/reduction/space_remainder.hpp"
+#include "methods/structure/bases/ritz_reduction.hpp"
 #include "methods/structure/contact_reduction.hpp"
-#include "methods/structure/ritz_reduction.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {

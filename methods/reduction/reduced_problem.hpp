@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "methods/structure/reduced_structure.hpp"
+#include "methods/structure/bases/reduced_structure.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {

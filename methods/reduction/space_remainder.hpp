@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <complex>
 
+#include "methods/structure/bases/ritz_reduction.hpp"
 #include "methods/structure/harmonic_pencil.hpp"
-#include "methods/structure/ritz_reduction.hpp"
 #include "problems/matrix_properties.hpp"
 
 namespace signorini {

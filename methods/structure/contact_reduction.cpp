@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "methods/solvers/dense_products.hpp"
-#include "methods/structure/block_lanczos.hpp"
-#include "methods/structure/modal_reduction.hpp"
-#include "methods/structure/ritz_reduction.hpp"
+#include "methods/structure/bases/block_lanczos.hpp"
+#include "methods/structure/bases/modal_reduction.hpp"
+#include "methods/structure/bases/ritz_reduction.hpp"
 
 namespace signorini {
 

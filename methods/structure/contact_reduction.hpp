@@ -4,10 +4,10 @@
 #include <Eigen/Core>
 
 #include "methods/discretisation/symbols.hpp"
-#include "methods/structure/condensation.hpp"
+#include "methods/structure/bases/condensation.hpp"
+#include "methods/structure/bases/reduced_structure.hpp"
 #include "methods/structure/contact_receptance.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
-#include "methods/structure/reduced_structure.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {

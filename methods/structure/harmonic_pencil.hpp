@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "methods/discretisation/symbols.hpp"
-#include "methods/structure/block_lanczos.hpp"
+#include "methods/structure/bases/block_lanczos.hpp"
 #include "problems/matrix_properties.hpp"
 #include "problems/problem.hpp"
 

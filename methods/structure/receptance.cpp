@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "methods/discretisation/real_fft.hpp"
-#include "methods/structure/block_lanczos.hpp"
+#include "methods/structure/bases/block_lanczos.hpp"
+#include "methods/structure/bases/modal_reduction.hpp"
+#include "methods/structure/bases/ritz_reduction.hpp"
 #include "methods/structure/contact_reduction.hpp"
 #include "methods/structure/harmonic_pencil.hpp"
-#include "methods/structure/modal_reduction.hpp"
-#include "methods/structure/ritz_reduction.hpp"
 #include "problems/matrix_properties.hpp"
 
 namespace signorini {

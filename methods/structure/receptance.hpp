@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "methods/discretisation/symbols.hpp"
+#include "methods/structure/bases/reduced_structure.hpp"
 #include "methods/structure/contact_receptance.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
-#include "methods/structure/reduced_structure.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "problems/scene/close_names.hpp"
+#include "problems/files/close_names.hpp"
 #include "problems/scene/scene_file.hpp"
 
 namespace signorini {

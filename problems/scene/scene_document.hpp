@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "problems/files/toml_tree.hpp"
 #include "problems/scene/scene_family.hpp"
-#include "problems/scene/toml_tree.hpp"
 
 namespace signorini {
 

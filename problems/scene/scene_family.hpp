@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "problems/scene/toml_tree.hpp"
+#include "problems/files/toml_tree.hpp"
 
 namespace signorini {
 

@@ -6,12 +6,12 @@
 #include <set>
 #include <tuple>
 
-#include "problems/scene/input_file.hpp"
-#include "problems/scene/kebab_case.hpp"
+#include "problems/files/input_file.hpp"
+#include "problems/files/kebab_case.hpp"
+#include "problems/files/toml_tree.hpp"
 #include "problems/scene/scene_document.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/scene_system.hpp"
-#include "problems/scene/toml_tree.hpp"
 #include "problems/validation.hpp"
 
 namespace signorini {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "problems/files/load_table.hpp"
 #include "problems/problem.hpp"
-#include "problems/scene/load_table.hpp"
 #include "problems/scene/scene_family.hpp"
 
 namespace signorini {

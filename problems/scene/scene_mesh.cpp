@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "problems/assembly/solid.hpp"
-#include "problems/scene/close_names.hpp"
-#include "problems/scene/gmsh_mesh.hpp"
+#include "problems/files/close_names.hpp"
+#include "problems/files/gmsh_mesh.hpp"
 #include "problems/scene/scene_system.hpp"
 
 namespace signorini {

@@ -7,9 +7,9 @@
 
 #include "problems/assembly/chain.hpp"
 #include "problems/assembly/rotor.hpp"
+#include "problems/files/input_file.hpp"
+#include "problems/files/matrix_market.hpp"
 #include "problems/matrix_properties.hpp"
-#include "problems/scene/input_file.hpp"
-#include "problems/scene/matrix_market.hpp"
 
 namespace signorini {
 

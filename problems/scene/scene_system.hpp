@@ -12,8 +12,8 @@
 
 #include "problems/assembly/damping.hpp"
 #include "problems/damped_stops.hpp"
+#include "problems/files/load_table.hpp"
 #include "problems/moving_frame.hpp"
-#include "problems/scene/load_table.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/system_layout.hpp"
 #include "problems/structure.hpp"

@@ -3,7 +3,7 @@
 
 usage: mirror.py ROOT
 
-harness/judge/motion.{hpp,cpp} has tests/harness/judge/motion_test.cpp. A unit without one stands in covered.txt beside
+harness/judge/orbit.{hpp,cpp} has tests/harness/judge/orbit_test.cpp. A unit without one stands in covered.txt beside
 this script, "harness/main  tests/harness/command_line_test.cpp", and the test named there must exist. Prints one line
 per offence and exits with 1 if there is one.
 """

@@ -11,10 +11,10 @@ SCRIPT = pathlib.Path(__file__).parent / "rooms.py"
 SOUND = {
     "problems/problem.hpp": "#pragma once\n",
     "methods/method.hpp": '#pragma once\n#include "problems/problem.hpp"\n',
-    "methods/solvers/lcp.hpp": "#pragma once\n",
-    "methods/solvers/lcp.cpp": '#include "methods/solvers/lcp.hpp"\n',
-    "methods/first/first.hpp": '#pragma once\n#include "methods/solvers/lcp.hpp"\n',
-    "methods/second/second.hpp": '#pragma once\n#include "methods/solvers/lcp.hpp"\n',
+    "methods/solvers/zero.hpp": "#pragma once\n",
+    "methods/solvers/zero.cpp": '#include "methods/solvers/zero.hpp"\n',
+    "methods/first/first.hpp": '#pragma once\n#include "methods/solvers/zero.hpp"\n',
+    "methods/second/second.hpp": '#pragma once\n#include "methods/solvers/zero.hpp"\n',
     "methods/catalogue.cpp": '#include "methods/first/first.hpp"\n#include "methods/second/second.hpp"\n',
     "harness/table.hpp": "#pragma once\n",
     "harness/report/report.cpp": '#include "harness/table.hpp"\n#include "methods/method.hpp"\n',
@@ -41,11 +41,11 @@ class Rooms(unittest.TestCase):
 
     def test_refuse_a_circle_of_two_units(self):
         self.expect(
-            {"methods/solvers/lcp.hpp": '#pragma once\n#include "methods/solvers/newton.hpp"\n',
+            {"methods/solvers/zero.hpp": '#pragma once\n#include "methods/solvers/newton.hpp"\n',
              "methods/solvers/newton.hpp": "#pragma once\n",
-             "methods/solvers/newton.cpp": '#include "methods/solvers/newton.hpp"\n\n#include "methods/solvers/lcp.hpp"\n'},
-            'methods/solvers/newton.cpp:3: #include "methods/solvers/lcp.hpp": '
-            "circle methods/solvers/lcp -> methods/solvers/newton -> methods/solvers/lcp")
+             "methods/solvers/newton.cpp": '#include "methods/solvers/newton.hpp"\n\n#include "methods/solvers/zero.hpp"\n'},
+            'methods/solvers/newton.cpp:3: #include "methods/solvers/zero.hpp": '
+            "circle methods/solvers/zero -> methods/solvers/newton -> methods/solvers/zero")
 
     def test_refuse_a_circle_of_three_units(self):
         self.expect(
@@ -57,8 +57,8 @@ class Rooms(unittest.TestCase):
 
     def test_refuse_an_arrow_upward(self):
         self.expect(
-            {"methods/solvers/lcp.cpp": '#include "methods/solvers/lcp.hpp"\n#include "methods/orbit/polish.hpp"\n'},
-            'methods/solvers/lcp.cpp:2: #include "methods/orbit/polish.hpp": methods/orbit stands above methods/solvers')
+            {"methods/solvers/zero.cpp": '#include "methods/solvers/zero.hpp"\n#include "methods/orbit/polish.hpp"\n'},
+            'methods/solvers/zero.cpp:2: #include "methods/orbit/polish.hpp": methods/orbit stands above methods/solvers')
 
     def test_refuse_an_arrow_from_methods_to_the_harness(self):
         self.expect({"methods/first/first.cpp": '#include "methods/first/first.hpp"\n#include "harness/table.hpp"\n'},
@@ -79,13 +79,13 @@ class Rooms(unittest.TestCase):
                     "harness/utils/a.hpp:1: harness/utils: the folder has no line in tests/architecture/rooms.txt")
 
     def test_refuse_a_source_that_does_not_begin_with_its_header(self):
-        self.expect({"methods/solvers/lcp.cpp": '#include <vector>\n#include "methods/solvers/lcp.hpp"\n'},
-                    'methods/solvers/lcp.cpp:1: its first include must be "methods/solvers/lcp.hpp"')
+        self.expect({"methods/solvers/zero.cpp": '#include <vector>\n#include "methods/solvers/zero.hpp"\n'},
+                    'methods/solvers/zero.cpp:1: its first include must be "methods/solvers/zero.hpp"')
 
     def test_refuse_a_test_whose_namespace_is_not_its_own(self):
-        self.expect({"tests/methods/solvers/lcp_test.cpp": "namespace signorini::lcp_test {\nnamespace {\n}\n}\n"})
-        self.expect({"tests/methods/solvers/lcp_test.cpp": "\nnamespace signorini {\nnamespace {\n}\n}\n"},
-                    "tests/methods/solvers/lcp_test.cpp:2: namespace signorini: what is a test's own lies in a namespace lcp_test")
+        self.expect({"tests/methods/solvers/zero_test.cpp": "namespace signorini::zero_test {\nnamespace {\n}\n}\n"})
+        self.expect({"tests/methods/solvers/zero_test.cpp": "\nnamespace signorini {\nnamespace {\n}\n}\n"},
+                    "tests/methods/solvers/zero_test.cpp:2: namespace signorini: what is a test's own lies in a namespace zero_test")
 
     def test_refuse_a_file_that_is_too_long(self):
         self.expect({"tests/long_test.cpp": "\n" * 400, "tests/longer_test.cpp": "\n" * 401},

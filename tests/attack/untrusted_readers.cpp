@@ -13,23 +13,23 @@
 #include <vector>
 
 #include "harness/extend/plugins/command_method.hpp"
-#include "harness/judge/measures.hpp"
+#include "harness/judge/measures/measures.hpp"
 #include "harness/records/line_file.hpp"
 #include "harness/records/record_json.hpp"
-#include "harness/records/record_store.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 #include "harness/report/formats/formats.hpp"
 #include "harness/report/page/page.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "harness/run/trial.hpp"
+#include "harness/run_folder/record_store.hpp"
 #include "harness/sweep/branch_json.hpp"
 #include "harness/sweep/branch_response.hpp"
 #include "problems/assembly/solid.hpp"
-#include "problems/scene/gmsh_mesh.hpp"
-#include "problems/scene/matrix_market.hpp"
+#include "problems/files/gmsh_mesh.hpp"
+#include "problems/files/matrix_market.hpp"
+#include "problems/files/toml_tree.hpp"
 #include "problems/scene/scene_family.hpp"
 #include "problems/scene/scene_file.hpp"
-#include "problems/scene/toml_tree.hpp"
 #include "problems/validation.hpp"
 
 namespace signorini::test {

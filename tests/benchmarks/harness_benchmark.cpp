@@ -4,9 +4,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "harness/records/record_store.hpp"
-#include "harness/records/shards.hpp"
 #include "harness/run/suite_run.hpp"
+#include "harness/run_folder/record_store.hpp"
+#include "harness/run_folder/shards.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "methods/complementarity/forms.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
-#include "methods/solvers/complementarity_solver.hpp"
-#include "methods/solvers/updated_qr.hpp"
+#include "methods/solvers/lcp/complementarity_solver.hpp"
+#include "methods/solvers/lcp/updated_qr.hpp"
 #include "tests/support/population.hpp"
 
 namespace signorini {

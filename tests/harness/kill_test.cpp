@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "harness/files.hpp"
-#include "harness/records/record_store.hpp"
+#include "harness/run_folder/record_store.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini::kill_test {

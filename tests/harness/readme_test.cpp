@@ -6,10 +6,10 @@
 #include <string>
 
 #include "harness/files.hpp"
-#include "harness/records/record_store.hpp"
-#include "harness/records/run_folder.hpp"
 #include "harness/report/formats/formats.hpp"
 #include "harness/report/report.hpp"
+#include "harness/run_folder/record_store.hpp"
+#include "harness/run_folder/run_folder.hpp"
 #include "tests/support/data_folder.hpp"
 
 namespace signorini::readme_test {

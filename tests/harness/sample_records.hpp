@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "harness/records/record.hpp"
-#include "harness/records/run_folder.hpp"
 #include "harness/report/evaluation/evaluation.hpp"
+#include "harness/run_folder/run_folder.hpp"
 
 namespace signorini::test {
 

@@ -10,7 +10,7 @@
 #include "harness/records/sampled_trajectory.hpp"
 #include "harness/run/trial.hpp"
 #include "harness/text/json.hpp"
-#include "problems/scene/toml_tree.hpp"
+#include "problems/files/toml_tree.hpp"
 
 namespace signorini {
 

@@ -8,9 +8,9 @@
 #include "harness/extend/plugins/command_method.hpp"
 #include "harness/files.hpp"
 #include "harness/text/words.hpp"
+#include "problems/files/toml_tree.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/scene_file.hpp"
-#include "problems/scene/toml_tree.hpp"
 
 namespace signorini {
 

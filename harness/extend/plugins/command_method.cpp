@@ -11,7 +11,7 @@
 #include "harness/failure.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/run/trial.hpp"
-#include "problems/scene/toml_tree.hpp"
+#include "problems/files/toml_tree.hpp"
 
 namespace signorini {
 

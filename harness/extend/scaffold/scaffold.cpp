@@ -9,7 +9,7 @@
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "methods/catalogue.hpp"
-#include "problems/scene/kebab_case.hpp"
+#include "problems/files/kebab_case.hpp"
 
 namespace signorini {
 

@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "harness/isolation/freed_at_once.hpp"
-#include "harness/records/record_store.hpp"
-#include "harness/records/run_folder.hpp"
 #include "harness/report/evaluation/outcome.hpp"
+#include "harness/run_folder/record_store.hpp"
+#include "harness/run_folder/run_folder.hpp"
 #include "harness/table.hpp"
 
 namespace signorini {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problems/linear_algebra/sparse_factors.hpp"
+#include "problems/linear_algebra/sparse/sparse_factors.hpp"
 #include "problems/skew_parts.hpp"
 
 namespace signorini {

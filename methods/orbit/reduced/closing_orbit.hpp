@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "methods/orbit/exact_orbit.hpp"
-#include "methods/structure/condensation.hpp"
+#include "methods/structure/bases/condensation.hpp"
 
 namespace signorini {
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "harness/files.hpp"
-#include "harness/records/record_store.hpp"
+#include "harness/run_folder/record_store.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
 

@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "harness/files.hpp"
-#include "harness/records/record_store.hpp"
+#include "harness/run_folder/record_store.hpp"
 #include "harness/terminal/run_output.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"

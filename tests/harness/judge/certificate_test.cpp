@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "harness/records/record_store.hpp"
+#include "harness/run_folder/record_store.hpp"
 #include "tests/harness/judge/fake_orbits.hpp"
 #include "tests/support/data_folder.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/judge/motion.hpp"
+#include "harness/judge/measures/motion.hpp"
 #include "tests/harness/judge/fake_orbits.hpp"
 
 namespace signorini::orbit_solver_test {

@@ -4,7 +4,7 @@
 
 #include "harness/files.hpp"
 #include "harness/judge/exact_certificate.hpp"
-#include "harness/judge/motion.hpp"
+#include "harness/judge/measures/motion.hpp"
 #include "harness/orbits/orbit_file.hpp"
 #include "tests/harness/fake_method.hpp"
 

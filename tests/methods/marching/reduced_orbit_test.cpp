@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "methods/marching/periodic_march.hpp"
-#include "methods/structure/massless_elimination.hpp"
+#include "methods/structure/bases/massless_elimination.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
 #include "tests/support/structure_scenes.hpp"
 

@@ -7,9 +7,9 @@
 #include <complex>
 #include <limits>
 
+#include "methods/structure/bases/ritz_reduction.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
 #include "methods/structure/receptance.hpp"
-#include "methods/structure/ritz_reduction.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
 #include "tests/support/structure_scenes.hpp"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "methods/reduction/contact_space.hpp"
-#include "methods/structure/condensation.hpp"
+#include "methods/structure/bases/condensation.hpp"
 #include "methods/structure/receptance.hpp"
 #include "problems/validation.hpp"
 #include "tests/support/exact_scenes.hpp"

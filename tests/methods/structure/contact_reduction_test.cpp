@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "methods/structure/massless_elimination.hpp"
+#include "methods/structure/bases/massless_elimination.hpp"
 #include "methods/structure/receptance.hpp"
 #include "problems/linear_algebra/complex_lu.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"

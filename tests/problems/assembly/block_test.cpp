@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "problems/linear_algebra/orthogonal.hpp"
-#include "problems/linear_algebra/sparse_factors.hpp"
+#include "problems/linear_algebra/sparse/sparse_factors.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
 #include "problems/matrix_properties.hpp"
 #include "problems/validation.hpp"

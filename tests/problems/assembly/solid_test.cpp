@@ -12,9 +12,9 @@
 #include <sstream>
 
 #include "problems/assembly/block.hpp"
+#include "problems/files/gmsh_mesh.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
 #include "problems/matrix_properties.hpp"
-#include "problems/scene/gmsh_mesh.hpp"
 #include "problems/validation.hpp"
 #include "tests/problems/assembly/box_meshes.hpp"
 #include "tests/problems/assembly/linear_motions.hpp"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <functional>
 
+#include "problems/files/toml_tree.hpp"
 #include "problems/scene/scene_system.hpp"
-#include "problems/scene/toml_tree.hpp"
 
 namespace signorini::scene_boundary_test {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "problems/files/toml_tree.hpp"
 #include "problems/scene/scene_file.hpp"
-#include "problems/scene/toml_tree.hpp"
 #include "tests/problems/scene/moving_scenes.hpp"
 #include "tests/problems/temporary_folder.hpp"
 

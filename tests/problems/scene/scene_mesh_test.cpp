@@ -7,10 +7,10 @@
 
 #include "problems/assembly/damping.hpp"
 #include "problems/assembly/solid.hpp"
+#include "problems/files/toml_tree.hpp"
 #include "problems/matrix_properties.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "problems/scene/scene_layout.hpp"
-#include "problems/scene/toml_tree.hpp"
 #include "tests/problems/assembly/box_meshes.hpp"
 #include "tests/problems/temporary_folder.hpp"
 

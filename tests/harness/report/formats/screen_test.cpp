@@ -7,8 +7,8 @@
 #include <regex>
 #include <sstream>
 
-#include "harness/records/record_store.hpp"
 #include "harness/report/formats/screen_groups.hpp"
+#include "harness/run_folder/record_store.hpp"
 #include "tests/harness/sample_records.hpp"
 #include "tests/support/data_folder.hpp"
 

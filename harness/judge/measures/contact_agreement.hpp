@@ -1,0 +1,36 @@
+#pragma once
+// Whether an answer touches its stops as the orbit near it does.
+
+#include <string>
+
+#include "harness/judge/measures/motion.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+/// How the contacts of an answer differ from those of an orbit.
+struct ContactDifference {
+  std::string text = {};     ///< what differs; empty where nothing does
+  bool contradicts = false;  ///< one of the two never touches a stop, and the other hits one
+};
+
+/// Compares impulses and contact phases, as far as the answer's resolution can show them.
+///
+/// With J_c the impulse of contact c per forcing period, k_c X T its unit (stiffness scale of the contact,
+/// size of the orbit's motion, forcing period): a contact touches if |J_c| > 1e-6 k_c X T, and clearly so if
+/// it also is above 1 % of the motion's largest. The two agree if
+///
+/// - no contact touches clearly in one of them and not at all in the other
+/// - J_c differs by a factor of at most 2 at every contact that touches clearly on the orbit
+/// - at every contact, phases whose impulse is at least 25 % of the largest one's in one motion are no more
+///   than the phases of at least 5 % in the other, per common period; phases closer than six times the
+///   coarser of the two resolutions in time, at most 0.15 forcing periods, count as one, since the coarser
+///   motion shows them as one
+/// - each of those strong phases has one of the other motion beside it, no farther in time than phases that
+///   count as one, or 0.05 forcing periods if that is more.
+///
+/// They contradict each other if no contact of one touches, and the impulse of the other exceeds 1e-3 k_c X
+/// T.
+ContactDifference contact_difference(const Problem& problem, const Motion& answer, const Motion& orbit);
+
+}  // namespace signorini

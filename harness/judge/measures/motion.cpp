@@ -1,0 +1,260 @@
+#include "harness/judge/measures/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "harness/judge/measures/contact_response.hpp"
+#include "harness/records/sampled_trajectory.hpp"
+#include "methods/discretisation/contact_phases.hpp"
+#include "methods/solvers/constants.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Share of the scale of the scene (`scene_length`) that the size of a motion is taken to be at least.
+constexpr double kLeastSize = 0.1;
+/// Digits of x that round-off may have taken, relative to the largest |x|.
+constexpr double kRoundOff = 1e-9;
+
+/// The size of what varies: values less the mean of their column.
+struct Size {
+  explicit Size(const Eigen::MatrixXd& values) {
+    if (values.size() == 0) return;
+    const auto varying = (values.rowwise() - values.colwise().mean()).array().abs();
+    mean_square = varying.square().mean();
+    largest = varying.maxCoeff();
+    round_off = kRoundOff * values.cwiseAbs().maxCoeff();
+  }
+
+  double mean_square = 0.0, largest = 0.0, round_off = 0.0;
+};
+
+struct Difference {
+  double mean_square = 0.0;
+  double largest = 0.0;
+};
+
+Difference difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen::Index offset) {
+  Difference gap;
+  if (a.cols() == 0) return gap;
+  const Eigen::Index common = std::lcm(a.rows(), b.rows());
+  Eigen::Index i = 0;
+  Eigen::Index j = offset % b.rows();
+  // Block by block, so that neither motion wraps around within one: Eigen then vectorises the sums.
+  for (Eigen::Index done = 0; done < common;) {
+    const Eigen::Index block = std::min({a.rows() - i, b.rows() - j, common - done});
+    const auto apart = a.middleRows(i, block).array() - b.middleRows(j, block).array();
+    gap.mean_square += apart.square().sum();
+    gap.largest = std::max(gap.largest, apart.abs().maxCoeff());
+    done += block;
+    i = (i + block) % a.rows();
+    j = (j + block) % b.rows();
+  }
+  gap.mean_square /= static_cast<double>(common * a.cols());
+  return gap;
+}
+
+std::optional<double> in_units_of(double unit, double value) {
+  return unit > 0.0 ? std::optional(value / unit) : std::nullopt;
+}
+
+/// Coefficients n = 0..count of the contact force, (count+1) x Nc, from no more instants than they need.
+Eigen::MatrixXcd spectrum_of(const Motion& motion, int count) {
+  if (const Eigen::MatrixXcd& own = motion.force_coefficients; own.size() > 0) {
+    Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(count + 1, own.cols());
+    const Eigen::Index common = std::min(result.rows(), own.rows());
+    result.topRows(common) = own.topRows(common);
+    return result;
+  }
+  const int enough = std::max(samples_for_spectrum(count), motion.nodes.value_or(0));
+  const int step = std::max(1, motion.count() / enough);
+  if (step == 1 || motion.count() % step != 0)
+    return force_spectrum(motion.samples.force, motion.impulses, motion.period(), count);
+  return force_spectrum(motion.samples.force(Eigen::seqN(0, motion.count() / step, step), Eigen::all),
+                        motion.impulses, motion.period(), count);
+}
+
+Eigen::Index per_period(const Motion& motion) { return motion.samples.x.rows() / motion.order; }
+
+/// Root mean square of the contact-free motion about its mean, but at most the largest distance of that mean
+/// from a stop: near resonance the contact-free motion is as large as damping lets it be, and no measure of a
+/// motion between stops [m]; 0 where there is no such motion.
+double scene_length(const Problem& problem, const ContactSpace* space) {
+  constexpr int kInstants = 512;
+  if (problem.contacts.empty()) return 0.0;
+  const std::optional<Eigen::MatrixXd> free = contact_free_motion(problem, kInstants, space);
+  if (!free) return 0.0;
+  const double room = (contact_gaps(problem) - free->colwise().mean().transpose()).cwiseAbs().maxCoeff();
+  return std::min(std::sqrt(Size(*free).mean_square), room);
+}
+
+// `count` instants of a motion. Where it is a grid of more nodes than that, an instant has the impulse of the
+// nodes nearest to it: each pushes for period / nodes, and most of them are no instants.
+Samples samples_with_impulse(const Trajectory& trajectory, int count) {
+  Samples samples = trajectory.sample(count);
+  const int nodes = trajectory.nodes().value_or(0);
+  if (nodes <= count) return samples;
+  const Eigen::MatrixXd force = trajectory.sample(nodes).force;
+  if (force.rows() != nodes || samples.force.rows() != count || force.cols() != samples.force.cols())
+    return {};  // which samples_defect() names
+  samples.force.setZero();
+  for (int k = 0; k < nodes; ++k) {
+    const long nearest = std::lround(static_cast<double>(k) * count / nodes);
+    samples.force.row(nearest % count) += force.row(k) * (static_cast<double>(count) / nodes);
+  }
+  return samples;
+}
+
+}  // namespace
+
+Motion sample_motion(const Problem& problem, const Trajectory& trajectory, int per_period) {
+  Motion motion;
+  motion.forcing_period = problem.forcing_period();
+  motion.order = std::max(1, static_cast<int>(std::lround(trajectory.period() / motion.forcing_period)));
+  motion.samples = samples_with_impulse(trajectory, per_period * motion.order);
+  motion.impulses = trajectory.impulses();
+  motion.events = trajectory.events();
+  motion.nodes = trajectory.nodes();
+  motion.bandwidth = trajectory.bandwidth();
+  motion.force_coefficients = trajectory.force_coefficients();
+  return motion;
+}
+
+double least_size(const Problem& problem, const ContactSpace* space) {
+  return kLeastSize * scene_length(problem, space);
+}
+
+SampledAnswer check_answer(const Problem& problem, const Trajectory& answer) {
+  SampledAnswer sampled;
+  sampled.defect = trajectory_defect(answer, problem.contact_count(), problem.forcing_period());
+  if (!sampled.defect.empty()) return sampled;
+  Motion motion = sample_motion(problem, answer);
+  sampled.defect = samples_defect(motion.samples, kGrid * motion.order, problem.contact_count());
+  if (sampled.defect.empty()) sampled.motion = std::move(motion);
+  return sampled;
+}
+
+SampledAnswer sample_answer(const Problem& problem, const Trajectory& answer) {
+  SampledAnswer sampled = check_answer(problem, answer);
+  if (sampled.defect.empty()) sampled.motion.least = least_size(problem);
+  return sampled;
+}
+
+Motion thinned(const Motion& motion, int step) {
+  const auto every = [&](const Eigen::MatrixXd& values) -> Eigen::MatrixXd {
+    return values(Eigen::seqN(0, values.rows() / step, step), Eigen::all);
+  };
+  Motion result;
+  result.order = motion.order;
+  result.forcing_period = motion.forcing_period;
+  result.samples = {every(motion.samples.x), every(motion.samples.velocity), every(motion.samples.force)};
+  result.impulses = motion.impulses;
+  result.events = motion.events;
+  result.bandwidth = motion.bandwidth;
+  result.force_coefficients = motion.force_coefficients;
+  result.least = motion.least;
+  return result;
+}
+
+ForceSeries force_series(const Problem& problem, const Motion& motion, int max_harmonics) {
+  const int harmonics = std::max(std::min(motion.bandwidth.value_or(max_harmonics), max_harmonics),
+                                 motion.order * highest_load_harmonic(problem));
+  return {.order = motion.order,
+          .base_frequency = kTwoPi / motion.period(),
+          .lambda = spectrum_of(motion, harmonics)};
+}
+
+std::vector<ListedPush> short_pushes(const Motion& motion, int contact) {
+  constexpr double kResolved = 256.0, kSeen = 16.0;  // steps
+  constexpr double kAgrees = 0.1;
+  if (!motion.events) return {};
+  const double step = motion.step();
+  std::vector<ListedPush> pushes;
+  bool all_resolved = true;
+  for (const ListedContact& listed : listed_contacts(*motion.events, motion.period())) {
+    if (listed.contact != contact) continue;
+    const std::optional<double>& push = (*motion.events)[listed.opening].push;
+    if (!push) return {};
+    const double steps = (listed.end - listed.begin) / step;
+    double sampled = 0.0;
+    for (auto i = static_cast<int>(std::ceil(listed.begin / step)); i * step < listed.end; ++i)
+      sampled += step * motion.samples.force(i % motion.count(), contact);
+    if (steps >= kSeen && std::abs(sampled - *push) > kAgrees * std::abs(*push)) return {};
+    all_resolved = all_resolved && steps >= kResolved;
+    pushes.push_back({listed.begin, listed.end, *push});
+  }
+  const auto openings = std::ranges::count_if(*motion.events, [&](const ContactEvent& event) {
+    return event.contact == contact && event.kind == ContactEvent::Kind::open;
+  });
+  return all_resolved || std::ssize(pushes) != openings ? std::vector<ListedPush>() : pushes;
+}
+
+Eigen::VectorXd impulse_per_forcing_period(const Motion& motion) {
+  Eigen::VectorXd impulse = motion.forcing_period * spectrum_of(motion, 0).row(0).real().transpose();
+  for (int c = 0; c < static_cast<int>(impulse.size()); ++c) {
+    const std::vector<ListedPush> pushes = short_pushes(motion, c);
+    if (pushes.empty()) continue;
+    impulse[c] = 0.0;
+    for (const ListedPush& push : pushes) impulse[c] += push.impulse / motion.order;
+    for (const Impulse& one : motion.impulses)
+      impulse[c] += one.contact == c ? one.value / motion.order : 0.0;
+  }
+  return impulse;
+}
+
+Distance distance(const Motion& a, const Motion& b, int shift) {
+  const Eigen::Index offset = shift * per_period(b);
+  const double least = std::max(a.least, b.least);
+  const Size x(b.samples.x), velocity(b.samples.velocity);
+  const double unit = std::max({std::sqrt(x.mean_square), least, x.round_off});
+  // A sinusoid of this root mean square is sqrt(2) as large.
+  const double unit_of_largest = std::max({x.largest, std::numbers::sqrt2 * least, x.round_off});
+  const double unit_of_speed =
+      std::max(std::sqrt(velocity.mean_square), kTwoPi / b.forcing_period * std::max(least, x.round_off));
+  const Difference apart = difference(a.samples.x, b.samples.x, offset);
+  const bool functions = a.impulses.empty() && b.impulses.empty() && b.samples.force.size() > 0;
+  return {
+      .x_l2 = in_units_of(unit, std::sqrt(apart.mean_square)),
+      .x_max = in_units_of(unit_of_largest, apart.largest),
+      .velocity_l2 = in_units_of(
+          unit_of_speed, std::sqrt(difference(a.samples.velocity, b.samples.velocity, offset).mean_square)),
+      .force_l2 =
+          functions ? in_units_of(std::sqrt(b.samples.force.array().square().mean()),
+                                  std::sqrt(difference(a.samples.force, b.samples.force, offset).mean_square))
+                    : std::nullopt};
+}
+
+int best_shift(const Motion& a, const Motion& b) {
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int shift = 0; shift < b.order; ++shift) {
+    const double apart = difference(a.samples.x, b.samples.x, shift * per_period(b)).mean_square;
+    if (apart < least) {
+      least = apart;
+      best = shift;
+    }
+  }
+  return best;
+}
+
+int least_order(const Motion& motion) {
+  for (int order = 1; order < motion.order; ++order) {
+    if (motion.order % order != 0) continue;
+    if (distance(motion, motion, order).x_l2.value_or(0.0) <= kSameOrbit) return order;
+  }
+  return motion.order;
+}
+
+double amplitude(const Motion& motion) {
+  double largest = 0.0;
+  for (const auto& x : motion.samples.x.colwise())
+    largest = std::max(largest, 0.5 * (x.maxCoeff() - x.minCoeff()));
+  return largest;
+}
+
+}  // namespace signorini

@@ -1,0 +1,130 @@
+#include "harness/run_folder/record_store.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+
+#include "harness/failure.hpp"
+#include "harness/isolation/freed_at_once.hpp"
+#include "harness/records/record_check.hpp"
+#include "harness/records/record_json.hpp"
+#include "harness/text/json.hpp"
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// The record of a line. \throws BadRecord
+Record parse_line(std::string_view line) {
+  const Json json = try_parse_json(line);
+  if (!json.is_object()) throw BadRecord("record = unreadable (must be one JSON object)");
+  return checked_record(json);
+}
+
+/// Cuts off a last line that a kill tore, so that the next record begins a line of its own. Takes the records
+/// that are left; none where there is no file.
+void repair_file(const fs::path& file, const std::function<void(Record)>& take) {
+  if (!fs::exists(file)) return;
+  const std::uint64_t whole =
+      for_each_record(file, [&](Record record, const LinePlace&) { take(std::move(record)); });
+  std::error_code ignored;  // of a folder that cannot be written opening complains next
+  fs::resize_file(file, whole, ignored);
+}
+
+std::string line_of(const Record& record) { return json_line(to_json(record)); }
+
+}  // namespace
+
+std::uint64_t for_each_record(const fs::path& file,
+                              const std::function<void(Record, const LinePlace&)>& take) {
+  const FreedAtOnce freed;
+  // The case of a line that holds none counts as one that has not run.
+  return read_lines(
+      file, [&](const Line& line) { take(parse_line(line.text), line.place); },
+      "`run --resume` runs its case again");
+}
+
+std::vector<Record> read_records(const fs::path& file) {
+  std::vector<Record> records;
+  std::unordered_map<std::string, std::size_t> places;
+  for_each_record(file, [&](Record record, const LinePlace&) {
+    const auto place = places.find(record.key);
+    if (!record.key.empty() && place != places.end()) {
+      records[place->second] = std::move(record);
+      return;
+    }
+    places[record.key] = records.size();
+    records.push_back(std::move(record));
+  });
+  return records;
+}
+
+Record StoredRecords::at(const LinePlace& place) const {
+  try {
+    return parse_line(lines_.at(place));
+  } catch (const BadRecord& error) {
+    throw UsageError(fmt::format("record = changed (must not change while it is read: {})", error.what()));
+  }
+}
+
+RecordEntry entry_of(const Record& record, const LinePlace& place, std::size_t ordinal) {
+  return {.key = record.key,
+          .case_id = record.case_id,
+          .method = record.method,
+          .status = record.status,
+          .elapsed = record.elapsed,
+          .place = place,
+          .ordinal = ordinal};
+}
+
+RecordStore::RecordStore(const fs::path& folder, bool resume)
+    : file_(folder / "records.jsonl"), unfinished_file_(folder / "unfinished.jsonl") {
+  make_folder(folder);
+  std::error_code failure;
+  lock_ = lock_folder(folder);
+  if (fs::exists(file_) && !resume) fs::rename(file_, folder / "records.previous.jsonl", failure);
+  if (!resume) fs::remove(unfinished_file_, failure);
+  repair_file(file_, [&](const Record& record) { keys_.insert(record.key); });
+  repair_file(unfinished_file_, [&](Record record) {
+    if (!contains(record.key)) unfinished_.insert_or_assign(record.key, std::move(record));
+  });
+  records_ = open_to_append(file_);
+  kept_ = open_to_append(unfinished_file_);
+}
+
+RecordStore::~RecordStore() {
+  std::error_code failure;
+  if (fs::file_size(unfinished_file_, failure) == 0 && !failure) fs::remove(unfinished_file_, failure);
+}
+
+void RecordStore::append(const Record& record) {
+  if (!keys_.insert(record.key).second) return;
+  append_line(records_, line_of(record), file_);
+  if (fsync(records_.number()) != 0) throw std::system_error(errno, std::generic_category(), file_.string());
+  std::erase_if(unfinished_, [&](const auto& kept) { return kept.second.case_id == record.case_id; });
+}
+
+void RecordStore::keep_unfinished(const Record& record) {
+  append_line(kept_, line_of(record), unfinished_file_);
+}
+
+std::optional<Record> RecordStore::unfinished(const std::string& key) const {
+  const auto found = unfinished_.find(key);
+  return found == unfinished_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void RecordStore::clear_unfinished() {
+  if (ftruncate(kept_.number(), 0) != 0)
+    throw std::system_error(errno, std::generic_category(), unfinished_file_.string());
+  for (const auto& [key, record] : unfinished_) append_line(kept_, line_of(record), unfinished_file_);
+}
+
+}  // namespace signorini

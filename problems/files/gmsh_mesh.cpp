@@ -1,0 +1,347 @@
+#include "problems/files/gmsh_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "problems/files/text_words.hpp"
+#include "problems/files/toml_tree.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Tag = std::int64_t;
+using Entity = std::pair<int, Tag>;  // dimension and tag, of an entity or of a physical group
+
+constexpr std::string_view kFormat =
+    "must be 4.1 0 8: a text file of that version, as gmsh -format msh41 writes it";
+
+// The lines of a file, taken apart, with their numbers.
+class Lines {
+ public:
+  Lines(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
+
+  // The next line that is not blank; false at the end.
+  bool next() {
+    while (!rest_.empty()) {
+      line_text_ = rest_.substr(0, rest_.find('\n'));
+      rest_.remove_prefix(std::min(rest_.size(), line_text_.size() + 1));
+      ++line_;
+      constexpr std::size_t kLongest = std::size_t{1} << 20U;  // [bytes]
+      if (line_text_.size() > kLongest)
+        refuse("line", fmt::format("{} bytes", line_text_.size()),
+               fmt::format("must have at most {}", kLongest));
+      words_ = words_of(line_text_);
+      if (!words_.empty()) return true;
+    }
+    return false;
+  }
+
+  // The next line, of at least so many words.
+  const std::vector<std::string_view>& expect(std::string_view what, std::size_t words) {
+    if (!next()) refuse(what, "missing", "must be there");
+    if (words_.size() < words) refuse(what, fmt::format("must have {} words", words));
+    return words_;
+  }
+
+  [[nodiscard]] const std::vector<std::string_view>& words() const { return words_; }
+  [[nodiscard]] std::string_view line_text() const { return line_text_; }
+
+  // The word of the line as a number in a range.
+  [[nodiscard]] Tag whole(std::size_t word, std::string_view what, Tag least, Tag most) const {
+    const auto number = word < words_.size() ? number_of<Tag>(words_[word]) : std::nullopt;
+    if (!number || *number < least || *number > most)
+      refuse(what, fmt::format("word {} must be a whole number in {}..{}", word + 1, least, most));
+    return *number;
+  }
+
+  [[nodiscard]] double finite(std::size_t word, std::string_view what) const {
+    constexpr double kLargest = 1e60;  // [m]: fourth powers of lengths are numbers
+    const auto number = word < words_.size() ? number_of<double>(words_[word]) : std::nullopt;
+    if (!number || !(std::abs(*number) <= kLargest))
+      refuse(what, fmt::format("word {} must be a number within -1e60..1e60", word + 1));
+    return *number;
+  }
+
+  [[noreturn]] void refuse(std::string_view what, std::string_view found, std::string_view required) const {
+    throw SceneError(fmt::format("{}:{}: {} = {} ({})", name_, std::max(line_, 1), what, found, required));
+  }
+  // With the line, as much of it as a message shows.
+  [[noreturn]] void refuse(std::string_view what, std::string_view required) const {
+    constexpr std::size_t kEnough = 64;
+    refuse(what, fmt::format("\"{}\"", one_line(std::string(line_text_.substr(0, kEnough)))), required);
+  }
+
+ private:
+  std::string_view rest_;  // what has not been read
+  std::string_view line_text_;
+  std::vector<std::string_view> words_;
+  const std::string& name_;
+  int line_ = 0;
+};
+
+struct GivenNode {
+  Tag tag = 0;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+};
+
+// What a file holds; elements name nodes by their place in `nodes`.
+struct GivenMesh {
+  std::vector<GivenNode> nodes;  // by rising tag
+  std::vector<ElementList> solids;
+  std::map<std::string, MeshGroup, std::less<>> groups;
+};
+
+// The mesh without nodes that no solid has. \throws SceneError for groups that have some
+SolidMesh without_loose_nodes(const Lines& lines, GivenMesh given) {
+  if (given.solids.empty())
+    lines.refuse("elements", "no solid",
+                 "must be tetrahedra or hexahedra: in Gmsh, Mesh 3 and a named physical volume");
+  std::vector<int> number(given.nodes.size(), -1);  // among those of solids
+  for (const ElementList& elements : given.solids) {
+    for (const int node : elements.nodes) number[static_cast<std::size_t>(node)] = 0;
+  }
+  SolidMesh mesh{.nodes = {}, .solids = std::move(given.solids), .groups = std::move(given.groups)};
+  for (std::size_t node = 0; node < number.size(); ++node) {
+    if (number[node] < 0) continue;
+    number[node] = static_cast<int>(mesh.nodes.size());
+    mesh.nodes.push_back(given.nodes[node].place);
+  }
+  const auto renumber = [&](ElementList& elements, std::string_view of) {
+    for (int& node : elements.nodes) {
+      const auto place = static_cast<std::size_t>(node);
+      node = number[place];
+      if (node < 0)
+        lines.refuse("group", of,
+                     fmt::format("node {} must be one of a solid element", given.nodes[place].tag));
+    }
+  };
+  for (ElementList& elements : mesh.solids) renumber(elements, "solids");
+  for (auto& [name, group] : mesh.groups) {
+    for (ElementList& elements : group) renumber(elements, one_line(name));
+  }
+  return mesh;
+}
+
+// What stands between the first and the last " of a line; nothing where there are not two.
+std::string_view between_quotes(std::string_view text) {
+  const std::size_t first = text.find('"'), last = text.rfind('"');
+  return first == last ? std::string_view() : text.substr(first + 1, last - first - 1);
+}
+
+class GmshReader {
+ public:
+  GmshReader(std::string_view text, const std::string& name) : lines_(text, name) {}
+
+  SolidMesh read() {
+    if (!lines_.next()) lines_.refuse("file", "empty", "must begin with $MeshFormat");
+    if (lines_.words()[0] != "$MeshFormat") lines_.refuse("file", "must begin with $MeshFormat");
+    read_format();
+    while (lines_.next()) {
+      const std::string section(lines_.words()[0]);
+      if (section.front() != '$') lines_.refuse("line", "must begin a section, as $Nodes does");
+      if (!seen_.insert(section).second) lines_.refuse("section", "must be there once");
+      if (section == "$PhysicalNames")
+        read_names();
+      else if (section == "$Entities")
+        read_entities();
+      else if (section == "$Nodes")
+        read_nodes();
+      else if (section == "$Elements")
+        read_elements();
+      else
+        pass_over(section);
+    }
+    return without_loose_nodes(lines_, std::move(given_));
+  }
+
+ private:
+  static constexpr Tag kLargestTag = std::int64_t{1} << 31U;
+  static constexpr Tag kMostElements = 20'000'000;
+  static constexpr Tag kMostBlocks = 1'000'000;
+  static constexpr std::size_t kMostKept = 200'000'000;  // nodes of elements: 0.8 GB
+
+  void end(std::string_view section) {
+    const bool ends = lines_.next() && lines_.words()[0] == section;
+    if (!ends) lines_.refuse("line", fmt::format("must be {}", section));
+  }
+
+  void read_format() {
+    const auto& words = lines_.expect("format", 3);
+    if (words[0] != "4.1" || words[1] != "0") lines_.refuse("format", kFormat);
+    end("$EndMeshFormat");
+  }
+
+  void pass_over(const std::string& section) {
+    const std::string last = "$End" + section.substr(1);
+    while (lines_.next()) {
+      if (lines_.words()[0] == last) return;
+    }
+    lines_.refuse("section", one_line(section), fmt::format("must end with {}", one_line(last)));
+  }
+
+  void read_names() {
+    lines_.expect("count of names", 1);
+    const Tag count = lines_.whole(0, "count of names", 0, kMostBlocks);
+    for (Tag i = 0; i < count; ++i) {
+      lines_.expect("name", 3);
+      const int dimension = static_cast<int>(lines_.whole(0, "name", 0, 3));
+      const Tag tag = lines_.whole(1, "name", 1, kLargestTag);
+      constexpr std::size_t kLongest = 127;
+      const std::string_view name = between_quotes(lines_.line_text());
+      if (name.empty() || name.size() > kLongest || has_control_characters(name))
+        lines_.refuse(
+            "name",
+            fmt::format("must stand in \"\", of at most {} bytes, without control characters", kLongest));
+      names_[{dimension, tag}] = name;
+    }
+    end("$EndPhysicalNames");
+  }
+
+  // tag, a place (of a point) or a box, a number of groups, their tags, and more that is passed over.
+  void read_entities() {
+    std::array<Tag, 4> counts{};
+    lines_.expect("counts of entities", 4);
+    for (std::size_t d = 0; d < 4; ++d) counts[d] = lines_.whole(d, "counts of entities", 0, kMostBlocks);
+    for (int dimension = 0; dimension < 4; ++dimension) {
+      const std::size_t place = dimension == 0 ? 4 : 7;
+      for (Tag i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) {
+        lines_.expect("entity", place + 1);
+        const Tag tag = lines_.whole(0, "entity", -kLargestTag, kLargestTag);
+        const Tag groups = lines_.whole(place, "entity", 0, kMostBlocks);
+        std::set<std::string_view>& named = groups_of_[{dimension, tag}];
+        for (Tag g = 0; g < groups; ++g) {
+          const Tag group = std::abs(
+              lines_.whole(place + 1 + static_cast<std::size_t>(g), "entity", -kLargestTag, kLargestTag));
+          const auto name = names_.find({dimension, group});
+          if (name != names_.end()) named.insert(name->second);
+        }
+      }
+    }
+    end("$EndEntities");
+  }
+
+  void read_nodes() {
+    lines_.expect("counts of nodes", 4);
+    const Tag blocks = lines_.whole(0, "counts of nodes", 0, kMostBlocks);
+    const Tag count = lines_.whole(1, "counts of nodes", 0, kMostMeshNodes);
+    for (Tag block = 0; block < blocks; ++block) {
+      lines_.expect("block of nodes", 4);
+      const Tag inside = lines_.whole(3, "block of nodes", 0, count - std::ssize(given_.nodes));
+      const std::size_t first = given_.nodes.size();
+      for (Tag i = 0; i < inside; ++i) {
+        lines_.expect("node", 1);
+        given_.nodes.push_back(GivenNode{.tag = lines_.whole(0, "node", 1, kLargestTag)});
+      }
+      for (Tag i = 0; i < inside; ++i) {
+        lines_.expect("place of a node", 3);
+        for (std::size_t a = 0; a < 3; ++a)
+          given_.nodes[first + static_cast<std::size_t>(i)].place[static_cast<Eigen::Index>(a)] =
+              lines_.finite(a, "place of a node");
+      }
+    }
+    if (std::ssize(given_.nodes) != count)
+      lines_.refuse("nodes", fmt::format("{}", given_.nodes.size()), fmt::format("must be {}", count));
+    std::ranges::sort(given_.nodes, {}, &GivenNode::tag);
+    const auto twin = std::ranges::adjacent_find(given_.nodes, {}, &GivenNode::tag);
+    if (twin != given_.nodes.end()) lines_.refuse("node", fmt::format("{}", twin->tag), "must be given once");
+    end("$EndNodes");
+  }
+
+  void read_elements() {
+    if (!seen_.contains("$Nodes")) lines_.refuse("section", "must come after $Nodes");
+    lines_.expect("counts of elements", 4);
+    const Tag blocks = lines_.whole(0, "counts of elements", 0, kMostBlocks);
+    Tag left = lines_.whole(1, "counts of elements", 0, kMostElements);
+    for (Tag block = 0; block < blocks; ++block) {
+      lines_.expect("block of elements", 4);
+      const Entity entity{static_cast<int>(lines_.whole(0, "block of elements", 0, 3)),
+                          lines_.whole(1, "block of elements", -kLargestTag, kLargestTag)};
+      const Tag inside = lines_.whole(3, "block of elements", 0, left);
+      left -= inside;
+      read_block(entity, inside);
+    }
+    if (left > 0)
+      lines_.refuse("elements", fmt::format("{} too few", left), "must be as many as their count says");
+    end("$EndElements");
+  }
+
+  void read_block(const Entity& entity, Tag inside) {
+    const ElementShape* shape = shape_of_gmsh_type(
+        static_cast<int>(lines_.whole(2, "block of elements", 1, std::numeric_limits<int>::max())));
+    const auto named = groups_of_.find(entity);
+    const bool solid = entity.first == 3;
+    const bool kept = solid || (named != groups_of_.end() && !named->second.empty());
+    if (kept && (shape == nullptr || shape->dimension != entity.first)) refuse_shape(entity.first);
+    ElementList elements{.shape = shape};
+    for (Tag i = 0; i < inside; ++i) {
+      lines_.expect("element", 2);
+      if (!kept) continue;
+      const auto nodes = static_cast<std::size_t>(shape->nodes);
+      if (lines_.words().size() != 1 + nodes)
+        lines_.refuse("element", fmt::format("must be its tag and {} nodes", nodes));
+      for (std::size_t n = 1; n <= nodes; ++n) elements.nodes.push_back(node_at(n));
+    }
+    if (!kept || elements.nodes.empty()) return;
+    if (solid)
+      append(elements, given_.solids);
+    else
+      for (const std::string_view group : named->second) append(elements, given_.groups[std::string(group)]);
+  }
+
+  [[noreturn]] void refuse_shape(int dimension) const {
+    std::string known;
+    for (const ElementShape& shape : element_shapes()) {
+      if (shape.dimension == dimension)
+        known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", shape.gmsh, shape.name);
+    }
+    lines_.refuse("block of elements", fmt::format("word 3, the type of elements, must be one of {}", known));
+  }
+
+  // Place among given_.nodes of the node whose tag is a word of the line.
+  [[nodiscard]] int node_at(std::size_t word) const {
+    const Tag tag = lines_.whole(word, "element", 1, kLargestTag);
+    const auto found = std::ranges::lower_bound(given_.nodes, tag, {}, &GivenNode::tag);
+    if (found == given_.nodes.end() || found->tag != tag)
+      lines_.refuse("element", fmt::format("word {} must be the tag of a node", word + 1));
+    return static_cast<int>(found - given_.nodes.begin());
+  }
+
+  // An entity may be in many groups, each of which gets its elements.
+  void append(const ElementList& elements, MeshGroup& group) {
+    kept_ += elements.nodes.size();
+    if (kept_ > kMostKept)
+      lines_.refuse("elements", fmt::format("{} nodes so far, in all groups", kept_),
+                    fmt::format("must have at most {}", kMostKept));
+    const auto same = std::ranges::find(group, elements.shape, &ElementList::shape);
+    if (same == group.end())
+      group.push_back(elements);
+    else
+      same->nodes.insert(same->nodes.end(), elements.nodes.begin(), elements.nodes.end());
+  }
+
+  Lines lines_;
+  std::set<std::string> seen_;  // sections
+  std::map<Entity, std::string> names_;
+  std::map<Entity, std::set<std::string_view>> groups_of_;  // of each entity, names in names_
+  std::size_t kept_ = 0;                                    // nodes of elements, in all groups
+  GivenMesh given_;
+};
+
+}  // namespace
+
+SolidMesh read_gmsh_mesh(std::string_view text, const std::string& name) {
+  return GmshReader(text, name).read();
+}
+
+}  // namespace signorini

@@ -1,0 +1,100 @@
+#include "harness/judge/measures/contact_agreement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/harness/fake_method.hpp"
+
+namespace signorini::contact_agreement_test {
+namespace {
+
+constexpr double kPeriod = std::numbers::pi;  // of one_mass(): omega = 2
+
+/// cos 2 t, and impulses that are given by shares of the period and sizes.
+Motion motion(const std::vector<std::pair<double, double>>& impulses, int order = 1) {
+  std::vector<Impulse> list;
+  for (const auto& [share, value] : impulses) list.push_back({0, share * order * kPeriod, -value});
+  return sample_motion(test::one_mass(), test::FormulaMotion(
+                                             order * kPeriod, [](double t) { return std::cos(2.0 * t); },
+                                             [](double t) { return -2.0 * std::sin(2.0 * t); },
+                                             [](double) { return 0.0; }, list));
+}
+
+/// cos 2 t and a push over a share of the period that a series of so many harmonics resolves.
+Motion smooth(double begin, double end, double force, int bandwidth) {
+  return sample_motion(
+      test::one_mass(),
+      test::FormulaMotion(
+          kPeriod, [](double t) { return std::cos(2.0 * t); },
+          [](double t) { return -2.0 * std::sin(2.0 * t); },
+          [=](double t) { return t > begin * kPeriod && t < end * kPeriod ? -force : 0.0; }, {}, bandwidth));
+}
+
+ContactDifference compared(const Motion& answer, const Motion& orbit) {
+  return contact_difference(test::one_mass(), answer, orbit);
+}
+
+TEST(ContactDifference, IsNoneOfEqualContacts) {
+  EXPECT_EQ(compared(motion({}), motion({})).text, "");
+  EXPECT_EQ(compared(motion({{0.2, 1.0}, {0.7, 0.5}}), motion({{0.2, 1.0}, {0.7, 0.5}})).text, "");
+}
+
+TEST(ContactDifference, ContradictsWhereOnlyOneOfTheTwoHits) {
+  const ContactDifference missed = compared(motion({}), motion({{0.2, 1.0}}));
+  EXPECT_TRUE(missed.contradicts);
+  EXPECT_EQ(missed.text, "it has no contact force, and the orbit has");
+  EXPECT_TRUE(compared(motion({{0.2, 1.0}}), motion({})).contradicts);
+}
+
+TEST(ContactDifference, OfAGrazeIsNoContradiction) {
+  // The unit is k X T = pi: a graze of 1e-4 of it is more than nothing, and less than a hit.
+  const ContactDifference graze = compared(motion({}), motion({{0.2, 1e-4 * kPeriod}}));
+  EXPECT_FALSE(graze.contradicts);
+  EXPECT_NE(graze.text, "");
+  EXPECT_EQ(compared(motion({}), motion({{0.2, 1e-7 * kPeriod}})).text, "") << "round-off";
+}
+
+TEST(ContactDifference, AllowsAFactorOfTwoInTheImpulse) {
+  EXPECT_EQ(compared(motion({{0.2, 1.9}}), motion({{0.2, 1.0}})).text, "");
+  EXPECT_EQ(compared(motion({{0.2, 0.4}}), motion({{0.2, 1.0}})).text,
+            "the impulse of contact 0 is 0.4 times the orbit's");
+}
+
+TEST(ContactDifference, CountsImpactsPerCommonPeriod) {
+  const ContactDifference one = compared(motion({{0.2, 1.0}}), motion({{0.2, 0.5}, {0.7, 0.5}}));
+  EXPECT_EQ(one.text, "contact 0 pushes 1 times in 1 forcing periods, on the orbit 2 times");
+  // Once in each of two forcing periods is once per forcing period.
+  EXPECT_EQ(compared(motion({{0.2, 1.0}}), motion({{0.1, 1.0}, {0.6, 1.0}}, 2)).text, "");
+  EXPECT_NE(compared(motion({{0.2, 1.0}}), motion({{0.1, 2.0}}, 2)).text, "");
+}
+
+TEST(ContactDifference, AsksForNoImpactsThatTheAnswerCannotShow) {
+  // Sixteen harmonics show 1/32 of the period.
+  const Motion chatter = motion({{0.20, 0.5}, {0.22, 0.3}, {0.235, 0.2}});
+  EXPECT_EQ(compared(smooth(0.19, 0.25, 1.0 / (0.06 * kPeriod), 16), chatter).text, "");
+  EXPECT_NE(compared(smooth(0.19, 0.25, 1.0 / (0.06 * kPeriod), 400), chatter).text, "");
+  // A bounce of a fifth of the largest impulse may be missed, and one of a half may not.
+  EXPECT_EQ(compared(motion({{0.2, 1.0}}), motion({{0.2, 1.0}, {0.7, 0.2}})).text, "");
+  EXPECT_NE(compared(motion({{0.2, 1.0}}), motion({{0.2, 1.0}, {0.7, 0.5}})).text, "");
+}
+
+TEST(ContactDifference, AsksForImpactsAtTheirTimes) {
+  EXPECT_EQ(compared(motion({{0.2, 1.0}}), motion({{0.24, 1.0}})).text, "");
+  EXPECT_EQ(compared(motion({{0.2, 1.0}}), motion({{0.3, 1.0}})).text,
+            "contact 0 pushes at other times than on the orbit");
+  EXPECT_EQ(compared(motion({{0.99, 1.0}}), motion({{0.02, 1.0}})).text, "")
+      << "across the end of the period";
+  // Once in each of two forcing periods, the second time a quarter of a period late.
+  EXPECT_NE(compared(motion({{0.2, 1.0}}), motion({{0.1, 1.0}, {0.725, 1.0}}, 2)).text, "");
+  // Both impacts of the answer beside the same one of the orbit.
+  EXPECT_NE(compared(motion({{0.2, 1.0}, {0.23, 1.0}}), motion({{0.21, 1.0}, {0.7, 1.0}})).text, "");
+}
+
+TEST(ContactDifference, JoinsPhasesAcrossTheEndOfThePeriod) {
+  EXPECT_EQ(compared(motion({{0.99995, 0.5}, {0.00005, 0.5}}), motion({{0.0, 1.0}})).text, "");
+}
+
+}  // namespace
+}  // namespace signorini::contact_agreement_test
