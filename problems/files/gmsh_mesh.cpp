@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "problems/files/text_words.hpp"
+#include "problems/files/text_lines.hpp"
 #include "problems/files/toml_tree.hpp"
 
 namespace signorini {
@@ -25,70 +25,6 @@ using Entity = std::pair<int, Tag>;  // dimension and tag, of an entity or of a 
 
 constexpr std::string_view kFormat =
     "must be 4.1 0 8: a text file of that version, as gmsh -format msh41 writes it";
-
-// The lines of a file, taken apart, with their numbers.
-class Lines {
- public:
-  Lines(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
-
-  // The next line that is not blank; false at the end.
-  bool next() {
-    while (!rest_.empty()) {
-      line_text_ = rest_.substr(0, rest_.find('\n'));
-      rest_.remove_prefix(std::min(rest_.size(), line_text_.size() + 1));
-      ++line_;
-      constexpr std::size_t kLongest = std::size_t{1} << 20U;  // [bytes]
-      if (line_text_.size() > kLongest)
-        refuse("line", fmt::format("{} bytes", line_text_.size()),
-               fmt::format("must have at most {}", kLongest));
-      words_ = words_of(line_text_);
-      if (!words_.empty()) return true;
-    }
-    return false;
-  }
-
-  // The next line, of at least so many words.
-  const std::vector<std::string_view>& expect(std::string_view what, std::size_t words) {
-    if (!next()) refuse(what, "missing", "must be there");
-    if (words_.size() < words) refuse(what, fmt::format("must have {} words", words));
-    return words_;
-  }
-
-  [[nodiscard]] const std::vector<std::string_view>& words() const { return words_; }
-  [[nodiscard]] std::string_view line_text() const { return line_text_; }
-
-  // The word of the line as a number in a range.
-  [[nodiscard]] Tag whole(std::size_t word, std::string_view what, Tag least, Tag most) const {
-    const auto number = word < words_.size() ? number_of<Tag>(words_[word]) : std::nullopt;
-    if (!number || *number < least || *number > most)
-      refuse(what, fmt::format("word {} must be a whole number in {}..{}", word + 1, least, most));
-    return *number;
-  }
-
-  [[nodiscard]] double finite(std::size_t word, std::string_view what) const {
-    constexpr double kLargest = 1e60;  // [m]: fourth powers of lengths are numbers
-    const auto number = word < words_.size() ? number_of<double>(words_[word]) : std::nullopt;
-    if (!number || !(std::abs(*number) <= kLargest))
-      refuse(what, fmt::format("word {} must be a number within -1e60..1e60", word + 1));
-    return *number;
-  }
-
-  [[noreturn]] void refuse(std::string_view what, std::string_view found, std::string_view required) const {
-    throw SceneError(fmt::format("{}:{}: {} = {} ({})", name_, std::max(line_, 1), what, found, required));
-  }
-  // With the line, as much of it as a message shows.
-  [[noreturn]] void refuse(std::string_view what, std::string_view required) const {
-    constexpr std::size_t kEnough = 64;
-    refuse(what, fmt::format("\"{}\"", one_line(std::string(line_text_.substr(0, kEnough)))), required);
-  }
-
- private:
-  std::string_view rest_;  // what has not been read
-  std::string_view line_text_;
-  std::vector<std::string_view> words_;
-  const std::string& name_;
-  int line_ = 0;
-};
 
 struct GivenNode {
   Tag tag = 0;
@@ -103,7 +39,7 @@ struct GivenMesh {
 };
 
 // The mesh without nodes that no solid has. \throws SceneError for groups that have some
-SolidMesh without_loose_nodes(const Lines& lines, GivenMesh given) {
+SolidMesh without_loose_nodes(const TextLines& lines, GivenMesh given) {
   if (given.solids.empty())
     lines.refuse("elements", "no solid",
                  "must be tetrahedra or hexahedra: in Gmsh, Mesh 3 and a named physical volume");
@@ -137,6 +73,23 @@ SolidMesh without_loose_nodes(const Lines& lines, GivenMesh given) {
 std::string_view between_quotes(std::string_view text) {
   const std::size_t first = text.find('"'), last = text.rfind('"');
   return first == last ? std::string_view() : text.substr(first + 1, last - first - 1);
+}
+
+[[noreturn]] void refuse_shape(const TextLines& lines, int dimension) {
+  std::string known;
+  for (const ElementShape& shape : element_shapes()) {
+    if (shape.dimension == dimension)
+      known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", shape.gmsh, shape.name);
+  }
+  lines.refuse("block of elements", fmt::format("word 3, the type of elements, must be one of {}", known));
+}
+
+void append(const ElementList& elements, MeshGroup& group) {
+  const auto same = std::ranges::find(group, elements.shape, &ElementList::shape);
+  if (same == group.end())
+    group.push_back(elements);
+  else
+    same->nodes.insert(same->nodes.end(), elements.nodes.begin(), elements.nodes.end());
 }
 
 class GmshReader {
@@ -198,7 +151,7 @@ class GmshReader {
       const int dimension = static_cast<int>(lines_.whole(0, "name", 0, 3));
       const Tag tag = lines_.whole(1, "name", 1, kLargestTag);
       constexpr std::size_t kLongest = 127;
-      const std::string_view name = between_quotes(lines_.line_text());
+      const std::string_view name = between_quotes(lines_.line());
       if (name.empty() || name.size() > kLongest || has_control_characters(name))
         lines_.refuse(
             "name",
@@ -282,7 +235,7 @@ class GmshReader {
     const auto named = groups_of_.find(entity);
     const bool solid = entity.first == 3;
     const bool kept = solid || (named != groups_of_.end() && !named->second.empty());
-    if (kept && (shape == nullptr || shape->dimension != entity.first)) refuse_shape(entity.first);
+    if (kept && (shape == nullptr || shape->dimension != entity.first)) refuse_shape(lines_, entity.first);
     ElementList elements{.shape = shape};
     for (Tag i = 0; i < inside; ++i) {
       lines_.expect("element", 2);
@@ -294,18 +247,18 @@ class GmshReader {
     }
     if (!kept || elements.nodes.empty()) return;
     if (solid)
-      append(elements, given_.solids);
+      keep(elements, given_.solids);
     else
-      for (const std::string_view group : named->second) append(elements, given_.groups[std::string(group)]);
+      for (const std::string_view group : named->second) keep(elements, given_.groups[std::string(group)]);
   }
 
-  [[noreturn]] void refuse_shape(int dimension) const {
-    std::string known;
-    for (const ElementShape& shape : element_shapes()) {
-      if (shape.dimension == dimension)
-        known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", shape.gmsh, shape.name);
-    }
-    lines_.refuse("block of elements", fmt::format("word 3, the type of elements, must be one of {}", known));
+  // An entity may be in many groups, each of which gets its elements.
+  void keep(const ElementList& elements, MeshGroup& group) {
+    kept_ += elements.nodes.size();
+    if (kept_ > kMostKept)
+      lines_.refuse("elements", fmt::format("{} nodes so far, in all groups", kept_),
+                    fmt::format("must have at most {}", kMostKept));
+    append(elements, group);
   }
 
   // Place among given_.nodes of the node whose tag is a word of the line.
@@ -317,20 +270,7 @@ class GmshReader {
     return static_cast<int>(found - given_.nodes.begin());
   }
 
-  // An entity may be in many groups, each of which gets its elements.
-  void append(const ElementList& elements, MeshGroup& group) {
-    kept_ += elements.nodes.size();
-    if (kept_ > kMostKept)
-      lines_.refuse("elements", fmt::format("{} nodes so far, in all groups", kept_),
-                    fmt::format("must have at most {}", kMostKept));
-    const auto same = std::ranges::find(group, elements.shape, &ElementList::shape);
-    if (same == group.end())
-      group.push_back(elements);
-    else
-      same->nodes.insert(same->nodes.end(), elements.nodes.begin(), elements.nodes.end());
-  }
-
-  Lines lines_;
+  TextLines lines_;
   std::set<std::string> seen_;  // sections
   std::map<Entity, std::string> names_;
   std::map<Entity, std::set<std::string_view>> groups_of_;  // of each entity, names in names_

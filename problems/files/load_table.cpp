@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "problems/files/text_words.hpp"
+#include "problems/files/text_lines.hpp"
 #include "problems/files/toml_tree.hpp"
 
 namespace signorini {
@@ -33,44 +33,37 @@ double mean_square(const std::vector<double>& values) {
 
 class TableReader {
  public:
-  TableReader(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
+  TableReader(std::string_view text, const std::string& name) : lines_(text, name, ",; \t\r\v\f") {}
 
   std::vector<double> read(double period) {
-    while (!rest_.empty()) take_line();
-    if (samples_.size() < 3) refuse("samples", fmt::format("{}", samples_.size()), "must be at least 3");
+    while (lines_.next()) take_line();
+    if (samples_.size() < 3)
+      lines_.refuse("samples", fmt::format("{}", samples_.size()), "must be at least 3");
     if (columns_ == 2) check_instants(period);
     return std::move(samples_);
   }
 
  private:
-  [[noreturn]] void refuse(std::string_view what, std::string_view found, std::string_view required) const {
-    throw SceneError(fmt::format("{}:{}: {} = {} ({})", name_, line_, what, found, required));
-  }
-
   void take_line() {
-    const std::size_t end = rest_.find('\n');
-    const std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    ++line_;
-    const std::vector<std::string_view> words = words_of(line, ",; \t\r\v\f");
-    if (words.empty() || words[0].starts_with('#')) return;
+    const std::vector<std::string_view>& words = lines_.words();
+    if (words[0].starts_with('#')) return;
     std::vector<double> numbers;
     for (const std::string_view word : words) {
       const std::optional<double> number = number_of<double>(word);
       // A heading: the first line with content, once.
       if (!number && columns_ == 0 && !headed_) return void(headed_ = true);
       if (!number || !std::isfinite(*number))
-        refuse("value", fmt::format("\"{}\"", one_line(word)), "must be a finite number");
+        lines_.refuse("value", fmt::format("\"{}\"", one_line(word)), "must be a finite number");
       numbers.push_back(*number);
     }
     if (columns_ == 0) columns_ = numbers.size();
     if (numbers.size() > 2 || numbers.size() != columns_)
-      refuse("columns", std::to_string(numbers.size()),
-             "must be 1, the samples, or 2, instants [s] and samples, in every line");
+      lines_.refuse("columns", std::to_string(numbers.size()),
+                    "must be 1, the samples, or 2, instants [s] and samples, in every line");
     if (columns_ == 2) instants_.push_back(numbers[0]);
     samples_.push_back(numbers.back());
     if (samples_.size() > kMostLoadSamples)
-      refuse("samples", "more", fmt::format("must be at most {}", kMostLoadSamples));
+      lines_.refuse("samples", "more", fmt::format("must be at most {}", kMostLoadSamples));
   }
 
   void check_instants(double period) const {
@@ -78,16 +71,14 @@ class TableReader {
     const double step = period / static_cast<double>(samples_.size());
     for (std::size_t i = 0; i < instants_.size(); ++i) {
       if (std::abs(instants_[i] - step * static_cast<double>(i)) <= kSame * period) continue;
-      refuse(
+      lines_.refuse(
           fmt::format("instant {}", i), fmt::format("{:g} s", instants_[i]),
           fmt::format("must be {:g} s: {} samples, equidistant from 0, fill the period of the load, {:g} s",
                       step * static_cast<double>(i), samples_.size(), period));
     }
   }
 
-  std::string_view rest_;
-  const std::string& name_;
-  int line_ = 0;
+  TextLines lines_;
   std::size_t columns_ = 0;  // 0: not known yet
   bool headed_ = false;
   std::vector<double> instants_, samples_;

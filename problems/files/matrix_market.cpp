@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "problems/files/text_words.hpp"
+#include "problems/files/text_lines.hpp"
 #include "problems/files/toml_tree.hpp"
 
 namespace signorini {
@@ -30,73 +30,43 @@ struct Entry {
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
+  Reader(std::string_view text, const std::string& name) : lines_(text, name) {}
 
   SparseMatrix read() {
     read_header();
     read_size();
     entries_.reserve(std::min(static_cast<std::size_t>(expected_), kReservedAtMost));
     for (std::int64_t i = 0; i < expected_; ++i) {
-      if (!next_line()) refuse("file", fmt::format("{} entries", i), fmt::format("must hold {}", expected_));
+      if (!next_line())
+        lines_.refuse("file", fmt::format("{} entries", i), fmt::format("must hold {}", expected_));
       coordinate_ ? read_coordinate_entry() : read_array_entry();
     }
     if (next_line())
-      refuse_line("entry", fmt::format("must be absent: the file holds {} entries", expected_));
+      lines_.refuse("entry", fmt::format("must be absent: the file holds {} entries", expected_));
     return assemble();
   }
 
  private:
-  // At the line that was read last, or at another one.
-  [[noreturn]] void refuse(std::string_view what, std::string_view found, std::string_view required,
-                           std::optional<int> line = {}) const {
-    throw SceneError(
-        fmt::format("{}:{}: {} = {} ({})", name_, std::max(line.value_or(line_), 1), what, found, required));
-  }
-  [[noreturn]] void refuse_line(std::string_view what, std::string_view required) const {
-    refuse(what, fmt::format("\"{}\"", one_line(first_words())), required);
-  }
-
-  // As many words as a message shows: a line may be as long as the file.
-  [[nodiscard]] std::string first_words() const {
-    constexpr std::size_t kEnough = 64;
-    std::string text;
-    for (const std::string_view word : words_) {
-      if (text.size() > kEnough) break;
-      text += fmt::format("{}{}", text.empty() ? "" : " ", word.substr(0, kEnough));
-    }
-    return text;
-  }
-
   // The next line with something on it that is no comment.
   bool next_line() {
-    while (!rest_.empty()) {
-      words_ = words_of(take_line());
-      if (!words_.empty() && words_[0][0] != '%') return true;
+    while (lines_.next()) {
+      if (lines_.words()[0][0] != '%') return true;
     }
     return false;
   }
 
-  std::string_view take_line() {
-    const std::string_view line = rest_.substr(0, rest_.find('\n'));
-    rest_.remove_prefix(std::min(rest_.size(), line.size() + 1));
-    ++line_;
-    return line;
-  }
-
   void read_header() {
-    if (rest_.empty()) refuse("header", "missing", kHeader);
-    const std::string_view first = take_line();
-    std::string lower(first.substr(0, 200));
+    if (!lines_.next()) lines_.refuse("header", "missing", kHeader);
+    std::string lower(lines_.line().substr(0, 200));
     std::transform(lower.begin(), lower.end(), lower.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    words_ = words_of(first);
     const std::vector<std::string_view> header = words_of(lower);
     const auto is = [&](std::size_t i, std::string_view one, std::string_view other) {
       return header[i] == one || header[i] == other;
     };
     if (header.size() != 5 || header[0] != "%%matrixmarket" || header[1] != "matrix" ||
         !is(2, "coordinate", "array") || !is(3, "real", "integer") || !is(4, "general", "symmetric")) {
-      refuse_line("header", kHeader);
+      lines_.refuse("header", kHeader);
     }
     coordinate_ = header[2] == "coordinate";
     integer_ = header[3] == "integer";
@@ -107,60 +77,62 @@ class Reader {
     const std::string_view required = coordinate_
                                           ? "must be rows, columns and number of entries, three numbers"
                                           : "must be rows and columns, two numbers";
-    if (!next_line()) refuse("size", "missing", required);
-    if (words_.size() != (coordinate_ ? 3U : 2U)) refuse_line("size", required);
+    if (!next_line()) lines_.refuse("size", "missing", required);
+    if (lines_.words().size() != (coordinate_ ? 3U : 2U)) lines_.refuse("size", required);
     std::vector<std::int64_t> numbers;
-    for (const std::string_view word : words_) {
+    for (const std::string_view word : lines_.words()) {
       const auto number = number_of<std::int64_t>(word);
-      if (!number) refuse_line("size", required);
+      if (!number) lines_.refuse("size", required);
       numbers.push_back(*number);
     }
     if (numbers[0] < 1 || numbers[0] > kMostMatrixRows || numbers[1] != numbers[0]) {
-      refuse_line("size", fmt::format("must be square, of 1..{} rows", kMostMatrixRows));
+      lines_.refuse("size", fmt::format("must be square, of 1..{} rows", kMostMatrixRows));
     }
     size_ = static_cast<int>(numbers[0]);
     const std::int64_t n = numbers[0];
     const std::int64_t most = symmetric_ ? n * (n + 1) / 2 : n * n;
     expected_ = coordinate_ ? numbers[2] : most;
     if (expected_ < 0 || expected_ > most) {
-      refuse_line("size", fmt::format("must promise 0..{} entries", most));
+      lines_.refuse("size", fmt::format("must promise 0..{} entries", most));
     }
     if (expected_ > (symmetric_ ? (kMostMatrixEntries + n) / 2 : kMostMatrixEntries)) {
-      refuse_line("size",
-                  fmt::format("must make at most {} entries, both triangles of a symmetric matrix counted",
-                              kMostMatrixEntries));
+      lines_.refuse("size",
+                    fmt::format("must make at most {} entries, both triangles of a symmetric matrix counted",
+                                kMostMatrixEntries));
     }
   }
 
   double value_of(std::string_view word) const {
-    if (integer_ && !number_of<std::int64_t>(word)) refuse_line("entry", "value must be a whole number");
+    if (integer_ && !number_of<std::int64_t>(word)) lines_.refuse("entry", "value must be a whole number");
     const auto value = number_of<double>(word);
-    if (!value || !std::isfinite(*value)) refuse_line("entry", "value must be a finite number");
+    if (!value || !std::isfinite(*value)) lines_.refuse("entry", "value must be a finite number");
     return *value;
   }
 
   int index_of(std::string_view word, std::string_view what) const {
     const auto index = number_of<int>(word);
     if (!index || *index < 1 || *index > size_) {
-      refuse_line("entry", fmt::format("{} must be in 1..{}", what, size_));
+      lines_.refuse("entry", fmt::format("{} must be in 1..{}", what, size_));
     }
     return *index - 1;
   }
 
   void read_coordinate_entry() {
-    if (words_.size() != 3) refuse_line("entry", "must be row, column and value");
-    const int row = index_of(words_[0], "row");
-    const int column = index_of(words_[1], "column");
+    if (lines_.words().size() != 3) lines_.refuse("entry", "must be row, column and value");
+    const int row = index_of(lines_.words()[0], "row");
+    const int column = index_of(lines_.words()[1], "column");
     if (symmetric_ && column > row) {
-      refuse_line("entry", "must be on or below the diagonal: the matrix is symmetric");
+      lines_.refuse("entry", "must be on or below the diagonal: the matrix is symmetric");
     }
-    entries_.push_back({.row = row, .column = column, .value = value_of(words_[2]), .line = line_});
+    entries_.push_back(
+        {.row = row, .column = column, .value = value_of(lines_.words()[2]), .line = lines_.number()});
   }
 
   // Column by column, of a symmetric matrix from the diagonal down.
   void read_array_entry() {
-    if (words_.size() != 1) refuse_line("entry", "must be one value");
-    entries_.push_back({.row = row_, .column = column_, .value = value_of(words_[0]), .line = line_});
+    if (lines_.words().size() != 1) lines_.refuse("entry", "must be one value");
+    entries_.push_back(
+        {.row = row_, .column = column_, .value = value_of(lines_.words()[0]), .line = lines_.number()});
     if (++row_ < size_) return;
     ++column_;
     row_ = symmetric_ ? column_ : 0;
@@ -179,9 +151,9 @@ class Reader {
     const auto twin = std::adjacent_find(entries_.begin(), entries_.end(),
                                          [](const Entry& a, const Entry& b) { return place(a) == place(b); });
     if (twin == entries_.end()) return;
-    refuse("entry", fmt::format("row {}, column {}", twin->row + 1, twin->column + 1),
-           fmt::format("must be given once; it stands in line {} already", twin->line),
-           std::next(twin)->line);
+    lines_.refuse("entry", fmt::format("row {}, column {}", twin->row + 1, twin->column + 1),
+                  fmt::format("must be given once; it stands in line {} already", twin->line),
+                  std::next(twin)->line);
   }
 
   SparseMatrix assemble() {
@@ -202,10 +174,7 @@ class Reader {
     return given.selfadjointView<Eigen::Lower>();
   }
 
-  std::string_view rest_;  // what has not been read
-  const std::string& name_;
-  std::vector<std::string_view> words_;  // of the line that was read last
-  int line_ = 0;
+  TextLines lines_;
   bool coordinate_ = true;
   bool integer_ = false;
   bool symmetric_ = false;

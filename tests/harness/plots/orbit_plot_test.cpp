@@ -18,7 +18,7 @@ Problem one_stop() {
 }
 
 FoundOrbit orbit(const std::string& name) {
-  SampledTrajectory::Data data{.period = 1.0};
+  SampledTrajectory::Data data;
   data.samples.x = Eigen::MatrixXd::Constant(4, 1, 0.25);
   data.samples.x(1, 0) = 0.75;
   data.samples.velocity = Eigen::MatrixXd::Zero(4, 1);

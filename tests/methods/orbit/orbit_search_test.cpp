@@ -130,6 +130,7 @@ TEST(ExactOrbitSearch, MarchingMeetsAStableOrbitFromRest) {
     OrbitFinder finder(test::to_problem(oscillator));
     const OrbitGuess rest{
         .start = {.time = 0.0, .state = finder.model()->dynamics.at_rest(), .closed = {false}},
+        .events = {},
         .origin = "rest"};
     SearchOptions options{.rounds = 0, .shootings = 0};
     EXPECT_FALSE(finder.find(rest, options).orbit.certified());

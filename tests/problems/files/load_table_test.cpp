@@ -75,7 +75,7 @@ TEST(ParseLoadTable, RefusesWhatIsNoTableOfThePeriod) {
   EXPECT_EQ(refusal("1\nx\n2"), "f.csv:2: value = \"x\" (must be a finite number)");
   EXPECT_EQ(refusal("1\n2\nnan\n4"), "f.csv:3: value = \"nan\" (must be a finite number)");
   EXPECT_EQ(refusal("1\n2"), "f.csv:2: samples = 2 (must be at least 3)");
-  EXPECT_EQ(refusal(""), "f.csv:0: samples = 0 (must be at least 3)");
+  EXPECT_EQ(refusal(""), "f.csv:1: samples = 0 (must be at least 3)");
   EXPECT_EQ(refusal("1\n2 3\n"),
             "f.csv:2: columns = 2 (must be 1, the samples, or 2, instants [s] and samples, in every line)");
   EXPECT_EQ(
