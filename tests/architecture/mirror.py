@@ -4,11 +4,13 @@
 usage: mirror.py ROOT
 
 harness/judge/orbit.{hpp,cpp} has tests/harness/judge/orbit_test.cpp. A unit without one stands in covered.txt beside
-this script, "harness/main  tests/harness/command_line_test.cpp", and the test named there must exist. Prints one line
-per offence and exits with 1 if there is one.
+this script, "harness/main  tests/harness/command_line_test.cpp", and the test named there must exist. Every *_test.cpp is
+in the list of a program: a CMakeLists.txt in its folder or above it names it. Prints one line per offence and exits with 1
+if there is one.
 """
 
 import pathlib
+import re
 import sys
 
 PARTS = ("problems", "methods", "harness")
@@ -35,6 +37,19 @@ def offences(root, covered):
                 yield f"{unit}: covered by {test}, which is not there"
 
 
+def words_of(file):
+    return re.split(r"[\s()]+", file.read_text())
+
+
+def unlisted(root):
+    """Tests that no program is made of."""
+    for test in sorted((root / "tests").rglob("*_test.cpp")):
+        folders = [folder for folder in test.parents if root / "tests" in (folder, *folder.parents)]
+        lists = ((folder, folder / "CMakeLists.txt") for folder in folders)
+        if not any(file.is_file() and str(test.relative_to(folder)) in words_of(file) for folder, file in lists):
+            yield f"{test.relative_to(root)}: in no CMakeLists.txt, so that nothing runs it"
+
+
 def read_covered(text):
     lines = (line.split("#")[0].split() for line in text.splitlines())
     return {words[0]: words[1:] for words in lines if words}
@@ -42,7 +57,8 @@ def read_covered(text):
 
 def main():
     text = (pathlib.Path(__file__).parent / "covered.txt").read_text()
-    found = list(offences(pathlib.Path(sys.argv[1]), read_covered(text)))
+    root = pathlib.Path(sys.argv[1])
+    found = [*offences(root, read_covered(text)), *unlisted(root)]
     print(*found, sep="\n", end="\n" if found else "")
     sys.exit(1 if found else 0)
 

@@ -34,6 +34,16 @@ class Mirror(unittest.TestCase):
         self.assertEqual(self.offences("harness/main tests/none_test.cpp\n"),
                          ["harness/main: covered by tests/none_test.cpp, which is not there"])
 
+    def test_refuses_a_test_that_no_program_is_made_of(self):
+        with tempfile.TemporaryDirectory() as folder:
+            tests = pathlib.Path(folder, "tests")
+            (tests / "harness").mkdir(parents=True)
+            for name in ("table_test.cpp", "stable_test.cpp"):
+                (tests / "harness" / name).touch()
+            (tests / "CMakeLists.txt").write_text("signorini_test(test_harness SOURCES\n  harness/stable_test.cpp)\n")
+            self.assertEqual(list(mirror.unlisted(pathlib.Path(folder))),
+                             ["tests/harness/table_test.cpp: in no CMakeLists.txt, so that nothing runs it"])
+
 
 if __name__ == "__main__":
     unittest.main()
