@@ -15,7 +15,19 @@ namespace {
 
 constexpr double kStrict = 1e-13;
 
-/// Ten contacts of a beam, none closed, a period after a state of many modes.
+/// A beam of ten contacts, whose modes are found once.
+struct Beam {
+  Problem problem = test::massless_beam({.alpha = 0.02, .beta = 1e-4}, 10);
+  ContactDynamics dynamics{problem};
+  LinearFlows flows{dynamics};
+};
+
+Beam& beam() {
+  static Beam one;
+  return one;
+}
+
+/// Its contacts, none closed, a period after a state of many modes.
 class OpenBeam : public testing::TestWithParam<double> {
  protected:
   OpenBeam() {
@@ -48,10 +60,9 @@ class OpenBeam : public testing::TestWithParam<double> {
     return result;
   }
 
-  Problem problem_ = test::massless_beam({.alpha = 0.02, .beta = 1e-4}, 10);
-  ContactDynamics dynamics_{problem_};
-  LinearFlows flows_{dynamics_};
-  std::unique_ptr<LinearArc> arc_ = flows_.of(std::vector<bool>(10, false)).arc();
+  const Problem& problem_ = beam().problem;
+  const ContactDynamics& dynamics_ = beam().dynamics;
+  std::unique_ptr<LinearArc> arc_ = beam().flows.of(std::vector<bool>(10, false)).arc();
   std::vector<LimitedOutput> outputs_;
   double begin_ = 0.0, end_ = 0.0;
   std::vector<FadingRate> terms_;
